@@ -1,0 +1,42 @@
+# What every module and every test program of vtkHelios is built with.
+
+set(vtkhelios_warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+
+# helios_add_module(<name> CLASSES ... [SOURCES ...] [HEADERS ...] [LINK ...])
+# A VTK module with the project's warnings; HEADERS are installed and not wrapped, SOURCES are private.
+# Floating-point contraction stays off: the same bytes on every machine, no leak between triangles.
+function(helios_add_module name)
+  cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
+  vtk_module_add_module(vtkHelios::${name}
+    CLASSES ${arg_CLASSES}
+    SOURCES ${arg_SOURCES}
+    NOWRAP_HEADERS ${arg_HEADERS})
+  vtk_module_compile_options(vtkHelios::${name} PRIVATE ${vtkhelios_warnings} -ffp-contract=off)
+  if(arg_LINK)
+    vtk_module_link(vtkHelios::${name} PRIVATE ${arg_LINK})
+  endif()
+endfunction()
+
+# Takes the modules whose optional library is switched off out of the list of vtk.module files.
+function(helios_drop_disabled_modules files)
+  set(kept ${${files}})
+  if(NOT VTKHELIOS_ENABLE_EMBREE)
+    list(FILTER kept EXCLUDE REGEX "RayCasting/Embree/vtk.module$")
+  endif()
+  set(${files} ${kept} PARENT_SCOPE)
+endfunction()
+
+# helios_add_test_program(<module> <folder> [LINK <module>...])
+# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, each case a ctest of its own.
+function(helios_add_test_program module folder)
+  cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/Testing/Cxx/Test*.cxx")
+  if(NOT sources OR NOT TARGET vtkHelios::${module})
+    return()
+  endif()
+  set(program vtkHelios${module}Tests)
+  add_executable(${program} ${sources})
+  target_compile_options(${program} PRIVATE ${vtkhelios_warnings} -ffp-contract=off)
+  target_link_libraries(${program} PRIVATE heliosTesting vtkHelios::${module} ${arg_LINK})
+  catch_discover_tests(${program} TEST_PREFIX "${module}." PROPERTIES LABELS ${module} TIMEOUT 300)
+endfunction()

@@ -1,0 +1,46 @@
+# The build's switches, and the directories everything goes to.
+
+option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
+option(VTKHELIOS_BUILD_TESTING "Build the tests" ON)
+option(VTKHELIOS_BUILD_BENCHMARKS "Build the benchmarks (they need Embree, CGAL and tinyobjloader)" OFF)
+option(VTKHELIOS_ENABLE_EMBREE "Build the ray caster on Embree 3" ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(BUILD_SHARED_LIBS ON)
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+
+find_program(CCACHE_PROGRAM ccache)
+mark_as_advanced(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM)
+  set(CMAKE_C_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+include(GNUInstallDirs)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+
+# A wheel carries the libraries beside the Python modules.
+if(SKBUILD)
+  set(vtkhelios_library_dir vtkhelios)
+  set(vtkhelios_python_dir ".")
+else()
+  set(vtkhelios_library_dir ${CMAKE_INSTALL_LIBDIR})
+  set(vtkhelios_python_dir "lib/python3/dist-packages")
+endif()
+
+set(vtkhelios_vtk_components
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms CommonSystem
+  FiltersCore FiltersGeneral IOXML)
+if(VTKHELIOS_WRAP_PYTHON)
+  list(APPEND vtkhelios_vtk_components WrappingPythonCore Python)
+endif()

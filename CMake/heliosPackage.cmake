@@ -1,0 +1,12 @@
+# find_package(vtkHelios) for other projects.
+
+include(CMakePackageConfigHelpers)
+set(vtkhelios_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vtkHelios)
+configure_package_config_file(
+  "${CMAKE_CURRENT_SOURCE_DIR}/CMake/vtkHeliosConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/vtkHeliosConfig.cmake"
+  INSTALL_DESTINATION ${vtkhelios_cmake_dir})
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/vtkHeliosConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${CMAKE_BINARY_DIR}/vtkHeliosConfig.cmake" "${CMAKE_BINARY_DIR}/vtkHeliosConfigVersion.cmake"
+  DESTINATION ${vtkhelios_cmake_dir} COMPONENT development)

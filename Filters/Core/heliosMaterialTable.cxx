@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMaterialTable.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <cmath>
+
+namespace helios
+{
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+template <typename ArrayT, typename GetT>
+void AddColumn(vtkFieldData* fields, const char* name, const MaterialTable& materials, GetT get)
+{
+  vtkNew<ArrayT> column;
+  column->SetName(name);
+  column->SetNumberOfValues(static_cast<vtkIdType>(materials.size()));
+  for (std::size_t i = 0; i < materials.size(); ++i)
+  {
+    column->SetValue(static_cast<vtkIdType>(i), get(materials[i]));
+  }
+  fields->AddArray(column);
+}
+
+double Number(vtkFieldData* fields, const char* name, vtkIdType row, double fallback)
+{
+  vtkDataArray* column = fields->GetArray(name);
+  return column && row < column->GetNumberOfTuples() ? column->GetComponent(row, 0) : fallback;
+}
+
+std::string Text(vtkFieldData* fields, const char* name, vtkIdType row)
+{
+  auto* column = vtkStringArray::SafeDownCast(fields->GetAbstractArray(name));
+  return column && row < column->GetNumberOfValues() ? std::string(column->GetValue(row)) : "";
+}
+
+} // namespace
+
+bool Material::operator==(const Material& other) const
+{
+  const bool sameReflectance = this->Reflectance == other.Reflectance ||
+    (std::isnan(this->Reflectance) && std::isnan(other.Reflectance));
+  return sameReflectance && this->Name == other.Name && this->Specularity == other.Specularity &&
+    this->SpecularExponent == other.SpecularExponent &&
+    this->Classification == other.Classification && this->IsGround == other.IsGround &&
+    this->Spectrum == other.Spectrum;
+}
+
+MaterialTable GetMaterials(vtkPolyData* scene)
+{
+  vtkFieldData* fields = scene->GetFieldData();
+  vtkAbstractArray* key = fields->GetAbstractArray(names::MaterialName);
+  key = key ? key : fields->GetAbstractArray(names::MaterialReflectance);
+  MaterialTable materials(key ? static_cast<std::size_t>(key->GetNumberOfTuples()) : 1);
+  if (!key)
+  {
+    return materials;
+  }
+  for (std::size_t i = 0; i < materials.size(); ++i)
+  {
+    const vtkIdType row = static_cast<vtkIdType>(i);
+    Material& m = materials[i];
+    m.Name = Text(fields, names::MaterialName, row);
+    m.Reflectance = Number(fields, names::MaterialReflectance, row, m.Reflectance);
+    m.Specularity = Number(fields, names::MaterialSpecularity, row, m.Specularity);
+    m.SpecularExponent = Number(fields, names::MaterialSpecularExponent, row, m.SpecularExponent);
+    m.Classification = static_cast<int>(Number(fields, names::MaterialClassification, row, 0));
+    m.IsGround = Number(fields, names::MaterialIsGround, row, 0) != 0;
+    m.Spectrum = Text(fields, names::MaterialSpectrum, row);
+  }
+  return materials;
+}
+
+void SetMaterials(vtkPolyData* scene, const MaterialTable& materials)
+{
+  vtkFieldData* fields = scene->GetFieldData();
+  using M = const Material&;
+  AddColumn<vtkStringArray>(fields, names::MaterialName, materials, [](M m) { return m.Name; });
+  AddColumn<vtkDoubleArray>(
+    fields, names::MaterialReflectance, materials, [](M m) { return m.Reflectance; });
+  AddColumn<vtkDoubleArray>(
+    fields, names::MaterialSpecularity, materials, [](M m) { return m.Specularity; });
+  AddColumn<vtkDoubleArray>(
+    fields, names::MaterialSpecularExponent, materials, [](M m) { return m.SpecularExponent; });
+  AddColumn<vtkIntArray>(
+    fields, names::MaterialClassification, materials, [](M m) { return m.Classification; });
+  AddColumn<vtkIntArray>(
+    fields, names::MaterialIsGround, materials, [](M m) { return m.IsGround ? 1 : 0; });
+  AddColumn<vtkStringArray>(
+    fields, names::MaterialSpectrum, materials, [](M m) { return m.Spectrum; });
+}
+
+} // namespace helios

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The materials of a scene, as its field data carries them.
+
+#ifndef heliosMaterialTable_h
+#define heliosMaterialTable_h
+
+#include "vtkHeliosFiltersCoreModule.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/// The reflectance of a surface that has none given, nor a spectrum.
+constexpr double DefaultReflectance = 0.5;
+
+struct Material
+{
+  std::string Name = "default";
+  double Reflectance = std::numeric_limits<double>::quiet_NaN(); ///< [0..1]; NaN: not given
+  double Specularity = 0.0;                                      ///< [0..1]
+  double SpecularExponent = 10.0;
+  int Classification = 0;
+  bool IsGround = false;
+  std::string Spectrum; ///< name of a spectrum; empty: none
+
+  bool operator==(const Material& other) const;
+};
+
+using MaterialTable = std::vector<Material>;
+
+/// The material columns of a scene's field data; a scene without them has one default material.
+VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkPolyData* scene);
+
+/// Replaces the material columns of a scene.
+VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkPolyData* scene, const MaterialTable& materials);
+
+} // namespace helios
+
+#endif

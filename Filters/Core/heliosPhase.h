@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Phases of periodic motion from an integer index, without drift.
+
+#ifndef heliosPhase_h
+#define heliosPhase_h
+
+#include <cmath>
+#include <cstdint>
+
+namespace helios
+{
+
+/**
+ * frac(index * frequency / rate), in [0, 1), exact to a few ulps for any index below 2^53 whatever
+ * the number of turns. index * frequency is the exact sum of a product and its rounding error
+ * (Dekker's two-product), whole turns are taken off by a fused multiply-add, so nothing cancels.
+ */
+inline double Phase(std::int64_t index, double frequency, double rate)
+{
+  const double i = static_cast<double>(index);
+  const double product = i * frequency;
+  const double error = std::fma(i, frequency, -product);
+  const double turns = std::floor(product / rate);
+  const double rest = std::fma(-turns, rate, product) + error; // in (-rate, 2 rate)
+  const double phase = rest / rate;
+  const double fraction = phase - std::floor(phase);
+  return fraction < 1.0 ? fraction : 0.0;
+}
+
+/// The time of a pulse [s]: from its index, never summed.
+inline double PulseTime(double start, std::int64_t index, double pulseFrequency)
+{
+  return start + static_cast<double>(index) / pulseFrequency;
+}
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rotations and poses. Body and scanner frames: x right, y forward, z up.
+
+#ifndef heliosPose_h
+#define heliosPose_h
+
+#include <vtkMath.h>
+#include <vtkQuaternion.h>
+#include <vtkVector.h>
+#include <vtkVectorOperators.h>
+
+#include <cmath>
+
+namespace helios
+{
+
+using Vec3 = vtkVector3d;
+using Quaternion = vtkQuaterniond; // w, x, y, z
+
+/// A rotation as a matrix: what the inner loops use.
+struct Rotation
+{
+  double M[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+
+  Rotation() = default;
+  explicit Rotation(const Quaternion& q) { q.ToMatrix3x3(this->M); }
+
+  Vec3 operator*(const Vec3& v) const
+  {
+    const auto& m = this->M;
+    return { m[0][0] * v[0] + m[0][1] * v[1] + m[0][2] * v[2],
+      m[1][0] * v[0] + m[1][1] * v[1] + m[1][2] * v[2],
+      m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2] };
+  }
+
+  Rotation operator*(const Rotation& b) const
+  {
+    Rotation r;
+    vtkMath::Multiply3x3(this->M, b.M, r.M);
+    return r;
+  }
+};
+
+/// The right-handed rotation by an angle [deg] about an axis of any length.
+inline Quaternion AxisAngle(Vec3 axis, double degrees)
+{
+  axis.Normalize();
+  const double half = 0.5 * vtkMath::RadiansFromDegrees(degrees);
+  const double s = std::sin(half);
+  return { std::cos(half), s * axis[0], s * axis[1], s * axis[2] };
+}
+
+inline Vec3 Rotate(const Quaternion& q, const Vec3& v)
+{
+  return Rotation(q) * v;
+}
+
+/// A frame in another: first rotated, then moved.
+struct Pose
+{
+  Vec3 Position{ 0.0, 0.0, 0.0 };
+  Quaternion Orientation{ 1.0, 0.0, 0.0, 0.0 };
+};
+
+/// Pose of c in a, from b in a and c in b: the lever arm turns with the attitude.
+inline Pose operator*(const Pose& a, const Pose& b)
+{
+  return { a.Position + Rotate(a.Orientation, b.Position), a.Orientation * b.Orientation };
+}
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Counter-based random numbers (Philox): the same bytes for any number of threads or pieces.
+
+#ifndef heliosRandom_h
+#define heliosRandom_h
+
+#include "vtkHeliosFiltersCoreModule.h"
+
+#include <array>
+#include <cstdint>
+
+namespace helios
+{
+
+/// What a random number is drawn for; two streams never share a number.
+enum class RandomStream : std::uint32_t
+{
+  RangeNoise = 1,
+  Scene = 2,
+  Platform = 3
+};
+
+/**
+ * A pair of independent standard normal numbers, a pure function of its key: the seed, the stream,
+ * the item (a pulse, a point) and the draw of that item. Philox4x64-10 (Salmon et al. 2011), then
+ * Box and Muller.
+ */
+VTKHELIOSFILTERSCORE_EXPORT std::array<double, 2> NormalPair(
+  std::uint64_t seed, RandomStream stream, std::uint64_t item, std::uint32_t draw);
+
+/// Four independent numbers, uniform in the open interval (0, 1); keyed as above.
+VTKHELIOSFILTERSCORE_EXPORT std::array<double, 4> Uniform4(
+  std::uint64_t seed, RandomStream stream, std::uint64_t item, std::uint32_t draw);
+
+} // namespace helios
+
+#endif

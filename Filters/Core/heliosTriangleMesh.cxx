@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosTriangleMesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace helios
+{
+
+std::string TriangleMesh::Set(vtkPolyData* scene)
+{
+  *this = TriangleMesh();
+  if (!scene || scene->GetNumberOfCells() == 0)
+  {
+    return "the scene is empty: it has no triangles";
+  }
+  vtkCellArray* polys = scene->GetPolys();
+  if (scene->GetNumberOfCells() != polys->GetNumberOfCells() || polys->IsHomogeneous() != 3)
+  {
+    return "the scene has cells that are not triangles; pass it through vtkTriangleFilter first";
+  }
+  const vtkIdType pointCount = scene->GetNumberOfPoints();
+  if (pointCount > std::numeric_limits<vtkTypeInt32>::max())
+  {
+    return "the scene has " + std::to_string(pointCount) +
+      " points, more than 2^31; split it into several scenes";
+  }
+
+  vtkDataArray* points = scene->GetPoints()->GetData();
+  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
+  {
+    this->Points = doubles->GetPointer(0);
+  }
+  else
+  {
+    this->OwnPoints.resize(3 * static_cast<std::size_t>(pointCount));
+    for (vtkIdType i = 0; i < pointCount; ++i)
+    {
+      points->GetTuple(i, &this->OwnPoints[3 * static_cast<std::size_t>(i)]);
+    }
+    this->Points = this->OwnPoints.data();
+  }
+
+  this->NumberOfTriangles = polys->GetNumberOfCells();
+  if (polys->IsStorage64Bit())
+  {
+    const vtkTypeInt64* corners = polys->GetConnectivityArray64()->GetPointer(0);
+    this->OwnCorners.assign(corners, corners + 3 * this->NumberOfTriangles);
+    this->Corners = this->OwnCorners.data();
+  }
+  else
+  {
+    this->Corners = polys->GetConnectivityArray32()->GetPointer(0);
+  }
+
+  for (vtkIdType i = 0; i < 3 * this->NumberOfTriangles; ++i)
+  {
+    const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      return "cell " + std::to_string(i / 3) + " of the scene has a corner that is not finite (point " +
+        std::to_string(this->Corners[i]) + "); repair or remove it";
+    }
+  }
+  this->NumberOfPoints = pointCount;
+  this->Scene = scene;
+  return {};
+}
+
+Vec3 TriangleMesh::GetNormal(vtkIdType triangle) const
+{
+  const Vec3 a(this->GetCorner(triangle, 0));
+  const Vec3 b(this->GetCorner(triangle, 1));
+  const Vec3 c(this->GetCorner(triangle, 2));
+  Vec3 normal = (b - a).Cross(c - a);
+  normal.Normalize();
+  return normal;
+}
+
+void TriangleMesh::GetBounds(double bounds[6]) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = std::numeric_limits<double>::infinity();
+    bounds[2 * axis + 1] = -std::numeric_limits<double>::infinity();
+  }
+  for (vtkIdType i = 0; i < 3 * this->NumberOfTriangles; ++i)
+  {
+    const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      bounds[2 * axis] = std::min(bounds[2 * axis], p[axis]);
+      bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], p[axis]);
+    }
+  }
+}
+
+std::size_t TriangleMesh::GetMemorySize() const
+{
+  return this->OwnPoints.capacity() * sizeof(double) +
+    this->OwnCorners.capacity() * sizeof(vtkTypeInt32);
+}
+
+} // namespace helios

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene seen as plain triangles: points and corner indices, borrowed from it where its storage allows.
+
+#ifndef heliosTriangleMesh_h
+#define heliosTriangleMesh_h
+
+#include "vtkHeliosFiltersCoreModule.h"
+#include "heliosPose.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * Cell i of the scene is triangle i. Points are double and corner indices 32-bit: a scene that
+ * stores them so (vtkDoubleArray points, vtkCellArray in 32-bit storage) is not copied.
+ */
+class VTKHELIOSFILTERSCORE_EXPORT TriangleMesh
+{
+public:
+  /**
+   * Looks at a scene, and keeps it alive. Says in words what is wrong (cells other than triangles,
+   * points that are not finite, more than 2^31 points), or returns an empty text.
+   */
+  std::string Set(vtkPolyData* scene);
+
+  vtkIdType GetNumberOfTriangles() const { return this->NumberOfTriangles; }
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  const double* GetPoints() const { return this->Points; }
+  const vtkTypeInt32* GetCorners() const { return this->Corners; }
+
+  const double* GetCorner(vtkIdType triangle, int corner) const
+  {
+    return this->Points + 3 * static_cast<vtkIdType>(this->Corners[3 * triangle + corner]);
+  }
+
+  /// The unit normal by the right-hand rule; zero for a triangle without area.
+  Vec3 GetNormal(vtkIdType triangle) const;
+
+  /// Smallest and largest coordinates of the points that triangles use: x0 x1 y0 y1 z0 z1.
+  void GetBounds(double bounds[6]) const;
+
+  /// Bytes this object holds beyond the scene's own.
+  std::size_t GetMemorySize() const;
+
+private:
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<double> OwnPoints;
+  std::vector<vtkTypeInt32> OwnCorners;
+  const double* Points = nullptr;
+  const vtkTypeInt32* Corners = nullptr;
+  vtkIdType NumberOfTriangles = 0;
+  vtkIdType NumberOfPoints = 0;
+};
+
+} // namespace helios
+
+#endif

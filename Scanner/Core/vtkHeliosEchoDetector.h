@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosEchoDetector
+ * @brief   finds the echoes in a received waveform
+ *
+ * A strategy, const and thread-safe once set up. The scanner and the filters on
+ * stored waveforms call the same detector on the same float samples.
+ *
+ * To add one: subclass, implement Detect().
+ *
+ * @sa
+ * vtkHeliosPeakDetector vtkHeliosScanner
+ */
+
+#ifndef vtkHeliosEchoDetector_h
+#define vtkHeliosEchoDetector_h
+
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <vector> // For the echoes
+
+/// A received waveform: Samples[i] [W] was received at i BinSize.
+struct vtkHeliosWaveform
+{
+  const float* Samples;
+  vtkIdType Count;
+  double BinSize;     ///< [ns]
+  double PulseLength; ///< [ns], full width at half maximum of the transmitted pulse
+};
+
+/// An echo in a waveform.
+struct vtkHeliosDetectedEcho
+{
+  double Time;      ///< [ns] after the first sample
+  double Amplitude; ///< [W]
+  double Width;     ///< [ns], full width at half maximum
+};
+
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosEchoDetector : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkHeliosEchoDetector, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the smallest amplitude of an echo [W]. Valid range: [0, 1e6].
+   * Default: 1e-13.
+   */
+  vtkSetClampMacro(DetectionThreshold, double, 0.0, 1e6);
+  vtkGetMacro(DetectionThreshold, double);
+  ///@}
+
+  /**
+   * Appends the echoes of a waveform in the order of time.
+   */
+  virtual void Detect(
+    const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const = 0;
+
+protected:
+  vtkHeliosEchoDetector() = default;
+  ~vtkHeliosEchoDetector() override = default;
+
+  double DetectionThreshold = 1e-13;
+
+private:
+  vtkHeliosEchoDetector(const vtkHeliosEchoDetector&) = delete;
+  void operator=(const vtkHeliosEchoDetector&) = delete;
+};
+
+#endif

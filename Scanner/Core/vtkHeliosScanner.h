@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosScanner
+ * @brief   fires the pulses of one leg through a scene and detects the echoes
+ *
+ * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds and PartIds
+ * and the material columns in its field data are optional). Port 1: the
+ * trajectory (vtkPolyData with GpsTime and Orientation, as platforms make it).
+ *
+ * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
+ * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
+ * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
+ * ChannelIds. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * a pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
+ * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
+ * data). Output 2, with GeneratePulses: every pulse, an origin with Direction,
+ * GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit. Output 3, with
+ * GenerateSubRays: every hit of a sub-ray with PulseIds, Weight, Range,
+ * CellIds, IncidenceAngle.
+ *
+ * Pulse i leaves at StartTime + i / PulseFrequency, where the deflector lets it
+ * out; its id is FirstPulseId + i. Sub-ray k of the beam that meets a surface of
+ * reflectance rho at range R and incidence theta returns
+ * - P = AveragePower W rho cos(theta) D^2 / (4 R^2) eta exp(-2 alpha R)
+ *
+ * with its weight W, the ReceiverDiameter D, the OpticalEfficiency eta, and the
+ * extinction alpha of Kruse at Wavelength and AtmosphericVisibility (Wagner et
+ * al. 2006, ISPRS J. 60, 100-112). It comes back after 2 R / c as a Gaussian
+ * of full width PulseLength and peak P. The echoes are the maxima of the sum,
+ * found by the EchoDetector in bins of BinSize; where the sub-ray ranges of a
+ * pulse spread over no more than c sigma, so that the sum has exactly one
+ * maximum, that is found by Newton's method without bins. An echo lies on the
+ * axis of the beam at its own range; surface ids are those of the sub-ray
+ * nearest in range.
+ *
+ * The pulses of a piece are a contiguous range; pieces and threads do not
+ * change a byte.
+ *
+ * @sa
+ * vtkHeliosBeamDeflector vtkHeliosBeamSampler vtkHeliosEchoDetector
+ * vtkHeliosRayCaster vtkHeliosPlatform
+ */
+
+#ifndef vtkHeliosScanner_h
+#define vtkHeliosScanner_h
+
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For the strategies
+
+class vtkHeliosBeamDeflector;
+class vtkHeliosBeamSampler;
+class vtkHeliosEchoDetector;
+class vtkHeliosRayCaster;
+
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosScanner : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHeliosScanner* New();
+  vtkTypeMacro(vtkHeliosScanner, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how the scene is searched. Default: Embree where it is built, else
+   * the own hierarchy.
+   */
+  void SetRayCaster(vtkHeliosRayCaster* caster);
+  vtkHeliosRayCaster* GetRayCaster() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where pulses leave, and how often. No default: an error without.
+   */
+  void SetBeamDeflector(vtkHeliosBeamDeflector* deflector);
+  vtkHeliosBeamDeflector* GetBeamDeflector() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the sub-rays of a pulse. Default: a vtkHeliosBeamSampler, 19
+   * sub-rays over a divergence of 0.3 mrad.
+   */
+  void SetBeamSampler(vtkHeliosBeamSampler* sampler);
+  vtkHeliosBeamSampler* GetBeamSampler() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what makes echoes of waveforms. Default: a vtkHeliosPeakDetector.
+   */
+  void SetEchoDetector(vtkHeliosEchoDetector* detector);
+  vtkHeliosEchoDetector* GetEchoDetector() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the full width of the transmitted pulse at half its maximum [ns].
+   * Valid range: [1e-3, 1e6]. Default: 4.
+   */
+  vtkSetClampMacro(PulseLength, double, 1e-3, 1e6);
+  vtkGetMacro(PulseLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the bin of the waveform [ns]. Valid range: [1e-4, 1e3]; a bin wider
+   * than half the pulse is an error when run. Default: 0.25.
+   */
+  vtkSetClampMacro(BinSize, double, 1e-4, 1e3);
+  vtkGetMacro(BinSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the transmit power in the lidar equation [W]. Valid range:
+   * [0, 1e12]. Default: 4.
+   */
+  vtkSetClampMacro(AveragePower, double, 0.0, 1e12);
+  vtkGetMacro(AveragePower, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the wavelength [nm]. Valid range: [200, 20000]. Default: 1064.
+   */
+  vtkSetClampMacro(Wavelength, double, 200.0, 20000.0);
+  vtkGetMacro(Wavelength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the efficiency of the optics. Valid range: [0, 1]. Default: 0.99.
+   */
+  vtkSetClampMacro(OpticalEfficiency, double, 0.0, 1.0);
+  vtkGetMacro(OpticalEfficiency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the diameter of the receiver [m]. Valid range: [1e-6, 100].
+   * Default: 0.15.
+   */
+  vtkSetClampMacro(ReceiverDiameter, double, 1e-6, 100.0);
+  vtkGetMacro(ReceiverDiameter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the meteorological visibility [km]; infinite: no extinction. Valid
+   * range: [1e-3, infinity]. Default: 23.
+   */
+  vtkSetClampMacro(AtmosphericVisibility, double, 1e-3, VTK_DOUBLE_MAX);
+  vtkGetMacro(AtmosphericVisibility, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the standard deviation of the range noise, one draw an echo [m].
+   * Valid range: [0, 1e3]. Default: 0, none.
+   */
+  vtkSetClampMacro(RangeAccuracy, double, 0.0, 1e3);
+  vtkGetMacro(RangeAccuracy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the ranges that the instrument measures [m]. What a sub-ray hits
+   * outside them blocks it and returns nothing. Valid range: [0, infinity].
+   * Default: 0 and infinity.
+   */
+  vtkSetClampMacro(RangeMin, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RangeMin, double);
+  vtkSetClampMacro(RangeMax, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(RangeMax, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many echoes of a pulse are kept, in the order of range; 0: all.
+   * Valid range: [0, 255]. Default: 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
+  vtkGetMacro(MaximumNumberOfReturns, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the scanner on its platform: position [m] and attitude (unit
+   * quaternion w, x, y, z) in the body frame. Default: at the origin, upright.
+   */
+  vtkSetVector3Macro(MountPosition, double);
+  vtkGetVector3Macro(MountPosition, double);
+  vtkSetVector4Macro(MountOrientation, double);
+  vtkGetVector4Macro(MountOrientation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where the beam leaves, in the frame of the rotating head: position
+   * [m] and attitude (unit quaternion w, x, y, z). Default: at the origin,
+   * upright.
+   */
+  vtkSetVector3Macro(BeamOrigin, double);
+  vtkGetVector3Macro(BeamOrigin, double);
+  vtkSetVector4Macro(BeamOrientation, double);
+  vtkGetVector4Macro(BeamOrientation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the axis that the head turns about, in the frame of the mount.
+   * Default: 0, 0, 1.
+   */
+  vtkSetVector3Macro(HeadRotateAxis, double);
+  vtkGetVector3Macro(HeadRotateAxis, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the turn of the head: from HeadRotateStart to HeadRotateStop [deg]
+   * at HeadRotateSpeed [deg/s] (negative: the other way round). On a platform
+   * that stands, the scan ends with it. Valid range: [-1e6, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(HeadRotateStart, double, -1e6, 1e6);
+  vtkGetMacro(HeadRotateStart, double);
+  vtkSetClampMacro(HeadRotateStop, double, -1e6, 1e6);
+  vtkGetMacro(HeadRotateStop, double);
+  vtkSetClampMacro(HeadRotateSpeed, double, -1e6, 1e6);
+  vtkGetMacro(HeadRotateSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the time of pulse 0 [s]; negative: the trajectory's first. Valid
+   * range: [-1, 1e12]. Default: -1.
+   */
+  vtkSetClampMacro(StartTime, double, -1.0, 1e12);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how long pulses are fired [s]; negative: on a platform that stands
+   * until the head has turned, else until the trajectory ends. Valid range:
+   * [-1, 1e12]. Default: -1.
+   */
+  vtkSetClampMacro(Duration, double, -1.0, 1e12);
+  vtkGetMacro(Duration, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the part [t0, t1) of the scan that is computed [s]. Default: all of
+   * it.
+   */
+  vtkSetVector2Macro(TimeWindow, double);
+  vtkGetVector2Macro(TimeWindow, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
+   */
+  vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
+  vtkGetMacro(Seed, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the id of pulse 0, and the ids of leg and channel that the outputs
+   * carry. Default: 0.
+   */
+  vtkSetMacro(FirstPulseId, vtkIdType);
+  vtkGetMacro(FirstPulseId, vtkIdType);
+  vtkSetMacro(LegId, int);
+  vtkGetMacro(LegId, int);
+  vtkSetMacro(ChannelId, int);
+  vtkGetMacro(ChannelId, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get which outputs are computed beside the echoes. Default: off.
+   */
+  vtkSetMacro(GenerateWaveforms, bool);
+  vtkGetMacro(GenerateWaveforms, bool);
+  vtkBooleanMacro(GenerateWaveforms, bool);
+  vtkSetMacro(GeneratePulses, bool);
+  vtkGetMacro(GeneratePulses, bool);
+  vtkBooleanMacro(GeneratePulses, bool);
+  vtkSetMacro(GenerateSubRays, bool);
+  vtkGetMacro(GenerateSubRays, bool);
+  vtkBooleanMacro(GenerateSubRays, bool);
+  ///@}
+
+  /**
+   * The number of pulse indices of the scan (of the time window, where one is
+   * set), for the inputs as they are; -1 after an error. Updates the
+   * trajectory.
+   */
+  vtkIdType GetNumberOfPulses();
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkHeliosScanner();
+  ~vtkHeliosScanner() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHeliosScanner(const vtkHeliosScanner&) = delete;
+  void operator=(const vtkHeliosScanner&) = delete;
+
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;
+  vtkSmartPointer<vtkHeliosBeamDeflector> BeamDeflector;
+  vtkSmartPointer<vtkHeliosBeamSampler> BeamSampler;
+  vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
+
+  double PulseLength = 4.0;
+  double BinSize = 0.25;
+  double AveragePower = 4.0;
+  double Wavelength = 1064.0;
+  double OpticalEfficiency = 0.99;
+  double ReceiverDiameter = 0.15;
+  double AtmosphericVisibility = 23.0;
+  double RangeAccuracy = 0.0;
+  double RangeMin = 0.0;
+  double RangeMax = VTK_DOUBLE_MAX;
+  int MaximumNumberOfReturns = 0;
+  double MountPosition[3] = { 0.0, 0.0, 0.0 };
+  double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double BeamOrigin[3] = { 0.0, 0.0, 0.0 };
+  double BeamOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double HeadRotateAxis[3] = { 0.0, 0.0, 1.0 };
+  double HeadRotateStart = 0.0;
+  double HeadRotateStop = 0.0;
+  double HeadRotateSpeed = 0.0;
+  double StartTime = -1.0;
+  double Duration = -1.0;
+  double TimeWindow[2] = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  vtkIdType Seed = 0;
+  vtkIdType FirstPulseId = 0;
+  int LegId = 0;
+  int ChannelId = 0;
+  bool GenerateWaveforms = false;
+  bool GeneratePulses = false;
+  bool GenerateSubRays = false;
+};
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosConicMirror
+ * @brief   a Palmer scanner: the beam runs round a cone
+ *
+ * The beam leaves the mirror at half angle ScanAngle from the y axis and turns
+ * about it with ScanFrequency. Pulse i at PulseFrequency f has azimuth
+ * phi = 2 pi frac(i ScanFrequency / f), the fraction taken exactly, and the
+ * direction (sin A sin phi, cos A, sin A cos phi); on flat ground below, the
+ * centres of the footprints form a circle.
+ *
+ * @sa
+ * vtkHeliosBeamDeflector vtkHeliosScanner
+ */
+
+#ifndef vtkHeliosConicMirror_h
+#define vtkHeliosConicMirror_h
+
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosScannerOpticsModule.h" // For export macro
+
+class VTKHELIOSSCANNEROPTICS_EXPORT vtkHeliosConicMirror : public vtkHeliosBeamDeflector
+{
+public:
+  static vtkHeliosConicMirror* New();
+  vtkTypeMacro(vtkHeliosConicMirror, vtkHeliosBeamDeflector);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the revolutions of the mirror a second [Hz]. Valid range:
+   * [0, 1e6]. Default: 50.
+   */
+  vtkSetClampMacro(ScanFrequency, double, 0.0, 1e6);
+  vtkGetMacro(ScanFrequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the half angle of the cone [deg]. Valid range: [0, 180].
+   * Default: 20.
+   */
+  vtkSetClampMacro(ScanAngle, double, 0.0, 180.0);
+  vtkGetMacro(ScanAngle, double);
+  ///@}
+
+  bool GetDirection(vtkIdType pulse, double direction[3]) const override;
+
+  /**
+   * The half angle of the cone, for every pulse [deg].
+   */
+  double GetScanAngle(vtkIdType pulse) const override;
+
+protected:
+  vtkHeliosConicMirror() = default;
+  ~vtkHeliosConicMirror() override = default;
+
+private:
+  vtkHeliosConicMirror(const vtkHeliosConicMirror&) = delete;
+  void operator=(const vtkHeliosConicMirror&) = delete;
+
+  double ScanFrequency = 50.0;
+  double ScanAngle = 20.0;
+};
+
+#endif

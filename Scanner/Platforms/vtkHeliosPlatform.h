@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosPlatform
+ * @brief   how a platform moves: waypoints in, trajectory out
+ *
+ * Input: waypoints (vtkPolyData), the points in order. Point arrays: LegIds
+ * (optional, default 0, 1, 2 ...; the leg that starts at the waypoint), and
+ * what the platform reads, e.g. Speed.
+ *
+ * Output: the trajectory (vtkPolyData), one polyline with the point arrays
+ * GpsTime [s] from StartTime on, never decreasing; Orientation (unit quaternion
+ * w, x, y, z, body to world; body x right, y forward, z up), Velocity [m/s],
+ * LegIds. Between two samples the position is linear in time and the
+ * orientation turns at a constant rate; two samples at the same time are a
+ * sudden turn. A single sample holds at all times.
+ *
+ * To add one: subclass, implement Move().
+ *
+ * @sa
+ * vtkHeliosStaticPlatform vtkHeliosLinearPathPlatform
+ */
+
+#ifndef vtkHeliosPlatform_h
+#define vtkHeliosPlatform_h
+
+#include "vtkHeliosScannerPlatformsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // For the samples of a path
+
+class VTKHELIOSSCANNERPLATFORMS_EXPORT vtkHeliosPlatform : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHeliosPlatform, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the time of the first waypoint [s]. Valid range: [0, 1e12].
+   * Default: 0.
+   */
+  vtkSetClampMacro(StartTime, double, 0.0, 1e12);
+  vtkGetMacro(StartTime, double);
+  ///@}
+
+protected:
+  vtkHeliosPlatform() = default;
+  ~vtkHeliosPlatform() override = default;
+
+  /// A sample of the trajectory.
+  struct State
+  {
+    double Time;
+    double Position[3];
+    double Orientation[4]; // w, x, y, z
+    double Velocity[3];
+    int LegId;
+  };
+
+  /// Appends the samples of the whole path; false after an error.
+  virtual bool Move(vtkPolyData* waypoints, std::vector<State>& path) = 0;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double StartTime = 0.0;
+
+private:
+  vtkHeliosPlatform(const vtkHeliosPlatform&) = delete;
+  void operator=(const vtkHeliosPlatform&) = delete;
+};
+
+#endif

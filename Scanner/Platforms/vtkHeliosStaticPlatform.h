@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosStaticPlatform
+ * @brief   a platform that stands: a tripod
+ *
+ * Input: one waypoint. Output: one sample at that point, valid at all times,
+ * with the identity as its orientation turned by Heading. More than one
+ * waypoint is an error: a survey sets up the tripod once a leg.
+ *
+ * @sa
+ * vtkHeliosPlatform
+ */
+
+#ifndef vtkHeliosStaticPlatform_h
+#define vtkHeliosStaticPlatform_h
+
+#include "vtkHeliosPlatform.h"
+#include "vtkHeliosScannerPlatformsModule.h" // For export macro
+
+class VTKHELIOSSCANNERPLATFORMS_EXPORT vtkHeliosStaticPlatform : public vtkHeliosPlatform
+{
+public:
+  static vtkHeliosStaticPlatform* New();
+  vtkTypeMacro(vtkHeliosStaticPlatform, vtkHeliosPlatform);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get where the platform's y axis points, clockwise from north (world
+   * y) [deg]. Valid range: [-360, 360]. Default: 0.
+   */
+  vtkSetClampMacro(Heading, double, -360.0, 360.0);
+  vtkGetMacro(Heading, double);
+  ///@}
+
+protected:
+  vtkHeliosStaticPlatform() = default;
+  ~vtkHeliosStaticPlatform() override = default;
+
+  bool Move(vtkPolyData* waypoints, std::vector<State>& path) override;
+
+private:
+  vtkHeliosStaticPlatform(const vtkHeliosStaticPlatform&) = delete;
+  void operator=(const vtkHeliosStaticPlatform&) = delete;
+
+  double Heading = 0.0;
+};
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosEmbreeRayCaster
+ * @brief   the default ray caster: Embree traversal, double-precision triangles
+ *
+ * Embree 3 user geometry: it traverses padded float boxes in a frame local to
+ * the scene, with the ray's origin advanced to the scene in double; every
+ * triangle it reaches is tested in double on the scene's own points. Bundles
+ * of rays are traced eight at a time.
+ *
+ * @sa
+ * vtkHeliosRayCaster
+ */
+
+#ifndef vtkHeliosEmbreeRayCaster_h
+#define vtkHeliosEmbreeRayCaster_h
+
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScannerRayCastingEmbreeModule.h" // For export macro
+
+class VTKHELIOSSCANNERRAYCASTINGEMBREE_EXPORT vtkHeliosEmbreeRayCaster : public vtkHeliosRayCaster
+{
+public:
+  static vtkHeliosEmbreeRayCaster* New();
+  vtkTypeMacro(vtkHeliosEmbreeRayCaster, vtkHeliosRayCaster);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using vtkHeliosRayCaster::Intersect;
+  void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const override;
+  void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override;
+  const char* GetName() const override { return "embree"; }
+  std::size_t GetAcceleratorSize() const override;
+
+protected:
+  vtkHeliosEmbreeRayCaster();
+  ~vtkHeliosEmbreeRayCaster() override;
+
+  bool BuildAccelerator(const helios::TriangleMesh& mesh) override;
+
+private:
+  vtkHeliosEmbreeRayCaster(const vtkHeliosEmbreeRayCaster&) = delete;
+  void operator=(const vtkHeliosEmbreeRayCaster&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Device;
+};
+
+#endif

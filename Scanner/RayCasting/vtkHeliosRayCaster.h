@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosRayCaster
+ * @brief   rays against the triangles of a scene, in batches
+ *
+ * A strategy: Build() it once from a scene, then any number of threads may ask
+ * it. Every backend takes hit and range from the same double-precision
+ * watertight test (Woop et al. 2013) on the scene's own points, so all give the
+ * same bytes: no leak through shared edges and vertices; of triangles at
+ * equal range the one with the lowest cell id. Triangles without area are
+ * never hit. Both sides of a triangle are hit.
+ *
+ * @sa
+ * vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster vtkHeliosScanner
+ */
+
+#ifndef vtkHeliosRayCaster_h
+#define vtkHeliosRayCaster_h
+
+#include "vtkHeliosScannerRayCastingModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkWeakPointer.h" // For the scene it was built from
+
+#include <limits> // For an endless ray
+#include <memory> // For the private mesh
+
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkPolyData;
+
+namespace helios
+{
+class TriangleMesh;
+}
+
+/// A ray: hits count at ranges in (0, MaximumRange]. Range is in units of the direction's length.
+struct vtkHeliosRay
+{
+  double Origin[3];
+  double Direction[3];
+  double MaximumRange = std::numeric_limits<double>::infinity();
+};
+
+/// The first hit of a ray; CellId is -1 where it hits nothing.
+struct vtkHeliosHit
+{
+  double Range;
+  vtkIdType CellId;
+};
+
+class VTKHELIOSSCANNERRAYCASTING_EXPORT vtkHeliosRayCaster : public vtkObject
+{
+public:
+  vtkTypeMacro(vtkHeliosRayCaster, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Builds the accelerator for a scene of triangles. Does nothing when it was
+   * built from this scene and the scene has not been modified since. Returns
+   * false, after an error that names the reason, for a scene that is empty or
+   * has other cells than triangles or points that are not finite.
+   */
+  bool Build(vtkPolyData* scene);
+
+  ///@{
+  /**
+   * The first hit of each of count rays. Neighbours in the array should be
+   * neighbours in space: they are traced together.
+   */
+  virtual void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const = 0;
+  ///@}
+
+  /**
+   * For each of count rays whether anything lies in (0, MaximumRange].
+   */
+  virtual void Occluded(
+    const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const = 0;
+
+  /**
+   * The first hits of rays given as arrays of 3 components, for Python: fills
+   * ranges [units of the direction's length] (infinite for a miss) and cellIds
+   * (-1 for a miss). Returns false, after an error, for arrays of other shape
+   * or a caster that is not built.
+   */
+  bool Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions, vtkDoubleArray* ranges,
+    vtkIdTypeArray* cellIds);
+
+  /**
+   * The name of the backend: "embree", "bvh".
+   */
+  virtual const char* GetName() const = 0;
+
+  /**
+   * Bytes of the accelerator beyond the scene itself.
+   */
+  virtual std::size_t GetAcceleratorSize() const = 0;
+
+#ifndef __VTK_WRAP__
+  /// The triangles it was built from.
+  const helios::TriangleMesh& GetMesh() const { return *this->Mesh; }
+#endif
+
+protected:
+  vtkHeliosRayCaster();
+  ~vtkHeliosRayCaster() override;
+
+  /// Makes the accelerator of the mesh; false after an error.
+  virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
+
+private:
+  vtkHeliosRayCaster(const vtkHeliosRayCaster&) = delete;
+  void operator=(const vtkHeliosRayCaster&) = delete;
+
+  std::unique_ptr<helios::TriangleMesh> Mesh;
+  vtkWeakPointer<vtkPolyData> BuiltScene;
+  vtkMTimeType BuiltTime = 0;
+};
+
+#endif
