@@ -19,7 +19,7 @@ namespace helios
 /// The reflectance of a surface that has none given, nor a spectrum.
 constexpr double DefaultReflectance = 0.5;
 
-struct Material
+struct VTKHELIOSFILTERSCORE_EXPORT Material
 {
   std::string Name = "default";
   double Reflectance = std::numeric_limits<double>::quiet_NaN(); ///< [0..1]; NaN: not given

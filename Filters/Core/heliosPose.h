@@ -48,7 +48,7 @@ inline Quaternion AxisAngle(Vec3 axis, double degrees)
   axis.Normalize();
   const double half = 0.5 * vtkMath::RadiansFromDegrees(degrees);
   const double s = std::sin(half);
-  return { std::cos(half), s * axis[0], s * axis[1], s * axis[2] };
+  return Quaternion(std::cos(half), s * axis[0], s * axis[1], s * axis[2]);
 }
 
 inline Vec3 Rotate(const Quaternion& q, const Vec3& v)
@@ -60,7 +60,7 @@ inline Vec3 Rotate(const Quaternion& q, const Vec3& v)
 struct Pose
 {
   Vec3 Position{ 0.0, 0.0, 0.0 };
-  Quaternion Orientation{ 1.0, 0.0, 0.0, 0.0 };
+  Quaternion Orientation{ 1.0, 0.0, 0.0, 0.0 }; // w, x, y, z
 };
 
 /// Pose of c in a, from b in a and c in b: the lever arm turns with the attitude.

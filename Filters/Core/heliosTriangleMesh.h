@@ -26,6 +26,10 @@ namespace helios
 class VTKHELIOSFILTERSCORE_EXPORT TriangleMesh
 {
 public:
+  TriangleMesh() = default;
+  TriangleMesh(TriangleMesh&&) = default;
+  TriangleMesh& operator=(TriangleMesh&&) = default;
+
   /**
    * Looks at a scene, and keeps it alive. Says in words what is wrong (cells other than triangles,
    * points that are not finite, more than 2^31 points), or returns an empty text.

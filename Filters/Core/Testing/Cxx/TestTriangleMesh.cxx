@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosTriangleMesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> MakeTriangle(int precision, bool narrow, double x = 0.0)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(precision);
+  points->InsertNextPoint(x, 0, 0);
+  points->InsertNextPoint(2, 0, 0);
+  points->InsertNextPoint(0, 3, 0);
+  vtkNew<vtkCellArray> polys;
+  if (narrow)
+  {
+    polys->Use32BitStorage();
+  }
+  polys->InsertNextCell({ 0, 1, 2 });
+  auto scene = vtkSmartPointer<vtkPolyData>::New();
+  scene->SetPoints(points);
+  scene->SetPolys(polys);
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("TriangleMesh: borrows double points and 32-bit cells", "[TriangleMesh]")
+{
+  helios::TriangleMesh mesh;
+  const auto scene = MakeTriangle(VTK_DOUBLE, true);
+  REQUIRE(mesh.Set(scene).empty());
+  CHECK(mesh.GetMemorySize() == 0);
+  CHECK(mesh.GetPoints() == scene->GetPoints()->GetVoidPointer(0));
+  CHECK(mesh.GetNumberOfTriangles() == 1);
+}
+
+TEST_CASE("TriangleMesh: copies what is stored otherwise", "[TriangleMesh]")
+{
+  helios::TriangleMesh mesh;
+  REQUIRE(mesh.Set(MakeTriangle(VTK_FLOAT, false)).empty());
+  CHECK(mesh.GetMemorySize() > 0);
+  CHECK(mesh.GetCorner(0, 1)[0] == 2.0);
+  const helios::Vec3 normal = mesh.GetNormal(0);
+  CHECK(normal[2] == 1.0);
+  double bounds[6];
+  mesh.GetBounds(bounds);
+  CHECK(bounds[3] == 3.0);
+}
+
+TEST_CASE("TriangleMesh: says what is wrong", "[TriangleMesh]")
+{
+  helios::TriangleMesh mesh;
+  CHECK(mesh.Set(nullptr).find("empty") != std::string::npos);
+
+  vtkNew<vtkPolyData> empty;
+  CHECK(mesh.Set(empty).find("empty") != std::string::npos);
+
+  const double inf = std::numeric_limits<double>::infinity();
+  CHECK(mesh.Set(MakeTriangle(VTK_DOUBLE, true, inf)).find("cell 0") != std::string::npos);
+
+  const auto quads = MakeTriangle(VTK_DOUBLE, true);
+  quads->GetPolys()->InsertNextCell({ 0, 1, 2, 1 });
+  CHECK(mesh.Set(quads).find("vtkTriangleFilter") != std::string::npos);
+}
