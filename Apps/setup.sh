@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced by demo.sh and Testing/run.sh: all that a fresh Debian 12 needs to build this checkout,
+# and the build. Quick when there is nothing to do.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+# Every package vtkHelios is built, run and tested with; README.md points here.
+helios_packages=(
+  # to build
+  git g++ cmake ninja-build ccache
+  # libraries
+  libvtk9-dev libembree-dev libpugixml-dev librandom123-dev
+  # Python
+  python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich
+  # to test
+  catch2 python3-pytest
+  # pictures without a display
+  xvfb xauth libgl1-mesa-dri
+)
+
+helios_say() { printf '\n== %s\n' "$*"; }
+
+helios_install_packages() {
+  local missing=() package
+  for package in "${helios_packages[@]}"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "as root, please: apt-get install --no-install-recommends ${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  helios_say "installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -q
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -q --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
+}
+
+# The Python that build/bin/vtkhelios runs in: Debian's, which VTK's modules are made for.
+helios_make_venv() {
+  [ -x build/venv/bin/python ] || /usr/bin/python3 -m venv --system-site-packages build/venv
+}
+
+# helios_build PRESET [CMAKE-ARGUMENT...]: configures and builds a preset of CMakePresets.json.
+helios_build() {
+  local preset=$1
+  shift
+  helios_say "building: $preset"
+  cmake --preset "$preset" "$@" >"build/configure-$preset.log" 2>&1 || {
+    cat "build/configure-$preset.log" >&2
+    return 1
+  }
+  cmake --build --preset "$preset"
+}
+
+helios_setup() {
+  helios_install_packages
+  mkdir -p build
+  helios_make_venv
+}

@@ -1,0 +1,9 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""python -m vtkhelios: the command line."""
+
+import sys
+
+from .cli import main
+
+sys.exit(main())

@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors and warnings of a pipeline as exceptions and Python warnings."""
+
+import re
+import warnings
+
+# "ERROR: In file, line n\nvtkClass (0x1234): the message"
+_HEAD = re.compile(r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I)
+# What an executive adds when a filter has failed already.
+_EXECUTIVE = re.compile(r"returned failure for request|No update piece number has been set")
+# The strategies of an algorithm report their own errors.
+_STRATEGIES = ("RayCaster", "BeamDeflector", "BeamSampler", "EchoDetector")
+
+
+class PipelineError(RuntimeError):
+    """An algorithm has failed. ``messages`` holds every error, ``str()`` joins them."""
+
+    def __init__(self, messages):
+        super().__init__("\n".join(messages))
+        self.messages = list(messages)
+
+
+def clean_message(text):
+    """The message of a VTK error event, without the place in the source that raised it."""
+    head = _HEAD.match(text)
+    return text[head.end() :].strip() if head else text.strip()
+
+
+def is_executive_message(message):
+    """Whether a message only repeats that a filter has failed."""
+    return bool(_EXECUTIVE.search(message))
+
+
+class MessageLog:
+    """Collects errors and warnings of the objects it watches, as a context manager."""
+
+    def __init__(self):
+        self.errors = []
+        self.warnings = []
+        self._observers = []
+
+    def watch(self, vtk_object):
+        for event, messages in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
+
+            def collect(_caller, _event, text, messages=messages):
+                messages.append(clean_message(text))
+
+            collect.CallDataType = "string0"
+            self._observers.append((vtk_object, vtk_object.AddObserver(event, collect)))
+
+    def root_errors(self):
+        """The errors without those by which an executive repeats them, each once."""
+        roots = [error for error in self.errors if not is_executive_message(error)]
+        return list(dict.fromkeys(roots or self.errors))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        for vtk_object, tag in self._observers:
+            vtk_object.RemoveObserver(tag)
+        self._observers.clear()
+
+
+def upstream(algorithm):
+    """The algorithm and all that it takes its input from, each once."""
+    found, queue = [], [algorithm]
+    while queue:
+        current = queue.pop()
+        if current is None or current in found:
+            continue
+        found.append(current)
+        for port in range(current.GetNumberOfInputPorts()):
+            for index in range(current.GetNumberOfInputConnections(port)):
+                queue.append(current.GetInputAlgorithm(port, index))
+    return found
+
+
+def update(algorithm, port=0):
+    """Brings an algorithm up to date and returns the data of an output port.
+
+    Raises PipelineError, with the message, where it or anything upstream reports
+    an error; the warnings of the pipeline become Python's RuntimeWarning.
+
+    >>> echoes = vtkhelios.update(scanner)
+    """
+    with MessageLog() as log:
+        for member in upstream(algorithm):
+            log.watch(member)
+            log.watch(member.GetExecutive())
+            for strategy in _STRATEGIES:
+                held = getattr(member, f"Get{strategy}", lambda: None)()
+                if held is not None:
+                    log.watch(held)
+        algorithm.Update()
+    for message in dict.fromkeys(log.warnings):
+        warnings.warn(message, RuntimeWarning, stacklevel=2)
+    if log.errors:
+        raise PipelineError(log.root_errors())
+    return algorithm.GetOutputDataObject(port)

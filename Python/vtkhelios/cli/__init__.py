@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line. A subcommand is one module of this package.
+
+To add one: a module, named as the subcommand (no leading underscore), with
+
+SUMMARY                 one line for ``vtkhelios --help``
+add_arguments(parser)   its arguments; also parser.description and parser.epilog
+run(arguments)          does it and returns the exit code
+
+Exit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted (143 terminated).
+"""
+
+import importlib
+import os
+import pkgutil
+import sys
+
+import vtkhelios
+
+from ._parser import Parser
+
+DESCRIPTION = "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out."
+
+EPILOG = """\
+examples:
+  vtkhelios run survey.xml                          run a survey, files go to ./output
+  vtkhelios run survey.xml --assets my_scenes       its scenes and scanners are looked up there, too
+  vtkhelios run --help                              all about running surveys
+
+exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
+"""
+
+
+def commands():
+    """The subcommands: a dict from name to module."""
+    names = [info.name for info in pkgutil.iter_modules(__path__) if not info.name.startswith("_")]
+    return {name: importlib.import_module(f"{__name__}.{name}") for name in names}
+
+
+def make_parser():
+    """The parser of the whole command line."""
+    parser = Parser(prog="vtkhelios", description=DESCRIPTION, epilog=EPILOG)
+    parser.add_argument("--version", action="store_true", help="print the version and exit")
+    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
+    for name, module in commands().items():
+        command = subparsers.add_parser(name, help=module.SUMMARY, description=module.SUMMARY)
+        module.add_arguments(command)
+        command.set_defaults(run=module.run)
+    return parser
+
+
+def main(argv=None):
+    """Runs a command line and returns its exit code."""
+    parser = make_parser()
+    arguments = parser.parse_args(argv)
+    if arguments.version:
+        print(f"vtkhelios {vtkhelios.__version__}")
+        return 0
+    if not arguments.command:
+        parser.print_help(sys.stderr)
+        return 2
+    try:
+        code = arguments.run(arguments)
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:  # the reader of our output has gone: vtkhelios ... | head
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1

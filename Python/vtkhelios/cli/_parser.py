@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""An argument parser that names the nearest known word for a misspelt one."""
+
+import argparse
+import difflib
+import re
+import sys
+
+OPTION = re.compile(r"-[^\d.]")  # -1 and -.5 are numbers
+
+
+def nearest(word, known):
+    """The known word most like a given one, or None."""
+    close = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
+    return close[0] if close else None
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse, with suggestions, whole option names only, and texts printed as they are written."""
+
+    def __init__(self, **options):
+        options.setdefault("allow_abbrev", False)
+        options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
+        super().__init__(**options)
+
+    def parse_known_args(self, args=None, namespace=None):
+        args = sys.argv[1:] if args is None else list(args)
+        for word in args:
+            if word == "--" or (self._subparsers and not word.startswith("-")):
+                break  # the rest is files, or the command's
+            option = word.split("=")[0]
+            if OPTION.match(option) and option not in self._option_string_actions:
+                self.error(self.explain_unknown(option))
+        return super().parse_known_args(args, namespace)
+
+    def explain_unknown(self, word):
+        """The message for an option that does not exist."""
+        best = nearest(word, list(self._option_string_actions))
+        hint = f"did you mean {best}?" if best else f"{self.prog} --help lists the known ones"
+        return f"unknown option {word}: {hint}"
+
+    def _check_value(self, action, value):
+        if action.choices is None or value in action.choices:
+            return
+        if str(value).lower().endswith(".xml"):
+            raise argparse.ArgumentError(None, f"a command is missing: {self.prog} run {value}")
+        best = nearest(str(value), list(action.choices))
+        known = ", ".join(action.choices)
+        hint = f"did you mean {best}? (known: {known})" if best else f"known: {known}"
+        raise argparse.ArgumentError(action, f"unknown {value!r}: {hint}")

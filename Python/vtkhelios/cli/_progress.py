@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Progress of a run: a bar on a terminal, a line every few seconds elsewhere."""
+
+import collections
+import sys
+import time
+
+try:
+    import rich.progress as rich_progress
+except ImportError:
+    rich_progress = None
+
+SECONDS_BETWEEN_LINES = 5.0
+SECONDS_BETWEEN_BARS = 0.1
+
+
+class Pace:
+    """How fast a count grows, over the last seconds, and how long the rest will take."""
+
+    def __init__(self, seconds=10.0):
+        self._window = seconds
+        self._samples = collections.deque()
+
+    def add(self, now, done):
+        self._samples.append((now, done))
+        while len(self._samples) > 2 and now - self._samples[1][0] > self._window:
+            self._samples.popleft()
+
+    def rate(self):
+        """Counts a second, or None while there is nothing to tell it from."""
+        if len(self._samples) < 2:
+            return None
+        (t0, n0), (t1, n1) = self._samples[0], self._samples[-1]
+        return (n1 - n0) / (t1 - t0) if t1 - t0 > 0.05 and n1 > n0 else None
+
+    def remaining(self, total):
+        """Seconds until total is reached, never negative; None where that is not known."""
+        rate = self.rate()
+        return max(0.0, (total - self._samples[-1][1]) / rate) if rate else None
+
+
+def duration(seconds):
+    """1:02:03, 2:03 or 0:03; dashes for None."""
+    if seconds is None:
+        return "-:--"
+    whole = int(seconds + 0.5)
+    hours, minutes = whole // 3600, whole // 60 % 60
+    return f"{hours}:{minutes:02}:{whole % 60:02}" if hours else f"{minutes}:{whole % 60:02}"
+
+
+class Progress:
+    """Follows a player; subclasses show what describe() says."""
+
+    seconds_between = SECONDS_BETWEEN_LINES
+
+    def __init__(self, player):
+        self._player = player
+        self._pace = Pace()
+        self._next = time.monotonic() + self.seconds_between
+        self._tag = None
+
+    def __enter__(self):
+        self._tag = self._player.AddObserver("ProgressEvent", self._on_progress)
+        return self
+
+    def __exit__(self, *_):
+        self._player.RemoveObserver(self._tag)
+
+    def _on_progress(self, *_):
+        now = time.monotonic()
+        done = self._player.GetNumberOfPulsesDone()
+        if done > 0:
+            self._pace.add(now, done)
+        if now >= self._next:
+            self._next = now + self.seconds_between
+            self.show()
+
+    def describe(self):
+        """The state of the run in one line."""
+        player = self._player
+        done, total = player.GetNumberOfPulsesDone(), player.GetNumberOfPulses()
+        if done <= 0:
+            return player.GetMessage() or "loading"
+        rate = self._pace.rate()
+        pace = f"{rate / 1e6:.2f}" if rate else "-"
+        return (
+            f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "
+            f"{done / 1e6:.2f} of {total / 1e6:.2f} M pulses, {pace} M pulses/s, "
+            f"{player.GetNumberOfEchoes():,} points, {duration(self._pace.remaining(total))} left"
+        )
+
+    def show(self):
+        pass
+
+
+class Lines(Progress):
+    """A line every few seconds."""
+
+    def show(self):
+        percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
+        print(f"{percent:3.0f} % {self.describe()}", file=sys.stderr, flush=True)
+
+
+class PlainBar(Progress):
+    """One line that is written over, for a terminal without rich."""
+
+    seconds_between = SECONDS_BETWEEN_BARS
+
+    def show(self):
+        percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
+        print(f"\r\033[K{percent:3.0f} % {self.describe()}", end="", file=sys.stderr, flush=True)
+
+    def __exit__(self, *_):
+        super().__exit__()
+        print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+class RichBar(Progress):
+    """A bar drawn by rich; messages printed meanwhile scroll above it."""
+
+    seconds_between = SECONDS_BETWEEN_BARS
+
+    def __init__(self, player, messages):
+        super().__init__(player)
+        from rich.console import Console
+
+        console = Console(stderr=True, highlight=False)
+        self._messages = messages
+        self._bar = rich_progress.Progress(
+            rich_progress.BarColumn(bar_width=24),
+            rich_progress.TaskProgressColumn(),
+            rich_progress.TextColumn("{task.description}", markup=False),
+            console=console, auto_refresh=False, transient=True)
+        self._task = self._bar.add_task("loading", total=1.0)
+
+    def __enter__(self):
+        self._write_error = self._messages.write_error
+        self._messages.write_error = lambda text: self._bar.console.print(text, markup=False, soft_wrap=True)
+        self._bar.start()
+        return super().__enter__()
+
+    def __exit__(self, *_):
+        super().__exit__()
+        self._bar.stop()
+        self._messages.write_error = self._write_error
+
+    def show(self):
+        done = min(1.0, max(0.0, self._player.GetProgress()))
+        self._bar.update(self._task, completed=done, description=self.describe())
+        self._bar.refresh()
+
+
+def make_progress(player, messages, quiet=False):
+    """What suits standard error."""
+    if quiet:
+        return Progress(player)
+    if not sys.stderr.isatty():
+        return Lines(player)
+    return RichBar(player, messages) if rich_progress else PlainBar(player)

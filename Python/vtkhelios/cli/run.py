@@ -1,0 +1,170 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios run: runs a survey and writes the echoes."""
+
+import argparse
+import os
+import pathlib
+import time
+
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+import vtkhelios
+
+from ._interrupt import Interrupt
+from ._messages import Messages
+from ._progress import make_progress
+
+SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
+
+EPILOG = """\
+what it writes, below OUTPUT/<name of the survey>/, for every active leg:
+  legNNN_points.xyz       one echo a line: x y z [m], intensity [nW], echo width [ns],
+                          return number, number of returns, pulse, object, class, GPS time [s]
+  legNNN_trajectory.txt   x y z [m], GPS time [s], roll pitch yaw [deg]
+  legNNN_fullwave.txt     the waveforms, with --waveforms
+While a run writes, files end in .part; they hold whole lines at any moment.
+
+where files are looked up: absolute names as they are; then every --assets folder in
+order, what comes with vtkHelios, the folder of the survey, the working directory.
+
+examples:
+  vtkhelios run survey.xml
+  vtkhelios run survey.xml --assets scenes --assets my_scanners --output clouds
+  vtkhelios run survey.xml --no-noise --seed 7 --threads 4 --overwrite
+  vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
+
+exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
+2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid).
+"""
+
+
+def whole_number(highest):
+    """An argparse type: an integer from 0 to highest."""
+
+    def parse(text):
+        if not text.isascii() or not text.isdigit() or int(text) > highest:
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 to {highest}")
+        return int(text)
+
+    return parse
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
+    parser.add_argument("--assets", metavar="DIR", action="append", default=[],
+                        help="a folder to look up scenes, scanners and platforms in; may be repeated")
+    parser.add_argument("--output", metavar="DIR", default="output",
+                        help="where the files go (default: %(default)s)")
+    parser.add_argument("--overwrite", action="store_true",
+                        help="replace the files of an earlier run; without it they are kept and the run refused")
+    parser.add_argument("--format", choices=["xyz", "vtp"], default="xyz",
+                        help="text columns, or VTK XML (default: %(default)s)")
+    parser.add_argument("--waveforms", action="store_true", help="write the waveforms, too")
+    parser.add_argument("--seed", metavar="N", type=whole_number(2**62), default=0,
+                        help="the key of all random numbers: the same seed gives the same bytes, "
+                        "for any number of threads (default: %(default)s)")
+    parser.add_argument("--no-noise", action="store_true", help="ranges without the scanner's noise")
+    parser.add_argument("--threads", metavar="N", type=whole_number(4096), default=0,
+                        help="how many processor cores to use; 0: all (default: %(default)s)")
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def run(arguments):
+    with Messages(quiet=arguments.quiet) as messages:
+        vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
+        survey = read_survey(arguments, messages)
+        if survey is None:
+            return 1
+        player = make_player(arguments, survey, messages)
+        progress = make_progress(player, messages, quiet=arguments.quiet)
+        with progress, Interrupt(player, messages) as interrupt:
+            start = time.monotonic()
+            succeeded = player.Run()
+            seconds = time.monotonic() - start
+        return conclude(arguments, player, messages, succeeded, interrupt, seconds)
+
+
+def asset_directories(arguments):
+    """The user's folders, then what comes with vtkHelios."""
+    shipped = vtkhelios.data_directory()
+    return [*arguments.assets, str(shipped), str(shipped / "Assets")]
+
+
+def read_survey(arguments, messages):
+    """The survey, or None after an error."""
+    for folder in arguments.assets:
+        if not pathlib.Path(folder).is_dir():
+            messages.error(f"--assets {folder}: no such folder")
+            return None
+    reader = vtkhelios.vtkHeliosSurveyReader()
+    messages.watch(reader)
+    reader.SetFileName(arguments.survey)
+    for folder in asset_directories(arguments):
+        reader.AddAssetDirectory(folder)
+    if not reader.Read():
+        messages.error_unless_told(f"{arguments.survey}: cannot be read")
+        return None
+    return reader.GetSurvey()
+
+
+def make_player(arguments, survey, messages):
+    player = vtkhelios.vtkHeliosSurveyPlayer()
+    messages.watch(player)
+    player.SetSurvey(survey)
+    player.SetOutputDirectory(arguments.output)
+    player.SetOverwrite(arguments.overwrite)
+    player.SetFormat(arguments.format)
+    player.SetWriteWaveforms(arguments.waveforms)
+    player.SetSeed(arguments.seed)
+    player.SetNoise(not arguments.no_noise)
+    messages.info(f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
+                  f"{', without noise' if arguments.no_noise else ''}")
+    return player
+
+
+def conclude(arguments, player, messages, succeeded, interrupt, seconds):
+    """Says how the run ended and returns the exit code."""
+    folder = pathlib.Path(arguments.output) / player.GetSurvey().GetName()
+    if interrupt.signal:
+        messages.error(f"interrupted after {player.GetNumberOfPulsesDone():,} of "
+                       f"{player.GetNumberOfPulses():,} pulses; the {player.GetNumberOfEchoes():,} "
+                       f"points so far are kept in {folder}")
+        return 128 + interrupt.signal
+    if not succeeded:
+        messages.error_unless_told("the run has failed")
+        return 1
+    if player.GetNumberOfEchoes() == 0:
+        messages.error_unless_told(
+            f"no points: none of {player.GetNumberOfPulses():,} pulses met the scene within the range "
+            "of the scanner. Check where the legs stand, the scan angles, and the units of the scene")
+        return 1
+    summarise(player, folder, messages, seconds)
+    return 0
+
+
+def summarise(player, folder, messages, seconds):
+    pulses, points = player.GetNumberOfPulsesDone(), player.GetNumberOfEchoes()
+    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
+    messages.info(f"pulses   {pulses:,}")
+    messages.info(f"points   {points:,} ({player.GetNumberOfFirstReturns():,} first returns)")
+    messages.info(f"time     {seconds:.2f} s with {threads} thread{'s'[:threads != 1]}: "
+                  f"{pulses / seconds / 1e6:.2f} M pulses/s, {points / seconds / 1e6:.2f} M points/s")
+    files = sorted(path for path in folder.iterdir() if path.is_file())
+    for index, path in enumerate(files[:MAXIMUM_FILES]):
+        messages.info(f"{'files   ' if index == 0 else '        '} {path} ({readable(path.stat().st_size)})")
+    if len(files) > MAXIMUM_FILES:
+        messages.info(f"         and {len(files) - MAXIMUM_FILES} more in {folder}")
+
+
+MAXIMUM_FILES = 12
+
+
+def readable(size):
+    """A number of bytes for people: 1.2 MB."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds vtkHelios and runs every test; sets up what is missing first (Debian 12).
+#
+#   Testing/run.sh           the release build, the build without optional libraries, all tests
+#   Testing/run.sh --asan    the C++ tests under the address and undefined-behaviour sanitizers, too
+#
+# Ends with the summaries of ctest and pytest; the exit code is not 0 where a test failed.
+
+# shellcheck source=../Apps/setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"
+
+usage() { sed -n 's/^# \{0,1\}//; 5,8p' Testing/run.sh; }
+asan=false
+for argument in "$@"; do
+  case $argument in
+    --asan) asan=true ;;
+    -h | --help) usage && exit ;;
+    *) echo "unknown option $argument" >&2 && usage >&2 && exit 2 ;;
+  esac
+done
+
+helios_setup
+failed=()
+
+run_ctest() { # BUILD-FOLDER
+  helios_say "ctest: $1"
+  ctest --test-dir "$1" --output-on-failure --no-tests=error -j2 || failed+=("ctest in $1")
+}
+
+helios_build minimal -DVTKHELIOS_WRAP_PYTHON=OFF
+run_ctest build/minimal
+if $asan; then
+  helios_build asan
+  ASAN_OPTIONS=detect_leaks=0 run_ctest build/asan
+fi
+
+helios_build release
+run_ctest build
+
+helios_say "pytest"
+build/venv/bin/python -m pytest || failed+=(pytest)
+
+for what in "${failed[@]}"; do
+  echo "FAILED: $what" >&2
+done
+[ ${#failed[@]} -eq 0 ]
