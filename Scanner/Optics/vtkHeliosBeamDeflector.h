@@ -45,7 +45,7 @@ public:
 
   /**
    * The angle of a pulse as the instrument reports it [deg]: by default the
-   * angle between its direction and the y axis.
+   * angle between its direction and the y axis, 0 where no pulse leaves.
    */
   virtual double GetScanAngle(vtkIdType pulse) const;
 

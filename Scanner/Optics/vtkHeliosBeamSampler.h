@@ -4,14 +4,19 @@
  * @class   vtkHeliosBeamSampler
  * @brief   the sub-rays that stand for a Gaussian beam
  *
- * A strategy, const once set up. The beam has the intensity
- * exp(-2 g^2 / w^2) at angle g from its axis, with w = BeamDivergence / 2; the
- * cone sampled reaches Truncation w. NumberOfCircles q gives the paper's evenly
- * spaced circles (Bechtold and Hoefle 2016): circle i = 0 .. q - 1 at
- * r_i = i K w / (q - 1/2) with floor(2 pi i) sub-rays (one in the centre), so
- * 1, 7, 19, 37 ... in all. A circle's sub-rays share the exact energy between
- * (i - 1/2) and (i + 1/2) spacings; all weights sum to 1. A BeamDivergence of 0
- * is one ray.
+ * A strategy, const once set up; a scanner asks for the sub-rays once, not once
+ * a pulse. The beam has the intensity exp(-2 g^2 / w^2) at angle g from its
+ * axis, with w = BeamDivergence / 2; the cone sampled reaches K = Truncation
+ * times w. NumberOfCircles q gives the paper's evenly spaced circles (Bechtold
+ * and Hoefle 2016):
+ * - circle i = 0 ... q - 1 lies at g = i K w / (q - 1/2)
+ * - it has floor(2 pi i) sub-rays, the first one one: 1, 7, 19, 37, 62 ... in all
+ * - they share evenly the energy between (i - 1/2) and (i + 1/2) spacings,
+ *   exact: exp(-2 a^2 / w^2) - exp(-2 b^2 / w^2), over that of the whole cone
+ *
+ * All weights sum to 1. A BeamDivergence of 0 is one ray, and so is one circle.
+ * The circles have the right energy and mean; the variance of the cone they
+ * miss by -0.8 % (K = 1) to 6 % (K = 1.5) for three circles, falling with q^2.
  *
  * @sa
  * vtkHeliosScanner

@@ -41,7 +41,7 @@ public:
    * Set/Get the half angle of the cone [deg]. Valid range: [0, 180].
    * Default: 20.
    */
-  vtkSetClampMacro(ScanAngle, double, 0.0, 180.0);
+  void SetScanAngle(double angle);
   vtkGetMacro(ScanAngle, double);
   ///@}
 
@@ -53,7 +53,7 @@ public:
   double GetScanAngle(vtkIdType pulse) const override;
 
 protected:
-  vtkHeliosConicMirror() = default;
+  vtkHeliosConicMirror();
   ~vtkHeliosConicMirror() override = default;
 
 private:
@@ -62,6 +62,8 @@ private:
 
   double ScanFrequency = 50.0;
   double ScanAngle = 20.0;
+  double SinScanAngle; // of ScanAngle, so that a pulse costs one sine and cosine
+  double CosScanAngle;
 };
 
 #endif

@@ -1,3 +1,50 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosRotatingMirror.h"
+
+#include "heliosPhase.h"
+
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkHeliosRotatingMirror);
+
+//------------------------------------------------------------------------------
+double vtkHeliosRotatingMirror::ComputeBeta(vtkIdType pulse) const
+{
+  const double phase = helios::Phase(pulse, this->ScanFrequency, this->PulseFrequency);
+  return 2.0 * this->MirrorAngle * (phase > 0.5 ? phase - 1.0 : phase);
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosRotatingMirror::GetScanAngle(vtkIdType pulse) const
+{
+  return this->ComputeBeta(pulse);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosRotatingMirror::GetDirection(vtkIdType pulse, double direction[3]) const
+{
+  const double angle = this->ComputeBeta(pulse);
+  if (!(this->VerticalAngleMin < angle && angle <= this->VerticalAngleMax))
+  {
+    return false;
+  }
+  const double beta = vtkMath::RadiansFromDegrees(angle);
+  direction[0] = 0.0;
+  direction[1] = std::cos(beta);
+  direction[2] = std::sin(beta);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosRotatingMirror::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ScanFrequency: " << this->ScanFrequency << "\n";
+  os << indent << "MirrorAngle: " << this->MirrorAngle << "\n";
+  os << indent << "VerticalAngleMin: " << this->VerticalAngleMin << "\n";
+  os << indent << "VerticalAngleMax: " << this->VerticalAngleMax << "\n";
+}

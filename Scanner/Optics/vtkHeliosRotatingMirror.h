@@ -6,13 +6,17 @@
  *
  * The beam turns about the x axis: at mirror angle beta it points to
  * (0, cos beta, sin beta). Each facet sweeps from -MirrorAngle to +MirrorAngle,
- * ScanFrequency times a second; pulse i is at
- * beta = MirrorAngle (2 frac(1/2 + i ScanFrequency / PulseFrequency) - 1),
- * the fraction taken exactly. Pulses leave only where
- * VerticalAngleMin < beta <= VerticalAngleMax.
+ * ScanFrequency times a second, and pulse 0 is at beta = 0. Pulse i at
+ * PulseFrequency f has the phase p = frac(i ScanFrequency / f), taken exactly
+ * however many pulses came before, and
+ * - beta = 2 MirrorAngle p where p <= 1/2, else 2 MirrorAngle (p - 1)
+ *
+ * so that beta is in (-MirrorAngle, MirrorAngle]. Pulses leave only where
+ * VerticalAngleMin < beta <= VerticalAngleMax: a window as wide as the sweep
+ * lets all of them out.
  *
  * @sa
- * vtkHeliosBeamDeflector
+ * vtkHeliosBeamDeflector vtkHeliosScanner
  */
 
 #ifndef vtkHeliosRotatingMirror_h
@@ -39,8 +43,8 @@ public:
 
   ///@{
   /**
-   * Set/Get half the angle that a facet sweeps [deg]. Valid range: (0, 360].
-   * Default: 180.
+   * Set/Get half the angle that a facet sweeps [deg]: 180 for one facet at 45
+   * degrees to the shaft. Valid range: (0, 360]. Default: 180.
    */
   vtkSetClampMacro(MirrorAngle, double, 1e-9, 360.0);
   vtkGetMacro(MirrorAngle, double);
@@ -60,7 +64,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The mirror angle beta [deg].
+   * The mirror angle beta [deg], whether or not a pulse leaves there.
    */
   double GetScanAngle(vtkIdType pulse) const override;
 
@@ -71,6 +75,8 @@ protected:
 private:
   vtkHeliosRotatingMirror(const vtkHeliosRotatingMirror&) = delete;
   void operator=(const vtkHeliosRotatingMirror&) = delete;
+
+  double ComputeBeta(vtkIdType pulse) const;
 
   double ScanFrequency = 100.0;
   double MirrorAngle = 180.0;

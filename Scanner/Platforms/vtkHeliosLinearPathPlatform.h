@@ -10,11 +10,17 @@
  * climb. A vertical leg keeps the heading of the leg before (of the next leg
  * where it is the first). Legs of zero length take no time.
  *
- * Errors: fewer than two waypoints, a speed that is not positive and finite,
- * waypoints that are not finite.
+ * Output: two samples a leg, both with its LegIds: where it starts and where it
+ * ends, which is when the next one starts. A leg takes its length over its
+ * speed; the times are the compensated sum of those (Neumaier 1974, Z. angew.
+ * Math. Mech. 54, 39-51), right to an ulp after any number of legs, plus
+ * StartTime.
+ *
+ * Errors: fewer than two waypoints, no Speed, a speed that is not positive and
+ * finite, a leg that never ends, and those of vtkHeliosPlatform.
  *
  * @sa
- * vtkHeliosPlatform
+ * vtkHeliosPlatform vtkHeliosStaticPlatform
  */
 
 #ifndef vtkHeliosLinearPathPlatform_h
@@ -39,6 +45,8 @@ protected:
 private:
   vtkHeliosLinearPathPlatform(const vtkHeliosLinearPathPlatform&) = delete;
   void operator=(const vtkHeliosLinearPathPlatform&) = delete;
+
+  bool CheckSpeeds(vtkPolyData* waypoints);
 };
 
 #endif

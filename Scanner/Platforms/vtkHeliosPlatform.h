@@ -13,7 +13,11 @@
  * w, x, y, z, body to world; body x right, y forward, z up), Velocity [m/s],
  * LegIds. Between two samples the position is linear in time and the
  * orientation turns at a constant rate; two samples at the same time are a
- * sudden turn. A single sample holds at all times.
+ * sudden turn. A single sample is a vertex and holds at all times. The field
+ * data of the waypoints (CRS, GpsEpoch) passes.
+ *
+ * Errors: no waypoints, waypoints that are not finite, LegIds that are not one
+ * number a waypoint.
  *
  * To add one: subclass, implement Move().
  *
@@ -28,6 +32,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <vector> // For the samples of a path
+
+class vtkDataArray;
 
 class VTKHELIOSSCANNERPLATFORMS_EXPORT vtkHeliosPlatform : public vtkPolyDataAlgorithm
 {
@@ -58,8 +64,18 @@ protected:
     int LegId;
   };
 
-  /// Appends the samples of the whole path; false after an error.
+  /// Appends the samples of the whole path; false after an error. The waypoints are checked: there
+  /// is at least one, and all are finite.
   virtual bool Move(vtkPolyData* waypoints, std::vector<State>& path) = 0;
+
+  /// A point array of one number a waypoint, null where there is none.
+  static vtkDataArray* FindValues(vtkPolyData* waypoints, const char* name);
+
+  /// The leg that starts at a waypoint.
+  static int GetLegId(vtkPolyData* waypoints, vtkIdType waypoint);
+
+  /// The orientation of a level body whose y axis points along (x, y) of the world.
+  static void HeadingToOrientation(double x, double y, double orientation[4]);
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -68,6 +84,9 @@ protected:
 private:
   vtkHeliosPlatform(const vtkHeliosPlatform&) = delete;
   void operator=(const vtkHeliosPlatform&) = delete;
+
+  bool CheckWaypoints(vtkPolyData* waypoints);
+  static void BuildTrajectory(const std::vector<State>& path, vtkPolyData* output);
 };
 
 #endif

@@ -4,9 +4,11 @@
  * @class   vtkHeliosStaticPlatform
  * @brief   a platform that stands: a tripod
  *
- * Input: one waypoint. Output: one sample at that point, valid at all times,
- * with the identity as its orientation turned by Heading. More than one
- * waypoint is an error: a survey sets up the tripod once a leg.
+ * Input: one waypoint. Output: one sample at that point, valid at all times:
+ * level, its y axis turned to Heading, at rest.
+ *
+ * Errors: more than one waypoint (a survey sets up the tripod once a leg), and
+ * those of vtkHeliosPlatform.
  *
  * @sa
  * vtkHeliosPlatform
