@@ -50,7 +50,7 @@ public:
    * Default: 1e-13.
    */
   vtkSetClampMacro(DetectionThreshold, double, 0.0, 1e6);
-  vtkGetMacro(DetectionThreshold, double);
+  double GetDetectionThreshold() const { return this->DetectionThreshold; }
   ///@}
 
   /**

@@ -1,3 +1,501 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanner.h"
+
+#include "heliosMaterialTable.h"
+#include "heliosPulseKernel.h"
+#include "heliosScanOutput.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosPeakDetector.h"
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
+#include "vtkHeliosEmbreeRayCaster.h"
+#endif
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSMPThreadLocal.h>
+#include <vtkSMPTools.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+vtkStandardNewMacro(vtkHeliosScanner);
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+// Pulses handed to a thread at a time, and between two looks at progress and abort.
+constexpr vtkIdType PulsesPerChunk = 1024;
+constexpr vtkIdType ChunksPerBatch = 256;
+
+/// The number of i >= 0 with i / rate < duration; a last pulse lost to rounding is not counted.
+vtkIdType CountPulses(double duration, double rate)
+{
+  const double pulses = duration * rate;
+  const double nearest = std::round(pulses);
+  const double count = std::abs(pulses - nearest) <= 1e-12 * pulses ? nearest : std::ceil(pulses);
+  return static_cast<vtkIdType>(std::min(std::max(count, 0.0), 9e15));
+}
+
+helios::Pose ToPose(const double position[3], const double q[4])
+{
+  helios::Pose pose{ helios::Vec3(position), helios::Quaternion(q[0], q[1], q[2], q[3]) };
+  pose.Orientation.Normalize();
+  return pose;
+}
+
+/// Runs chunks of pulses, each thread with its own kernel.
+struct ChunkFunctor
+{
+  const helios::ScanModel& Model;
+  vtkIdType First;
+  vtkIdType Last;
+  std::vector<helios::ChunkResult>& Results;
+  vtkSMPThreadLocal<std::shared_ptr<helios::PulseKernel>> Kernels;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    auto& kernel = this->Kernels.Local();
+    if (!kernel)
+    {
+      kernel = std::make_shared<helios::PulseKernel>(this->Model);
+    }
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      const vtkIdType from = this->First + c * PulsesPerChunk;
+      kernel->Run(from, std::min(this->Last, from + PulsesPerChunk),
+        this->Results[static_cast<std::size_t>(c)]);
+    }
+  }
+};
+
+const int* GetIds(vtkPolyData* scene, const char* name, vtkSmartPointer<vtkIntArray>& ids)
+{
+  vtkDataArray* given = scene->GetCellData()->GetArray(name);
+  ids = vtkIntArray::FastDownCast(given);
+  if (given && !ids)
+  {
+    ids = vtkSmartPointer<vtkIntArray>::New();
+    ids->DeepCopy(given);
+  }
+  return ids ? ids->GetPointer(0) : nullptr;
+}
+
+} // namespace
+
+/// The model of the kernel, and what keeps its pointers alive.
+struct vtkHeliosScanner::Scan
+{
+  helios::ScanModel Model;
+  helios::Trajectory Trajectory;
+  vtkSmartPointer<vtkIntArray> MaterialIds;
+  vtkSmartPointer<vtkIntArray> PartIds;
+  vtkIdType FirstPulse = 0;
+  vtkIdType LastPulse = 0; // one behind
+};
+
+//------------------------------------------------------------------------------
+vtkHeliosScanner::vtkHeliosScanner()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
+  this->RayCaster = vtkSmartPointer<vtkHeliosEmbreeRayCaster>::New();
+#else
+  this->RayCaster = vtkSmartPointer<vtkHeliosBvhRayCaster>::New();
+#endif
+  this->BeamSampler = vtkSmartPointer<vtkHeliosBeamSampler>::New();
+  this->EchoDetector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosScanner::~vtkHeliosScanner() = default;
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster->GetName() : "(none)") << "\n"
+     << indent << "BeamDeflector: "
+     << (this->BeamDeflector ? this->BeamDeflector->GetClassName() : "(none)") << "\n"
+     << indent << "BeamSampler: "
+     << (this->BeamSampler ? this->BeamSampler->GetClassName() : "(none)") << "\n"
+     << indent << "EchoDetector: "
+     << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)") << "\n"
+     << indent << "PulseLength: " << this->PulseLength << " ns\n"
+     << indent << "BinSize: " << this->BinSize << " ns\n"
+     << indent << "AveragePower: " << this->AveragePower << " W\n"
+     << indent << "Wavelength: " << this->Wavelength << " nm\n"
+     << indent << "OpticalEfficiency: " << this->OpticalEfficiency << "\n"
+     << indent << "ReceiverDiameter: " << this->ReceiverDiameter << " m\n"
+     << indent << "AtmosphericVisibility: " << this->AtmosphericVisibility << " km\n"
+     << indent << "RangeAccuracy: " << this->RangeAccuracy << " m\n"
+     << indent << "RangeMin: " << this->RangeMin << " m\n"
+     << indent << "RangeMax: " << this->RangeMax << " m\n"
+     << indent << "MaximumNumberOfReturns: " << this->MaximumNumberOfReturns << "\n"
+     << indent << "HeadRotateStart: " << this->HeadRotateStart << " deg\n"
+     << indent << "HeadRotateStop: " << this->HeadRotateStop << " deg\n"
+     << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
+     << indent << "StartTime: " << this->StartTime << " s\n"
+     << indent << "Duration: " << this->Duration << " s\n"
+     << indent << "Seed: " << this->Seed << "\n"
+     << indent << "FirstPulseId: " << this->FirstPulseId << "\n"
+     << indent << "LegId: " << this->LegId << "\n"
+     << indent << "ChannelId: " << this->ChannelId << "\n"
+     << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
+     << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
+     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n";
+}
+
+// The strategies, each set and got alike.
+#define HELIOS_STRATEGY(Name)                                                                      \
+  void vtkHeliosScanner::Set##Name(vtkHelios##Name* strategy)                                      \
+  {                                                                                                \
+    if (this->Name != strategy)                                                                    \
+    {                                                                                              \
+      this->Name = strategy;                                                                       \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  vtkHelios##Name* vtkHeliosScanner::Get##Name() const                                             \
+  {                                                                                                \
+    return this->Name;                                                                             \
+  }
+
+HELIOS_STRATEGY(RayCaster)
+HELIOS_STRATEGY(BeamDeflector)
+HELIOS_STRATEGY(BeamSampler)
+HELIOS_STRATEGY(EchoDetector)
+#undef HELIOS_STRATEGY
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHeliosScanner::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  // The ray caster is left out: building it changes no result, and any gives the same bytes.
+  for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
+         static_cast<vtkObject*>(this->BeamSampler.Get()),
+         static_cast<vtkObject*>(this->EchoDetector.Get()) })
+  {
+    time = strategy ? std::max(time, strategy->GetMTime()) : time;
+  }
+  return time;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanner::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanner::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanner::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanner::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformation* info = inputs[port]->GetInformationObject(0);
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // scene and trajectory are always whole
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::CheckSettings()
+{
+  if (!this->BeamDeflector)
+  {
+    vtkErrorMacro(<< "BeamDeflector is not set; give the scanner one, e.g. a "
+                     "vtkHeliosRotatingMirror");
+    return false;
+  }
+  if (!this->RayCaster || !this->BeamSampler || !this->EchoDetector)
+  {
+    vtkErrorMacro(<< "RayCaster, BeamSampler or EchoDetector was set to nothing");
+    return false;
+  }
+  if (!(this->BeamDeflector->GetPulseFrequency() > 0.0))
+  {
+    vtkErrorMacro(<< "PulseFrequency is " << this->BeamDeflector->GetPulseFrequency()
+                  << " Hz; it must be positive");
+    return false;
+  }
+  if (this->BinSize > 0.5 * this->PulseLength)
+  {
+    vtkErrorMacro(<< "BinSize is " << this->BinSize << " ns, more than half of PulseLength ("
+                  << this->PulseLength << " ns): echoes would fall between the bins; use a quarter");
+    return false;
+  }
+  if (this->RangeMax <= this->RangeMin)
+  {
+    vtkErrorMacro(<< "RangeMax (" << this->RangeMax << " m) is not beyond RangeMin ("
+                  << this->RangeMin << " m)");
+    return false;
+  }
+  const helios::Vec3 axis(this->HeadRotateAxis);
+  if (!(axis.Norm() > 0.0))
+  {
+    vtkErrorMacro(<< "HeadRotateAxis has no direction");
+    return false;
+  }
+  for (const double value : { this->PulseLength, this->AveragePower, this->OpticalEfficiency,
+         this->ReceiverDiameter, this->RangeAccuracy, this->BeamSampler->GetBeamDivergence() })
+  {
+    if (!std::isfinite(value))
+    {
+      vtkErrorMacro(<< "a property is not a finite number: PulseLength " << this->PulseLength
+                    << ", AveragePower " << this->AveragePower << ", OpticalEfficiency "
+                    << this->OpticalEfficiency << ", ReceiverDiameter " << this->ReceiverDiameter
+                    << ", RangeAccuracy " << this->RangeAccuracy << ", BeamDivergence "
+                    << this->BeamSampler->GetBeamDivergence());
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
+{
+  const std::string wrong = scan.Trajectory.Set(trajectory);
+  if (!wrong.empty())
+  {
+    vtkErrorMacro(<< wrong);
+    return false;
+  }
+  helios::PulseSource& source = scan.Model.Source;
+  source.Platform = &scan.Trajectory;
+  source.Deflector = this->BeamDeflector;
+  source.PulseFrequency = this->BeamDeflector->GetPulseFrequency();
+  source.StartTime = this->StartTime >= 0.0 ? this->StartTime : scan.Trajectory.GetStartTime();
+  source.Mount = ToPose(this->MountPosition, this->MountOrientation);
+  source.BeamOrigin = ToPose(this->BeamOrigin, this->BeamOrientation);
+  source.HeadAxis = helios::Vec3(this->HeadRotateAxis);
+  source.HeadStart = this->HeadRotateStart;
+  source.HeadSpeed = this->HeadRotateSpeed;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PreparePulses(Scan& scan)
+{
+  const double start = scan.Model.Source.StartTime;
+  const double rate = scan.Model.Source.PulseFrequency;
+  const double turn = this->HeadRotateStop - this->HeadRotateStart;
+  double duration = this->Duration;
+  if (duration < 0.0 && !scan.Trajectory.IsStatic())
+  {
+    duration = scan.Trajectory.GetEndTime() - start;
+  }
+  else if (duration < 0.0)
+  {
+    if (this->HeadRotateSpeed == 0.0)
+    {
+      vtkErrorMacro(<< "the scan never ends: the platform stands and HeadRotateSpeed is 0; set "
+                       "HeadRotateSpeed and HeadRotateStop, or Duration");
+      return false;
+    }
+    duration = turn / this->HeadRotateSpeed;
+    if (duration < 0.0)
+    {
+      vtkErrorMacro(<< "the head never arrives: it turns from HeadRotateStart "
+                    << this->HeadRotateStart << " deg at HeadRotateSpeed " << this->HeadRotateSpeed
+                    << " deg/s away from HeadRotateStop " << this->HeadRotateStop << " deg");
+      return false;
+    }
+  }
+  const vtkIdType all = CountPulses(duration, rate);
+  scan.FirstPulse = std::min(all, CountPulses(this->TimeWindow[0] - start, rate));
+  scan.LastPulse = std::min(all, CountPulses(this->TimeWindow[1] - start, rate));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
+{
+  if (!this->RayCaster->Build(scene))
+  {
+    vtkErrorMacro(<< "the scene cannot be searched (" << this->RayCaster->GetName() << ")");
+    return false;
+  }
+  helios::ScanModel& m = scan.Model;
+  m.Caster = this->RayCaster;
+  m.Detector = this->EchoDetector;
+  m.MaterialIds = GetIds(scene, names::MaterialIds, scan.MaterialIds);
+  m.PartIds = GetIds(scene, names::PartIds, scan.PartIds);
+  for (const helios::Material& material : helios::GetMaterials(scene))
+  {
+    m.Reflectances.push_back(
+      std::isnan(material.Reflectance) ? helios::DefaultReflectance : material.Reflectance);
+    m.Classifications.push_back(material.Classification);
+  }
+  if (m.MaterialIds)
+  {
+    int range[2] = { 0, 0 };
+    scan.MaterialIds->GetValueRange(range);
+    if (range[0] < 0 || range[1] >= static_cast<int>(m.Reflectances.size()))
+    {
+      vtkErrorMacro(<< "cell array " << names::MaterialIds << " of the scene goes from " << range[0]
+                    << " to " << range[1] << ", but its field data has " << m.Reflectances.size()
+                    << " materials");
+      return false;
+    }
+  }
+  for (int k = 0; k < this->BeamSampler->GetNumberOfSubRays(); ++k)
+  {
+    double direction[3];
+    this->BeamSampler->GetDirection(k, direction);
+    m.SubRays.emplace_back(direction);
+    m.Weights.push_back(this->BeamSampler->GetWeight(k));
+  }
+  m.PulseLength = this->PulseLength;
+  m.BinSize = this->BinSize;
+  m.Power = this->AveragePower;
+  m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency,
+    helios::AtmosphericExtinction(this->AtmosphericVisibility, this->Wavelength) };
+  m.RangeMin = this->RangeMin;
+  m.RangeMax = this->RangeMax;
+  m.RangeAccuracy = this->RangeAccuracy;
+  m.MaximumNumberOfReturns = this->MaximumNumberOfReturns;
+  m.Seed = static_cast<std::uint64_t>(this->Seed);
+  m.FirstPulseId = this->FirstPulseId;
+  m.WantsWaveforms = this->GenerateWaveforms;
+  m.WantsPulses = this->GeneratePulses;
+  m.WantsSubRays = this->GenerateSubRays;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosScanner::GetNumberOfPulses()
+{
+  Scan scan;
+  if (!this->CheckSettings() || !this->GetInputAlgorithm(1, 0))
+  {
+    return -1;
+  }
+  this->GetInputAlgorithm(1, 0)->Update();
+  auto* trajectory = vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0));
+  if (!this->PrepareSources(trajectory, scan) || !this->PreparePulses(scan))
+  {
+    return -1;
+  }
+  return std::max<vtkIdType>(0, scan.LastPulse - scan.FirstPulse);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanner::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  Scan scan;
+  if (!this->CheckSettings() || !this->PrepareSources(vtkPolyData::GetData(inputs[1]), scan) ||
+    !this->PreparePulses(scan) || !this->PrepareScene(vtkPolyData::GetData(inputs[0]), scan))
+  {
+    return 0;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
+  vtkInformation* info = outputs->GetInformationObject(port);
+  const vtkIdType pieces = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+  const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  const vtkIdType count = std::max<vtkIdType>(0, scan.LastPulse - scan.FirstPulse);
+  // count * piece / pieces, without overflow
+  const auto split = [count, pieces](
+                       vtkIdType p) { return count / pieces * p + count % pieces * p / pieces; };
+  this->RunPulses(scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
+
+  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
+  for (const char* name : { names::PartName, names::CRS })
+  {
+    if (vtkAbstractArray* array = scene->GetFieldData()->GetAbstractArray(name))
+    {
+      vtkPolyData::GetData(outputs, 0)->GetFieldData()->AddArray(array);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::RunPulses(
+  const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
+{
+  const vtkIdType chunks = (last - first + PulsesPerChunk - 1) / PulsesPerChunk;
+  std::vector<helios::ChunkResult> results(static_cast<std::size_t>(chunks));
+  ChunkFunctor functor{ scan.Model, first, last, results, {} };
+  for (vtkIdType chunk = 0; chunk < chunks && !this->GetAbortExecute(); chunk += ChunksPerBatch)
+  {
+    vtkSMPTools::For(chunk, std::min(chunks, chunk + ChunksPerBatch), 1, functor);
+    this->UpdateProgress(
+      std::min(1.0, static_cast<double>(chunk + ChunksPerBatch) / static_cast<double>(chunks)));
+  }
+
+  helios::ScanCounts sum;
+  for (auto& kernel : functor.Kernels)
+  {
+    const helios::ScanCounts& counts = kernel->GetCounts();
+    sum.PulsesFired += counts.PulsesFired;
+    sum.PulsesHit += counts.PulsesHit;
+    sum.HitsOutOfRange += counts.HitsOutOfRange;
+    sum.CutWaveforms += counts.CutWaveforms;
+    sum.LargestAmplitude = std::max(sum.LargestAmplitude, counts.LargestAmplitude);
+  }
+  this->NumberOfPulsesFired = sum.PulsesFired;
+  this->NumberOfPulsesHit = sum.PulsesHit;
+  this->NumberOfHitsOutOfRange = sum.HitsOutOfRange;
+  this->LargestAmplitude = sum.LargestAmplitude;
+  if (sum.CutWaveforms > 0)
+  {
+    vtkWarningMacro(<< sum.CutWaveforms << " waveforms were cut: their pulse met surfaces too far "
+                                           "apart to store all bins between them");
+  }
+
+  const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms };
+  helios::FillEchoes(results, ids, vtkPolyData::GetData(outputs, 0));
+  if (this->GenerateWaveforms)
+  {
+    helios::FillWaveforms(results, ids, this->BinSize, vtkTable::GetData(outputs, 1));
+  }
+  if (this->GeneratePulses)
+  {
+    helios::FillPulses(results, ids, vtkPolyData::GetData(outputs, 2));
+  }
+  if (this->GenerateSubRays)
+  {
+    helios::FillSubRays(results, vtkPolyData::GetData(outputs, 3));
+  }
+}

@@ -303,6 +303,18 @@ public:
    */
   vtkIdType GetNumberOfPulses();
 
+  ///@{
+  /**
+   * Get the counts of the last update: pulses that left the scanner, pulses
+   * with a surface in the measured ranges, sub-rays that met one outside them,
+   * and the largest signal of a pulse [W], detected or not.
+   */
+  vtkGetMacro(NumberOfPulsesFired, vtkIdType);
+  vtkGetMacro(NumberOfPulsesHit, vtkIdType);
+  vtkGetMacro(NumberOfHitsOutOfRange, vtkIdType);
+  vtkGetMacro(LargestAmplitude, double);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -316,6 +328,14 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  struct Scan; // what a run needs to know
+
+  bool CheckSettings();
+  bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
+  bool PrepareScene(vtkPolyData* scene, Scan& scan);
+  bool PreparePulses(Scan& scan);
+  void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
+
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;
   void operator=(const vtkHeliosScanner&) = delete;
 
@@ -353,6 +373,11 @@ private:
   bool GenerateWaveforms = false;
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
+
+  vtkIdType NumberOfPulsesFired = 0;
+  vtkIdType NumberOfPulsesHit = 0;
+  vtkIdType NumberOfHitsOutOfRange = 0;
+  double LargestAmplitude = 0.0;
 };
 
 #endif

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRadiometry.h"
+#include "heliosReturn.h"
+#include "vtkHeliosPeakDetector.h"
+
+#include <vtkNew.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numeric>
+
+using helios::Echo;
+using helios::Receiver;
+using helios::SubReturn;
+
+namespace
+{
+
+constexpr double PulseLength = 4.0;
+constexpr double SigmaRange = 0.5 * helios::SpeedOfLight * PulseLength / helios::FwhmPerSigma;
+
+std::vector<SubReturn> MakeReturns(std::initializer_list<std::pair<double, double>> rangesAndPowers)
+{
+  std::vector<SubReturn> returns;
+  for (const auto& [range, power] : rangesAndPowers)
+  {
+    returns.push_back({ range, power, 0, static_cast<int>(returns.size()), 1.0 });
+  }
+  return returns;
+}
+
+std::vector<Echo> Find(std::vector<SubReturn>& returns, double binSize = 0.25)
+{
+  vtkNew<vtkHeliosPeakDetector> detector;
+  Receiver receiver(PulseLength, binSize, detector);
+  std::vector<Echo> echoes;
+  receiver.FindEchoes(returns, echoes);
+  return echoes;
+}
+
+/// The maximum of the sum of Gaussians nearest to a start, by bisection of its derivative.
+double TrueMaximum(const std::vector<SubReturn>& returns, double from, double to)
+{
+  const auto slope = [&returns](double x) {
+    double sum = 0;
+    for (const SubReturn& r : returns)
+    {
+      const double u = (x - r.Range) / SigmaRange;
+      sum -= r.Power * u * std::exp(-0.5 * u * u);
+    }
+    return sum;
+  };
+  for (int i = 0; i < 200; ++i)
+  {
+    const double middle = 0.5 * (from + to);
+    (slope(middle) > 0 ? from : to) = middle;
+  }
+  return 0.5 * (from + to);
+}
+
+} // namespace
+
+TEST_CASE("Receiver: equal ranges add up", "[Receiver]")
+{
+  std::vector<SubReturn> returns(19, { 100.0, 1e-8, 0, 0, 1.0 });
+  const auto echoes = Find(returns);
+  REQUIRE(echoes.size() == 1);
+  CHECK(echoes[0].Range == 100.0);
+  CHECK(echoes[0].Amplitude == Approx(19e-8).epsilon(1e-14));
+  CHECK(echoes[0].Width == Approx(PulseLength).epsilon(1e-14));
+}
+
+TEST_CASE("Receiver: a narrow group has the maximum of its sum", "[Receiver]")
+{
+  auto returns = MakeReturns({ { 50.0, 3e-8 }, { 50.31, 1e-8 }, { 50.4, 2e-8 }, { 50.05, 1e-8 } });
+  const auto echoes = Find(returns);
+  REQUIRE(echoes.size() == 1);
+  CHECK(echoes[0].Range == Approx(TrueMaximum(returns, 50.0, 50.4)).epsilon(0).margin(1e-11));
+  CHECK(echoes[0].Nearest->Range == 50.05);
+}
+
+TEST_CASE("Receiver: two halves 2 sigma apart have one flat maximum in the middle", "[Receiver]")
+{
+  auto returns = MakeReturns({ { 10.0, 1e-7 }, { 10.0 + 2 * SigmaRange, 1e-7 } });
+  const auto echoes = Find(returns);
+  REQUIRE(echoes.size() == 1);
+  CHECK(echoes[0].Range == Approx(10.0 + SigmaRange).epsilon(1e-12));
+}
+
+TEST_CASE("Receiver: bins agree with the exact maximum", "[Receiver]")
+{
+  // A spread over 0.6 m: the group is binned, and its sum still has one maximum.
+  auto returns = MakeReturns({ { 200.0, 1e-7 }, { 200.2, 4e-7 }, { 200.3, 3e-7 }, { 200.6, 1e-7 } });
+  const auto echoes = Find(returns);
+  REQUIRE(echoes.size() == 1);
+  const double exact = TrueMaximum(returns, 200.0, 200.6);
+  CHECK(std::abs(echoes[0].Range - exact) < 2e-4);
+}
+
+TEST_CASE("Receiver: separation limit of two equal echoes", "[Receiver]")
+{
+  // Two maxima from 2 sigma of time on: 0.509241 m at 4 ns (1 % below and above).
+  for (const double factor : { 0.99, 1.01 })
+  {
+    const double limit = 0.509241;
+    auto returns = MakeReturns({ { 30.0, 1e-7 }, { 30.0 + factor * limit, 1e-7 } });
+    CHECK(Find(returns, 0.05).size() == (factor < 1 ? 1u : 2u));
+  }
+}
+
+TEST_CASE("Receiver: separation limit of unequal echoes", "[Receiver]")
+{
+  struct Row
+  {
+    double Ratio, Limit;
+  };
+  for (const Row& row : { Row{ 0.5, 0.669017 }, Row{ 0.1, 0.853995 }, Row{ 0.01, 1.041001 } })
+  {
+    for (const double factor : { 0.99, 1.01 })
+    {
+      auto returns =
+        MakeReturns({ { 30.0, 1e-7 }, { 30.0 + factor * row.Limit, row.Ratio * 1e-7 } });
+      CHECK(Find(returns, 0.05).size() == (factor < 1 ? 1u : 2u));
+    }
+  }
+}
+
+TEST_CASE("Receiver: surfaces far apart are echoes of their own", "[Receiver]")
+{
+  auto returns = MakeReturns({ { 900.0, 1e-9 }, { 5.0, 1e-6 }, { 5.001, 1e-6 }, { 90.0, 1e-8 } });
+  const auto echoes = Find(returns);
+  REQUIRE(echoes.size() == 3);
+  CHECK(echoes[0].Range == Approx(5.0005).epsilon(1e-9));
+  CHECK(echoes[1].Range == 90.0);
+  CHECK(echoes[2].Range == 900.0);
+  CHECK(echoes[2].Amplitude == 1e-9);
+}
+
+TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receiver]")
+{
+  vtkNew<vtkHeliosPeakDetector> detector;
+  const double bin = 0.25;
+  Receiver receiver(PulseLength, bin, detector);
+  auto returns = MakeReturns({ { 20.0123, 2e-7 }, { 23.3456, 1e-7 } });
+  helios::Waveform wave;
+  CHECK_FALSE(receiver.MakeWaveform(returns, 1000000, wave));
+  const double sigma = PulseLength / helios::FwhmPerSigma;
+
+  double sum = 0, worst = 0;
+  for (std::size_t i = 0; i < wave.Samples.size(); ++i)
+  {
+    const double t = wave.StartTime + bin * static_cast<double>(i);
+    double exact = 0;
+    for (const SubReturn& r : returns)
+    {
+      const double u = (t - 2 * r.Range / helios::SpeedOfLight) / sigma;
+      exact += r.Power * std::exp(-0.5 * u * u);
+    }
+    worst = std::max(worst, std::abs(wave.Samples[i] - exact));
+    sum += wave.Samples[i];
+  }
+  CHECK(worst < 2e-7 * 6e-8); // float samples
+  const double area = 3e-7 * sigma * std::sqrt(2 * std::acos(-1.0));
+  CHECK(sum * bin == Approx(area).epsilon(2e-6));
+  CHECK(receiver.MakeWaveform(returns, 10, wave));
+  CHECK(wave.Samples.size() == 10);
+}

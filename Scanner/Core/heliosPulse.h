@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A pulse in the world: when and where it leaves, and the frame of its beam.
+
+#ifndef heliosPulse_h
+#define heliosPulse_h
+
+#include "heliosPose.h"
+#include "heliosTrajectory.h"
+
+#include <vtkType.h>
+
+class vtkHeliosBeamDeflector;
+
+namespace helios
+{
+
+struct Pulse
+{
+  double Time;
+  Vec3 Origin;
+  Rotation Beam; // from the frame of the beam, whose axis is y, to the world
+
+  Vec3 GetDirection() const { return { this->Beam.M[0][1], this->Beam.M[1][1], this->Beam.M[2][1] }; }
+};
+
+/**
+ * What carries the beam, from the platform to the deflector:
+ * A = A_platform A_mount R_head A_beam, and the lever arms turn with the attitude,
+ * origin = p + A_platform (m + A_mount R_head b).
+ */
+struct PulseSource
+{
+  const Trajectory* Platform;
+  const vtkHeliosBeamDeflector* Deflector;
+  double StartTime;
+  double PulseFrequency;
+  Pose Mount;
+  Pose BeamOrigin;
+  Vec3 HeadAxis;
+  double HeadStart; // [deg]
+  double HeadSpeed; // [deg/s]
+
+  /// Pulse number index; false where the deflector lets none out.
+  bool GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const;
+};
+
+/// A frame whose y axis is a unit vector (Duff et al. 2017, J. Computer Graphics Techniques 6).
+Rotation BeamFrame(const Vec3& axis);
+
+} // namespace helios
+
+#endif
