@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""arrays(): views of VTK data that share its memory."""
+
+import gc
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import vtkhelios
+
+
+def address(array):
+    return array.__array_interface__["data"][0]
+
+
+def vtk_address(data_array):
+    return int(data_array.GetVoidPointer(0).split("_")[1], 16)
+
+
+@pytest.fixture
+def cloud():
+    data = vtkPolyData()
+    points = vtkPoints()
+    points.SetDataType(VTK_DOUBLE)
+    for x in range(5):
+        points.InsertNextPoint(500000.123456789 + x, 5500000.0, 300.0)
+    data.SetPoints(points)
+    ids = vtkIdTypeArray()
+    ids.SetName("PulseIds")
+    for i in range(5):
+        ids.InsertNextValue(2**40 + i)
+    data.GetPointData().AddArray(ids)
+    return data
+
+
+def test_views_share_memory(cloud):
+    views = vtkhelios.arrays(cloud)
+    assert sorted(views) == ["PulseIds", "points"]
+    assert address(views["points"]) == vtk_address(cloud.GetPoints().GetData())
+    assert address(views["PulseIds"]) == vtk_address(cloud.GetPointData().GetArray("PulseIds"))
+    views["points"][2, 0] = -1.0
+    assert cloud.GetPoint(2)[0] == -1.0
+
+
+def test_types_and_shapes(cloud):
+    views = vtkhelios.arrays(cloud)
+    assert views["points"].shape == (5, 3) and views["points"].dtype == np.float64
+    assert views["PulseIds"].dtype == np.int64
+    assert views["PulseIds"][4] == 2**40 + 4
+
+
+def test_views_outlive_the_data(cloud):
+    views = vtkhelios.arrays(cloud)
+    before = views["points"].copy()
+    cloud.Initialize()
+    del cloud
+    gc.collect()
+    assert (views["points"] == before).all()
+
+
+def test_empty_cloud():
+    assert vtkhelios.arrays(vtkPolyData()) == {}
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    assert vtkhelios.arrays(data)["points"].shape == (0, 3)
+
+
+def test_table_with_samples():
+    table = vtkTable()
+    column = vtkIdTypeArray()
+    column.SetName("Offset")
+    column.InsertNextValue(7)
+    table.AddColumn(column)
+    samples = vtkIdTypeArray()
+    samples.SetName("Samples")
+    table.GetFieldData().AddArray(samples)
+    names = vtkStringArray()
+    names.SetName("Part.Name")
+    table.GetFieldData().AddArray(names)
+    views = vtkhelios.arrays(table)
+    assert sorted(views) == ["Offset", "Samples"]
+    assert address(views["Offset"]) == vtk_address(column)
+
+
+def test_other_data_is_refused():
+    with pytest.raises(TypeError, match="not a vtkDataObject"):
+        vtkhelios.arrays(vtkDataObject())
+
+
+def test_same_as_stock_vtk(cloud):
+    assert (vtkhelios.arrays(cloud)["points"] == vtk_to_numpy(cloud.GetPoints().GetData())).all()

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The installed package, as other projects use it: find_package(vtkHelios), and pip install."""
+
+import os
+import pathlib
+import re
+import subprocess
+
+import pytest
+
+import vtkhelios
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # <build>/lib/python3/dist-packages
+
+
+def call(*command, **options):
+    """Runs a command, without the PYTHONPATH of this build, and returns what it prints."""
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    done = subprocess.run([str(word) for word in command], env=environment, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    assert done.returncode == 0, done.stdout
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("prefix")
+    call("cmake", "--install", BUILD, "--prefix", folder)
+    return folder
+
+
+def test_outside_project_with_own_deflector(prefix, tmp_path):
+    call("cmake", "-S", HERE, "-B", tmp_path, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
+         "-DCMAKE_BUILD_TYPE=Release")
+    call("cmake", "--build", tmp_path)
+    output = call(tmp_path / "own_deflector")
+    assert output.startswith("1000 echoes, largest error")
+
+
+def test_missing_component_is_told(prefix, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(p C CXX)\n"
+        "find_package(vtkHelios COMPONENTS ScannerCore Nonesuch)\n"
+        'message(STATUS "found: ${vtkHelios_FOUND}")\n'
+    )
+    output = call("cmake", "-S", tmp_path, "-B", tmp_path / "b", f"-DCMAKE_PREFIX_PATH={prefix}")
+    assert "found: FALSE" in output
+
+
+def test_installed_command_line(prefix, tmp_path):
+    output = call(prefix / "bin/vtkhelios", "--version", cwd=tmp_path)
+    assert output.strip() == f"vtkhelios {vtkhelios.__version__}"
+
+
+def test_installed_files_name_no_build_folder(prefix):
+    for path in prefix.rglob("*"):
+        if path.suffix in (".cmake", ".py", ".h", "") and path.is_file():
+            assert str(BUILD) not in path.read_text(errors="replace"), path
+
+
+@pytest.mark.slow
+def test_pip_install(tmp_path):
+    call("/usr/bin/python3", "-m", "venv", "--system-site-packages", tmp_path / "venv")
+    python = tmp_path / "venv/bin/python"
+    call(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", ROOT)
+    assert call(tmp_path / "venv/bin/vtkhelios", "--version", cwd=tmp_path).strip() == (
+        f"vtkhelios {vtkhelios.__version__}"
+    )
+    names = call(python, "-c", "import vtkhelios; print(*vtkhelios.__all__, vtkhelios.__file__)",
+                 cwd=tmp_path).split()
+    assert names[:-1] == vtkhelios.__all__
+    assert names[-1].startswith(str(tmp_path))
+
+
+def test_version_is_one():
+    version = re.search(r"project\(vtkHelios VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
+    assert version.group(1) == vtkhelios.__version__

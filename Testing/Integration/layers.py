@@ -1,0 +1,106 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The layers of vtkHelios, and who breaks them.
+
+A module may use modules of lower layers only. What it may use it declares in its
+vtk.module, and its sources include no header of a module it does not declare.
+"""
+
+import pathlib
+import re
+
+# From the bottom up; the modules of one layer do not see each other.
+LAYERS = [
+    ["FiltersCore"],
+    ["FiltersIO", "FiltersScene", "FiltersPCL"],
+    ["ScannerOptics", "ScannerRayCasting", "ScannerPlatforms"],
+    ["ScannerRayCastingEmbree", "ScannerRayCastingCgal", "ScannerRayCastingObbTree"],
+    ["ScannerCore"],
+    ["ScannerDetectors"],
+    ["ScannerSurvey"],
+    ["Planning"],
+]
+LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
+
+# The one home of each library; its headers are included in sources (.cxx) only.
+HOMES = {
+    r"embree3/": "ScannerRayCastingEmbree",
+    r"pugixml": "ScannerSurvey",
+    r"Random123/": "FiltersCore",
+    r"CGAL/AABB": "ScannerRayCastingCgal",
+    r"pcl/": "FiltersPCL",
+    r"Eigen/": "ScannerDetectors",
+    r"gdal": "FiltersIO",
+    r"proj\.h": "FiltersCore",
+}
+
+USES = ("DEPENDS", "PRIVATE_DEPENDS", "OPTIONAL_DEPENDS")
+_INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+
+
+def read_module(path):
+    """A vtk.module file as a dict from keyword to its words."""
+    entries, keyword = {}, None
+    for line in path.read_text().splitlines():
+        words = re.sub(r"#.*", "", line).strip()
+        if re.fullmatch(r"[A-Z_]+", words):
+            keyword = words
+            entries[keyword] = []
+        elif words:
+            entries[keyword].append(words)
+    return entries
+
+
+def find_modules(root):
+    """Every module below a folder: a dict from name to (vtk.module as a dict, folder)."""
+    modules = {}
+    for folder in ("Filters", "Scanner", "Planning"):
+        for path in sorted((root / folder).rglob("vtk.module")):
+            entries = read_module(path)
+            modules[entries["NAME"][0].removeprefix("vtkHelios::")] = (entries, path.parent)
+    return modules
+
+
+def used_modules(entries):
+    return [name for keyword in USES for name in entries.get(keyword, [])]
+
+
+def find_edge_faults(modules):
+    """Edges that do not go down, as lines of text."""
+    faults = []
+    for name, (entries, _) in modules.items():
+        if name not in LAYER:
+            faults.append(f"{name} has no layer: give it one in LAYERS")
+            continue
+        for used in used_modules(entries):
+            own = used.removeprefix("vtkHelios::")
+            if own != used and LAYER.get(own, len(LAYERS)) >= LAYER[name]:
+                faults.append(f"{name} uses {own}, which is not below it")
+            if re.match(r"VTK::(Rendering|Interaction|Views|GUISupport)", used):
+                faults.append(f"{name} uses {used}: rendering belongs to Apps/Viewer and Python")
+    return faults
+
+
+def sources_of(folder):
+    """The sources of a module, without its tests and the modules below it."""
+    return [path for path in sorted(folder.glob("*")) if path.suffix in (".h", ".cxx")]
+
+
+def find_include_faults(modules):
+    """Headers included from modules that vtk.module does not name, and libraries away from home."""
+    owner = {path.name: name for name, (_, folder) in modules.items() for path in sources_of(folder)}
+    faults = []
+    for name, (entries, folder) in modules.items():
+        allowed = {name} | {used.removeprefix("vtkHelios::") for used in used_modules(entries)}
+        for path in sources_of(folder):
+            for header in _INCLUDE.findall(path.read_text()):
+                if owner.get(pathlib.PurePath(header).name, name) not in allowed:
+                    faults.append(f"{path.name} includes {header}, but {name} does not use that module")
+                for pattern, home in HOMES.items():
+                    if not re.match(pattern, header):
+                        continue
+                    if home != name:
+                        faults.append(f"{path.name} includes {header}, whose home is {home}")
+                    elif path.name.startswith("vtkHelios") and path.suffix == ".h":
+                        faults.append(f"{path.name} is public and includes {header}")
+    return faults

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""No module uses one above it, and the check for that can fail."""
+
+import importlib.util
+import pathlib
+
+import pytest
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+_spec = importlib.util.spec_from_file_location("layers", HERE / "layers.py")
+layers = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(layers)
+
+
+def test_edges_go_down():
+    modules = layers.find_modules(ROOT)
+    assert {"FiltersCore", "ScannerCore", "ScannerSurvey"} <= set(modules)
+    assert layers.find_edge_faults(modules) == []
+
+
+def test_includes_are_declared():
+    assert layers.find_include_faults(layers.find_modules(ROOT)) == []
+
+
+@pytest.fixture
+def made_up(tmp_path):
+    """Makes a module below tmp_path and returns all modules there."""
+
+    def make(folder, name, uses, source=""):
+        path = tmp_path / folder
+        path.mkdir(parents=True)
+        path.joinpath("vtk.module").write_text(
+            f"NAME\n  vtkHelios::{name}\nDEPENDS\n  VTK::CommonCore\nPRIVATE_DEPENDS\n  {uses}\n"
+        )
+        path.joinpath(f"vtkHelios{name}.h").write_text(source)
+        return layers.find_modules(tmp_path)
+
+    return make
+
+
+@pytest.mark.parametrize(
+    "name, uses, fault",
+    [
+        ("FiltersScene", "vtkHelios::ScannerCore", "FiltersScene uses ScannerCore, which is not below"),
+        ("FiltersScene", "vtkHelios::FiltersIO", "FiltersScene uses FiltersIO, which is not below"),
+        ("ScannerOptics", "vtkHelios::ScannerPlatforms", "which is not below it"),
+        ("ScannerCore", "vtkHelios::Unheard", "ScannerCore uses Unheard, which is not below"),
+        ("ScannerCore", "VTK::RenderingCore", "rendering belongs to"),
+        ("Unheard", "vtkHelios::FiltersCore", "Unheard has no layer"),
+    ],
+)
+def test_upward_edge_is_found(made_up, name, uses, fault):
+    faults = layers.find_edge_faults(made_up("Filters/Made", name, uses))
+    assert len(faults) == 1 and fault in faults[0]
+
+
+def test_undeclared_include_is_found(made_up):
+    made_up("Scanner/Core", "ScannerCore", "VTK::CommonMath")
+    modules = made_up(
+        "Filters/Scene", "FiltersScene", "VTK::CommonMath", '#include "vtkHeliosScannerCore.h"\n'
+    )
+    faults = layers.find_include_faults(modules)
+    assert len(faults) == 1 and "FiltersScene does not use" in faults[0]
+
+
+def test_library_away_from_home_is_found(made_up):
+    modules = made_up("Scanner/Core", "ScannerCore", "VTK::CommonMath", "#include <pugixml.hpp>\n")
+    assert layers.find_include_faults(modules) == [
+        "vtkHeliosScannerCore.h includes pugixml.hpp, whose home is ScannerSurvey"
+    ]
+
+
+def test_library_in_public_header_is_found(made_up):
+    modules = made_up("Scanner/Survey", "ScannerSurvey", "VTK::CommonMath", "#include <pugixml.hpp>\n")
+    assert layers.find_include_faults(modules) == [
+        "vtkHeliosScannerSurvey.h is public and includes pugixml.hpp"
+    ]
