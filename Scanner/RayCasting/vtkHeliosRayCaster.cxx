@@ -1,3 +1,97 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosRayCaster.h"
+
+#include "heliosTriangleMesh.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkPolyData.h>
+
+#include <vector>
+
+vtkHeliosRayCaster::vtkHeliosRayCaster()
+  : Mesh(new helios::TriangleMesh)
+{
+}
+
+vtkHeliosRayCaster::~vtkHeliosRayCaster() = default;
+
+void vtkHeliosRayCaster::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->GetName() << "\n";
+  os << indent << "NumberOfTriangles: " << this->Mesh->GetNumberOfTriangles() << "\n";
+  os << indent << "AcceleratorSize: " << this->GetAcceleratorSize() << "\n";
+}
+
+bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
+{
+  if (scene && scene == this->BuiltScene && scene->GetMTime() <= this->BuiltTime)
+  {
+    return true;
+  }
+  this->BuiltScene = nullptr;
+  this->BuildAccelerator(helios::TriangleMesh()); // forgets the old one before its mesh goes
+  const std::string problem = this->Mesh->Set(scene);
+  if (!problem.empty())
+  {
+    *this->Mesh = helios::TriangleMesh();
+    vtkErrorMacro(<< "Build: " << problem << ".");
+    return false;
+  }
+  if (!this->BuildAccelerator(*this->Mesh))
+  {
+    *this->Mesh = helios::TriangleMesh();
+    return false;
+  }
+  this->BuiltScene = scene;
+  this->BuiltTime = scene->GetMTime();
+  return true;
+}
+
+bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins,
+  vtkDoubleArray* directions,
+  vtkDoubleArray* ranges,
+  vtkIdTypeArray* cellIds)
+{
+  if (!this->BuiltScene)
+  {
+    vtkErrorMacro(<< "Intersect: the caster has no scene; call Build first.");
+    return false;
+  }
+  if (!origins || !directions || !ranges || !cellIds)
+  {
+    vtkErrorMacro(<< "Intersect: origins, directions, ranges and cellIds must all be arrays.");
+    return false;
+  }
+  const vtkIdType count = origins->GetNumberOfTuples();
+  if (origins->GetNumberOfComponents() != 3 || directions->GetNumberOfComponents() != 3 ||
+    directions->GetNumberOfTuples() != count)
+  {
+    vtkErrorMacro(<< "Intersect: origins (" << count << " x " << origins->GetNumberOfComponents()
+                  << ") and directions (" << directions->GetNumberOfTuples() << " x "
+                  << directions->GetNumberOfComponents()
+                  << ") must be arrays of 3 components with as many tuples.");
+    return false;
+  }
+
+  std::vector<vtkHeliosRay> rays(static_cast<std::size_t>(count));
+  std::vector<vtkHeliosHit> hits(rays.size());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    origins->GetTypedTuple(i, rays[i].Origin);
+    directions->GetTypedTuple(i, rays[i].Direction);
+  }
+  this->Intersect(rays.data(), hits.data(), count);
+  ranges->SetNumberOfComponents(1);
+  ranges->SetNumberOfTuples(count);
+  cellIds->SetNumberOfComponents(1);
+  cellIds->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    ranges->SetValue(i, hits[i].Range);
+    cellIds->SetValue(i, hits[i].CellId);
+  }
+  return true;
+}

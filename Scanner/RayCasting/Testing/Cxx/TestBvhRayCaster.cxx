@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosBvhRayCaster.h"
+
+#include "heliosRayCasterChecks.h"
+
+TEST_CASE("BvhRayCaster: equal to brute force bit for bit", "[BvhRayCaster]")
+{
+  helios::CheckAgainstBruteForce<vtkHeliosBvhRayCaster>(1000);
+}
+
+TEST_CASE("BvhRayCaster: no leak at corners and edges", "[BvhRayCaster]")
+{
+  helios::CheckLeaks<vtkHeliosBvhRayCaster>(5);
+}
+
+TEST_CASE("BvhRayCaster: the lowest cell of equal ranges", "[BvhRayCaster]")
+{
+  helios::CheckTies<vtkHeliosBvhRayCaster>();
+}
+
+TEST_CASE("BvhRayCaster: nothing degenerate is hit", "[BvhRayCaster]")
+{
+  helios::CheckDegenerate<vtkHeliosBvhRayCaster>();
+}
+
+TEST_CASE("BvhRayCaster: threads get the same bytes", "[BvhRayCaster]")
+{
+  helios::CheckThreads<vtkHeliosBvhRayCaster>();
+}
+
+TEST_CASE("BvhRayCaster: a stray corner far away changes no other hit", "[BvhRayCaster]")
+{
+  helios::Soup soup = helios::MakeMixture();
+  const auto rays = helios::MakeRays(soup, 3000);
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  const auto before = helios::Cast(caster, rays);
+  soup.AddTriangle({ 1e30, 1e30, 1e30 }, { 1e30, 2e30, 1e30 }, { 1e30, 1e30, 2e30 });
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  CHECK(helios::CountDifferences(helios::Cast(caster, rays), before) == 0);
+}
+
+TEST_CASE("BvhRayCaster: small beside the scene", "[BvhRayCaster]")
+{
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  const helios::Soup soup = helios::MakeTerrain(200, 1.0);
+  REQUIRE(caster->Build(soup.GetPolyData()));
+  const double perTriangle =
+    static_cast<double>(caster->GetAcceleratorSize()) / static_cast<double>(soup.Triangles.size());
+  CHECK(perTriangle > 10);
+  CHECK(perTriangle < 80);
+}

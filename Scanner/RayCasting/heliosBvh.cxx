@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosBvh.h"
+
+#include "heliosTriangleMesh.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double Huge = std::numeric_limits<double>::max();
+constexpr int NumberOfBins = 16;
+constexpr vtkTypeInt32 LeafSize = 4;
+constexpr int BinnedDepth = 56; // halving below: 56 + 31 levels at most
+constexpr int StackSize = 96;
+
+struct Box
+{
+  double Low[3] = { Huge, Huge, Huge };
+  double High[3] = { -Huge, -Huge, -Huge };
+
+  void Add(const Box& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
+  }
+
+  double GetHalfArea() const
+  {
+    const double x = this->High[0] - this->Low[0];
+    const double y = this->High[1] - this->Low[1];
+    const double z = this->High[2] - this->Low[2];
+    return x * y + y * z + z * x;
+  }
+
+  /// Twice the centre.
+  double GetCentre(int axis) const { return this->Low[axis] + this->High[axis]; }
+};
+
+Box GetBox(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+{
+  Box box;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const double* p = mesh.GetCorner(triangle, corner);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = std::min(box.Low[axis], p[axis]);
+      box.High[axis] = std::max(box.High[axis], p[axis]);
+    }
+  }
+  return box;
+}
+
+struct Bin
+{
+  Box Bounds;
+  vtkTypeInt32 Count = 0;
+};
+
+struct Split
+{
+  int Axis = -1;
+  int Bin = 0;
+  double Cost = Huge;
+};
+
+/// A triangle while the tree is built.
+struct Primitive
+{
+  Box Bounds;
+  vtkTypeInt32 Triangle;
+};
+
+/// Which bin a centre falls into; the same for counting and for parting.
+struct Binning
+{
+  double Start;
+  double Scale;
+
+  Binning(const Box& centres, int axis)
+    : Start(centres.Low[axis])
+    , Scale(NumberOfBins / (centres.High[axis] - centres.Low[axis]))
+  {
+  }
+  int operator()(double centre) const
+  {
+    const double bin = (centre - this->Start) * this->Scale;
+    return bin >= NumberOfBins ? NumberOfBins - 1 : (bin > 0.0 ? static_cast<int>(bin) : 0);
+  }
+};
+
+} // namespace
+
+/// Splits ranges of primitives by the surface area heuristic over bins of their centres.
+class Bvh::Builder
+{
+public:
+  Builder(std::vector<Primitive>& primitives, std::vector<Node>& nodes)
+    : Primitives(primitives)
+    , Nodes(nodes)
+  {
+  }
+
+  /// Makes the node of at least two primitives; returns its index.
+  vtkTypeInt32 MakeNode(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
+  {
+    const vtkTypeInt32 middle = this->Part(first, last, depth);
+    const vtkTypeInt32 index = static_cast<vtkTypeInt32>(this->Nodes.size());
+    this->Nodes.emplace_back();
+    this->SetChild(index, 0, first, middle, depth);
+    this->SetChild(index, 1, middle, last, depth);
+    return index;
+  }
+
+  void SetChild(vtkTypeInt32 node, int child, vtkTypeInt32 first, vtkTypeInt32 last, int depth)
+  {
+    Box bounds;
+    for (vtkTypeInt32 i = first; i < last; ++i)
+    {
+      bounds.Add(this->Primitives[i].Bounds);
+    }
+    const bool isLeaf = last - first <= LeafSize;
+    const vtkTypeInt32 inner = isLeaf ? first : this->MakeNode(first, last, depth + 1);
+    Node& n = this->Nodes[node]; // only now: making nodes moves them
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      n.Low[axis][child] = bounds.Low[axis];
+      n.High[axis][child] = bounds.High[axis];
+    }
+    n.First[child] = inner;
+    n.Count[child] = isLeaf ? last - first : 0;
+  }
+
+private:
+  /// Reorders a range and returns where its second half starts.
+  vtkTypeInt32 Part(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
+  {
+    Box centres;
+    for (vtkTypeInt32 i = first; i < last; ++i)
+    {
+      const Box& box = this->Primitives[i].Bounds;
+      const double c[3] = { box.GetCentre(0), box.GetCentre(1), box.GetCentre(2) };
+      centres.Add({ { c[0], c[1], c[2] }, { c[0], c[1], c[2] } });
+    }
+    Split best;
+    for (int axis = 0; axis < 3 && depth < BinnedDepth; ++axis)
+    {
+      if (centres.High[axis] > centres.Low[axis])
+      {
+        this->TrySplits(first, last, centres, axis, best);
+      }
+    }
+    const auto begin = this->Primitives.begin() + first;
+    const auto end = this->Primitives.begin() + last;
+    if (best.Axis < 0)
+    {
+      return this->Halve(first, last, centres);
+    }
+    const Binning bin(centres, best.Axis);
+    const auto middle = std::partition(begin,
+      end,
+      [&bin, &best](const Primitive& p) { return bin(p.Bounds.GetCentre(best.Axis)) < best.Bin; });
+    return static_cast<vtkTypeInt32>(middle - this->Primitives.begin());
+  }
+
+  /// Halves a range along the longest side of the box of its centres.
+  vtkTypeInt32 Halve(vtkTypeInt32 first, vtkTypeInt32 last, const Box& centres)
+  {
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+    {
+      axis = centres.High[i] - centres.Low[i] > centres.High[axis] - centres.Low[axis] ? i : axis;
+    }
+    const vtkTypeInt32 middle = first + (last - first) / 2;
+    const auto begin = this->Primitives.begin();
+    std::nth_element(begin + first,
+      begin + middle,
+      begin + last,
+      [axis](const Primitive& a, const Primitive& b)
+      { return a.Bounds.GetCentre(axis) < b.Bounds.GetCentre(axis); });
+    return middle;
+  }
+
+  void TrySplits(vtkTypeInt32 first,
+    vtkTypeInt32 last,
+    const Box& centres,
+    int axis,
+    Split& best) const
+  {
+    const Binning binOf(centres, axis);
+    Bin bins[NumberOfBins];
+    for (vtkTypeInt32 i = first; i < last; ++i)
+    {
+      const Box& box = this->Primitives[i].Bounds;
+      Bin& bin = bins[binOf(box.GetCentre(axis))];
+      bin.Bounds.Add(box);
+      ++bin.Count;
+    }
+    double costBelow[NumberOfBins] = {};
+    Bin below;
+    for (int i = 1; i < NumberOfBins; ++i)
+    {
+      below.Bounds.Add(bins[i - 1].Bounds);
+      below.Count += bins[i - 1].Count;
+      costBelow[i] = below.Count == 0 ? Huge : below.Count * below.Bounds.GetHalfArea();
+    }
+    Bin above;
+    for (int i = NumberOfBins - 1; i > 0; --i)
+    {
+      above.Bounds.Add(bins[i].Bounds);
+      above.Count += bins[i].Count;
+      const double cost =
+        costBelow[i] + (above.Count == 0 ? Huge : above.Count * above.Bounds.GetHalfArea());
+      if (cost < best.Cost)
+      {
+        best = { axis, i, cost };
+      }
+    }
+  }
+
+  std::vector<Primitive>& Primitives;
+  std::vector<Node>& Nodes;
+};
+
+void Bvh::Build(const TriangleMesh& mesh)
+{
+  std::vector<vtkTypeInt32> triangles;
+  triangles.reserve(static_cast<std::size_t>(mesh.GetNumberOfTriangles()));
+  for (vtkTypeInt32 i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    if (HasArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
+    {
+      triangles.push_back(i);
+    }
+  }
+  this->Build(mesh, std::move(triangles));
+}
+
+void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles)
+{
+  this->Mesh = &mesh;
+  this->Order = std::move(triangles);
+  this->Nodes = {};
+  const vtkTypeInt32 count = static_cast<vtkTypeInt32>(this->Order.size());
+  std::vector<Primitive> primitives(this->Order.size());
+  for (vtkTypeInt32 i = 0; i < count; ++i)
+  {
+    primitives[i] = { GetBox(mesh, this->Order[i]), this->Order[i] };
+  }
+  Builder builder(primitives, this->Nodes);
+  if (count > 1)
+  {
+    builder.MakeNode(0, count, 0);
+  }
+  else if (count == 1) // twice the same leaf does no harm
+  {
+    this->Nodes.emplace_back();
+    builder.SetChild(0, 0, 0, 1, 0);
+    builder.SetChild(0, 1, 0, 1, 0);
+  }
+  this->Nodes.shrink_to_fit();
+  for (vtkTypeInt32 i = 0; i < count; ++i)
+  {
+    this->Order[i] = primitives[i].Triangle;
+  }
+}
+
+/// Calls visit for triangles in boxes that the ray enters at or before range, which visit may lower.
+template <typename VisitT>
+void Bvh::Traverse(const TestRay& ray, const double& range, VisitT visit) const
+{
+  struct Entry
+  {
+    double Range;
+    vtkTypeInt32 First;
+    vtkTypeInt32 Count;
+  };
+  Entry stack[StackSize];
+  int size = 0;
+  Entry current{ 0.0, 0, 0 };
+  while (!this->Nodes.empty())
+  {
+    if (current.Range <= range && current.Count > 0)
+    {
+      for (vtkTypeInt32 i = 0; i < current.Count; ++i)
+      {
+        visit(this->Order[current.First + i]);
+      }
+    }
+    else if (current.Range <= range)
+    {
+      const Node& node = this->Nodes[current.First];
+      double entry[2];
+      bool isEntered[2];
+      for (int child = 0; child < 2; ++child)
+      {
+        double low[3], high[3], exit;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          low[axis] = node.Low[axis][child] - ray.Origin[axis];
+          high[axis] = node.High[axis][child] - ray.Origin[axis];
+        }
+        GetBoxRange(low, high, ray.Inverse, entry[child], exit);
+        isEntered[child] = entry[child] <= exit && exit > 0.0 && entry[child] <= range;
+      }
+      const int nearer = isEntered[0] && (!isEntered[1] || entry[0] <= entry[1]) ? 0 : 1;
+      const int farther = 1 - nearer;
+      if (isEntered[farther])
+      {
+        stack[size++] = { entry[farther], node.First[farther], node.Count[farther] };
+      }
+      if (isEntered[nearer])
+      {
+        current = { entry[nearer], node.First[nearer], node.Count[nearer] };
+        continue;
+      }
+    }
+    if (size == 0)
+    {
+      return;
+    }
+    current = stack[--size];
+  }
+}
+
+vtkHeliosHit Bvh::Intersect(const TestRay& ray) const
+{
+  TestRay rest = ray; // its MaximumRange shrinks to the best hit so far
+  vtkHeliosHit hit{ NoHit, -1 };
+  this->Traverse(rest,
+    rest.MaximumRange,
+    [this, &rest, &hit](vtkTypeInt32 triangle)
+    {
+      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+        this->Mesh->GetCorner(triangle, 1),
+        this->Mesh->GetCorner(triangle, 2) };
+      const double range = TestTriangle(rest, points);
+      if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
+      {
+        hit = { range, triangle };
+        rest.MaximumRange = range;
+      }
+    });
+  return hit;
+}
+
+bool Bvh::IsOccluded(const TestRay& ray) const
+{
+  double range = ray.MaximumRange; // falls below every entry with the first hit
+  this->Traverse(ray,
+    range,
+    [this, &ray, &range](vtkTypeInt32 triangle)
+    {
+      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+        this->Mesh->GetCorner(triangle, 1),
+        this->Mesh->GetCorner(triangle, 2) };
+      range = TestTriangle(ray, points) < NoHit ? -NoHit : range;
+    });
+  return range < 0.0;
+}
+
+std::size_t Bvh::GetMemorySize() const
+{
+  return this->Nodes.capacity() * sizeof(Node) + this->Order.capacity() * sizeof(vtkTypeInt32);
+}
+
+} // namespace helios

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A binary bounding volume hierarchy over triangles, in double precision.
+
+#ifndef heliosBvh_h
+#define heliosBvh_h
+
+#include "heliosTriangleTest.h"
+
+#include <vtkType.h>
+
+#include <vector>
+
+namespace helios
+{
+
+class TriangleMesh;
+
+/**
+ * No hit of TestTriangle is lost: boxes are widened, node by node, by what the test allows a ray to
+ * pass beside a triangle (BoxSlack), and by monotone rounding a node is never entered later than
+ * the box of a triangle in it, to which the test clamps ranges.
+ */
+class VTKHELIOSSCANNERRAYCASTING_EXPORT Bvh
+{
+public:
+  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
+  void Build(const TriangleMesh& mesh);
+
+  /// Over some triangles of a mesh, all of which have an area.
+  void Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles);
+
+  /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.
+  vtkHeliosHit Intersect(const TestRay& ray) const;
+
+  bool IsOccluded(const TestRay& ray) const;
+
+  std::size_t GetMemorySize() const;
+
+private:
+  /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or
+  /// with a Count of zero the node First.
+  struct Node
+  {
+    double Low[3][2];
+    double High[3][2];
+    vtkTypeInt32 First[2];
+    vtkTypeInt32 Count[2];
+  };
+  class Builder;
+
+  template <typename VisitT>
+  void Traverse(const TestRay& ray, const double& range, VisitT visit) const;
+
+  const TriangleMesh* Mesh = nullptr;
+  std::vector<vtkTypeInt32> Order;
+  std::vector<Node> Nodes;
+};
+
+} // namespace helios
+
+#endif

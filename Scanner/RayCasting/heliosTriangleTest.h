@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The one ray/triangle test that every ray caster takes its hits and ranges from.
+//
+// Hit or not: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2(1), 2013) in
+// double. The corners, relative to the ray's origin, are sheared so that the ray is the z axis;
+// the triangle is hit where the signs of its three 2D edge functions agree. A sheared corner is a
+// function of the ray and the corner alone, the same in each triangle that shares it, and the signs
+// are exact: a*b - c*d, rounded, never has the wrong sign, since rounding is monotone; it may only
+// be zero where the truth is not, and then the rounding errors of the two products decide
+// (GetSign). So the test is exact for the mesh of the sheared corners, which is as closed as the
+// scene's mesh: no ray leaks through a shared edge or corner, however it is aimed.
+//
+// Range: from the plane of the scene's own points, which keeps |error| <= 8 u R / cos(incidence)
+// for slivers too, then clamped to the triangle's bounding box. The clamp matters for triangles
+// seen edge-on only; it makes culling by range safe: a box is never entered behind the hits in it.
+//
+// The templates take double or a vector of doubles (one ray a lane) and do the same operations in
+// the same order: compiled without contraction (-ffp-contract=off) all give the same bytes.
+
+#ifndef heliosTriangleTest_h
+#define heliosTriangleTest_h
+
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScannerRayCastingModule.h"
+
+#include <limits>
+
+#if defined(__GNUC__)
+#define HELIOS_INLINE inline __attribute__((always_inline))
+#else
+#define HELIOS_INLINE inline
+#endif
+
+namespace helios
+{
+
+constexpr double NoHit = std::numeric_limits<double>::infinity();
+
+/**
+ * How far, in units of a corner's largest distance from the ray's origin along an axis, a ray may
+ * pass beside a triangle and hit it: the rounding of the shear, 6 u, and of a test of its box, 4 u,
+ * with a margin. u = 2^-53.
+ */
+constexpr double BoxSlack = 0x1p-49;
+
+/// What the test needs of a ray, for one ray (double) or for a ray in each lane of a vector.
+template <typename Real>
+struct RayTerms
+{
+  Real Origin[3];
+  Real Direction[3];
+  Real Inverse[3]; ///< of the direction; +-1e300 for a component of zero
+  Real Shear[2];   ///< direction x / z and y / z, of the axes below
+};
+
+/// The axes of the test: z is the one along which the direction is largest.
+struct RayAxes
+{
+  int X = 0;
+  int Y = 1;
+  int Z = 2;
+};
+
+/// A ray ready for the test.
+struct TestRay : RayTerms<double>
+{
+  RayAxes Axes;
+  double MaximumRange;
+
+  /// False for a ray that hits nothing: not finite, without length or with no range to go.
+  VTKHELIOSSCANNERRAYCASTING_EXPORT bool Set(const vtkHeliosRay& ray);
+};
+
+/// The plane of a triangle: its normal (of any length), and the corner with the largest angle.
+struct TrianglePlane
+{
+  double Normal[3];
+  int Pivot;
+};
+
+/// Whether three points span an area, decided exactly. Triangles without are not to be tested.
+VTKHELIOSSCANNERRAYCASTING_EXPORT bool HasArea(const double* p0,
+  const double* p1,
+  const double* p2);
+
+/// The normal of a triangle whose edges at the pivot are nearly parallel, in double-double.
+VTKHELIOSSCANNERRAYCASTING_EXPORT void GetFlatNormal(const double* const points[3],
+  int pivot,
+  double normal[3]);
+
+/// The sign of a b - c d where the two products round to the same double, from their errors.
+VTKHELIOSSCANNERRAYCASTING_EXPORT int GetSignOfTie(double a, double b, double c, double d);
+
+template <typename Real>
+HELIOS_INLINE Real Min(const Real& a, const Real& b)
+{
+  return a < b ? a : b;
+}
+
+template <typename Real>
+HELIOS_INLINE Real Max(const Real& a, const Real& b)
+{
+  return a > b ? a : b;
+}
+
+/// The corners relative to the ray's origin.
+template <typename Real>
+HELIOS_INLINE void Relate(const RayTerms<Real>& ray,
+  const double* const points[3],
+  Real corners[3][3])
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      corners[corner][axis] = points[corner][axis] - ray.Origin[axis];
+    }
+  }
+}
+
+/// Shears the corners into the plane across the ray, and takes the edge functions there.
+template <typename Real>
+HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray,
+  const RayAxes& axes,
+  const Real corners[3][3],
+  Real sheared[3][2],
+  Real edges[3])
+{
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Real* p = corners[corner];
+    sheared[corner][0] = p[axes.X] - ray.Shear[0] * p[axes.Z];
+    sheared[corner][1] = p[axes.Y] - ray.Shear[1] * p[axes.Z];
+  }
+  const Real* a = sheared[0];
+  const Real* b = sheared[1];
+  const Real* c = sheared[2];
+  edges[0] = c[0] * b[1] - c[1] * b[0];
+  edges[1] = a[0] * c[1] - a[1] * c[0];
+  edges[2] = b[0] * a[1] - b[1] * a[0];
+}
+
+/// Whether the ray is inside, on an edge or on a corner: no two edge functions differ in sign.
+inline bool IsInside(const double sheared[3][2], const double edges[3])
+{
+  bool anyPositive = edges[0] > 0 || edges[1] > 0 || edges[2] > 0;
+  bool anyNegative = edges[0] < 0 || edges[1] < 0 || edges[2] < 0;
+  if (anyPositive && anyNegative)
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    if (edges[i] == 0)
+    {
+      const double* p = sheared[(i + 2) % 3];
+      const double* q = sheared[(i + 1) % 3];
+      const int sign = GetSignOfTie(p[0], q[1], p[1], q[0]);
+      anyPositive |= sign > 0;
+      anyNegative |= sign < 0;
+    }
+  }
+  return anyPositive != anyNegative; // neither: the triangle is seen edge-on
+}
+
+HELIOS_INLINE TrianglePlane GetPlane(const double* const points[3])
+{
+  double edges[3][3]; // edge i starts at corner i
+  double squares[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const double* from = points[i];
+    const double* to = points[i == 2 ? 0 : i + 1];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      edges[i][axis] = to[axis] - from[axis];
+    }
+    const double* e = edges[i];
+    squares[i] = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
+  }
+  // The largest angle is opposite to the longest edge: there the cross product is best.
+  const int longest =
+    squares[0] > squares[1] ? (squares[0] > squares[2] ? 0 : 2) : (squares[1] > squares[2] ? 1 : 2);
+  TrianglePlane plane;
+  plane.Pivot = longest == 0 ? 2 : longest - 1;
+  const int before = plane.Pivot == 0 ? 2 : plane.Pivot - 1;
+  const double* a = edges[before];
+  const double* b = edges[plane.Pivot];
+  double* n = plane.Normal;
+  n[0] = a[1] * b[2] - a[2] * b[1];
+  n[1] = a[2] * b[0] - a[0] * b[2];
+  n[2] = a[0] * b[1] - a[1] * b[0];
+  const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+  if (!(square > 0.0625 * squares[before] * squares[plane.Pivot])) // sine of the angle < 1/4
+  {
+    GetFlatNormal(points, plane.Pivot, n);
+  }
+  return plane;
+}
+
+/// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
+template <typename Real>
+HELIOS_INLINE void GetBoxRange(const Real low[3],
+  const Real high[3],
+  const Real inverse[3],
+  Real& entry,
+  Real& exit)
+{
+  const Real reach = Max(Max(Max(-low[0], high[0]), Max(-low[1], high[1])), Max(-low[2], high[2]));
+  const Real slack = BoxSlack * reach;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Real t0 = (low[axis] - slack) * inverse[axis];
+    const Real t1 = (high[axis] + slack) * inverse[axis];
+    entry = axis == 0 ? Min(t0, t1) : Max(entry, Min(t0, t1));
+    exit = axis == 0 ? Max(t0, t1) : Min(exit, Max(t0, t1));
+  }
+}
+
+/// The range at which the ray meets a triangle it hits.
+template <typename Real>
+HELIOS_INLINE Real GetRange(const RayTerms<Real>& ray,
+  const TrianglePlane& plane,
+  const Real corners[3][3])
+{
+  const double* n = plane.Normal;
+  const Real* p = corners[plane.Pivot];
+  const Real* d = ray.Direction;
+  Real range =
+    (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / (n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
+  Real low[3], high[3], entry, exit;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = Min(Min(corners[0][axis], corners[1][axis]), corners[2][axis]);
+    high[axis] = Max(Max(corners[0][axis], corners[1][axis]), corners[2][axis]);
+  }
+  GetBoxRange(low, high, ray.Inverse, entry, exit);
+  range = exit < range ? exit : range;
+  return range > entry ? range : entry; // also for 0 / 0, exactly edge-on
+}
+
+/// The range at which a ray hits a triangle that has an area; NoHit where it does not, or behind it.
+inline double TestTriangle(const TestRay& ray, const double* const points[3])
+{
+  double corners[3][3], sheared[3][2], edges[3];
+  Relate<double>(ray, points, corners);
+  GetEdgeFunctions<double>(ray, ray.Axes, corners, sheared, edges);
+  if (!IsInside(sheared, edges))
+  {
+    return NoHit;
+  }
+  const double range = GetRange<double>(ray, GetPlane(points), corners);
+  return range > 0.0 && range <= ray.MaximumRange ? range : NoHit;
+}
+
+} // namespace helios
+
+#endif
