@@ -6,6 +6,7 @@
 #define heliosReturn_h
 
 #include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosScannerCoreModule.h"
 
 #include <vtkType.h>
 
@@ -44,7 +45,7 @@ struct Waveform
  * The received signal of a Gaussian pulse: sub-return k adds its power times
  * exp(-(t - 2 R_k / c)^2 / (2 sigma^2)). One a thread: it owns the scratch memory.
  */
-class Receiver
+class VTKHELIOSSCANNERCORE_EXPORT Receiver
 {
 public:
   Receiver(double pulseLength, double binSize, const vtkHeliosEchoDetector* detector);

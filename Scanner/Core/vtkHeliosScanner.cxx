@@ -14,6 +14,7 @@
 #include "vtkHeliosEmbreeRayCaster.h"
 #endif
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 vtkStandardNewMacro(vtkHeliosScanner);
 
@@ -349,9 +351,18 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
 //------------------------------------------------------------------------------
 bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
 {
-  if (!this->RayCaster->Build(scene))
+  std::string reason;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&reason);
+  listener->SetCallback([](vtkObject*, unsigned long, void* into, void* text) {
+    *static_cast<std::string*>(into) += static_cast<const char*>(text);
+  });
+  const unsigned long tag = this->RayCaster->AddObserver(vtkCommand::ErrorEvent, listener);
+  const bool built = this->RayCaster->Build(scene);
+  this->RayCaster->RemoveObserver(tag);
+  if (!built)
   {
-    vtkErrorMacro(<< "the scene cannot be searched (" << this->RayCaster->GetName() << ")");
+    vtkErrorMacro(<< "the scene cannot be searched: " << reason);
     return false;
   }
   helios::ScanModel& m = scan.Model;

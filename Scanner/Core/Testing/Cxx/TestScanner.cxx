@@ -1,0 +1,593 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosScanner.h"
+
+#include "heliosErrorObserver.h"
+#include "heliosMaterialTable.h"
+#include "heliosPose.h"
+#include "heliosRadiometry.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosLinearPathPlatform.h"
+#include "vtkHeliosRotatingMirror.h"
+#include "vtkHeliosStaticPlatform.h"
+
+#include <vtkCellArray.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkCellData.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace names = vtkHeliosArrayNames;
+using helios::Vec3;
+
+namespace
+{
+
+/// A deflector of a user: all pulses go along y.
+class StraightAhead : public vtkHeliosBeamDeflector
+{
+public:
+  static StraightAhead* New();
+  vtkTypeMacro(StraightAhead, vtkHeliosBeamDeflector);
+  bool GetDirection(vtkIdType, double direction[3]) const override
+  {
+    direction[0] = direction[2] = 0.0;
+    direction[1] = 1.0;
+    return true;
+  }
+};
+vtkStandardNewMacro(StraightAhead);
+
+/// Rectangles given by a corner and two sides.
+struct Rectangle
+{
+  Vec3 Corner, A, B;
+};
+
+vtkSmartPointer<vtkPolyData> MakeScene(std::initializer_list<Rectangle> rectangles)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  for (const Rectangle& r : rectangles)
+  {
+    const vtkIdType i = points->GetNumberOfPoints();
+    for (const Vec3& p : { r.Corner, r.Corner + r.A, r.Corner + r.A + r.B, r.Corner + r.B })
+    {
+      points->InsertNextPoint(p.GetData());
+    }
+    polys->InsertNextCell({ i, i + 1, i + 2 });
+    polys->InsertNextCell({ i, i + 2, i + 3 });
+  }
+  auto scene = vtkSmartPointer<vtkPolyData>::New();
+  scene->SetPoints(points);
+  scene->SetPolys(polys);
+  return scene;
+}
+
+/// A wall across the y axis at a distance.
+Rectangle Wall(double y, double half = 50.0)
+{
+  return { { -half, y, -half }, { 2 * half, 0, 0 }, { 0, 0, 2 * half } };
+}
+
+vtkSmartPointer<vtkPolyData> MakeWaypoints(std::initializer_list<Vec3> positions, double speed = 1.0)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> speeds;
+  speeds->SetName(names::Speed);
+  for (const Vec3& p : positions)
+  {
+    points->InsertNextPoint(p.GetData());
+    speeds->InsertNextValue(speed);
+  }
+  auto waypoints = vtkSmartPointer<vtkPolyData>::New();
+  waypoints->SetPoints(points);
+  waypoints->GetPointData()->AddArray(speeds);
+  return waypoints;
+}
+
+/// A scanner on a tripod at the origin that looks along y for 10 ms: 1000 pulses.
+struct Bench
+{
+  vtkNew<vtkHeliosScanner> Scanner;
+  vtkNew<StraightAhead> Deflector;
+  vtkNew<vtkHeliosStaticPlatform> Tripod;
+  vtkSmartPointer<helios::ErrorObserver> Log =
+    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+
+  explicit Bench(vtkPolyData* scene, Vec3 position = { 0, 0, 0 })
+  {
+    this->Tripod->SetInputData(MakeWaypoints({ position }));
+    this->Scanner->SetInputData(0, scene);
+    this->Scanner->SetInputConnection(1, this->Tripod->GetOutputPort());
+    this->Scanner->SetBeamDeflector(this->Deflector);
+    this->Scanner->SetDuration(0.01);
+    this->Log->Watch(this->Scanner);
+    this->Log->Watch(this->Scanner->GetExecutive());
+  }
+
+  vtkPolyData* Run()
+  {
+    this->Scanner->Update();
+    return this->Scanner->GetOutput();
+  }
+};
+
+double Value(vtkPolyData* data, const char* name, vtkIdType row)
+{
+  return data->GetPointData()->GetArray(name)->GetComponent(row, 0);
+}
+
+/// All bytes of a cloud, in order.
+std::string Bytes(vtkPolyData* data)
+{
+  std::string bytes;
+  const auto append = [&bytes](vtkDataArray* array) {
+    bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+      static_cast<std::size_t>(
+        array->GetNumberOfValues() * array->GetDataTypeSize()));
+  };
+  append(data->GetPoints()->GetData());
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    append(data->GetPointData()->GetArray(i));
+  }
+  return bytes;
+}
+
+} // namespace
+
+TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(bench.Log->Errors.empty());
+  // The beam's rim is longer by R s^2 / 2 and weaker: a few micrometres at most.
+  CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(3e-6));
+  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.5, 1)).epsilon(1e-6));
+  CHECK(Value(echoes, names::EchoWidth, 0) == Approx(4).epsilon(1e-6));
+  CHECK(Value(echoes, names::IncidenceAngle, 0) == Approx(0).margin(0.02));
+  CHECK(Value(echoes, names::NumberOfReturns, 0) == 1);
+  CHECK(Value(echoes, names::WaveformIds, 0) == -1);
+  CHECK(Value(echoes, names::PulseIds, 999) == 999);
+  CHECK(Value(echoes, names::GpsTime, 999) == 999 / 100000.0);
+  CHECK(bench.Scanner->GetNumberOfPulsesFired() == 1000);
+}
+
+TEST_CASE("Scanner: energy does not depend on the number of sub-rays", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  const double reference = Value(bench.Run(), names::Amplitude, 0);
+  for (const int circles : { 1, 2, 5, 10 })
+  {
+    bench.Scanner->GetBeamSampler()->SetNumberOfCircles(circles);
+    CHECK(Value(bench.Run(), names::Amplitude, 0) == Approx(reference).epsilon(1e-6));
+  }
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  vtkPolyData* echoes = bench.Run();
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(reference).epsilon(1e-6));
+  CHECK(Value(echoes, names::Range, 0) == 100.0);
+}
+
+TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider echo", "[Scanner]")
+{
+  const double angle = 75 * 0.017453292519943295;
+  const Vec3 slope(0, std::sin(angle), std::cos(angle));
+  const auto scene = MakeScene({ { Vec3(-50, 100, 0) - 50.0 * slope, { 100, 0, 0 }, 100.0 * slope } });
+  Bench bench(scene);
+  vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
+  sampler->SetBeamDivergence(1e-3); // w = 0.5 mrad
+  sampler->SetTruncation(3);
+  sampler->SetNumberOfCircles(60);
+  bench.Scanner->SetDuration(1e-4);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 10);
+  // Truths: sigma_t 1.809093830 ns and peak ratio 0.938947208 of the untruncated beam.
+  CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(5e-4));
+  CHECK(Value(echoes, names::EchoWidth, 0) ==
+    Approx(helios::FwhmPerSigma * 1.809093830).epsilon(2e-4));
+  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
+  const double flat = 4 * equation(100, 0.5, std::cos(angle));
+  CHECK(Value(echoes, names::Amplitude, 0) / flat == Approx(0.938947208).epsilon(2e-3));
+}
+
+TEST_CASE("Scanner: an edge in the beam gives two echoes", "[Scanner]")
+{
+  // The upper half of the beam meets a wall at 50 m, the lower one at 60 m.
+  const auto scene = MakeScene({ { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) });
+  Bench bench(scene);
+  bench.Scanner->GetBeamSampler()->SetNumberOfCircles(8);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 2000);
+  CHECK(Value(echoes, names::ReturnNumber, 0) == 1);
+  CHECK(Value(echoes, names::ReturnNumber, 1) == 2);
+  CHECK(Value(echoes, names::NumberOfReturns, 0) == 2);
+  CHECK(Value(echoes, names::Range, 0) == Approx(50).epsilon(0).margin(1e-5));
+  CHECK(Value(echoes, names::Range, 1) == Approx(60).epsilon(0).margin(1e-5));
+  CHECK(Value(echoes, names::CellIds, 0) < 2);
+  CHECK(Value(echoes, names::CellIds, 1) >= 2);
+
+  bench.Scanner->SetMaximumNumberOfReturns(1);
+  echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(Value(echoes, names::NumberOfReturns, 0) == 1);
+  CHECK(Value(echoes, names::Range, 0) == Approx(50).epsilon(0).margin(1e-5));
+}
+
+TEST_CASE("Scanner: what lies outside the measured ranges blocks and is silent", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(2), Wall(60) });
+  Bench bench(scene);
+  bench.Scanner->SetRangeMin(5);
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
+  CHECK(bench.Scanner->GetNumberOfHitsOutOfRange() == 19000);
+  bench.Scanner->SetRangeMin(1);
+  CHECK(bench.Run()->GetNumberOfPoints() == 1000);
+  bench.Scanner->SetRangeMax(1.5);
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
+}
+
+TEST_CASE("Scanner: the threshold, and how much was missing", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  bench.Scanner->GetEchoDetector()->SetDetectionThreshold(1);
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
+  CHECK(bench.Scanner->GetNumberOfPulsesHit() == 1000);
+  CHECK(bench.Scanner->GetLargestAmplitude() == Approx(4 * 2.494996110359e-07 * 1.1).epsilon(1e-4));
+}
+
+TEST_CASE("Scanner: range noise is normal, and a truth stays without", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  bench.Scanner->SetDuration(0.2);
+  bench.Scanner->SetRangeAccuracy(0.02);
+  bench.Scanner->SetSeed(5);
+  vtkPolyData* echoes = bench.Run();
+  const vtkIdType n = echoes->GetNumberOfPoints();
+  REQUIRE(n == 20000);
+  double sum = 0, sum2 = 0;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const double x = (Value(echoes, names::Range, i) - 100) / 0.02;
+    sum += x;
+    sum2 += x * x;
+    CHECK(echoes->GetPoint(i)[1] == Approx(Value(echoes, names::Range, i)).epsilon(1e-15));
+  }
+  CHECK(std::abs(sum / n) < 5 / std::sqrt(1.0 * n));
+  CHECK(std::abs(sum2 / n - 1) < 5 * std::sqrt(2.0 / n));
+}
+
+TEST_CASE("Scanner: same bytes for any number of threads and pieces", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
+  Bench bench(scene);
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetMirrorAngle(30);
+  bench.Scanner->SetBeamDeflector(mirror);
+  bench.Scanner->SetDuration(0.3);
+  bench.Scanner->SetRangeAccuracy(0.01);
+  bench.Scanner->SetHeadRotateSpeed(20);
+
+  vtkSMPTools::Initialize(1);
+  const std::string one = Bytes(bench.Run());
+  REQUIRE(one.size() > 1000000);
+  vtkSMPTools::Initialize(2);
+  bench.Scanner->Modified();
+  CHECK(Bytes(bench.Run()) == one);
+
+  for (const int pieces : { 2, 7 })
+  {
+    std::vector<std::string> arrays;
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      bench.Scanner->UpdatePiece(piece, pieces, 0);
+      vtkPointData* data = bench.Scanner->GetOutput()->GetPointData();
+      arrays.resize(static_cast<std::size_t>(data->GetNumberOfArrays()) + 1);
+      for (std::size_t a = 0; a < arrays.size(); ++a)
+      {
+        vtkDataArray* array = a == 0 ? bench.Scanner->GetOutput()->GetPoints()->GetData()
+                                     : data->GetArray(static_cast<int>(a) - 1);
+        arrays[a].append(static_cast<const char*>(array->GetVoidPointer(0)),
+          static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
+      }
+    }
+    std::string together;
+    for (const std::string& array : arrays)
+    {
+      together += array;
+    }
+    CHECK(together == one);
+  }
+}
+
+TEST_CASE("Scanner: every backend gives the same bytes", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
+  Bench bench(scene);
+  const std::string byDefault = Bytes(bench.Run());
+  vtkNew<vtkHeliosBvhRayCaster> bvh;
+  bench.Scanner->SetRayCaster(bvh);
+  CHECK(Bytes(bench.Run()) == byDefault);
+}
+
+TEST_CASE("Scanner: time windows share the pulses without loss", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  vtkIdType next = 0;
+  const std::array<double, 5> borders{ 0.0, 0.00123, 0.0033300001, 0.007, 1.0 };
+  for (std::size_t w = 0; w + 1 < borders.size(); ++w)
+  {
+    bench.Scanner->SetTimeWindow(borders[w], borders[w + 1]);
+    vtkPolyData* echoes = bench.Run();
+    for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+    {
+      REQUIRE(Value(echoes, names::PulseIds, i) == static_cast<double>(next++));
+    }
+    CHECK(bench.Scanner->GetNumberOfPulses() == echoes->GetNumberOfPoints());
+  }
+  CHECK(next == 1000);
+}
+
+TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attitude", "[Scanner]")
+{
+  // Platform at (10, 20, 5) looks west; mount 1 m to its right and 2 m up, tilted up by 90 degrees.
+  const auto ceiling = MakeScene({ { { -50, -50, 40 }, { 200, 0, 0 }, { 0, 200, 0 } } });
+  Bench bench(ceiling, { 10, 20, 5 });
+  bench.Tripod->SetHeading(-90);
+  bench.Scanner->SetMountPosition(1, 0, 2);
+  const helios::Quaternion up = helios::AxisAngle({ 1, 0, 0 }, 90);
+  bench.Scanner->SetMountOrientation(up[0], up[1], up[2], up[3]);
+  bench.Scanner->SetBeamOrigin(0, 0.5, 0); // along the beam: upwards
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  bench.Scanner->GeneratePulsesOn();
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  vtkPolyData* pulses = bench.Scanner->GetOutput(2);
+  REQUIRE(pulses->GetNumberOfPoints() == 1000);
+  double origin[3];
+  pulses->GetPoint(0, origin);
+  CHECK(origin[0] == Approx(10).epsilon(1e-14));
+  CHECK(origin[1] == Approx(21).epsilon(1e-14)); // the right of a platform that looks west is north
+  CHECK(origin[2] == Approx(7.5).epsilon(1e-14));
+  CHECK(Value(echoes, names::Range, 0) == Approx(32.5).epsilon(1e-14));
+  CHECK(Value(pulses, names::Hit, 0) == 1);
+}
+
+TEST_CASE("Scanner: the head turns at its speed and ends the scan", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(10, 100) });
+  Bench bench(scene);
+  bench.Scanner->SetDuration(-1);
+  bench.Scanner->SetHeadRotateStart(-30);
+  bench.Scanner->SetHeadRotateStop(30);
+  bench.Scanner->SetHeadRotateSpeed(600);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  CHECK(bench.Scanner->GetNumberOfPulses() == 10000); // 0.1 s at 100 kHz
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 10000);
+  // right-handed about z: -30 degrees looks to the right
+  double p[3];
+  echoes->GetPoint(0, p);
+  CHECK(p[0] == Approx(10 * std::tan(30 * 0.017453292519943295)).epsilon(1e-13));
+  echoes->GetPoint(5000, p);
+  CHECK(p[0] == Approx(0).margin(1e-13));
+}
+
+TEST_CASE("Scanner: on a moving platform every pulse has its own origin and time", "[Scanner]")
+{
+  const auto scene = MakeScene({ { { -100, -100, 0 }, { 300, 0, 0 }, { 0, 300, 0 } } });
+  vtkNew<vtkHeliosLinearPathPlatform> platform;
+  platform->SetInputData(MakeWaypoints({ { 0, 0, 50 }, { 0, 100, 50 } }, 20.0));
+  Bench bench(scene);
+  bench.Scanner->SetInputConnection(1, platform->GetOutputPort());
+  bench.Scanner->SetDuration(-1);
+  bench.Deflector->SetPulseFrequency(1000);
+  const helios::Quaternion down = helios::AxisAngle({ 1, 0, 0 }, -90);
+  bench.Scanner->SetMountOrientation(down[0], down[1], down[2], down[3]);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 5000);
+  for (const vtkIdType i : { 0, 1, 2499, 4999 })
+  {
+    CHECK(Value(echoes, names::GpsTime, i) == i / 1000.0);
+    CHECK(echoes->GetPoint(i)[1] == Approx(0.02 * i).margin(1e-12));
+    CHECK(Value(echoes, names::Range, i) == 50.0);
+  }
+}
+
+TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(30) });
+  Bench bench(scene);
+  bench.Run();
+  CHECK(vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1))->GetNumberOfRows() == 0);
+  CHECK(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 0);
+  CHECK(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 0);
+
+  bench.Scanner->GenerateWaveformsOn();
+  bench.Scanner->GenerateSubRaysOn();
+  vtkPolyData* echoes = bench.Run();
+  auto* table = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
+  REQUIRE(table->GetNumberOfRows() == 1000);
+  CHECK(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 19000);
+  CHECK(Value(echoes, names::WaveformIds, 7) == 7);
+
+  // The largest sample lies at two-way time.
+  vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
+  const vtkIdType first = table->GetValueByName(7, names::Offset).ToTypeInt64();
+  const vtkIdType count = table->GetValueByName(7, names::Count).ToTypeInt64();
+  vtkIdType best = first;
+  for (vtkIdType i = first; i < first + count; ++i)
+  {
+    best = samples->GetComponent(i, 0) > samples->GetComponent(best, 0) ? i : best;
+  }
+  const double time = table->GetValueByName(7, names::StartTime).ToDouble() + 0.25 * (best - first);
+  CHECK(time == Approx(2 * 30 / 0.299792458).epsilon(0).margin(0.126));
+}
+
+TEST_CASE("Scanner: materials give reflectance and class", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  helios::MaterialTable materials(1);
+  materials[0].Reflectance = 0.25;
+  materials[0].Classification = 6;
+  helios::SetMaterials(scene, materials);
+  Bench bench(scene);
+  vtkPolyData* echoes = bench.Run();
+  CHECK(Value(echoes, names::ClassificationIds, 0) == 6);
+  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.25, 1)).epsilon(1e-6));
+}
+
+TEST_CASE("Scanner: a UTM shift moves the cloud and nothing else", "[Scanner]")
+{
+  const Vec3 shift(500000, 5500000, 300);
+  const Rectangle wall = Wall(100);
+  const auto near = MakeScene({ wall });
+  const auto far = MakeScene({ { wall.Corner + shift, wall.A, wall.B } });
+  Bench a(near), b(far, shift);
+  vtkPolyData* local = a.Run();
+  vtkPolyData* world = b.Run();
+  REQUIRE(local->GetNumberOfPoints() == world->GetNumberOfPoints());
+  for (const vtkIdType i : { 0, 500 })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      CHECK(std::abs(world->GetPoint(i)[axis] - shift[axis] - local->GetPoint(i)[axis]) < 1e-8);
+    }
+  }
+}
+
+TEST_CASE("Scanner: only what changed runs again", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  bench.Run();
+  const vtkMTimeType before = bench.Scanner->GetOutput()->GetMTime();
+  bench.Run();
+  CHECK(bench.Scanner->GetOutput()->GetMTime() == before);
+  bench.Deflector->SetPulseFrequency(50000);
+  CHECK(bench.Run()->GetNumberOfPoints() == 500);
+}
+
+TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  const auto expect = [&bench](const char* message) {
+    bench.Scanner->Update();
+    CHECK(bench.Log->HasError(message));
+    bench.Log->Clear();
+  };
+  SECTION("no deflector")
+  {
+    bench.Scanner->SetBeamDeflector(nullptr);
+    expect("BeamDeflector is not set");
+    CHECK(bench.Scanner->GetNumberOfPulses() == -1);
+  }
+  SECTION("no ray caster")
+  {
+    bench.Scanner->SetRayCaster(nullptr);
+    expect("RayCaster, BeamSampler or EchoDetector was set to nothing");
+  }
+  SECTION("a frequency that is no number")
+  {
+    bench.Deflector->SetPulseFrequency(std::numeric_limits<double>::quiet_NaN());
+    expect("PulseFrequency is nan");
+  }
+  SECTION("a property that is no number")
+  {
+    bench.Scanner->SetReceiverDiameter(std::numeric_limits<double>::quiet_NaN());
+    expect("not a finite number");
+  }
+  SECTION("bins wider than the pulse")
+  {
+    bench.Scanner->SetBinSize(3);
+    expect("BinSize is 3 ns");
+  }
+  SECTION("ranges the wrong way round")
+  {
+    bench.Scanner->SetRangeMin(10);
+    bench.Scanner->SetRangeMax(5);
+    expect("is not beyond RangeMin");
+  }
+  SECTION("a head axis without direction")
+  {
+    bench.Scanner->SetHeadRotateAxis(0, 0, 0);
+    expect("HeadRotateAxis has no direction");
+  }
+  SECTION("a scan that never ends")
+  {
+    bench.Scanner->SetDuration(-1);
+    expect("the scan never ends");
+  }
+  SECTION("a head that turns away")
+  {
+    bench.Scanner->SetDuration(-1);
+    bench.Scanner->SetHeadRotateStop(90);
+    bench.Scanner->SetHeadRotateSpeed(-10);
+    expect("the head never arrives");
+  }
+  SECTION("an empty scene")
+  {
+    vtkNew<vtkPolyData> empty;
+    bench.Scanner->SetInputData(0, empty);
+    expect("the scene is empty");
+  }
+  SECTION("material ids without materials")
+  {
+    vtkNew<vtkIntArray> ids;
+    ids->SetName(names::MaterialIds);
+    ids->SetNumberOfValues(2);
+    ids->FillValue(3);
+    scene->GetCellData()->AddArray(ids);
+    expect("has 1 materials");
+  }
+  SECTION("a trajectory without points")
+  {
+    vtkNew<vtkPolyData> empty;
+    bench.Scanner->SetInputData(1, empty);
+    expect("the trajectory has no points");
+  }
+  SECTION("a trajectory that goes back in time")
+  {
+    vtkNew<vtkPolyData> path;
+    path->DeepCopy(MakeWaypoints({ { 0, 0, 0 }, { 1, 0, 0 } }));
+    vtkNew<vtkDoubleArray> times;
+    times->SetName(names::GpsTime);
+    times->InsertNextValue(5);
+    times->InsertNextValue(4);
+    path->GetPointData()->AddArray(times);
+    bench.Scanner->SetInputData(1, path);
+    expect("go back at sample 1");
+  }
+}
