@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosExactPhase.h"
+#include "vtkHeliosRotatingMirror.h"
+
+#include <catch2/catch.hpp>
+#include <vtkMath.h>
+#include <vtkNew.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+/// Where a pulse meets flat ground at y = 1000 m, across the line.
+double Across(vtkHeliosRotatingMirror* mirror, vtkIdType pulse)
+{
+  double d[3];
+  REQUIRE(mirror->GetDirection(pulse, d));
+  return 1000.0 * d[2] / d[1];
+}
+
+double Radians(double degrees)
+{
+  return vtkMath::RadiansFromDegrees(degrees);
+}
+
+int CountPulses(vtkHeliosRotatingMirror* mirror, vtkIdType begin, vtkIdType end)
+{
+  int count = 0;
+  double d[3];
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    count += mirror->GetDirection(i, d) ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("RotatingMirror: pulse 0 leaves along y, unit vectors after it", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  double d[3];
+  REQUIRE(mirror->GetDirection(0, d));
+  CHECK(d[0] == 0.0);
+  CHECK(d[1] == 1.0);
+  CHECK(d[2] == 0.0);
+  for (vtkIdType i = 0; i < 3000; ++i)
+  {
+    REQUIRE(mirror->GetDirection(i, d));
+    const double beta = Radians(mirror->GetScanAngle(i));
+    REQUIRE(d[0] == 0.0);
+    REQUIRE(d[1] == Approx(std::cos(beta)).margin(1e-15));
+    REQUIRE(d[2] == Approx(std::sin(beta)).margin(1e-15));
+    REQUIRE(vtkMath::Norm(d) == Approx(1.0).epsilon(4e-16));
+  }
+}
+
+TEST_CASE("RotatingMirror: across spacing of 100 lines/s at 200 kHz over 60 degrees",
+  "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(200000.0);
+  mirror->SetScanFrequency(100.0);
+  mirror->SetMirrorAngle(30.0);
+  const double step = Radians(0.03);
+  for (vtkIdType i = 200; i < 999; ++i)
+  {
+    const double a = Radians(0.03 * (static_cast<double>(i) + 0.5));
+    const double expected = 1000.0 * (std::tan(a + 0.5 * step) - std::tan(a - 0.5 * step));
+    REQUIRE(Across(mirror, i + 1) - Across(mirror, i) == Approx(expected).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("RotatingMirror: across spacing by accuracy A5", "[RotatingMirror]")
+{
+  // The same angular speed, six times the pulses over twice the sweep, so that pulses fall on
+  // both sides of 0, 10, 20 and 30 degrees.
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(1200000.0);
+  mirror->SetScanFrequency(50.0);
+  mirror->SetMirrorAngle(60.0);
+  const vtkIdType line = 24000;
+  const double expected[4] = { 0.523598788, 0.539878105, 0.592962192, 0.698131733 };
+  for (int k = 0; k < 4; ++k)
+  {
+    const vtkIdType i = line + 2000 * k; // at 10 k degrees
+    CHECK(mirror->GetScanAngle(i) == Approx(10.0 * k).margin(1e-12));
+    CHECK(Across(mirror, i + 3) - Across(mirror, i - 3) == Approx(expected[k]).margin(6e-10));
+  }
+}
+
+TEST_CASE("RotatingMirror: a line rate that does not divide the pulses keeps its rate for a day",
+  "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(1e6);
+  mirror->SetScanFrequency(99.7);
+  mirror->SetMirrorAngle(30.0);
+  for (const vtkIdType pulse : { 86400000000LL, 86399999999LL, 12345678901LL, 10030LL, 1LL })
+  {
+    const double phase = helios::ExactPhase(pulse, 99.7, 1000000);
+    const double beta = 60.0 * (phase > 0.5 ? phase - 1.0 : phase);
+    CHECK(mirror->GetScanAngle(pulse) == Approx(beta).margin(30.0 * 1e-15));
+  }
+  // 99.7 lines/s for 86400 s are 8614080 whole lines; the decimal is stored to 7e-15.
+  CHECK(mirror->GetScanAngle(86400000000LL) == Approx(0.0).margin(60.0 * 86400.0 * 7.2e-15));
+}
+
+TEST_CASE("RotatingMirror: a window as wide as the sweep lets every pulse out", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(100000.0);
+  mirror->SetScanFrequency(50.0);
+  for (const double angle : { 30.0, 180.0, 360.0 })
+  {
+    mirror->SetMirrorAngle(angle);
+    mirror->SetVerticalAngleMin(-angle);
+    mirror->SetVerticalAngleMax(angle);
+    CHECK(CountPulses(mirror, 0, 10000) == 10000);
+    CHECK(mirror->GetScanAngle(1000) == angle); // the end of the sweep, not its begin
+  }
+}
+
+TEST_CASE("RotatingMirror: the window is open below and closed above", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(300000.0);
+  mirror->SetScanFrequency(100.0);
+  mirror->SetMirrorAngle(120.0);
+  mirror->SetVerticalAngleMin(-40.04); // pulses every 0.08 degrees, from -40 to 60
+  mirror->SetVerticalAngleMax(60.04);
+  CHECK(CountPulses(mirror, 0, 30000) == 12510);
+  double d[3];
+  CHECK(mirror->GetScanAngle(750) == 60.0);
+  mirror->SetVerticalAngleMax(60.0);
+  CHECK(mirror->GetDirection(750, d));
+  CHECK_FALSE(mirror->GetDirection(751, d));
+  mirror->SetVerticalAngleMin(60.0);
+  CHECK(CountPulses(mirror, 0, 30000) == 0); // an empty window
+  mirror->SetVerticalAngleMax(70.0);
+  CHECK_FALSE(mirror->GetDirection(750, d));
+  CHECK(mirror->GetDirection(751, d));
+}
+
+TEST_CASE("RotatingMirror: windows beyond half a turn", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(72000.0);
+  mirror->SetScanFrequency(10.0); // 7200 pulses over 720 degrees
+  mirror->SetMirrorAngle(360.0);
+  mirror->SetVerticalAngleMin(170.0);
+  mirror->SetVerticalAngleMax(300.0);
+  CHECK(CountPulses(mirror, 0, 7200) == 1300);
+  double d[3];
+  REQUIRE(mirror->GetDirection(2700, d)); // 270 degrees: straight down
+  CHECK(d[1] == Approx(0.0).margin(1e-15));
+  CHECK(d[2] == Approx(-1.0).epsilon(1e-15));
+}
+
+TEST_CASE("RotatingMirror: no NaN for any index or frequency", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  double d[3];
+  for (const double frequency : { 0.0, 1e-9, 1e6, std::numeric_limits<double>::quiet_NaN() })
+  {
+    mirror->SetScanFrequency(frequency);
+    for (const vtkIdType pulse : { 0LL, 1LL, 86400000000LL, 9007199254740991LL })
+    {
+      REQUIRE(mirror->GetDirection(pulse, d));
+      REQUIRE(vtkMath::Norm(d) == Approx(1.0).epsilon(4e-16));
+    }
+  }
+}

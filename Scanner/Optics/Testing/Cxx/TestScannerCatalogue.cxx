@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The angles of Data/Assets/scanners.xml, against the rates and steps that data sheets publish.
+#include "vtkHeliosRotatingMirror.h"
+
+#include <catch2/catch.hpp>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace
+{
+
+/// The text from <scanner id="..." to the next scanner, comments and the name left out.
+std::string ReadScanner(const std::string& id)
+{
+  const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
+  std::ifstream file(root / "Data/Assets/scanners.xml");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t begin = text.find("<scanner id=\"" + id + "\"");
+  const std::size_t end = std::min(text.find("<scanner", begin + 1), text.find("<!--", begin));
+  return begin < end ? text.substr(text.find("optics=", begin), end - text.find("optics=", begin))
+                     : std::string();
+}
+
+double Number(const std::string& scanner, const std::string& attribute)
+{
+  const std::size_t at = scanner.find(attribute + "=\"");
+  INFO(attribute);
+  REQUIRE(at != std::string::npos);
+  return std::stod(scanner.substr(at + attribute.size() + 2));
+}
+
+/// The mirror of a scanner of the catalogue, its window as wide as the instrument allows.
+vtkSmartPointer<vtkHeliosRotatingMirror> MakeMirror(const std::string& id,
+  double pulseFrequency,
+  double scanFrequency)
+{
+  const std::string scanner = ReadScanner(id);
+  REQUIRE(scanner.find("optics=\"rotating\"") == 0);
+  REQUIRE(scanFrequency >= Number(scanner, "scanFreqMin_Hz"));
+  REQUIRE(scanFrequency <= Number(scanner, "scanFreqMax_Hz"));
+  auto mirror = vtkSmartPointer<vtkHeliosRotatingMirror>::New();
+  mirror->SetPulseFrequency(pulseFrequency);
+  mirror->SetScanFrequency(scanFrequency);
+  mirror->SetMirrorAngle(Number(scanner, "scanAngleMax_deg"));
+  mirror->SetVerticalAngleMin(-Number(scanner, "scanAngleEffectiveMax_deg"));
+  mirror->SetVerticalAngleMax(Number(scanner, "scanAngleEffectiveMax_deg"));
+  return mirror;
+}
+
+/// The pulses that leave in a second.
+int MeasurementRate(const std::string& id, int pulseFrequency, double scanFrequency)
+{
+  auto mirror = MakeMirror(id, pulseFrequency, scanFrequency);
+  int count = 0;
+  double d[3];
+  for (vtkIdType i = 0; i < pulseFrequency; ++i)
+  {
+    count += mirror->GetDirection(i, d) ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_CASE("Catalogue: angular steps of the VZ-400 data sheet", "[ScannerCatalogue]")
+{
+  CHECK(MakeMirror("vz400_class_tls", 100000, 120)->GetScanAngle(1) == Approx(0.288));
+  CHECK(MakeMirror("vz400_class_tls", 300000, 3)->GetScanAngle(1) == Approx(0.0024));
+}
+
+TEST_CASE("Catalogue: measurement rates of the data sheets", "[ScannerCatalogue]")
+{
+  CHECK(MeasurementRate("vz400_class_tls", 100000, 100) == Approx(42000).epsilon(0.01));
+  CHECK(MeasurementRate("vz400_class_tls", 300000, 100) == Approx(122000).epsilon(0.03));
+  CHECK(MeasurementRate("rotating_als", 1000000, 200) == Approx(666000).epsilon(0.002));
+  CHECK(MeasurementRate("mobile_mls", 1000000, 250) == 1000000);
+  CHECK(MeasurementRate("copter_uls", 550000, 200) == Approx(500000).epsilon(0.01));
+}
+
+TEST_CASE("Catalogue: an instrument is the same under class and product", "[ScannerCatalogue]")
+{
+  const std::pair<const char*, const char*> pairs[] = { { "vz400_class_tls", "riegl_vz400" },
+    { "rotating_als", "riegl_vq780i" },
+    { "conic_als", "riegl_vq880g" },
+    { "mobile_mls", "riegl_vux1ha" },
+    { "copter_uls", "riegl_vux1uav" } };
+  const auto words = [](const std::string& text)
+  {
+    std::string kept; // the last one of the file is followed by </document>
+    for (const char c : text.substr(0, text.find("</document>")))
+    {
+      kept += std::isspace(static_cast<unsigned char>(c)) ? std::string() : std::string(1, c);
+    }
+    return kept;
+  };
+  for (const auto& [group, product] : pairs)
+  {
+    INFO(group << " and " << product);
+    CHECK_FALSE(ReadScanner(group).empty());
+    CHECK(words(ReadScanner(group)) == words(ReadScanner(product)));
+  }
+}
