@@ -1,3 +1,149 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosGroundSnap.h"
+
+#include "heliosMaterialTable.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBvhRayCaster.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// The scene's cells that have a ground material, or the scene itself where none has.
+vtkSmartPointer<vtkPolyData> ExtractGround(vtkPolyData* scene)
+{
+  const helios::MaterialTable materials = helios::GetMaterials(scene);
+  vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
+  const auto isGround = [&materials, ids](vtkIdType cell)
+  {
+    const double id = ids ? ids->GetComponent(cell, 0) : 0.0;
+    return id >= 0.0 && id < static_cast<double>(materials.size()) &&
+      materials[static_cast<std::size_t>(id)].IsGround;
+  };
+  vtkNew<vtkCellArray> polys;
+  polys->Use32BitStorage();
+  for (vtkIdType cell = 0; cell < scene->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    if (isGround(cell))
+    {
+      vtkIdType size;
+      const vtkIdType* corners;
+      scene->GetPolys()->GetCellAtId(cell, size, corners);
+      polys->InsertNextCell(size, corners);
+    }
+  }
+  if (polys->GetNumberOfCells() == 0)
+  {
+    return scene;
+  }
+  auto ground = vtkSmartPointer<vtkPolyData>::New();
+  ground->SetPoints(scene->GetPoints());
+  ground->SetPolys(polys);
+  return ground;
+}
+
+std::string Describe(vtkIdType index, const vtkHeliosRay& ray)
+{
+  std::ostringstream text;
+  text << std::setprecision(15) << "point " << index << " at x " << ray.Origin[0] << ", y "
+       << ray.Origin[1];
+  return text.str();
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkHeliosGroundSnap);
+
+vtkHeliosGroundSnap::vtkHeliosGroundSnap()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkHeliosGroundSnap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HeightAboveGround: " << this->HeightAboveGround << "\n";
+}
+
+int vtkHeliosGroundSnap::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkHeliosGroundSnap::RequestData(vtkInformation*,
+  vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* scene = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(input);
+  const vtkIdType count = input->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return 1;
+  }
+  if (scene->GetNumberOfCells() == 0)
+  {
+    vtkErrorMacro(<< "The scene on port 1 is empty: it has no ground to put points onto.");
+    return 0;
+  }
+
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  if (!caster->Build(ExtractGround(scene)))
+  {
+    vtkErrorMacro(<< "No rays can be cast onto the scene on port 1.");
+    return 0;
+  }
+  double bounds[6];
+  scene->GetBounds(bounds);
+  const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
+  std::vector<vtkHeliosRay> rays(static_cast<std::size_t>(count));
+  std::vector<vtkHeliosHit> hits(rays.size());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    input->GetPoint(i, p);
+    rays[i] = { { p[0], p[1], top }, { 0.0, 0.0, -1.0 } };
+  }
+  caster->Intersect(rays.data(), hits.data(), count);
+
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  points->SetNumberOfPoints(count);
+  vtkDataArray* onGround = input->GetPointData()->GetArray(names::OnGround);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    input->GetPoint(i, p);
+    const bool isSnapped = !onGround || onGround->GetComponent(i, 0) != 0.0;
+    if (isSnapped && hits[i].CellId < 0)
+    {
+      vtkErrorMacro(<< "The scene has no ground above or below " << Describe(i, rays[i])
+                    << "; move the point into the scene or clear its " << names::OnGround << ".");
+      return 0;
+    }
+    p[2] = isSnapped ? top - hits[i].Range + this->HeightAboveGround : p[2];
+    points->SetPoint(i, p);
+  }
+  output->SetPoints(points);
+  return 1;
+}
