@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Sets up and builds what is missing (Debian 12), makes a village, scans it from a tripod and from the
+# air, and draws a picture of the point clouds. Everything goes to build/demo.
+
+# shellcheck source=setup.sh
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+helios_setup
+helios_build release -DVTKHELIOS_BUILD_TESTING=OFF
+
+demo=build/demo
+python=build/venv/bin/python
+export PYTHONPATH=$PWD/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
+mkdir -p "$demo"
+
+helios_say "making the scene"
+"$python" Data/Scenes/make_village.py "$demo/scene"
+
+for survey in village_tls village_als; do
+  helios_say "running Data/Surveys/$survey.xml"
+  build/bin/vtkhelios run "Data/Surveys/$survey.xml" --assets Data --assets "$demo/scene" \
+    --output "$demo" --overwrite
+done
+
+helios_say "drawing the picture"
+clouds=("$demo"/village_tls/*_points.xyz "$demo"/village_als/*_points.xyz)
+picture=$demo/village.png
+display=()
+[ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24")
+"${display[@]}" "$python" -P -m vtkhelios.picture "${clouds[@]}" --output "$picture" \
+  --title "village: a terrestrial scan from two positions and an airborne strip"
+
+helios_say "done"
+for what in "${clouds[@]}"; do
+  echo "point cloud  $what"
+  echo "trajectory   ${what%_points.xyz}_trajectory.txt"
+done
+echo "picture      $picture"
+echo "now try      build/bin/vtkhelios run --help"
