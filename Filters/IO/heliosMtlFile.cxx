@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMtlFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+// What other programs write and a scanner does not need.
+bool IsIgnored(std::string_view key)
+{
+  static constexpr std::array<std::string_view, 24> keys = { "illum",
+    "d",
+    "Tr",
+    "Tf",
+    "Ke",
+    "Ni",
+    "sharpness",
+    "bump",
+    "disp",
+    "decal",
+    "refl",
+    "norm",
+    "Pr",
+    "Pm",
+    "Ps",
+    "Pc",
+    "Pcr",
+    "Pfr",
+    "aniso",
+    "anisor",
+    "Km",
+    "helios_useVertexColors",
+    "helios_castShadows",
+    "helios_receiveShadows" };
+  return key.substr(0, 4) == "map_" || std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+std::string ToText(double value)
+{
+  std::array<char, 32> digits;
+  return { digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr };
+}
+
+std::string ToText(const std::string& key, double red, double green, double blue)
+{
+  return key + ' ' + ToText(red) + ' ' + ToText(green) + ' ' + ToText(blue) + '\n';
+}
+
+// Two colours that give the specularity back exactly: grey ones, or else parts whose sum is exact.
+std::string FormatColors(double specularity)
+{
+  const double s = specularity;
+  const double d = 1.0 - s;
+  if (GetSpecularity(d + d + d, s + s + s) == s)
+  {
+    return ToText("Kd", d, d, d) + ToText("Ks", s, s, s);
+  }
+  return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
+}
+
+// Why a material cannot be written, or an empty text.
+std::string FindFault(const Material& m)
+{
+  if (m.Reflectance < 0.0 || m.Reflectance > 1.0)
+  {
+    return "reflectance " + ToText(m.Reflectance) + ", outside [0, 1]";
+  }
+  if (!(m.Specularity >= 0.0 && m.Specularity <= 1.0))
+  {
+    return "specularity " + ToText(m.Specularity) + ", outside [0, 1]";
+  }
+  if (!(m.SpecularExponent >= 0.0 && std::isfinite(m.SpecularExponent)))
+  {
+    return "specular exponent " + ToText(m.SpecularExponent) + ", not a finite number >= 0";
+  }
+  if (std::any_of(m.Spectrum.begin(), m.Spectrum.end(), TextWords::IsBlank))
+  {
+    return "spectrum " + Quote(m.Spectrum) + ", which has a blank that MTL cannot carry";
+  }
+  return {};
+}
+
+} // namespace
+
+double GetSpecularity(double diffuse, double specular)
+{
+  return specular > 0.0 ? specular / (diffuse + specular) : 0.0;
+}
+
+bool MtlFile::Read(const std::string& path)
+{
+  this->Started = false;
+  this->UnknownCount = 0;
+  TextFile file;
+  const std::string fault = file.Open(path);
+  if (!fault.empty())
+  {
+    return this->Report.Fail(fault);
+  }
+  std::string_view line;
+  while (file.NextLine(line))
+  {
+    if (!this->ReadLine(file, line))
+    {
+      return false;
+    }
+  }
+  if (!file.GetError().empty())
+  {
+    return this->Report.Fail(file.GetError());
+  }
+  this->Finish(path);
+  if (this->UnknownCount > 0)
+  {
+    this->Report.Warn(this->FirstUnknown + ", ignored (" + std::to_string(this->UnknownCount) +
+      " such lines in this file)");
+  }
+  return true;
+}
+
+bool MtlFile::ReadLine(TextFile& file, std::string_view line)
+{
+  TextWords words(line);
+  const std::string_view key = words.Next();
+  if (key.empty() || IsIgnored(key))
+  {
+    return true;
+  }
+  if (key == "newmtl")
+  {
+    return this->Start(file, words.NextName());
+  }
+  if (!this->Started)
+  {
+    return this->Report.Fail(file.GetPlace() + Quote(key) +
+      " comes before any material; begin one with newmtl NAME above it");
+  }
+  double unused;
+  if (key == "Ka")
+    return this->ReadColor(file, key, words, unused);
+  if (key == "Kd")
+    return this->ReadColor(file, key, words, this->CurrentColors.Diffuse);
+  if (key == "Ks")
+    return this->ReadColor(file, key, words, this->CurrentColors.Specular);
+  if (key == "Ns")
+    return this->ReadExponent(file, words);
+  if (key == "helios_reflectance")
+    return this->ReadReflectance(file, words);
+  if (key == "helios_classification")
+    return this->ReadClassification(file, words);
+  if (key == "helios_isGround")
+    return this->ReadIsGround(file, words);
+  if (key == "helios_spectra")
+    return this->ReadSpectrum(file, words);
+  this->NoteUnknown(file, key);
+  return true;
+}
+
+// One number stands for all three.
+bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, double& sum)
+{
+  double color[3];
+  int count = 0;
+  while (count < 3 && words.HasMore())
+  {
+    if (words.Next(color[count]) != TextWords::Number::Good || !(color[count] >= 0.0) ||
+      !std::isfinite(color[count]))
+    {
+      break;
+    }
+    ++count;
+  }
+  if (words.HasMore() || (count != 3 && count != 1))
+  {
+    return this->Report.Fail(file.GetPlace() + std::string(key) + " of material " +
+      Quote(this->Current.Name) + " is malformed" +
+      (words.HasMore() ? " at " + Quote(words.Next()) : std::string()) +
+      "; it takes three finite numbers >= 0: red green blue");
+  }
+  sum = count == 1 ? color[0] + color[0] + color[0] : color[0] + color[1] + color[2];
+  return true;
+}
+
+bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
+{
+  TextWords start = words;
+  double exponent;
+  if (words.Next(exponent) != TextWords::Number::Good || !(exponent >= 0.0) ||
+    !std::isfinite(exponent))
+  {
+    return this->Report.Fail(file.GetPlace() + "Ns " + Quote(start.Next()) +
+      " is not a finite number >= 0; it is the specular exponent");
+  }
+  this->Current.SpecularExponent = exponent;
+  return true;
+}
+
+bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
+{
+  TextWords start = words;
+  double reflectance;
+  if (words.Next(reflectance) != TextWords::Number::Good || !std::isfinite(reflectance))
+  {
+    return this->Report.Fail(file.GetPlace() + "helios_reflectance " + Quote(start.Next()) +
+      " is not a number; it is a fraction from 0 to 1");
+  }
+  if (reflectance < 0.0 || reflectance > 1.0)
+  {
+    return this->Report.Fail(file.GetPlace() + "helios_reflectance " + ToText(reflectance) +
+      " is outside [0, 1]; it is a fraction, so 50 percent is 0.5");
+  }
+  this->Current.Reflectance = reflectance;
+  return true;
+}
+
+bool MtlFile::ReadClassification(TextFile& file, TextWords& words)
+{
+  TextWords start = words;
+  if (words.Next(this->Current.Classification) != TextWords::Number::Good)
+  {
+    return this->Report.Fail(file.GetPlace() + "helios_classification " + Quote(start.Next()) +
+      " is not a whole number; give a class such as 2");
+  }
+  return true;
+}
+
+bool MtlFile::ReadIsGround(TextFile& file, TextWords& words)
+{
+  const std::string_view word = words.Next();
+  this->Current.IsGround = word == "true" || word == "1";
+  if (!this->Current.IsGround && word != "false" && word != "0")
+  {
+    return this->Report.Fail(
+      file.GetPlace() + "helios_isGround " + Quote(word) + " is neither true nor false; give one");
+  }
+  return true;
+}
+
+bool MtlFile::ReadSpectrum(TextFile& file, TextWords& words)
+{
+  this->Current.Spectrum = words.NextName();
+  if (this->Current.Spectrum.empty())
+  {
+    return this->Report.Fail(
+      file.GetPlace() + "helios_spectra has no name; give that of a spectrum, such as grass");
+  }
+  return true;
+}
+
+bool MtlFile::Start(TextFile& file, std::string_view name)
+{
+  if (name.empty())
+  {
+    return this->Report.Fail(file.GetPlace() + "newmtl has no name; give the material one");
+  }
+  this->Finish(file.GetPath());
+  this->Started = true;
+  this->StartLine = file.GetLine();
+  this->Current = Material();
+  this->Current.Name = name;
+  this->CurrentColors = Colors();
+  return true;
+}
+
+// Puts the material that was being read into the table.
+void MtlFile::Finish(const std::string& path)
+{
+  if (!this->Started)
+  {
+    return;
+  }
+  this->Current.Specularity =
+    GetSpecularity(this->CurrentColors.Diffuse, this->CurrentColors.Specular);
+  const int next = static_cast<int>(this->Materials.size());
+  const auto [place, isNew] = this->Rows.emplace(this->Current.Name, next);
+  if (isNew)
+  {
+    this->Materials.push_back(this->Current);
+  }
+  else if (!(this->Materials[place->second] == this->Current))
+  {
+    this->Report.Warn(Place(path, this->StartLine) + "material " + Quote(this->Current.Name) +
+      " was defined differently before; this definition counts");
+    this->Materials[place->second] = this->Current;
+  }
+}
+
+int MtlFile::Find(std::string_view name) const
+{
+  const auto place = this->Rows.find(std::string(name));
+  return place == this->Rows.end() ? -1 : place->second;
+}
+
+void MtlFile::NoteUnknown(TextFile& file, std::string_view key)
+{
+  if (this->UnknownCount++ == 0)
+  {
+    this->FirstUnknown = file.GetPlace() + "unknown keyword " + Quote(key);
+  }
+}
+
+bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& report)
+{
+  for (const Material& m : materials)
+  {
+    const std::string fault = FindFault(m);
+    if (!fault.empty())
+    {
+      return report.Fail("material " + Quote(m.Name) + " has the " + fault + "; correct it");
+    }
+    text += "\nnewmtl " + m.Name + '\n' + FormatColors(m.Specularity);
+    text += "Ns " + ToText(m.SpecularExponent) + '\n';
+    if (!std::isnan(m.Reflectance))
+    {
+      text += "helios_reflectance " + ToText(m.Reflectance) + '\n';
+    }
+    if (!m.Spectrum.empty())
+    {
+      text += "helios_spectra " + m.Spectrum + '\n';
+    }
+    text += "helios_classification " + std::to_string(m.Classification) + '\n';
+    text += std::string("helios_isGround ") + (m.IsGround ? "true" : "false") + '\n';
+  }
+  return true;
+}
+
+} // namespace helios

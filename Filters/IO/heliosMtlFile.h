@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Material files (MTL) with the keys of HELIOS.
+
+#ifndef heliosMtlFile_h
+#define heliosMtlFile_h
+
+#include "heliosMaterialTable.h"
+#include "heliosTextFile.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace helios
+{
+
+/**
+ * Reads one MTL file after the other into one table. Understood are newmtl, Kd, Ks, Ns,
+ * helios_reflectance, helios_isGround, helios_classification and helios_spectra; Ka is checked. The
+ * specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the
+ * first one.
+ */
+class MtlFile
+{
+public:
+  MtlFile(MaterialTable& materials, TextReport& report)
+    : Materials(materials)
+    , Report(report)
+  {
+  }
+
+  /// False after an error, which the report tells.
+  bool Read(const std::string& path);
+
+  /// The row of a material, -1 if there is none of that name.
+  int Find(std::string_view name) const;
+
+private:
+  struct Colors
+  {
+    double Diffuse = 0.0; // sums over red, green and blue
+    double Specular = 0.0;
+  };
+
+  bool ReadLine(TextFile& file, std::string_view line);
+  bool ReadColor(TextFile& file, std::string_view key, TextWords& words, double& sum);
+  bool ReadExponent(TextFile& file, TextWords& words);
+  bool ReadReflectance(TextFile& file, TextWords& words);
+  bool ReadClassification(TextFile& file, TextWords& words);
+  bool ReadIsGround(TextFile& file, TextWords& words);
+  bool ReadSpectrum(TextFile& file, TextWords& words);
+  bool Start(TextFile& file, std::string_view name);
+  void Finish(const std::string& path);
+  void NoteUnknown(TextFile& file, std::string_view key);
+
+  MaterialTable& Materials;
+  TextReport& Report;
+  std::unordered_map<std::string, int> Rows;
+
+  // The material being read.
+  bool Started = false;
+  std::int64_t StartLine = 0;
+  Material Current;
+  Colors CurrentColors;
+
+  std::int64_t UnknownCount = 0;
+  std::string FirstUnknown;
+};
+
+/// sum Ks / (sum Kd + sum Ks), 0 if both are zero.
+double GetSpecularity(double diffuse, double specular);
+
+/**
+ * The text of an MTL file, from which MtlFile reads the same materials. Says in the report what
+ * cannot be written; names must be words already.
+ */
+bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& report);
+
+} // namespace helios
+
+#endif

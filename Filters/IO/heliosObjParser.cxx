@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosObjParser.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace helios
+{
+
+namespace
+{
+
+// Statements without surfaces.
+bool IsIgnored(std::string_view keyword)
+{
+  static constexpr std::array<std::string_view, 10> keywords = {
+    "o", "g", "s", "l", "p", "vp", "mg", "lod", "maplib", "usemap"
+  };
+  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+}
+
+} // namespace
+
+ObjParser::ObjParser(TextReport& report)
+  : Report(report)
+{
+}
+
+bool ObjParser::Fail(const std::string& message)
+{
+  return this->Report.Fail(this->File.GetPlace() + message);
+}
+
+bool ObjParser::Read(const std::string& path)
+{
+  const std::string fault = this->File.Open(path);
+  if (!fault.empty())
+  {
+    return this->Report.Fail(fault);
+  }
+  std::string_view line;
+  while (this->File.NextLine(line))
+  {
+    if (!this->ReadLine(line))
+    {
+      return false;
+    }
+  }
+  if (!this->File.GetError().empty())
+  {
+    return this->Report.Fail(this->File.GetError());
+  }
+  if (this->UnknownCount > 0)
+  {
+    this->Report.Warn(this->FirstUnknown + ", ignored (" + std::to_string(this->UnknownCount) +
+      " such lines in this file)");
+  }
+  return !this->File.IsStopped() && this->CheckIndices();
+}
+
+bool ObjParser::ReadLine(std::string_view line)
+{
+  TextWords words(line);
+  const std::string_view keyword = words.Next();
+  if (keyword.size() == 1 && keyword[0] == 'v')
+  {
+    return this->ReadVertex(words);
+  }
+  if (keyword.size() == 1 && keyword[0] == 'f')
+  {
+    return this->ReadFace(words);
+  }
+  return keyword.empty() || this->ReadStatement(keyword, words);
+}
+
+bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
+{
+  if (keyword == "vn")
+  {
+    ++this->Elements[2].Count;
+    return this->ReadNumbers(keyword, words, 3);
+  }
+  if (keyword == "vt")
+  {
+    ++this->Elements[1].Count;
+    return this->ReadNumbers(keyword, words, 1);
+  }
+  if (keyword == "usemtl")
+  {
+    this->Use(words.NextName());
+  }
+  else if (keyword == "mtllib")
+  {
+    const std::string names(words.Rest());
+    const auto isSame = [&names](const Statement& known) { return known.Text == names; };
+    if (std::none_of(this->Libraries.begin(), this->Libraries.end(), isSame))
+    {
+      this->Libraries.push_back({ names, this->File.GetLine() });
+    }
+  }
+  else if (!IsIgnored(keyword))
+  {
+    this->NoteUnknown(keyword);
+  }
+  return true;
+}
+
+bool ObjParser::ReadVertex(TextWords& words)
+{
+  if (this->Points.GetSize() / 3 >= this->MaximumNumberOfCorners)
+  {
+    return this->Fail("more than " + std::to_string(this->MaximumNumberOfCorners) +
+      " vertices; split the file into several scene parts");
+  }
+  double* point = this->Points.Append(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    const TextWords::Number status = words.Next(point[i]);
+    if (status != TextWords::Number::Good)
+    {
+      return this->FailNumber("v", status, words);
+    }
+    if (!std::isfinite(point[i]))
+    {
+      return this->Fail(std::string("vertex coordinate ") + "xyz"[i] + " is " +
+        (std::isnan(point[i]) ? "NaN" : "infinite") + "; correct the vertex, or remove it");
+    }
+  }
+  ++this->Elements[0].Count;
+  return !words.HasMore() || this->ReadNumbers("v", words, 0);
+}
+
+// Checks numbers that nothing here needs.
+bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int least)
+{
+  double unused;
+  TextWords::Number status = TextWords::Number::Good;
+  for (int count = 0; status == TextWords::Number::Good; ++count)
+  {
+    status = words.Next(unused);
+    if (status == TextWords::Number::None && count >= least)
+    {
+      return true;
+    }
+  }
+  return this->FailNumber(keyword, status, words);
+}
+
+bool ObjParser::FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words)
+{
+  const std::string cure = keyword == "v" ? "v takes three numbers: v x y z"
+    : keyword == "vn"                     ? "vn takes three numbers: vn x y z"
+                                          : "vt takes one to three numbers: vt u v w";
+  switch (status)
+  {
+    case TextWords::Number::None:
+      return this->Fail("too few numbers; " + cure);
+    case TextWords::Number::Excessive:
+      return this->Fail(
+        Quote(words.Next()) + " is beyond the range of double precision; correct it");
+    default:
+      return this->Fail(Quote(words.Next()) + " is not a number; " + cure);
+  }
+}
+
+bool ObjParser::ReadFace(TextWords& words)
+{
+  this->Face.clear();
+  while (words.HasMore())
+  {
+    if (!this->ReadCorner(words.Next()))
+    {
+      return false;
+    }
+  }
+  if (this->Face.size() < 3)
+  {
+    return this->Fail("face has " + std::to_string(this->Face.size()) +
+      " corners; it takes three or more: f 1 2 3");
+  }
+  return this->AddTriangles();
+}
+
+// v, v/t, v//n or v/t/n
+bool ObjParser::ReadCorner(std::string_view word)
+{
+  const char* at = word.data();
+  const char* end = at + word.size();
+  for (Element& element : this->Elements)
+  {
+    int index = 0;
+    const auto [next, error] = std::from_chars(at, end, index);
+    if (error == std::errc::result_out_of_range)
+    {
+      return this->Fail("face refers to " + Quote(word) + ", more than 2^31; correct the index");
+    }
+    const bool isLeftOut = next == at;
+    if (isLeftOut && &element == this->Elements)
+    {
+      break;
+    }
+    if (!isLeftOut && !this->Resolve(element, index))
+    {
+      return false;
+    }
+    if (&element == this->Elements)
+    {
+      this->Face.push_back(index - 1);
+    }
+    at = next;
+    if (at == end)
+    {
+      return true;
+    }
+    if (*at++ != '/')
+    {
+      break;
+    }
+  }
+  return this->Fail(
+    Quote(word) + " is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3");
+}
+
+// Makes an index count from the first element of the file, from 1.
+bool ObjParser::Resolve(Element& element, int& index)
+{
+  if (index > element.Count && index > element.Largest)
+  {
+    element.Largest = index; // may come further down
+    element.LargestLine = this->File.GetLine();
+  }
+  if (index > 0)
+  {
+    return true;
+  }
+  if (index == 0)
+  {
+    return this->Fail(std::string("face refers to ") + element.Name +
+      " 0; indices count from 1, or backwards from -1");
+  }
+  if (-static_cast<std::int64_t>(index) > element.Count)
+  {
+    return this->Fail(std::string("face refers to ") + element.Name + ' ' + std::to_string(index) +
+      ", but only " + std::to_string(element.Count) + " come before it; correct the index");
+  }
+  index = static_cast<int>(element.Count + index + 1);
+  return true;
+}
+
+bool ObjParser::CheckIndices()
+{
+  for (const Element& element : this->Elements)
+  {
+    if (element.Largest > element.Count)
+    {
+      return this->Report.Fail(Place(this->File.GetPath(), element.LargestLine) +
+        "face refers to " + element.Name + ' ' + std::to_string(element.Largest) +
+        ", but the file has " + std::to_string(element.Count) + "; correct the index");
+    }
+  }
+  return true;
+}
+
+// A fan about the first corner.
+bool ObjParser::AddTriangles()
+{
+  const vtkIdType count = static_cast<vtkIdType>(this->Face.size()) - 2;
+  if (this->Corners.GetSize() + 3 * count > this->MaximumNumberOfCorners)
+  {
+    return this->Fail("more than " + std::to_string(this->MaximumNumberOfCorners / 3) +
+      " triangles; split the file into several scene parts");
+  }
+  if (this->CurrentUse < 0)
+  {
+    this->CurrentUse = this->AddUse({}, 0);
+  }
+  vtkTypeInt32* corners = this->Corners.Append(3 * count);
+  int* useIds = this->UseIds.Append(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    corners[3 * i] = this->Face[0];
+    corners[3 * i + 1] = this->Face[i + 1];
+    corners[3 * i + 2] = this->Face[i + 2];
+    useIds[i] = this->CurrentUse;
+  }
+  return true;
+}
+
+void ObjParser::Use(std::string_view name)
+{
+  const std::size_t known = this->Uses.size();
+  this->CurrentUse = this->AddUse(name, this->File.GetLine());
+  if (name.empty() && this->Uses.size() > known)
+  {
+    this->Report.Warn(this->File.GetPlace() +
+      "usemtl has no name, the default material is used; give that of a material");
+  }
+}
+
+int ObjParser::AddUse(std::string_view name, std::int64_t line)
+{
+  const auto [place, isNew] =
+    this->UseRows.emplace(std::string(name), static_cast<int>(this->Uses.size()));
+  if (isNew)
+  {
+    this->Uses.push_back({ std::string(name), line });
+  }
+  return place->second;
+}
+
+void ObjParser::NoteUnknown(std::string_view keyword)
+{
+  if (this->UnknownCount++ == 0)
+  {
+    this->FirstUnknown = this->File.GetPlace() + "unknown keyword " + Quote(keyword);
+  }
+}
+
+} // namespace helios

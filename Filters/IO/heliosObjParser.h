@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The lines of a Wavefront OBJ file, as numbers.
+
+#ifndef heliosObjParser_h
+#define heliosObjParser_h
+
+#include "heliosTextFile.h"
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkTypeInt32Array.h>
+
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace helios
+{
+
+/// A VTK array that grows by doubling and is written through a plain pointer.
+template <typename ArrayT>
+class GrowingArray
+{
+public:
+  using T = typename ArrayT::ValueType;
+
+  /// Room for more values, which the caller writes.
+  T* Append(vtkIdType count)
+  {
+    if (this->Size + count > this->Capacity)
+    {
+      this->Grow(count);
+    }
+    T* values = this->Values + this->Size;
+    this->Size += count;
+    return values;
+  }
+
+  vtkIdType GetSize() const { return this->Size; }
+  T* GetValues() { return this->Values; }
+  void Truncate(vtkIdType size) { this->Size = size; }
+
+  /// The array with the values written, nothing spare.
+  ArrayT* Finish(int components)
+  {
+    this->Array->Resize(this->Size);
+    this->Array->SetNumberOfComponents(components);
+    this->Array->SetNumberOfTuples(this->Size / components);
+    return this->Array;
+  }
+
+private:
+  void Grow(vtkIdType count)
+  {
+    if (!this->Array->Resize(this->Size + count)) // makes it at least twice as large
+    {
+      throw std::bad_alloc();
+    }
+    this->Capacity = this->Array->GetSize();
+    this->Values = this->Array->GetPointer(0);
+  }
+
+  vtkNew<ArrayT> Array;
+  T* Values = nullptr;
+  vtkIdType Size = 0;
+  vtkIdType Capacity = 0;
+};
+
+/**
+ * Reads v, vn, vt, f, mtllib and usemtl; knows o, g, s, l, p and the like and leaves them out. Faces
+ * with more than three corners become fans of triangles about their first corner. Every line is
+ * checked, every index against the whole file.
+ */
+class VTKHELIOSFILTERSIO_EXPORT ObjParser
+{
+public:
+  struct Statement
+  {
+    std::string Text;
+    std::int64_t Line = 0; ///< 0: there is no such line
+  };
+
+  explicit ObjParser(TextReport& report);
+
+  /// Most corners (and vertices) that 32-bit cells take.
+  std::int64_t MaximumNumberOfCorners = std::numeric_limits<vtkTypeInt32>::max();
+
+  /// False after an error, which the report tells, and when OnBlock stopped the reading.
+  bool Read(const std::string& path);
+
+  TextFile File;
+  GrowingArray<vtkDoubleArray> Points;     ///< x y z a vertex
+  GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices a triangle, from 0
+  GrowingArray<vtkIntArray> UseIds;        ///< a triangle's place in Uses
+  std::vector<Statement> Uses;             ///< usemtl: each name once
+  std::vector<Statement> Libraries;        ///< mtllib: each line once
+
+private:
+  /// What faces refer to by number.
+  struct Element
+  {
+    const char* Name;
+    std::int64_t Count = 0;
+    int Largest = 0; ///< largest index that went beyond the elements read until then
+    std::int64_t LargestLine = 0;
+  };
+
+  bool ReadLine(std::string_view line);
+  bool ReadStatement(std::string_view keyword, TextWords& words);
+  bool ReadVertex(TextWords& words);
+  bool ReadNumbers(std::string_view keyword, TextWords& words, int least);
+  bool ReadFace(TextWords& words);
+  bool ReadCorner(std::string_view word);
+  bool Resolve(Element& element, int& index);
+  bool AddTriangles();
+  int AddUse(std::string_view name, std::int64_t line);
+  void Use(std::string_view name);
+  void NoteUnknown(std::string_view keyword);
+  bool CheckIndices();
+  bool Fail(const std::string& message);
+  bool FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words);
+
+  TextReport& Report;
+  Element Elements[3] = { { "vertex" }, { "texture coordinate" }, { "normal" } };
+  std::vector<vtkTypeInt32> Face;
+  std::unordered_map<std::string, int> UseRows;
+  int CurrentUse = -1;
+  std::int64_t UnknownCount = 0;
+  std::string FirstUnknown;
+};
+
+} // namespace helios
+
+#endif

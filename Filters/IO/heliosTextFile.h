@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Text files line by line and word by word, and what there is to say about a line.
+
+#ifndef heliosTextFile_h
+#define heliosTextFile_h
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace helios
+{
+
+/// What a reader found: one error at most, which ends the reading, and warnings.
+struct TextReport
+{
+  std::string Error;
+  std::vector<std::string> Warnings;
+
+  bool Fail(const std::string& message)
+  {
+    this->Error = message;
+    return false;
+  }
+  void Warn(const std::string& message) { this->Warnings.push_back(message); }
+};
+
+/// A word as messages show it: in quotes, cut where it is long, without control characters.
+std::string Quote(std::string_view word);
+
+/// "path:line: ", the start of a message.
+std::string Place(const std::string& path, std::int64_t line);
+
+/// Reads a file in blocks, so that memory does not grow with it.
+class TextFile
+{
+public:
+  TextFile() = default;
+  ~TextFile();
+  TextFile(const TextFile&) = delete;
+  void operator=(const TextFile&) = delete;
+
+  /// Called after every block with the share of the file read; false stops the reading.
+  std::function<bool(double)> OnBlock;
+
+  /// Says in words why a file cannot be read, or returns an empty text.
+  std::string Open(const std::string& path);
+
+  /**
+   * The next line, without its end (LF or CR LF); valid until the next call. A backslash at the end
+   * joins the line with the one below, except in a comment. False at the end of the file, at an
+   * error and when stopped.
+   */
+  bool NextLine(std::string_view& line)
+  {
+    if (!this->NextRawLine(line))
+    {
+      return false;
+    }
+    this->Line = this->RawLine;
+    return line.empty() || line.back() != '\\' || this->Join(line);
+  }
+
+  const std::string& GetPath() const { return this->Path; }
+  /// The number of the line last read, from 1; the first of joined ones.
+  std::int64_t GetLine() const { return this->Line; }
+  /// "path:line: " of the line last read.
+  std::string GetPlace() const { return Place(this->Path, this->Line); }
+  bool IsStopped() const { return this->Stopped; }
+  /// What went wrong while reading, or an empty text.
+  const std::string& GetError() const { return this->Error; }
+
+private:
+  bool NextRawLine(std::string_view& line);
+  bool Join(std::string_view& line);
+  bool ReadBlock();
+
+  std::string Path;
+  std::string Error;
+  std::FILE* File = nullptr;
+  double Size = 0.0;
+  double Done = 0.0;
+  std::vector<char> Buffer;
+  char* Begin = nullptr; // of what is not yet handed out
+  char* End = nullptr;
+  std::int64_t Line = 0;
+  std::int64_t RawLine = 0;
+  bool AtEnd = false;
+  bool Stopped = false;
+  std::string Joined;
+};
+
+/// The words of a line, taken one after the other; a word that starts with # ends the line.
+class TextWords
+{
+public:
+  enum class Number
+  {
+    Good,
+    None,      ///< the line has ended
+    Malformed, ///< not a number: the word is next
+    Excessive  ///< beyond the range of double precision: the word is next
+  };
+
+  explicit TextWords(std::string_view line)
+    : At(line.data())
+    , End(line.data() + line.size())
+  {
+  }
+
+  static bool IsBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  /// True if another word follows.
+  bool HasMore()
+  {
+    while (this->At != this->End && IsBlank(*this->At))
+    {
+      ++this->At;
+    }
+    return this->At != this->End && *this->At != '#';
+  }
+
+  /// The next word, empty at the end of the line.
+  std::string_view Next() { return this->HasMore() ? this->TakeWord() : std::string_view(); }
+
+  /// The next word as a name, which may start with #.
+  std::string_view NextName()
+  {
+    this->HasMore();
+    return this->TakeWord();
+  }
+
+  /// The rest of the line without blanks around it; comments are part of it.
+  std::string_view Rest();
+
+  /// A decimal number, correctly rounded; NaN and Inf are numbers.
+  Number Next(double& value);
+
+  /// A whole decimal number.
+  Number Next(int& value);
+
+private:
+  template <typename T>
+  Number NextNumber(T& value);
+
+  std::string_view TakeWord()
+  {
+    const char* begin = this->At;
+    while (this->At != this->End && !IsBlank(*this->At))
+    {
+      ++this->At;
+    }
+    return { begin, static_cast<std::size_t>(this->At - begin) };
+  }
+
+  const char* At;
+  const char* End;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A text file being written.
+
+#ifndef heliosTextFileSink_h
+#define heliosTextFileSink_h
+
+#include <charconv>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace helios
+{
+
+/**
+ * Writes <path>.part, which Close renames to path: a file of that name that was there before stays
+ * until then. A file that was not closed is removed.
+ */
+class TextFileSink
+{
+public:
+  TextFileSink() = default;
+  ~TextFileSink();
+  TextFileSink(const TextFileSink&) = delete;
+  void operator=(const TextFileSink&) = delete;
+
+  /// Says in words why the file cannot be written, or returns an empty text.
+  std::string Open(const std::string& path);
+
+  void Append(std::string_view text);
+
+  /// A blank, and a number in the fewest digits that read back exactly.
+  template <typename T>
+  void AppendNumber(T value)
+  {
+    constexpr std::size_t longest = 32;
+    char* at = this->Reserve(longest);
+    *at++ = ' ';
+    this->Used = std::to_chars(at, at + longest - 1, value).ptr - this->Buffer.data();
+  }
+
+  /// Says in words what went wrong since Open, or returns an empty text: the file is whole.
+  std::string Close();
+
+private:
+  char* Reserve(std::size_t count)
+  {
+    if (this->Used + count > this->Buffer.size())
+    {
+      this->Flush();
+    }
+    return this->Buffer.data() + this->Used;
+  }
+  void Flush();
+  std::string Explain(int error) const;
+
+  std::string Path;
+  std::FILE* File = nullptr;
+  std::vector<char> Buffer;
+  std::size_t Used = 0;
+  int Error = 0; // errno of the first failure
+};
+
+} // namespace helios
+
+#endif
