@@ -64,13 +64,15 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
     }
     this->Pulses.push_back(pulse);
     this->Indices.push_back(i);
-    vtkHeliosRay ray;
-    std::copy_n(pulse.Origin.GetData(), 3, ray.Origin);
+    const std::size_t before = this->Rays.size();
+    this->Rays.resize(before + this->Model.SubRays.size());
+    vtkHeliosRay* ray = this->Rays.data() + before;
     for (const Vec3& subRay : this->Model.SubRays)
     {
       const Vec3 direction = pulse.Beam * subRay;
-      std::copy_n(direction.GetData(), 3, ray.Direction);
-      this->Rays.push_back(ray);
+      std::copy_n(pulse.Origin.GetData(), 3, ray->Origin);
+      std::copy_n(direction.GetData(), 3, ray->Direction);
+      ++ray;
     }
   }
   this->Counts.PulsesFired += static_cast<vtkIdType>(this->Pulses.size());
@@ -90,6 +92,7 @@ void PulseKernel::CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* h
 {
   const ScanModel& m = this->Model;
   this->Returns.clear();
+  NearbyTransmission transmission(m.Equation);
   for (std::size_t k = 0; k < m.SubRays.size(); ++k)
   {
     const vtkHeliosHit& hit = hits[k];
@@ -106,9 +109,9 @@ void PulseKernel::CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* h
     const Vec3& n = this->GetNormal(hit.CellId);
     const double cosIncidence = std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
     const int material = m.MaterialIds ? m.MaterialIds[hit.CellId] : 0;
-    const double fraction =
-      m.Equation(hit.Range, m.Reflectances[static_cast<std::size_t>(material)], cosIncidence);
-    this->Returns.push_back({ hit.Range, m.Power * m.Weights[k] * fraction, hit.CellId,
+    const double gain = m.Equation.GetGain(hit.Range, transmission(hit.Range)) *
+      m.Reflectances[static_cast<std::size_t>(material)] * cosIncidence;
+    this->Returns.push_back({ hit.Range, m.Power * m.Weights[k] * gain, hit.CellId,
       static_cast<int>(k), cosIncidence });
   }
 }
@@ -173,9 +176,8 @@ void PulseKernel::StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& 
     const vtkIdType cell = echo.Nearest->CellId;
     const int material = m.MaterialIds ? m.MaterialIds[cell] : 0;
     this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, echo.Amplitude);
-    result.Echoes.push_back({ pulse.Origin + range * direction,
-      pulse.Origin + echo.Range * direction, pulse.Time, id, cell, range, echo.Amplitude,
-      echo.Width, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence), material,
+    result.Echoes.push_back({ pulse.Origin + range * direction, pulse.Time, id, cell, range,
+      echo.Amplitude, echo.Width, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence), material,
       m.PartIds ? m.PartIds[cell] : 0, m.Classifications[static_cast<std::size_t>(material)],
       static_cast<unsigned char>(e + 1), static_cast<unsigned char>(count) });
   }

@@ -51,7 +51,6 @@ struct ScanModel
 struct EchoRecord
 {
   Vec3 Point;
-  Vec3 TruePoint;
   double Time;
   vtkIdType PulseId;
   vtkIdType CellId;

@@ -6,6 +6,7 @@
 #define heliosRadiometry_h
 
 #include <cmath>
+#include <limits>
 
 namespace helios
 {
@@ -44,11 +45,51 @@ struct LidarEquation
 
   double operator()(double range, double reflectance, double cosIncidence) const
   {
-    const double atmosphere = this->Extinction > 0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
-    const double aperture = this->ReceiverDiameter / range;
-    return 0.25 * reflectance * cosIncidence * aperture * aperture * this->OpticalEfficiency *
-      atmosphere;
+    return this->GetGain(range, this->GetTransmission(range)) * reflectance * cosIncidence;
   }
+
+  /// exp(-2 alpha R): the way there and back.
+  double GetTransmission(double range) const
+  {
+    return this->Extinction > 0.0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
+  }
+
+  /// All but the surface, with the transmission known.
+  double GetGain(double range, double transmission) const
+  {
+    const double aperture = this->ReceiverDiameter / range;
+    return 0.25 * aperture * aperture * this->OpticalEfficiency * transmission;
+  }
+};
+
+/**
+ * The transmission for the sub-rays of one pulse, whose ranges differ little: one exponential at
+ * the first range, and its series from there.
+ */
+class NearbyTransmission
+{
+public:
+  explicit NearbyTransmission(const LidarEquation& equation)
+    : Equation(equation)
+  {
+  }
+
+  double operator()(double range)
+  {
+    const double x = -2.0 * this->Equation.Extinction * (range - this->Range);
+    if (!(std::abs(x) < 1e-3))
+    {
+      this->Range = range;
+      this->Transmission = this->Equation.GetTransmission(range);
+      return this->Transmission;
+    }
+    return this->Transmission * (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0))));
+  }
+
+private:
+  const LidarEquation& Equation;
+  double Range = std::numeric_limits<double>::quiet_NaN();
+  double Transmission = 1.0;
 };
 
 } // namespace helios

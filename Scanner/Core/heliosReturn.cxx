@@ -24,15 +24,53 @@ double TwoWayTime(double range)
   return 2.0 * range / SpeedOfLight;
 }
 
+/// The return nearest in range; of two equally near the first.
 const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, double range)
 {
-  const SubReturn* after = std::lower_bound(
-    begin, end, range, [](const SubReturn& r, double value) { return r.Range < value; });
-  if (after == end)
+  return std::min_element(begin, end, [range](const SubReturn& a, const SubReturn& b) {
+    return std::abs(a.Range - range) < std::abs(b.Range - range);
+  });
+}
+
+/// sum[i] += shape[i] start rho^i. Compiled for wider registers too; the bytes stay the same.
+__attribute__((target_clones("avx2", "default"))) void AddGeometric(
+  double* __restrict sum, const double* __restrict shape, double start, double rho, vtkIdType count)
+{
+  double factor[Lanes];
+  factor[0] = start;
+  for (vtkIdType l = 1; l < Lanes; ++l)
   {
-    return end - 1;
+    factor[l] = factor[l - 1] * rho;
   }
-  return after != begin && range - (after - 1)->Range <= after->Range - range ? after - 1 : after;
+  const double rho2 = rho * rho;
+  const double rho4 = rho2 * rho2;
+  const double rho8 = rho4 * rho4;
+  vtkIdType i = 0;
+  for (; i + Lanes <= count; i += Lanes)
+  {
+    for (vtkIdType l = 0; l < Lanes; ++l)
+    {
+      sum[i + l] += shape[i + l] * factor[l];
+      factor[l] *= rho8;
+    }
+  }
+  for (vtkIdType l = 0; i < count; ++i, ++l)
+  {
+    sum[i] += shape[i] * factor[l];
+  }
+}
+
+bool IsNearer(const SubReturn& a, const SubReturn& b)
+{
+  return a.Range < b.Range || (a.Range == b.Range && a.SubRay < b.SubRay);
+}
+
+/// exp(-y) for y >= 0: near 0, where most sub-rays are, by its series to the last bit.
+double ExpMinus(double y)
+{
+  return y < 0.01
+    ? 1.0 - y * (1.0 - y / 2.0 * (1.0 - y / 3.0 * (1.0 - y / 4.0 * (1.0 - y / 5.0 * (1.0 - y / 6.0)))))
+    : std::exp(-y);
 }
 
 } // namespace
@@ -56,11 +94,15 @@ Receiver::Receiver(double pulseLength, double binSize, const vtkHeliosEchoDetect
 
 void Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  std::sort(returns.begin(), returns.end(), [](const SubReturn& a, const SubReturn& b) {
-    return a.Range < b.Range || (a.Range == b.Range && a.SubRay < b.SubRay);
-  });
-  const double gap = 2.0 * ReachInSigma * this->SigmaRange;
   const SubReturn* end = returns.data() + returns.size();
+  const auto limits = std::minmax_element(returns.begin(), returns.end(), IsNearer);
+  if (limits.second->Range - limits.first->Range <= 2.0 * this->SigmaRange)
+  {
+    this->FindSingleEcho(returns.data(), end, echoes);
+    return;
+  }
+  std::sort(returns.begin(), returns.end(), IsNearer);
+  const double gap = 2.0 * ReachInSigma * this->SigmaRange;
   for (const SubReturn* first = returns.data(); first != end;)
   {
     const SubReturn* last = first + 1;
@@ -70,23 +112,17 @@ void Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& ec
     }
     if ((last - 1)->Range - first->Range <= 2.0 * this->SigmaRange)
     {
-      ++this->NumberOfClosedForms;
-      const Echo echo = this->FindSingleEcho(first, last);
-      if (echo.Amplitude >= this->Detector->GetDetectionThreshold() && echo.Amplitude > 0.0)
-      {
-        echoes.push_back(echo);
-      }
+      this->FindSingleEcho(first, last, echoes);
     }
     else
     {
-      ++this->NumberOfBinnedForms;
       this->FindBinnedEchoes(first, last, echoes);
     }
     first = last;
   }
 }
 
-Echo Receiver::FindSingleEcho(Iterator begin, Iterator end) const
+void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const
 {
   double power = 0.0, first = 0.0, second = 0.0;
   for (Iterator r = begin; r != end; ++r)
@@ -98,7 +134,7 @@ Echo Receiver::FindSingleEcho(Iterator begin, Iterator end) const
   }
   if (!(power > 0.0))
   {
-    return { begin->Range, 0.0, this->PulseLength, begin };
+    return;
   }
   const double mean = first / power;
   const double variance = std::max(0.0, second / power - mean * mean);
@@ -113,7 +149,7 @@ Echo Receiver::FindSingleEcho(Iterator begin, Iterator end) const
     for (Iterator r = begin; r != end; ++r)
     {
       const double u = (x - (r->Range - begin->Range)) * scale;
-      const double w = r->Power * std::exp(-0.5 * u * u);
+      const double w = r->Power * ExpMinus(0.5 * u * u);
       w0 += w;
       w1 += w * u;
       w2 += w * u * u;
@@ -128,16 +164,20 @@ Echo Receiver::FindSingleEcho(Iterator begin, Iterator end) const
       break;
     }
   }
-  const double widening = 2.0 / SpeedOfLight * std::sqrt(variance); // [ns]
+  if (amplitude < this->Detector->GetDetectionThreshold())
+  {
+    return;
+  }
+  const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * variance; // [ns^2]
   const double range = begin->Range + x;
-  return { range, amplitude, FwhmPerSigma * std::hypot(this->Sigma, widening),
-    FindNearest(begin, end, range) };
+  echoes.push_back({ range, amplitude,
+    FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
+    FindNearest(begin, end, range) });
 }
 
 void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes)
 {
-  bool cut = false;
-  this->Fill(begin, end, VTK_ID_MAX, this->Scratch, cut);
+  this->Fill(begin, end, VTK_ID_MAX, this->Scratch);
   this->Detected.clear();
   const auto& samples = this->Scratch.Samples;
   this->Detector->Detect({ samples.data(), static_cast<vtkIdType>(samples.size()), this->BinSize,
@@ -153,29 +193,29 @@ void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>&
 bool Receiver::MakeWaveform(
   const std::vector<SubReturn>& returns, vtkIdType maximumCount, Waveform& waveform)
 {
-  bool cut = false;
-  this->Fill(returns.data(), returns.data() + returns.size(), maximumCount, waveform, cut);
-  return cut;
+  return this->Fill(returns.data(), returns.data() + returns.size(), maximumCount, waveform);
 }
 
-void Receiver::Fill(
-  Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform, bool& cut)
+bool Receiver::Fill(Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform)
 {
+  const auto limits = std::minmax_element(begin, end, IsNearer);
+  const double nearest = limits.first->Range;
   const double margin = MarginInSigma * this->Sigma;
-  waveform.StartTime = TwoWayTime(begin->Range) - margin;
-  const double length = TwoWayTime((end - 1)->Range - begin->Range) + 2.0 * margin;
+  waveform.StartTime = TwoWayTime(nearest) - margin;
+  const double length = TwoWayTime(limits.second->Range - nearest) + 2.0 * margin;
   const double wanted = std::ceil(length / this->BinSize) + 1.0;
-  cut = wanted > static_cast<double>(maximumCount);
+  const bool cut = wanted > static_cast<double>(maximumCount);
   const vtkIdType count = cut ? maximumCount : static_cast<vtkIdType>(wanted);
 
   this->Sum.assign(static_cast<std::size_t>(count), 0.0);
   for (Iterator r = begin; r != end; ++r)
   {
-    this->Deposit(TwoWayTime(r->Range - begin->Range) + margin, r->Power, count);
+    this->Deposit(TwoWayTime(r->Range - nearest) + margin, r->Power, count);
   }
   waveform.Samples.resize(static_cast<std::size_t>(count));
   std::transform(this->Sum.begin(), this->Sum.end(), waveform.Samples.begin(),
     [](double value) { return static_cast<float>(value); });
+  return cut;
 }
 
 /**
@@ -200,30 +240,9 @@ void Receiver::Deposit(double time, double power, vtkIdType count)
   const double* shape = this->Shape.data() + (from - middle + this->Reach);
   double* sum = this->Sum.data() + from;
 
-  double factor[Lanes];
-  factor[0] = power * std::exp(-0.5 * u * u + exponent * static_cast<double>(from - middle));
-  const double rho = std::exp(exponent);
-  for (vtkIdType l = 1; l < Lanes; ++l)
-  {
-    factor[l] = factor[l - 1] * rho;
-  }
-  const double rho2 = rho * rho;
-  const double rho4 = rho2 * rho2;
-  const double rho8 = rho4 * rho4;
-  const vtkIdType length = to - from;
-  vtkIdType i = 0;
-  for (; i + Lanes <= length; i += Lanes)
-  {
-    for (vtkIdType l = 0; l < Lanes; ++l)
-    {
-      sum[i + l] += shape[i + l] * factor[l];
-      factor[l] *= rho8;
-    }
-  }
-  for (vtkIdType l = 0; i < length; ++i, ++l)
-  {
-    sum[i] += shape[i] * factor[l];
-  }
+  const double start =
+    power * std::exp(-0.5 * u * u + exponent * static_cast<double>(from - middle));
+  AddGeometric(sum, shape, start, std::exp(exponent), to - from);
 }
 
 } // namespace helios

@@ -51,26 +51,22 @@ public:
   Receiver(double pulseLength, double binSize, const vtkHeliosEchoDetector* detector);
 
   /**
-   * The echoes of a pulse in the order of range. Sorts the returns by range. Returns too far apart
+   * The echoes of a pulse in the order of range; it may reorder the returns. Returns too far apart
    * to touch are treated by themselves; where a group spreads over no more than c sigma its sum has
    * exactly one maximum, found by Newton's method, else bins are filled and searched.
    */
   void FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
-  /// The whole waveform of sorted returns, cut after maximumCount samples (true: it was cut).
+  /// The whole waveform of the returns, cut after maximumCount samples (true: it was cut).
   bool MakeWaveform(
     const std::vector<SubReturn>& returns, vtkIdType maximumCount, Waveform& waveform);
-
-  /// How many groups took the way without bins, and with.
-  vtkIdType GetNumberOfClosedForms() const { return this->NumberOfClosedForms; }
-  vtkIdType GetNumberOfBinnedForms() const { return this->NumberOfBinnedForms; }
 
 private:
   using Iterator = const SubReturn*;
 
-  Echo FindSingleEcho(Iterator begin, Iterator end) const;
+  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
   void FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes);
-  void Fill(Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform, bool& cut);
+  bool Fill(Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform);
   void Deposit(double time, double power, vtkIdType count);
 
   double PulseLength;
@@ -83,8 +79,6 @@ private:
   std::vector<double> Sum;
   Waveform Scratch;
   std::vector<vtkHeliosDetectedEcho> Detected;
-  vtkIdType NumberOfClosedForms = 0;
-  vtkIdType NumberOfBinnedForms = 0;
 };
 
 } // namespace helios
