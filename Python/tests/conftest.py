@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of the package share."""
+
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import vtkhelios
+
+PACKAGE_DIR = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
+
+SURVEY = """\
+<document>
+  <survey name="plane" scene="scene.xml#plane" platform="platforms.xml#tripod" scanner="scanners.xml#vz400_class_tls">
+    <leg>
+      <platformSettings x="0" y="0" z="2" onGround="false"/>
+      <scannerSettings active="true" pulseFreq_hz="100000" scanFreq_hz="100"
+        verticalAngleMin_deg="-40" verticalAngleMax_deg="60"
+        headRotatePerSec_deg="{speed}" headRotateStart_deg="0" headRotateStop_deg="{stop}"/>
+    </leg>
+  </survey>
+</document>
+"""
+
+SCENE = """\
+<document>
+  <scene id="plane">
+    <part>
+      <filter type="objloader"><param type="string" key="filepath" value="plane.obj"/></filter>
+    </part>
+  </scene>
+</document>
+"""
+
+PLANE = "v -200 -200 {z}\nv 200 -200 {z}\nv 200 200 {z}\nv -200 200 {z}\nf 1 2 3\nf 1 3 4\n"
+
+
+@pytest.fixture
+def command_line():
+    """Runs the command line and returns what became of it (returncode, stdout, stderr)."""
+
+    def call(*arguments, **options):
+        environment = {**os.environ, "PYTHONPATH": str(PACKAGE_DIR)}
+        return subprocess.run([sys.executable, "-P", "-m", "vtkhelios", *map(str, arguments)],
+                              capture_output=True, text=True, env=environment, timeout=300, **options)
+
+    return call
+
+
+@pytest.fixture
+def make_survey(tmp_path):
+    """Writes a survey of a tripod 2 m above a plane and returns its path."""
+
+    def make(speed=60, stop=30, z=0.0):
+        (tmp_path / "survey.xml").write_text(SURVEY.format(speed=speed, stop=stop))
+        (tmp_path / "scene.xml").write_text(SCENE)
+        (tmp_path / "plane.obj").write_text(PLANE.format(z=z))
+        return tmp_path / "survey.xml"
+
+    return make

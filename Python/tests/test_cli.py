@@ -1,0 +1,233 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: what it says, what it writes, how it exits."""
+
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import vtkhelios
+
+from vtkhelios.cli import main, make_parser
+
+PULSES = 50_000  # 30 degrees at 60 degrees a second, 100 kHz
+LONG = dict(speed=0.3, stop=60)  # 20 million pulses: longer than any test waits
+
+
+# What is typed wrong.
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["run", "s.xml", "--sed", "3"], "unknown option --sed: did you mean --seed?"),
+        (["run", "s.xml", "--asset=x"], "unknown option --asset: did you mean --assets?"),
+        (["run", "--xyzzy"], "unknown option --xyzzy: vtkhelios run --help lists the known ones"),
+        (["--versoin"], "unknown option --versoin: did you mean --version?"),
+        (["rnu", "s.xml"], "unknown 'rnu': did you mean run?"),
+        (["s.xml"], "a command is missing: vtkhelios run s.xml"),
+        (["run"], "required: SURVEY.xml"),
+        (["run", "s.xml", "t.xml"], "unrecognized arguments: t.xml"),
+        (["run", "s.xml", "--seed", "-1"], "'-1' is not a whole number from 0 to 4611686018427387904"),
+        (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
+        (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
+        (["run", "s.xml", "--format", "las"], "unknown 'las': known: xyz, vtp"),
+    ],
+)
+def test_wrong_usage(arguments, message, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(arguments)
+    assert stopped.value.code == 2
+    assert message in capsys.readouterr().err
+
+
+def test_no_command_shows_help(capsys):
+    assert main([]) == 2
+    assert "examples:" in capsys.readouterr().err
+
+
+def test_version(command_line):
+    done = command_line("--version")
+    assert (done.returncode, done.stdout) == (0, f"vtkhelios {vtkhelios.__version__}\n")
+
+
+def test_help_teaches(command_line):
+    done = command_line("run", "--help")
+    assert done.returncode == 0
+    for word in ("examples:", "exit codes:", "[nW]", "--assets DIR", "default: 0"):
+        assert word in done.stdout
+
+
+def test_every_command_has_a_summary():
+    parser = make_parser()
+    assert "run a survey" in parser.format_help()
+
+
+# What goes wrong.
+
+
+def expect_failure(done, message):
+    assert done.returncode == 1, done
+    assert re.search(message, done.stderr), done.stderr
+    assert done.stderr.startswith("error: ") or "\nerror: " in done.stderr
+    assert "Traceback" not in done.stderr and "0x" not in done.stderr
+
+
+def test_missing_survey(command_line, tmp_path):
+    expect_failure(command_line("run", "nowhere.xml", cwd=tmp_path), "nowhere.xml")
+
+
+def test_malformed_survey(command_line, tmp_path):
+    (tmp_path / "bad.xml").write_text("<document>\n<survey name='a'\n</document>\n")
+    expect_failure(command_line("run", "bad.xml", cwd=tmp_path), r"bad\.xml:[23]")
+
+
+def test_missing_asset_folder(command_line, make_survey):
+    expect_failure(command_line("run", make_survey(), "--assets", "nowhere"), "--assets nowhere: no such folder")
+
+
+def test_output_below_a_plain_file(command_line, make_survey, tmp_path):
+    (tmp_path / "plain").write_text("")
+    done = command_line("run", make_survey(), "--output", tmp_path / "plain/out")
+    expect_failure(done, "plain")
+
+
+def test_earlier_run_is_kept(command_line, make_survey, tmp_path):
+    survey, output = make_survey(), tmp_path / "out"
+    assert command_line("run", survey, "--output", output).returncode == 0
+    cloud = output / "plane/leg000_points.xyz"
+    cloud.write_text("mine")
+    expect_failure(command_line("run", survey, "--output", output), "--overwrite|[Oo]verwrite")
+    assert cloud.read_text() == "mine"
+    assert command_line("run", survey, "--output", output, "--overwrite").returncode == 0
+    assert cloud.stat().st_size > 1000
+
+
+def test_no_points_is_a_failure(command_line, make_survey, tmp_path):
+    done = command_line("run", make_survey(z=5000), "--output", tmp_path / "out")
+    expect_failure(done, "no points|no echo|0 points")
+
+
+def test_quiet_prints_errors_only(command_line, make_survey, tmp_path):
+    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--quiet")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    expect_failure(command_line("run", "nowhere.xml", "--quiet", cwd=tmp_path), "nowhere.xml")
+
+
+# What a run writes and says.
+
+
+@pytest.fixture
+def columns():
+    def read(folder):
+        return np.loadtxt(folder / "plane/leg000_points.xyz", usecols=(0, 1, 2, 3, 4, 5, 6, 7), ndmin=2)
+
+    return read
+
+
+def test_run(command_line, make_survey, columns, tmp_path):
+    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--no-noise", "--seed", 7)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""
+    rows = columns(tmp_path / "out")
+    assert f"points   {len(rows):,} (" in done.stdout
+    assert f"pulses   {PULSES:,}" in done.stdout
+    assert "seed 7" in done.stdout and "M pulses/s" in done.stdout
+    assert str(tmp_path / "out/plane/leg000_points.xyz") in done.stdout
+    assert (tmp_path / "out/plane/leg000_trajectory.txt").is_file()
+    assert np.abs(rows[:, 2]).max() < 1e-3  # on the plane, to the digits of the file
+    assert not list((tmp_path / "out").rglob("*.part"))
+
+
+def test_seed_and_threads(command_line, make_survey, tmp_path):
+    survey = make_survey()
+
+    def run(*arguments):
+        assert command_line("run", survey, "--output", tmp_path / "out", "--overwrite", *arguments).returncode == 0
+        return (tmp_path / "out/plane/leg000_points.xyz").read_bytes()
+
+    assert run("--threads", 1) == run("--threads", 2)
+    assert run("--seed", 1) != run("--seed", 2)
+    assert run("--seed", 1, "--no-noise") == run("--seed", 2, "--no-noise")
+
+
+def test_waveforms(command_line, make_survey, tmp_path):
+    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--waveforms")
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "out/plane/leg000_fullwave.txt").stat().st_size > 0
+
+
+def test_vtp(command_line, make_survey, tmp_path):
+    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--format", "vtp")
+    assert done.returncode == 0, done.stderr
+    assert list((tmp_path / "out/plane").glob("leg000_points*.vtp")) or list(
+        (tmp_path / "out/plane").glob("leg000_points*.pvtp"))
+
+
+def test_output_of_a_closed_pipe(make_survey, tmp_path):
+    command = f"{sys.executable} -P -m vtkhelios run {make_survey()} --output {tmp_path / 'out'} | true"
+    environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
+    done = subprocess.run(command, shell=True, capture_output=True, text=True, env=environment)
+    assert "Traceback" not in done.stderr and "Exception" not in done.stderr
+
+
+# A run that takes its time.
+
+
+def start(survey, output, **options):
+    environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
+    return subprocess.Popen([sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output)],
+                            env=environment, **options)
+
+
+def wait_for_points(output, seconds=60):
+    """Waits until something was written."""
+    until = time.monotonic() + seconds
+    while time.monotonic() < until:
+        if any(path.stat().st_size > 100_000 for path in output.rglob("*points*")):
+            return
+        time.sleep(0.05)
+    raise AssertionError("nothing was written")
+
+
+@pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_interrupt_keeps_valid_files(number, code, make_survey, tmp_path):
+    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    wait_for_points(tmp_path / "out")
+    run.send_signal(number)
+    _, errors = run.communicate(timeout=60)
+    assert run.returncode == code
+    assert "interrupted after" in errors and "are kept in" in errors and "Traceback" not in errors
+    cloud = next((tmp_path / "out/plane").glob("leg000_points.xyz*"))
+    lines = cloud.read_text().splitlines()
+    kept = int(re.search(r"the ([\d,]+) points", errors).group(1).replace(",", ""))
+    assert len(lines) == kept
+    assert all(len(line.split()) == 11 for line in (lines[0], lines[-1]))
+
+
+def test_progress_on_a_terminal(make_survey, tmp_path):
+    leader, follower = pty.openpty()
+    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.DEVNULL, stderr=follower)
+    os.close(follower)
+    shown = b""
+    while b"left" not in shown:
+        shown += os.read(leader, 4096)
+    run.send_signal(signal.SIGINT)
+    assert run.wait(timeout=60) == 130
+    os.close(leader)
+    assert re.search(rb"M pulses/s.*points.*left", shown, re.S)
+
+
+def test_progress_elsewhere_is_lines(make_survey, tmp_path):
+    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    line = run.stderr.readline()
+    run.send_signal(signal.SIGINT)
+    run.communicate(timeout=60)
+    assert re.match(r" *\d+ % leg 1 of 1, [\d.]+ of 20.00 M pulses, [\d.]+ M pulses/s, [\d,]+ points, \d+:\d\d left\n", line)
