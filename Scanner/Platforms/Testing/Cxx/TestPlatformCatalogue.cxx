@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
 #include <string>
 
 namespace
@@ -35,12 +34,15 @@ std::string ReadPlatform(const std::string& id)
 vtkQuaterniond ReadMount(const std::string& platform)
 {
   vtkQuaterniond mount;
-  const std::regex rot("<rot axis=\"([xyz])\" angle_deg=\"([-0-9.]+)\"/>");
-  for (std::sregex_iterator it(platform.begin(), platform.end(), rot), end; it != end; ++it)
+  const std::string rot = "<rot axis=\"";
+  const std::string angle = "angle_deg=\"";
+  std::size_t at = platform.find(rot);
+  for (; at != std::string::npos; at = platform.find(rot, at + 1))
   {
-    const double half = std::stod((*it)[2]) * Pi / 360.0;
-    double q[4] = { std::cos(half), 0.0, 0.0, 0.0 };
-    q[1 + (*it)[1].str()[0] - 'x'] = std::sin(half);
+    const char axis = platform[at + rot.size()];
+    const double degrees = std::stod(platform.substr(platform.find(angle, at) + angle.size()));
+    double q[4] = { std::cos(degrees * Pi / 360.0), 0.0, 0.0, 0.0 };
+    q[1 + axis - 'x'] = std::sin(degrees * Pi / 360.0);
     mount = vtkQuaterniond(q) * mount;
   }
   return mount;
