@@ -83,7 +83,7 @@ public:
       this->Transmission = this->Equation.GetTransmission(range);
       return this->Transmission;
     }
-    return this->Transmission * (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0))));
+    return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
   }
 
 private:

@@ -69,7 +69,7 @@ bool IsNearer(const SubReturn& a, const SubReturn& b)
 double ExpMinus(double y)
 {
   return y < 0.01
-    ? 1.0 - y * (1.0 - y / 2.0 * (1.0 - y / 3.0 * (1.0 - y / 4.0 * (1.0 - y / 5.0 * (1.0 - y / 6.0)))))
+    ? 1.0 - y * (1.0 - y * (1 / 2.0 - y * (1 / 6.0 - y * (1 / 24.0 - y * (1 / 120.0 - y * (1 / 720.0))))))
     : std::exp(-y);
 }
 
