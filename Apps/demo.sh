@@ -8,7 +8,8 @@
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 helios_setup
-helios_build release -DVTKHELIOS_BUILD_TESTING=OFF
+helios_configure release
+helios_build release vtkhelios_package
 
 demo=build/demo
 python=build/venv/bin/python

@@ -47,16 +47,22 @@ helios_make_venv() {
   [ -x build/venv/bin/python ] || /usr/bin/python3 -m venv --system-site-packages build/venv
 }
 
-# helios_build PRESET [CMAKE-ARGUMENT...]: configures and builds a preset of CMakePresets.json.
+# helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.
+helios_configure() {
+  local log=build/configure-$1.log
+  helios_say "configuring: $1"
+  cmake --preset "$@" >"$log" 2>&1 || {
+    cat "$log" >&2
+    return 1
+  }
+}
+
+# helios_build PRESET [TARGET...]: all, where no target is named.
 helios_build() {
   local preset=$1
   shift
   helios_say "building: $preset"
-  cmake --preset "$preset" "$@" >"build/configure-$preset.log" 2>&1 || {
-    cat "build/configure-$preset.log" >&2
-    return 1
-  }
-  cmake --build --preset "$preset"
+  cmake --build --preset "$preset" ${1:+--target "$@"}
 }
 
 helios_setup() {

@@ -29,13 +29,16 @@ run_ctest() { # BUILD-FOLDER
   ctest --test-dir "$1" --output-on-failure --no-tests=error -j2 || failed+=("ctest in $1")
 }
 
-helios_build minimal -DVTKHELIOS_WRAP_PYTHON=OFF
+helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF
+helios_build minimal
 run_ctest build/minimal
 if $asan; then
+  helios_configure asan
   helios_build asan
   ASAN_OPTIONS=detect_leaks=0 run_ctest build/asan
 fi
 
+helios_configure release
 helios_build release
 run_ctest build
 
