@@ -92,6 +92,7 @@ def test_missing_input_raises():
         ("ERROR: In ./a/b.cxx, line 306\nvtkX (0x3b4b1d40): Error: 5\nmore\n\n", "Error: 5\nmore"),
         ("Generic Warning: In c.cxx, line 1\nno class here\n", "no class here"),
         ("plain text", "plain text"),
+        ("Input port 0 of algorithm vtkX(0x1bf65220) has none", "Input port 0 of algorithm vtkX has none"),
     ],
 )
 def test_clean_message(raw, clean):

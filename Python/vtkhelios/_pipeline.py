@@ -7,6 +7,7 @@ import warnings
 
 # "ERROR: In file, line n\nvtkClass (0x1234): the message"
 _HEAD = re.compile(r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I)
+_ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
 # What an executive adds when a filter has failed already.
 _EXECUTIVE = re.compile(r"returned failure for request|No update piece number has been set")
 # The strategies of an algorithm report their own errors.
@@ -22,9 +23,9 @@ class PipelineError(RuntimeError):
 
 
 def clean_message(text):
-    """The message of a VTK error event, without the place in the source that raised it."""
+    """The message of a VTK error event, without places in source and memory."""
     head = _HEAD.match(text)
-    return text[head.end() :].strip() if head else text.strip()
+    return _ADDRESS.sub("", text[head.end() :] if head else text).strip()
 
 
 def is_executive_message(message):

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples run, and do what they say."""
+
+import importlib.util
+import pathlib
+import re
+
+import pytest
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
+
+
+def load(name):
+    spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_survey_by_hand(capsys):
+    columns = load("survey_by_hand").main()
+    said = capsys.readouterr().out
+    assert "400,000 pulses" in said
+    noise = float(re.search(r"range noise: ([\d.]+) mm", said).group(1))
+    assert noise == pytest.approx(5.0, rel=0.05)
+    assert not columns["points"].flags.owndata
+    assert columns["Range"].min() >= 0.5
+
+
+def test_every_example_is_tested():
+    text = pathlib.Path(__file__).read_text()
+    for path in EXAMPLES.glob("*.py"):
+        assert f"test_{path.stem}" in text, path.name
