@@ -79,30 +79,6 @@ bool IsSurelyBent(const double* a, const double* b, const double* c, int x, int 
 
 } // namespace
 
-bool TestRay::Set(const vtkHeliosRay& ray)
-{
-  const double* d = ray.Direction;
-  const double largest = std::max({ std::abs(d[0]), std::abs(d[1]), std::abs(d[2]) });
-  bool usable = largest > 1e-100 && largest < 1e100 && ray.MaximumRange > 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // A component too small to matter is zero: no term of the test becomes subnormal.
-    const bool isZero = !(std::abs(d[axis]) > 1e-200 * largest);
-    this->Origin[axis] = ray.Origin[axis];
-    this->Direction[axis] = isZero ? 0.0 : d[axis];
-    this->Inverse[axis] = isZero ? 1e300 : 1.0 / d[axis];
-    usable = usable && std::abs(ray.Origin[axis]) < 1e100 && std::isfinite(d[axis]);
-  }
-  int& z = this->Axes.Z;
-  z = std::abs(d[0]) == largest ? 0 : (std::abs(d[1]) == largest ? 1 : 2);
-  this->Axes.X = z == 2 ? 0 : z + 1;
-  this->Axes.Y = z == 0 ? 2 : z - 1;
-  this->Shear[0] = this->Direction[this->Axes.X] / this->Direction[z];
-  this->Shear[1] = this->Direction[this->Axes.Y] / this->Direction[z];
-  this->MaximumRange = ray.MaximumRange;
-  return usable;
-}
-
 bool HasArea(const double* p0, const double* p1, const double* p2)
 {
   return IsSurelyBent(p0, p1, p2, 0, 1) || IsSurelyBent(p0, p1, p2, 1, 2) ||

@@ -39,7 +39,7 @@ constexpr double NoHit = std::numeric_limits<double>::infinity();
 
 /**
  * How far, in units of a corner's largest distance from the ray's origin along an axis, a ray may
- * pass beside a triangle and hit it: the rounding of the shear, 6 u, and of a test of its box, 4 u,
+ * pass beside a triangle and hit it: the rounding of the shear, 7 u, and of a test of its box, 4 u,
  * with a margin. u = 2^-53.
  */
 constexpr double BoxSlack = 0x1p-49;
@@ -50,8 +50,9 @@ struct RayTerms
 {
   Real Origin[3];
   Real Direction[3];
-  Real Inverse[3]; ///< of the direction; +-1e300 for a component of zero
+  Real Inverse[3]; ///< of the direction; 1e300 for a component of zero
   Real Shear[2];   ///< direction x / z and y / z, of the axes below
+  Real Largest;    ///< of the direction's components, without its sign
 };
 
 /// The axes of the test: z is the one along which the direction is largest.
@@ -60,6 +61,14 @@ struct RayAxes
   int X = 0;
   int Y = 1;
   int Z = 2;
+
+  RayAxes() = default;
+  explicit RayAxes(int z)
+    : X(z == 2 ? 0 : z + 1)
+    , Y(z == 0 ? 2 : z - 1)
+    , Z(z)
+  {
+  }
 };
 
 /// A ray ready for the test.
@@ -69,7 +78,7 @@ struct TestRay : RayTerms<double>
   double MaximumRange;
 
   /// False for a ray that hits nothing: not finite, without length or with no range to go.
-  VTKHELIOSSCANNERRAYCASTING_EXPORT bool Set(const vtkHeliosRay& ray);
+  inline bool Set(const vtkHeliosRay& ray);
 };
 
 /// The plane of a triangle: its normal (of any length), and the corner with the largest angle.
@@ -102,6 +111,34 @@ template <typename Real>
 HELIOS_INLINE Real Max(const Real& a, const Real& b)
 {
   return a > b ? a : b;
+}
+
+/**
+ * Takes the terms from origin and direction, and where the direction is largest. False where a ray
+ * hits nothing: not finite, or without length.
+ */
+template <typename Real, typename MaskT>
+HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, MaskT& isY)
+{
+  Real* d = ray.Direction;
+  Real* inverse = ray.Inverse;
+  const Real size[3] = { Max<Real>(d[0], -d[0]), Max<Real>(d[1], -d[1]), Max<Real>(d[2], -d[2]) };
+  ray.Largest = Max(Max(size[0], size[1]), size[2]);
+  isUsable = ray.Largest > 1e-100;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Real& o = ray.Origin[axis];
+    isUsable = isUsable & (size[axis] < 1e100) & (Max<Real>(o, -o) < 1e100);
+    // A component too small to matter is zero, so that no term of the test becomes subnormal.
+    const MaskT isZero = size[axis] <= 1e-200 * ray.Largest;
+    inverse[axis] = isZero ? Real() + 1e300 : 1.0 / d[axis];
+    d[axis] = isZero ? Real() : d[axis];
+  }
+  isX = size[0] == ray.Largest;
+  isY = size[1] == ray.Largest;
+  const Real largestInverse = isX ? inverse[0] : (isY ? inverse[1] : inverse[2]);
+  ray.Shear[0] = (isX ? d[1] : (isY ? d[2] : d[0])) * largestInverse;
+  ray.Shear[1] = (isX ? d[2] : (isY ? d[0] : d[1])) * largestInverse;
 }
 
 /// The corners relative to the ray's origin.
@@ -238,6 +275,20 @@ HELIOS_INLINE Real GetRange(const RayTerms<Real>& ray,
   GetBoxRange(low, high, ray.Inverse, entry, exit);
   range = exit < range ? exit : range;
   return range > entry ? range : entry; // also for 0 / 0, exactly edge-on
+}
+
+bool TestRay::Set(const vtkHeliosRay& ray)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Origin[axis] = ray.Origin[axis];
+    this->Direction[axis] = ray.Direction[axis];
+  }
+  bool isUsable, isX, isY;
+  SetTerms<double, bool>(*this, isUsable, isX, isY);
+  this->Axes = RayAxes(isX ? 0 : (isY ? 1 : 2));
+  this->MaximumRange = ray.MaximumRange;
+  return isUsable && ray.MaximumRange > 0.0;
 }
 
 /// The range at which a ray hits a triangle that has an area; NoHit where it does not, or behind it.
