@@ -171,11 +171,14 @@ bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, 
   int count = 0;
   while (count < 3 && words.HasMore())
   {
-    if (words.Next(color[count]) != TextWords::Number::Good || !(color[count] >= 0.0) ||
-      !std::isfinite(color[count]))
+    TextWords ahead = words;
+    constexpr double largest = 1e100; // so that sums are finite
+    if (ahead.Next(color[count]) != TextWords::Number::Good ||
+      !(color[count] >= 0.0 && color[count] <= largest))
     {
       break;
     }
+    words = ahead;
     ++count;
   }
   if (words.HasMore() || (count != 3 && count != 1))

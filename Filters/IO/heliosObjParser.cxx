@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 namespace helios
 {
@@ -95,12 +93,7 @@ bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
   }
   else if (keyword == "mtllib")
   {
-    const std::string names(words.Rest());
-    const auto isSame = [&names](const Statement& known) { return known.Text == names; };
-    if (std::none_of(this->Libraries.begin(), this->Libraries.end(), isSame))
-    {
-      this->Libraries.push_back({ names, this->File.GetLine() });
-    }
+    this->AddLibrary(words.Rest());
   }
   else if (!IsIgnored(keyword))
   {
@@ -172,7 +165,7 @@ bool ObjParser::ReadFace(TextWords& words)
   this->Face.clear();
   while (words.HasMore())
   {
-    if (!this->ReadCorner(words.Next()))
+    if (!this->ReadCorner(words))
     {
       return false;
     }
@@ -186,46 +179,47 @@ bool ObjParser::ReadFace(TextWords& words)
 }
 
 // v, v/t, v//n or v/t/n
-bool ObjParser::ReadCorner(std::string_view word)
+bool ObjParser::ReadCorner(TextWords& words)
 {
-  const char* at = word.data();
-  const char* end = at + word.size();
+  TextWords start = words;
   for (Element& element : this->Elements)
   {
+    const bool isVertex = &element == this->Elements;
     int index = 0;
-    const auto [next, error] = std::from_chars(at, end, index);
-    if (error == std::errc::result_out_of_range)
+    const TextWords::Number status = words.TakeIndex(index);
+    if (status == TextWords::Number::Excessive)
     {
-      return this->Fail("face refers to " + Quote(word) + ", more than 2^31; correct the index");
+      return this->Fail(
+        "face refers to " + Quote(start.Next()) + ", 2^31 or more; correct the index");
     }
-    const bool isLeftOut = next == at;
-    if (isLeftOut && &element == this->Elements)
+    const bool isGiven = status == TextWords::Number::Good;
+    if (isVertex && !isGiven)
     {
       break;
     }
-    if (!isLeftOut && !this->Resolve(element, index))
+    const bool isKnown = index > 0 && index <= element.Count;
+    if (isGiven && !isKnown && !this->Resolve(element, index))
     {
       return false;
     }
-    if (&element == this->Elements)
+    if (isVertex)
     {
       this->Face.push_back(index - 1);
     }
-    at = next;
-    if (at == end)
+    if (words.IsAtWordEnd())
     {
       return true;
     }
-    if (*at++ != '/')
+    if (!words.TakeSlash())
     {
       break;
     }
   }
-  return this->Fail(
-    Quote(word) + " is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3");
+  return this->Fail(Quote(start.Next()) +
+    " is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3");
 }
 
-// Makes an index count from the first element of the file, from 1.
+// Makes an index that is not one of the elements read so far count from the first, from 1.
 bool ObjParser::Resolve(Element& element, int& index)
 {
   if (index > element.Count && index > element.Largest)
@@ -288,6 +282,19 @@ bool ObjParser::AddTriangles()
     useIds[i] = this->CurrentUse;
   }
   return true;
+}
+
+void ObjParser::AddLibrary(std::string_view names)
+{
+  const auto isSame = [names](const Statement& known) { return known.Text == names; };
+  if (names.empty())
+  {
+    this->Report.Warn(this->File.GetPlace() + "mtllib has no name; give that of a material file");
+  }
+  else if (std::none_of(this->Libraries.begin(), this->Libraries.end(), isSame))
+  {
+    this->Libraries.push_back({ std::string(names), this->File.GetLine() });
+  }
 }
 
 void ObjParser::Use(std::string_view name)

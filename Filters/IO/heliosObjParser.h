@@ -117,10 +117,11 @@ private:
   bool ReadVertex(TextWords& words);
   bool ReadNumbers(std::string_view keyword, TextWords& words, int least);
   bool ReadFace(TextWords& words);
-  bool ReadCorner(std::string_view word);
+  bool ReadCorner(TextWords& words);
   bool Resolve(Element& element, int& index);
   bool AddTriangles();
   int AddUse(std::string_view name, std::int64_t line);
+  void AddLibrary(std::string_view names);
   void Use(std::string_view name);
   void NoteUnknown(std::string_view keyword);
   bool CheckIndices();

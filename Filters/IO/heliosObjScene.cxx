@@ -35,7 +35,7 @@ bool IsFile(const fs::path& path)
 std::vector<fs::path> FindLibraries(const fs::path& folder, const std::string& names)
 {
   std::vector<fs::path> paths{ folder / names };
-  if (IsFile(paths[0]) || names.empty())
+  if (IsFile(paths[0]))
   {
     return paths;
   }

@@ -5,6 +5,9 @@
 #ifndef heliosTextFile_h
 #define heliosTextFile_h
 
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -36,7 +39,7 @@ std::string Quote(std::string_view word);
 std::string Place(const std::string& path, std::int64_t line);
 
 /// Reads a file in blocks, so that memory does not grow with it.
-class TextFile
+class VTKHELIOSFILTERSIO_EXPORT TextFile
 {
 public:
   TextFile() = default;
@@ -126,6 +129,34 @@ public:
 
   /// The next word, empty at the end of the line.
   std::string_view Next() { return this->HasMore() ? this->TakeWord() : std::string_view(); }
+
+  ///@{
+  /// The pieces of a word: a whole number right here (None: something else), a slash, the word's end.
+  Number TakeIndex(int& value)
+  {
+    const char* digits = this->At + (this->At != this->End && *this->At == '-' ? 1 : 0);
+    const char* at = digits;
+    std::int64_t number = 0;
+    for (; at != this->End && *at >= '0' && *at <= '9'; ++at)
+    {
+      number = std::min<std::int64_t>(10 * number + (*at - '0'), std::int64_t(1) << 31);
+    }
+    if (at == digits)
+    {
+      return Number::None;
+    }
+    value = static_cast<int>(digits == this->At ? number : -number);
+    this->At = at;
+    return number >> 31 ? Number::Excessive : Number::Good;
+  }
+  bool TakeSlash()
+  {
+    const bool isSlash = this->At != this->End && *this->At == '/';
+    this->At += isSlash;
+    return isSlash;
+  }
+  bool IsAtWordEnd() const { return this->At == this->End || IsBlank(*this->At); }
+  ///@}
 
   /// The next word as a name, which may start with #.
   std::string_view NextName()
