@@ -26,7 +26,7 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
 While a run writes, files end in .part; they hold whole lines at any moment.
 
 where files are looked up: absolute names as they are; then every --assets folder in
-order, what comes with vtkHelios, the folder of the survey, the working directory.
+order, the folder of the survey, the working directory, what comes with vtkHelios.
 
 examples:
   vtkhelios run survey.xml
@@ -89,7 +89,8 @@ def run(arguments):
 def asset_directories(arguments):
     """The user's folders, then what comes with vtkHelios."""
     shipped = vtkhelios.data_directory()
-    return [*arguments.assets, str(shipped), str(shipped / "Assets")]
+    beside = str(pathlib.Path(arguments.survey).parent)
+    return [*arguments.assets, beside, ".", str(shipped), str(shipped / "Assets")]
 
 
 def read_survey(arguments, messages):
@@ -133,12 +134,7 @@ def conclude(arguments, player, messages, succeeded, interrupt, seconds):
                        f"points so far are kept in {folder}")
         return 128 + interrupt.signal
     if not succeeded:
-        messages.error_unless_told("the run has failed")
-        return 1
-    if player.GetNumberOfEchoes() == 0:
-        messages.error_unless_told(
-            f"no points: none of {player.GetNumberOfPulses():,} pulses met the scene within the range "
-            "of the scanner. Check where the legs stand, the scan angles, and the units of the scene")
+        messages.error_unless_told(player.GetMessage())
         return 1
     summarise(player, folder, messages, seconds)
     return 0
