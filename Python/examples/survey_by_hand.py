@@ -86,8 +86,12 @@ def main():
 
     points, ranges = columns["points"], columns["Range"]
     first = columns["ReturnNumber"] == 1
-    print(f"{scanner.GetNumberOfPulses():,} pulses, {len(points):,} echoes, {first.sum():,} of them first ones")
-    print(f"ranges from {ranges.min():.2f} to {ranges.max():.2f} m, median {np.median(ranges):.2f} m")
+    print(
+        f"{scanner.GetNumberOfPulses():,} pulses, {len(points):,} echoes, {first.sum():,} first ones"
+    )
+    print(
+        f"ranges from {ranges.min():.2f} to {ranges.max():.2f} m, median {np.median(ranges):.2f} m"
+    )
     print(f"strongest echo {columns['Amplitude'].max() * 1e9:.1f} nW")
 
     # Changing a property of the scanner runs the scanner again, and nothing above it.

@@ -15,7 +15,8 @@ PACKAGE_DIR = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
 
 SURVEY = """\
 <document>
-  <survey name="plane" scene="scene.xml#plane" platform="platforms.xml#tripod" scanner="scanners.xml#vz400_class_tls">
+  <survey name="plane" scene="scene.xml#plane" platform="platforms.xml#tripod"
+    scanner="scanners.xml#vz400_class_tls">
     <leg>
       <platformSettings x="0" y="0" z="2" onGround="false"/>
       <scannerSettings active="true" pulseFreq_hz="100000" scanFreq_hz="100"
@@ -45,8 +46,14 @@ def command_line():
 
     def call(*arguments, **options):
         environment = {**os.environ, "PYTHONPATH": str(PACKAGE_DIR)}
-        return subprocess.run([sys.executable, "-P", "-m", "vtkhelios", *map(str, arguments)],
-                              capture_output=True, text=True, env=environment, timeout=300, **options)
+        return subprocess.run(
+            [sys.executable, "-P", "-m", "vtkhelios", *map(str, arguments)],
+            capture_output=True,
+            text=True,
+            env=environment,
+            timeout=300,
+            **options,
+        )
 
     return call
 

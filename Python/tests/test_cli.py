@@ -35,7 +35,10 @@ LONG = dict(speed=0.3, stop=60)  # 20 million pulses: longer than any test waits
         (["s.xml"], "a command is missing: vtkhelios run s.xml"),
         (["run"], "required: SURVEY.xml"),
         (["run", "s.xml", "t.xml"], "unrecognized arguments: t.xml"),
-        (["run", "s.xml", "--seed", "-1"], "'-1' is not a whole number from 0 to 4611686018427387904"),
+        (
+            ["run", "s.xml", "--seed", "-1"],
+            "'-1' is not a whole number from 0 to 4611686018427387904",
+        ),
         (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
         (["run", "s.xml", "--format", "las"], "unknown 'las': known: xyz, vtp"),
@@ -90,7 +93,10 @@ def test_malformed_survey(command_line, tmp_path):
 
 
 def test_missing_asset_folder(command_line, make_survey):
-    expect_failure(command_line("run", make_survey(), "--assets", "nowhere"), "--assets nowhere: no such folder")
+    expect_failure(
+        command_line("run", make_survey(), "--assets", "nowhere"),
+        "--assets nowhere: no such folder",
+    )
 
 
 def test_output_below_a_plain_file(command_line, make_survey, tmp_path):
@@ -127,13 +133,17 @@ def test_quiet_prints_errors_only(command_line, make_survey, tmp_path):
 @pytest.fixture
 def columns():
     def read(folder):
-        return np.loadtxt(folder / "plane/leg000_points.xyz", usecols=(0, 1, 2, 3, 4, 5, 6, 7), ndmin=2)
+        return np.loadtxt(
+            folder / "plane/leg000_points.xyz", usecols=(0, 1, 2, 3, 4, 5, 6, 7), ndmin=2
+        )
 
     return read
 
 
 def test_run(command_line, make_survey, columns, tmp_path):
-    done = command_line("run", make_survey(), "--output", tmp_path / "out", "--no-noise", "--seed", 7)
+    done = command_line(
+        "run", make_survey(), "--output", tmp_path / "out", "--no-noise", "--seed", 7
+    )
     assert done.returncode == 0, done.stderr
     assert done.stderr == ""
     rows = columns(tmp_path / "out")
@@ -150,7 +160,12 @@ def test_seed_and_threads(command_line, make_survey, tmp_path):
     survey = make_survey()
 
     def run(*arguments):
-        assert command_line("run", survey, "--output", tmp_path / "out", "--overwrite", *arguments).returncode == 0
+        assert (
+            command_line(
+                "run", survey, "--output", tmp_path / "out", "--overwrite", *arguments
+            ).returncode
+            == 0
+        )
         return (tmp_path / "out/plane/leg000_points.xyz").read_bytes()
 
     assert run("--threads", 1) == run("--threads", 2)
@@ -168,11 +183,14 @@ def test_vtp(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--output", tmp_path / "out", "--format", "vtp")
     assert done.returncode == 0, done.stderr
     assert list((tmp_path / "out/plane").glob("leg000_points*.vtp")) or list(
-        (tmp_path / "out/plane").glob("leg000_points*.pvtp"))
+        (tmp_path / "out/plane").glob("leg000_points*.pvtp")
+    )
 
 
 def test_output_of_a_closed_pipe(make_survey, tmp_path):
-    command = f"{sys.executable} -P -m vtkhelios run {make_survey()} --output {tmp_path / 'out'} | true"
+    command = (
+        f"{sys.executable} -P -m vtkhelios run {make_survey()} --output {tmp_path / 'out'} | true"
+    )
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
     done = subprocess.run(command, shell=True, capture_output=True, text=True, env=environment)
     assert "Traceback" not in done.stderr and "Exception" not in done.stderr
@@ -183,8 +201,11 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
 
 def start(survey, output, **options):
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
-    return subprocess.Popen([sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output)],
-                            env=environment, **options)
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output)],
+        env=environment,
+        **options,
+    )
 
 
 def wait_for_points(output, seconds=60):
@@ -199,7 +220,13 @@ def wait_for_points(output, seconds=60):
 
 @pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
 def test_interrupt_keeps_valid_files(number, code, make_survey, tmp_path):
-    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run = start(
+        make_survey(**LONG),
+        tmp_path / "out",
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     wait_for_points(tmp_path / "out")
     run.send_signal(number)
     _, errors = run.communicate(timeout=60)
@@ -226,8 +253,18 @@ def test_progress_on_a_terminal(make_survey, tmp_path):
 
 
 def test_progress_elsewhere_is_lines(make_survey, tmp_path):
-    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    run = start(
+        make_survey(**LONG),
+        tmp_path / "out",
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     line = run.stderr.readline()
     run.send_signal(signal.SIGINT)
     run.communicate(timeout=60)
-    assert re.match(r" *\d+ % leg 1 of 1, [\d.]+ of 20.00 M pulses, [\d.]+ M pulses/s, [\d,]+ points, \d+:\d\d left\n", line)
+    assert re.match(
+        r" *\d+ % leg 1 of 1, [\d.]+ of 20.00 M pulses, [\d.]+ M pulses/s, "
+        r"[\d,]+ points, \d+:\d\d left\n",
+        line,
+    )

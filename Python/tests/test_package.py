@@ -17,12 +17,21 @@ CLASSES = [name for name in vtkhelios.__all__ if name.startswith("vtkHelios")]
 
 
 def header_of(name):
-    return next(path for folder in ("Filters", "Scanner") for path in (ROOT / folder).rglob(f"{name}.h"))
+    return next(
+        path for folder in ("Filters", "Scanner") for path in (ROOT / folder).rglob(f"{name}.h")
+    )
 
 
 def test_every_class_with_a_header_is_there():
-    headers = {path.stem for folder in ("Filters", "Scanner") for path in (ROOT / folder).rglob("vtkHelios*.h")}
-    built = {path.name.split(".")[0] for path in pathlib.Path(vtkhelios.__file__).parent.glob("vtkHelios*.so")}
+    headers = {
+        path.stem
+        for folder in ("Filters", "Scanner")
+        for path in (ROOT / folder).rglob("vtkHelios*.h")
+    }
+    built = {
+        path.name.split(".")[0]
+        for path in pathlib.Path(vtkhelios.__file__).parent.glob("vtkHelios*.so")
+    }
     if "vtkHeliosScannerRayCastingEmbree" not in built:
         headers.discard("vtkHeliosEmbreeRayCaster")
     assert headers - {"vtkHeliosArrayNames"} <= set(CLASSES)
@@ -36,7 +45,7 @@ def test_class(name):
     assert name in cls.__doc__
     try:
         made = cls()
-    except NotImplementedError:  # an abstract one has no New()
+    except TypeError:  # an abstract one has no New()
         assert f"static {name}* New()" not in header_of(name).read_text()
         return
     assert made.GetClassName() == name
@@ -59,7 +68,13 @@ def test_shares_a_process_with_stock_vtk():
 
 def test_import_is_silent_and_loads_no_rendering():
     done = subprocess.run(
-        [sys.executable, "-c", "import sys, vtkhelios; print([m for m in sys.modules if 'Rendering' in m])"],
-        capture_output=True, text=True, env={"PYTHONPATH": ":".join(sys.path)},
+        [
+            sys.executable,
+            "-c",
+            "import sys, vtkhelios; print([m for m in sys.modules if 'Rendering' in m])",
+        ],
+        capture_output=True,
+        text=True,
+        env={"PYTHONPATH": ":".join(sys.path)},
     )
     assert (done.stdout, done.stderr) == ("[]\n", "")

@@ -32,7 +32,9 @@ def test_returns_the_output():
 
 
 def test_error_raises_with_the_message():
-    source = Source("ErrorEvent", "ERROR: In a.cxx, line 3\nvtkA (0x1f): BinSize 9 is too wide\n\n", 0)
+    source = Source(
+        "ErrorEvent", "ERROR: In a.cxx, line 3\nvtkA (0x1f): BinSize 9 is too wide\n\n", 0
+    )
     with pytest.raises(vtkhelios.PipelineError) as caught:
         vtkhelios.update(source)
     assert str(caught.value) == "BinSize 9 is too wide"
@@ -62,7 +64,11 @@ def test_error_of_our_own_filter_raises(capfd):
 
 def test_warning_warns():
     with pytest.warns(RuntimeWarning, match="^3 triangles without area$"):
-        vtkhelios.update(Source("WarningEvent", "Warning: In b.cxx, line 1\nvtkB (0x2): 3 triangles without area\n"))
+        vtkhelios.update(
+            Source(
+                "WarningEvent", "Warning: In b.cxx, line 1\nvtkB (0x2): 3 triangles without area\n"
+            )
+        )
 
 
 def test_observers_are_gone_afterwards():
@@ -92,7 +98,10 @@ def test_missing_input_raises():
         ("ERROR: In ./a/b.cxx, line 306\nvtkX (0x3b4b1d40): Error: 5\nmore\n\n", "Error: 5\nmore"),
         ("Generic Warning: In c.cxx, line 1\nno class here\n", "no class here"),
         ("plain text", "plain text"),
-        ("Input port 0 of algorithm vtkX(0x1bf65220) has none", "Input port 0 of algorithm vtkX has none"),
+        (
+            "Input port 0 of algorithm vtkX(0x1bf65220) has none",
+            "Input port 0 of algorithm vtkX has none",
+        ),
     ],
 )
 def test_clean_message(raw, clean):

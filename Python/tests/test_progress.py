@@ -40,7 +40,14 @@ def test_never_negative():
 
 @pytest.mark.parametrize(
     "seconds, text",
-    [(None, "-:--"), (0, "0:00"), (59.7, "1:00"), (83, "1:23"), (3600, "1:00:00"), (36125, "10:02:05")],
+    [
+        (None, "-:--"),
+        (0, "0:00"),
+        (59.7, "1:00"),
+        (83, "1:23"),
+        (3600, "1:00:00"),
+        (36125, "10:02:05"),
+    ],
 )
 def test_duration(seconds, text):
     assert duration(seconds) == text

@@ -6,7 +6,9 @@ import re
 import warnings
 
 # "ERROR: In file, line n\nvtkClass (0x1234): the message"
-_HEAD = re.compile(r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I)
+_HEAD = re.compile(
+    r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I
+)
 _ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
 # What an executive adds when a filter has failed already.
 _EXECUTIVE = re.compile(r"returned failure for request|No update piece number has been set")

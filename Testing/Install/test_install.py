@@ -19,8 +19,14 @@ BUILD = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # <build>/lib/py
 def call(*command, **options):
     """Runs a command, without the PYTHONPATH of this build, and returns what it prints."""
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-    done = subprocess.run([str(word) for word in command], env=environment, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    done = subprocess.run(
+        [str(word) for word in command],
+        env=environment,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        **options,
+    )
     assert done.returncode == 0, done.stdout
     return done.stdout
 
@@ -33,8 +39,17 @@ def prefix(tmp_path_factory):
 
 
 def test_outside_project_with_own_deflector(prefix, tmp_path):
-    call("cmake", "-S", HERE, "-B", tmp_path, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={prefix}",
-         "-DCMAKE_BUILD_TYPE=Release")
+    call(
+        "cmake",
+        "-S",
+        HERE,
+        "-B",
+        tmp_path,
+        "-G",
+        "Ninja",
+        f"-DCMAKE_PREFIX_PATH={prefix}",
+        "-DCMAKE_BUILD_TYPE=Release",
+    )
     call("cmake", "--build", tmp_path)
     output = call(tmp_path / "own_deflector")
     assert output.startswith("1000 echoes, largest error")
@@ -69,12 +84,18 @@ def test_pip_install(tmp_path):
     assert call(tmp_path / "venv/bin/vtkhelios", "--version", cwd=tmp_path).strip() == (
         f"vtkhelios {vtkhelios.__version__}"
     )
-    names = call(python, "-c", "import vtkhelios; print(*vtkhelios.__all__, vtkhelios.__file__)",
-                 cwd=tmp_path).split()
+    names = call(
+        python,
+        "-c",
+        "import vtkhelios; print(*vtkhelios.__all__, vtkhelios.__file__)",
+        cwd=tmp_path,
+    ).split()
     assert names[:-1] == vtkhelios.__all__
     assert names[-1].startswith(str(tmp_path))
 
 
 def test_version_is_one():
-    version = re.search(r"project\(vtkHelios VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())
+    version = re.search(
+        r"project\(vtkHelios VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()
+    )
     assert version.group(1) == vtkhelios.__version__

@@ -88,14 +88,18 @@ def sources_of(folder):
 
 def find_include_faults(modules):
     """Headers included from modules that vtk.module does not name, and libraries away from home."""
-    owner = {path.name: name for name, (_, folder) in modules.items() for path in sources_of(folder)}
+    owner = {
+        path.name: name for name, (_, folder) in modules.items() for path in sources_of(folder)
+    }
     faults = []
     for name, (entries, folder) in modules.items():
         allowed = {name} | {used.removeprefix("vtkHelios::") for used in used_modules(entries)}
         for path in sources_of(folder):
             for header in _INCLUDE.findall(path.read_text()):
                 if owner.get(pathlib.PurePath(header).name, name) not in allowed:
-                    faults.append(f"{path.name} includes {header}, but {name} does not use that module")
+                    faults.append(
+                        f"{path.name} includes {header}, but {name} does not use that module"
+                    )
                 for pattern, home in HOMES.items():
                     if not re.match(pattern, header):
                         continue

@@ -44,7 +44,11 @@ def made_up(tmp_path):
 @pytest.mark.parametrize(
     "name, uses, fault",
     [
-        ("FiltersScene", "vtkHelios::ScannerCore", "FiltersScene uses ScannerCore, which is not below"),
+        (
+            "FiltersScene",
+            "vtkHelios::ScannerCore",
+            "FiltersScene uses ScannerCore, which is not below",
+        ),
         ("FiltersScene", "vtkHelios::FiltersIO", "FiltersScene uses FiltersIO, which is not below"),
         ("ScannerOptics", "vtkHelios::ScannerPlatforms", "which is not below it"),
         ("ScannerCore", "vtkHelios::Unheard", "ScannerCore uses Unheard, which is not below"),
@@ -74,7 +78,9 @@ def test_library_away_from_home_is_found(made_up):
 
 
 def test_library_in_public_header_is_found(made_up):
-    modules = made_up("Scanner/Survey", "ScannerSurvey", "VTK::CommonMath", "#include <pugixml.hpp>\n")
+    modules = made_up(
+        "Scanner/Survey", "ScannerSurvey", "VTK::CommonMath", "#include <pugixml.hpp>\n"
+    )
     assert layers.find_include_faults(modules) == [
         "vtkHeliosScannerSurvey.h is public and includes pugixml.hpp"
     ]

@@ -20,7 +20,9 @@ import vtkhelios
 
 from ._parser import Parser
 
-DESCRIPTION = "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out."
+DESCRIPTION = (
+    "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out."
+)
 
 EPILOG = """\
 examples:

@@ -131,12 +131,17 @@ class RichBar(Progress):
             rich_progress.BarColumn(bar_width=24),
             rich_progress.TaskProgressColumn(),
             rich_progress.TextColumn("{task.description}", markup=False),
-            console=console, auto_refresh=False, transient=True)
+            console=console,
+            auto_refresh=False,
+            transient=True,
+        )
         self._task = self._bar.add_task("loading", total=1.0)
 
     def __enter__(self):
         self._write_error = self._messages.write_error
-        self._messages.write_error = lambda text: self._bar.console.print(text, markup=False, soft_wrap=True)
+        self._messages.write_error = lambda text: self._bar.console.print(
+            text, markup=False, soft_wrap=True
+        )
         self._bar.start()
         return super().__enter__()
 

@@ -53,21 +53,49 @@ def whole_number(highest):
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
-    parser.add_argument("--assets", metavar="DIR", action="append", default=[],
-                        help="a folder to look up scenes, scanners and platforms in; may be repeated")
-    parser.add_argument("--output", metavar="DIR", default="output",
-                        help="where the files go (default: %(default)s)")
-    parser.add_argument("--overwrite", action="store_true",
-                        help="replace the files of an earlier run; without it they are kept and the run refused")
-    parser.add_argument("--format", choices=["xyz", "vtp"], default="xyz",
-                        help="text columns, or VTK XML (default: %(default)s)")
+    parser.add_argument(
+        "--assets",
+        metavar="DIR",
+        action="append",
+        default=[],
+        help="a folder to look up scenes, scanners and platforms in; may be repeated",
+    )
+    parser.add_argument(
+        "--output",
+        metavar="DIR",
+        default="output",
+        help="where the files go (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace the files of an earlier run; without it they are kept and the run refused",
+    )
+    parser.add_argument(
+        "--format",
+        choices=["xyz", "vtp"],
+        default="xyz",
+        help="text columns, or VTK XML (default: %(default)s)",
+    )
     parser.add_argument("--waveforms", action="store_true", help="write the waveforms, too")
-    parser.add_argument("--seed", metavar="N", type=whole_number(2**62), default=0,
-                        help="the key of all random numbers: the same seed gives the same bytes, "
-                        "for any number of threads (default: %(default)s)")
-    parser.add_argument("--no-noise", action="store_true", help="ranges without the scanner's noise")
-    parser.add_argument("--threads", metavar="N", type=whole_number(4096), default=0,
-                        help="how many processor cores to use; 0: all (default: %(default)s)")
+    parser.add_argument(
+        "--seed",
+        metavar="N",
+        type=whole_number(2**62),
+        default=0,
+        help="the key of all random numbers: the same seed gives the same bytes, "
+        "for any number of threads (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--no-noise", action="store_true", help="ranges without the scanner's noise"
+    )
+    parser.add_argument(
+        "--threads",
+        metavar="N",
+        type=whole_number(4096),
+        default=0,
+        help="how many processor cores to use; 0: all (default: %(default)s)",
+    )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
@@ -120,8 +148,10 @@ def make_player(arguments, survey, messages):
     player.SetWriteWaveforms(arguments.waveforms)
     player.SetSeed(arguments.seed)
     player.SetNoise(not arguments.no_noise)
-    messages.info(f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
-                  f"{', without noise' if arguments.no_noise else ''}")
+    messages.info(
+        f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
+        f"{', without noise' if arguments.no_noise else ''}"
+    )
     return player
 
 
@@ -129,9 +159,11 @@ def conclude(arguments, player, messages, succeeded, interrupt, seconds):
     """Says how the run ended and returns the exit code."""
     folder = pathlib.Path(arguments.output) / player.GetSurvey().GetName()
     if interrupt.signal:
-        messages.error(f"interrupted after {player.GetNumberOfPulsesDone():,} of "
-                       f"{player.GetNumberOfPulses():,} pulses; the {player.GetNumberOfEchoes():,} "
-                       f"points so far are kept in {folder}")
+        messages.error(
+            f"interrupted after {player.GetNumberOfPulsesDone():,} of "
+            f"{player.GetNumberOfPulses():,} pulses; the {player.GetNumberOfEchoes():,} "
+            f"points so far are kept in {folder}"
+        )
         return 128 + interrupt.signal
     if not succeeded:
         messages.error_unless_told(player.GetMessage())
@@ -145,11 +177,15 @@ def summarise(player, folder, messages, seconds):
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
     messages.info(f"pulses   {pulses:,}")
     messages.info(f"points   {points:,} ({player.GetNumberOfFirstReturns():,} first returns)")
-    messages.info(f"time     {seconds:.2f} s with {threads} thread{'s'[:threads != 1]}: "
-                  f"{pulses / seconds / 1e6:.2f} M pulses/s, {points / seconds / 1e6:.2f} M points/s")
+    messages.info(
+        f"time     {seconds:.2f} s with {threads} thread{'s'[:threads != 1]}: "
+        f"{pulses / seconds / 1e6:.2f} M pulses/s, {points / seconds / 1e6:.2f} M points/s"
+    )
     files = sorted(path for path in folder.iterdir() if path.is_file())
     for index, path in enumerate(files[:MAXIMUM_FILES]):
-        messages.info(f"{'files   ' if index == 0 else '        '} {path} ({readable(path.stat().st_size)})")
+        messages.info(
+            f"{'files   ' if index == 0 else '        '} {path} ({readable(path.stat().st_size)})"
+        )
     if len(files) > MAXIMUM_FILES:
         messages.info(f"         and {len(files) - MAXIMUM_FILES} more in {folder}")
 

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of clouds, with and without a display."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from vtkhelios import picture
+
+
+@pytest.fixture
+def cloud(tmp_path):
+    """A tilted plane with a red roof in the middle, as a run writes it."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(-5, 5, 150), np.linspace(-5, 5, 150)))
+    roof = (abs(x) < 2) & (abs(y) < 2)
+    rows = np.zeros((len(x), 11))
+    rows[:, 0], rows[:, 1], rows[:, 2] = x + 500000, y + 5500000, 0.1 * x + 2 * roof
+    rows[:, 3] = 1.0
+    rows[:, 9] = np.where(roof, 6, 2)
+    np.savetxt(tmp_path / "leg000_points.xyz", rows, fmt="%.4f")
+    (tmp_path / "leg000_trajectory.txt").write_text("500000 5500000 4 0 0 0 0\n")
+    return tmp_path / "leg000_points.xyz"
+
+
+def draw(*arguments, display=True):
+    command = [sys.executable, "-P", "-m", "vtkhelios.picture", *map(str, arguments)]
+    if display:
+        command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *command]
+    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+    return subprocess.run(
+        command,
+        env={**environment, "PYTHONPATH": ":".join(sys.path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+
+
+def read_pixels(path):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOImage import vtkPNGReader
+
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return (
+        vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        .reshape(height, width, 3)
+        .astype(int)
+    )
+
+
+def test_picture(cloud, tmp_path):
+    done = draw(cloud, "--output", tmp_path / "p.png", "--title", "a roof")
+    assert done.returncode == 0, done.stderr
+    pixels = read_pixels(tmp_path / "p.png")
+    assert pixels.shape == (1000, 1600, 3)
+    reddish = (pixels[..., 0] > 120) & (pixels[..., 0] > 1.5 * pixels[..., 2])
+    rows, columns = np.nonzero(reddish)
+    assert reddish.mean() > 0.01
+    assert (
+        abs(columns.mean() - 800) < 100 and abs(rows.mean() - 500) < 150
+    )  # the roof is in the middle
+
+
+def test_without_a_display_it_says_so(cloud, tmp_path):
+    done = draw(cloud, "--output", tmp_path / "p.png", display=False)
+    assert done.returncode == 1
+    assert "no X display: run it under xvfb-run" in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "p.png").exists()
+
+
+def test_reads_what_a_run_writes(cloud):
+    points, strengths, classes = picture.read_cloud(cloud)
+    assert points.shape == (22500, 3) and set(classes) == {2, 6}
+    assert picture.find_marks(cloud)[0].tolist() == [500000.0, 5500000.0, 4.0]
+
+
+def test_colours_by_class_and_by_height():
+    points = np.array([[0.0, 0.0, z] for z in range(100)])
+    strengths = np.ones(100)
+    classes = np.where(np.arange(100) < 50, 2, 6)
+    by_class = picture.colours(points, strengths, classes)
+    assert len(np.unique(by_class, axis=0)) == 2
+    by_height = picture.colours(points, strengths, np.zeros(100, int))
+    assert (
+        by_height[0][2] > by_height[0][0] and by_height[-1][0] > by_height[-1][2]
+    )  # blue below, red above
+    assert by_height.min() >= 0 and by_height.max() <= 1
