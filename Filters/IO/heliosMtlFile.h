@@ -20,8 +20,8 @@ namespace helios
 /**
  * Reads one MTL file after the other into one table. Understood are newmtl, Kd, Ks, Ns,
  * helios_reflectance, helios_isGround, helios_classification and helios_spectra; Ka is checked. The
- * specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the
- * first one.
+ * specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces
+ * the first one.
  */
 class MtlFile
 {

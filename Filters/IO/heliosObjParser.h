@@ -74,9 +74,9 @@ private:
 };
 
 /**
- * Reads v, vn, vt, f, mtllib and usemtl; knows o, g, s, l, p and the like and leaves them out. Faces
- * with more than three corners become fans of triangles about their first corner. Every line is
- * checked, every index against the whole file.
+ * Reads v, vn, vt, f, mtllib and usemtl; knows o, g, s, l, p and the like and leaves them out.
+ * Faces with more than three corners become fans of triangles about their first corner. Every line
+ * is checked, every index against the whole file.
  */
 class VTKHELIOSFILTERSIO_EXPORT ObjParser
 {

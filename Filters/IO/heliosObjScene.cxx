@@ -172,7 +172,7 @@ bool ObjScene::ReadLibrary(const ObjParser::Statement& library, MtlFile& reader)
     if (!IsFile(path))
     {
       this->Report.Warn(Place(this->Parser.File.GetPath(), library.Line) + "material library " +
-        Quote(path.string()) + " does not exist; its materials get default properties");
+        path.string() + " does not exist; its materials get default properties");
     }
     else if (!reader.Read(path.string()))
     {

@@ -7,7 +7,6 @@
 
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -131,23 +130,27 @@ public:
   std::string_view Next() { return this->HasMore() ? this->TakeWord() : std::string_view(); }
 
   ///@{
-  /// The pieces of a word: a whole number right here (None: something else), a slash, the word's end.
+  /// The pieces of a word: a whole number right here (None: something else), a slash, its end.
   Number TakeIndex(int& value)
   {
     const char* digits = this->At + (this->At != this->End && *this->At == '-' ? 1 : 0);
     const char* at = digits;
     std::int64_t number = 0;
-    for (; at != this->End && *at >= '0' && *at <= '9'; ++at)
+    for (; at != this->End && *at >= '0' && *at <= '9' && at - digits < 18; ++at)
     {
-      number = std::min<std::int64_t>(10 * number + (*at - '0'), std::int64_t(1) << 31);
+      number = 10 * number + (*at - '0');
     }
     if (at == digits)
     {
       return Number::None;
     }
+    if (number >> 31)
+    {
+      return Number::Excessive;
+    }
     value = static_cast<int>(digits == this->At ? number : -number);
     this->At = at;
-    return number >> 31 ? Number::Excessive : Number::Good;
+    return Number::Good;
   }
   bool TakeSlash()
   {

@@ -8,8 +8,8 @@
  * - points: the vertices that triangles use, in file order, double and correctly rounded;
  * - polys: the faces in file order, in 32-bit storage;
  * - cell data MaterialIds (int): a triangle's row of the material columns;
- * - field data: the material columns (Material.Name, Material.Reflectance, ...) of vtkHeliosArrayNames,
- *   one row for each material of the libraries (mtllib), used or not, in file order.
+ * - field data: the material columns (Material.Name, Material.Reflectance, ...), one row for each
+ *   material of the libraries (mtllib), used or not, in file order.
  *
  * Read are v, vn, vt, f, mtllib and usemtl; o, g, s, l, p and colours behind a vertex are left out.
  * A face with more than three corners becomes a fan of triangles about its first corner. Negative
@@ -20,10 +20,10 @@
  *
  * The file is checked line by line. Errors end the reading without output: a malformed number, a
  * coordinate that is NaN or infinite, an index out of range (of vertices, texture coordinates or
- * normals), a face with fewer than three corners, a reflectance outside [0, 1]. Warned of are:
- * triangles without area (dropped), vertices 1e7 m away from the others, unknown keywords, a missing
- * material file and unknown materials (both give default properties), a file without faces. Messages
- * start with file:line.
+ * normals), a face with fewer than three corners, a reflectance outside [0, 1]. Warned of are
+ * triangles without area (dropped), vertices 1e7 m away from the others, unknown keywords, a
+ * missing material file and unknown materials (both give default properties), a file without faces.
+ * Messages start with file:line.
  *
  * Progress events come for every MiB read; AbortExecute ends the reading, and the update fails.
  *

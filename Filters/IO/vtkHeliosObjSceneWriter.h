@@ -8,9 +8,10 @@
  * material columns in its field data. Write makes the OBJ file, and beside it the material file of
  * the same name with the extension .mtl.
  *
- * vtkHeliosObjSceneReader reads the same scene back: points bit for bit, triangles in the same order,
- * equal materials. Numbers have the fewest digits that do so. Points that no triangle uses are written,
- * but not read; part ids, the CRS and other arrays are not written.
+ * vtkHeliosObjSceneReader reads the same scene back: points bit for bit, triangles in the same
+ * order, equal materials. Numbers have the fewest digits that do so. The reader leaves out points
+ * that no triangle uses and triangles without area; part ids, the CRS and other arrays are not
+ * written.
  *
  * Names of materials become words of their own where they are not: blanks give way to underscores
  * and a name met again gets a number; a warning counts them. Files are written under the name

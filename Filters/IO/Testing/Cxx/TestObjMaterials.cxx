@@ -123,8 +123,8 @@ TEST_CASE("ObjMaterials: a missing library and unknown materials are warned of",
   ObjReading reading(path);
   REQUIRE(reading.Read());
   INFO(reading.Log->Warnings);
-  CHECK(reading.Log->HasWarning(path + ":2: material library \"" + folder.GetPath("lost.mtl") +
-    "\" does not exist; its materials get default properties"));
+  CHECK(reading.Log->HasWarning(path + ":2: material library " + folder.GetPath("lost.mtl") +
+    " does not exist; its materials get default properties"));
   CHECK(reading.Log->HasWarning(path +
     ":7: unknown material \"a\", default properties are used (2 such names in this file); define "
     "it in a mtllib"));
@@ -138,8 +138,8 @@ TEST_CASE("ObjMaterials: a missing library and unknown materials are warned of",
   ObjReading half(folder.Write(
     "a.obj", "mtllib there.mtl gone.mtl\nmtllib\n" + ObjSquare + "usemtl a\nf 1 2 3\n"));
   REQUIRE(half.Read());
-  CHECK(half.Log->HasWarning(
-    ":1: material library \"" + folder.GetPath("gone.mtl") + "\" does not exist"));
+  CHECK(
+    half.Log->HasWarning(":1: material library " + folder.GetPath("gone.mtl") + " does not exist"));
   CHECK(half.Log->HasWarning(":2: mtllib has no name; give that of a material file"));
   CHECK_FALSE(half.Log->HasWarning("there.mtl"));
 }
