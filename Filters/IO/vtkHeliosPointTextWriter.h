@@ -3,6 +3,24 @@
 /**
  * @class   vtkHeliosPointTextWriter
  * @brief   echoes in HELIOS text columns
+ *
+ * One echo a line, blanks between the columns, no header:
+ * - x y z [m], 4 decimals
+ * - intensity: the amplitude [nW], 4 decimals
+ * - echo width: full width at half maximum, two-way [ns], 4 decimals
+ * - return number, from 1
+ * - number of returns of the pulse
+ * - fullwave index: the id of the pulse
+ * - hit object: the name of the scene part (its number where it has no name)
+ * - classification
+ * - GPS time [s], 9 decimals
+ *
+ * Blocks: echoes as vtkHeliosScanner gives them (vtkPolyData with Amplitude,
+ * EchoWidth, ReturnNumber, NumberOfReturns, PulseIds, PartIds,
+ * ClassificationIds, GpsTime; part names in the field data are optional).
+ *
+ * @sa
+ * vtkHeliosStreamWriter
  */
 
 #ifndef vtkHeliosPointTextWriter_h
@@ -18,11 +36,11 @@ public:
   vtkTypeMacro(vtkHeliosPointTextWriter, vtkHeliosStreamWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-
+  bool Write(vtkDataObject* block) override;
 
 protected:
-  vtkHeliosPointTextWriter();
-  ~vtkHeliosPointTextWriter() override;
+  vtkHeliosPointTextWriter() = default;
+  ~vtkHeliosPointTextWriter() override = default;
 
 private:
   vtkHeliosPointTextWriter(const vtkHeliosPointTextWriter&) = delete;
