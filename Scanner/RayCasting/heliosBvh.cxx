@@ -249,7 +249,7 @@ void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles)
 {
   this->Mesh = &mesh;
   this->Order = std::move(triangles);
-  this->Nodes = {};
+  this->Nodes = std::vector<Node>();
   const vtkTypeInt32 count = static_cast<vtkTypeInt32>(this->Order.size());
   std::vector<Primitive> primitives(this->Order.size());
   for (vtkTypeInt32 i = 0; i < count; ++i)
@@ -299,19 +299,14 @@ void Bvh::Traverse(const TestRay& ray, const double& range, VisitT visit) const
     else if (current.Range <= range)
     {
       const Node& node = this->Nodes[current.First];
-      double entry[2];
-      bool isEntered[2];
-      for (int child = 0; child < 2; ++child)
+      Pair low[3], high[3], entry, exit;
+      for (int axis = 0; axis < 3; ++axis)
       {
-        double low[3], high[3], exit;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          low[axis] = node.Low[axis][child] - ray.Origin[axis];
-          high[axis] = node.High[axis][child] - ray.Origin[axis];
-        }
-        GetBoxRange(low, high, ray.Inverse, entry[child], exit);
-        isEntered[child] = entry[child] <= exit && exit > 0.0 && entry[child] <= range;
+        low[axis] = node.Low[axis] - ray.Origin[axis];
+        high[axis] = node.High[axis] - ray.Origin[axis];
       }
+      GetBoxRange(low, high, ray.Inverse, entry, exit);
+      const auto isEntered = (entry <= exit) & (exit > 0.0) & (entry <= range);
       const int nearer = isEntered[0] && (!isEntered[1] || entry[0] <= entry[1]) ? 0 : 1;
       const int farther = 1 - nearer;
       if (isEntered[farther])

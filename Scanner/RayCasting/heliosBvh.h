@@ -38,12 +38,14 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  typedef double Pair __attribute__((vector_size(16)));
+
   /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or
   /// with a Count of zero the node First.
   struct Node
   {
-    double Low[3][2];
-    double High[3][2];
+    Pair Low[3];
+    Pair High[3];
     vtkTypeInt32 First[2];
     vtkTypeInt32 Count[2];
   };

@@ -52,7 +52,8 @@ struct RayTerms
   Real Direction[3];
   Real Inverse[3]; ///< of the direction; 1e300 for a component of zero
   Real Shear[2];   ///< direction x / z and y / z, of the axes below
-  Real Largest;    ///< of the direction's components, without its sign
+  Real Largest;    ///< of the direction's components: z
+  Real LargestInverse;
 };
 
 /// The axes of the test: z is the one along which the direction is largest.
@@ -123,22 +124,23 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
   Real* d = ray.Direction;
   Real* inverse = ray.Inverse;
   const Real size[3] = { Max<Real>(d[0], -d[0]), Max<Real>(d[1], -d[1]), Max<Real>(d[2], -d[2]) };
-  ray.Largest = Max(Max(size[0], size[1]), size[2]);
-  isUsable = ray.Largest > 1e-100;
+  const Real largest = Max(Max(size[0], size[1]), size[2]);
+  isUsable = largest > 1e-100;
   for (int axis = 0; axis < 3; ++axis)
   {
     const Real& o = ray.Origin[axis];
     isUsable = isUsable & (size[axis] < 1e100) & (Max<Real>(o, -o) < 1e100);
     // A component too small to matter is zero, so that no term of the test becomes subnormal.
-    const MaskT isZero = size[axis] <= 1e-200 * ray.Largest;
+    const MaskT isZero = size[axis] <= 1e-200 * largest;
     inverse[axis] = isZero ? Real() + 1e300 : 1.0 / d[axis];
     d[axis] = isZero ? Real() : d[axis];
   }
-  isX = size[0] == ray.Largest;
-  isY = size[1] == ray.Largest;
-  const Real largestInverse = isX ? inverse[0] : (isY ? inverse[1] : inverse[2]);
-  ray.Shear[0] = (isX ? d[1] : (isY ? d[2] : d[0])) * largestInverse;
-  ray.Shear[1] = (isX ? d[2] : (isY ? d[0] : d[1])) * largestInverse;
+  isX = size[0] == largest;
+  isY = size[1] == largest;
+  ray.Largest = isX ? d[0] : (isY ? d[1] : d[2]);
+  ray.LargestInverse = isX ? inverse[0] : (isY ? inverse[1] : inverse[2]);
+  ray.Shear[0] = (isX ? d[1] : (isY ? d[2] : d[0])) * ray.LargestInverse;
+  ray.Shear[1] = (isX ? d[2] : (isY ? d[0] : d[1])) * ray.LargestInverse;
 }
 
 /// The corners relative to the ray's origin.
@@ -237,21 +239,22 @@ HELIOS_INLINE TrianglePlane GetPlane(const double* const points[3])
 }
 
 /// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
-template <typename Real>
+template <typename Real, typename InverseT>
 HELIOS_INLINE void GetBoxRange(const Real low[3],
   const Real high[3],
-  const Real inverse[3],
+  const InverseT inverse[3],
   Real& entry,
   Real& exit)
 {
-  const Real reach = Max(Max(Max(-low[0], high[0]), Max(-low[1], high[1])), Max(-low[2], high[2]));
+  const Real reach =
+    Max(Max(Max<Real>(-low[0], high[0]), Max<Real>(-low[1], high[1])), Max<Real>(-low[2], high[2]));
   const Real slack = BoxSlack * reach;
   for (int axis = 0; axis < 3; ++axis)
   {
     const Real t0 = (low[axis] - slack) * inverse[axis];
     const Real t1 = (high[axis] + slack) * inverse[axis];
-    entry = axis == 0 ? Min(t0, t1) : Max(entry, Min(t0, t1));
-    exit = axis == 0 ? Max(t0, t1) : Min(exit, Max(t0, t1));
+    entry = axis == 0 ? Min(t0, t1) : Max<Real>(entry, Min(t0, t1));
+    exit = axis == 0 ? Max(t0, t1) : Min<Real>(exit, Max(t0, t1));
   }
 }
 

@@ -6,6 +6,7 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkInformation.h>
@@ -17,6 +18,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <sstream>
 #include <vector>
@@ -26,8 +28,47 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// The scene's cells that have a ground material, or the scene itself where none has.
-vtkSmartPointer<vtkPolyData> ExtractGround(vtkPolyData* scene)
+/// Places on the ground, asked whether any lies within the outline of a cell.
+class Places
+{
+public:
+  explicit Places(vtkPolyData* points)
+  {
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      points->GetPoint(i, p);
+      this->Sorted.push_back({ p[0], p[1] });
+    }
+    std::sort(this->Sorted.begin(), this->Sorted.end());
+  }
+
+  bool AreIn(vtkPoints* points, vtkIdType size, const vtkIdType* corners) const
+  {
+    vtkBoundingBox box;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double p[3];
+      points->GetPoint(corners[i], p);
+      box.AddPoint(p);
+    }
+    const std::array<double, 2> least = { box.GetMinPoint()[0], box.GetMinPoint()[1] };
+    const std::array<double, 2> most = { box.GetMaxPoint()[0], box.GetMaxPoint()[1] };
+    auto place = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), least);
+    while (place != this->Sorted.end() && !((*place)[1] >= least[1] && (*place)[1] <= most[1]) &&
+      (*place)[0] <= most[0])
+    {
+      ++place;
+    }
+    return place != this->Sorted.end() && (*place)[0] <= most[0];
+  }
+
+private:
+  std::vector<std::array<double, 2>> Sorted;
+};
+
+/// The scene's cells at some places that have a ground material; all where none has.
+vtkSmartPointer<vtkPolyData> ExtractGround(vtkPolyData* scene, const Places& places)
 {
   const helios::MaterialTable materials = helios::GetMaterials(scene);
   vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
@@ -37,21 +78,24 @@ vtkSmartPointer<vtkPolyData> ExtractGround(vtkPolyData* scene)
     return id >= 0.0 && id < static_cast<double>(materials.size()) &&
       materials[static_cast<std::size_t>(id)].IsGround;
   };
+  vtkCellArray* cells = scene->GetPolys();
+  const vtkIdType count = cells->GetNumberOfCells();
+  bool hasGround = false;
+  for (vtkIdType cell = 0; cell < count && !hasGround; ++cell)
+  {
+    hasGround = isGround(cell);
+  }
   vtkNew<vtkCellArray> polys;
   polys->Use32BitStorage();
-  for (vtkIdType cell = 0; cell < scene->GetPolys()->GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < count; ++cell)
   {
-    if (isGround(cell))
+    vtkIdType size;
+    const vtkIdType* corners;
+    cells->GetCellAtId(cell, size, corners);
+    if ((!hasGround || isGround(cell)) && places.AreIn(scene->GetPoints(), size, corners))
     {
-      vtkIdType size;
-      const vtkIdType* corners;
-      scene->GetPolys()->GetCellAtId(cell, size, corners);
       polys->InsertNextCell(size, corners);
     }
-  }
-  if (polys->GetNumberOfCells() == 0)
-  {
-    return scene;
   }
   auto ground = vtkSmartPointer<vtkPolyData>::New();
   ground->SetPoints(scene->GetPoints());
@@ -108,7 +152,8 @@ int vtkHeliosGroundSnap::RequestData(vtkInformation*,
   }
 
   vtkNew<vtkHeliosBvhRayCaster> caster;
-  if (!caster->Build(ExtractGround(scene)))
+  const vtkSmartPointer<vtkPolyData> ground = ExtractGround(scene, Places(input));
+  if (ground->GetNumberOfCells() > 0 && !caster->Build(ground))
   {
     vtkErrorMacro(<< "No rays can be cast onto the scene on port 1.");
     return 0;

@@ -55,23 +55,22 @@ HELIOS_INLINE void SetHalf(HalfPacket& half,
   int first,
   int* valid)
 {
-  double values[7][Half];
+  const vtkHeliosRay* r[Half];
   for (int lane = 0; lane < Half; ++lane)
   {
-    const vtkHeliosRay& ray = rays[first + lane < count ? first + lane : 0];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      values[axis][lane] = ray.Origin[axis];
-      values[3 + axis][lane] = ray.Direction[axis];
-    }
-    values[6][lane] = first + lane < count ? ray.MaximumRange : 0.0;
+    r[lane] = rays + (first + lane < count ? first + lane : 0);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    half.Origin[axis] = Load<Doubles>(values[axis]);
-    half.Direction[axis] = Load<Doubles>(values[3 + axis]);
+    half.Origin[axis] =
+      Doubles{ r[0]->Origin[axis], r[1]->Origin[axis], r[2]->Origin[axis], r[3]->Origin[axis] };
+    half.Direction[axis] = Doubles{
+      r[0]->Direction[axis], r[1]->Direction[axis], r[2]->Direction[axis], r[3]->Direction[axis]
+    };
   }
-  half.Range = Load<Doubles>(values[6]);
+  const Masks lanes = Masks{ 0, 1, 2, 3 } + first;
+  half.Range =
+    Doubles{ r[0]->MaximumRange, r[1]->MaximumRange, r[2]->MaximumRange, r[3]->MaximumRange };
   half.Triangle = Masks() + HalfPacket::NoTriangle;
 
   Masks isAlive, isX, isY;
@@ -93,10 +92,11 @@ HELIOS_INLINE void SetHalf(HalfPacket& half,
     high[axis] = frame.High[axis] - origin[axis];
   }
   GetBoxRange(low, high, half.Inverse, entry, exit);
-  isAlive = isAlive & (entry <= exit) & (exit > 0.0) & (half.Range > 0.0) & (entry <= half.Range);
+  isAlive = isAlive & (lanes < count) & (half.Range > 0.0);
+  isAlive = isAlive & (entry <= exit) & (exit > 0.0) & (entry <= half.Range);
   half.Start = Max(entry, Doubles());
-  half.Stretch = half.Largest * frame.Scale;
-  const Doubles shrink = 1.0 / half.Largest;
+  half.Stretch = Max<Doubles>(half.Largest, -half.Largest) * frame.Scale;
+  const Doubles shrink = Max<Doubles>(half.LargestInverse, -half.LargestInverse);
   for (int axis = 0; axis < 3; ++axis)
   {
     const Doubles start = (origin[axis] + half.Start * half.Direction[axis]) * frame.Scale;
@@ -136,7 +136,7 @@ HELIOS_INLINE Masks GetInside(const Masks& valid,
 HELIOS_INLINE void TestHalf(HalfPacket& half,
   const int* valid,
   const double* const points[3],
-  unsigned int triangle,
+  vtkTypeInt32 triangle,
   TrianglePlane& plane,
   bool& hasPlane,
   float* far)
@@ -183,34 +183,32 @@ HELIOS_INLINE void TestHalf(HalfPacket& half,
 
 } // namespace
 
-void LocalFrame::Set(const double bounds[6])
+void LocalFrame::Set(const double low[3], const double high[3])
 {
   double half = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Centre[axis] = 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1];
-    this->Low[axis] = bounds[2 * axis] - this->Centre[axis];
-    this->High[axis] = bounds[2 * axis + 1] - this->Centre[axis];
-    half = std::max({ half, -this->Low[axis], this->High[axis] });
+    this->Centre[axis] = 0.5 * low[axis] + 0.5 * high[axis];
+    half = std::max(half, high[axis] - this->Centre[axis]);
   }
-  this->Scale = half > 0.0 ? std::ldexp(1.0, -std::ilogb(half) - 1) : 1.0;
+  this->Scale = half > 0.0 ? std::ldexp(1.0, -std::ilogb(half) - 1) : 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Low[axis] -= 2 * Pad / this->Scale;
-    this->High[axis] += 2 * Pad / this->Scale;
+    this->Low[axis] = low[axis] - this->Centre[axis] - 2 * Pad / this->Scale;
+    this->High[axis] = high[axis] - this->Centre[axis] + 2 * Pad / this->Scale;
   }
 }
 
-void LocalFrame::GetBox(const double* const points[3], float low[3], float high[3]) const
+void LocalFrame::AddBox(const double* const points[3], float low[3], float high[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double a = points[0][axis];
-    const double b = points[1][axis];
-    const double c = points[2][axis];
-    const double centre = this->Centre[axis];
-    low[axis] = static_cast<float>((Min(Min(a, b), c) - centre) * this->Scale - Pad);
-    high[axis] = static_cast<float>((Max(Max(a, b), c) - centre) * this->Scale + Pad);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const double x = (points[corner][axis] - this->Centre[axis]) * this->Scale;
+      low[axis] = std::min(low[axis], static_cast<float>(x - Pad));
+      high[axis] = std::max(high[axis], static_cast<float>(x + Pad));
+    }
   }
 }
 
@@ -221,6 +219,10 @@ int Packet::Set(const LocalFrame& frame,
   FloatRays& floats,
   int valid[Lanes])
 {
+  if (frame.Scale == 0.0) // all of the scene is without area, or outliers
+  {
+    count = 0;
+  }
   int alive = 0;
   for (int first = 0; first < Lanes; first += Half)
   {
@@ -230,7 +232,7 @@ int Packet::Set(const LocalFrame& frame,
   {
     floats.Near[lane] = 0.0f;
     floats.Time[lane] = 0.0f;
-    floats.Mask[lane] = -1;
+    floats.Mask[lane] = ~0u;
     floats.Id[lane] = 0;
     floats.Flags[lane] = 0;
     alive -= valid[lane];
@@ -241,7 +243,7 @@ int Packet::Set(const LocalFrame& frame,
 HELIOS_CLONES
 void Packet::TestLanes(const int valid[Lanes],
   const double* const points[3],
-  unsigned int triangle,
+  vtkTypeInt32 triangle,
   float far[Lanes])
 {
   TrianglePlane plane;
@@ -254,7 +256,7 @@ void Packet::TestLanes(const int valid[Lanes],
 
 bool HalfPacket::TestLane(int lane,
   const double* const points[3],
-  unsigned int triangle,
+  vtkTypeInt32 triangle,
   float& far)
 {
   RayTerms<double> ray;

@@ -7,10 +7,10 @@
 
 #include "heliosTriangleTest.h"
 
+#include <limits>
+
 namespace helios
 {
-
-class TriangleMesh;
 
 constexpr int Lanes = 8; // as Embree traces them
 constexpr int Half = 4;  // as AVX2 tests them
@@ -21,24 +21,25 @@ typedef int ShortMasks __attribute__((vector_size(4 * Half)));
 
 /**
  * The frame of the float boxes: the scene's box, centred and scaled by a power of two into
- * [-1, 1]^3. Boxes are padded by Pad. In units of u32 = 2^-24, a float ray is off its double by 1
- * for the rounding of its origin and 2 for that of its direction, a box by 1: 4 in all, half of
- * the pad. The other half is left for what the double test allows (BoxSlack), which suffices for
- * origins up to 1e7 scene sizes away.
+ * [-1, 1]^3. Boxes are padded by Pad = 8 u32, u32 = 2^-24: a float ray is off its double by u32 for
+ * the rounding of its origin and 2 u32 for that of its direction, a box by u32. The other half of
+ * the pad is for what the double test allows (BoxSlack) and for the start of the float ray, which
+ * suffices for origins up to 1e7 scene sizes away.
  */
 struct LocalFrame
 {
   static constexpr double Pad = 0x1p-21;
 
   double Centre[3] = { 0, 0, 0 };
-  double Scale = 1.0;
+  double Scale = 0.0;          ///< zero without a box
   double Low[3] = { 0, 0, 0 }; ///< the padded box, relative to the centre
   double High[3] = { 0, 0, 0 };
 
-  void Set(const double bounds[6]);
+  /// Takes the box of what is in the tree; an empty one where low is above high.
+  void Set(const double low[3], const double high[3]);
 
-  /// The box of a triangle.
-  void GetBox(const double* const points[3], float low[3], float high[3]) const;
+  /// Makes a float box large enough for a triangle.
+  void AddBox(const double* const points[3], float low[3], float high[3]) const;
 };
 
 /// Half a packet: four rays and their best hits so far.
@@ -51,10 +52,17 @@ struct HalfPacket : RayTerms<Doubles>
   RayAxes Axes[Half];
   bool HaveSameAxes;
 
-  static constexpr long long NoTriangle = 0x7fffffffffff;
+  static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
+
+  vtkHeliosHit GetHit(int lane) const
+  {
+    const vtkIdType triangle = this->Triangle[lane];
+    return triangle == NoTriangle ? vtkHeliosHit{ NoHit, -1 }
+                                  : vtkHeliosHit{ this->Range[lane], triangle };
+  }
 
   /// Tests one ray against a triangle; keeps a better hit and says how far its float ray may go.
-  bool TestLane(int lane, const double* const points[3], unsigned int triangle, float& far);
+  bool TestLane(int lane, const double* const points[3], vtkTypeInt32 triangle, float& far);
 };
 
 /// The float side of a packet, laid out as RTCRay8.
@@ -65,9 +73,9 @@ struct alignas(64) FloatRays
   float Direction[3][Lanes];
   float Time[Lanes];
   float Far[Lanes];
-  int Mask[Lanes];
-  int Id[Lanes];
-  int Flags[Lanes];
+  unsigned int Mask[Lanes];
+  unsigned int Id[Lanes];
+  unsigned int Flags[Lanes];
 };
 
 /// Eight rays.
@@ -89,7 +97,7 @@ struct Packet
   /// Tests all valid rays against a triangle, as TestLane does.
   void TestLanes(const int valid[Lanes],
     const double* const points[3],
-    unsigned int triangle,
+    vtkTypeInt32 triangle,
     float far[Lanes]);
 };
 

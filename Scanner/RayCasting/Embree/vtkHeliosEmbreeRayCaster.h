@@ -7,7 +7,14 @@
  * Embree 3 user geometry: it traverses padded float boxes in a frame local to
  * the scene, with the ray's origin advanced to the scene in double; every
  * triangle it reaches is tested in double on the scene's own points. Bundles
- * of rays are traced eight at a time.
+ * of rays are traced eight at a time. Neighbours in the order of cells that
+ * share an edge share a box; the few triangles that reach far out of a scene,
+ * if there are any, are kept in a tree of doubles, so that one stray point
+ * takes no resolution away from the rest.
+ *
+ * @warning
+ * A hit at the very rim of a surface may be lost for a ray that starts more
+ * than 1e7 times the size of the scene away from it.
  *
  * @sa
  * vtkHeliosRayCaster
