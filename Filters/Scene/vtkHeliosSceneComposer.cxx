@@ -1,3 +1,390 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSceneComposer.h"
+
+#include "heliosMaterialTable.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+
+#include <algorithm>
+#include <limits>
+
+vtkStandardNewMacro(vtkHeliosSceneComposer);
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+using PartList = std::vector<vtkPolyData*>; // by connection; null: a part without triangles
+
+vtkIdType CountPoints(const PartList& parts)
+{
+  vtkIdType count = 0;
+  for (vtkPolyData* part : parts)
+  {
+    count += part ? part->GetNumberOfPoints() : 0;
+  }
+  return count;
+}
+
+vtkIdType CountTriangles(const PartList& parts)
+{
+  vtkIdType count = 0;
+  for (vtkPolyData* part : parts)
+  {
+    count += part ? part->GetNumberOfPolys() : 0;
+  }
+  return count;
+}
+
+/// The one part there is; null where there are several.
+vtkPolyData* GetSinglePart(const PartList& parts)
+{
+  const auto isPart = [](vtkPolyData* part) { return part != nullptr; };
+  return std::count_if(parts.begin(), parts.end(), isPart) == 1
+    ? *std::find_if(parts.begin(), parts.end(), isPart)
+    : nullptr;
+}
+
+vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts)
+{
+  vtkPolyData* single = GetSinglePart(parts);
+  if (single && single->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    return single->GetPoints();
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(CountPoints(parts));
+  vtkIdType first = 0;
+  for (vtkPolyData* part : parts)
+  {
+    if (part)
+    {
+      points->InsertPoints(first, part->GetNumberOfPoints(), 0, part->GetPoints());
+      first += part->GetNumberOfPoints();
+    }
+  }
+  return points;
+}
+
+template <typename ArrayT>
+vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
+{
+  const auto* corners = from->GetPointer(0);
+  const vtkIdType count = from->GetNumberOfValues();
+  return std::transform(corners,
+    corners + count,
+    to,
+    [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
+}
+
+vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts)
+{
+  vtkPolyData* single = GetSinglePart(parts);
+  if (single && !single->GetPolys()->IsStorage64Bit())
+  {
+    return single->GetPolys();
+  }
+  const vtkIdType count = CountTriangles(parts);
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
+  }
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(3 * count);
+  vtkTypeInt32* to = corners->GetPointer(0);
+  vtkIdType firstPoint = 0;
+  for (vtkPolyData* part : parts)
+  {
+    if (part)
+    {
+      vtkCellArray* polys = part->GetPolys();
+      to = polys->IsStorage64Bit() ? CopyCorners(polys->GetConnectivityArray64(), firstPoint, to)
+                                   : CopyCorners(polys->GetConnectivityArray32(), firstPoint, to);
+      firstPoint += part->GetNumberOfPoints();
+    }
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, corners);
+  return cells;
+}
+
+vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts)
+{
+  auto ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName(names::PartIds);
+  ids->SetNumberOfValues(CountTriangles(parts));
+  int* to = ids->GetPointer(0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    to = parts[i] ? std::fill_n(to, parts[i]->GetNumberOfPolys(), static_cast<int>(i)) : to;
+  }
+  return ids;
+}
+
+/// The rows that materials have in a table, which grows by those it does not have yet.
+std::vector<int> Merge(const helios::MaterialTable& materials, helios::MaterialTable& table)
+{
+  std::vector<int> rows;
+  for (const helios::Material& material : materials)
+  {
+    const auto known = std::find(table.begin(), table.end(), material);
+    rows.push_back(static_cast<int>(known - table.begin()));
+    if (known == table.end())
+    {
+      table.push_back(material);
+    }
+  }
+  return rows;
+}
+
+/// Writes the rows of a part's triangles; returns the first triangle without a row, or -1.
+vtkIdType MapMaterialIds(vtkPolyData* part, const std::vector<int>& rows, int* to)
+{
+  vtkDataArray* ids = part->GetCellData()->GetArray(names::MaterialIds);
+  auto* ints = vtkIntArray::FastDownCast(ids);
+  if (ids && ids->GetNumberOfTuples() < part->GetNumberOfPolys())
+  {
+    return ids->GetNumberOfTuples();
+  }
+  for (vtkIdType i = 0; i < part->GetNumberOfPolys(); ++i)
+  {
+    const double id = ints ? ints->GetValue(i) : ids ? ids->GetComponent(i, 0) : 0.0;
+    if (!(id >= 0.0 && id < static_cast<double>(rows.size())))
+    {
+      return i;
+    }
+    to[i] = rows[static_cast<std::size_t>(id)];
+  }
+  return -1;
+}
+
+/// The material ids of the one part there is, if they are right as they are.
+vtkIntArray* GetSingleMaterialIds(const PartList& parts)
+{
+  vtkPolyData* single = GetSinglePart(parts);
+  auto* ids = vtkIntArray::SafeDownCast(
+    single ? single->GetCellData()->GetArray(names::MaterialIds) : nullptr);
+  helios::MaterialTable table;
+  if (!ids || ids->GetNumberOfTuples() != single->GetNumberOfPolys())
+  {
+    return nullptr;
+  }
+  const std::size_t rows = Merge(helios::GetMaterials(single), table).size();
+  const int* range = ids->GetValueRange();
+  const bool isRight = table.size() == rows && range[0] >= 0 && range[1] < static_cast<int>(rows);
+  return isRight ? ids : nullptr;
+}
+
+std::string GetCRS(vtkPolyData* part)
+{
+  auto* crs = vtkStringArray::SafeDownCast(part->GetFieldData()->GetAbstractArray(names::CRS));
+  return crs && crs->GetNumberOfValues() > 0 ? std::string(crs->GetValue(0)) : std::string();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::SetPartName(int part, const char* name)
+{
+  if (part < 0)
+  {
+    vtkErrorMacro(<< "Part " << part << " cannot have a name; parts count from 0");
+    return;
+  }
+  const auto index = static_cast<std::size_t>(part);
+  const std::string text = name ? name : "";
+  if (this->PartNames.size() <= index)
+  {
+    this->PartNames.resize(index + 1);
+  }
+  if (this->PartNames[index] != text)
+  {
+    this->PartNames[index] = text;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSceneComposer::GetPartName(int part) const
+{
+  const auto index = static_cast<std::size_t>(part);
+  const bool isNamed = index < this->PartNames.size() && !this->PartNames[index].empty();
+  return isNamed ? this->PartNames[index] : std::to_string(part);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSceneComposer::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that our own message says what is missing
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSceneComposer::RequestData(vtkInformation*,
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  PartList parts;
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!this->FindParts(inputVector[0], parts))
+  {
+    return 0;
+  }
+  output->SetPoints(JoinPoints(parts));
+  output->SetPolys(JoinCells(parts));
+  if (!this->AddMaterialIds(output, parts) || !this->AddCRS(output, parts))
+  {
+    output->Initialize();
+    return 0;
+  }
+  output->GetCellData()->AddArray(MakePartIds(parts));
+  this->AddPartNames(output, static_cast<int>(parts.size()));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, PartList& parts)
+{
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkPolyData* part = vtkPolyData::GetData(inputs, i);
+    const bool isEmpty = !part || part->GetNumberOfCells() == 0;
+    parts.push_back(isEmpty ? nullptr : part);
+    if (isEmpty)
+    {
+      vtkWarningMacro(<< this->DescribePart(i) << " has no triangles; it is left out");
+    }
+    else if (part->GetNumberOfCells() != part->GetNumberOfPolys() ||
+      part->GetPolys()->IsHomogeneous() != 3)
+    {
+      vtkErrorMacro(
+        << this->DescribePart(i)
+        << " has cells that are not triangles; pass it through vtkTriangleFilter first");
+      return false;
+    }
+  }
+  if (CountTriangles(parts) == 0)
+  {
+    vtkErrorMacro(<< "The scene is empty: none of its " << parts.size()
+                  << " parts has triangles; add parts with AddInputConnection");
+    return false;
+  }
+  const vtkIdType largest = std::max(CountPoints(parts), 3 * CountTriangles(parts));
+  if (largest > std::numeric_limits<vtkTypeInt32>::max())
+  {
+    vtkErrorMacro(<< "The scene has " << CountPoints(parts) << " points and "
+                  << CountTriangles(parts) << " triangles, more than 2^31 points or corners; "
+                  << "split it into several scenes");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSceneComposer::DescribePart(int part) const
+{
+  const std::string index = std::to_string(part);
+  const std::string name = this->GetPartName(part);
+  return "Part " + index + (name == index ? "" : " (" + name + ")");
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& parts)
+{
+  if (vtkIntArray* single = GetSingleMaterialIds(parts))
+  {
+    helios::SetMaterials(scene, helios::GetMaterials(GetSinglePart(parts)));
+    scene->GetCellData()->AddArray(single);
+    return true;
+  }
+  helios::MaterialTable table;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  ids->SetNumberOfValues(CountTriangles(parts));
+  int* to = ids->GetPointer(0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    if (!parts[i])
+    {
+      continue;
+    }
+    const std::vector<int> rows = Merge(helios::GetMaterials(parts[i]), table);
+    const vtkIdType bad = MapMaterialIds(parts[i], rows, to);
+    if (bad >= 0)
+    {
+      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << ": triangle " << bad
+                    << " has a material id that its " << rows.size()
+                    << " materials do not have; material ids are rows of the material columns");
+      return false;
+    }
+    to += parts[i]->GetNumberOfPolys();
+  }
+  helios::SetMaterials(scene, table);
+  scene->GetCellData()->AddArray(ids);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
+{
+  std::string crs;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const std::string own = parts[i] ? GetCRS(parts[i]) : std::string();
+    if (!crs.empty() && !own.empty() && own != crs)
+    {
+      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS " << own
+                    << ", parts before it " << crs << "; reproject one of them");
+      return false;
+    }
+    crs = own.empty() ? crs : own;
+  }
+  if (!crs.empty())
+  {
+    vtkNew<vtkStringArray> column;
+    column->SetName(names::CRS);
+    column->InsertNextValue(crs);
+    scene->GetFieldData()->AddArray(column);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::AddPartNames(vtkPolyData* scene, int count) const
+{
+  vtkNew<vtkStringArray> column;
+  column->SetName(names::PartName);
+  for (int i = 0; i < count; ++i)
+  {
+    column->InsertNextValue(this->GetPartName(i));
+  }
+  scene->GetFieldData()->AddArray(column);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSceneComposer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PartNames: " << this->PartNames.size() << " given\n";
+}

@@ -3,6 +3,25 @@
 /**
  * @class   vtkHeliosSceneComposer
  * @brief   parts into one scene
+ *
+ * Input 0, repeatable: the parts, each a vtkPolyData of triangles, one connection a part. Output 0: one
+ * vtkPolyData with
+ * - points: those of all parts, double;
+ * - polys: the triangles of all parts, in the order of the connections, in 32-bit storage;
+ * - cell data MaterialIds (int): rows of the material columns in the field data, where equal materials
+ *   of the parts are one row; a part without MaterialIds has the first row of its own materials;
+ * - cell data PartIds (int): the connection a triangle comes from;
+ * - field data Part.Name (string), one a connection, and CRS, if parts have one.
+ *
+ * Other arrays are left out. What needs no change is passed by reference: of a single part its points,
+ * cells and material ids.
+ *
+ * Warned of: parts without triangles (skipped; they keep their id). Errors: no triangles at all, cells
+ * that are not triangles, material ids without a material, parts of different CRS, more than 2^31
+ * points or corners.
+ *
+ * @sa
+ * vtkHeliosSceneTransform vtkHeliosObjSceneReader
  */
 
 #ifndef vtkHeliosSceneComposer_h
@@ -11,6 +30,9 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // For the names of parts
+#include <vector> // For the names of parts
+
 class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosSceneComposer : public vtkPolyDataAlgorithm
 {
 public:
@@ -18,15 +40,33 @@ public:
   vtkTypeMacro(vtkHeliosSceneComposer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-
+  ///@{
+  /**
+   * Set/Get the name of a part, the connection of that index (from 0). An empty name is the default:
+   * the index itself.
+   */
+  void SetPartName(int part, const char* name);
+  std::string GetPartName(int part) const;
+  ///@}
 
 protected:
-  vtkHeliosSceneComposer();
-  ~vtkHeliosSceneComposer() override;
+  vtkHeliosSceneComposer() = default;
+  ~vtkHeliosSceneComposer() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHeliosSceneComposer(const vtkHeliosSceneComposer&) = delete;
   void operator=(const vtkHeliosSceneComposer&) = delete;
+
+  bool FindParts(vtkInformationVector* inputs, std::vector<vtkPolyData*>& parts);
+  std::string DescribePart(int part) const;
+  void AddPartNames(vtkPolyData* scene, int count) const;
+  bool AddCRS(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
+  bool AddMaterialIds(vtkPolyData* scene, const std::vector<vtkPolyData*>& parts);
+
+  std::vector<std::string> PartNames;
 };
 
 #endif

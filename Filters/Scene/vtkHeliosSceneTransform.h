@@ -3,6 +3,20 @@
 /**
  * @class   vtkHeliosSceneTransform
  * @brief   rotates, scales and moves a scene part
+ *
+ * Input 0: a vtkPolyData, e.g. of vtkHeliosObjSceneReader. Output 0: the same with points
+ *
+ *   p' = Scale * (R p) + Translation,
+ *
+ * R by Rotation: always in this order, about the part's own origin, in double whatever the precision
+ * of the input. Cells, field data and arrays pass by reference, points too where nothing is to be
+ * done; active normals of points and cells are rotated. With neither rotation nor scale a coordinate
+ * is one addition away from the input's.
+ *
+ * Errors: a property that is not finite, a rotation of zero length, a scale that is not positive.
+ *
+ * @sa
+ * vtkHeliosSceneComposer
  */
 
 #ifndef vtkHeliosSceneTransform_h
@@ -18,15 +32,46 @@ public:
   vtkTypeMacro(vtkHeliosSceneTransform, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Set/Get the rotation, a quaternion w, x, y, z; its length does not matter. Valid range: not 0.
+   * Default: 1, 0, 0, 0 (none).
+   */
+  vtkSetVector4Macro(Rotation, double);
+  vtkGetVector4Macro(Rotation, double);
+  ///@}
 
+  ///@{
+  /**
+   * Set/Get the factor by which the rotated part is enlarged. Valid range: greater than 0. Default: 1.
+   */
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get by how much the part is moved, after all [m]. Valid range: finite. Default: 0, 0, 0.
+   */
+  vtkSetVector3Macro(Translation, double);
+  vtkGetVector3Macro(Translation, double);
+  ///@}
 
 protected:
-  vtkHeliosSceneTransform();
-  ~vtkHeliosSceneTransform() override;
+  vtkHeliosSceneTransform() = default;
+  ~vtkHeliosSceneTransform() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHeliosSceneTransform(const vtkHeliosSceneTransform&) = delete;
   void operator=(const vtkHeliosSceneTransform&) = delete;
+
+  bool CheckProperties();
+
+  double Rotation[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double Scale = 1.0;
+  double Translation[3] = { 0.0, 0.0, 0.0 };
 };
 
 #endif

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Builds a scene triangle by triangle: double points, 32-bit cells, a material a triangle.
+
+#ifndef heliosMeshBuilder_h
+#define heliosMeshBuilder_h
+
+#include "heliosMaterialTable.h"
+#include "heliosPose.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkTypeInt32Array.h>
+
+#include <vector>
+
+namespace helios
+{
+
+class MeshBuilder
+{
+public:
+  MeshBuilder();
+
+  /// Makes room for that many points and triangles in all.
+  void Reserve(vtkIdType points, vtkIdType triangles);
+
+  /// From here on points are given in this frame of the scene.
+  void SetFrame(const Pose& frame);
+
+  /// From here on triangles are of this material; equal materials are one row of the table.
+  void SetMaterial(const Material& material);
+
+  vtkTypeInt32 AddPoint(const Vec3& point);
+
+  ///@{
+  /// Corners counter-clockwise as seen from outside.
+  void AddTriangle(vtkTypeInt32 a, vtkTypeInt32 b, vtkTypeInt32 c);
+  void AddQuad(vtkTypeInt32 a, vtkTypeInt32 b, vtkTypeInt32 c, vtkTypeInt32 d);
+  void AddPolygon(const std::vector<vtkTypeInt32>& corners); // convex
+  ///@}
+
+  /// The box from low to high, closed.
+  void AddBox(const Vec3& low, const Vec3& high);
+
+  /**
+   * The convex polygon of the x, z plane, counter-clockwise as seen from -y, drawn out along y:
+   * closed.
+   */
+  void AddPrism(const std::vector<vtkVector2d>& outline, double yLow, double yHigh);
+
+  vtkIdType GetNumberOfTriangles() const { return this->MaterialIds->GetNumberOfValues(); }
+
+  /// Hands the mesh over, moved by the offset.
+  void Finish(vtkPolyData* scene, const double offset[3]);
+
+private:
+  vtkNew<vtkDoubleArray> Points;
+  vtkNew<vtkTypeInt32Array> Corners;
+  vtkNew<vtkIntArray> MaterialIds;
+  MaterialTable Materials;
+  int MaterialId = 0;
+  Vec3 Position{ 0.0, 0.0, 0.0 };
+  Rotation Orientation;
+};
+
+} // namespace helios
+
+#endif

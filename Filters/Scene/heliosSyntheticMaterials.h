@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The materials of synthetic scenes. Classification by the LAS codes of ASPRS.
+//
+// Reflectance is one number for all wavelengths here. Where it says ASTER it is the mean of the values
+// at 1064 and 1550 nm, in brackets, of the ASTER spectral library (Baldridge et al. 2009, Remote Sensing
+// of Environment 113, 711; today ECOSTRESS); leaves are darker at 1550 nm by their water. The rest is
+// assumed, and says so. A survey at one wavelength is better served by spectra.
+
+#ifndef heliosSyntheticMaterials_h
+#define heliosSyntheticMaterials_h
+
+#include "heliosMaterialTable.h"
+
+namespace helios
+{
+namespace synthetic
+{
+
+enum LasClass
+{
+  Unclassified = 1,
+  GroundClass = 2,
+  LowVegetation = 3,
+  HighVegetation = 5,
+  Building = 6
+};
+
+inline Material MakeMaterial(const char* name, double reflectance, int classification)
+{
+  Material material;
+  material.Name = name;
+  material.Reflectance = reflectance;
+  material.Classification = classification;
+  material.IsGround = classification == GroundClass;
+  return material;
+}
+
+/// A test panel: neither ground nor building.
+inline Material Target()
+{
+  return MakeMaterial("target", 0.5, Unclassified);
+}
+/// Bare ground of the plane, step and blocks: assumed.
+inline Material Ground()
+{
+  return MakeMaterial("ground", 0.3, GroundClass);
+}
+/// ASTER, green grass (0.52, 0.23).
+inline Material Grass()
+{
+  return MakeMaterial("grass", 0.38, GroundClass);
+}
+/// Bark: assumed.
+inline Material Bark()
+{
+  return MakeMaterial("bark", 0.3, HighVegetation);
+}
+/// ASTER, deciduous trees (0.57, 0.24).
+inline Material Leaf()
+{
+  return MakeMaterial("leaf", 0.4, HighVegetation);
+}
+/// ASTER, coniferous trees (0.52, 0.18).
+inline Material Needle()
+{
+  return MakeMaterial("needle", 0.35, HighVegetation);
+}
+/// Stems of shrubs, as bark; and their leaves, as those of trees.
+inline Material Stem()
+{
+  return MakeMaterial("stem", 0.3, LowVegetation);
+}
+inline Material ShrubLeaf()
+{
+  return MakeMaterial("shrub_leaf", 0.4, LowVegetation);
+}
+/// Light plaster: assumed.
+inline Material Plaster()
+{
+  return MakeMaterial("plaster", 0.7, Building);
+}
+/// ASTER, slate shingle (0.19, 0.17).
+inline Material Roof()
+{
+  return MakeMaterial("roof", 0.18, Building);
+}
+/// ASTER, pine wood (0.90, 0.56).
+inline Material Wood()
+{
+  return MakeMaterial("wood", 0.73, Building);
+}
+/// What a window sends back, by its frame and the curtain behind: assumed.
+inline Material Window()
+{
+  return MakeMaterial("window", 0.1, Building);
+}
+/// Red brick of chimneys: assumed.
+inline Material Brick()
+{
+  return MakeMaterial("brick", 0.35, Building);
+}
+/// Concrete of the blocks: assumed.
+inline Material Concrete()
+{
+  return MakeMaterial("concrete", 0.35, Building);
+}
+
+} // namespace synthetic
+} // namespace helios
+
+#endif

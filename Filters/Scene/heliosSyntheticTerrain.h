@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Hills: a sum of sine waves, their lengths from 0.8 of the side down to 1/240 of it.
+
+#ifndef heliosSyntheticTerrain_h
+#define heliosSyntheticTerrain_h
+
+#include <vtkType.h>
+
+#include <array>
+
+namespace helios
+{
+
+class MeshBuilder;
+
+class Terrain
+{
+public:
+  /// Hills that repeat after about the side; none is higher or lower than half the relief.
+  Terrain(double side, double relief, vtkIdType seed);
+
+  double GetHeight(double x, double y) const;
+
+private:
+  struct Wave
+  {
+    double X; // [rad/m]
+    double Y;
+    double Phase;
+    double Amplitude;
+  };
+  std::array<Wave, 12> Waves;
+};
+
+/// The hills over the square of that side about the z axis, sampled at the corners of parts x parts squares.
+void AddTerrain(MeshBuilder& mesh, const Terrain& terrain, double side, int parts);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Trees and shrubs with every leaf.
+
+#ifndef heliosSyntheticTree_h
+#define heliosSyntheticTree_h
+
+#include <vtkType.h>
+
+namespace helios
+{
+
+class MeshBuilder;
+class Terrain;
+
+enum class Species
+{
+  Broadleaf,
+  Conifer,
+  Shrub
+};
+
+struct TreeShape
+{
+  Species Kind = Species::Broadleaf;
+  double Height = 12.0;       // [m]
+  double CrownDiameter = 6.0; // [m]
+  int NumberOfLeaves = 5000;
+};
+
+/**
+ * A tree about the z axis that stands on z = 0: stem and branches as closed tapered tubes, leaves as
+ * diamonds of two triangles with random normals, so large that their area is 3 times (conifers: 4
+ * times) the ground below the crown. Trees of other numbers differ.
+ */
+void AddTree(MeshBuilder& mesh, const TreeShape& shape, vtkIdType seed, vtkIdType number);
+
+/**
+ * Trees on the terrain, one in each of so many squares of the side: 70 % broadleaf, 30 % conifer, 70
+ * to 100 % of the height of the shape.
+ */
+void AddForest(MeshBuilder& mesh,
+  const Terrain& terrain,
+  double side,
+  const TreeShape& shape,
+  int numberOfTrees,
+  vtkIdType seed);
+
+} // namespace helios
+
+#endif
