@@ -24,7 +24,7 @@ import vtkhelios
 def make_scene():
     """Blocks on flat ground. Any filter that makes triangles will do, e.g. vtkHeliosObjSceneReader."""
     scene = vtkhelios.vtkHeliosSyntheticScene()
-    scene.SetSceneToBlocks()
+    scene.SetKindToBlocks()
     return scene
 
 

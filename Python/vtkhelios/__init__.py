@@ -30,7 +30,7 @@ _own = ["PipelineError", "arrays", "data_directory", "update"]
 
 def data_directory():
     """The folder with the scanners, platforms and surveys that come with vtkHelios (a Path)."""
-    return pathlib.Path(__file__).resolve().parent / "data"
+    return pathlib.Path(__file__).absolute().parent / "data"
 
 
 def _load_modules():

@@ -118,7 +118,7 @@ def asset_directories(arguments):
     """The user's folders, then what comes with vtkHelios."""
     shipped = vtkhelios.data_directory()
     beside = str(pathlib.Path(arguments.survey).parent)
-    return [*arguments.assets, beside, ".", str(shipped), str(shipped / "Assets")]
+    return list(dict.fromkeys([*arguments.assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]))
 
 
 def read_survey(arguments, messages):
