@@ -67,8 +67,9 @@ std::string TriangleMesh::Set(vtkPolyData* scene)
     const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {
-      return "cell " + std::to_string(i / 3) + " of the scene has a corner that is not finite (point " +
-        std::to_string(this->Corners[i]) + "); repair or remove it";
+      return "cell " + std::to_string(i / 3) +
+        " of the scene has a corner that is not finite (point " + std::to_string(this->Corners[i]) +
+        "); repair or remove it";
     }
   }
   this->NumberOfPoints = pointCount;

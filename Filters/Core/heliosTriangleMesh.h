@@ -5,8 +5,8 @@
 #ifndef heliosTriangleMesh_h
 #define heliosTriangleMesh_h
 
-#include "vtkHeliosFiltersCoreModule.h"
 #include "heliosPose.h"
+#include "vtkHeliosFiltersCoreModule.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>

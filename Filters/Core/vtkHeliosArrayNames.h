@@ -39,15 +39,15 @@ inline constexpr const char* PartName = "Part.Name";
 
 ///@{
 /** Waypoints: point data. */
-inline constexpr const char* Speed = "Speed"; // [m/s] towards the next waypoint
+inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
 inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below
 ///@}
 
 ///@{
 /** Trajectory: point data. */
-inline constexpr const char* GpsTime = "GpsTime"; // [s] since GpsEpoch
+inline constexpr const char* GpsTime = "GpsTime";         // [s] since GpsEpoch
 inline constexpr const char* Orientation = "Orientation"; // unit quaternion w x y z, body to world
-inline constexpr const char* Velocity = "Velocity"; // [m/s]
+inline constexpr const char* Velocity = "Velocity";       // [m/s]
 inline constexpr const char* LegIds = "LegIds";
 ///@}
 
@@ -56,33 +56,33 @@ inline constexpr const char* GpsEpoch = "GpsEpoch";
 
 ///@{
 /** Pulses and echoes: point data. */
-inline constexpr const char* PulseIds = "PulseIds"; // int64, emission index over the run
+inline constexpr const char* PulseIds = "PulseIds";   // int64, emission index over the run
 inline constexpr const char* Direction = "Direction"; // unit vector
 inline constexpr const char* ScanAngle = "ScanAngle"; // [deg]
 inline constexpr const char* ChannelIds = "ChannelIds";
-inline constexpr const char* Hit = "Hit"; // 1: the pulse has an echo
+inline constexpr const char* Hit = "Hit";                   // 1: the pulse has an echo
 inline constexpr const char* ReturnNumber = "ReturnNumber"; // from 1
 inline constexpr const char* NumberOfReturns = "NumberOfReturns";
-inline constexpr const char* Range = "Range"; // [m]
+inline constexpr const char* Range = "Range";         // [m]
 inline constexpr const char* Amplitude = "Amplitude"; // [W]
 inline constexpr const char* EchoWidth = "EchoWidth"; // [ns], full width at half maximum, two-way
 inline constexpr const char* ClassificationIds = "ClassificationIds";
-inline constexpr const char* CellIds = "CellIds"; // of the scene
+inline constexpr const char* CellIds = "CellIds";               // of the scene
 inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from the normal
-inline constexpr const char* WaveformIds = "WaveformIds"; // pulse id, -1: not stored
-inline constexpr const char* TruePoint = "TruePoint"; // without noise
+inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1: not stored
+inline constexpr const char* TruePoint = "TruePoint";           // without noise
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* Weight = "Weight"; // a sub-ray's share of the pulse's energy
 ///@}
 
 ///@{
 /** Waveforms: columns of the table, and Samples in its field data. */
-inline constexpr const char* Origin = "Origin"; // [m]
+inline constexpr const char* Origin = "Origin";       // [m]
 inline constexpr const char* StartTime = "StartTime"; // [ns], two-way, after the emission
-inline constexpr const char* BinSize = "BinSize"; // [ns]
-inline constexpr const char* Offset = "Offset"; // of the first sample
-inline constexpr const char* Count = "Count"; // of samples
-inline constexpr const char* Samples = "Samples"; // float32 [W]
+inline constexpr const char* BinSize = "BinSize";     // [ns]
+inline constexpr const char* Offset = "Offset";       // of the first sample
+inline constexpr const char* Count = "Count";         // of samples
+inline constexpr const char* Samples = "Samples";     // float32 [W]
 ///@}
 
 } // namespace vtkHeliosArrayNames

@@ -92,7 +92,8 @@ private:
   {
     constexpr std::size_t longest = std::numeric_limits<double>::max_exponent10 + 32;
     char* at = this->Reserve(longest);
-    const char* end = std::to_chars(at, at + longest, value, std::chars_format::fixed, decimals).ptr;
+    const char* end =
+      std::to_chars(at, at + longest, value, std::chars_format::fixed, decimals).ptr;
     std::string_view text(at, static_cast<std::size_t>(end - at));
     if (text[0] == '-' && text.find_first_not_of("-0.") == std::string_view::npos)
     {

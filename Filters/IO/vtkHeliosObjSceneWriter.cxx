@@ -66,10 +66,8 @@ std::string GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<i
   return {};
 }
 
-void AppendGeometry(const helios::TriangleMesh& mesh,
-  const helios::MaterialTable& materials,
-  const std::vector<int>& rows,
-  helios::TextFileSink& sink)
+void AppendGeometry(const helios::TriangleMesh& mesh, const helios::MaterialTable& materials,
+  const std::vector<int>& rows, helios::TextFileSink& sink)
 {
   const double* p = mesh.GetPoints();
   for (vtkIdType i = 0; i < mesh.GetNumberOfPoints(); ++i, p += 3)
@@ -122,9 +120,8 @@ int vtkHeliosObjSceneWriter::Write()
   return this->IsWritten ? 1 : 0;
 }
 
-int vtkHeliosObjSceneWriter::RequestData(vtkInformation*,
-  vtkInformationVector** inputVector,
-  vtkInformationVector*)
+int vtkHeliosObjSceneWriter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   this->IsWritten = this->WriteFiles(vtkPolyData::GetData(inputVector[0]));
   return this->IsWritten ? 1 : 0;

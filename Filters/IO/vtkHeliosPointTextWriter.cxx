@@ -34,7 +34,8 @@ public:
   }
   double operator[](vtkIdType row) const
   {
-    return this->Values ? static_cast<double>(this->Values[row]) : this->Array->GetComponent(row, 0);
+    return this->Values ? static_cast<double>(this->Values[row])
+                        : this->Array->GetComponent(row, 0);
   }
 
 private:
@@ -66,9 +67,9 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
   vtkPointData* data = echoes->GetPointData();
   vtkDataArray* arrays[8];
   int next = 0;
-  for (const char* name : { names::Amplitude, names::EchoWidth, names::ReturnNumber,
-         names::NumberOfReturns, names::PulseIds, names::PartIds, names::ClassificationIds,
-         names::GpsTime })
+  for (const char* name :
+    { names::Amplitude, names::EchoWidth, names::ReturnNumber, names::NumberOfReturns,
+      names::PulseIds, names::PartIds, names::ClassificationIds, names::GpsTime })
   {
     arrays[next] = this->GetArray(data, name, 1);
     if (!arrays[next++])
@@ -83,14 +84,14 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
   const Column<vtkDoubleArray> amplitudes(arrays[0]), widths(arrays[1]), times(arrays[7]);
   vtkPoints* points = echoes->GetPoints();
   vtkDataArray* const* a = arrays;
-  auto* parts = vtkStringArray::SafeDownCast(
-    echoes->GetFieldData()->GetAbstractArray(names::PartName));
-  const auto whole = [a](int column, vtkIdType row) {
-    return static_cast<std::int64_t>(a[column]->GetComponent(row, 0));
-  };
+  auto* parts =
+    vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName));
+  const auto whole = [a](int column, vtkIdType row)
+  { return static_cast<std::int64_t>(a[column]->GetComponent(row, 0)); };
 
   return this->WriteRows(echoes->GetNumberOfPoints(),
-    [points, parts, whole, &amplitudes, &widths, &times](vtkIdType row, helios::TextBuffer& text) {
+    [points, parts, whole, &amplitudes, &widths, &times](vtkIdType row, helios::TextBuffer& text)
+    {
       double p[3];
       points->GetPoint(row, p);
       for (const double coordinate : p)

@@ -137,18 +137,20 @@ bool vtkHeliosStreamWriter::WriteRows(
   {
     const vtkIdType last = std::min(count, first + ChunksTogether * RowsPerChunk);
     const vtkIdType chunkCount = (last - first + RowsPerChunk - 1) / RowsPerChunk;
-    vtkSMPTools::For(0, chunkCount, 1, [&chunks, &format, first, last](vtkIdType begin, vtkIdType end) {
-      for (vtkIdType c = begin; c < end; ++c)
+    vtkSMPTools::For(0, chunkCount, 1,
+      [&chunks, &format, first, last](vtkIdType begin, vtkIdType end)
       {
-        helios::TextBuffer& text = chunks[static_cast<std::size_t>(c)];
-        text.Clear();
-        const vtkIdType from = first + c * RowsPerChunk;
-        for (vtkIdType row = from; row < std::min(last, from + RowsPerChunk); ++row)
+        for (vtkIdType c = begin; c < end; ++c)
         {
-          format(row, text);
+          helios::TextBuffer& text = chunks[static_cast<std::size_t>(c)];
+          text.Clear();
+          const vtkIdType from = first + c * RowsPerChunk;
+          for (vtkIdType row = from; row < std::min(last, from + RowsPerChunk); ++row)
+          {
+            format(row, text);
+          }
         }
-      }
-    });
+      });
     for (vtkIdType c = 0; c < chunkCount; ++c)
     {
       const helios::TextBuffer& text = chunks[static_cast<std::size_t>(c)];

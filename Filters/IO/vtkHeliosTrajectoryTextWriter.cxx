@@ -66,7 +66,8 @@ bool vtkHeliosTrajectoryTextWriter::Write(vtkDataObject* block)
   }
   vtkPoints* points = samples->GetPoints();
   return this->WriteRows(samples->GetNumberOfPoints(),
-    [points, times, orientations](vtkIdType row, helios::TextBuffer& text) {
+    [points, times, orientations](vtkIdType row, helios::TextBuffer& text)
+    {
       double p[3], q[4], angles[3];
       points->GetPoint(row, p);
       orientations->GetTuple(row, q);

@@ -66,23 +66,25 @@ bool vtkHeliosWaveformTextWriter::Write(vtkDataObject* block)
   {
     return false;
   }
-  return this->WriteRows(table->GetNumberOfRows(), [=](vtkIdType row, helios::TextBuffer& text) {
-    const auto first = static_cast<vtkIdType>(offsets->GetComponent(row, 0));
-    const auto count = static_cast<vtkIdType>(counts->GetComponent(row, 0));
-    const double start = starts->GetComponent(row, 0);
-    text.AppendInteger(static_cast<std::int64_t>(pulses->GetComponent(row, 0)));
-    AppendTuple<4>(text, origins, row);
-    AppendTuple<9>(text, directions, row);
-    text.Append(' ');
-    text.AppendFixed<4>(start);
-    text.Append(' ');
-    text.AppendFixed<4>(start + static_cast<double>(count - 1) * bins->GetComponent(row, 0));
-    AppendTuple<9>(text, times, row);
-    for (vtkIdType i = first; i < first + count; ++i)
+  return this->WriteRows(table->GetNumberOfRows(),
+    [=](vtkIdType row, helios::TextBuffer& text)
     {
+      const auto first = static_cast<vtkIdType>(offsets->GetComponent(row, 0));
+      const auto count = static_cast<vtkIdType>(counts->GetComponent(row, 0));
+      const double start = starts->GetComponent(row, 0);
+      text.AppendInteger(static_cast<std::int64_t>(pulses->GetComponent(row, 0)));
+      AppendTuple<4>(text, origins, row);
+      AppendTuple<9>(text, directions, row);
       text.Append(' ');
-      text.AppendFixed<9>(NanowattsPerWatt * samples->GetComponent(i, 0));
-    }
-    text.Append('\n');
-  });
+      text.AppendFixed<4>(start);
+      text.Append(' ');
+      text.AppendFixed<4>(start + static_cast<double>(count - 1) * bins->GetComponent(row, 0));
+      AppendTuple<9>(text, times, row);
+      for (vtkIdType i = first; i < first + count; ++i)
+      {
+        text.Append(' ');
+        text.AppendFixed<9>(NanowattsPerWatt * samples->GetComponent(i, 0));
+      }
+      text.Append('\n');
+    });
 }

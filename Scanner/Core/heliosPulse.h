@@ -21,7 +21,10 @@ struct Pulse
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world
 
-  Vec3 GetDirection() const { return { this->Beam.M[0][1], this->Beam.M[1][1], this->Beam.M[2][1] }; }
+  Vec3 GetDirection() const
+  {
+    return { this->Beam.M[0][1], this->Beam.M[1][1], this->Beam.M[2][1] };
+  }
 };
 
 /**

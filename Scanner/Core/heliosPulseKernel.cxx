@@ -111,8 +111,8 @@ void PulseKernel::CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* h
     const int material = m.MaterialIds ? m.MaterialIds[hit.CellId] : 0;
     const double gain = m.Equation.GetGain(hit.Range, transmission(hit.Range)) *
       m.Reflectances[static_cast<std::size_t>(material)] * cosIncidence;
-    this->Returns.push_back({ hit.Range, m.Power * m.Weights[k] * gain, hit.CellId,
-      static_cast<int>(k), cosIncidence });
+    this->Returns.push_back(
+      { hit.Range, m.Power * m.Weights[k] * gain, hit.CellId, static_cast<int>(k), cosIncidence });
   }
 }
 
@@ -199,8 +199,8 @@ void PulseKernel::StoreSubRays(const vtkHeliosRay* rays, vtkIdType id, ChunkResu
   {
     const std::size_t k = static_cast<std::size_t>(r.SubRay);
     const Vec3 point = Vec3(rays[k].Origin) + r.Range * Vec3(rays[k].Direction);
-    result.SubRays.push_back({ point, id, r.CellId, this->Model.Weights[k], r.Range,
-      IncidenceDegrees(r.CosIncidence) });
+    result.SubRays.push_back(
+      { point, id, r.CellId, this->Model.Weights[k], r.Range, IncidenceDegrees(r.CosIncidence) });
   }
 }
 

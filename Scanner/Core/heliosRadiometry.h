@@ -27,9 +27,7 @@ inline double AtmosphericExtinction(double visibility, double wavelength)
   {
     return 0.0;
   }
-  const double q = visibility > 50.0 ? 1.6
-    : visibility > 6.0               ? 1.3
-                                     : 0.585 * std::cbrt(visibility);
+  const double q = visibility > 50.0 ? 1.6 : visibility > 6.0 ? 1.3 : 0.585 * std::cbrt(visibility);
   return 3.912 / visibility * std::pow(wavelength / 550.0, -q) * 1e-3;
 }
 

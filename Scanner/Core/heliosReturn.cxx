@@ -27,9 +27,9 @@ double TwoWayTime(double range)
 /// The return nearest in range; of two equally near the first.
 const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, double range)
 {
-  return std::min_element(begin, end, [range](const SubReturn& a, const SubReturn& b) {
-    return std::abs(a.Range - range) < std::abs(b.Range - range);
-  });
+  return std::min_element(begin, end,
+    [range](const SubReturn& a, const SubReturn& b)
+    { return std::abs(a.Range - range) < std::abs(b.Range - range); });
 }
 
 /// sum[i] += shape[i] start rho^i. Compiled for wider registers too; the bytes stay the same.
@@ -68,9 +68,9 @@ bool IsNearer(const SubReturn& a, const SubReturn& b)
 /// exp(-y) for y >= 0: near 0, where most sub-rays are, by its series to the last bit.
 double ExpMinus(double y)
 {
-  return y < 0.01
-    ? 1.0 - y * (1.0 - y * (1 / 2.0 - y * (1 / 6.0 - y * (1 / 24.0 - y * (1 / 120.0 - y * (1 / 720.0))))))
-    : std::exp(-y);
+  return y < 0.01 ? 1.0 -
+      y * (1.0 - y * (1 / 2.0 - y * (1 / 6.0 - y * (1 / 24.0 - y * (1 / 120.0 - y * (1 / 720.0))))))
+                  : std::exp(-y);
 }
 
 } // namespace
@@ -170,9 +170,9 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
   }
   const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * variance; // [ns^2]
   const double range = begin->Range + x;
-  echoes.push_back({ range, amplitude,
-    FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
-    FindNearest(begin, end, range) });
+  echoes.push_back(
+    { range, amplitude, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
+      FindNearest(begin, end, range) });
 }
 
 void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes)
@@ -180,8 +180,8 @@ void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>&
   this->Fill(begin, end, VTK_ID_MAX, this->Scratch);
   this->Detected.clear();
   const auto& samples = this->Scratch.Samples;
-  this->Detector->Detect({ samples.data(), static_cast<vtkIdType>(samples.size()), this->BinSize,
-                           this->PulseLength },
+  this->Detector->Detect(
+    { samples.data(), static_cast<vtkIdType>(samples.size()), this->BinSize, this->PulseLength },
     this->Detected);
   for (const vtkHeliosDetectedEcho& echo : this->Detected)
   {

@@ -91,7 +91,8 @@ void ForEachRecord(const std::vector<ChunkResult>& chunks,
   std::vector<RecordT> ChunkResult::*records, const std::vector<vtkIdType>& offsets, PutT put)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
-    [&chunks, &offsets, records, put](vtkIdType begin, vtkIdType end) {
+    [&chunks, &offsets, records, put](vtkIdType begin, vtkIdType end)
+    {
       for (vtkIdType c = begin; c < end; ++c)
       {
         vtkIdType row = offsets[static_cast<std::size_t>(c)];
@@ -128,23 +129,25 @@ void FillEchoes(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyDat
   columns.AddConstant(names::LegIds, ids.Leg);
   columns.AddConstant(names::ChannelIds, ids.Channel);
   const bool hasWaveforms = ids.HasWaveforms;
-  ForEachRecord(chunks, &ChunkResult::Echoes, offsets, [=](const EchoRecord& e, vtkIdType row) {
-    Put(points, row, e.Point);
-    times[row] = e.Time;
-    pulses[row] = e.PulseId;
-    numbers[row] = e.ReturnNumber;
-    totals[row] = e.NumberOfReturns;
-    ranges[row] = e.Range;
-    amplitudes[row] = e.Amplitude;
-    widths[row] = e.Width;
-    angles[row] = e.ScanAngle;
-    classes[row] = e.Classification;
-    materials[row] = e.MaterialId;
-    parts[row] = e.PartId;
-    cells[row] = e.CellId;
-    incidences[row] = e.Incidence;
-    waveforms[row] = hasWaveforms ? e.PulseId : -1;
-  });
+  ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
+    [=](const EchoRecord& e, vtkIdType row)
+    {
+      Put(points, row, e.Point);
+      times[row] = e.Time;
+      pulses[row] = e.PulseId;
+      numbers[row] = e.ReturnNumber;
+      totals[row] = e.NumberOfReturns;
+      ranges[row] = e.Range;
+      amplitudes[row] = e.Amplitude;
+      widths[row] = e.Width;
+      angles[row] = e.ScanAngle;
+      classes[row] = e.Classification;
+      materials[row] = e.MaterialId;
+      parts[row] = e.PartId;
+      cells[row] = e.CellId;
+      incidences[row] = e.Incidence;
+      waveforms[row] = hasWaveforms ? e.PulseId : -1;
+    });
 }
 
 void FillPulses(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
@@ -160,14 +163,16 @@ void FillPulses(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyDat
   unsigned char* hits = columns.Add<vtkUnsignedCharArray>(names::Hit);
   columns.AddConstant(names::LegIds, ids.Leg);
   columns.AddConstant(names::ChannelIds, ids.Channel);
-  ForEachRecord(chunks, &ChunkResult::Pulses, offsets, [=](const PulseRecord& p, vtkIdType row) {
-    Put(origins, row, p.Origin);
-    Put(directions, row, p.Direction);
-    times[row] = p.Time;
-    pulses[row] = p.PulseId;
-    angles[row] = p.ScanAngle;
-    hits[row] = p.Hit ? 1 : 0;
-  });
+  ForEachRecord(chunks, &ChunkResult::Pulses, offsets,
+    [=](const PulseRecord& p, vtkIdType row)
+    {
+      Put(origins, row, p.Origin);
+      Put(directions, row, p.Direction);
+      times[row] = p.Time;
+      pulses[row] = p.PulseId;
+      angles[row] = p.ScanAngle;
+      hits[row] = p.Hit ? 1 : 0;
+    });
 }
 
 void FillSubRays(std::vector<ChunkResult>& chunks, vtkPolyData* output)
@@ -181,14 +186,16 @@ void FillSubRays(std::vector<ChunkResult>& chunks, vtkPolyData* output)
   double* weights = columns.Add<vtkDoubleArray>(names::Weight);
   double* ranges = columns.Add<vtkDoubleArray>(names::Range);
   double* incidences = columns.Add<vtkDoubleArray>(names::IncidenceAngle);
-  ForEachRecord(chunks, &ChunkResult::SubRays, offsets, [=](const SubRayRecord& s, vtkIdType row) {
-    Put(points, row, s.Point);
-    pulses[row] = s.PulseId;
-    cells[row] = s.CellId;
-    weights[row] = s.Weight;
-    ranges[row] = s.Range;
-    incidences[row] = s.Incidence;
-  });
+  ForEachRecord(chunks, &ChunkResult::SubRays, offsets,
+    [=](const SubRayRecord& s, vtkIdType row)
+    {
+      Put(points, row, s.Point);
+      pulses[row] = s.PulseId;
+      cells[row] = s.CellId;
+      weights[row] = s.Weight;
+      ranges[row] = s.Range;
+      incidences[row] = s.Incidence;
+    });
 }
 
 void FillWaveforms(
@@ -207,8 +214,9 @@ void FillWaveforms(
   double* bins = columns.Add<vtkDoubleArray>(names::BinSize);
   auto* firsts = columns.Add<vtkTypeInt64Array>(names::Offset);
   auto* counts = columns.Add<vtkTypeInt64Array>(names::Count);
-  ForEachRecord(
-    chunks, &ChunkResult::Waveforms, offsets, [=](const WaveformRecord& w, vtkIdType row) {
+  ForEachRecord(chunks, &ChunkResult::Waveforms, offsets,
+    [=](const WaveformRecord& w, vtkIdType row)
+    {
       pulses[row] = w.PulseId;
       Put(origins, row, w.Origin);
       Put(directions, row, w.Direction);

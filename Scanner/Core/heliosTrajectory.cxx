@@ -70,7 +70,8 @@ std::size_t Trajectory::FindSample(double time, std::size_t hint) const
     return hint;
   }
   const auto after = std::upper_bound(this->Times.begin(), this->Times.end(), time);
-  return after == this->Times.begin() ? 0 : static_cast<std::size_t>(after - this->Times.begin()) - 1;
+  return after == this->Times.begin() ? 0
+                                      : static_cast<std::size_t>(after - this->Times.begin()) - 1;
 }
 
 Vec3 Trajectory::GetPosition(double time, Cursor& cursor, Rotation& attitude) const

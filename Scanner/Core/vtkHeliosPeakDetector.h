@@ -26,8 +26,8 @@ public:
   vtkTypeMacro(vtkHeliosPeakDetector, vtkHeliosEchoDetector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void Detect(const vtkHeliosWaveform& waveform,
-    std::vector<vtkHeliosDetectedEcho>& echoes) const override;
+  void Detect(
+    const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
 
 protected:
   vtkHeliosPeakDetector() = default;

@@ -132,12 +132,15 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster->GetName() : "(none)") << "\n"
-     << indent << "BeamDeflector: "
-     << (this->BeamDeflector ? this->BeamDeflector->GetClassName() : "(none)") << "\n"
-     << indent << "BeamSampler: "
-     << (this->BeamSampler ? this->BeamSampler->GetClassName() : "(none)") << "\n"
-     << indent << "EchoDetector: "
-     << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)") << "\n"
+     << indent
+     << "BeamDeflector: " << (this->BeamDeflector ? this->BeamDeflector->GetClassName() : "(none)")
+     << "\n"
+     << indent
+     << "BeamSampler: " << (this->BeamSampler ? this->BeamSampler->GetClassName() : "(none)")
+     << "\n"
+     << indent
+     << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)")
+     << "\n"
      << indent << "PulseLength: " << this->PulseLength << " ns\n"
      << indent << "BinSize: " << this->BinSize << " ns\n"
      << indent << "AveragePower: " << this->AveragePower << " W\n"
@@ -261,7 +264,8 @@ bool vtkHeliosScanner::CheckSettings()
   if (this->BinSize > 0.5 * this->PulseLength)
   {
     vtkErrorMacro(<< "BinSize is " << this->BinSize << " ns, more than half of PulseLength ("
-                  << this->PulseLength << " ns): echoes would fall between the bins; use a quarter");
+                  << this->PulseLength
+                  << " ns): echoes would fall between the bins; use a quarter");
     return false;
   }
   if (this->RangeMax <= this->RangeMin)
@@ -354,9 +358,8 @@ bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
   std::string reason;
   vtkNew<vtkCallbackCommand> listener;
   listener->SetClientData(&reason);
-  listener->SetCallback([](vtkObject*, unsigned long, void* into, void* text) {
-    *static_cast<std::string*>(into) += static_cast<const char*>(text);
-  });
+  listener->SetCallback([](vtkObject*, unsigned long, void* into, void* text)
+    { *static_cast<std::string*>(into) += static_cast<const char*>(text); });
   const unsigned long tag = this->RayCaster->AddObserver(vtkCommand::ErrorEvent, listener);
   const bool built = this->RayCaster->Build(scene);
   this->RayCaster->RemoveObserver(tag);
@@ -446,9 +449,10 @@ int vtkHeliosScanner::RequestData(
   const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
   const vtkIdType count = std::max<vtkIdType>(0, scan.LastPulse - scan.FirstPulse);
   // count * piece / pieces, without overflow
-  const auto split = [count, pieces](
-                       vtkIdType p) { return count / pieces * p + count % pieces * p / pieces; };
-  this->RunPulses(scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
+  const auto split = [count, pieces](vtkIdType p)
+  { return count / pieces * p + count % pieces * p / pieces; };
+  this->RunPulses(
+    scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
 
   vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
   for (const char* name : { names::PartName, names::CRS })
@@ -491,8 +495,9 @@ void vtkHeliosScanner::RunPulses(
   this->LargestAmplitude = sum.LargestAmplitude;
   if (sum.CutWaveforms > 0)
   {
-    vtkWarningMacro(<< sum.CutWaveforms << " waveforms were cut: their pulse met surfaces too far "
-                                           "apart to store all bins between them");
+    vtkWarningMacro(<< sum.CutWaveforms
+                    << " waveforms were cut: their pulse met surfaces too far "
+                       "apart to store all bins between them");
   }
 
   const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms };

@@ -136,7 +136,8 @@ bool Check(Survey& survey, const std::vector<vtkHeliosHit>& hits)
   vtkPolyData* echoes = survey.Run();
   vtkDataArray* ranges = echoes->GetPointData()->GetArray(names::Range);
   vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
-  const auto subRays = static_cast<std::size_t>(survey.Scanner->GetBeamSampler()->GetNumberOfSubRays());
+  const auto subRays =
+    static_cast<std::size_t>(survey.Scanner->GetBeamSampler()->GetNumberOfSubRays());
   vtkIdType echo = 0;
   for (std::size_t pulse = 0; pulse < hits.size() / subRays; ++pulse)
   {

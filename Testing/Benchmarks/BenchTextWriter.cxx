@@ -101,9 +101,8 @@ double WritePlain(vtkPolyData* echoes, const std::string& path)
   const double start = CpuSeconds();
   std::FILE* file = std::fopen(path.c_str(), "w");
   vtkPointData* data = echoes->GetPointData();
-  const auto value = [data](const char* name, vtkIdType i) {
-    return data->GetArray(name)->GetComponent(i, 0);
-  };
+  const auto value = [data](const char* name, vtkIdType i)
+  { return data->GetArray(name)->GetComponent(i, 0); };
   for (vtkIdType i = 0; i < Count; ++i)
   {
     double p[3];

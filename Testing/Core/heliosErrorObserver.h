@@ -33,7 +33,10 @@ public:
     object->AddObserver(vtkCommand::WarningEvent, this);
   }
 
-  bool HasError(const std::string& part) const { return this->Errors.find(part) != std::string::npos; }
+  bool HasError(const std::string& part) const
+  {
+    return this->Errors.find(part) != std::string::npos;
+  }
   bool HasWarning(const std::string& part) const
   {
     return this->Warnings.find(part) != std::string::npos;

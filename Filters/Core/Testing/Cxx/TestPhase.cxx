@@ -18,7 +18,8 @@ double ExactPhase(std::int64_t i, std::int64_t frequency, std::int64_t rate)
 
 TEST_CASE("Phase: exact after a day at 1 MHz", "[Phase]")
 {
-  for (const std::int64_t i : { 0LL, 1LL, 999999LL, 86399999999LL, 86400000001LL, 4503599627370495LL })
+  for (const std::int64_t i :
+    { 0LL, 1LL, 999999LL, 86399999999LL, 86400000001LL, 4503599627370495LL })
   {
     CHECK(helios::Phase(i, 120, 1000000) == Approx(ExactPhase(i, 120, 1000000)).margin(1e-15));
     CHECK(helios::Phase(i, 997, 550000) == Approx(ExactPhase(i, 997, 550000)).margin(1e-15));

@@ -265,7 +265,8 @@ TEST_CASE("PointXMLWriter: VTK reads back what was written", "[Writers]")
   REQUIRE(cloud->GetNumberOfPoints() == 1010);
   CHECK(cloud->GetNumberOfVerts() == 1010);
   CHECK(cloud->GetPoint(999)[1] == echoes->GetPoint(999)[1]);
-  REQUIRE(cloud->GetPointData()->GetNumberOfArrays() == echoes->GetPointData()->GetNumberOfArrays());
+  REQUIRE(
+    cloud->GetPointData()->GetNumberOfArrays() == echoes->GetPointData()->GetNumberOfArrays());
   for (int a = 0; a < echoes->GetPointData()->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* wrote = echoes->GetPointData()->GetArray(a);
@@ -304,7 +305,8 @@ TEST_CASE("TrajectoryTextWriter: positions, times and angles", "[Writers]")
   vtkNew<vtkDoubleArray> orientations;
   orientations->SetName(names::Orientation);
   orientations->SetNumberOfComponents(4);
-  const auto add = [&points, &orientations](double roll, double pitch, double yaw) {
+  const auto add = [&points, &orientations](double roll, double pitch, double yaw)
+  {
     const helios::Quaternion q = helios::AxisAngle({ 1, 0, 0 }, roll) *
       helios::AxisAngle({ 0, 1, 0 }, pitch) * helios::AxisAngle({ 0, 0, 1 }, yaw);
     points->InsertNextPoint(1.5, -2.25, 100);
@@ -325,8 +327,10 @@ TEST_CASE("TrajectoryTextWriter: positions, times and angles", "[Writers]")
   const auto rows = helios::ReadRows(path);
   REQUIRE(rows.size() == 4);
   using Row = std::vector<std::string>;
-  CHECK(rows[0] == Row{ "1.5000", "-2.2500", "100.0000", "0.000000000", "0.0000", "0.0000", "0.0000" });
-  CHECK(Row(rows[1].begin() + 3, rows[1].end()) == Row{ "0.500000000", "0.0000", "0.0000", "270.0000" });
+  CHECK(
+    rows[0] == Row{ "1.5000", "-2.2500", "100.0000", "0.000000000", "0.0000", "0.0000", "0.0000" });
+  CHECK(Row(rows[1].begin() + 3, rows[1].end()) ==
+    Row{ "0.500000000", "0.0000", "0.0000", "270.0000" });
   CHECK(Row(rows[2].begin() + 4, rows[2].end()) == Row{ "10.0000", "-20.0000", "300.0000" });
   CHECK(Row(rows[3].begin() + 4, rows[3].end()) == Row{ "0.0000", "90.0000", "40.0000" });
 

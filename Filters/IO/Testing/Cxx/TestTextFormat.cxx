@@ -25,7 +25,8 @@ std::string Reference(double value, int decimals)
   char buffer[400];
   std::string text(
     buffer, std::to_chars(buffer, buffer + 400, value, std::chars_format::fixed, decimals).ptr);
-  return text[0] == '-' && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1) : text;
+  return text[0] == '-' && text.find_first_not_of("-0.") == std::string::npos ? text.substr(1)
+                                                                              : text;
 }
 
 template <int Decimals>

@@ -18,7 +18,8 @@ std::vector<float> Gaussian(double centre, double bin, double sigma = Sigma)
   std::vector<float> samples;
   for (double t = 0; t < 40; t += bin)
   {
-    samples.push_back(static_cast<float>(1e-6 * std::exp(-0.5 * std::pow((t - centre) / sigma, 2))));
+    samples.push_back(
+      static_cast<float>(1e-6 * std::exp(-0.5 * std::pow((t - centre) / sigma, 2))));
   }
   return samples;
 }

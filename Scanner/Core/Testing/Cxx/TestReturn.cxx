@@ -43,7 +43,8 @@ std::vector<Echo> Find(std::vector<SubReturn>& returns, double binSize = 0.25)
 /// The maximum of the sum of Gaussians nearest to a start, by bisection of its derivative.
 double TrueMaximum(const std::vector<SubReturn>& returns, double from, double to)
 {
-  const auto slope = [&returns](double x) {
+  const auto slope = [&returns](double x)
+  {
     double sum = 0;
     for (const SubReturn& r : returns)
     {
@@ -81,7 +82,8 @@ TEST_CASE("Receiver: a narrow group has the maximum of its sum", "[Receiver]")
   CHECK(echoes[0].Nearest->Range == 50.05);
 }
 
-TEST_CASE("Receiver: two halves almost 2 sigma apart have one flat maximum in the middle", "[Receiver]")
+TEST_CASE(
+  "Receiver: two halves almost 2 sigma apart have one flat maximum in the middle", "[Receiver]")
 {
   auto returns = MakeReturns({ { 10.0, 1e-7 }, { 10.0 + 1.999 * SigmaRange, 1e-7 } });
   const auto echoes = Find(returns);
@@ -92,7 +94,8 @@ TEST_CASE("Receiver: two halves almost 2 sigma apart have one flat maximum in th
 TEST_CASE("Receiver: bins agree with the exact maximum", "[Receiver]")
 {
   // A spread over 0.6 m: the group is binned, and its sum still has one maximum.
-  auto returns = MakeReturns({ { 200.0, 1e-7 }, { 200.2, 4e-7 }, { 200.3, 3e-7 }, { 200.6, 1e-7 } });
+  auto returns =
+    MakeReturns({ { 200.0, 1e-7 }, { 200.2, 4e-7 }, { 200.3, 3e-7 }, { 200.6, 1e-7 } });
   const auto echoes = Find(returns);
   REQUIRE(echoes.size() == 1);
   const double exact = TrueMaximum(returns, 200.0, 200.6);

@@ -16,9 +16,9 @@
 #include "vtkHeliosStaticPlatform.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkCellData.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
@@ -91,7 +91,8 @@ Rectangle Wall(double y, double half = 50.0)
   return { { -half, y, -half }, { 2 * half, 0, 0 }, { 0, 0, 2 * half } };
 }
 
-vtkSmartPointer<vtkPolyData> MakeWaypoints(std::initializer_list<Vec3> positions, double speed = 1.0)
+vtkSmartPointer<vtkPolyData> MakeWaypoints(
+  std::initializer_list<Vec3> positions, double speed = 1.0)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -144,10 +145,10 @@ double Value(vtkPolyData* data, const char* name, vtkIdType row)
 std::string Bytes(vtkPolyData* data)
 {
   std::string bytes;
-  const auto append = [&bytes](vtkDataArray* array) {
+  const auto append = [&bytes](vtkDataArray* array)
+  {
     bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
-      static_cast<std::size_t>(
-        array->GetNumberOfValues() * array->GetDataTypeSize()));
+      static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
   };
   append(data->GetPoints()->GetData());
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
@@ -199,7 +200,8 @@ TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider ec
 {
   const double angle = 75 * 0.017453292519943295;
   const Vec3 slope(0, std::sin(angle), std::cos(angle));
-  const auto scene = MakeScene({ { Vec3(-50, 100, 0) - 50.0 * slope, { 100, 0, 0 }, 100.0 * slope } });
+  const auto scene =
+    MakeScene({ { Vec3(-50, 100, 0) - 50.0 * slope, { 100, 0, 0 }, 100.0 * slope } });
   Bench bench(scene);
   vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
   sampler->SetBeamDivergence(1e-3); // w = 0.5 mrad
@@ -210,8 +212,8 @@ TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider ec
   REQUIRE(echoes->GetNumberOfPoints() == 10);
   // Truths: sigma_t 1.809093830 ns and peak ratio 0.938947208 of the untruncated beam.
   CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(5e-4));
-  CHECK(Value(echoes, names::EchoWidth, 0) ==
-    Approx(helios::FwhmPerSigma * 1.809093830).epsilon(2e-4));
+  CHECK(
+    Value(echoes, names::EchoWidth, 0) == Approx(helios::FwhmPerSigma * 1.809093830).epsilon(2e-4));
   const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
   const double flat = 4 * equation(100, 0.5, std::cos(angle));
   CHECK(Value(echoes, names::Amplitude, 0) / flat == Approx(0.938947208).epsilon(2e-3));
@@ -503,7 +505,8 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
-  const auto expect = [&bench](const char* message) {
+  const auto expect = [&bench](const char* message)
+  {
     bench.Scanner->Update();
     CHECK(bench.Log->HasError(message));
     bench.Log->Clear();
