@@ -1,3 +1,123 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurvey.h"
+
+#include "heliosSurveyData.h"
+
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkHeliosSurvey);
+
+//------------------------------------------------------------------------------
+vtkHeliosSurvey::vtkHeliosSurvey()
+  : Data(new helios::SurveyData)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurvey::~vtkHeliosSurvey() = default;
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetName() const
+{
+  return this->Data->Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetScannerName() const
+{
+  return this->Data->Scanner.Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPlatformName() const
+{
+  return this->Data->Platform.Name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetSceneName() const
+{
+  return this->Data->Scene.Name;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::IsMoving() const
+{
+  return this->Data->IsMoving();
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfParts() const
+{
+  return static_cast<int>(this->Data->Scene.Parts.size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPartName(int part) const
+{
+  const bool exists = part >= 0 && part < this->GetNumberOfParts();
+  return exists ? this->Data->Scene.Parts[static_cast<std::size_t>(part)].Name : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfLegs() const
+{
+  return static_cast<int>(this->Data->Legs.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::GetLegPosition(int leg, double position[3]) const
+{
+  const helios::LegData* data = this->FindLeg(leg);
+  const helios::Vec3 p = data ? data->Position : helios::Vec3(0.0, 0.0, 0.0);
+  std::copy_n(p.GetData(), 3, position);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::IsLegOnGround(int leg) const
+{
+  const helios::LegData* data = this->FindLeg(leg);
+  return data && data->OnGround;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::IsLegActive(int leg) const
+{
+  return this->FindLeg(leg) && this->Data->Fires(static_cast<std::size_t>(leg));
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSurvey::GetLegPulseFrequency(int leg) const
+{
+  const helios::LegData* data = this->FindLeg(leg);
+  return data ? data->PulseFrequency : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSurvey::GetLegScanFrequency(int leg) const
+{
+  const helios::LegData* data = this->FindLeg(leg);
+  return data ? data->ScanFrequency : 0.0;
+}
+
+//------------------------------------------------------------------------------
+const helios::LegData* vtkHeliosSurvey::FindLeg(int leg) const
+{
+  const bool exists = leg >= 0 && leg < this->GetNumberOfLegs();
+  return exists ? &this->Data->Legs[static_cast<std::size_t>(leg)] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Name: " << this->GetName() << "\n"
+     << indent << "Scanner: " << this->GetScannerName() << "\n"
+     << indent << "Platform: " << this->GetPlatformName() << "\n"
+     << indent << "Scene: " << this->GetSceneName() << "\n"
+     << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n"
+     << indent << "NumberOfLegs: " << this->GetNumberOfLegs() << "\n";
+}

@@ -3,6 +3,14 @@
 /**
  * @class   vtkHeliosSurvey
  * @brief   a survey as plain data
+ *
+ * A scene, a scanner on a platform, and the legs that it runs, as
+ * vtkHeliosSurveyReader reads them and vtkHeliosSurveyPlayer runs them. Nothing
+ * is left to look up, to inherit or to clip. C++ reaches the data with
+ * GetData(); what is wrapped tells what the survey is.
+ *
+ * @sa
+ * vtkHeliosSurveyReader vtkHeliosSurveyPlayer
  */
 
 #ifndef vtkHeliosSurvey_h
@@ -11,6 +19,15 @@
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
 
+#include <memory> // For the private data
+#include <string> // For the names
+
+namespace helios
+{
+struct LegData;
+struct SurveyData;
+}
+
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurvey : public vtkObject
 {
 public:
@@ -18,7 +35,75 @@ public:
   vtkTypeMacro(vtkHeliosSurvey, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * The name of the survey, which its output folder gets, too.
+   */
+  std::string GetName() const;
 
+  ///@{
+  /**
+   * The names of what the survey uses.
+   */
+  std::string GetScannerName() const;
+  std::string GetPlatformName() const;
+  std::string GetSceneName() const;
+  ///@}
+
+  /**
+   * Whether the platform moves from leg to leg. The last leg is then an end
+   * point only.
+   */
+  bool IsMoving() const;
+
+  ///@{
+  /**
+   * The parts of the scene; a part's name is empty where there is no such part.
+   */
+  int GetNumberOfParts() const;
+  std::string GetPartName(int part) const;
+  ///@}
+
+  /**
+   * The number of legs, the inactive ones included.
+   */
+  int GetNumberOfLegs() const;
+
+  /**
+   * The position of a leg as the survey gives it [m]: with z not yet on the
+   * ground for a leg that IsLegOnGround(). Zero where there is no such leg.
+   */
+  void GetLegPosition(int leg, double position[3]) const;
+
+  ///@{
+  /**
+   * Whether a leg is put onto the ground; whether it fires pulses.
+   */
+  bool IsLegOnGround(int leg) const;
+  bool IsLegActive(int leg) const;
+  ///@}
+
+  ///@{
+  /**
+   * The pulse frequency [Hz] and the scan frequency [Hz] of a leg; 0 where there
+   * is no such leg.
+   */
+  double GetLegPulseFrequency(int leg) const;
+  double GetLegScanFrequency(int leg) const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /// All of it; call Modified() after a change.
+  helios::SurveyData& GetData()
+  {
+    return *this->Data;
+  }
+  const helios::SurveyData& GetData() const
+  {
+    return *this->Data;
+  }
+  ///@}
+#endif
 
 protected:
   vtkHeliosSurvey();
@@ -27,6 +112,10 @@ protected:
 private:
   vtkHeliosSurvey(const vtkHeliosSurvey&) = delete;
   void operator=(const vtkHeliosSurvey&) = delete;
+
+  const helios::LegData* FindLeg(int leg) const;
+
+  std::unique_ptr<helios::SurveyData> Data;
 };
 
 #endif

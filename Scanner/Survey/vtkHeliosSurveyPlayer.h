@@ -2,7 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveyPlayer
- * @brief   runs the legs of a survey
+ * @brief   runs the legs of a survey and writes what the scanner records
+ *
+ * Run() builds the pipeline of a survey (scene readers, transforms, composer;
+ * platform; scanner), runs its legs block by block and hands each block to the
+ * writers, so that memory does not grow with the number of pulses. A leg of a
+ * moving platform goes from its waypoint to the next one's, and the last is an
+ * end point; on a platform that stands a leg is a scan position. GPS time and
+ * pulse ids go on from leg to leg; a leg that is not active takes its time and
+ * fires nothing. MaximumDuration of a leg ends its pulses, not its way.
+ *
+ * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the
+ * survey>:
+ * - legNNN_points.xyz (or .pvtp): the echoes
+ * - legNNN_trajectory.txt: the platform every trajectoryTimeInterval_s, and at
+ *   start and end of the leg
+ * - legNNN_fullwave.txt, with WriteWaveforms: the waveforms
+ *
+ * While a leg runs its files end in .part and are valid up to the last block.
+ *
+ * Events: StartEvent, ProgressEvent (while loading and after every block; the
+ * data is the progress as a double), EndEvent. Errors and warnings of all
+ * filters come as the player's own. The number of threads is that of
+ * vtkSMPTools; it changes no byte of the output.
+ *
+ * @sa
+ * vtkHeliosSurvey vtkHeliosSurveyReader vtkHeliosScanner
  */
 
 #ifndef vtkHeliosSurveyPlayer_h
@@ -10,6 +35,12 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // For the survey
+
+#include <atomic> // For Abort()
+#include <string> // For the message
+
+class vtkHeliosSurvey;
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveyPlayer : public vtkObject
 {
@@ -18,7 +49,110 @@ public:
   vtkTypeMacro(vtkHeliosSurveyPlayer, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Set/Get the survey to run. Default: none.
+   */
+  void SetSurvey(vtkHeliosSurvey* survey);
+  vtkHeliosSurvey* GetSurvey() const;
+  ///@}
 
+  ///@{
+  /**
+   * Set/Get the folder that the survey's own folder is made in. Default:
+   * "output".
+   */
+  vtkSetFilePathMacro(OutputDirectory);
+  vtkGetFilePathMacro(OutputDirectory);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the form of the point files: "xyz", text columns, or "vtp", VTK XML.
+   * Default: "xyz".
+   */
+  vtkSetStringMacro(Format);
+  vtkGetStringMacro(Format);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
+   */
+  vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
+  vtkGetMacro(Seed, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether ranges have the noise of the scanner. Default: on.
+   */
+  vtkSetMacro(Noise, bool);
+  vtkGetMacro(Noise, bool);
+  vtkBooleanMacro(Noise, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the waveforms are written. Default: off.
+   */
+  vtkSetMacro(WriteWaveforms, bool);
+  vtkGetMacro(WriteWaveforms, bool);
+  vtkBooleanMacro(WriteWaveforms, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the files of an earlier run are replaced; without it they
+   * are kept, and the run is refused. Default: off.
+   */
+  vtkSetMacro(Overwrite, bool);
+  vtkGetMacro(Overwrite, bool);
+  vtkBooleanMacro(Overwrite, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the pulses between two writes. Valid range: [1, 2^24]. Default:
+   * 262144.
+   */
+  vtkSetClampMacro(PulsesPerBlock, vtkIdType, 1, 16777216);
+  vtkGetMacro(PulsesPerBlock, vtkIdType);
+  ///@}
+
+  /**
+   * Runs the survey. Returns false after an error, after Abort(), and where it
+   * ends without a point; GetMessage() says why, and what is kept.
+   */
+  bool Run();
+
+  /**
+   * Ends the run after the block at work; may be called from any thread and from
+   * observers.
+   */
+  void Abort() { this->AbortRequested = true; }
+
+  ///@{
+  /**
+   * How far the run is: the share of its pulses, in [0, 1]; the leg at work, and
+   * how many legs the survey has; what it does, or how it ended, in words.
+   */
+  vtkGetMacro(Progress, double);
+  vtkGetMacro(CurrentLeg, int);
+  int GetNumberOfLegs() const;
+  std::string GetMessage() const { return this->Message; }
+  ///@}
+
+  ///@{
+  /**
+   * The pulses of the run, known once the scene is loaded; how many of them are
+   * done; the points, and the first returns among them, that are written.
+   */
+  vtkGetMacro(NumberOfPulses, vtkIdType);
+  vtkGetMacro(NumberOfPulsesDone, vtkIdType);
+  vtkGetMacro(NumberOfEchoes, vtkIdType);
+  vtkGetMacro(NumberOfFirstReturns, vtkIdType);
+  ///@}
 
 protected:
   vtkHeliosSurveyPlayer();
@@ -27,6 +161,27 @@ protected:
 private:
   vtkHeliosSurveyPlayer(const vtkHeliosSurveyPlayer&) = delete;
   void operator=(const vtkHeliosSurveyPlayer&) = delete;
+
+  class Internals;
+  friend class Internals;
+
+  vtkSmartPointer<vtkHeliosSurvey> Survey;
+  char* OutputDirectory = nullptr;
+  char* Format = nullptr;
+  vtkIdType Seed = 0;
+  bool Noise = true;
+  bool WriteWaveforms = false;
+  bool Overwrite = false;
+  vtkIdType PulsesPerBlock = 262144;
+
+  std::atomic<bool> AbortRequested{ false };
+  double Progress = 0.0;
+  int CurrentLeg = 0;
+  vtkIdType NumberOfPulses = 0;
+  vtkIdType NumberOfPulsesDone = 0;
+  vtkIdType NumberOfEchoes = 0;
+  vtkIdType NumberOfFirstReturns = 0;
+  std::string Message;
 };
 
 #endif

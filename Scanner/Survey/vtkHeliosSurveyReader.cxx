@@ -1,3 +1,83 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurveyReader.h"
+
+#include "heliosMessages.h"
+#include "heliosSurveyData.h"
+#include "heliosXmlSurvey.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkObjectFactory.h>
+
+#include <exception>
+
+vtkStandardNewMacro(vtkHeliosSurveyReader);
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveyReader::vtkHeliosSurveyReader() = default;
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveyReader::~vtkHeliosSurveyReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyReader::AddAssetDirectory(const char* directory)
+{
+  if (directory && *directory)
+  {
+    this->AssetDirectories.emplace_back(directory);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyReader::RemoveAllAssetDirectories()
+{
+  this->AssetDirectories.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyReader::Read()
+{
+  this->Survey = nullptr;
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro(<< "FileName is not set; give the name of a survey XML file.");
+    return false;
+  }
+  helios::Messages log(this);
+  try
+  {
+    vtkNew<vtkHeliosSurvey> survey;
+    survey->GetData() = helios::ReadSurvey(this->FileName, this->AssetDirectories, log);
+    if (!log.HasError())
+    {
+      this->Survey = survey;
+    }
+  }
+  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  {
+    vtkErrorMacro(<< this->FileName << ": cannot be read: " << error.what());
+  }
+  return this->Survey != nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurvey* vtkHeliosSurveyReader::GetSurvey() const
+{
+  return this->Survey;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  for (const std::string& directory : this->AssetDirectories)
+  {
+    os << indent << "AssetDirectory: " << directory << "\n";
+  }
+}

@@ -3,6 +3,22 @@
 /**
  * @class   vtkHeliosSurveyReader
  * @brief   a survey from HELIOS XML
+ *
+ * Read() reads the first survey of a file with everything it refers to: the
+ * scene (its OBJ files are only looked for), the scanner and the platform,
+ * templates of settings. Names of files are looked for in the asset directories
+ * (and the folder data of each) in their order, then in the folder of the file
+ * that names them, then in the working directory; a reference is file.xml#id,
+ * #id or id.
+ *
+ * The file is read strictly: every error names file:line, the value and the
+ * cure, and all errors are reported, not only the first. Attributes and elements
+ * that the dialect does not know, or that this version does not model, are
+ * warned of once. Optics are rotating and conic, platforms static and
+ * linearpath, scene filters objloader, rotate, scale and translate.
+ *
+ * @sa
+ * vtkHeliosSurvey vtkHeliosSurveyPlayer
  */
 
 #ifndef vtkHeliosSurveyReader_h
@@ -10,6 +26,12 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
+#include "vtkSmartPointer.h" // For the survey
+
+#include <string> // For the asset directories
+#include <vector> // For the asset directories
+
+class vtkHeliosSurvey;
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveyReader : public vtkObject
 {
@@ -18,7 +40,32 @@ public:
   vtkTypeMacro(vtkHeliosSurveyReader, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Set/Get the file to read. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
 
+  ///@{
+  /**
+   * Add a folder that files are looked for in, after those added before; remove
+   * all. Default: none.
+   */
+  void AddAssetDirectory(const char* directory);
+  void RemoveAllAssetDirectories();
+  ///@}
+
+  /**
+   * Reads the file. Returns false after an error; GetSurvey() is then null.
+   */
+  bool Read();
+
+  /**
+   * The survey of the last Read(), or null.
+   */
+  vtkHeliosSurvey* GetSurvey() const;
 
 protected:
   vtkHeliosSurveyReader();
@@ -27,6 +74,10 @@ protected:
 private:
   vtkHeliosSurveyReader(const vtkHeliosSurveyReader&) = delete;
   void operator=(const vtkHeliosSurveyReader&) = delete;
+
+  char* FileName = nullptr;
+  std::vector<std::string> AssetDirectories;
+  vtkSmartPointer<vtkHeliosSurvey> Survey;
 };
 
 #endif

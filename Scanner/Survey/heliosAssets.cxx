@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosAssets.h"
+
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+
+namespace helios
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::string Join(const std::vector<std::string>& texts)
+{
+  std::string joined;
+  for (const std::string& text : texts)
+  {
+    joined += (joined.empty() ? "" : ", ") + text;
+  }
+  return joined;
+}
+
+/// The candidates for a name, in the order of the folders; an absolute name is its own.
+std::vector<std::string> MakeCandidates(const std::string& name,
+  const std::vector<std::string>& folders)
+{
+  if (fs::path(name).is_absolute())
+  {
+    return { name };
+  }
+  std::vector<std::string> candidates;
+  for (const std::string& folder : folders)
+  {
+    candidates.push_back((fs::path(folder) / name).lexically_normal().string());
+  }
+  return candidates;
+}
+
+bool IsFile(const std::string& path)
+{
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+bool IsFolder(const std::string& path)
+{
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+/// The files of a folder whose names match, in alphabetical order.
+std::vector<std::string> MatchFiles(const std::string& folder, const std::regex& expression)
+{
+  std::vector<std::string> files;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
+  {
+    const std::string name = entry->path().filename().string();
+    if (IsFile(entry->path().string()) && std::regex_match(name, expression))
+    {
+      files.push_back(entry->path().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Assets::Assets(Messages& messages, std::vector<std::string> directories)
+  : Log(messages)
+  , Directories(std::move(directories))
+{
+}
+
+//------------------------------------------------------------------------------
+const XmlDocument* Assets::Load(const std::string& path)
+{
+  const auto found = this->Documents.find(path);
+  if (found != this->Documents.end())
+  {
+    return found->second.get();
+  }
+  auto& document = this->Documents[path];
+  document = XmlDocument::Load(path, this->Log);
+  if (document)
+  {
+    document->GetRoot().CheckNames();
+  }
+  return document.get();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Assets::GetFolders(const XmlDocument& from) const
+{
+  std::vector<std::string> folders;
+  for (const std::string& directory : this->Directories)
+  {
+    folders.push_back(directory);
+    folders.push_back((fs::path(directory) / "data").string());
+  }
+  const std::string own = fs::path(from.GetPath()).parent_path().string();
+  folders.push_back(own.empty() ? "." : own);
+  folders.emplace_back(".");
+  return folders;
+}
+
+//------------------------------------------------------------------------------
+std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from)
+{
+  const std::vector<std::string> candidates = MakeCandidates(
+    name.Text, name.Text.empty() ? std::vector<std::string>() : this->GetFolders(from));
+  const auto found = std::find_if(candidates.begin(), candidates.end(), IsFile);
+  if (found != candidates.end())
+  {
+    return *found;
+  }
+  this->Log.Error(name.Where + ": " + name.Name + "=\"" + name.Text +
+    "\": no such file; looked for " + (candidates.empty() ? "nothing" : Join(candidates)) +
+    ". Correct the name, or add its folder to the asset directories");
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDocument& from)
+{
+  const std::string where = pattern.Where + ": " + pattern.Name + "=\"" + pattern.Text + "\"";
+  const std::size_t slash = pattern.Text.rfind('/');
+  const bool hasFolder = slash != std::string::npos;
+  const std::string folder = hasFolder ? pattern.Text.substr(0, slash + 1) : "";
+  std::regex expression;
+  try
+  {
+    expression = std::regex(hasFolder ? pattern.Text.substr(slash + 1) : pattern.Text);
+  }
+  catch (const std::regex_error& error)
+  {
+    this->Log.Error(where + " is no regular expression: " + error.what() +
+      "; give a folder and an expression for the file name, as in trees/oak_.*[.]obj");
+    return {};
+  }
+  const std::vector<std::string> candidates = MakeCandidates(folder, this->GetFolders(from));
+  for (const std::string& candidate : candidates)
+  {
+    std::vector<std::string> files =
+      IsFolder(candidate) ? MatchFiles(candidate, expression) : std::vector<std::string>();
+    if (!files.empty())
+    {
+      return files;
+    }
+  }
+  this->Log.Error(where + ": no file matches; looked in " + Join(candidates) +
+    ". Correct the expression, or add the folder to the asset directories");
+  return {};
+}
+
+//------------------------------------------------------------------------------
+XmlElement Assets::FindElement(const char* tag, const XmlElement& from, const char* attribute)
+{
+  const std::string reference = from.GetText(attribute);
+  const std::string where = from.Where() + ": " + attribute + "=\"" + reference + "\"";
+  const std::size_t hash = reference.rfind('#');
+  const std::string file = hash == std::string::npos ? "" : reference.substr(0, hash);
+  const std::string id = hash == std::string::npos ? reference : reference.substr(hash + 1);
+  if (file.empty())
+  {
+    return this->FindElementById(tag, id, from.GetDocument(), where);
+  }
+  const std::string path = this->FindFile({ attribute, file, from.Where() }, from.GetDocument());
+  const XmlDocument* document = path.empty() ? nullptr : this->Load(path);
+  return document ? this->FindElementById(tag, id, *document, where) : XmlElement();
+}
+
+//------------------------------------------------------------------------------
+XmlElement Assets::FindElementById(const char* tag,
+  const std::string& id,
+  const XmlDocument& document,
+  const std::string& where)
+{
+  std::vector<std::string> ids;
+  for (const XmlElement& element : document.GetRoot().GetChildren(tag))
+  {
+    if (element.Has("id") && element.GetText("id") == id)
+    {
+      return element;
+    }
+    if (element.Has("id"))
+    {
+      ids.push_back(element.GetText("id"));
+    }
+  }
+  const std::string nearest = FindNearestName(id, ids);
+  this->Log.Error(where + ": " + document.GetPath() + " has no <" + tag + "> of the id \"" + id +
+    "\"; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") +
+    (ids.empty() ? "It has none at all; write file.xml#id" : "Its ids are " + Join(ids)));
+  return {};
+}
+
+} // namespace helios

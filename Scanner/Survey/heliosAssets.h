@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the files and elements that HELIOS XML refers to.
+
+#ifndef heliosAssets_h
+#define heliosAssets_h
+
+#include "heliosXmlElement.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+class Messages;
+
+/**
+ * A relative name is looked for in the asset directories (and the folder data of each), then in the
+ * folder of the file that names it, then in the working directory. A document is read once.
+ */
+class Assets
+{
+public:
+  Assets(Messages& messages, std::vector<std::string> directories);
+
+  /// The document of that very path; null after an error.
+  const XmlDocument* Load(const std::string& path);
+
+  /// The path of a file; empty, after an error that names the places, where there is none.
+  std::string FindFile(const XmlValue& name, const XmlDocument& from);
+
+  /// The paths of all files of a folder whose whole names match a regular expression, in
+  /// alphabetical order; none after an error.
+  std::vector<std::string> FindFiles(const XmlValue& pattern, const XmlDocument& from);
+
+  /// The element of a tag that an attribute refers to by file.xml#id, #id or id; none after an error.
+  XmlElement FindElement(const char* tag, const XmlElement& from, const char* attribute);
+
+  /// The folders that a file named by this document is looked for in.
+  std::vector<std::string> GetFolders(const XmlDocument& from) const;
+
+private:
+  XmlElement FindElementById(const char* tag,
+    const std::string& id,
+    const XmlDocument& document,
+    const std::string& where);
+
+  Messages& Log;
+  std::vector<std::string> Directories;
+  std::map<std::string, std::unique_ptr<XmlDocument>> Documents;
+};
+
+} // namespace helios
+
+#endif

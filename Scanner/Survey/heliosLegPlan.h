@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the platform of a survey is when: one clock over all legs.
+
+#ifndef heliosLegPlan_h
+#define heliosLegPlan_h
+
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkHeliosPlatform;
+class vtkPolyData;
+
+namespace helios
+{
+
+class Messages;
+
+/// A leg that fires pulses.
+struct LegPlan
+{
+  std::size_t Leg = 0;                         ///< of the survey
+  vtkSmartPointer<vtkHeliosPlatform> Platform; ///< makes the trajectory
+  double StartTime = 0.0;                      ///< [s]
+  double Duration = 0.0;                       ///< [s]
+  vtkIdType FirstPulse = 0;                    ///< id, over the run
+  vtkIdType NumberOfPulses = 0;
+};
+
+/**
+ * The legs of a survey that fire pulses, with their platforms run and their times set. Positions
+ * that are on the ground are put onto that of the scene. None after an error.
+ */
+std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, Messages& log);
+
+/**
+ * Samples of the trajectory of a leg at its start, every interval [s] after that, and its end; with
+ * an interval of 0 at start and end only. One sample where the platform stands. Sample first and
+ * the count - 1 after it come as one block.
+ */
+class TrajectorySampler
+{
+public:
+  TrajectorySampler(const LegPlan& plan, double interval);
+
+  vtkIdType GetNumberOfSamples() const { return this->NumberOfSamples; }
+  vtkSmartPointer<vtkPolyData> GetSamples(vtkIdType first, vtkIdType count) const;
+
+private:
+  struct State
+  {
+    double Time;
+    Vec3 Position;
+    Quaternion Orientation;
+  };
+
+  State GetState(double time) const;
+  double GetTime(vtkIdType sample) const;
+
+  std::vector<State> Path;
+  double StartTime;
+  double EndTime;
+  double Interval;
+  vtkIdType NumberOfSamples = 1;
+};
+
+} // namespace helios
+
+#endif

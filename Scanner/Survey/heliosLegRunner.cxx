@@ -1,0 +1,329 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLegRunner.h"
+
+#include "heliosMessages.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosConicMirror.h"
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosPlatform.h"
+#include "vtkHeliosPointTextWriter.h"
+#include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosRotatingMirror.h"
+#include "vtkHeliosScanner.h"
+#include "vtkHeliosTrajectoryTextWriter.h"
+#include "vtkHeliosWaveformTextWriter.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace helios
+{
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr vtkIdType SamplesPerBlock = 65536;
+
+/// "legNNN" and what follows.
+std::string MakeFileName(const std::string& folder, std::size_t leg, const char* ending)
+{
+  char name[32];
+  std::snprintf(name, sizeof(name), "leg%03zu", leg);
+  return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
+}
+
+vtkIdType CountFirstReturns(vtkPolyData* echoes)
+{
+  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
+  {
+    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
+  }
+  return count;
+}
+
+void SetPose(const Pose& pose, double position[3], double orientation[4])
+{
+  std::copy_n(pose.Position.GetData(), 3, position);
+  std::copy_n(pose.Orientation.GetData(), 4, orientation);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+LegRunner::LegRunner(const SurveyData& survey,
+  vtkPolyData* scene,
+  const RunSettings& settings,
+  Messages& log)
+  : Survey(survey)
+  , Settings(settings)
+  , Log(log)
+  , Scene(scene)
+{
+  this->Log.Listen(this->Scanner.Get());
+  this->SetUpInstrument();
+}
+
+//------------------------------------------------------------------------------
+LegRunner::~LegRunner() = default;
+
+//------------------------------------------------------------------------------
+void LegRunner::SetUpInstrument()
+{
+  const ScannerData& data = this->Survey.Scanner;
+  this->Scanner->SetInputDataObject(0, this->Scene);
+  this->Scanner->SetPulseLength(data.PulseLength);
+  this->Scanner->SetBinSize(data.BinSize);
+  this->Scanner->SetAveragePower(data.AveragePower);
+  this->Scanner->SetWavelength(data.Wavelength);
+  this->Scanner->SetOpticalEfficiency(data.OpticalEfficiency);
+  this->Scanner->SetReceiverDiameter(data.ReceiverDiameter);
+  this->Scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
+  this->Scanner->SetRangeAccuracy(this->Settings.Noise ? data.Accuracy : 0.0);
+  this->Scanner->SetRangeMin(data.RangeMin);
+  this->Scanner->SetRangeMax(data.RangeMax);
+  this->Scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
+  this->Scanner->GetEchoDetector()->SetDetectionThreshold(data.DetectionThreshold);
+  this->Scanner->GetBeamSampler()->SetNumberOfCircles(data.NumberOfCircles);
+  double position[3];
+  double orientation[4];
+  SetPose(this->Survey.Platform.Mount, position, orientation);
+  this->Scanner->SetMountPosition(position);
+  this->Scanner->SetMountOrientation(orientation);
+  SetPose(data.Beam, position, orientation);
+  this->Scanner->SetBeamOrigin(position);
+  this->Scanner->SetBeamOrientation(orientation);
+  Vec3 axis = data.HeadRotateAxis;
+  this->Scanner->SetHeadRotateAxis(axis.GetData());
+  this->Scanner->SetSeed(this->Settings.Seed);
+  this->Scanner->SetGenerateWaveforms(this->Settings.Waveforms);
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::SetUpLeg(const LegPlan& plan)
+{
+  const LegData& leg = this->Survey.Legs[plan.Leg];
+  this->SetUpOptics(leg);
+  this->Scanner->GetBeamSampler()->SetBeamDivergence(leg.BeamDivergence);
+  this->Scanner->SetHeadRotateStart(leg.HeadRotateStart);
+  this->Scanner->SetHeadRotateStop(leg.HeadRotateStop);
+  this->Scanner->SetHeadRotateSpeed(leg.HeadRotateSpeed);
+  this->Scanner->SetInputConnection(1, plan.Platform->GetOutputPort());
+  this->Scanner->SetStartTime(plan.StartTime);
+  this->Scanner->SetDuration(plan.Duration);
+  this->Scanner->SetFirstPulseId(plan.FirstPulse);
+  this->Scanner->SetLegId(static_cast<int>(plan.Leg));
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::SetUpOptics(const LegData& leg)
+{
+  vtkSmartPointer<vtkHeliosBeamDeflector> deflector;
+  if (this->Survey.Scanner.Type == Optics::ConicMirror)
+  {
+    auto mirror = vtkSmartPointer<vtkHeliosConicMirror>::New();
+    mirror->SetScanFrequency(leg.ScanFrequency);
+    mirror->SetScanAngle(leg.ScanAngle);
+    deflector = mirror;
+  }
+  else
+  {
+    auto mirror = vtkSmartPointer<vtkHeliosRotatingMirror>::New();
+    mirror->SetScanFrequency(leg.ScanFrequency);
+    mirror->SetMirrorAngle(this->Survey.Scanner.ScanAngleMax);
+    mirror->SetVerticalAngleMin(leg.VerticalAngleMin);
+    mirror->SetVerticalAngleMax(leg.VerticalAngleMax);
+    deflector = mirror;
+  }
+  deflector->SetPulseFrequency(leg.PulseFrequency);
+  this->Scanner->SetBeamDeflector(deflector);
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Plan()
+{
+  this->Plans = PlanLegs(this->Survey, this->Scene, this->Log);
+  for (LegPlan& plan : this->Plans)
+  {
+    this->SetUpLeg(plan);
+    plan.FirstPulse = this->NumberOfPulses;
+    plan.NumberOfPulses = std::max<vtkIdType>(0, this->Scanner->GetNumberOfPulses());
+    this->NumberOfPulses += plan.NumberOfPulses;
+  }
+  return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending)
+{
+  this->Log.Listen(writer);
+  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, ending).c_str());
+  writer->Open();
+}
+
+//------------------------------------------------------------------------------
+LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
+{
+  Writers writers(1);
+  if (this->Settings.Format == "vtp")
+  {
+    writers[0] = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+    this->Open(writers[0], plan, "_points.pvtp");
+  }
+  else
+  {
+    writers[0] = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+    this->Open(writers[0], plan, "_points.xyz");
+  }
+  if (this->Settings.Waveforms)
+  {
+    writers.push_back(vtkSmartPointer<vtkHeliosWaveformTextWriter>::New());
+    this->Open(writers[1], plan, "_fullwave.txt");
+  }
+  return writers;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteTrajectory(const LegPlan& plan)
+{
+  const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
+  vtkNew<vtkHeliosTrajectoryTextWriter> writer;
+  this->Open(writer, plan, "_trajectory.txt");
+  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
+       first += SamplesPerBlock)
+  {
+    writer->Write(sampler.GetSamples(first, SamplesPerBlock));
+  }
+  if (this->Log.HasError())
+  {
+    writer->Abandon();
+    return false;
+  }
+  return writer->Close();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
+{
+  this->SetUpLeg(plan);
+  const Writers writers = this->OpenWriters(plan);
+  bool good = !this->Log.HasError() && this->WriteTrajectory(plan) &&
+    this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
+  for (const auto& writer : writers)
+  {
+    good = (good ? writer->Close() : writer->Abandon()) && good;
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock)
+{
+  const vtkIdType size = this->Settings.PulsesPerBlock;
+  const int blocks =
+    static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
+  const vtkIdType before = this->Counts.Pulses;
+  for (int block = 0; block < blocks; ++block)
+  {
+    this->Scanner->UpdatePiece(block, blocks, 0);
+    if (this->Log.HasError())
+    {
+      return false;
+    }
+    const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
+      plan.NumberOfPulses % blocks * (block + 1) / blocks;
+    this->CountBlock(before + done);
+    for (std::size_t port = 0; port < writers.size(); ++port)
+    {
+      vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
+      if (!writers[port]->Write(data))
+      {
+        return false;
+      }
+      data->ReleaseData();
+    }
+    if (!onBlock(this->Counts))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::CountBlock(vtkIdType pulses)
+{
+  vtkPolyData* echoes = this->Scanner->GetOutput();
+  this->Counts.Pulses = pulses;
+  this->Counts.Echoes += echoes->GetNumberOfPoints();
+  this->Counts.FirstReturns += CountFirstReturns(echoes);
+  this->Counts.PulsesFired += this->Scanner->GetNumberOfPulsesFired();
+  this->Counts.PulsesHit += this->Scanner->GetNumberOfPulsesHit();
+  this->Counts.HitsOutOfRange += this->Scanner->GetNumberOfHitsOutOfRange();
+  this->Counts.LargestAmplitude =
+    std::max(this->Counts.LargestAmplitude, this->Scanner->GetLargestAmplitude());
+}
+
+//------------------------------------------------------------------------------
+std::string LegRunner::ExplainNoEchoes() const
+{
+  const ScannerData& scanner = this->Survey.Scanner;
+  Sentence text;
+  text << "No points: ";
+  if (this->NumberOfPulses == 0)
+  {
+    text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "
+            "one";
+  }
+  else if (this->Counts.PulsesFired == 0)
+  {
+    text << "no pulse left the scanner, since its mirror never is between verticalAngleMin_deg and "
+            "verticalAngleMax_deg; check these and the scan angles";
+  }
+  else if (this->Counts.PulsesHit == 0 && this->Counts.HitsOutOfRange == 0)
+  {
+    const LegPlan& plan = this->Plans.front();
+    const Vec3 p(plan.Platform->GetOutput()->GetPoint(0));
+    double b[6];
+    this->Scene->GetBounds(b);
+    text << "none of " << this->Counts.PulsesFired << " pulses hit the scene. It spans x " << b[0]
+         << " to " << b[1] << ", y " << b[2] << " to " << b[3] << ", z " << b[4] << " to " << b[5]
+         << "; leg " << plan.Leg << " starts at " << p[0] << ", " << p[1] << ", " << p[2]
+         << ". Check where the legs are, the scan angles and the scanner's mount";
+  }
+  else if (this->Counts.PulsesHit == 0)
+  {
+    text << "every surface hit is nearer than rangeMin_m=\"" << scanner.RangeMin << "\"";
+    if (scanner.RangeMax < VTK_DOUBLE_MAX)
+    {
+      text << " or farther than rangeMax_m=\"" << scanner.RangeMax << "\"";
+    }
+    text << " of scanner " << scanner.Id << "; check where the legs are, and the unit of the scene";
+  }
+  else
+  {
+    text << "the strongest of " << this->Counts.PulsesHit << " returns has "
+         << this->Counts.LargestAmplitude << " W, below the detection threshold of "
+         << scanner.DetectionThreshold << " W (receivedEnergyMin_W) of scanner " << scanner.Id
+         << "; check the reflectances, the range and averagePower_w";
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+const char* LegRunner::GetFilePattern()
+{
+  return "leg[0-9]{3,}_(points|trajectory|fullwave|pulse).*";
+}
+
+} // namespace helios

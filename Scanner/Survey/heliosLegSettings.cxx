@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLegSettings.h"
+
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The longest leg [s]: beyond it a head practically never stops.
+constexpr double LongestLeg = 1e9;
+
+/// Resolves one leg, step by step; a step that fails has reported why.
+class LegResolver
+{
+public:
+  LegResolver(const LegSettings& settings, const SurveyData& survey, bool isLast, Messages& log)
+    : Given(settings)
+    , Scanner(survey.Scanner)
+    , IsMoving(survey.IsMoving())
+    , Fires(settings.Leg.Active && !(survey.IsMoving() && isLast))
+    , IsLast(isLast)
+    , Log(log)
+    , Leg(settings.Leg)
+  {
+  }
+
+  LegData Resolve();
+
+private:
+  void ResolvePulses();
+  void ResolveScanAngles();
+  void ResolveFrequencies();
+  void ResolveHead();
+  void CheckWindow();
+  void CheckScanFrequency();
+  void CheckHead();
+  void CheckSpeed();
+
+  bool HasResolution() const
+  {
+    return this->Given.VerticalResolution != 0.0 || this->Given.HorizontalResolution != 0.0;
+  }
+
+  /// Messages are about legs that fire; the others are only passed through.
+  void Error(const Sentence& text);
+  void Warning(const Sentence& text);
+
+  const LegSettings& Given;
+  const ScannerData& Scanner;
+  bool IsMoving;
+  bool Fires;
+  bool IsLast;
+  Messages& Log;
+  LegData Leg;
+};
+
+//------------------------------------------------------------------------------
+LegData LegResolver::Resolve()
+{
+  this->Leg.BeamDivergence = std::isnan(this->Given.BeamDivergence) ? this->Scanner.BeamDivergence
+                                                                    : this->Given.BeamDivergence;
+  this->ResolvePulses();
+  this->ResolveScanAngles();
+  this->ResolveFrequencies();
+  this->ResolveHead();
+  this->CheckSpeed();
+  return this->Leg;
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolvePulses()
+{
+  const std::vector<double>& offered = this->Scanner.PulseFrequencies;
+  this->Leg.PulseFrequency = this->Given.PulseFrequency;
+  Sentence text;
+  if (std::isnan(this->Given.PulseFrequency) && offered.empty())
+  {
+    text << "no pulse frequency: give pulseFreq_hz here, or pulseFreqs_Hz for scanner "
+         << this->Scanner.Id;
+    this->Leg.PulseFrequency = 1.0;
+    this->Error(text);
+  }
+  else if (std::isnan(this->Given.PulseFrequency))
+  {
+    this->Leg.PulseFrequency = offered.front();
+  }
+  else if (!offered.empty() &&
+    std::find(offered.begin(), offered.end(), this->Given.PulseFrequency) == offered.end())
+  {
+    text << "pulseFreq_hz=\"" << this->Given.PulseFrequency << "\" is none of scanner "
+         << this->Scanner.Id << " and used all the same; it offers";
+    for (const double frequency : offered)
+    {
+      text << ' ' << frequency;
+    }
+    this->Warning(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveScanAngles()
+{
+  const double most = this->Scanner.ScanAngleMax;
+  const bool isGiven = this->Given.ScanAngle > 0.0; // false for NaN
+  this->Leg.ScanAngle = isGiven ? std::min(this->Given.ScanAngle, most) : most;
+  if (isGiven && this->Given.ScanAngle > most)
+  {
+    Sentence text;
+    text << "scanAngle_deg=\"" << this->Given.ScanAngle << "\" is clipped to " << most
+         << ", scanAngleMax_deg of scanner " << this->Scanner.Id;
+    this->Warning(text);
+  }
+  const double effective =
+    this->Scanner.ScanAngleEffectiveMax > 0.0 ? this->Scanner.ScanAngleEffectiveMax : most;
+  const double half = std::min(effective, this->Leg.ScanAngle);
+  const double low = this->Given.VerticalAngleMin;
+  const double high = this->Given.VerticalAngleMax;
+  this->Leg.VerticalAngleMin = std::isnan(low) ? -half : low;
+  this->Leg.VerticalAngleMax = std::isnan(high) ? half : high;
+  this->CheckWindow();
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::CheckWindow()
+{
+  const double effective = this->Scanner.ScanAngleEffectiveMax > 0.0
+    ? this->Scanner.ScanAngleEffectiveMax
+    : this->Scanner.ScanAngleMax;
+  const double low = this->Leg.VerticalAngleMin;
+  const double high = this->Leg.VerticalAngleMax;
+  Sentence text;
+  text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\" ";
+  if (this->Scanner.Type == Optics::RotatingMirror && !(low < high))
+  {
+    text << "is no window; give a smaller one first";
+    this->Error(text);
+  }
+  else if (this->Scanner.Type == Optics::RotatingMirror &&
+    high - low > 2.0 * effective * (1 + 1e-12))
+  {
+    text << "is wider than the " << 2.0 * effective << " deg of scanner " << this->Scanner.Id
+         << " (twice its scanAngleEffectiveMax_deg); give a narrower window";
+    this->Error(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveFrequencies()
+{
+  this->Leg.ScanFrequency = this->Given.ScanFrequency;
+  if (this->HasResolution() && this->Scanner.Type == Optics::RotatingMirror)
+  {
+    this->Leg.ScanFrequency = this->Leg.PulseFrequency * this->Given.VerticalResolution /
+      (2.0 * this->Scanner.ScanAngleMax);
+    this->Leg.HeadRotateSpeed = this->Given.HorizontalResolution * this->Leg.ScanFrequency;
+    if (this->Given.VerticalResolution == 0.0)
+    {
+      Sentence text;
+      text << "horizontalResolution_deg=\"" << this->Given.HorizontalResolution
+           << "\" needs verticalResolution_deg beside it; add it";
+      this->Error(text);
+    }
+  }
+  else if (this->HasResolution())
+  {
+    Sentence text;
+    text << "verticalResolution_deg and horizontalResolution_deg are not used by conic optics";
+    this->Warning(text);
+  }
+  this->CheckScanFrequency();
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::CheckScanFrequency()
+{
+  const double frequency = this->Leg.ScanFrequency;
+  const double least = this->Scanner.ScanFrequencyMin;
+  const double most = this->Scanner.ScanFrequencyMax;
+  const bool isLow = frequency < least;
+  const bool isHigh = most != 0.0 && frequency > most * (1.0 + 1e-9);
+  if (isLow || isHigh)
+  {
+    Sentence text;
+    text << (this->HasResolution() ? "the scan frequency that the resolution asks for, "
+                                   : "scanFreq_hz=\"")
+         << frequency << (this->HasResolution() ? " Hz," : "\"") << " is "
+         << (isLow ? "below scanFreqMin_Hz=\"" : "above scanFreqMax_Hz=\"")
+         << (isLow ? least : most) << "\" of scanner " << this->Scanner.Id << "; give "
+         << (isLow ? "a higher one" : "a lower one");
+    this->Error(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveHead()
+{
+  const double most = this->Scanner.HeadRotateSpeedMax;
+  const double asked = this->Leg.HeadRotateSpeed;
+  this->Leg.HeadRotateSpeed = std::clamp(asked, -most, most);
+  if (this->Leg.HeadRotateSpeed != asked)
+  {
+    Sentence text;
+    text << "headRotatePerSec_deg=\"" << asked << "\" is clipped to " << this->Leg.HeadRotateSpeed
+         << ", from headRotatePerSecMax_deg=\"" << most << "\" of scanner " << this->Scanner.Id;
+    this->Warning(text);
+  }
+  this->CheckHead();
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::CheckHead()
+{
+  const double time = this->Leg.GetHeadTime();
+  const bool turns = this->Leg.HeadRotateSpeed != 0.0;
+  const bool isEndless = !turns || std::abs(time) > LongestLeg;
+  Sentence text;
+  text << "the head turns from headRotateStart_deg=\"" << this->Leg.HeadRotateStart
+       << "\" to headRotateStop_deg=\"" << this->Leg.HeadRotateStop
+       << "\" with headRotatePerSec_deg=\"" << this->Leg.HeadRotateSpeed << "\" ";
+  if (turns && time < 0.0)
+  {
+    text << "and never gets there; exchange start and stop, or the sign of the speed";
+    this->Error(text);
+  }
+  else if (!this->IsMoving && isEndless && this->Leg.MaximumDuration < 0.0)
+  {
+    text << "on a platform that stands: the leg never ends; give a speed, or maxDuration_s";
+    this->Error(text);
+  }
+  else if (!this->IsMoving && turns && time == 0.0)
+  {
+    text << "and is there at once: the leg lasts no time; give another stop";
+    this->Error(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::CheckSpeed()
+{
+  if (this->IsMoving && !this->IsLast && !(this->Leg.Speed > 0.0))
+  {
+    Sentence text;
+    text << this->Leg.Where << ": movePerSec_m=\"" << this->Leg.Speed
+         << "\": the platform never reaches the next leg; give a speed above 0 [m/s]";
+    this->Log.Error(text.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::Error(const Sentence& text)
+{
+  if (this->Fires)
+  {
+    this->Log.Error(this->Leg.Where + ": " + text.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::Warning(const Sentence& text)
+{
+  if (this->Fires)
+  {
+    this->Log.WarnOnce(text.str(), this->Leg.Where + ": " + text.str());
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log)
+{
+  survey.Legs.push_back(LegResolver(settings, survey, isLast, log).Resolve());
+}
+
+} // namespace helios

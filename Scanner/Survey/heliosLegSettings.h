@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a leg asks for, made what its scanner can do.
+
+#ifndef heliosLegSettings_h
+#define heliosLegSettings_h
+
+#include "heliosSurveyData.h"
+
+#include <limits>
+
+namespace helios
+{
+
+class Messages;
+
+/// The settings of a leg as its file gives them; NaN: not given.
+struct LegSettings
+{
+  static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
+
+  LegData Leg; ///< with everything that is taken as it is
+  double PulseFrequency = NotGiven;
+  double ScanFrequency = 0.0;
+  double ScanAngle = NotGiven;
+  double VerticalAngleMin = NotGiven;
+  double VerticalAngleMax = NotGiven;
+  double BeamDivergence = NotGiven;
+  double VerticalResolution = 0.0;   ///< [deg], 0: not given
+  double HorizontalResolution = 0.0; ///< [deg], 0: not given
+};
+
+/**
+ * Adds a leg to a survey whose scanner and platform are known. Angles and speeds beyond those of
+ * the scanner are clipped with a warning; what cannot run is an error. A leg that fires no pulse is
+ * not checked.
+ */
+void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMessages.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+#include <vtkExecutive.h>
+#include <vtkObject.h>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The text of a message without "ERROR: In file, line n", its object and trailing line ends.
+std::string StripOrigin(const std::string& message)
+{
+  const std::size_t line = message.find('\n');
+  const std::size_t object = line == std::string::npos ? line : message.find("): ", line);
+  std::string text = object == std::string::npos ? message : message.substr(object + 3);
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Messages::Messages(vtkObject* owner)
+  : Owner(owner)
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(Messages::Forward);
+}
+
+//------------------------------------------------------------------------------
+void Messages::Error(const std::string& text)
+{
+  ++this->NumberOfErrors;
+  if (this->Seen.insert(text).second)
+  {
+    this->LastError = text;
+    vtkErrorWithObjectMacro(this->Owner, << text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Messages::Warning(const std::string& text)
+{
+  this->WarnOnce(text, text);
+}
+
+//------------------------------------------------------------------------------
+void Messages::WarnOnce(const std::string& key, const std::string& text)
+{
+  if (this->Seen.insert(key).second)
+  {
+    vtkWarningWithObjectMacro(this->Owner, << text);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Messages::Listen(vtkObject* object)
+{
+  object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  object->AddObserver(vtkCommand::WarningEvent, this->Observer);
+}
+
+//------------------------------------------------------------------------------
+void Messages::Listen(vtkAlgorithm* algorithm)
+{
+  this->Listen(static_cast<vtkObject*>(algorithm));
+  this->Listen(static_cast<vtkObject*>(algorithm->GetExecutive()));
+}
+
+//------------------------------------------------------------------------------
+void Messages::Forward(vtkObject* caller, unsigned long event, void* self, void* data)
+{
+  auto* messages = static_cast<Messages*>(self);
+  const std::string text = StripOrigin(data ? static_cast<const char*>(data) : "");
+  const bool isEcho =
+    vtkExecutive::SafeDownCast(caller) && text.find("returned failure") != std::string::npos;
+  if (isEcho)
+  {
+    ++messages->NumberOfErrors;
+  }
+  else if (event == vtkCommand::ErrorEvent)
+  {
+    messages->Error(text);
+  }
+  else
+  {
+    messages->Warning(text);
+  }
+}
+
+} // namespace helios

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors and warnings on behalf of one VTK object: its own, and those of the objects it runs.
+
+#ifndef heliosMessages_h
+#define heliosMessages_h
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+
+#include <set>
+#include <sstream>
+#include <string>
+
+class vtkAlgorithm;
+class vtkObject;
+
+namespace helios
+{
+
+/// A text in the making: numbers come out as they would be typed.
+class Sentence : public std::ostringstream
+{
+public:
+  Sentence() { this->precision(15); }
+};
+
+/// Reports through the owner's error and warning events; the same text only once.
+class Messages
+{
+public:
+  explicit Messages(vtkObject* owner);
+  ~Messages() { this->Observer->SetCallback(nullptr); }
+  Messages(const Messages&) = delete;
+  void operator=(const Messages&) = delete;
+
+  void Error(const std::string& text);
+  void Warning(const std::string& text);
+
+  /// Warns unless something with this key was warned of before.
+  void WarnOnce(const std::string& key, const std::string& text);
+
+  bool HasError() const { return this->NumberOfErrors > 0; }
+
+  /// The last error; empty: none.
+  const std::string& GetLastError() const { return this->LastError; }
+
+  /// From here on, what this object reports is reported by the owner. Of an algorithm's executive
+  /// only what is no echo of the algorithm's own error.
+  void Listen(vtkObject* object);
+  void Listen(vtkAlgorithm* algorithm);
+
+private:
+  static void Forward(vtkObject*, unsigned long event, void* self, void* text);
+
+  vtkObject* Owner;
+  vtkNew<vtkCallbackCommand> Observer;
+  std::set<std::string> Seen;
+  std::string LastError;
+  int NumberOfErrors = 0;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneBuilder.h"
+
+#include "heliosMessages.h"
+#include "heliosSpectrum.h"
+#include "heliosTriangleMesh.h"
+#include "vtkHeliosGroundSnap.h"
+#include "vtkHeliosObjSceneReader.h"
+#include "vtkHeliosSceneComposer.h"
+#include "vtkHeliosSceneTransform.h"
+
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The lowest corner of the triangles of a mesh; false where it has none.
+bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
+{
+  TriangleMesh mesh;
+  if (!mesh.Set(data).empty() || mesh.GetNumberOfTriangles() == 0)
+  {
+    return false;
+  }
+  const double* best = mesh.GetCorner(0, 0);
+  for (vtkIdType corner = 0; corner < 3 * mesh.GetNumberOfTriangles(); ++corner)
+  {
+    const double* p = mesh.GetCorner(corner / 3, static_cast<int>(corner % 3));
+    best = p[2] < best[2] ? p : best;
+  }
+  lowest = Vec3(best);
+  return true;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log)
+  : Scene(scene)
+  , Log(log)
+{
+}
+
+//------------------------------------------------------------------------------
+SceneBuilder::~SceneBuilder() = default;
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> SceneBuilder::Build(double wavelength, const StepCallback& onStep)
+{
+  for (const PartData& part : this->Scene.Parts)
+  {
+    this->MakePart(part);
+  }
+  if (!this->ReadFiles(onStep) || !onStep("putting the scene together") || !this->PutOnGround())
+  {
+    return nullptr;
+  }
+  vtkSmartPointer<vtkPolyData> scene = this->Compose(true);
+  if (scene)
+  {
+    ResolveSpectra(scene, this->Scene.SpectraFolders, wavelength, this->Log);
+  }
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosObjSceneReader* SceneBuilder::GetReader(const std::string& file, bool upIsY)
+{
+  auto& reader = this->Readers[{ file, upIsY }];
+  if (!reader)
+  {
+    reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
+    reader->SetFileName(file.c_str());
+    if (upIsY)
+    {
+      reader->SetUpAxisToY();
+    }
+    this->Log.Listen(reader);
+  }
+  return reader;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> SceneBuilder::MakeSource(const PartData& part)
+{
+  if (part.Files.size() == 1)
+  {
+    return this->GetReader(part.Files.front(), part.UpIsY);
+  }
+  auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
+  this->Log.Listen(composer);
+  for (const std::string& file : part.Files)
+  {
+    composer->AddInputConnection(this->GetReader(file, part.UpIsY)->GetOutputPort());
+  }
+  return composer;
+}
+
+//------------------------------------------------------------------------------
+void SceneBuilder::MakePart(const PartData& part)
+{
+  const Quaternion& q = part.Rotation;
+  auto transform = vtkSmartPointer<vtkHeliosSceneTransform>::New();
+  transform->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
+  transform->SetScale(part.Scale);
+  transform->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
+  transform->SetInputConnection(this->MakeSource(part)->GetOutputPort());
+  this->Log.Listen(transform);
+  this->Parts.push_back(transform);
+}
+
+//------------------------------------------------------------------------------
+bool SceneBuilder::ReadFiles(const StepCallback& onStep)
+{
+  for (const auto& reader : this->Readers)
+  {
+    if (!onStep("reading " + reader.first.first))
+    {
+      return false;
+    }
+    reader.second->Update();
+  }
+  return !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
+{
+  vtkNew<vtkHeliosSceneComposer> composer;
+  this->Log.Listen(composer);
+  int count = 0;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (withPartsOnGround || !this->Scene.Parts[i].OnGround)
+    {
+      composer->AddInputConnection(this->Parts[i]->GetOutputPort());
+      composer->SetPartName(count, this->Scene.Parts[i].Name.c_str());
+      ++count;
+    }
+  }
+  composer->Update();
+  if (this->Log.HasError())
+  {
+    return nullptr;
+  }
+  auto scene = vtkSmartPointer<vtkPolyData>::New(); // the pipeline before it may go
+  scene->ShallowCopy(composer->GetOutput());
+  return scene;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> SceneBuilder::MakeGround()
+{
+  const auto isNotOnGround = [](const PartData& part) { return !part.OnGround; };
+  if (std::any_of(this->Scene.Parts.begin(), this->Scene.Parts.end(), isNotOnGround))
+  {
+    return this->Compose(false);
+  }
+  this->Log.Error(
+    this->Scene.Where + ": every part is onGround, and none is the ground; clear onGround of one");
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool SceneBuilder::PutOnGround()
+{
+  vtkNew<vtkPoints> lowest;
+  lowest->SetDataTypeToDouble();
+  std::vector<std::size_t> snapped;
+  std::string places;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    Vec3 point;
+    if (this->Scene.Parts[i].OnGround)
+    {
+      this->Parts[i]->Update();
+      if (FindLowestCorner(this->Parts[i]->GetOutput(), point))
+      {
+        lowest->InsertNextPoint(point.GetData());
+        snapped.push_back(i);
+        places += (places.empty() ? "" : ", ") + this->Scene.Parts[i].Where;
+      }
+    }
+  }
+  if (snapped.empty())
+  {
+    return !this->Log.HasError();
+  }
+  const vtkSmartPointer<vtkPolyData> ground = this->MakeGround();
+  if (!ground)
+  {
+    return false;
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(lowest);
+  vtkNew<vtkHeliosGroundSnap> snap;
+  this->Log.Listen(snap);
+  snap->SetInputDataObject(0, points);
+  snap->SetInputDataObject(1, ground);
+  snap->Update();
+  if (this->Log.HasError())
+  {
+    this->Log.Error(
+      "Parts with onGround need ground below their lowest corner; point 0, 1 ... are the "
+      "lowest corners of the parts at " +
+      places);
+    return false;
+  }
+  for (std::size_t k = 0; k < snapped.size(); ++k)
+  {
+    const auto id = static_cast<vtkIdType>(k);
+    Vec3 translation(this->Parts[snapped[k]]->GetTranslation());
+    translation[2] += snap->GetOutput()->GetPoint(id)[2] - lowest->GetPoint(id)[2];
+    this->Parts[snapped[k]]->SetTranslation(translation.GetData());
+  }
+  return true;
+}
+
+} // namespace helios

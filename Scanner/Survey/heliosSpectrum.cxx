@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSpectrum.h"
+
+#include "heliosMaterialTable.h"
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double NanometresPerMicrometre = 1000.0;
+constexpr double Percent = 0.01;
+
+const char* SkipBlanks(const char* text, const char* end)
+{
+  return std::find_if(
+    text, end, [](char c) { return c != ' ' && c != '\t' && c != '\r' && c != ','; });
+}
+
+/// Two numbers and nothing else.
+bool ParseRow(const std::string& line, double row[2])
+{
+  const char* text = line.data();
+  const char* end = text + line.size();
+  for (int k = 0; k < 2; ++k)
+  {
+    text = SkipBlanks(text, end);
+    const auto result = std::from_chars(text, end, row[k]);
+    if (result.ec != std::errc() || !std::isfinite(row[k]))
+    {
+      return false;
+    }
+    text = result.ptr;
+  }
+  return SkipBlanks(text, end) == end;
+}
+
+/// The file of a spectrum in the first folder that has it; empty: none.
+std::string FindSpectrum(const std::string& name, const std::vector<std::string>& folders)
+{
+  for (const std::string& folder : folders)
+  {
+    const std::filesystem::path path = std::filesystem::path(folder) / (name + ".txt");
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(path, ignored))
+    {
+      return path.string();
+    }
+  }
+  return {};
+}
+
+/// The reflectance of one spectrum at a wavelength; NaN, after a warning, where it has none.
+double LookUp(const std::string& name,
+  const std::vector<std::string>& folders,
+  double wavelength,
+  Messages& log)
+{
+  const std::string path = FindSpectrum(name, folders);
+  Spectrum spectrum;
+  std::string problem = path.empty() ? "is in none of the spectra folders:" : spectrum.Read(path);
+  if (problem.empty())
+  {
+    return spectrum.GetReflectance(wavelength);
+  }
+  if (path.empty())
+  {
+    for (const std::string& folder : folders)
+    {
+      problem += " " + folder;
+    }
+  }
+  Sentence text;
+  text << "Spectrum " << name << " " << problem << "; its materials reflect " << DefaultReflectance;
+  log.Warning(text.str());
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string Spectrum::Read(const std::string& path)
+{
+  this->Wavelengths.clear();
+  this->Values.clear();
+  std::ifstream file(path);
+  std::string line;
+  int number = 0;
+  while (std::getline(file, line))
+  {
+    ++number;
+    double row[2];
+    if (!ParseRow(line, row))
+    {
+      continue; // of the header
+    }
+    const std::string where = "(" + path + ":" + std::to_string(number) + ") ";
+    if (!this->Wavelengths.empty() && row[0] < this->Wavelengths.back())
+    {
+      return where + "has wavelengths that do not ascend";
+    }
+    if (row[0] <= 0.0 || row[1] < 0.0 || row[1] > 100.0)
+    {
+      return where +
+        "has a wavelength [um] that is not positive or a reflectance outside 0 to 100 %";
+    }
+    this->Wavelengths.push_back(row[0]);
+    this->Values.push_back(row[1]);
+  }
+  return this->Values.empty() ? "(" + path + ") has no rows of wavelength [um] and reflectance [%]"
+                              : std::string();
+}
+
+//------------------------------------------------------------------------------
+double Spectrum::GetReflectance(double wavelength) const
+{
+  const double wanted = wavelength / NanometresPerMicrometre;
+  const auto after = std::upper_bound(this->Wavelengths.begin(), this->Wavelengths.end(), wanted);
+  const auto i = static_cast<std::size_t>(after - this->Wavelengths.begin());
+  if (i == 0 || i == this->Wavelengths.size())
+  {
+    return Percent * (i == 0 ? this->Values.front() : this->Values.back());
+  }
+  const double s =
+    (wanted - this->Wavelengths[i - 1]) / (this->Wavelengths[i] - this->Wavelengths[i - 1]);
+  return Percent * (this->Values[i - 1] + s * (this->Values[i] - this->Values[i - 1]));
+}
+
+//------------------------------------------------------------------------------
+void ResolveSpectra(vtkPolyData* scene,
+  const std::vector<std::string>& folders,
+  double wavelength,
+  Messages& log)
+{
+  MaterialTable materials = GetMaterials(scene);
+  std::map<std::string, double> reflectances;
+  for (Material& material : materials)
+  {
+    if (!std::isnan(material.Reflectance) || material.Spectrum.empty())
+    {
+      continue;
+    }
+    const std::string& name = material.Spectrum;
+    const auto known = reflectances.find(name);
+    material.Reflectance =
+      known != reflectances.end() ? known->second : LookUp(name, folders, wavelength, log);
+    reflectances[name] = material.Reflectance;
+  }
+  if (!reflectances.empty())
+  {
+    SetMaterials(scene, materials);
+  }
+}
+
+} // namespace helios

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMessages.h"
+#include "heliosXmlElement.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr const char* Utf8Mark = "\xEF\xBB\xBF";
+
+/// Whether the XML declaration names the encoding Latin-1.
+bool IsLatin1(const std::string& text)
+{
+  const std::string declaration = text.substr(0, text.find("?>"));
+  return text.compare(0, 5, "<?xml") == 0 &&
+    (declaration.find("8859-1") != std::string::npos ||
+      declaration.find("latin1") != std::string::npos);
+}
+
+std::string Latin1ToUtf8(const std::string& text)
+{
+  std::string utf8;
+  utf8.reserve(text.size() + text.size() / 8);
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+    {
+      utf8 += c;
+    }
+    else
+    {
+      utf8 += static_cast<char>(0xC0 | (byte >> 6));
+      utf8 += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  return utf8;
+}
+
+/// An attribute that an element has twice; empty: none.
+std::string FindDuplicate(const pugi::xml_node& node)
+{
+  std::set<std::string> names;
+  for (const pugi::xml_attribute attribute : node.attributes())
+  {
+    if (!names.insert(attribute.name()).second)
+    {
+      return attribute.name();
+    }
+  }
+  return {};
+}
+
+/// The next node in the order of the file, children first; none after the last.
+pugi::xml_node NextNode(pugi::xml_node node)
+{
+  if (node.first_child())
+  {
+    return node.first_child();
+  }
+  while (node && !node.next_sibling())
+  {
+    node = node.parent();
+  }
+  return node.next_sibling();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages& messages)
+{
+  std::unique_ptr<XmlDocument> document(new XmlDocument);
+  document->Path = path;
+  document->Log = &messages;
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path, ignored))
+  {
+    messages.Error(path + ": cannot be read; give the name of an XML file");
+    return nullptr;
+  }
+  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  const bool good =
+    document->Parse(std::move(text)) && document->CheckRoot() && document->CheckAttributes();
+  return good ? std::move(document) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool XmlDocument::Parse(std::string text)
+{
+  if (text.compare(0, 3, Utf8Mark) == 0)
+  {
+    text.erase(0, 3);
+  }
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+  {
+    this->Log->Error(this->Path + ":1: the file is empty; a HELIOS file holds one <document>");
+    return false;
+  }
+  if (text.compare(0, 2, "\xFE\xFF") == 0 || text.compare(0, 2, "\xFF\xFE") == 0)
+  {
+    this->Log->Error(this->Path + ":1: the file is UTF-16; save it as UTF-8");
+    return false;
+  }
+  if (IsLatin1(text))
+  {
+    text = Latin1ToUtf8(text);
+  }
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', end + 1))
+  {
+    this->LineEnds.push_back(static_cast<std::ptrdiff_t>(end));
+  }
+  const pugi::xml_parse_result result = this->Tree.load_buffer(
+    text.data(), text.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+  const bool isEmpty = result.status == pugi::status_no_document_element;
+  if (!result && !isEmpty)
+  {
+    std::string reason = result.description();
+    this->Log->Error(this->Where(result.offset) + ": this is not XML: " + reason +
+      "; close every element, and quote every value");
+  }
+  return result || isEmpty;
+}
+
+//------------------------------------------------------------------------------
+bool XmlDocument::CheckRoot()
+{
+  pugi::xml_node root;
+  for (const pugi::xml_node node : this->Tree.children())
+  {
+    if (node.type() == pugi::node_doctype)
+    {
+      this->Log->Warning(
+        this->Path + ": its document type is not read, and its entities are not expanded");
+    }
+    else if (node.type() == pugi::node_element && root)
+    {
+      this->Log->Error(this->Where(node.offset_debug()) + ": a second root element <" +
+        node.name() + ">; put everything into one <document>");
+      return false;
+    }
+    else if (node.type() == pugi::node_element)
+    {
+      root = node;
+    }
+  }
+  if (std::string(root.name()) != "document")
+  {
+    this->Log->Error(this->Where(root ? root.offset_debug() : 0) + ": the root element is " +
+      (root ? std::string("<") + root.name() + ">" : std::string("missing")) +
+      "; that of a HELIOS file is <document>");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool XmlDocument::CheckAttributes()
+{
+  bool good = true;
+  for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
+  {
+    const std::string duplicate = FindDuplicate(node);
+    if (!duplicate.empty())
+    {
+      this->Log->Error(this->Where(node.offset_debug()) + ": <" + node.name() +
+        "> has the attribute " + duplicate + " twice; leave one of them");
+      good = false;
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+XmlElement XmlDocument::GetRoot() const
+{
+  return { this, this->Tree.child("document") };
+}
+
+//------------------------------------------------------------------------------
+std::string XmlDocument::Where(std::ptrdiff_t offset) const
+{
+  const auto line = std::lower_bound(this->LineEnds.begin(), this->LineEnds.end(), offset);
+  return this->Path + ":" + std::to_string(line - this->LineEnds.begin() + 1);
+}
+
+} // namespace helios

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlElement.h"
+
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace helios
+{
+
+namespace
+{
+
+const Vec3 AxisX(1.0, 0.0, 0.0);
+const Vec3 AxisY(0.0, 1.0, 0.0);
+const Vec3 AxisZ(0.0, 0.0, 1.0);
+
+/// The axis of a <rot>: x, y, z, or as the Java program wrote them; null for any other.
+const Vec3* FindAxis(const std::string& name)
+{
+  struct Axis
+  {
+    const char* Name;
+    const Vec3* Direction;
+  };
+  static const Axis axes[] = { { "x", &AxisX },
+    { "X", &AxisX },
+    { "pitch", &AxisX },
+    { "y", &AxisY },
+    { "Y", &AxisY },
+    { "roll", &AxisY },
+    { "z", &AxisZ },
+    { "Z", &AxisZ },
+    { "yaw", &AxisZ } };
+  for (const Axis& axis : axes)
+  {
+    if (name == axis.Name)
+    {
+      return axis.Direction;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string XmlElement::Where() const
+{
+  return this->Document->Where(this->Node.offset_debug());
+}
+
+//------------------------------------------------------------------------------
+std::vector<XmlElement> XmlElement::GetChildren(const char* tag) const
+{
+  std::vector<XmlElement> children;
+  for (const pugi::xml_node child : this->Node.children(tag))
+  {
+    children.emplace_back(this->Document, child);
+  }
+  return children;
+}
+
+//------------------------------------------------------------------------------
+std::string XmlElement::GetText(const char* name) const
+{
+  std::string text;
+  this->Read(name, text);
+  return text;
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, std::string& target) const
+{
+  XmlValue value;
+  if (!this->FindValue(name, value))
+  {
+    return false;
+  }
+  target = value.Text;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, double& target) const
+{
+  XmlValue value;
+  return this->FindValue(name, value) &&
+    ParseReal(value, this->GetRule(name), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, int& target) const
+{
+  XmlValue value;
+  return this->FindValue(name, value) &&
+    ParseInteger(value, this->GetRule(name), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, bool& target) const
+{
+  XmlValue value;
+  return this->FindValue(name, value) && ParseBoolean(value, this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, std::vector<double>& target) const
+{
+  XmlValue value;
+  return this->FindValue(name, value) &&
+    ParseRealList(value, this->GetRule(name), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+void XmlElement::ReadVector(Vec3& target) const
+{
+  this->Read("x", target[0]);
+  this->Read("y", target[1]);
+  this->Read("z", target[2]);
+}
+
+//------------------------------------------------------------------------------
+Quaternion XmlElement::ReadRotation() const
+{
+  Quaternion rotation(1.0, 0.0, 0.0, 0.0);
+  std::string order = "global";
+  if (this->Read("rotations", order) && order != "global" && order != "local")
+  {
+    this->GetMessages().Error(this->Where() + ": rotations=\"" + order +
+      "\" is neither global nor local; give one of them");
+  }
+  for (const XmlElement& rot : this->GetChildren("rot"))
+  {
+    rot.CheckNames();
+    const std::string name = rot.GetText("axis");
+    const Vec3* axis = FindAxis(name);
+    double angle = 0.0;
+    if (!axis)
+    {
+      this->GetMessages().Error(rot.Where() + ": axis=\"" + name +
+        "\" is no axis of <rot>; give x, y or z (or pitch, roll or yaw)");
+    }
+    else if (rot.Read("angle_deg", angle))
+    {
+      const Quaternion turn = AxisAngle(*axis, angle);
+      rotation = order == "local" ? rotation * turn : turn * rotation;
+    }
+    else if (!rot.Has("angle_deg"))
+    {
+      this->GetMessages().Error(rot.Where() + ": <rot> has no angle_deg; give the angle [deg]");
+    }
+  }
+  rotation.Normalize();
+  return rotation;
+}
+
+//------------------------------------------------------------------------------
+void XmlElement::CheckNames() const
+{
+  const XmlElementRule* rule = FindXmlRule(this->GetTag());
+  for (const pugi::xml_attribute attribute : this->Node.attributes())
+  {
+    this->WarnOfValue(*rule, attribute.name());
+  }
+  std::set<std::string> seen;
+  for (const pugi::xml_node node : this->Node.children())
+  {
+    if (node.type() != pugi::node_element)
+    {
+      continue;
+    }
+    const XmlElement child(this->Document, node);
+    const XmlChildRule* known = rule->FindChild(node.name());
+    this->WarnOfChild(*rule, child);
+    if (known && !known->Repeats && !seen.insert(node.name()).second)
+    {
+      this->GetMessages().Warning(child.Where() + ": a second <" + child.GetTag() + "> in one <" +
+        this->GetTag() + "> is not used; leave one of them");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void XmlElement::WarnOfValue(const XmlElementRule& rule, const std::string& name) const
+{
+  const XmlValueRule* value = rule.FindValue(name);
+  const bool isForeign = name.find(':') != std::string::npos || name == "xmlns"; // of a schema
+  if (isForeign || (value && value->Use != XmlUse::NotModelled))
+  {
+    return;
+  }
+  const std::string key = this->Document->GetPath() + " <" + rule.Name + " " + name + ">";
+  std::string text = this->Where() + ": attribute " + name + " of <" + rule.Name + "> is ";
+  if (value)
+  {
+    text += "not used: this version does not model it";
+  }
+  else
+  {
+    const std::string nearest = rule.FindNearestValue(name);
+    text += nearest.empty() ? "unknown and not used" : "unknown; did you mean " + nearest + "?";
+  }
+  this->GetMessages().WarnOnce(key, text);
+}
+
+//------------------------------------------------------------------------------
+void XmlElement::WarnOfChild(const XmlElementRule& rule, const XmlElement& child) const
+{
+  const XmlChildRule* known = rule.FindChild(child.GetTag());
+  if (known && known->Use != XmlUse::NotModelled)
+  {
+    return;
+  }
+  const std::string key =
+    this->Document->GetPath() + " <" + rule.Name + "><" + child.GetTag() + ">";
+  std::string text =
+    child.Where() + ": element <" + child.GetTag() + "> in <" + rule.Name + "> is ";
+  if (known)
+  {
+    text += "not used: this version does not model it";
+  }
+  else
+  {
+    const std::string nearest = rule.FindNearestChild(child.GetTag());
+    text += nearest.empty() ? "unknown and not used" : "unknown; did you mean <" + nearest + ">?";
+  }
+  this->GetMessages().WarnOnce(key, text);
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::FindValue(const char* name, XmlValue& value) const
+{
+  const pugi::xml_attribute attribute = this->Node.attribute(name);
+  const XmlElementRule* rule = FindXmlRule(this->GetTag());
+  const XmlElement child = rule && rule->FindChild(name) ? this->GetChild(name) : XmlElement();
+  if (attribute.empty() && !child)
+  {
+    return false;
+  }
+  std::string text = attribute.empty() ? child.Node.text().get() : attribute.value();
+  text.erase(0, std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  value = { name, text, attribute.empty() ? child.Where() : this->Where() };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+const XmlValueRule& XmlElement::GetRule(const char* name) const
+{
+  static const XmlValueRule none = { "" };
+  const XmlElementRule* rule = FindXmlRule(this->GetTag());
+  const XmlValueRule* value = rule ? rule->FindValue(name) : nullptr;
+  return value ? *value : none;
+}
+
+} // namespace helios

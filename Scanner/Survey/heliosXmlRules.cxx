@@ -1,0 +1,392 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlRules.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr auto Text = XmlKind::Text;
+constexpr auto Real = XmlKind::Real;
+constexpr auto Integer = XmlKind::Integer;
+constexpr auto Boolean = XmlKind::Boolean;
+constexpr auto RealList = XmlKind::RealList;
+constexpr auto Vector = XmlKind::Vector;
+constexpr auto Rotated = XmlKind::Rotation;
+constexpr auto Reference = XmlKind::Reference;
+constexpr auto Used = XmlUse::Used;
+constexpr auto Ignored = XmlUse::Ignored;
+constexpr auto Later = XmlUse::NotModelled;
+
+constexpr XmlRange Any = { -1e300, 1e300, false };
+constexpr XmlRange Positive = { 0.0, 1e9, true };
+constexpr XmlRange NotNegative = { 0.0, 1e12, false };
+constexpr XmlRange Fraction = { 0.0, 1.0, false };
+constexpr XmlRange Angle = { -360.0, 360.0, false };
+constexpr XmlRange HalfAngle = { 0.0, 360.0, false };
+constexpr XmlRange HeadAngle = { -1e6, 1e6, false };
+constexpr XmlRange ScanFrequency = { 0.0, 1e6, false };
+constexpr bool Repeats = true;
+
+// clang-format off: one row a name
+const std::vector<XmlElementRule> Rules = {
+  { "document",
+    {},
+    { { "survey", Repeats },
+      { "scene", Repeats },
+      { "scanner", Repeats },
+      { "platform", Repeats },
+      { "scannerSettings", Repeats },
+      { "platformSettings", Repeats },
+      { "FWFSettings", Repeats } } },
+
+  { "survey",
+    { { "name" },
+      { "scanner", Reference },
+      { "platform", Reference },
+      { "scene", Reference },
+      { "id", Text, Ignored },
+      { "numRuns", Integer, Ignored },
+      { "simSpeed", Real, Ignored },
+      { "defaultScannerSettings", Reference, Ignored },
+      { "basePlatform", Reference, Later },
+      { "rotationSpec", Text, Later },
+      { "seed", Text, Later },
+      { "legRandomOffset", Boolean, Later },
+      { "legRandomOffsetMean", Real, Later, "m" },
+      { "legRandomOffsetStdev", Real, Later, "m" } },
+    { { "leg", Repeats },
+      { "FWFSettings" },
+      { "detectorSettings" },
+      { "pointCloudColor", false, Ignored },
+      { "scannerMount", false, Later },
+      { "origin", Repeats, Later },
+      { "positionXNoise", false, Later },
+      { "positionYNoise", false, Later },
+      { "positionZNoise", false, Later },
+      { "attitudeXNoise", false, Later },
+      { "attitudeYNoise", false, Later },
+      { "attitudeZNoise", false, Later } } },
+
+  { "leg",
+    { { "maxDuration_s", Real, Used, "s", { -1.0, 1e12, false } },
+      { "id", Text, Ignored },
+      { "stripId", Text, Later } },
+    { { "platformSettings" }, { "scannerSettings" }, { "maxDuration_s" } } },
+
+  { "platformSettings",
+    { { "id" },
+      { "name", Text, Ignored },
+      { "template", Reference },
+      { "x", Real, Used, "m" },
+      { "y", Real, Used, "m" },
+      { "z", Real, Used, "m" },
+      { "onGround", Boolean },
+      { "movePerSec_m", Real, Used, "m/s", { -1e9, 1e9, false } },
+      { "stopAndTurn", Boolean, Later },
+      { "smoothTurn", Boolean, Later },
+      { "slowdownEnabled", Boolean, Later },
+      { "yawAtDeparture_deg", Real, Later, "deg" },
+      { "trajectory", Text, Later },
+      { "trajectory_seperator", Text, Later },
+      { "trajectory_separator", Text, Later },
+      { "tIndex", Integer, Later },
+      { "rollIndex", Integer, Later },
+      { "pitchIndex", Integer, Later },
+      { "yawIndex", Integer, Later },
+      { "xIndex", Integer, Later },
+      { "yIndex", Integer, Later },
+      { "zIndex", Integer, Later },
+      { "interpolationDomain", Text, Later },
+      { "toRadians", Boolean, Later },
+      { "syncGPSTime", Boolean, Later },
+      { "slopeFilterThreshold", Real, Later },
+      { "tStart", Real, Later, "s" },
+      { "tEnd", Real, Later, "s" },
+      { "teleportToStart", Boolean, Later } },
+    {} },
+
+  { "scannerSettings",
+    { { "id" },
+      { "name", Text, Ignored },
+      { "template", Reference },
+      { "active", Boolean },
+      { "pulseFreq_hz", Real, Used, "Hz", Positive },
+      { "scanFreq_hz", Real, Used, "Hz", ScanFrequency },
+      { "scanAngle_deg", Real, Used, "deg", HalfAngle },
+      { "verticalAngleMin_deg", Real, Used, "deg", Angle },
+      { "verticalAngleMax_deg", Real, Used, "deg", Angle },
+      { "headRotatePerSec_deg", Real, Used, "deg/s", HeadAngle },
+      { "headRotateStart_deg", Real, Used, "deg", HeadAngle },
+      { "headRotateStop_deg", Real, Used, "deg", HeadAngle },
+      { "beamDivergence_rad", Real, Used, "rad", Fraction },
+      { "beamDivergenceRad", Real, Used, "rad", Fraction },
+      { "trajectoryTimeInterval_s", Real, Used, "s", NotNegative },
+      { "maxDuration_s", Real, Used, "s", { -1.0, 1e12, false } },
+      { "verticalResolution_deg", Real, Used, "deg", HalfAngle },
+      { "horizontalResolution_deg", Real, Used, "deg", HalfAngle },
+      { "opticsWarmupPhase_s", Real, Later, "s", NotNegative },
+      { "beamSampleQuality", Integer, Later } },
+    { { "maxDuration_s" } } },
+
+  { "FWFSettings",
+    { { "binSize_ns", Real, Used, "ns", { 1e-4, 1e3, false } },
+      { "beamSampleQuality", Integer, Used, "", { 1.0, 64.0, false } },
+      { "id", Text, Ignored },
+      { "name", Text, Ignored },
+      { "apertureDiameter_m", Real, Ignored, "m" },
+      { "winSize_ns", Real, Later, "ns" },
+      { "maxFullwaveRange_ns", Real, Later, "ns" },
+      { "numTimeBins", Integer, Later },
+      { "numFullwaveBins", Integer, Later },
+      { "winSize", Real, Later },
+      { "minEchoWidth", Real, Later },
+      { "peakEnergy", Real, Later },
+      { "apartureDiameter", Real, Later },
+      { "scannerEfficiency", Real, Later },
+      { "atmosphericVisibility", Real, Later },
+      { "scannerWaveLength", Real, Later },
+      { "beamDivergence_rad", Real, Later, "rad" },
+      { "pulseLength_ns", Real, Later, "ns" } },
+    {} },
+
+  { "detectorSettings",
+    { { "accuracy_m", Real, Used, "m", { 0.0, 1e3, false } },
+      { "rangeMin_m", Real, Used, "m", NotNegative },
+      { "rangeMax_m", Real, Used, "m", NotNegative },
+      { "distanceMeasurementError", Text, Later } },
+    {} },
+
+  { "scanner",
+    { { "id" },
+      { "name" },
+      { "optics" },
+      { "pulseFreqs_Hz", RealList, Used, "Hz", Positive },
+      { "pulseLength_ns", Real, Used, "ns", { 1e-3, 1e6, false } },
+      { "beamDivergence_rad", Real, Used, "rad", Fraction },
+      { "wavelength_nm", Real, Used, "nm", { 200.0, 20000.0, false } },
+      { "averagePower_w", Real, Used, "W", NotNegative },
+      { "opticalEfficiency", Real, Used, "", Fraction },
+      { "receiverDiameter_m", Real, Used, "m", { 1e-6, 100.0, false } },
+      { "atmosphericVisibility_km", Real, Used, "km", { 1e-3, 1e300, false } },
+      { "receivedEnergyMin_W", Real, Used, "nW", { 0.0, 1e15, false } },
+      { "accuracy_m", Real, Used, "m", { 0.0, 1e3, false } },
+      { "rangeMin_m", Real, Used, "m", NotNegative },
+      { "rangeMax_m", Real, Used, "m", NotNegative },
+      { "maxNOR", Integer, Used, "", { 0.0, 255.0, false } },
+      { "scanAngleMax_deg", Real, Used, "deg", HalfAngle },
+      { "scanAngleEffectiveMax_deg", Real, Used, "deg", HalfAngle },
+      { "scanFreqMin_Hz", Real, Used, "Hz", ScanFrequency },
+      { "scanFreqMax_Hz", Real, Used, "Hz", ScanFrequency },
+      { "headRotatePerSecMax_deg", Real, Used, "deg/s", { 0.0, 1e6, false } },
+      { "deflectAngle_deg", Real, Ignored, "deg" },
+      { "beamQualityFactor", Real, Later },
+      { "scanProduct", Integer, Later, "deg Hz" },
+      { "numFibers", Integer, Later },
+      { "rotorFreq1_Hz", Real, Later, "Hz" },
+      { "rotorFreq2_Hz", Real, Later, "Hz" },
+      { "rotorFreq3_Hz", Real, Later, "Hz" },
+      { "angle1_deg", Real, Later, "deg" },
+      { "angle2_deg", Real, Later, "deg" },
+      { "angle3_deg", Real, Later, "deg" },
+      { "refrIndex1", Real, Later },
+      { "refrIndex2", Real, Later },
+      { "refrIndex3", Real, Later },
+      { "refrIndex_air", Real, Later } },
+    { { "FWFSettings" },
+      { "beamOrigin" },
+      { "headRotateAxis" },
+      { "channels" },
+      { "rangeError", false, Later },
+      { "deflectionError", false, Later },
+      { "headError", false, Later } } },
+
+  { "platform",
+    { { "id" },
+      { "name" },
+      { "type" },
+      { "model", Text, Ignored },
+      { "visModel", Text, Ignored },
+      { "drag", Real, Later },
+      { "engine_max_force", Real, Later },
+      { "speedup_magnitude", Real, Later },
+      { "slowdown_magnitude", Real, Later },
+      { "slowdown_distance", Real, Later, "m" },
+      { "base_pitch_deg", Real, Later, "deg" },
+      { "roll_speed_deg", Real, Later, "deg/s" },
+      { "pitch_speed_deg", Real, Later, "deg/s" },
+      { "yaw_speed_deg", Real, Later, "deg/s" },
+      { "roll_offset_deg", Real, Later, "deg" },
+      { "pitch_offset_deg", Real, Later, "deg" } },
+    { { "scannerMount" },
+      { "positionXNoise", false, Later },
+      { "positionYNoise", false, Later },
+      { "positionZNoise", false, Later },
+      { "attitudeXNoise", false, Later },
+      { "attitudeYNoise", false, Later },
+      { "attitudeZNoise", false, Later } } },
+
+  { "scannerMount",
+    { { "x", Real, Used, "m" },
+      { "y", Real, Used, "m" },
+      { "z", Real, Used, "m" },
+      { "rotations" } },
+    { { "rot", Repeats } } },
+
+  { "beamOrigin",
+    { { "x", Real, Used, "m" },
+      { "y", Real, Used, "m" },
+      { "z", Real, Used, "m" },
+      { "rotations" } },
+    { { "rot", Repeats } } },
+
+  { "headRotateAxis", { { "x", Real }, { "y", Real }, { "z", Real } }, {} },
+
+  { "rot", { { "axis" }, { "angle_deg", Real, Used, "deg", { -1e6, 1e6, false } } }, {} },
+
+  { "scene",
+    { { "id" }, { "name" }, { "dynStep", Integer, Later }, { "dynTimeStep", Real, Later, "s" } },
+    { { "part", Repeats },
+      { "sunDir", false, Ignored },
+      { "sky", false, Ignored },
+      { "skybox", false, Ignored } } },
+
+  { "part",
+    { { "id" },
+      { "name", Text, Ignored },
+      { "dynStep", Integer, Later },
+      { "dynTimeStep", Real, Later, "s" },
+      { "kdtDynStep", Integer, Later },
+      { "kdtDynTimeStep", Real, Later, "s" } },
+    { { "filter", Repeats },
+      { "color", false, Ignored },
+      { "swap", Repeats, Later },
+      { "dmotion", Repeats, Later } } },
+
+  { "filter", { { "type" } }, { { "param", Repeats } } },
+
+  { "param", { { "type" }, { "key" }, { "value" }, { "rotations" } }, { { "rot", Repeats } } },
+
+  { "filter:objloader",
+    { { "filepath" },
+      { "efilepath" },
+      { "up" },
+      { "recomputeVertexNormals", Boolean, Ignored },
+      { "castShadows", Boolean, Ignored },
+      { "receiveShadows", Boolean, Ignored } },
+    {} },
+
+  { "filter:scale", { { "scale", Real, Used, "", { 0.0, 1e9, false } } }, {} },
+
+  { "filter:translate",
+    { { "offset", Vector, Used, "m" }, { "onGround", Integer, Used, "", { -1e9, 1e9, false } } },
+    {} },
+
+  { "filter:rotate", { { "rotation", Rotated } }, {} },
+};
+// clang-format on
+
+template <typename RuleT>
+const RuleT* FindByName(const std::vector<RuleT>& rules, const std::string& name)
+{
+  const auto found = std::find_if(
+    rules.begin(), rules.end(), [&name](const RuleT& rule) { return name == rule.Name; });
+  return found != rules.end() ? &*found : nullptr;
+}
+
+template <typename RuleT>
+std::string FindNearest(const std::vector<RuleT>& rules, const std::string& name)
+{
+  std::vector<std::string> names;
+  for (const RuleT& rule : rules)
+  {
+    names.emplace_back(rule.Name);
+  }
+  return FindNearestName(name, names);
+}
+
+std::string ToLower(std::string text)
+{
+  std::transform(text.begin(),
+    text.end(),
+    text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Levenshtein's distance: how many letters to insert, delete or replace.
+std::size_t EditDistance(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j)
+    {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({ row[j] + 1, row[j + 1] + 1, replaced });
+    }
+  }
+  return row.back();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+const XmlValueRule* XmlElementRule::FindValue(const std::string& name) const
+{
+  return FindByName(this->Values, name);
+}
+
+//------------------------------------------------------------------------------
+const XmlChildRule* XmlElementRule::FindChild(const std::string& name) const
+{
+  return FindByName(this->Children, name);
+}
+
+//------------------------------------------------------------------------------
+std::string XmlElementRule::FindNearestValue(const std::string& name) const
+{
+  return FindNearest(this->Values, name);
+}
+
+//------------------------------------------------------------------------------
+std::string XmlElementRule::FindNearestChild(const std::string& name) const
+{
+  return FindNearest(this->Children, name);
+}
+
+//------------------------------------------------------------------------------
+const XmlElementRule* FindXmlRule(const std::string& element)
+{
+  return FindByName(Rules, element);
+}
+
+//------------------------------------------------------------------------------
+std::string FindNearestName(const std::string& name, const std::vector<std::string>& names)
+{
+  const std::string wanted = ToLower(name);
+  std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;
+  std::string nearest;
+  for (const std::string& candidate : names)
+  {
+    const std::size_t distance = EditDistance(wanted, ToLower(candidate));
+    if (distance < best && distance < candidate.size())
+    {
+      best = distance;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+} // namespace helios

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scanners and platforms from their elements. Errors go to the messages of the document.
+
+#ifndef heliosXmlScanner_h
+#define heliosXmlScanner_h
+
+#include "heliosSurveyData.h"
+#include "heliosXmlElement.h"
+
+namespace helios
+{
+
+ScannerData ReadScanner(const XmlElement& element);
+PlatformData ReadPlatform(const XmlElement& element);
+
+/// What a survey's own <FWFSettings> and <detectorSettings> change in its scanner.
+void OverrideScanner(const XmlElement& survey, ScannerData& scanner);
+
+/// What only shows once all is read: bins too wide for the pulse, ranges that hold nothing.
+void CheckScanner(const ScannerData& scanner, Messages& log);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scenes from their elements. Errors go to the messages of the document.
+
+#ifndef heliosXmlScene_h
+#define heliosXmlScene_h
+
+#include "heliosAssets.h"
+#include "heliosSurveyData.h"
+
+namespace helios
+{
+
+/// The parts of a <scene>, their files found.
+SceneData ReadScene(const XmlElement& element, Assets& assets);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surveys from HELIOS XML.
+
+#ifndef heliosXmlSurvey_h
+#define heliosXmlSurvey_h
+
+#include "heliosSurveyData.h"
+
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+class Messages;
+
+/// The first survey of a file with all that it refers to. Complete only if log has no error then.
+SurveyData ReadSurvey(const std::string& fileName,
+  const std::vector<std::string>& assetDirectories,
+  Messages& log);
+
+} // namespace helios
+
+#endif

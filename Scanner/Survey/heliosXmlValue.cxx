@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Values from text: the whole of it or nothing.
+
+#include "heliosMessages.h"
+#include "heliosXmlElement.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+/// A number that takes all of a text; a sign + is allowed, as in C.
+template <typename NumberT>
+bool FromText(const std::string& text, NumberT& number)
+{
+  const char* first = text.data();
+  const char* last = first + text.size();
+  if (text.size() > 1 && *first == '+' && first[1] != '-')
+  {
+    ++first;
+  }
+  const auto result = std::from_chars(first, last, number);
+  return result.ec == std::errc() && result.ptr == last;
+}
+
+bool FiniteFromText(const std::string& text, double& number)
+{
+  return FromText(text, number) && std::isfinite(number);
+}
+
+std::string Quote(const XmlValue& value)
+{
+  return value.Where + ": " + value.Name + "=\"" + value.Text + "\"";
+}
+
+std::string UnitOf(const XmlValueRule& rule)
+{
+  return *rule.Unit ? std::string(" [") + rule.Unit + "]" : std::string();
+}
+
+/// "give a number above 0 and up to 10 [Hz]"
+std::string RangeText(const XmlValueRule& rule)
+{
+  const XmlRange& range = rule.Range;
+  Sentence text;
+  text << "give a number ";
+  if (range.Low > -1e300)
+  {
+    text << (range.AboveLow ? "above " : "from ") << range.Low;
+  }
+  if (range.High < 1e300)
+  {
+    text << (range.AboveLow ? " and up to " : " to ") << range.High;
+  }
+  return text.str() + UnitOf(rule);
+}
+
+bool CheckRange(const XmlValue& value, const XmlValueRule& rule, Messages& log, double number)
+{
+  if (rule.Range.Contains(number))
+  {
+    return true;
+  }
+  log.Error(Quote(value) + " is out of range; " + RangeText(rule));
+  return false;
+}
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == separator)
+    {
+      parts.emplace_back();
+    }
+    else if (!std::isspace(static_cast<unsigned char>(c)) || !parts.back().empty())
+    {
+      parts.back() += c;
+    }
+  }
+  for (std::string& part : parts)
+  {
+    part.erase(part.find_last_not_of(" \t\r\n") + 1);
+  }
+  return parts;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target)
+{
+  double number = 0.0;
+  if (!FiniteFromText(value.Text, number))
+  {
+    log.Error(
+      Quote(value) + " is not a number; give one" + UnitOf(rule) + ", digits with a decimal point");
+    return false;
+  }
+  if (!CheckRange(value, rule, log, number))
+  {
+    return false;
+  }
+  target = number;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target)
+{
+  int number = 0;
+  if (!FromText(value.Text, number))
+  {
+    log.Error(Quote(value) + " is not an integer; give one" + UnitOf(rule) + ", digits only");
+    return false;
+  }
+  if (!CheckRange(value, rule, log, number))
+  {
+    return false;
+  }
+  target = number;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ParseBoolean(const XmlValue& value, Messages& log, bool& target)
+{
+  std::string text = value.Text;
+  std::transform(text.begin(),
+    text.end(),
+    text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (text == "true" || text == "1")
+  {
+    target = true;
+    return true;
+  }
+  if (text == "false" || text == "0")
+  {
+    target = false;
+    return true;
+  }
+  log.Error(Quote(value) + " is neither true nor false; give true, false, 1 or 0");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool ParseRealList(const XmlValue& value,
+  const XmlValueRule& rule,
+  Messages& log,
+  std::vector<double>& target)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : Split(value.Text, ','))
+  {
+    double number = 0.0;
+    if (!FiniteFromText(part, number))
+    {
+      log.Error(Quote(value) + " is not a list of numbers: \"" + part + "\" is none; give numbers" +
+        UnitOf(rule) + " with commas between them");
+      return false;
+    }
+    if (!CheckRange(value, rule, log, number))
+    {
+      return false;
+    }
+    numbers.push_back(number);
+  }
+  target = numbers;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ParseVector(const XmlValue& value, Messages& log, Vec3& target)
+{
+  const std::vector<std::string> parts = Split(value.Text, ';');
+  Vec3 vector;
+  bool good = parts.size() == 3;
+  for (int k = 0; good && k < 3; ++k)
+  {
+    good = FiniteFromText(parts[static_cast<std::size_t>(k)], vector[k]);
+  }
+  if (!good)
+  {
+    log.Error(
+      Quote(value) + " is not a vector; give three numbers with semicolons, as in 1.5;0;-2");
+    return false;
+  }
+  target = vector;
+  return true;
+}
+
+} // namespace helios
