@@ -81,9 +81,8 @@ public:
     this->Scene = rtcNewScene(this->Device);
     rtcSetSceneFlags(this->Scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = rtcNewGeometry(this->Device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-        3 * sizeof(float), static_cast<std::size_t>(mesh.GetNumberOfPoints())));
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+      RTC_FORMAT_FLOAT3, 3 * sizeof(float), static_cast<std::size_t>(mesh.GetNumberOfPoints())));
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Centre[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
@@ -309,11 +308,13 @@ double GetSpeedUp(const Contender& contender, const Rays& rays, int repeats)
     contender.Cast(rays, hits, 0, rays.size());
     const double alone = GetThreadTime() - start;
     double times[2];
-    std::thread other([&contender, &rays, &hits, &times, half] {
-      const double from = GetThreadTime();
-      contender.Cast(rays, hits, half, rays.size());
-      times[1] = GetThreadTime() - from;
-    });
+    std::thread other(
+      [&contender, &rays, &hits, &times, half]
+      {
+        const double from = GetThreadTime();
+        contender.Cast(rays, hits, half, rays.size());
+        times[1] = GetThreadTime() - from;
+      });
     const double from = GetThreadTime();
     contender.Cast(rays, hits, 0, half);
     times[0] = GetThreadTime() - from;
@@ -323,7 +324,8 @@ double GetSpeedUp(const Contender& contender, const Rays& rays, int repeats)
   return GetMedian(speedUps);
 }
 
-bool Run(const char* name, vtkPolyData* polydata, double width, double height, int repeats, int pulses)
+bool Run(
+  const char* name, vtkPolyData* polydata, double width, double height, int repeats, int pulses)
 {
   const double timeStart = GetThreadTime();
   vtkNew<vtkHeliosEmbreeRayCaster> embree;
@@ -337,28 +339,27 @@ bool Run(const char* name, vtkPolyData* polydata, double width, double height, i
   const BareEmbree bareEmbree(mesh);
   const BareCgal bareCgal(mesh);
   const double triangles = static_cast<double>(mesh.GetNumberOfTriangles());
-  const double own = static_cast<double>(
-    3 * sizeof(double) * mesh.GetNumberOfPoints() + 3 * sizeof(vtkTypeInt32) * mesh.GetNumberOfTriangles());
-  std::printf("%s: %.0f triangles; bytes a triangle: scene %.0f, embree %.0f, bvh %.0f, bare Embree %.0f\n",
+  const double own = static_cast<double>(3 * sizeof(double) * mesh.GetNumberOfPoints() +
+    3 * sizeof(vtkTypeInt32) * mesh.GetNumberOfTriangles());
+  std::printf(
+    "%s: %.0f triangles; bytes a triangle: scene %.0f, embree %.0f, bvh %.0f, bare Embree %.0f\n",
     name, triangles, own / triangles, static_cast<double>(embree->GetAcceleratorSize()) / triangles,
     static_cast<double>(bvh->GetAcceleratorSize()) / triangles,
     static_cast<double>(bareEmbree.Bytes) / triangles);
 
-  const auto cast = [](const vtkHeliosRayCaster* caster) {
-    return [caster](const Rays& rays, Hits& hits, std::size_t first, std::size_t last) {
-      caster->Intersect(&rays[first], &hits[first], static_cast<vtkIdType>(last - first));
-    };
+  const auto cast = [](const vtkHeliosRayCaster* caster)
+  {
+    return [caster](const Rays& rays, Hits& hits, std::size_t first, std::size_t last)
+    { caster->Intersect(&rays[first], &hits[first], static_cast<vtkIdType>(last - first)); };
   };
   const std::vector<Contender> contenders = { { "ours", cast(embree) },
     { "bare Embree",
-      [&bareEmbree](const Rays& rays, Hits& hits, std::size_t first, std::size_t last) {
-        bareEmbree.Cast(rays, hits, first, last);
-      } },
+      [&bareEmbree](const Rays& rays, Hits& hits, std::size_t first, std::size_t last)
+      { bareEmbree.Cast(rays, hits, first, last); } },
     { "bvh", cast(bvh), 4 },
     { "CGAL",
-      [&bareCgal](const Rays& rays, Hits& hits, std::size_t first, std::size_t last) {
-        bareCgal.Cast(rays, hits, first, last);
-      },
+      [&bareCgal](const Rays& rays, Hits& hits, std::size_t first, std::size_t last)
+      { bareCgal.Cast(rays, hits, first, last); },
       16 } };
 
   bool isRight = true;
@@ -366,8 +367,9 @@ bool Run(const char* name, vtkPolyData* polydata, double width, double height, i
   {
     for (bool isTripod : { true, false })
     {
-      const Rays rays = isTripod ? helios::MakeTripodRays(width, rings == 1 ? 4 * pulses : pulses, rings)
-                                 : helios::MakeAirborneRays(width, height, rings == 1 ? 4 * pulses : pulses, rings);
+      const Rays rays = isTripod
+        ? helios::MakeTripodRays(width, rings == 1 ? 4 * pulses : pulses, rings)
+        : helios::MakeAirborneRays(width, height, rings == 1 ? 4 * pulses : pulses, rings);
       const std::string set = std::string(isTripod ? "TLS" : "ALS") + (rings == 1 ? "" : "x19");
       Hits truth(rays.size());
       Hits hits(rays.size());
@@ -381,7 +383,9 @@ bool Run(const char* name, vtkPolyData* polydata, double width, double height, i
       std::printf("  2 threads x%.2f\n", GetSpeedUp(contenders[0], rays, repeats));
       std::printf("    %zu rays, %td hits; ours: %zu triangles and %zu ranges differ; bare Embree: "
                   "%.3f %% triangles differ, %zu missed, %zu invented, range up to %.1e m off\n",
-        rays.size(), std::count_if(truth.begin(), truth.end(), [](const vtkHeliosHit& h) { return h.CellId >= 0; }),
+        rays.size(),
+        std::count_if(
+          truth.begin(), truth.end(), [](const vtkHeliosHit& h) { return h.CellId >= 0; }),
         ours.Triangles, ours.Ranges,
         100.0 * static_cast<double>(theirs.Triangles) / static_cast<double>(rays.size()),
         theirs.Missed, theirs.Invented, theirs.WorstRange);
@@ -397,9 +401,11 @@ int main(int argc, char** argv)
 {
   const int repeats = argc > 1 ? std::atoi(argv[1]) : 5;
   const int pulses = argc > 2 ? std::atoi(argv[2]) : 100000;
-  std::printf("Mray/s of one thread (medians of %d repeats); x: how much faster ours is\n", repeats);
+  std::printf(
+    "Mray/s of one thread (medians of %d repeats); x: how much faster ours is\n", repeats);
   bool isRight = Run("canopy", helios::MakeBenchCanopy(), 200.0, 600.0, repeats, pulses);
   isRight = Run("terrain", helios::MakeBenchTerrain(), 1000.0, 800.0, repeats, pulses) && isRight;
-  std::printf("%s\n", isRight ? "ours equals the double-precision BVH bit for bit" : "WRONG ANSWERS");
+  std::printf(
+    "%s\n", isRight ? "ours equals the double-precision BVH bit for bit" : "WRONG ANSWERS");
   return isRight ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -47,72 +47,68 @@ HELIOS_INLINE Real GetFar(const Real& range, const Real& start, const Real& stre
   return (range - start) * stretch * (1.0 + 0x1p-20) + 2 * LocalFrame::Pad;
 }
 
-HELIOS_INLINE void SetHalf(HalfPacket& half,
-  const LocalFrame& frame,
-  const vtkHeliosRay* rays,
-  int count,
-  FloatRays& floats,
-  int first,
-  int* valid)
+/// Takes four rays; writes their float side from lane first on, and which are valid.
+HELIOS_INLINE void SetQuad(RayQuad& quad, const LocalFrame& frame, const vtkHeliosRay* rays,
+  int count, int first, Packet& packet)
 {
-  const vtkHeliosRay* r[Half];
-  for (int lane = 0; lane < Half; ++lane)
+  const vtkHeliosRay* r[QuadWidth];
+  for (int lane = 0; lane < QuadWidth; ++lane)
   {
     r[lane] = rays + (first + lane < count ? first + lane : 0);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    half.Origin[axis] =
+    quad.Origin[axis] =
       Doubles{ r[0]->Origin[axis], r[1]->Origin[axis], r[2]->Origin[axis], r[3]->Origin[axis] };
-    half.Direction[axis] = Doubles{
-      r[0]->Direction[axis], r[1]->Direction[axis], r[2]->Direction[axis], r[3]->Direction[axis]
-    };
+    quad.Direction[axis] = Doubles{ r[0]->Direction[axis], r[1]->Direction[axis],
+      r[2]->Direction[axis], r[3]->Direction[axis] };
   }
-  const Masks lanes = Masks{ 0, 1, 2, 3 } + first;
-  half.Range =
+  quad.Range =
     Doubles{ r[0]->MaximumRange, r[1]->MaximumRange, r[2]->MaximumRange, r[3]->MaximumRange };
-  half.Triangle = Masks() + HalfPacket::NoTriangle;
+  quad.Triangle = Masks() + RayQuad::NoTriangle;
 
   Masks isAlive, isX, isY;
-  SetTerms<Doubles, Masks>(half, isAlive, isX, isY);
+  SetTerms<Doubles, Masks>(quad, isAlive, isX, isY);
   const Masks z = isX ? Masks() : (isY ? Masks() + 1 : Masks() + 2);
-  half.HaveSameAxes = true;
-  for (int lane = 0; lane < Half; ++lane)
+  quad.HaveSameAxes = true;
+  for (int lane = 0; lane < QuadWidth; ++lane)
   {
-    half.Axes[lane] = RayAxes(static_cast<int>(z[lane]));
-    half.HaveSameAxes = half.HaveSameAxes && z[lane] == z[0];
+    quad.Axes[lane] = RayAxes(static_cast<int>(z[lane]));
+    quad.HaveSameAxes = quad.HaveSameAxes && z[lane] == z[0];
   }
 
   // Advance the origins to the scene's box, in double.
   Doubles origin[3], low[3], high[3], entry, exit;
   for (int axis = 0; axis < 3; ++axis)
   {
-    origin[axis] = half.Origin[axis] - frame.Centre[axis];
+    origin[axis] = quad.Origin[axis] - frame.Centre[axis];
     low[axis] = frame.Low[axis] - origin[axis];
     high[axis] = frame.High[axis] - origin[axis];
   }
-  GetBoxRange(low, high, half.Inverse, entry, exit);
-  isAlive = isAlive & (lanes < count) & (half.Range > 0.0);
-  isAlive = isAlive & (entry <= exit) & (exit > 0.0) & (entry <= half.Range);
-  half.Start = Max(entry, Doubles());
-  half.Stretch = Max<Doubles>(half.Largest, -half.Largest) * frame.Scale;
-  const Doubles shrink = Max<Doubles>(half.LargestInverse, -half.LargestInverse);
+  GetBoxRange(low, high, quad.Inverse, entry, exit);
+  const Masks lanes = Masks{ 0, 1, 2, 3 } + first;
+  isAlive = isAlive & (lanes < count) & (quad.Range > 0.0);
+  isAlive = isAlive & (entry <= exit) & (exit > 0.0) & (entry <= quad.Range);
+  quad.Start = Max(entry, Doubles());
+  quad.Stretch = Max<Doubles>(quad.Largest, -quad.Largest) * frame.Scale;
+  float* origins = packet.GetField(RayField::Origin);
+  float* directions = packet.GetField(RayField::Direction);
+  const Doubles shrink = Max<Doubles>(quad.LargestInverse, -quad.LargestInverse);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Doubles start = (origin[axis] + half.Start * half.Direction[axis]) * frame.Scale;
-    const Doubles direction = half.Direction[axis] * shrink;
-    Store(&floats.Origin[axis][first], __builtin_convertvector(start, Floats));
-    Store(&floats.Direction[axis][first], __builtin_convertvector(direction, Floats));
+    const Doubles start = (origin[axis] + quad.Start * quad.Direction[axis]) * frame.Scale;
+    const Doubles direction = quad.Direction[axis] * shrink;
+    Store(&origins[axis * packet.Width + first], __builtin_convertvector(start, Floats));
+    Store(&directions[axis * packet.Width + first], __builtin_convertvector(direction, Floats));
   }
-  const Doubles far = GetFar(half.Range, half.Start, half.Stretch);
-  Store(&floats.Far[first], __builtin_convertvector(far, Floats));
-  Store(&valid[first], __builtin_convertvector(isAlive, ShortMasks));
+  const Doubles far = GetFar(quad.Range, quad.Start, quad.Stretch);
+  Store(packet.GetField(RayField::Far) + first, __builtin_convertvector(far, Floats));
+  Store(packet.Valid + first, __builtin_convertvector(isAlive, ShortMasks));
 }
 
 /// Which lanes are inside the triangle, given by their edge functions.
-HELIOS_INLINE Masks GetInside(const Masks& valid,
-  const Doubles sheared[3][2],
-  const Doubles edges[3])
+HELIOS_INLINE Masks GetInside(
+  const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3])
 {
   const Masks positive = (edges[0] > 0.0) | (edges[1] > 0.0) | (edges[2] > 0.0);
   const Masks negative = (edges[0] < 0.0) | (edges[1] < 0.0) | (edges[2] < 0.0);
@@ -120,7 +116,7 @@ HELIOS_INLINE Masks GetInside(const Masks& valid,
   const Masks tied = inside & ((edges[0] == 0.0) | (edges[1] == 0.0) | (edges[2] == 0.0));
   if (Any(tied))
   {
-    for (int lane = 0; lane < Half; ++lane)
+    for (int lane = 0; lane < QuadWidth; ++lane)
     {
       const double e[3] = { edges[0][lane], edges[1][lane], edges[2][lane] };
       const double s[3][2] = { { sheared[0][0][lane], sheared[0][1][lane] },
@@ -132,53 +128,47 @@ HELIOS_INLINE Masks GetInside(const Masks& valid,
   return inside;
 }
 
-/// Tests four rays; returns whether any has a better hit now.
-HELIOS_INLINE void TestHalf(HalfPacket& half,
-  const int* valid,
-  const double* const points[3],
-  vtkTypeInt32 triangle,
-  TrianglePlane& plane,
-  bool& hasPlane,
-  float* far)
+/// The planes of a pair of triangles, as far as they are asked for.
+struct LazyPlanes
 {
-  const Masks isValid = __builtin_convertvector(Load<ShortMasks>(valid), Masks);
-  if (!Any(isValid))
+  TrianglePlane Planes[2];
+  bool Has[2] = { false, false };
+
+  HELIOS_INLINE const TrianglePlane& Get(const TrianglePair& pair, int i)
   {
-    return;
-  }
-  if (!half.HaveSameAxes)
-  {
-    for (int lane = 0; lane < Half; ++lane)
+    if (!this->Has[i])
     {
-      if (valid[lane])
-      {
-        half.TestLane(lane, points, triangle, far[lane]);
-      }
+      this->Planes[i] = GetPlane(pair.Points[i]);
+      this->Has[i] = true;
     }
-    return;
+    return this->Planes[i];
   }
-  Doubles corners[3][3], sheared[3][2], edges[3];
-  Relate<Doubles>(half, points, corners);
-  GetEdgeFunctions<Doubles>(half, half.Axes[0], corners, sheared, edges);
-  const Masks inside = GetInside(isValid, sheared, edges);
-  if (!Any(inside))
+};
+
+/// Tests four rays whose axes are the same.
+HELIOS_INLINE void TestQuad(
+  RayQuad& quad, const Masks& isValid, const TrianglePair& pair, LazyPlanes& planes, float* far)
+{
+  for (int i = 0; i < pair.Count; ++i)
   {
-    return;
+    Doubles corners[3][3], sheared[3][2], edges[3];
+    Relate<Doubles>(quad, pair.Points[i], corners);
+    GetEdgeFunctions<Doubles>(quad, quad.Axes[0], corners, sheared, edges);
+    const Masks inside = GetInside(isValid, sheared, edges);
+    if (!Any(inside))
+    {
+      continue;
+    }
+    const Doubles range = GetRange<Doubles>(quad, planes.Get(pair, i), corners);
+    const Masks id = Masks() + (pair.First + i);
+    const Masks better = inside & (range > 0.0) &
+      ((range < quad.Range) | ((range == quad.Range) & (id < quad.Triangle)));
+    quad.Range = better ? range : quad.Range;
+    quad.Triangle = better ? id : quad.Triangle;
+    const Doubles newFar = GetFar(quad.Range, quad.Start, quad.Stretch);
+    const Floats shortFar = __builtin_convertvector(newFar, Floats);
+    Store(far, __builtin_convertvector(better, ShortMasks) ? shortFar : Load<Floats>(far));
   }
-  if (!hasPlane)
-  {
-    plane = GetPlane(points);
-    hasPlane = true;
-  }
-  const Doubles range = GetRange<Doubles>(half, plane, corners);
-  const Masks id = Masks() + triangle;
-  const Masks better = inside & (range > 0.0) &
-    ((range < half.Range) | ((range == half.Range) & (id < half.Triangle)));
-  half.Range = better ? range : half.Range;
-  half.Triangle = better ? id : half.Triangle;
-  const Doubles newFar = GetFar(half.Range, half.Start, half.Stretch);
-  const Floats shortFar = __builtin_convertvector(newFar, Floats);
-  Store(far, __builtin_convertvector(better, ShortMasks) ? shortFar : Load<Floats>(far));
 }
 
 } // namespace
@@ -212,52 +202,62 @@ void LocalFrame::AddBox(const double* const points[3], float low[3], float high[
   }
 }
 
+void Packet::SetWidth(int width)
+{
+  this->Width = width;
+  for (int lane = 0; lane < width; ++lane)
+  {
+    const unsigned int all = ~0u;
+    this->GetField(RayField::Near)[lane] = 0.0f;
+    this->GetField(RayField::Time)[lane] = 0.0f;
+    std::memcpy(this->GetField(RayField::Mask) + lane, &all, sizeof(all));
+    std::memcpy(this->GetField(RayField::Id) + lane, &lane, sizeof(lane));
+    this->GetField(RayField::Flags)[lane] = 0.0f;
+  }
+}
+
 HELIOS_CLONES
-int Packet::Set(const LocalFrame& frame,
-  const vtkHeliosRay* rays,
-  int count,
-  FloatRays& floats,
-  int valid[Lanes])
+int Packet::Set(const LocalFrame& frame, const vtkHeliosRay* rays, int count)
 {
   if (frame.Scale == 0.0) // all of the scene is without area, or outliers
   {
     count = 0;
   }
-  int alive = 0;
-  for (int first = 0; first < Lanes; first += Half)
+  ShortMasks alive = ShortMasks();
+  for (int first = 0; first < this->Width; first += QuadWidth)
   {
-    SetHalf(this->GetHalf(first), frame, rays, count, floats, first, valid);
+    SetQuad(this->Quads[first / QuadWidth], frame, rays, count, first, *this);
+    alive += Load<ShortMasks>(this->Valid + first);
   }
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    floats.Near[lane] = 0.0f;
-    floats.Time[lane] = 0.0f;
-    floats.Mask[lane] = ~0u;
-    floats.Id[lane] = 0;
-    floats.Flags[lane] = 0;
-    alive -= valid[lane];
-  }
-  return alive;
+  return -(alive[0] + alive[1] + alive[2] + alive[3]);
 }
 
 HELIOS_CLONES
-void Packet::TestLanes(const int valid[Lanes],
-  const double* const points[3],
-  vtkTypeInt32 triangle,
-  float far[Lanes])
+void Packet::TestLanes(const int* valid, const TrianglePair& pair, float* far)
 {
-  TrianglePlane plane;
-  bool hasPlane = false;
-  for (int first = 0; first < Lanes; first += Half)
+  LazyPlanes planes;
+  for (int first = 0; first < this->Width; first += QuadWidth)
   {
-    TestHalf(this->GetHalf(first), valid + first, points, triangle, plane, hasPlane, far + first);
+    RayQuad& quad = this->Quads[first / QuadWidth];
+    const Masks isValid = __builtin_convertvector(Load<ShortMasks>(valid + first), Masks);
+    if (Any(isValid) && quad.HaveSameAxes)
+    {
+      TestQuad(quad, isValid, pair, planes, far + first);
+    }
+    else if (Any(isValid))
+    {
+      for (int lane = 0; lane < QuadWidth; ++lane)
+      {
+        if (isValid[lane])
+        {
+          quad.TestLane(lane, pair, far[first + lane]);
+        }
+      }
+    }
   }
 }
 
-bool HalfPacket::TestLane(int lane,
-  const double* const points[3],
-  vtkTypeInt32 triangle,
-  float& far)
+bool RayQuad::TestLane(int lane, const TrianglePair& pair, float& far)
 {
   RayTerms<double> ray;
   for (int axis = 0; axis < 3; ++axis)
@@ -268,23 +268,27 @@ bool HalfPacket::TestLane(int lane,
   }
   ray.Shear[0] = this->Shear[0][lane];
   ray.Shear[1] = this->Shear[1][lane];
-  double corners[3][3], sheared[3][2], edges[3];
-  Relate<double>(ray, points, corners);
-  GetEdgeFunctions<double>(ray, this->Axes[lane], corners, sheared, edges);
-  if (!IsInside(sheared, edges))
+  bool isBetter = false;
+  for (int i = 0; i < pair.Count; ++i)
   {
-    return false;
+    double corners[3][3], sheared[3][2], edges[3];
+    Relate<double>(ray, pair.Points[i], corners);
+    GetEdgeFunctions<double>(ray, this->Axes[lane], corners, sheared, edges);
+    if (!IsInside(sheared, edges))
+    {
+      continue;
+    }
+    const double range = GetRange<double>(ray, GetPlane(pair.Points[i]), corners);
+    const double best = this->Range[lane];
+    if (range > 0.0 && (range < best || (range == best && pair.First + i < this->Triangle[lane])))
+    {
+      this->Range[lane] = range;
+      this->Triangle[lane] = pair.First + i;
+      far = static_cast<float>(GetFar<double>(range, this->Start[lane], this->Stretch[lane]));
+      isBetter = true;
+    }
   }
-  const double range = GetRange<double>(ray, GetPlane(points), corners);
-  const double best = this->Range[lane];
-  if (!(range > 0.0 && (range < best || (range == best && triangle < this->Triangle[lane]))))
-  {
-    return false;
-  }
-  this->Range[lane] = range;
-  this->Triangle[lane] = triangle;
-  far = static_cast<float>(GetFar<double>(range, this->Start[lane], this->Stretch[lane]));
-  return true;
+  return isBetter;
 }
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight rays at a time, as the double-precision test and as Embree's float traversal want them.
+// Rays in packets, as the double-precision test and as Embree's float traversal want them.
 
 #ifndef heliosEmbreePacket_h
 #define heliosEmbreePacket_h
@@ -12,12 +12,12 @@
 namespace helios
 {
 
-constexpr int Lanes = 8; // as Embree traces them
-constexpr int Half = 4;  // as AVX2 tests them
-typedef double Doubles __attribute__((vector_size(8 * Half)));
-typedef long long Masks __attribute__((vector_size(8 * Half))); // -1 or 0
-typedef float Floats __attribute__((vector_size(4 * Half)));
-typedef int ShortMasks __attribute__((vector_size(4 * Half)));
+constexpr int MaximumWidth = 16; // of a packet: as many rays as Embree traces at a time
+constexpr int QuadWidth = 4;     // as many as AVX2 tests at a time
+typedef double Doubles __attribute__((vector_size(8 * QuadWidth)));
+typedef long long Masks __attribute__((vector_size(8 * QuadWidth))); // -1 or 0
+typedef float Floats __attribute__((vector_size(4 * QuadWidth)));
+typedef int ShortMasks __attribute__((vector_size(4 * QuadWidth)));
 
 /**
  * The frame of the float boxes: the scene's box, centred and scaled by a power of two into
@@ -42,14 +42,22 @@ struct LocalFrame
   void AddBox(const double* const points[3], float low[3], float high[3]) const;
 };
 
-/// Half a packet: four rays and their best hits so far.
-struct HalfPacket : RayTerms<Doubles>
+/// One triangle, or two with a common edge.
+struct TrianglePair
+{
+  vtkTypeInt32 First;
+  int Count;
+  const double* Points[2][3];
+};
+
+/// Four rays and their best hits so far.
+struct RayQuad : RayTerms<Doubles>
 {
   Doubles Range;   ///< of the best hit; the ray's maximum as long as there is none
   Masks Triangle;  ///< of the best hit; NoTriangle as long as there is none
   Doubles Start;   ///< where the float ray starts, on the scene's box
   Doubles Stretch; ///< float length for a unit of range
-  RayAxes Axes[Half];
+  RayAxes Axes[QuadWidth];
   bool HaveSameAxes;
 
   static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
@@ -61,44 +69,53 @@ struct HalfPacket : RayTerms<Doubles>
                                   : vtkHeliosHit{ this->Range[lane], triangle };
   }
 
-  /// Tests one ray against a triangle; keeps a better hit and says how far its float ray may go.
-  bool TestLane(int lane, const double* const points[3], vtkTypeInt32 triangle, float& far);
+  /**
+   * Tests one ray against triangles; keeps a better hit and says how far its float ray may go.
+   * Returns whether there is a better hit.
+   */
+  bool TestLane(int lane, const TrianglePair& pair, float& far);
 };
 
-/// The float side of a packet, laid out as RTCRay8.
-struct alignas(64) FloatRays
+/// The fields of Embree's packets of rays (RTCRay4, 8, 16), one after the other.
+enum class RayField
 {
-  float Origin[3][Lanes];
-  float Near[Lanes];
-  float Direction[3][Lanes];
-  float Time[Lanes];
-  float Far[Lanes];
-  unsigned int Mask[Lanes];
-  unsigned int Id[Lanes];
-  unsigned int Flags[Lanes];
+  Origin = 0,
+  Near = 3,
+  Direction = 4,
+  Time = 7,
+  Far = 8,
+  Mask = 9,
+  Id = 10,
+  Flags = 11
 };
 
-/// Eight rays.
+/// As many rays as Embree takes at a time: 4, 8 or 16.
 struct Packet
 {
-  HalfPacket Halves[2];
+  int Width = 0;
+  RayQuad Quads[MaximumWidth / QuadWidth];
+  alignas(64) int Valid[MaximumWidth];         ///< -1: this ray is to be traced
+  alignas(64) float Floats[20 * MaximumWidth]; ///< a RTCRayHit4, 8 or 16; a ray's id is its lane
 
-  HalfPacket& GetHalf(int lane) { return this->Halves[lane / Half]; }
+  float* GetField(RayField field) { return this->Floats + static_cast<int>(field) * this->Width; }
 
-  /**
-   * Takes up to eight rays. Valid lanes are those that may hit the scene; returns how many.
-   */
-  int Set(const LocalFrame& frame,
-    const vtkHeliosRay* rays,
-    int count,
-    FloatRays& floats,
-    int valid[Lanes]);
+  /// Sets what is the same for all rays.
+  void SetWidth(int width);
 
-  /// Tests all valid rays against a triangle, as TestLane does.
-  void TestLanes(const int valid[Lanes],
-    const double* const points[3],
-    vtkTypeInt32 triangle,
-    float far[Lanes]);
+  /// Takes up to Width rays; returns how many of them may hit the scene and are valid.
+  int Set(const LocalFrame& frame, const vtkHeliosRay* rays, int count);
+
+  vtkHeliosHit GetHit(int lane) const
+  {
+    return this->Quads[lane / QuadWidth].GetHit(lane % QuadWidth);
+  }
+  bool TestLane(int lane, const TrianglePair& pair, float& far)
+  {
+    return this->Quads[lane / QuadWidth].TestLane(lane % QuadWidth, pair, far);
+  }
+
+  /// RayQuad::TestLane for all valid lanes.
+  void TestLanes(const int* valid, const TrianglePair& pair, float* far);
 };
 
 } // namespace helios

@@ -6,11 +6,12 @@
  *
  * Embree 3 user geometry: it traverses padded float boxes in a frame local to
  * the scene, with the ray's origin advanced to the scene in double; every
- * triangle it reaches is tested in double on the scene's own points. Bundles
- * of rays are traced eight at a time. Neighbours in the order of cells that
- * share an edge share a box; the few triangles that reach far out of a scene,
- * if there are any, are kept in a tree of doubles, so that one stray point
- * takes no resolution away from the rest.
+ * triangle it reaches is tested in double on the scene's own points. Rays are
+ * traced together, as many at a time as the machine can: 16, 8 or 4.
+ *
+ * Neighbours in the order of cells that have a common edge share a box. The
+ * few triangles that reach far out of a scene, if there are any, are kept in a
+ * tree of doubles, so that one stray point takes no resolution from the rest.
  *
  * @warning
  * A hit at the very rim of a surface may be lost for a ray that starts more
@@ -50,7 +51,7 @@ private:
   void operator=(const vtkHeliosEmbreeRayCaster&) = delete;
 
   class Internals;
-  std::unique_ptr<Internals> Device;
+  std::unique_ptr<Internals> Tree;
 };
 
 #endif
