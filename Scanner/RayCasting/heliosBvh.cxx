@@ -166,8 +166,7 @@ private:
       return this->Halve(first, last, centres);
     }
     const Binning bin(centres, best.Axis);
-    const auto middle = std::partition(begin,
-      end,
+    const auto middle = std::partition(begin, end,
       [&bin, &best](const Primitive& p) { return bin(p.Bounds.GetCentre(best.Axis)) < best.Bin; });
     return static_cast<vtkTypeInt32>(middle - this->Primitives.begin());
   }
@@ -182,19 +181,14 @@ private:
     }
     const vtkTypeInt32 middle = first + (last - first) / 2;
     const auto begin = this->Primitives.begin();
-    std::nth_element(begin + first,
-      begin + middle,
-      begin + last,
+    std::nth_element(begin + first, begin + middle, begin + last,
       [axis](const Primitive& a, const Primitive& b)
       { return a.Bounds.GetCentre(axis) < b.Bounds.GetCentre(axis); });
     return middle;
   }
 
-  void TrySplits(vtkTypeInt32 first,
-    vtkTypeInt32 last,
-    const Box& centres,
-    int axis,
-    Split& best) const
+  void TrySplits(
+    vtkTypeInt32 first, vtkTypeInt32 last, const Box& centres, int axis, Split& best) const
   {
     const Binning binOf(centres, axis);
     Bin bins[NumberOfBins];
@@ -331,13 +325,11 @@ vtkHeliosHit Bvh::Intersect(const TestRay& ray) const
 {
   TestRay rest = ray; // its MaximumRange shrinks to the best hit so far
   vtkHeliosHit hit{ NoHit, -1 };
-  this->Traverse(rest,
-    rest.MaximumRange,
+  this->Traverse(rest, rest.MaximumRange,
     [this, &rest, &hit](vtkTypeInt32 triangle)
     {
       const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-        this->Mesh->GetCorner(triangle, 1),
-        this->Mesh->GetCorner(triangle, 2) };
+        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
       const double range = TestTriangle(rest, points);
       if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
       {
@@ -351,13 +343,11 @@ vtkHeliosHit Bvh::Intersect(const TestRay& ray) const
 bool Bvh::IsOccluded(const TestRay& ray) const
 {
   double range = ray.MaximumRange; // falls below every entry with the first hit
-  this->Traverse(ray,
-    range,
+  this->Traverse(ray, range,
     [this, &ray, &range](vtkTypeInt32 triangle)
     {
       const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-        this->Mesh->GetCorner(triangle, 1),
-        this->Mesh->GetCorner(triangle, 2) };
+        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
       range = TestTriangle(ray, points) < NoHit ? -NoHit : range;
     });
   return range < 0.0;

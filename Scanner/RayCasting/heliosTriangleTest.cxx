@@ -44,12 +44,8 @@ double DifferenceOfProducts(TwoDoubles a, TwoDoubles b, TwoDoubles c, TwoDoubles
 /// Whether (b - a) x (c - a) is zero in the plane of two axes: six exact products added exactly.
 bool IsStraight(const double* a, const double* b, const double* c, int x, int y)
 {
-  const double factors[6][2] = { { a[x], b[y] },
-    { -a[y], b[x] },
-    { b[x], c[y] },
-    { -b[y], c[x] },
-    { c[x], a[y] },
-    { -c[y], a[x] } };
+  const double factors[6][2] = { { a[x], b[y] }, { -a[y], b[x] }, { b[x], c[y] }, { -b[y], c[x] },
+    { c[x], a[y] }, { -c[y], a[x] } };
   double sum[12]; // an expansion (Shewchuk 1997): zero if and only if all of it is
   int length = 0;
   for (const auto& factor : factors)

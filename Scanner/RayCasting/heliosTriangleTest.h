@@ -90,14 +90,12 @@ struct TrianglePlane
 };
 
 /// Whether three points span an area, decided exactly. Triangles without are not to be tested.
-VTKHELIOSSCANNERRAYCASTING_EXPORT bool HasArea(const double* p0,
-  const double* p1,
-  const double* p2);
+VTKHELIOSSCANNERRAYCASTING_EXPORT bool HasArea(
+  const double* p0, const double* p1, const double* p2);
 
 /// The normal of a triangle whose edges at the pivot are nearly parallel, in double-double.
-VTKHELIOSSCANNERRAYCASTING_EXPORT void GetFlatNormal(const double* const points[3],
-  int pivot,
-  double normal[3]);
+VTKHELIOSSCANNERRAYCASTING_EXPORT void GetFlatNormal(
+  const double* const points[3], int pivot, double normal[3]);
 
 /// The sign of a b - c d where the two products round to the same double, from their errors.
 VTKHELIOSSCANNERRAYCASTING_EXPORT int GetSignOfTie(double a, double b, double c, double d);
@@ -145,9 +143,8 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
 
 /// The corners relative to the ray's origin.
 template <typename Real>
-HELIOS_INLINE void Relate(const RayTerms<Real>& ray,
-  const double* const points[3],
-  Real corners[3][3])
+HELIOS_INLINE void Relate(
+  const RayTerms<Real>& ray, const double* const points[3], Real corners[3][3])
 {
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -160,11 +157,8 @@ HELIOS_INLINE void Relate(const RayTerms<Real>& ray,
 
 /// Shears the corners into the plane across the ray, and takes the edge functions there.
 template <typename Real>
-HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray,
-  const RayAxes& axes,
-  const Real corners[3][3],
-  Real sheared[3][2],
-  Real edges[3])
+HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray, const RayAxes& axes,
+  const Real corners[3][3], Real sheared[3][2], Real edges[3])
 {
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -240,11 +234,8 @@ HELIOS_INLINE TrianglePlane GetPlane(const double* const points[3])
 
 /// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
 template <typename Real, typename InverseT>
-HELIOS_INLINE void GetBoxRange(const Real low[3],
-  const Real high[3],
-  const InverseT inverse[3],
-  Real& entry,
-  Real& exit)
+HELIOS_INLINE void GetBoxRange(
+  const Real low[3], const Real high[3], const InverseT inverse[3], Real& entry, Real& exit)
 {
   const Real reach =
     Max(Max(Max<Real>(-low[0], high[0]), Max<Real>(-low[1], high[1])), Max<Real>(-low[2], high[2]));
@@ -260,9 +251,8 @@ HELIOS_INLINE void GetBoxRange(const Real low[3],
 
 /// The range at which the ray meets a triangle it hits.
 template <typename Real>
-HELIOS_INLINE Real GetRange(const RayTerms<Real>& ray,
-  const TrianglePlane& plane,
-  const Real corners[3][3])
+HELIOS_INLINE Real GetRange(
+  const RayTerms<Real>& ray, const TrianglePlane& plane, const Real corners[3][3])
 {
   const double* n = plane.Normal;
   const Real* p = corners[plane.Pivot];

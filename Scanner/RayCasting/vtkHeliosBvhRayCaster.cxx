@@ -30,9 +30,8 @@ bool vtkHeliosBvhRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
   return true;
 }
 
-void vtkHeliosBvhRayCaster::Intersect(const vtkHeliosRay* rays,
-  vtkHeliosHit* hits,
-  vtkIdType count) const
+void vtkHeliosBvhRayCaster::Intersect(
+  const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const
 {
   helios::TestRay ray;
   for (vtkIdType i = 0; i < count; ++i)
@@ -41,9 +40,8 @@ void vtkHeliosBvhRayCaster::Intersect(const vtkHeliosRay* rays,
   }
 }
 
-void vtkHeliosBvhRayCaster::Occluded(const vtkHeliosRay* rays,
-  unsigned char* occluded,
-  vtkIdType count) const
+void vtkHeliosBvhRayCaster::Occluded(
+  const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
 {
   helios::TestRay ray;
   for (vtkIdType i = 0; i < count; ++i)

@@ -132,9 +132,8 @@ int vtkHeliosGroundSnap::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-int vtkHeliosGroundSnap::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+int vtkHeliosGroundSnap::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* scene = vtkPolyData::GetData(inputs[1]);

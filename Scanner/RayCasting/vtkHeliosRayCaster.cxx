@@ -50,10 +50,8 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   return true;
 }
 
-bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins,
-  vtkDoubleArray* directions,
-  vtkDoubleArray* ranges,
-  vtkIdTypeArray* cellIds)
+bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions,
+  vtkDoubleArray* ranges, vtkIdTypeArray* cellIds)
 {
   if (!this->BuiltScene)
   {

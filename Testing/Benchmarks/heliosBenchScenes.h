@@ -169,8 +169,7 @@ inline std::vector<vtkHeliosRay> MakeTripodRays(double width, int pulses, int ri
     0.503 * width, 0.497 * width, GetHillHeight(0.503 * width, 0.497 * width) + 2.0);
   for (int i = 0; i < pulses; ++i)
   {
-    const double elevation =
-      vtkMath::RadiansFromDegrees(-60.0 + 100.0 * (i % perLine) / perLine);
+    const double elevation = vtkMath::RadiansFromDegrees(-60.0 + 100.0 * (i % perLine) / perLine);
     const double azimuth = 2 * vtkMath::Pi() * i / pulses;
     AddPulse(rays, origin,
       { std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth),

@@ -50,9 +50,8 @@ Real GetTrueRange(const Triangle& triangle, const vtkHeliosRay& ray)
     b[i] = Real(p[2][i]) - p[0][i];
     c[i] = Real(p[0][i]) - ray.Origin[i];
   }
-  const Real n[3] = {
-    a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
-  };
+  const Real n[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0] };
   return (n[0] * c[0] + n[1] * c[1] + n[2] * c[2]) / (n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
 }
 
@@ -135,8 +134,7 @@ TEST_CASE("TriangleTest: range error within 8 u R / cos on slivers", "[TriangleT
   for (double width : { 1e-3, 1e-5, 1e-7, 1e-9 })
   {
     const double shapes[4][3][2] = { { { -5, 0 }, { 5, width / 2 }, { 5, -width / 2 } },
-      { { -4, 0 }, { 6, 0 }, { -4, width } },
-      { { -5, 0 }, { 1, width }, { 5, 0 } },
+      { { -4, 0 }, { 6, 0 }, { -4, width } }, { { -5, 0 }, { 1, width }, { 5, 0 } },
       { { -5, 0 }, { 5, 0 }, { 4.9, width } } };
     for (const auto& shape : shapes)
     {
@@ -195,8 +193,8 @@ TEST_CASE("TriangleTest: area is decided exactly", "[TriangleTest]")
   }
 }
 
-TEST_CASE("TriangleTest: both sides are hit, ranges count in lengths of the direction",
-  "[TriangleTest]")
+TEST_CASE(
+  "TriangleTest: both sides are hit, ranges count in lengths of the direction", "[TriangleTest]")
 {
   const Triangle wall{ { { 3, -1, -1 }, { 3, 1, -1 }, { 3, 0, 2 } } };
   const Triangle back{ { wall.P[0], wall.P[2], wall.P[1] } };
@@ -212,8 +210,8 @@ TEST_CASE("TriangleTest: both sides are hit, ranges count in lengths of the dire
   CHECK(wall.Test(helios::MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 2.99)) == helios::NoHit);
 }
 
-TEST_CASE("TriangleTest: an edge-on triangle is hit within its box, or not at all",
-  "[TriangleTest]")
+TEST_CASE(
+  "TriangleTest: an edge-on triangle is hit within its box, or not at all", "[TriangleTest]")
 {
   Dice dice;
   int hits = 0;

@@ -90,10 +90,8 @@ void CheckLeaks(int level)
     Vec3 Offset;
     double Radius;
     bool IsFloat;
-  } places[4] = { { Offsets[0], 1.0, false },
-    { Offsets[0], 10.0, true },
-    { Offsets[1], 10.0, false },
-    { Offsets[1], 400.0, false } };
+  } places[4] = { { Offsets[0], 1.0, false }, { Offsets[0], 10.0, true },
+    { Offsets[1], 10.0, false }, { Offsets[1], 400.0, false } };
   for (const auto& place : places)
   {
     Soup soup = MakeIcosphere(level);
@@ -185,18 +183,12 @@ void CheckDegenerate()
     CHECK(hit.Range == 2.0);
   }
   const std::vector<vtkHeliosRay> senseless = { MakeRay({ 0, 0, 0 }, { 0, 0, 0 }),
-    MakeRay({ 0, 0, 0 }, { nan, 0, 0 }),
-    MakeRay({ 0, 0, 0 }, { 1, nan, 0 }),
-    MakeRay({ 0, 0, 0 }, { inf, 0, 0 }),
-    MakeRay({ 0, 0, 0 }, { 1, 0, -inf }),
-    MakeRay({ nan, 0, 0 }, { 1, 0, 0 }),
-    MakeRay({ 0, inf, 0 }, { 1, 0, 0 }),
-    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, nan),
-    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 0),
-    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, -1),
-    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 1.9),
-    MakeRay({ 0, 0, 0 }, { -1, 0, 0 }),
-    MakeRay({ 2, 0, 0 }, { 1, 0, 0 }) };
+    MakeRay({ 0, 0, 0 }, { nan, 0, 0 }), MakeRay({ 0, 0, 0 }, { 1, nan, 0 }),
+    MakeRay({ 0, 0, 0 }, { inf, 0, 0 }), MakeRay({ 0, 0, 0 }, { 1, 0, -inf }),
+    MakeRay({ nan, 0, 0 }, { 1, 0, 0 }), MakeRay({ 0, inf, 0 }, { 1, 0, 0 }),
+    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, nan), MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 0),
+    MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, -1), MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 1.9),
+    MakeRay({ 0, 0, 0 }, { -1, 0, 0 }), MakeRay({ 2, 0, 0 }, { 1, 0, 0 }) };
   for (const vtkHeliosHit& hit : Cast(caster, senseless))
   {
     CHECK(hit.CellId == -1);

@@ -226,9 +226,8 @@ inline Soup MakeMixture()
 
 inline vtkHeliosRay MakeRay(const Vec3& origin, const Vec3& direction, double maximum = NoHit)
 {
-  return {
-    { origin[0], origin[1], origin[2] }, { direction[0], direction[1], direction[2] }, maximum
-  };
+  return { { origin[0], origin[1], origin[2] }, { direction[0], direction[1], direction[2] },
+    maximum };
 }
 
 /// Rays of every kind at a soup: at random, to corners and edges, along the axes, from far and near.
@@ -259,9 +258,8 @@ inline std::vector<vtkHeliosRay> MakeRays(const Soup& soup, int count, std::uint
     const double near = i % 3 == 0 ? 0.3 : (i % 3 == 1 ? 1 : std::pow(10, dice(0, 5)));
     Vec3 origin = centre + dice.Direction() * (near * size);
     const double s = dice();
-    const Vec3 targets[4] = {
-      a, a + (b - a) * s, a * 0.3 + b * 0.3 + c * 0.4, centre + dice.Direction() * (0.5 * s * size)
-    };
+    const Vec3 targets[4] = { a, a + (b - a) * s, a * 0.3 + b * 0.3 + c * 0.4,
+      centre + dice.Direction() * (0.5 * s * size) };
     const Vec3& target = targets[i / 3 % 4];
     Vec3 direction = target - origin;
     if (i % 5 == 0) // along an axis, straight at the target
@@ -319,8 +317,8 @@ inline int CountDifferences(const std::vector<vtkHeliosHit>& a, const std::vecto
   return count;
 }
 
-inline std::vector<vtkHeliosHit> Cast(const vtkHeliosRayCaster* caster,
-  const std::vector<vtkHeliosRay>& rays)
+inline std::vector<vtkHeliosHit> Cast(
+  const vtkHeliosRayCaster* caster, const std::vector<vtkHeliosRay>& rays)
 {
   std::vector<vtkHeliosHit> hits(rays.size());
   caster->Intersect(rays.data(), hits.data(), static_cast<vtkIdType>(rays.size()));

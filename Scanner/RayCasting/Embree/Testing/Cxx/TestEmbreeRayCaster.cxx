@@ -30,10 +30,8 @@ int CountDifferencesFromBvh(const helios::Soup& soup, const std::vector<vtkHelio
 }
 
 /// Bundles of 19 rays within 0.3 mrad, as a scanner sends them.
-std::vector<vtkHeliosRay> MakeBundles(const Vec3& from,
-  const Vec3& low,
-  const Vec3& high,
-  int count)
+std::vector<vtkHeliosRay> MakeBundles(
+  const Vec3& from, const Vec3& low, const Vec3& high, int count)
 {
   helios::Dice dice(6);
   std::vector<vtkHeliosRay> rays;
@@ -76,8 +74,8 @@ TEST_CASE("EmbreeRayCaster: threads get the same bytes", "[EmbreeRayCaster]")
   helios::CheckThreads<vtkHeliosEmbreeRayCaster>();
 }
 
-TEST_CASE("EmbreeRayCaster: equal to the double-precision tree on terrain with leaves",
-  "[EmbreeRayCaster]")
+TEST_CASE(
+  "EmbreeRayCaster: equal to the double-precision tree on terrain with leaves", "[EmbreeRayCaster]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -169,8 +167,8 @@ TEST_CASE("EmbreeRayCaster: equal to the double-precision tree at silhouettes", 
   }
 }
 
-TEST_CASE("EmbreeRayCaster: equal to the double-precision tree with stray corners",
-  "[EmbreeRayCaster]")
+TEST_CASE(
+  "EmbreeRayCaster: equal to the double-precision tree with stray corners", "[EmbreeRayCaster]")
 {
   helios::Soup soup = helios::MakeMixture();
   auto rays = helios::MakeRays(soup, 3000);
