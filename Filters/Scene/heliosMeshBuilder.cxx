@@ -74,8 +74,7 @@ void MeshBuilder::AddPolygon(const std::vector<vtkTypeInt32>& corners)
 void MeshBuilder::AddBox(const Vec3& low, const Vec3& high)
 {
   this->AddPrism(
-    { { low[0], low[2] }, { high[0], low[2] }, { high[0], high[2] }, { low[0], high[2] } },
-    low[1],
+    { { low[0], low[2] }, { high[0], low[2] }, { high[0], high[2] }, { low[0], high[2] } }, low[1],
     high[1]);
 }
 

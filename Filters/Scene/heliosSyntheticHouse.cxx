@@ -144,8 +144,7 @@ private:
       for (std::size_t k = 0; k + 1 < ups.size(); ++k)
       {
         const std::array<double, 4> cell{ alongs[i], alongs[i + 1], ups[k], ups[k + 1] };
-        const auto opening = std::find_if(wall.Openings.begin(),
-          wall.Openings.end(),
+        const auto opening = std::find_if(wall.Openings.begin(), wall.Openings.end(),
           [&cell](const Opening& o)
           { return o.Contains(0.5 * (cell[0] + cell[1]), 0.5 * (cell[2] + cell[3])); });
         this->AddCell(wall, cell, opening == wall.Openings.end() ? nullptr : &*opening);
@@ -159,9 +158,7 @@ private:
   {
     // Around the cell from its lower left, counter-clockwise as seen from outside.
     const std::array<vtkVector2d, 4> corners{ vtkVector2d(cell[0], cell[2]),
-      vtkVector2d(cell[1], cell[2]),
-      vtkVector2d(cell[1], cell[3]),
-      vtkVector2d(cell[0], cell[3]) };
+      vtkVector2d(cell[1], cell[2]), vtkVector2d(cell[1], cell[3]), vtkVector2d(cell[0], cell[3]) };
     std::array<vtkTypeInt32, 4> outer;
     std::array<vtkTypeInt32, 4> inner;
     const double depth = opening ? RecessDepth : 0.0;
@@ -177,10 +174,8 @@ private:
     if (opening)
     {
       this->Mesh.SetMaterial(synthetic::Plaster());
-      const bool isRim[4] = { cell[2] == opening->Bottom,
-        cell[1] == opening->Right,
-        cell[3] == opening->Top,
-        cell[0] == opening->Left };
+      const bool isRim[4] = { cell[2] == opening->Bottom, cell[1] == opening->Right,
+        cell[3] == opening->Top, cell[0] == opening->Left };
       for (std::size_t i = 0; i < 4; ++i)
       {
         const std::size_t next = (i + 1) % 4;
@@ -193,10 +188,8 @@ private:
   }
 
   /// Collects the points of a wall's lower or upper edge but the last, which is the next wall's first.
-  void AddRim(const Wall& wall,
-    const std::vector<double>& alongs,
-    double up,
-    std::vector<vtkTypeInt32>& rim)
+  void AddRim(
+    const Wall& wall, const std::vector<double>& alongs, double up, std::vector<vtkTypeInt32>& rim)
   {
     this->CornerOnRim.push_back(rim.size());
     for (std::size_t i = 0; i + 1 < alongs.size(); ++i)
@@ -228,11 +221,8 @@ private:
   }
 
   /// Triangles from an apex to the edges of a rim from first to last.
-  void AddFan(vtkTypeInt32 apex,
-    const std::vector<vtkTypeInt32>& rim,
-    std::size_t first,
-    std::size_t last,
-    bool looksDown)
+  void AddFan(vtkTypeInt32 apex, const std::vector<vtkTypeInt32>& rim, std::size_t first,
+    std::size_t last, bool looksDown)
   {
     for (std::size_t i = first; i < last; ++i)
     {
@@ -278,10 +268,8 @@ void AddHouse(MeshBuilder& mesh, double length, double height)
   mesh.SetMaterial(synthetic::Roof());
   for (const double side : { -1.0, 1.0 })
   {
-    std::vector<vtkVector2d> slab{ { side * reach, low },
-      { 0.0, height - thickness },
-      { 0.0, height },
-      { side * reach, low + thickness } };
+    std::vector<vtkVector2d> slab{ { side * reach, low }, { 0.0, height - thickness },
+      { 0.0, height }, { side * reach, low + thickness } };
     if (side > 0)
     {
       std::reverse(slab.begin(), slab.end());

@@ -25,10 +25,8 @@ double Along(double side, int i, int parts)
 }
 
 /// Draws a profile of the x, z plane, from left to right, along y.
-void AddExtrusion(MeshBuilder& mesh,
-  const std::vector<vtkVector2d>& profile,
-  double side,
-  int parts)
+void AddExtrusion(
+  MeshBuilder& mesh, const std::vector<vtkVector2d>& profile, double side, int parts)
 {
   const auto width = static_cast<vtkTypeInt32>(profile.size());
   for (int j = 0; j <= parts; ++j)
@@ -165,40 +163,13 @@ void AddSphere(MeshBuilder& mesh, double diameter, int parts)
   mesh.SetMaterial(synthetic::Target());
   const double g = 0.5 * (1.0 + std::sqrt(5.0)); // the golden ratio
   FacetedSolid sphere(mesh,
-    { { -1, g, 0 },
-      { 1, g, 0 },
-      { -1, -g, 0 },
-      { 1, -g, 0 },
-      { 0, -1, g },
-      { 0, 1, g },
-      { 0, -1, -g },
-      { 0, 1, -g },
-      { g, 0, -1 },
-      { g, 0, 1 },
-      { -g, 0, -1 },
-      { -g, 0, 1 } },
-    parts,
-    0.5 * diameter);
-  constexpr int faces[20][3] = { { 0, 11, 5 },
-    { 0, 5, 1 },
-    { 0, 1, 7 },
-    { 0, 7, 10 },
-    { 0, 10, 11 },
-    { 1, 5, 9 },
-    { 5, 11, 4 },
-    { 11, 10, 2 },
-    { 10, 7, 6 },
-    { 7, 1, 8 },
-    { 3, 9, 4 },
-    { 3, 4, 2 },
-    { 3, 2, 6 },
-    { 3, 6, 8 },
-    { 3, 8, 9 },
-    { 4, 9, 5 },
-    { 2, 4, 11 },
-    { 6, 2, 10 },
-    { 8, 6, 7 },
-    { 9, 8, 1 } };
+    { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+      { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } },
+    parts, 0.5 * diameter);
+  constexpr int faces[20][3] = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 },
+    { 0, 10, 11 }, { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 },
+    { 3, 4, 2 }, { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 },
+    { 8, 6, 7 }, { 9, 8, 1 } };
   for (const auto& face : faces)
   {
     sphere.AddFace(face[0], face[1], face[2]);

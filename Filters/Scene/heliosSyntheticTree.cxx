@@ -59,10 +59,8 @@ Vec3 AnyPerpendicular(const Vec3& v)
 }
 
 /// A closed tube along a path, from a cap to a point; radii of all points but the last.
-void AddTube(MeshBuilder& mesh,
-  const std::vector<Vec3>& path,
-  const std::vector<double>& radii,
-  int sides)
+void AddTube(
+  MeshBuilder& mesh, const std::vector<Vec3>& path, const std::vector<double>& radii, int sides)
 {
   std::vector<vtkTypeInt32> last;
   Vec3 normal = AnyPerpendicular(path[1] - path[0]);
@@ -99,11 +97,7 @@ void AddTube(MeshBuilder& mesh,
 }
 
 /// A diamond of two triangles; the normal and the length's direction need not be perpendicular.
-void AddLeaf(MeshBuilder& mesh,
-  const Vec3& centre,
-  Vec3 normal,
-  const Vec3& along,
-  double length,
+void AddLeaf(MeshBuilder& mesh, const Vec3& centre, Vec3 normal, const Vec3& along, double length,
   double width)
 {
   normal.Normalize();
@@ -170,8 +164,7 @@ private:
     const double bend = 0.02 * this->Shape.Height * share * share;
     const auto u = this->Random.Uniform(0, BranchDraw);
     return { bend * std::cos(TwoPi * u[0] + 5.0 * share),
-      bend * std::sin(TwoPi * u[0] + 5.0 * share),
-      0.85 * this->Shape.Height * share };
+      bend * std::sin(TwoPi * u[0] + 5.0 * share), 0.85 * this->Shape.Height * share };
   }
 
   void AddStem()
@@ -196,7 +189,7 @@ private:
     const Vec3 direction(cosTilt * std::cos(azimuth), cosTilt * std::sin(azimuth), sinTilt);
     const Vec3 start = this->IsShrub ? direction * Vec3(1, 1, 0) * (0.03 * this->Shape.Height)
                                      : this->GetStem(0.3 + 0.55 * level);
-    const Vec3 end = this->Centre + direction * this->Axes * (0.75 + 0.2 * u[1]);
+    const Vec3 end = this->Centre + direction * this->Axes * (0.62 + 0.3 * u[1]);
     // A quadratic curve that leaves the stem steeply.
     const Vec3 middle = start + (end - start) * 0.4 + Vec3(0, 0, 0.12 * (end - start).Norm());
     std::vector<Vec3> path;
@@ -209,9 +202,7 @@ private:
     this->Anchors.push_back(end);
     for (int twig = 0; twig < TwigsPerBranch; ++twig)
     {
-      this->AddTwig(branch,
-        twig,
-        path[1] + (path[3] - path[1]) * ((twig + 0.5) / TwigsPerBranch),
+      this->AddTwig(branch, twig, path[1] + (path[3] - path[1]) * ((twig + 0.5) / TwigsPerBranch),
         0.3 * radius);
     }
   }
@@ -222,7 +213,7 @@ private:
     const double z = 1.6 * u[0] - 0.6;
     const double azimuth = TwoPi * u[1];
     const double r = std::sqrt(std::max(0.0, 1.0 - z * z));
-    const double length = (0.2 + 0.2 * u[2]) * this->Axes[0];
+    const double length = (0.2 + 0.25 * u[2]) * this->Axes[0];
     const Vec3 end =
       this->PutInside(start + Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z) * length);
     AddTube(this->Mesh, { start, end }, { radius }, 3);
@@ -233,14 +224,10 @@ private:
   {
     const auto u = this->Random.Uniform(leaf, LeafDraw);
     const auto anchor = static_cast<std::size_t>(u[0] * static_cast<double>(this->Anchors.size()));
-    const Vec3 offset = this->Random.Normal(leaf, LeafDraw + 1) * (0.14 * this->Axes[0]);
+    const Vec3 offset = this->Random.Normal(leaf, LeafDraw + 1) * (0.1 * this->Axes[0]);
     const Vec3 centre = this->PutInside(this->Anchors[anchor] + offset);
-    AddLeaf(this->Mesh,
-      centre,
-      this->Random.Normal(leaf, LeafDraw + 3),
-      { u[1] - 0.5, u[2] - 0.5, u[3] - 0.5 },
-      length,
-      0.6 * length);
+    AddLeaf(this->Mesh, centre, this->Random.Normal(leaf, LeafDraw + 3),
+      { u[1] - 0.5, u[2] - 0.5, u[3] - 0.5 }, length, 0.6 * length);
   }
 
   /// The point itself, or where it is not inside the crown, the one nearest to it by the crown's measure.
@@ -277,10 +264,8 @@ public:
     const double height = this->Shape.Height;
     const double radius = height / 60.0;
     this->Mesh.SetMaterial(synthetic::Bark());
-    AddTube(this->Mesh,
-      { { 0, 0, 0 }, { 0, 0, 0.03 * height }, { 0, 0, height } },
-      { 1.5 * radius, radius },
-      8);
+    AddTube(this->Mesh, { { 0, 0, 0 }, { 0, 0, 0.03 * height }, { 0, 0, height } },
+      { 1.5 * radius, radius }, 8);
     for (int i = 0; i < Whorls * BranchesPerWhorl; ++i)
     {
       this->AddBranch(i);
@@ -324,18 +309,15 @@ private:
     branch.Room = std::pow(branch.Length, 1.5);
     branch.Room += this->Branches.empty() ? 0.0 : this->Branches.back().Room;
     const double radius = 0.015 * branch.Length + 0.004;
-    AddTube(this->Mesh,
-      { branch.GetPoint(0), branch.GetPoint(0.5), branch.GetPoint(1) },
-      { radius, 0.6 * radius },
-      3);
+    AddTube(this->Mesh, { branch.GetPoint(0), branch.GetPoint(0.5), branch.GetPoint(1) },
+      { radius, 0.6 * radius }, 3);
     this->Branches.push_back(branch);
   }
 
   void AddSpray(int leaf, double length)
   {
     const auto u = this->Random.Uniform(leaf, LeafDraw);
-    const Branch& branch = *std::upper_bound(this->Branches.begin(),
-      this->Branches.end() - 1,
+    const Branch& branch = *std::upper_bound(this->Branches.begin(), this->Branches.end() - 1,
       u[0] * this->Branches.back().Room,
       [](double room, const Branch& candidate) { return room < candidate.Room; });
     const double share = 0.1 + 0.9 * std::sqrt(u[1]);
@@ -371,12 +353,8 @@ void AddTree(MeshBuilder& mesh, const TreeShape& shape, vtkIdType seed, vtkIdTyp
 }
 
 //------------------------------------------------------------------------------
-void AddForest(MeshBuilder& mesh,
-  const Terrain& terrain,
-  double side,
-  const TreeShape& shape,
-  int numberOfTrees,
-  vtkIdType seed)
+void AddForest(MeshBuilder& mesh, const Terrain& terrain, double side, const TreeShape& shape,
+  int numberOfTrees, vtkIdType seed)
 {
   const int columns = static_cast<int>(std::ceil(std::sqrt(numberOfTrees)));
   const int rows = columns > 0 ? (numberOfTrees + columns - 1) / columns : 0;

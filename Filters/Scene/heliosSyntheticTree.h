@@ -24,7 +24,7 @@ struct TreeShape
 {
   Species Kind = Species::Broadleaf;
   double Height = 12.0;       // [m]
-  double CrownDiameter = 6.0; // [m]
+  double CrownDiameter = 7.2; // [m]
   int NumberOfLeaves = 5000;
 };
 
@@ -39,12 +39,8 @@ void AddTree(MeshBuilder& mesh, const TreeShape& shape, vtkIdType seed, vtkIdTyp
  * Trees on the terrain, one in each of so many squares of the side: 70 % broadleaf, 30 % conifer, 70
  * to 100 % of the height of the shape.
  */
-void AddForest(MeshBuilder& mesh,
-  const Terrain& terrain,
-  double side,
-  const TreeShape& shape,
-  int numberOfTrees,
-  vtkIdType seed);
+void AddForest(MeshBuilder& mesh, const Terrain& terrain, double side, const TreeShape& shape,
+  int numberOfTrees, vtkIdType seed);
 
 } // namespace helios
 

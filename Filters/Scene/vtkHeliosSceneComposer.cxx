@@ -88,9 +88,7 @@ vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
 {
   const auto* corners = from->GetPointer(0);
   const vtkIdType count = from->GetNumberOfValues();
-  return std::transform(corners,
-    corners + count,
-    to,
+  return std::transform(corners, corners + count, to,
     [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
 }
 
@@ -241,9 +239,8 @@ int vtkHeliosSceneComposer::FillInputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosSceneComposer::RequestData(vtkInformation*,
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkHeliosSceneComposer::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   PartList parts;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

@@ -127,9 +127,8 @@ bool vtkHeliosSceneTransform::CheckProperties()
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosSceneTransform::RequestData(vtkInformation*,
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkHeliosSceneTransform::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (!this->CheckProperties())
   {
@@ -142,10 +141,8 @@ int vtkHeliosSceneTransform::RequestData(vtkInformation*,
   const double* q = this->Rotation;
   helios::Quaternion rotation(q[0], q[1], q[2], q[3]);
   rotation.Normalize();
-  const Similarity motion{ q[1] != 0.0 || q[2] != 0.0 || q[3] != 0.0,
-    helios::Rotation(rotation),
-    this->Scale,
-    helios::Vec3(this->Translation) };
+  const Similarity motion{ q[1] != 0.0 || q[2] != 0.0 || q[3] != 0.0, helios::Rotation(rotation),
+    this->Scale, helios::Vec3(this->Translation) };
   vtkPoints* points = input->GetPoints();
   if (points && (!motion.IsIdentity() || points->GetDataType() != VTK_DOUBLE))
   {

@@ -31,14 +31,10 @@ struct KindDefaults
 };
 
 constexpr KindDefaults Kinds[] = {
-  { "Plane", 100.0, 0.0, 1, 0, 2 },
-  { "Step", 100.0, 10.0, 1, 0, 6 },
-  { "Sphere", 10.0, 0.0, 32, 0, 20 },
-  { "Pyramid", 10.0, 10.0, 1, 0, 6 },
-  { "Terrain", 1000.0, 20.0, 1000, 0, 2 },
-  { "Canopy", 100.0, 15.0, 200, 2200, 2 },
-  { "Blocks", 100.0, 10.0, 7, 0, 14 },
-  { "House", 12.0, 8.0, 1, 0, 0 },
+  { "Plane", 100.0, 0.0, 1, 0, 2 }, { "Step", 100.0, 10.0, 1, 0, 6 },
+  { "Sphere", 10.0, 0.0, 32, 0, 20 }, { "Pyramid", 10.0, 10.0, 1, 0, 6 },
+  { "Terrain", 1000.0, 20.0, 1000, 0, 2 }, { "Canopy", 100.0, 15.0, 200, 2500, 2 },
+  { "Blocks", 100.0, 10.0, 7, 0, 14 }, { "House", 12.0, 8.0, 1, 0, 0 },
   { "Tree", 0.0, 0.0, 1, 0, 0 }, // by species
 };
 
@@ -51,7 +47,7 @@ struct SpeciesDefaults
 };
 
 constexpr SpeciesDefaults AllSpecies[] = {
-  { "Broadleaf", 12.0, 0.5, 5000 },
+  { "Broadleaf", 12.0, 0.6, 5000 },
   { "Conifer", 12.0, 0.38, 5000 },
   { "Shrub", 1.5, 1.0, 1500 },
 };
@@ -150,9 +146,8 @@ double vtkHeliosSyntheticScene::GetTerrainHeight(double x, double y)
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosSyntheticScene::RequestData(vtkInformation*,
-  vtkInformationVector**,
-  vtkInformationVector* outputVector)
+int vtkHeliosSyntheticScene::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   for (const double value :
     { this->Size, this->Height, this->Origin[0], this->Origin[1], this->Origin[2] })

@@ -20,13 +20,13 @@
  * - Terrain: the hills of GetTerrainHeight over a square of side Size (1000), n x n squares (1000);
  *   Height (20) bounds the difference between the highest and the lowest place;
  * - Canopy: hills over a square of side Size (100), n x n squares (200), and on them NumberOfTrees
- *   broadleaf trees and conifers of up to Height (15), each with NumberOfLeaves (0: 2200); together
+ *   broadleaf trees and conifers of up to Height (15), each with NumberOfLeaves (0: 2500); together
  *   about a million triangles;
  * - Blocks: boxes of up to Height (10), of any heading, on a square ground of side Size (100) of n x n
  *   squares (7), one on each but those at the centre;
  * - House: Size long (12) along y, Height to the ridge (8); gabled roof with eaves, chimney, recessed
  *   windows and door (n is not used);
- * - Tree: Height (12; a shrub 1.5), Size the diameter of the crown (half the height; a conifer 0.38 of
+ * - Tree: Height (12; a shrub 1.5), Size the diameter of the crown (0.6 of the height; a conifer 0.38 of
  *   it, a shrub all of it), NumberOfLeaves (0: 5000; a shrub 1500).
  *
  * Errors: properties that are not finite, more than 500 million triangles.

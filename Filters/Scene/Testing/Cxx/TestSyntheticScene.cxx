@@ -229,8 +229,8 @@ TEST_CASE("SyntheticScene: a house is closed", "[SyntheticScene]")
   }
 }
 
-TEST_CASE("SyntheticScene: a house has a door and windows deeper than its walls",
-  "[SyntheticScene]")
+TEST_CASE(
+  "SyntheticScene: a house has a door and windows deeper than its walls", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToHouse();
@@ -305,8 +305,7 @@ TEST_CASE("SyntheticScene: the wood of trees is closed", "[SyntheticScene]")
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToTree();
   source->SetNumberOfLeaves(1);
-  for (const int species : { vtkHeliosSyntheticScene::BROADLEAF,
-         vtkHeliosSyntheticScene::CONIFER,
+  for (const int species : { vtkHeliosSyntheticScene::BROADLEAF, vtkHeliosSyntheticScene::CONIFER,
          vtkHeliosSyntheticScene::SHRUB })
   {
     source->SetSpecies(species);
@@ -322,7 +321,7 @@ TEST_CASE("SyntheticScene: a canopy of a million triangles", "[SyntheticScene]")
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToCanopy();
   const helios::TriangleMesh mesh = Make(source);
-  CHECK(mesh.GetNumberOfTriangles() == Approx(1e6).epsilon(0.15));
+  CHECK(mesh.GetNumberOfTriangles() == Approx(1e6).epsilon(0.02));
   CHECK(GetClasses(source) == std::set<int>({ 2, 5 }));
   CHECK(GetBound(mesh, 5) > 10.0);
   CHECK(GetBound(mesh, 5) < 15.0 * 1.05 + 3.0);

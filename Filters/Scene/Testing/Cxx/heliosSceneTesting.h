@@ -26,10 +26,8 @@ namespace helios
 {
 
 /// A triangle at x, its material id 0 of a table of the given materials.
-inline vtkSmartPointer<vtkPolyData> MakeTriangle(double x,
-  const MaterialTable& materials,
-  bool narrow = true,
-  int precision = VTK_DOUBLE)
+inline vtkSmartPointer<vtkPolyData> MakeTriangle(
+  double x, const MaterialTable& materials, bool narrow = true, int precision = VTK_DOUBLE)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(precision);
