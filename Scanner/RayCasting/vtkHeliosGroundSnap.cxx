@@ -3,6 +3,7 @@
 #include "vtkHeliosGroundSnap.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <vector>
@@ -103,12 +105,51 @@ vtkSmartPointer<vtkPolyData> ExtractGround(vtkPolyData* scene, const Places& pla
   return ground;
 }
 
-std::string Describe(vtkIdType index, const vtkHeliosRay& ray)
+/// The height of the highest surface at each point; NaN where there is none.
+std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
 {
+  double bounds[6] = {};
+  if (caster->GetMesh().GetNumberOfTriangles() > 0)
+  {
+    caster->GetMesh().GetBounds(bounds);
+  }
+  const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
+  std::vector<double> heights;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    const vtkHeliosRay ray{ { p[0], p[1], top }, { 0.0, 0.0, -1.0 } };
+    vtkHeliosHit hit;
+    caster->Intersect(&ray, &hit, 1);
+    heights.push_back(hit.CellId < 0 ? std::nan("") : top - hit.Range);
+  }
+  return heights;
+}
+
+/// "point 3 at x 1, y 2"
+std::string Describe(vtkPolyData* points, vtkIdType index)
+{
+  double p[3];
+  points->GetPoint(index, p);
   std::ostringstream text;
-  text << std::setprecision(15) << "point " << index << " at x " << ray.Origin[0] << ", y "
-       << ray.Origin[1];
+  text << std::setprecision(15) << "point " << index << " at x " << p[0] << ", y " << p[1];
   return text.str();
+}
+
+/// The first point whose x or y is not a number, or -1.
+vtkIdType FindNotFinite(vtkPolyData* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+    {
+      return i;
+    }
+  }
+  return -1;
 }
 
 } // namespace
@@ -149,7 +190,12 @@ int vtkHeliosGroundSnap::RequestData(
     vtkErrorMacro(<< "The scene on port 1 is empty: it has no ground to put points onto.");
     return 0;
   }
-
+  const vtkIdType notFinite = FindNotFinite(input);
+  if (notFinite >= 0)
+  {
+    vtkErrorMacro(<< "No ground for " << Describe(input, notFinite) << "; it must be finite.");
+    return 0;
+  }
   vtkNew<vtkHeliosBvhRayCaster> caster;
   const vtkSmartPointer<vtkPolyData> ground = ExtractGround(scene, Places(input));
   if (ground->GetNumberOfCells() > 0 && !caster->Build(ground))
@@ -157,19 +203,8 @@ int vtkHeliosGroundSnap::RequestData(
     vtkErrorMacro(<< "No rays can be cast onto the scene on port 1.");
     return 0;
   }
-  double bounds[6];
-  scene->GetBounds(bounds);
-  const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
-  std::vector<vtkHeliosRay> rays(static_cast<std::size_t>(count));
-  std::vector<vtkHeliosHit> hits(rays.size());
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    double p[3];
-    input->GetPoint(i, p);
-    rays[i] = { { p[0], p[1], top }, { 0.0, 0.0, -1.0 } };
-  }
-  caster->Intersect(rays.data(), hits.data(), count);
 
+  const std::vector<double> heights = GetHeights(input, caster);
   vtkNew<vtkPoints> points;
   points->SetDataType(VTK_DOUBLE);
   points->SetNumberOfPoints(count);
@@ -179,13 +214,13 @@ int vtkHeliosGroundSnap::RequestData(
     double p[3];
     input->GetPoint(i, p);
     const bool isSnapped = !onGround || onGround->GetComponent(i, 0) != 0.0;
-    if (isSnapped && hits[i].CellId < 0)
+    if (isSnapped && std::isnan(heights[i]))
     {
-      vtkErrorMacro(<< "The scene has no ground above or below " << Describe(i, rays[i])
+      vtkErrorMacro(<< "The scene has no ground above or below " << Describe(input, i)
                     << "; move the point into the scene or clear its " << names::OnGround << ".");
       return 0;
     }
-    p[2] = isSnapped ? top - hits[i].Range + this->HeightAboveGround : p[2];
+    p[2] = isSnapped ? heights[i] + this->HeightAboveGround : p[2];
     points->SetPoint(i, p);
   }
   output->SetPoints(points);

@@ -10,7 +10,8 @@
  * material, any surface is ground. A point array OnGround limits this to the
  * points where it is not 0.
  *
- * Errors: no surface above or below a point (it is named with its x, y).
+ * Errors: no surface above or below a point, or a point that is not finite (it
+ * is named with its x, y); an empty scene.
  *
  * @sa
  * vtkHeliosRayCaster

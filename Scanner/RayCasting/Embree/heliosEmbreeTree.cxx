@@ -7,6 +7,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #if defined(__SSE2__)
@@ -60,13 +61,15 @@ int GetNativeWidth(RTCDevice device)
 /// The one valid ray of a packet, for Embree's functions that take one.
 RTCRay GetAlone(const Packet& rays)
 {
-  const int* valid = std::find(rays.Valid, rays.Valid + rays.Width, -1);
-  alignas(RTCRay) float fields[12];
+  const auto lane = std::find(rays.Valid, rays.Valid + rays.Width, -1) - rays.Valid;
+  float fields[12];
   for (int field = 0; field < 12; ++field)
   {
-    fields[field] = rays.Floats[field * rays.Width + (valid - rays.Valid)];
+    fields[field] = rays.Floats[field * rays.Width + lane];
   }
-  return *reinterpret_cast<RTCRay*>(fields);
+  RTCRay ray;
+  std::memcpy(&ray, fields, sizeof(ray));
+  return ray;
 }
 
 /**

@@ -15,6 +15,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 namespace
 {
 
@@ -108,7 +110,27 @@ TEST_CASE("GroundSnap: names the point without ground", "[GroundSnap]")
   CHECK(log->HasError("point 1 at x -12.5, y 1"));
 
   log->Clear();
+  snap->SetInputData(0, MakePoints({ { 10, 10, 5 }, { 10, std::nan(""), 5 } }));
+  snap->Update();
+  CHECK(log->HasError("point 1 at x 10, y nan"));
+
+  log->Clear();
+  snap->SetInputData(0, MakePoints({ { 10, 10, 5 } }));
   snap->SetInputData(1, vtkSmartPointer<vtkPolyData>::New());
   snap->Update();
   CHECK(log->HasError("scene on port 1 is empty"));
+}
+
+TEST_CASE("GroundSnap: a stray point elsewhere takes no accuracy", "[GroundSnap]")
+{
+  const auto scene = MakeSlopeAndRoof(true);
+  const double stray[3] = { 1e30, 1e30, 1e30 };
+  const vtkIdType point = scene->GetPoints()->InsertNextPoint(stray);
+  scene->GetPolys()->InsertNextCell({ point, point - 1, point - 2 });
+  scene->GetCellData()->GetArray(names::MaterialIds)->InsertNextTuple1(0);
+  vtkNew<vtkHeliosGroundSnap> snap;
+  snap->SetInputData(0, MakePoints({ { 10, 10, 5 } }));
+  snap->SetInputData(1, scene);
+  snap->Update();
+  CHECK(snap->GetOutput()->GetPoint(0)[2] == Approx(1.0).epsilon(1e-14));
 }
