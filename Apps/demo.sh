@@ -31,7 +31,8 @@ picture=$demo/village.png
 display=()
 [ -n "${DISPLAY:-}" ] || display=(xvfb-run -a -s "-screen 0 1280x1024x24")
 "${display[@]}" "$python" -P -m vtkhelios.picture "${clouds[@]}" --output "$picture" \
-  --title "village: a terrestrial scan from two positions and an airborne strip"
+  --title "a village, scanned from two positions on its lane and from the air" \
+  --azimuth 210 --elevation 30 --zoom 2.0
 
 helios_say "done"
 for what in "${clouds[@]}"; do

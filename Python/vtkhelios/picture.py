@@ -3,8 +3,8 @@
 """A picture of point clouds: python -m vtkhelios.picture CLOUD... --output PICTURE.png
 
 Points are coloured by their class (ground, vegetation, buildings ...) where the cloud has classes,
-else by height, brightened by how strong their echo is, and shaded by eye-dome lighting. It needs an
-X display; without one:
+else by height, a little brighter where their echo is strong, and lit by the shape they make. It needs
+an X display; without one:
 
 xvfb-run -a -s "-screen 0 1280x1024x24" python3 -m vtkhelios.picture CLOUD... --output PICTURE.png
 """
@@ -32,6 +32,8 @@ OVERSAMPLING = 2  # drawn that many times wider and higher, then averaged
 BACKGROUND_TOP, BACKGROUND_BOTTOM = (0.16, 0.20, 0.26), (0.05, 0.06, 0.08)
 TEXT = (0.86, 0.88, 0.90)
 MARK = (1.0, 0.80, 0.20)
+BAR = 0.05  # of the height: title and legend, below the picture
+SUN = (-0.55, 0.60, 0.58)  # where the light comes from: right, up, towards the viewer
 
 # ASPRS classes: a colour and a name.
 CLASSES = {
@@ -39,7 +41,7 @@ CLASSES = {
     3: ((0.62, 0.76, 0.36), "low vegetation"),
     4: ((0.48, 0.70, 0.32), "medium vegetation"),
     5: ((0.33, 0.66, 0.34), "high vegetation"),
-    6: ((0.86, 0.42, 0.32), "building"),
+    6: ((0.82, 0.42, 0.33), "building"),
     9: ((0.30, 0.55, 0.85), "water"),
     11: ((0.55, 0.56, 0.60), "road"),
 }
@@ -105,12 +107,12 @@ def colours(points, strengths, classes):
 
 
 def brightness(strengths):
-    """From 0.6 for the weakest echoes to 1.15 for the strongest, by rank: power falls with R^2."""
+    """From 0.85 for the weakest echoes to 1.1 for the strongest, by rank: power falls with R^2."""
     if len(strengths) < 2:
         return np.ones(len(strengths))
     levels = np.quantile(strengths, np.linspace(0.0, 1.0, 65))
     rank = np.searchsorted(levels, strengths) + np.searchsorted(levels, strengths, side="right")
-    return 0.6 + 0.55 * rank / 130.0
+    return 0.85 + 0.25 * rank / 130.0
 
 
 def make_cloud_actor(points, rgb, size):
@@ -143,11 +145,15 @@ def make_text(words, x, y, size, colour=TEXT, right=False):
     return text
 
 
-def add_legend(renderer, classes):
-    """The classes that occur, with their colours, at the lower left."""
-    known = [(CLASSES[n] if n in CLASSES else UNCLASSIFIED) for n in np.unique(classes)]
-    for row, (colour, name) in enumerate(reversed(list(dict.fromkeys(known)))):
-        renderer.AddActor2D(make_text(name, 0.02, 0.03 + 0.032 * row, 20 * OVERSAMPLING, colour))
+def add_legend(renderer, classes, marks):
+    """The classes that occur, with their colours, at the right of the bar below the picture."""
+    entries = [(MARK, "scanner")] if len(marks) else []
+    if len(np.unique(classes)) > 1:
+        entries += [CLASSES.get(number, UNCLASSIFIED) for number in reversed(np.unique(classes))]
+    x = 0.98
+    for colour, name in dict.fromkeys(entries):
+        renderer.AddActor2D(make_text(name, x, 0.016, 18 * OVERSAMPLING, colour, right=True))
+        x -= 0.02 + 0.0062 * len(name)
 
 
 def place_camera(renderer, points, azimuth, elevation, zoom):
@@ -189,8 +195,8 @@ def save_picture(
     window = make_window(size)
     window.AddRenderer(scene)
     window.Render()
-    distance = grab_distances(window, scene)
-    picture = shade(grab_colours(window), distance)
+    view_angle = scene.GetActiveCamera().GetViewAngle()
+    picture = shade(grab_colours(window), grab_distances(window, scene), view_angle)
 
     # Marks and texts come last: they have no shading.
     window.RemoveRenderer(scene)
@@ -200,9 +206,9 @@ def save_picture(
         overlay.AddActor(
             make_cloud_actor(np.atleast_2d(mark) - origin, np.array([MARK]), 9 * OVERSAMPLING)
         )
-    overlay.AddActor2D(make_text(title, 0.02, 0.95, 24 * OVERSAMPLING))
-    if len(np.unique(classes)) > 1:
-        add_legend(overlay, classes)
+    picture[: int(BAR * len(picture))] = BACKGROUND_BOTTOM
+    overlay.AddActor2D(make_text(title, 0.02, 0.015, 19 * OVERSAMPLING))
+    add_legend(overlay, classes, marks)
     window.AddRenderer(overlay)
     window.Render()
     drawn = grab_colours(window)
@@ -236,23 +242,47 @@ def grab_distances(window, renderer):
     return np.where(depth < 1.0, distance, np.inf)
 
 
-def shade(rgb, distance, strength=12.0):
-    """Eye-dome lighting (Boucheny 2009): the more its neighbours are in front, the darker a pixel.
+def shade(rgb, distance, view_angle):
+    """Lights what was drawn by the shape that its distances show; elsewhere the background shows."""
+    drawn = np.isfinite(distance)
+    light = np.clip(0.72 + 0.42 * sunlight(distance, view_angle), 0.5, 1.2) * dome_light(distance)
+    height = np.linspace(0.0, 1.0, len(rgb))[:, None, None]
+    background = np.array(BACKGROUND_BOTTOM) * (1 - height) + np.array(BACKGROUND_TOP) * height
+    return np.where(drawn[..., None], np.clip(rgb * light[..., None], 0.0, 1.0), background)
 
-    Where nothing was drawn the background shows: a gradient.
-    """
-    empty = np.isinf(distance)
-    log_distance = np.log(np.where(empty, 1e30, distance))
+
+def dome_light(distance, strength=12.0):
+    """Eye-dome lighting (Boucheny 2009): the more its neighbours are in front, the darker a pixel."""
+    log_distance = np.log(np.where(np.isfinite(distance), distance, 1e30))
     shadow = np.zeros_like(distance)
     for radius in (1, 2, 4):
         step = radius * OVERSAMPLING
-        for rows, columns in ((0, step), (0, -step), (step, 0), (-step, 0)):
-            neighbour = np.roll(log_distance, (rows, columns), axis=(0, 1))
+        around = np.pad(log_distance, step, mode="edge")
+        for y, x in ((0, 1), (0, -1), (1, 0), (-1, 0)):
+            neighbour = np.roll(around, (y * step, x * step), axis=(0, 1))[step:-step, step:-step]
             shadow += np.clip(log_distance - neighbour, 0.0, 0.05) / radius
-    light = np.exp(-strength * shadow)[..., None]
-    height = np.linspace(0.0, 1.0, len(rgb))[:, None, None]
-    background = np.array(BACKGROUND_BOTTOM) * (1 - height) + np.array(BACKGROUND_TOP) * height
-    return np.where(empty[..., None], background, rgb * light)
+    return np.exp(-strength * shadow)
+
+
+def sunlight(distance, view_angle, radius=3 * OVERSAMPLING):
+    """The cosine between the light and the normals of the surface that the points lie on.
+
+    A surface whose distance d changes by g = d log(d) a radian has the normal (g, 1) before the camera.
+    """
+    drawn = np.isfinite(distance)
+    weight = average(drawn.astype(float), radius)
+    smooth = average(np.log(np.where(drawn, distance, 1.0)), radius) / np.maximum(weight, 1e-9)
+    up, right = (g / (np.radians(view_angle) / len(distance)) for g in np.gradient(smooth))
+    return (right * SUN[0] + up * SUN[1] + SUN[2]) / np.sqrt(right**2 + up**2 + 1.0)
+
+
+def average(image, radius):
+    """The mean over a square of side 2 radius + 1, by running sums."""
+    width = 2 * radius + 1
+    for _ in range(2):  # along the rows, then, turned, along the columns
+        sums = np.cumsum(np.pad(image, ((radius + 1, radius), (0, 0)), mode="edge"), axis=0)
+        image = ((sums[width:] - sums[:-width]) / width).T
+    return image
 
 
 def write_png(rgb, output):
