@@ -222,6 +222,7 @@ bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
 {
   vtkHeliosSurveyPlayer* player = this->Player;
   player->NumberOfPulsesDone = counts.Pulses;
+  player->NumberOfPulsesFired = counts.PulsesFired;
   player->NumberOfEchoes = counts.Echoes;
   player->NumberOfFirstReturns = counts.FirstReturns;
   player->Progress =
@@ -291,6 +292,7 @@ bool vtkHeliosSurveyPlayer::Run()
   this->CurrentLeg = 0;
   this->NumberOfPulses = 0;
   this->NumberOfPulsesDone = 0;
+  this->NumberOfPulsesFired = 0;
   this->NumberOfEchoes = 0;
   this->NumberOfFirstReturns = 0;
   this->Message.clear();

@@ -145,11 +145,13 @@ public:
 
   ///@{
   /**
-   * The pulses of the run, known once the scene is loaded; how many of them are
-   * done; the points, and the first returns among them, that are written.
+   * The pulse indices of the run, known once the scene is loaded; how many of
+   * them are done; the pulses among those that left the scanner; the points, and
+   * the first returns among them, that are written.
    */
   vtkGetMacro(NumberOfPulses, vtkIdType);
   vtkGetMacro(NumberOfPulsesDone, vtkIdType);
+  vtkGetMacro(NumberOfPulsesFired, vtkIdType);
   vtkGetMacro(NumberOfEchoes, vtkIdType);
   vtkGetMacro(NumberOfFirstReturns, vtkIdType);
   ///@}
@@ -179,6 +181,7 @@ private:
   int CurrentLeg = 0;
   vtkIdType NumberOfPulses = 0;
   vtkIdType NumberOfPulsesDone = 0;
+  vtkIdType NumberOfPulsesFired = 0;
   vtkIdType NumberOfEchoes = 0;
   vtkIdType NumberOfFirstReturns = 0;
   std::string Message;

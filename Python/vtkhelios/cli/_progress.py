@@ -56,7 +56,8 @@ class Progress:
 
     def __init__(self, player):
         self._player = player
-        self._pace = Pace()
+        self._indices = Pace()  # what the end is reckoned from
+        self._fired = Pace()  # what is shown: some pulse indices let no pulse out
         self._next = time.monotonic() + self.seconds_between
         self._tag = None
 
@@ -71,7 +72,8 @@ class Progress:
         now = time.monotonic()
         done = self._player.GetNumberOfPulsesDone()
         if done > 0:
-            self._pace.add(now, done)
+            self._indices.add(now, done)
+            self._fired.add(now, self._player.GetNumberOfPulsesFired())
         if now >= self._next:
             self._next = now + self.seconds_between
             self.show()
@@ -79,15 +81,15 @@ class Progress:
     def describe(self):
         """The state of the run in one line."""
         player = self._player
-        done, total = player.GetNumberOfPulsesDone(), player.GetNumberOfPulses()
-        if done <= 0:
+        if player.GetNumberOfPulsesDone() <= 0:
             return player.GetMessage() or "loading"
-        rate = self._pace.rate()
+        rate = self._fired.rate()
         pace = f"{rate / 1e6:.2f}" if rate else "-"
+        left = duration(self._indices.remaining(player.GetNumberOfPulses()))
         return (
             f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "
-            f"{done / 1e6:.2f} of {total / 1e6:.2f} M pulses, {pace} M pulses/s, "
-            f"{player.GetNumberOfEchoes():,} points, {duration(self._pace.remaining(total))} left"
+            f"{player.GetNumberOfPulsesFired() / 1e6:.2f} M pulses, {pace} M pulses/s, "
+            f"{player.GetNumberOfEchoes():,} points, {left} left"
         )
 
     def show(self):

@@ -158,12 +158,10 @@ def make_player(arguments, survey, messages):
 def conclude(arguments, player, messages, succeeded, interrupt, seconds):
     """Says how the run ended and returns the exit code."""
     folder = pathlib.Path(arguments.output) / player.GetSurvey().GetName()
-    if interrupt.signal:
-        messages.error(
-            f"interrupted after {player.GetNumberOfPulsesDone():,} of "
-            f"{player.GetNumberOfPulses():,} pulses; the {player.GetNumberOfEchoes():,} "
-            f"points so far are kept in {folder}"
-        )
+    if interrupt.signal and not succeeded:
+        points = player.GetNumberOfEchoes()
+        kept = f"the {points:,} points so far are kept in {folder}" if points else "no points yet"
+        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
         return 128 + interrupt.signal
     if not succeeded:
         messages.error_unless_told(player.GetMessage())
@@ -173,7 +171,7 @@ def conclude(arguments, player, messages, succeeded, interrupt, seconds):
 
 
 def summarise(player, folder, messages, seconds):
-    pulses, points = player.GetNumberOfPulsesDone(), player.GetNumberOfEchoes()
+    pulses, points = player.GetNumberOfPulsesFired(), player.GetNumberOfEchoes()
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
     messages.info(f"pulses   {pulses:,}")
     messages.info(f"points   {points:,} ({player.GetNumberOfFirstReturns():,} first returns)")
