@@ -8,8 +8,9 @@
 // function of the ray and the corner alone, the same in each triangle that shares it, and the signs
 // are exact: a*b - c*d, rounded, never has the wrong sign, since rounding is monotone; it may only
 // be zero where the truth is not, and then the rounding errors of the two products decide
-// (GetSign). So the test is exact for the mesh of the sheared corners, which is as closed as the
-// scene's mesh: no ray leaks through a shared edge or corner, however it is aimed.
+// (GetSignOfTie). So the test is exact for the mesh of the sheared corners, which is as closed as
+// the scene's mesh (triangles without area apart, which are never hit): no ray leaks through a
+// shared edge or corner, however it is aimed.
 //
 // Range: from the plane of the scene's own points, which keeps |error| <= 8 u R / cos(incidence)
 // for slivers too, then clamped to the triangle's bounding box. The clamp matters for triangles
