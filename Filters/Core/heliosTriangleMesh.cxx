@@ -64,6 +64,11 @@ std::string TriangleMesh::Set(vtkPolyData* scene)
 
   for (vtkIdType i = 0; i < 3 * this->NumberOfTriangles; ++i)
   {
+    if (this->Corners[i] < 0 || this->Corners[i] >= pointCount)
+    {
+      return "cell " + std::to_string(i / 3) + " of the scene refers to point " +
+        std::to_string(this->Corners[i]) + ", but it has " + std::to_string(pointCount);
+    }
     const double* p = this->Points + 3 * static_cast<vtkIdType>(this->Corners[i]);
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
     {

@@ -32,7 +32,7 @@ public:
 
   /**
    * Looks at a scene, and keeps it alive. Says in words what is wrong (cells other than triangles,
-   * points that are not finite, more than 2^31 points), or returns an empty text.
+   * corners that are no points or not finite, more than 2^31 points), or returns an empty text.
    */
   std::string Set(vtkPolyData* scene);
 

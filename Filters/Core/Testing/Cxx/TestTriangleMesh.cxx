@@ -69,6 +69,10 @@ TEST_CASE("TriangleMesh: says what is wrong", "[TriangleMesh]")
   const double inf = std::numeric_limits<double>::infinity();
   CHECK(mesh.Set(MakeTriangle(VTK_DOUBLE, true, inf)).find("cell 0") != std::string::npos);
 
+  const auto dangling = MakeTriangle(VTK_DOUBLE, true);
+  dangling->GetPolys()->InsertNextCell({ 0, 1, 7 });
+  CHECK(mesh.Set(dangling).find("refers to point 7, but it has 3") != std::string::npos);
+
   const auto quads = MakeTriangle(VTK_DOUBLE, true);
   quads->GetPolys()->InsertNextCell({ 0, 1, 2, 1 });
   CHECK(mesh.Set(quads).find("vtkTriangleFilter") != std::string::npos);
