@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -38,14 +39,29 @@ std::string RenameFile(const std::string& from, const std::string& to)
   return {};
 }
 
+std::int64_t GetSizeOfWhole(const std::string& path, const std::string& ending)
+{
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::int64_t size = file.tellg();
+  std::string last(ending.size(), '\0');
+  file.seekg(-static_cast<std::int64_t>(ending.size()), std::ios::end);
+  file.read(last.data(), static_cast<std::streamsize>(last.size()));
+  return file && last == ending ? size : -1;
+}
+
+void RemoveFile(const std::string& path)
+{
+  std::remove(path.c_str());
+}
+
 PartFile::~PartFile()
 {
   this->Abandon();
 }
 
-bool PartFile::Fail(const std::string& path, int error)
+bool PartFile::Fail(const char* what, int error)
 {
-  this->Problem = path + " cannot be written: " + std::strerror(error);
+  this->Problem = this->GetPartPath() + " cannot be " + what + ": " + std::strerror(error);
   return false;
 }
 
@@ -55,59 +71,66 @@ bool PartFile::Open(const std::string& path)
   this->Path = path;
   this->Size = 0;
   this->Problem = MakeFoldersFor(path);
+  std::error_code error;
+  if (this->Problem.empty() && std::filesystem::is_directory(path, error))
+  {
+    this->Problem = path + " is a folder, not a file";
+  }
   if (!this->Problem.empty())
   {
     return false;
   }
-  this->Descriptor = ::open(this->GetPartPath().c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  return this->Descriptor >= 0 || this->Fail(this->GetPartPath(), errno);
+  this->Descriptor =
+    ::open(this->GetPartPath().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  return this->Descriptor >= 0 || this->Fail("opened", errno);
 }
 
 bool PartFile::Append(const char* bytes, std::size_t count)
 {
-  std::size_t done = 0;
-  while (done < count)
+  while (count > 0)
   {
-    const ssize_t written = ::write(this->Descriptor, bytes + done, count - done);
+    const ssize_t written = ::write(this->Descriptor, bytes, count);
     if (written < 0 && errno == EINTR)
     {
       continue;
     }
     if (written <= 0)
     {
-      this->Fail(this->GetPartPath(), written < 0 ? errno : EIO);
-      const auto whole = static_cast<off_t>(this->Size);
-      if (::ftruncate(this->Descriptor, whole) == 0)
-      {
-        ::lseek(this->Descriptor, whole, SEEK_SET);
-      }
-      return false;
+      return this->Fail("written", written < 0 ? errno : EIO);
     }
-    done += static_cast<std::size_t>(written);
+    this->Size += static_cast<std::uint64_t>(written);
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
   }
-  this->Size += count;
+  return true;
+}
+
+bool PartFile::Cut(std::uint64_t size)
+{
+  const auto end = static_cast<off_t>(size);
+  if (::ftruncate(this->Descriptor, end) != 0 || ::lseek(this->Descriptor, end, SEEK_SET) != end)
+  {
+    return this->Fail("cut", errno);
+  }
+  this->Size = size;
   return true;
 }
 
 bool PartFile::Close()
 {
-  const int descriptor = this->Descriptor;
-  this->Descriptor = -1;
-  if (::close(descriptor) != 0)
+  if (!this->Abandon())
   {
-    return this->Fail(this->GetPartPath(), errno);
+    return false;
   }
   this->Problem = RenameFile(this->GetPartPath(), this->Path);
   return this->Problem.empty();
 }
 
-void PartFile::Abandon()
+bool PartFile::Abandon()
 {
-  if (this->Descriptor >= 0)
-  {
-    ::close(this->Descriptor);
-    this->Descriptor = -1;
-  }
+  const int descriptor = this->Descriptor;
+  this->Descriptor = -1;
+  return descriptor < 0 || ::close(descriptor) == 0 || this->Fail("closed", errno);
 }
 
 } // namespace helios

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A file that carries .part until it is whole. Calls of the operating system are here.
+// Files that carry .part until they are whole. What writers ask of the operating system is here.
 
 #ifndef heliosPartFile_h
 #define heliosPartFile_h
 
-#include "vtkHeliosFiltersIOModule.h"
+#include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <cstdint>
 #include <string>
@@ -21,20 +21,26 @@ public:
   PartFile(const PartFile&) = delete;
   void operator=(const PartFile&) = delete;
 
-  /// Makes the folders and an empty <path>.part. False: see GetProblem().
+  /// Makes the folders and an empty <path>.part. False here and below: see GetProblem().
   bool Open(const std::string& path);
   bool IsOpen() const { return this->Descriptor >= 0; }
 
-  /// Appends a block; where that fails, takes back what was written of it.
+  /// Appends bytes; where that fails, some of them may be in the file.
   bool Append(const char* bytes, std::size_t count);
 
-  /// Gives the file its final name.
+  /// Takes back what was appended after a size.
+  bool Cut(std::uint64_t size);
+
+  /// Ends the file and gives it its final name.
   bool Close();
 
-  /// Leaves the file as <path>.part.
-  void Abandon();
+  /// Ends the file as <path>.part; the problem, if any, stays.
+  bool Abandon();
 
+  /// What was appended and not taken back [bytes].
   std::uint64_t GetSize() const { return this->Size; }
+
+  /// Of the last Open().
   const std::string& GetPath() const { return this->Path; }
   std::string GetPartPath() const { return this->Path + ".part"; }
 
@@ -42,7 +48,7 @@ public:
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
-  bool Fail(const std::string& path, int error);
+  bool Fail(const char* what, int error);
 
   std::string Path;
   std::string Problem;
@@ -50,11 +56,18 @@ private:
   std::uint64_t Size = 0;
 };
 
-/// Renames a file, replacing another; says what went wrong, or returns an empty text.
-VTKHELIOSFILTERSIO_EXPORT std::string RenameFile(const std::string& from, const std::string& to);
-
-/// Makes the folders above a file; says what went wrong, or returns an empty text.
+///@{
+/// Each says what went wrong, or returns an empty text.
 VTKHELIOSFILTERSIO_EXPORT std::string MakeFoldersFor(const std::string& path);
+VTKHELIOSFILTERSIO_EXPORT std::string RenameFile(const std::string& from, const std::string& to);
+///@}
+
+/// The size of a file [bytes] whose last bytes are an ending; -1 where they are not.
+VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
+  const std::string& path, const std::string& ending);
+
+/// Removes a file, if it is there.
+VTKHELIOSFILTERSIO_EXPORT void RemoveFile(const std::string& path);
 
 } // namespace helios
 

@@ -5,29 +5,55 @@
 #ifndef heliosTextFormat_h
 #define heliosTextFormat_h
 
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <string_view>
 #include <vector>
 
 namespace helios
 {
 
-constexpr std::int64_t PowerOfTen(int exponent)
+constexpr std::uint32_t PowerOfTen(int exponent)
 {
   return exponent == 0 ? 1 : 10 * PowerOfTen(exponent - 1);
 }
 
-/// Text that grows; rows of numbers are appended to it.
-class TextBuffer
+/// "00" to "99".
+struct DigitPairs
+{
+  char Text[200] = {};
+
+  constexpr DigitPairs()
+  {
+    for (int i = 0; i < 100; ++i)
+    {
+      this->Text[2 * i] = static_cast<char>('0' + i / 10);
+      this->Text[2 * i + 1] = static_cast<char>('0' + i % 10);
+    }
+  }
+};
+inline constexpr DigitPairs Digits;
+
+/// Text that grows; records of numbers are appended to it.
+class VTKHELIOSFILTERSIO_EXPORT TextBuffer
 {
 public:
   const char* GetText() const { return this->Text.data(); }
   std::size_t GetSize() const { return this->Size; }
-  void Clear() { this->Size = 0; }
+
+  /// False once a number that is no number or not finite was appended; Cut() forgets it.
+  bool IsFinite() const { return this->Finite; }
+
+  /// Back to an earlier size.
+  void Cut(std::size_t size)
+  {
+    this->Size = size;
+    this->Finite = true;
+  }
 
   void Append(char c)
   {
@@ -47,61 +73,71 @@ public:
     this->Size += static_cast<std::size_t>(std::to_chars(at, at + 24, value).ptr - at);
   }
 
-  /**
-   * A number with a fixed number of decimals, as std::to_chars rounds it; zero has no sign. The
-   * fast way scales to an integer: the product is off by at most 2^-7 below 2^46, so its rounding
-   * is right unless its fraction is close to a half, and then std::to_chars decides.
-   */
+  /// A number with 1 to 9 decimals, rounded as std::to_chars rounds it; zero has no sign.
   template <int Decimals>
   void AppendFixed(double value)
   {
-    constexpr std::int64_t scale = PowerOfTen(Decimals);
-    const double scaled = std::abs(value) * static_cast<double>(scale);
-    if (!(scaled < 0x1p46))
+    static_assert(Decimals >= 1 && Decimals <= 9, "the decimals fit into 30 bits");
+    constexpr std::uint32_t scale = PowerOfTen(Decimals);
+    const double magnitude = std::abs(value);
+    if (!(magnitude < 0x1p53))
     {
-      this->AppendSlowly(value, Decimals);
+      this->AppendHuge(value, Decimals);
       return;
     }
-    const auto whole = static_cast<std::int64_t>(scaled);
-    const double rest = scaled - static_cast<double>(whole);
-    if (std::abs(rest - 0.5) < 0x1p-6)
+    auto whole = static_cast<std::int64_t>(magnitude);
+    std::uint32_t fraction = RoundScaled(magnitude - static_cast<double>(whole), scale);
+    if (fraction == scale)
     {
-      this->AppendSlowly(value, Decimals);
-      return;
+      fraction = 0;
+      ++whole;
     }
-    const std::int64_t digits = whole + (rest > 0.5 ? 1 : 0);
-    char* at = this->Reserve(24 + Decimals);
-    char* const begin = at;
-    if (value < 0.0 && digits != 0)
+    char* const begin = this->Reserve(28 + Decimals);
+    char* at = begin;
+    if (value < 0.0 && (whole != 0 || fraction != 0))
     {
       *at++ = '-';
     }
-    at = std::to_chars(at, at + 20, digits / scale).ptr;
+    at = std::to_chars(at, at + 20, whole).ptr;
     *at++ = '.';
-    std::int64_t fraction = digits % scale;
-    for (int i = Decimals - 1; i >= 0; --i)
-    {
-      at[i] = static_cast<char>('0' + fraction % 10);
-      fraction /= 10;
-    }
+    PutDigits<Decimals>(at, fraction);
     this->Size += static_cast<std::size_t>(at + Decimals - begin);
   }
 
 private:
-  void AppendSlowly(double value, int decimals)
+  /**
+   * scale x rounded to nearest, ties to even, of x in [0, 1). The product p is below 2^30, so a
+   * half is a whole number of its units in the last place: p is on the side of a half where the
+   * exact product is, unless p has the half itself; then the rounding error of p decides.
+   */
+  static std::uint32_t RoundScaled(double x, std::uint32_t scale)
   {
-    constexpr std::size_t longest = std::numeric_limits<double>::max_exponent10 + 32;
-    char* at = this->Reserve(longest);
-    const char* end =
-      std::to_chars(at, at + longest, value, std::chars_format::fixed, decimals).ptr;
-    std::string_view text(at, static_cast<std::size_t>(end - at));
-    if (text[0] == '-' && text.find_first_not_of("-0.") == std::string_view::npos)
+    const double p = x * scale;
+    const auto floor = static_cast<std::uint32_t>(p);
+    const double rest = p - floor;
+    if (rest != 0.5)
     {
-      std::memmove(at, at + 1, text.size() - 1);
-      text.remove_suffix(1);
+      return floor + (rest > 0.5 ? 1 : 0);
     }
-    this->Size += text.size();
+    const double error = std::fma(x, scale, -p);
+    return floor + (error > 0.0 || (error == 0.0 && floor % 2 == 1) ? 1 : 0);
   }
+
+  template <int Count>
+  static void PutDigits(char* at, std::uint32_t value)
+  {
+    for (int i = Count - 2; i >= 0; i -= 2)
+    {
+      std::memcpy(at + i, Digits.Text + 2 * (value % 100), 2);
+      value /= 100;
+    }
+    if (Count % 2 == 1)
+    {
+      *at = static_cast<char>('0' + value);
+    }
+  }
+
+  void AppendHuge(double value, int decimals);
 
   char* Reserve(std::size_t count)
   {
@@ -114,6 +150,7 @@ private:
 
   std::vector<char> Text;
   std::size_t Size = 0;
+  bool Finite = true;
 };
 
 } // namespace helios

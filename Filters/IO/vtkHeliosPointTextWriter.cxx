@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPointTextWriter.h"
 
+#include "heliosColumn.h"
 #include "heliosTextFormat.h"
 #include "vtkHeliosArrayNames.h"
 
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosPointTextWriter);
 
@@ -21,26 +26,63 @@ namespace
 {
 
 constexpr double NanowattsPerWatt = 1e9;
+constexpr vtkIdType TypicalRowSize = 96;
 
-/// A column of a block; fast where it has the type that the scanner gives.
-template <typename ArrayT>
-class Column
+/// The columns of a block, and its lines.
+struct EchoLines
 {
-public:
-  explicit Column(vtkDataArray* array)
-    : Array(array)
-    , Values(ArrayT::FastDownCast(array) ? ArrayT::FastDownCast(array)->GetPointer(0) : nullptr)
+  helios::Column Points, Amplitude, Width, ReturnNumber, NumberOfReturns, Pulse, Part, Class, Time;
+  std::vector<std::string> PartNames;
+
+  /// Takes the names, each one word.
+  void SetPartNames(vtkStringArray* parts)
   {
-  }
-  double operator[](vtkIdType row) const
-  {
-    return this->Values ? static_cast<double>(this->Values[row])
-                        : this->Array->GetComponent(row, 0);
+    for (vtkIdType part = 0; parts && part < parts->GetNumberOfValues(); ++part)
+    {
+      std::string name = parts->GetValue(part);
+      std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isspace(c) != 0; }, '_');
+      this->PartNames.push_back(name);
+    }
   }
 
-private:
-  vtkDataArray* Array;
-  const typename ArrayT::ValueType* Values;
+  void AppendPart(vtkTypeInt64 part, helios::TextBuffer& text) const
+  {
+    const auto index = static_cast<std::size_t>(part); // a negative one is beyond the names
+    if (index < this->PartNames.size() && !this->PartNames[index].empty())
+    {
+      text.Append(std::string_view(this->PartNames[index]));
+    }
+    else
+    {
+      text.AppendInteger(part);
+    }
+  }
+
+  void AppendLine(vtkIdType row, helios::TextBuffer& text) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      text.AppendFixed<4>(this->Points.GetNumber(row, axis));
+      text.Append(' ');
+    }
+    text.AppendFixed<4>(NanowattsPerWatt * this->Amplitude.GetNumber(row));
+    text.Append(' ');
+    text.AppendFixed<4>(this->Width.GetNumber(row));
+    for (const helios::Column* column :
+      { &this->ReturnNumber, &this->NumberOfReturns, &this->Pulse })
+    {
+      text.Append(' ');
+      text.AppendInteger(column->GetInteger(row));
+    }
+    text.Append(' ');
+    this->AppendPart(this->Part.GetInteger(row), text);
+    text.Append(' ');
+    text.AppendInteger(this->Class.GetInteger(row));
+    text.Append(' ');
+    text.AppendFixed<9>(this->Time.GetNumber(row));
+    text.Append('\n');
+  }
 };
 
 } // namespace
@@ -52,75 +94,41 @@ void vtkHeliosPointTextWriter::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+const char* vtkHeliosPointTextWriter::GetBlockSource() const
+{
+  return "the echoes of vtkHeliosScanner (output port 0)";
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
 {
-  if (!this->CheckOpen())
-  {
-    return false;
-  }
-  auto* echoes = vtkPolyData::SafeDownCast(block);
+  vtkPolyData* echoes = this->CheckOpen() ? this->GetPoints(block) : nullptr;
   if (!echoes)
   {
-    vtkErrorMacro(<< this->FileName << ": a block is not vtkPolyData");
     return false;
   }
-  vtkPointData* data = echoes->GetPointData();
-  vtkDataArray* arrays[8];
-  int next = 0;
-  for (const char* name :
-    { names::Amplitude, names::EchoWidth, names::ReturnNumber, names::NumberOfReturns,
-      names::PulseIds, names::PartIds, names::ClassificationIds, names::GpsTime })
-  {
-    arrays[next] = this->GetArray(data, name, 1);
-    if (!arrays[next++])
-    {
-      return false;
-    }
-  }
-  if (echoes->GetNumberOfPoints() == 0)
+  const vtkIdType count = echoes->GetNumberOfPoints();
+  if (count == 0)
   {
     return true;
   }
-  const Column<vtkDoubleArray> amplitudes(arrays[0]), widths(arrays[1]), times(arrays[7]);
-  vtkPoints* points = echoes->GetPoints();
-  vtkDataArray* const* a = arrays;
-  auto* parts =
-    vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName));
-  const auto whole = [a](int column, vtkIdType row)
-  { return static_cast<std::int64_t>(a[column]->GetComponent(row, 0)); };
-
-  return this->WriteRows(echoes->GetNumberOfPoints(),
-    [points, parts, whole, &amplitudes, &widths, &times](vtkIdType row, helios::TextBuffer& text)
-    {
-      double p[3];
-      points->GetPoint(row, p);
-      for (const double coordinate : p)
-      {
-        text.AppendFixed<4>(coordinate);
-        text.Append(' ');
-      }
-      text.AppendFixed<4>(NanowattsPerWatt * amplitudes[row]);
-      text.Append(' ');
-      text.AppendFixed<4>(widths[row]);
-      for (const int column : { 2, 3, 4 })
-      {
-        text.Append(' ');
-        text.AppendInteger(whole(column, row));
-      }
-      text.Append(' ');
-      const std::int64_t part = whole(5, row);
-      if (parts && part >= 0 && part < parts->GetNumberOfValues())
-      {
-        text.Append(std::string_view(parts->GetValue(part)));
-      }
-      else
-      {
-        text.AppendInteger(part);
-      }
-      text.Append(' ');
-      text.AppendInteger(whole(6, row));
-      text.Append(' ');
-      text.AppendFixed<9>(times[row]);
-      text.Append('\n');
-    });
+  EchoLines lines;
+  lines.Points = helios::Column(echoes->GetPoints()->GetData());
+  lines.SetPartNames(
+    vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName)));
+  vtkPointData* data = echoes->GetPointData();
+  const bool isComplete = this->GetNumbers(data, names::Amplitude, count, 1, lines.Amplitude) &&
+    this->GetNumbers(data, names::EchoWidth, count, 1, lines.Width) &&
+    this->GetIntegers(data, names::ReturnNumber, count, lines.ReturnNumber) &&
+    this->GetIntegers(data, names::NumberOfReturns, count, lines.NumberOfReturns) &&
+    this->GetIntegers(data, names::PulseIds, count, lines.Pulse) &&
+    this->GetIntegers(data, names::PartIds, count, lines.Part) &&
+    this->GetIntegers(data, names::ClassificationIds, count, lines.Class) &&
+    this->GetNumbers(data, names::GpsTime, count, 1, lines.Time);
+  if (!isComplete)
+  {
+    return false;
+  }
+  return this->WriteRows(count, TypicalRowSize,
+    [&lines](vtkIdType row, helios::TextBuffer& text) { lines.AppendLine(row, text); });
 }

@@ -11,13 +11,18 @@
  * - return number, from 1
  * - number of returns of the pulse
  * - fullwave index: the id of the pulse
- * - hit object: the name of the scene part (its number where it has no name)
+ * - hit object: the name of the scene part, with _ for blanks; its number where
+ *   it has no name
  * - classification
  * - GPS time [s], 9 decimals
  *
- * Blocks: echoes as vtkHeliosScanner gives them (vtkPolyData with Amplitude,
- * EchoWidth, ReturnNumber, NumberOfReturns, PulseIds, PartIds,
- * ClassificationIds, GpsTime; part names in the field data are optional).
+ * Numbers are rounded correctly, halves to even; zero has no sign.
+ *
+ * Blocks: echoes as vtkHeliosScanner gives them: vtkPolyData, points of doubles,
+ * point arrays Amplitude [W], EchoWidth [ns], GpsTime [s] and of integers
+ * ReturnNumber, NumberOfReturns, PulseIds, PartIds, ClassificationIds; the field
+ * array Part.Name, indexed by PartIds, is optional. A block without points needs
+ * no arrays.
  *
  * @sa
  * vtkHeliosStreamWriter
@@ -36,11 +41,16 @@ public:
   vtkTypeMacro(vtkHeliosPointTextWriter, vtkHeliosStreamWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Appends the echoes of a block.
+   */
   bool Write(vtkDataObject* block) override;
 
 protected:
   vtkHeliosPointTextWriter() = default;
   ~vtkHeliosPointTextWriter() override = default;
+
+  const char* GetBlockSource() const override;
 
 private:
   vtkHeliosPointTextWriter(const vtkHeliosPointTextWriter&) = delete;

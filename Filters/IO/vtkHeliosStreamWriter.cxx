@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosStreamWriter.h"
 
+#include "heliosColumn.h"
 #include "heliosPartFile.h"
 #include "heliosTextFormat.h"
 
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -15,9 +17,87 @@
 namespace
 {
 
-// Rows that one thread formats at a time, and rows in memory as text.
-constexpr vtkIdType RowsPerChunk = 4096;
-constexpr vtkIdType ChunksTogether = 64;
+// Text that one thread formats at a time [bytes].
+constexpr vtkIdType ChunkSize = 1 << 18;
+
+/// Formats the rows of a block in rounds of chunks; a round is in memory at a time.
+class RowFormatter
+{
+public:
+  using FormatRow = std::function<void(vtkIdType row, helios::TextBuffer& text)>;
+
+  RowFormatter(vtkIdType count, vtkIdType bytesPerRow, const FormatRow& format)
+    : Count(count)
+    , RowsPerChunk(std::max<vtkIdType>(1, ChunkSize / std::max<vtkIdType>(1, bytesPerRow)))
+    , Format(format)
+    , Chunks(8 * static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads()))
+  {
+  }
+
+  /// Formats the next round, calls use(text) for its chunks in order; false where that says so.
+  template <typename UseT>
+  bool NextRound(const UseT& use)
+  {
+    const auto count = std::min(static_cast<vtkIdType>(this->Chunks.size()),
+      (this->Count - this->Next + this->RowsPerChunk - 1) / this->RowsPerChunk);
+    vtkSMPTools::For(0, count, 1,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType chunk = begin; chunk < end; ++chunk)
+        {
+          this->FormatChunk(chunk);
+        }
+      });
+    this->Next += count * this->RowsPerChunk;
+    return std::all_of(this->Chunks.begin(), this->Chunks.begin() + count,
+      [this, &use](const Chunk& chunk)
+      {
+        this->NumberOfRows += chunk.NumberOfRows;
+        return use(chunk.Text);
+      });
+  }
+
+  bool HasRows() const { return this->Next < this->Count; }
+
+  /// The rows so far whose numbers are finite.
+  vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
+
+private:
+  struct Chunk
+  {
+    helios::TextBuffer Text;
+    vtkIdType NumberOfRows = 0;
+  };
+
+  void FormatChunk(vtkIdType index)
+  {
+    Chunk& chunk = this->Chunks[static_cast<std::size_t>(index)];
+    chunk.Text.Cut(0);
+    chunk.NumberOfRows = 0;
+    const vtkIdType first = this->Next + index * this->RowsPerChunk;
+    const vtkIdType last = std::min(this->Count, first + this->RowsPerChunk);
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const std::size_t size = chunk.Text.GetSize();
+      this->Format(row, chunk.Text);
+      if (chunk.Text.IsFinite())
+      {
+        ++chunk.NumberOfRows;
+      }
+      else
+      {
+        chunk.Text.Cut(size);
+      }
+    }
+  }
+
+  vtkIdType Count;
+  vtkIdType RowsPerChunk;
+  const FormatRow& Format;
+  std::vector<Chunk> Chunks;
+  vtkIdType Next = 0;
+  vtkIdType NumberOfRows = 0;
+};
 
 } // namespace
 
@@ -45,31 +125,68 @@ void vtkHeliosStreamWriter::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::Open()
 {
-  this->IsOpen = false;
+  if (this->IsOpen())
+  {
+    vtkErrorMacro(<< this->GetOpenName() << " is open already; Close() or Abandon() it first");
+    return false;
+  }
+  this->HasFailed = false;
   this->NumberOfRecords = 0;
   this->NumberOfBytes = 0;
   if (!this->FileName || !*this->FileName)
   {
-    vtkErrorMacro(<< "FileName is not set");
+    vtkErrorMacro(<< "FileName is not set; set it before Open()");
     return false;
   }
-  this->IsOpen = this->File->Open(this->FileName);
-  if (!this->IsOpen)
+  if (!this->File->Open(this->FileName))
   {
     vtkErrorMacro(<< this->File->GetProblem() << "; choose another output folder");
+    return false;
   }
-  return this->IsOpen;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::IsOpen() const
+{
+  return this->File->IsOpen();
+}
+
+//------------------------------------------------------------------------------
+const std::string& vtkHeliosStreamWriter::GetOpenName() const
+{
+  return this->File->GetPath();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosStreamWriter::GetFileSize() const
+{
+  return static_cast<vtkIdType>(this->File->GetSize());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosStreamWriter::GetSafePlace() const
+{
+  return this->File->GetPartPath();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::CheckOpen()
 {
-  if (!this->IsOpen)
+  if (!this->IsOpen())
   {
-    vtkErrorMacro(<< (this->FileName ? this->FileName : "the writer")
+    vtkErrorMacro(<< (this->FileName ? this->FileName : "the file")
                   << " is not open; call Open() before Write() and Close()");
+    return false;
   }
-  return this->IsOpen;
+  if (this->HasFailed)
+  {
+    vtkErrorMacro(<< this->GetOpenName() << " lacks a block that could not be written; "
+                  << this->NumberOfRecords << " records are safe in " << this->GetSafePlace()
+                  << "; call Abandon() and run again");
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -77,12 +194,13 @@ bool vtkHeliosStreamWriter::Close()
 {
   if (!this->CheckOpen())
   {
+    this->Abandon();
     return false;
   }
-  this->IsOpen = false;
   if (!this->File->Close())
   {
-    vtkErrorMacro(<< this->File->GetProblem());
+    vtkErrorMacro(<< this->File->GetProblem() << "; " << this->NumberOfRecords
+                  << " records were written to " << this->GetSafePlace());
     return false;
   }
   return true;
@@ -91,76 +209,122 @@ bool vtkHeliosStreamWriter::Close()
 //------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::Abandon()
 {
-  this->IsOpen = false;
-  this->File->Abandon();
+  if (!this->File->Abandon())
+  {
+    vtkErrorMacro(<< this->File->GetProblem());
+    return false;
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* vtkHeliosStreamWriter::GetArray(vtkFieldData* data, const char* name, int components)
+void vtkHeliosStreamWriter::RefuseBlock(vtkDataObject* block, const char* type)
+{
+  vtkErrorMacro(<< this->GetOpenName() << ": a block is "
+                << (block ? block->GetClassName() : "null") << ", not " << type << "; write "
+                << this->GetBlockSource());
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkHeliosStreamWriter::GetPoints(vtkDataObject* block)
+{
+  auto* data = vtkPolyData::SafeDownCast(block);
+  if (!data)
+  {
+    this->RefuseBlock(block, "vtkPolyData");
+    return nullptr;
+  }
+  if (data->GetNumberOfPoints() > 0 && data->GetPoints()->GetDataType() != VTK_DOUBLE)
+  {
+    vtkErrorMacro(<< this->GetOpenName() << ": the points of a block are "
+                  << data->GetPoints()->GetData()->GetDataTypeAsString()
+                  << ", not double; call SetDataTypeToDouble() of vtkPoints before filling them");
+    return nullptr;
+  }
+  return data;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::GetNumbers(
+  vtkFieldData* data, const char* name, vtkIdType tuples, int components, helios::Column& column)
 {
   vtkDataArray* array = data->GetArray(name);
   if (!array)
   {
-    vtkErrorMacro(<< this->FileName << ": the block has no array " << name
-                  << "; the outputs of vtkHeliosScanner and of platforms have it");
-  }
-  else if (array->GetNumberOfComponents() != components)
-  {
-    vtkErrorMacro(<< this->FileName << ": the array " << name << " of the block has "
-                  << array->GetNumberOfComponents() << " components, not " << components);
-    return nullptr;
-  }
-  return array;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosStreamWriter::AppendBytes(const char* bytes, std::size_t count)
-{
-  if (!this->File->Append(bytes, count))
-  {
-    vtkErrorMacro(<< this->File->GetProblem() << "; " << this->NumberOfRecords
-                  << " records are safe in " << this->File->GetPartPath()
-                  << "; make room or choose another output folder, and run again");
+    vtkErrorMacro(<< this->GetOpenName() << ": the block has no array " << name << "; "
+                  << this->GetBlockSource() << " have it");
     return false;
   }
-  this->NumberOfBytes += static_cast<vtkIdType>(count);
+  if (array->GetNumberOfComponents() != components || array->GetNumberOfTuples() != tuples)
+  {
+    vtkErrorMacro(<< this->GetOpenName() << ": the array " << name << " of the block has "
+                  << array->GetNumberOfTuples() << " x " << array->GetNumberOfComponents()
+                  << " values, not " << tuples << " x " << components);
+    return false;
+  }
+  column = helios::Column(array);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosStreamWriter::WriteRows(
-  vtkIdType count, const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format)
+bool vtkHeliosStreamWriter::GetIntegers(
+  vtkFieldData* data, const char* name, vtkIdType tuples, helios::Column& column)
 {
-  std::vector<helios::TextBuffer> chunks(static_cast<std::size_t>(ChunksTogether));
-  for (vtkIdType first = 0; first < count; first += ChunksTogether * RowsPerChunk)
+  if (!this->GetNumbers(data, name, tuples, 1, column))
   {
-    const vtkIdType last = std::min(count, first + ChunksTogether * RowsPerChunk);
-    const vtkIdType chunkCount = (last - first + RowsPerChunk - 1) / RowsPerChunk;
-    vtkSMPTools::For(0, chunkCount, 1,
-      [&chunks, &format, first, last](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType c = begin; c < end; ++c)
-        {
-          helios::TextBuffer& text = chunks[static_cast<std::size_t>(c)];
-          text.Clear();
-          const vtkIdType from = first + c * RowsPerChunk;
-          for (vtkIdType row = from; row < std::min(last, from + RowsPerChunk); ++row)
-          {
-            format(row, text);
-          }
-        }
-      });
-    for (vtkIdType c = 0; c < chunkCount; ++c)
-    {
-      const helios::TextBuffer& text = chunks[static_cast<std::size_t>(c)];
-      if (!this->AppendBytes(text.GetText(), text.GetSize()))
-      {
-        return false;
-      }
-      const vtkIdType from = first + c * RowsPerChunk;
-      this->NumberOfRecords += std::min(last, from + RowsPerChunk) - from;
-    }
+    return false;
+  }
+  if (!column.HasIntegers())
+  {
+    vtkErrorMacro(<< this->GetOpenName() << ": the array " << name << " of the block holds "
+                  << data->GetArray(name)->GetDataTypeAsString() << "; it must hold integers");
+    return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::WriteRows(vtkIdType count, vtkIdType bytesPerRow,
+  const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format)
+{
+  const vtkIdType size = this->GetFileSize();
+  RowFormatter rows(count, bytesPerRow, format);
+  const auto append = [this](const helios::TextBuffer& text)
+  { return this->File->Append(text.GetText(), text.GetSize()); };
+  while (rows.HasRows())
+  {
+    if (!rows.NextRound(append))
+    {
+      return this->FailBlock(this->File->GetProblem(), size);
+    }
+  }
+  this->NumberOfRecords += rows.GetNumberOfRows();
+  this->NumberOfBytes += this->GetFileSize() - size;
+  if (rows.GetNumberOfRows() < count)
+  {
+    vtkWarningMacro(<< this->GetOpenName() << ": " << count - rows.GetNumberOfRows() << " of "
+                    << count << " records of a block have a number that is not finite: left out");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::WriteText(const std::string& text)
+{
+  const vtkIdType size = this->GetFileSize();
+  return this->File->Append(text.data(), text.size()) ||
+    this->FailBlock(this->File->GetProblem(), size);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
+{
+  // problem is a copy: cutting may replace the one of the file
+  this->HasFailed = true;
+  const bool isCut = this->File->Cut(static_cast<std::uint64_t>(size));
+  vtkErrorMacro(<< problem << "; " << (isCut ? "" : "the first ") << this->NumberOfRecords
+                << " records are safe in " << this->GetSafePlace()
+                << (isCut ? "" : ", which has part of a block after them")
+                << "; make room or choose another output folder, and run again");
+  return false;
 }

@@ -6,18 +6,25 @@
  *
  * Open(), Write() once a block, then Close() where all is well or Abandon()
  * where it is not. Blocks go to <FileName>.part, which Close() renames to
- * FileName; the .part holds whole blocks at any moment. Memory does not grow
- * with the number of records. Folders above FileName are made.
+ * FileName; the .part holds whole blocks at any moment but during Write().
+ * Folders above FileName are made. Memory does not grow with the number of
+ * records; a block is formatted by the threads of vtkSMPTools, to the same
+ * bytes for any number of them.
+ *
+ * Text writers leave out records with a number that is not finite, and warn
+ * with their count.
  *
  * All return false after an error: a folder that cannot be made, a file that
- * cannot be written (a full disk: the block that did not fit is taken back, and
- * the message says how many records are safe), a block of the wrong type or
- * without an array that is needed.
+ * cannot be written (a full disk: the block that did not fit is taken back,
+ * the message says how many records are safe, and no more blocks are taken), a
+ * block of the wrong type or without an array that is needed (nothing of it is
+ * written, and the next block may follow).
  *
  * To add a text format: subclass, implement Write() with WriteRows().
  *
  * @sa
- * vtkHeliosPointTextWriter vtkHeliosPointXMLWriter
+ * vtkHeliosPointTextWriter vtkHeliosPointXMLWriter vtkHeliosTrajectoryTextWriter
+ * vtkHeliosWaveformTextWriter
  */
 
 #ifndef vtkHeliosStreamWriter_h
@@ -28,13 +35,15 @@
 
 #include <functional> // For the rows of a block
 #include <memory>     // For the file
+#include <string>     // For names and messages
 
-class vtkDataArray;
 class vtkDataObject;
 class vtkFieldData;
+class vtkPolyData;
 
 namespace helios
 {
+class Column;
 class PartFile;
 class TextBuffer;
 }
@@ -47,14 +56,15 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the finished file. No default: an error without.
+   * Set/Get the name of the finished file, as Open() takes it. No default: an
+   * error without.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Starts an empty file.
+   * Starts an empty file. An error while another one is open.
    */
   virtual bool Open();
 
@@ -64,19 +74,25 @@ public:
   virtual bool Write(vtkDataObject* block) = 0;
 
   /**
-   * Ends the file and gives it its final name.
+   * Ends the file and gives it its final name. After a block that could not be
+   * written: an error, and the file keeps its .part name.
    */
   virtual bool Close();
 
   /**
-   * Ends the file and leaves it under its .part name, whole up to the last
-   * block.
+   * Ends the file, if one is open, and leaves it under its .part name, whole up
+   * to the last block.
    */
   virtual bool Abandon();
 
+  /**
+   * Whether Open() came, and neither Close() nor Abandon() since.
+   */
+  bool IsOpen() const;
+
   ///@{
   /**
-   * Get what was written since Open().
+   * Get what whole blocks were written since Open(): records, and bytes.
    */
   vtkGetMacro(NumberOfRecords, vtkIdType);
   vtkGetMacro(NumberOfBytes, vtkIdType);
@@ -86,29 +102,57 @@ protected:
   vtkHeliosStreamWriter();
   ~vtkHeliosStreamWriter() override;
 
-  /// Whether Open() came before; an error else.
+  /// Where blocks come from, for messages: a plural.
+  virtual const char* GetBlockSource() const = 0;
+
+  /// Where the records are that were written, for messages.
+  virtual std::string GetSafePlace() const;
+
+  /// The file name that Open() took.
+  const std::string& GetOpenName() const;
+
+  /// Whether a block may come; an error else.
   bool CheckOpen();
 
-  /// The array of a block, or null after an error that names it.
-  vtkDataArray* GetArray(vtkFieldData* data, const char* name, int components);
+  /// The block as points of doubles, or null after an error.
+  vtkPolyData* GetPoints(vtkDataObject* block);
 
-  /// Appends bytes; where they do not fit, they are taken back.
-  bool AppendBytes(const char* bytes, std::size_t count);
+  /// An error about a block that is not what it must be.
+  void RefuseBlock(vtkDataObject* block, const char* type);
 
-  /// Appends count rows of text, formatted by any threads, in order.
-  bool WriteRows(
-    vtkIdType count, const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format);
+  ///@{
+  /**
+   * Takes an array of a block: numbers, with so many tuples and components; or
+   * integers, one a tuple. False after an error that names the array.
+   */
+  bool GetNumbers(
+    vtkFieldData* data, const char* name, vtkIdType tuples, int components, helios::Column& column);
+  bool GetIntegers(vtkFieldData* data, const char* name, vtkIdType tuples, helios::Column& column);
+  ///@}
+
+  /// Appends a block of text rows, formatted by any threads, in order. bytesPerRow is a guess.
+  bool WriteRows(vtkIdType count, vtkIdType bytesPerRow,
+    const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format);
+
+  /// Appends text that has no records.
+  bool WriteText(const std::string& text);
+
+  /// Takes back what was written beyond a size and takes no more blocks; an error. Returns false.
+  bool FailBlock(std::string problem, vtkIdType size);
+
+  /// The bytes in the file that is open.
+  vtkIdType GetFileSize() const;
 
   char* FileName = nullptr;
   vtkIdType NumberOfRecords = 0;
   vtkIdType NumberOfBytes = 0;
-  bool IsOpen = false;
 
 private:
   vtkHeliosStreamWriter(const vtkHeliosStreamWriter&) = delete;
   void operator=(const vtkHeliosStreamWriter&) = delete;
 
   std::unique_ptr<helios::PartFile> File;
+  bool HasFailed = false; // since Open()
 };
 
 #endif

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosTrajectoryTextWriter.h"
 
+#include "heliosColumn.h"
 #include "heliosPose.h"
 #include "heliosTextFormat.h"
 #include "vtkHeliosArrayNames.h"
 
-#include <vtkDataArray.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -22,19 +22,32 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw).
-void GetAngles(const helios::Rotation& attitude, double angles[3])
+constexpr vtkIdType TypicalRowSize = 80;
+constexpr double LockedCosine = 1e-9; // of the pitch
+constexpr double HalfUnit = 5e-5;     // of the last printed digit [deg]
+
+/// Roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw); NaN where there is no rotation.
+void GetAngles(const helios::Quaternion& orientation, double angles[3])
 {
+  if (orientation.SquaredNorm() == 0.0)
+  {
+    std::fill_n(angles, 3, vtkMath::Nan());
+    return;
+  }
+  const helios::Rotation attitude(orientation);
   const auto& m = attitude.M;
-  const double sinPitch = std::max(-1.0, std::min(1.0, m[0][2]));
-  const bool isLocked = std::abs(sinPitch) > 1.0 - 1e-12;
+  const double cosPitch = std::hypot(m[1][2], m[2][2]);
+  const bool isLocked = cosPitch < LockedCosine;
   const double roll = isLocked ? 0.0 : std::atan2(-m[1][2], m[2][2]);
+  const double pitch = std::atan2(m[0][2], cosPitch);
   const double yaw = isLocked ? std::atan2(m[1][0], m[1][1]) : std::atan2(-m[0][1], m[0][0]);
   angles[0] = vtkMath::DegreesFromRadians(roll);
-  angles[1] = vtkMath::DegreesFromRadians(std::asin(sinPitch));
-  const double degrees = vtkMath::DegreesFromRadians(yaw);
-  // what would be printed as -0 or 360 is 0
-  angles[2] = degrees < -5e-5 ? degrees + 360.0 : std::max(0.0, degrees);
+  angles[1] = vtkMath::DegreesFromRadians(pitch);
+  angles[2] = vtkMath::DegreesFromRadians(yaw);
+  if (angles[2] < -HalfUnit) // what is left below 0 is printed as 0, not as 360
+  {
+    angles[2] += 360.0;
+  }
 }
 
 } // namespace
@@ -46,38 +59,47 @@ void vtkHeliosTrajectoryTextWriter::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+const char* vtkHeliosTrajectoryTextWriter::GetBlockSource() const
+{
+  return "the samples of a vtkHeliosPlatform";
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosTrajectoryTextWriter::Write(vtkDataObject* block)
 {
-  if (!this->CheckOpen())
-  {
-    return false;
-  }
-  auto* samples = vtkPolyData::SafeDownCast(block);
+  vtkPolyData* samples = this->CheckOpen() ? this->GetPoints(block) : nullptr;
   if (!samples)
   {
-    vtkErrorMacro(<< this->FileName << ": a block is not vtkPolyData");
     return false;
   }
-  vtkDataArray* times = this->GetArray(samples->GetPointData(), names::GpsTime, 1);
-  vtkDataArray* orientations = this->GetArray(samples->GetPointData(), names::Orientation, 4);
-  if (!times || !orientations)
+  const vtkIdType count = samples->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return true;
+  }
+  const helios::Column points(samples->GetPoints()->GetData());
+  helios::Column times, orientations;
+  vtkPointData* data = samples->GetPointData();
+  if (!this->GetNumbers(data, names::GpsTime, count, 1, times) ||
+    !this->GetNumbers(data, names::Orientation, count, 4, orientations))
   {
     return false;
   }
-  vtkPoints* points = samples->GetPoints();
-  return this->WriteRows(samples->GetNumberOfPoints(),
-    [points, times, orientations](vtkIdType row, helios::TextBuffer& text)
+  return this->WriteRows(count, TypicalRowSize,
+    [&points, &times, &orientations](vtkIdType row, helios::TextBuffer& text)
     {
-      double p[3], q[4], angles[3];
-      points->GetPoint(row, p);
-      orientations->GetTuple(row, q);
-      GetAngles(helios::Rotation(helios::Quaternion(q[0], q[1], q[2], q[3])), angles);
-      for (const double coordinate : p)
+      for (int axis = 0; axis < 3; ++axis)
       {
-        text.AppendFixed<4>(coordinate);
+        text.AppendFixed<4>(points.GetNumber(row, axis));
         text.Append(' ');
       }
-      text.AppendFixed<9>(times->GetComponent(row, 0));
+      text.AppendFixed<9>(times.GetNumber(row));
+      double q[4], angles[3];
+      for (int i = 0; i < 4; ++i)
+      {
+        q[i] = orientations.GetNumber(row, i);
+      }
+      GetAngles(helios::Quaternion(q), angles);
       for (const double angle : angles)
       {
         text.Append(' ');

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder for one test, gone with it.
+// A folder for one test, gone with it; and a small disk in it.
 
 #ifndef heliosTempFolder_h
 #define heliosTempFolder_h
@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include <sys/mount.h>
 
 namespace helios
 {
@@ -24,11 +26,41 @@ public:
     this->Path = ::mkdtemp(name.data());
   }
   ~TempFolder() { std::filesystem::remove_all(this->Path); }
+  TempFolder(const TempFolder&) = delete;
+  void operator=(const TempFolder&) = delete;
 
   std::string operator/(const std::string& name) const { return (this->Path / name).string(); }
 
 private:
   std::filesystem::path Path;
+};
+
+/// A file system of a few KiB in a new folder, where the system lets the test mount one.
+class SmallDisk
+{
+public:
+  SmallDisk(const std::string& path, int kibibytes)
+    : Path(path)
+  {
+    std::filesystem::create_directory(path);
+    const std::string options = "size=" + std::to_string(kibibytes) + "k";
+    this->Mounted = ::mount("tmpfs", path.c_str(), "tmpfs", 0, options.c_str()) == 0;
+  }
+  ~SmallDisk()
+  {
+    if (this->Mounted)
+    {
+      ::umount(this->Path.c_str());
+    }
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  void operator=(const SmallDisk&) = delete;
+
+  bool IsMounted() const { return this->Mounted; }
+
+private:
+  std::string Path;
+  bool Mounted;
 };
 
 inline std::string ReadText(const std::string& path)

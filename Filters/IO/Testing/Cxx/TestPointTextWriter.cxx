@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosTempFolder.h"
+#include "heliosWriterTesting.h"
+#include "vtkHeliosPointTextWriter.h"
+
+#include <vtkFloatArray.h>
+#include <vtkSOADataArrayTemplate.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+std::string WriteEchoes(const helios::TempFolder& folder, vtkPolyData* echoes)
+{
+  const std::string path = folder / "points.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  writer->SetFileName(path.c_str());
+  REQUIRE((writer->Open() && writer->Write(echoes) && writer->Close()));
+  return path;
+}
+
+} // namespace
+
+TEST_CASE("PointTextWriter: a line", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(3);
+  vtkPointData* data = echoes->GetPointData();
+  echoes->GetPoints()->SetPoint(1, 500001.75, -0.00003, 5499993.65432);
+  data->GetArray(names::Amplitude)->SetComponent(1, 0, 1.23456789e-6);
+  data->GetArray(names::EchoWidth)->SetComponent(1, 0, 4.0625);
+  data->GetArray(names::GpsTime)->SetComponent(1, 0, 0.00007);
+  const std::string text = helios::ReadText(WriteEchoes(folder, echoes));
+  CHECK(text.find("\n500001.7500 0.0000 5499993.6543 1234.5679 4.0625 2 200 5000000001 1 -2 "
+                  "0.000070000\n") != std::string::npos);
+}
+
+TEST_CASE("PointTextWriter: an independent reader gets every value back", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  constexpr vtkIdType count = 20000;
+  const auto echoes = helios::MakeEchoes(count);
+  vtkPointData* data = echoes->GetPointData();
+  std::ifstream file(WriteEchoes(folder, echoes));
+  vtkIdType wrong = 0;
+  const auto compare = [&wrong](double read, double written, int decimals)
+  { wrong += std::abs(read - written) <= helios::RoundingOf(decimals, written) ? 0 : 1; };
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double x[3], intensity, width, time;
+    long number, total, pulse, part, label;
+    file >> x[0] >> x[1] >> x[2] >> intensity >> width >> number >> total >> pulse >> part >>
+      label >> time;
+    REQUIRE(file);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      compare(x[axis], echoes->GetPoint(i)[axis], 4);
+    }
+    compare(intensity, 1e9 * data->GetArray(names::Amplitude)->GetComponent(i, 0), 4);
+    compare(width, data->GetArray(names::EchoWidth)->GetComponent(i, 0), 4);
+    compare(time, data->GetArray(names::GpsTime)->GetComponent(i, 0), 9);
+    const bool same = number == 1 + i % 7 && total == 200 && pulse == 5000000000 + i &&
+      part == i % 3 && label == (i % 2 == 0 ? 6 : -2);
+    wrong += same ? 0 : 1;
+  }
+  CHECK(wrong == 0);
+  std::string rest;
+  CHECK_FALSE(file >> rest);
+}
+
+TEST_CASE("PointTextWriter: parts by name, each one word", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(6);
+  vtkNew<vtkStringArray> parts;
+  parts->SetName(names::PartName);
+  for (const char* name : { "ground", "the red\thouse", "" })
+  {
+    parts->InsertNextValue(name);
+  }
+  echoes->GetFieldData()->AddArray(parts);
+  vtkDataArray* ids = echoes->GetPointData()->GetArray(names::PartIds);
+  ids->SetComponent(3, 0, 3);
+  ids->SetComponent(4, 0, -1);
+  const auto rows = helios::ReadRows(WriteEchoes(folder, echoes));
+  const char* expected[] = { "ground", "the_red_house", "2", "3", "-1", "2" };
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    REQUIRE(rows[i].size() == 11);
+    CHECK(rows[i][8] == expected[i]);
+  }
+}
+
+TEST_CASE("PointTextWriter: arrays of other types and layouts", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(2);
+  vtkPointData* data = echoes->GetPointData();
+  helios::AddColumn<vtkFloatArray>(data, names::EchoWidth, 2, [](vtkIdType i) { return 0.5 + i; });
+  helios::AddColumn<vtkUnsignedShortArray>(
+    data, names::NumberOfReturns, 2, [](vtkIdType) { return 65535; });
+  helios::AddColumn<vtkTypeInt64Array>(data, names::PulseIds, 2,
+    [](vtkIdType i) { return std::numeric_limits<vtkTypeInt64>::max() - i; });
+  vtkNew<vtkSOADataArrayTemplate<double>> times;
+  times->SetName(names::GpsTime);
+  times->SetNumberOfComponents(1); // makes its buffer
+  times->SetNumberOfTuples(2);
+  times->SetValue(0, 1.25);
+  times->SetValue(1, 2.5);
+  data->AddArray(times);
+  vtkNew<vtkSOADataArrayTemplate<int>> classes;
+  classes->SetName(names::ClassificationIds);
+  classes->SetNumberOfComponents(1);
+  classes->SetNumberOfTuples(2);
+  classes->SetValue(0, -7);
+  classes->SetValue(1, 2000000000);
+  data->AddArray(classes);
+  const auto rows = helios::ReadRows(WriteEchoes(folder, echoes));
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1][4] == "1.5000");
+  CHECK(rows[1][6] == "65535");
+  CHECK(rows[1][7] == "9223372036854775806"); // a double would round it
+  CHECK(rows[0][9] == "-7");
+  CHECK(rows[1][9] == "2000000000");
+  CHECK(rows[1][10] == "2.500000000");
+}
