@@ -13,7 +13,6 @@ helios_build release vtkhelios_package
 
 demo=build/demo
 python=build/venv/bin/python
-export PYTHONPATH=$PWD/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
 mkdir -p "$demo"
 
 helios_say "making the scene"

@@ -42,9 +42,14 @@ helios_install_packages() {
     apt-get install -y -q --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# The Python that build/bin/vtkhelios runs in: Debian's, which VTK's modules are made for.
+# The Python that build/bin/vtkhelios runs in: Debian's, which VTK's modules are made for. It finds the
+# package of this build by itself.
 helios_make_venv() {
   [ -x build/venv/bin/python ] || /usr/bin/python3 -m venv --system-site-packages build/venv
+  local site
+  for site in build/venv/lib/python3*/site-packages; do
+    echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
+  done
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

@@ -11,7 +11,7 @@ What `vtkhelios run` does with a survey file, this does with objects:
 
 Run it with
 
-    PYTHONPATH=build/lib/python3/dist-packages build/venv/bin/python Python/examples/survey_by_hand.py
+    build/venv/bin/python Python/examples/survey_by_hand.py
 """
 
 import numpy as np
