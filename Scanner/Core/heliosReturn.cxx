@@ -124,13 +124,15 @@ void Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& ec
 
 void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const
 {
-  double power = 0.0, first = 0.0, second = 0.0;
+  double power = 0.0, first = 0.0, second = 0.0, third = 0.0;
   for (Iterator r = begin; r != end; ++r)
   {
     const double x = r->Range - begin->Range;
+    const double px = r->Power * x;
     power += r->Power;
-    first += r->Power * x;
-    second += r->Power * x * x;
+    first += px;
+    second += px * x;
+    third += px * x * x;
   }
   if (!(power > 0.0))
   {
@@ -139,9 +141,12 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
   const double mean = first / power;
   const double variance = std::max(0.0, second / power - mean * mean);
 
-  // Newton on the logarithm of the sum, which is concave; u in units of sigma.
+  // Newton on the logarithm of the sum, which is concave; u in units of sigma. For a small spread the
+  // maximum lies at mean - mu3 / (2 sigma^2) but for terms of its fifth power.
   const double scale = 1.0 / this->SigmaRange;
-  double x = mean;
+  const bool isSmall = variance * scale * scale < 1e-2;
+  const double mu3 = third / power - mean * (3.0 * variance + mean * mean);
+  double x = isSmall ? mean - 0.5 * scale * scale * mu3 : mean;
   double amplitude = power;
   for (int iteration = 0; iteration < 50; ++iteration)
   {
