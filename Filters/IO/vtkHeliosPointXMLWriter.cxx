@@ -95,6 +95,14 @@ vtkSmartPointer<vtkPolyData> WithVertices(vtkPolyData* block)
   return copy;
 }
 
+/// The cause of a file that is not whole.
+std::string Explain(unsigned long error)
+{
+  return error == vtkErrorCode::NoError || error == vtkErrorCode::OutOfDiskSpaceError
+    ? "No space left on device"
+    : vtkErrorCode::GetStringFromErrorCode(error);
+}
+
 /// Takes the messages of VTK's writer, so that there is one error and not two.
 class Silence : public vtkCommand
 {
@@ -231,18 +239,9 @@ std::int64_t vtkHeliosPointXMLWriter::WritePiece(vtkPolyData* echoes, const std:
   writer->SetBlockSize(CompressorBlockSize);
   writer->Write();
   const std::int64_t size = helios::GetSizeOfWhole(part, "</VTKFile>\n");
-  std::string problem;
-  if (writer->GetErrorCode() != vtkErrorCode::NoError || size < 0)
-  {
-    problem = part + " cannot be written: " +
-      (writer->GetErrorCode() == vtkErrorCode::NoError
-          ? "the disk is full"
-          : vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()));
-  }
-  else
-  {
-    problem = helios::RenameFile(part, name);
-  }
+  const std::string problem = writer->GetErrorCode() != vtkErrorCode::NoError || size < 0
+    ? part + " cannot be written: " + Explain(writer->GetErrorCode())
+    : helios::RenameFile(part, name);
   if (!problem.empty())
   {
     helios::RemoveFile(part);
