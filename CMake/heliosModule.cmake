@@ -23,11 +23,15 @@ function(helios_drop_disabled_modules files)
   if(NOT VTKHELIOS_ENABLE_EMBREE)
     list(FILTER kept EXCLUDE REGEX "RayCasting/Embree/vtk.module$")
   endif()
+  if(NOT VTKHELIOS_ENABLE_CGAL)
+    list(FILTER kept EXCLUDE REGEX "(RayCasting/Cgal|Filters/Simplify)/vtk.module$")
+  endif()
   set(${files} ${kept} PARENT_SCOPE)
 endfunction()
 
 # helios_add_test_program(<module> <folder> [LINK <module>...])
-# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, each case a ctest of its own.
+# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, each case a ctest of its own. Cases tagged
+# [mutation] feed damaged files to a reader and live in Test*Mutations.cxx.
 function(helios_add_test_program module folder)
   cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/Testing/Cxx/Test*.cxx")
@@ -39,5 +43,12 @@ function(helios_add_test_program module folder)
   target_compile_options(${program} PRIVATE ${vtkhelios_warnings} -ffp-contract=off)
   list(TRANSFORM arg_LINK REPLACE "^([^:]+)$" "vtkHelios::\\1")
   target_link_libraries(${program} PRIVATE heliosTesting vtkHelios::${module} ${arg_LINK})
-  catch_discover_tests(${program} TEST_PREFIX "${module}." PROPERTIES LABELS ${module} TIMEOUT 300)
+  catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "~[mutation]"
+    PROPERTIES LABELS ${module} TIMEOUT 300)
+  set(mutation_tests ${sources})
+  list(FILTER mutation_tests INCLUDE REGEX "Mutations?[.]cxx$")
+  if(mutation_tests)
+    catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "[mutation]" TEST_LIST ${program}_MUTATIONS
+      PROPERTIES LABELS "${module};mutation" TIMEOUT 3000 ENVIRONMENT "HELIOS_MUTATIONS=${VTKHELIOS_MUTATIONS}")
+  endif()
 endfunction()

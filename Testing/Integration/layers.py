@@ -13,6 +13,7 @@ import re
 LAYERS = [
     ["FiltersCore"],
     ["FiltersIO", "FiltersScene", "FiltersPCL"],
+    ["FiltersSimplify"],
     ["ScannerOptics", "ScannerRayCasting", "ScannerPlatforms"],
     ["ScannerRayCastingEmbree", "ScannerRayCastingCgal", "ScannerRayCastingObbTree"],
     ["ScannerCore"],
@@ -30,7 +31,9 @@ HOMES = {
     r"CGAL/AABB": "ScannerRayCastingCgal",
     r"pcl/": "FiltersPCL",
     r"Eigen/": "ScannerDetectors",
+    r"CGAL/Polygon_mesh_processing": "FiltersSimplify",
     r"gdal": "FiltersIO",
+    r"GeographicLib/": "FiltersCore",
     r"proj\.h": "FiltersCore",
 }
 
