@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosErrorObserver.h"
+#include "heliosMaterialTable.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosMaterialReader.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace fs = std::filesystem;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// A reader of an MTL file with a given text, before a scene of two triangles.
+class Reading
+{
+public:
+  explicit Reading(const std::string& text)
+  {
+    std::string name = (fs::temp_directory_path() / "vtkHeliosMaterialXXXXXX").string();
+    this->Folder = ::mkdtemp(name.data());
+    std::ofstream(this->Folder / "m.mtl") << text;
+    this->Log->Watch(this->Reader);
+    this->Reader->SetInputData(MakeScene());
+    this->Reader->SetFileName((this->Folder / "m.mtl").c_str());
+  }
+  ~Reading() { fs::remove_all(this->Folder); }
+
+  helios::MaterialTable Update()
+  {
+    this->Reader->Update();
+    return helios::GetMaterials(this->Reader->GetOutput());
+  }
+
+  vtkNew<vtkHeliosMaterialReader> Reader;
+  vtkSmartPointer<helios::ErrorObserver> Log =
+    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+
+private:
+  static vtkSmartPointer<vtkPolyData> MakeScene()
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> triangles;
+    triangles->InsertNextCell({ 0, 1, 2 });
+    triangles->InsertNextCell({ 0, 2, 3 });
+    for (const auto& p : { std::pair(0, 0), { 1, 0 }, { 1, 1 }, { 0, 1 } })
+    {
+      points->InsertNextPoint(p.first, p.second, 0);
+    }
+    auto scene = vtkSmartPointer<vtkPolyData>::New();
+    scene->SetPoints(points);
+    scene->SetPolys(triangles);
+    return scene;
+  }
+
+  fs::path Folder;
+};
+
+const char* TwoMaterials = "newmtl rock\nhelios_reflectance 0.3\n"
+                           "newmtl grass\nhelios_classification 2\nhelios_isGround true\n";
+
+} // namespace
+
+TEST_CASE("MaterialReader: the alphabetically first, or the named one", "[MaterialReader]")
+{
+  Reading reading(TwoMaterials);
+  helios::MaterialTable table = reading.Update();
+  REQUIRE(table.size() == 1);
+  CHECK(table[0].Name == "grass");
+  CHECK(table[0].IsGround);
+  CHECK(table[0].Classification == 2);
+
+  reading.Reader->SetMaterialName("rock");
+  table = reading.Update();
+  REQUIRE(table.size() == 1);
+  CHECK(table[0].Name == "rock");
+  CHECK(table[0].Reflectance == 0.3);
+  auto* ids = vtkIntArray::SafeDownCast(
+    reading.Reader->GetOutput()->GetCellData()->GetArray(names::MaterialIds));
+  REQUIRE(ids);
+  REQUIRE(ids->GetNumberOfValues() == 2);
+  CHECK(ids->GetValue(1) == 0);
+  CHECK(reading.Log->Errors.empty());
+}
+
+TEST_CASE("MaterialReader: errors", "[MaterialReader]")
+{
+  SECTION("unknown name")
+  {
+    Reading reading(TwoMaterials);
+    reading.Reader->SetMaterialName("stone");
+    reading.Update();
+    CHECK(reading.Log->HasError("m.mtl: has no material stone; it has rock, grass"));
+  }
+  SECTION("no materials")
+  {
+    Reading reading("# nothing\n");
+    reading.Update();
+    CHECK(reading.Log->HasError("m.mtl: has no material; begin one with newmtl NAME"));
+  }
+  SECTION("malformed")
+  {
+    Reading reading("newmtl a\nhelios_reflectance high\n");
+    reading.Update();
+    CHECK(reading.Log->HasError("m.mtl:2: helios_reflectance \"high\" is not a number"));
+  }
+  SECTION("no file")
+  {
+    Reading reading("");
+    reading.Reader->SetFileName(nullptr);
+    reading.Update();
+    CHECK(reading.Log->HasError("FileName is not set; give the MTL file with SetFileName"));
+    reading.Reader->SetFileName("/nowhere.mtl");
+    reading.Update();
+    CHECK(reading.Log->HasError("/nowhere.mtl"));
+  }
+}
