@@ -18,6 +18,7 @@ namespace vtkHeliosArrayNames
 /** Scene: cell data. MaterialIds is a row of the material columns, PartIds the scene part. */
 inline constexpr const char* MaterialIds = "MaterialIds";
 inline constexpr const char* PartIds = "PartIds";
+inline constexpr const char* Normals = "Normals"; // unit; where it is, incidence is measured from it
 ///@}
 
 ///@{
