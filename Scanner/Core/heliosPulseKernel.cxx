@@ -83,7 +83,10 @@ const Vec3& PulseKernel::GetNormal(vtkIdType cell)
   if (cell != this->NormalCell)
   {
     this->NormalCell = cell;
-    this->Normal = this->Model.Caster->GetMesh().GetNormal(cell);
+    if (!this->Model.Surfaces.GetNormal(cell, this->Normal))
+    {
+      this->Normal = this->Model.Caster->GetMesh().GetNormal(cell);
+    }
   }
   return this->Normal;
 }
@@ -108,9 +111,9 @@ void PulseKernel::CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* h
     const double* d = rays[k].Direction;
     const Vec3& n = this->GetNormal(hit.CellId);
     const double cosIncidence = std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
-    const int material = m.MaterialIds ? m.MaterialIds[hit.CellId] : 0;
+    const int material = m.Surfaces.GetMaterialId(hit.CellId);
     const double gain = m.Equation.GetGain(hit.Range, transmission(hit.Range)) *
-      m.Reflectances[static_cast<std::size_t>(material)] * cosIncidence;
+      m.Surfaces.GetReflectance(material) * cosIncidence;
     this->Returns.push_back(
       { hit.Range, m.Power * m.Weights[k] * gain, hit.CellId, static_cast<int>(k), cosIncidence });
   }
@@ -174,11 +177,11 @@ void PulseKernel::StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& 
       range += m.RangeAccuracy * noise[0];
     }
     const vtkIdType cell = echo.Nearest->CellId;
-    const int material = m.MaterialIds ? m.MaterialIds[cell] : 0;
+    const int material = m.Surfaces.GetMaterialId(cell);
     this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, echo.Amplitude);
     result.Echoes.push_back({ pulse.Origin + range * direction, pulse.Time, id, cell, range,
       echo.Amplitude, echo.Width, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence), material,
-      m.PartIds ? m.PartIds[cell] : 0, m.Classifications[static_cast<std::size_t>(material)],
+      m.Surfaces.GetPartId(cell), m.Surfaces.GetClassification(material),
       static_cast<unsigned char>(e + 1), static_cast<unsigned char>(count) });
   }
 }

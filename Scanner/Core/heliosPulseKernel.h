@@ -5,10 +5,10 @@
 #ifndef heliosPulseKernel_h
 #define heliosPulseKernel_h
 
-#include "heliosMaterialTable.h"
 #include "heliosPulse.h"
 #include "heliosRadiometry.h"
 #include "heliosReturn.h"
+#include "heliosSceneSurfaces.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -27,10 +27,7 @@ struct ScanModel
   std::vector<Vec3> SubRays; // directions in the frame of the beam
   std::vector<double> Weights;
 
-  std::vector<double> Reflectances; // of the materials
-  std::vector<int> Classifications;
-  const int* MaterialIds; // of the cells; null: all 0
-  const int* PartIds;
+  SceneSurfaces Surfaces;
 
   double PulseLength;
   double BinSize;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanner.h"
 
-#include "heliosMaterialTable.h"
 #include "heliosPulseKernel.h"
 #include "heliosScanOutput.h"
 #include "vtkHeliosArrayNames.h"
@@ -15,11 +14,9 @@
 #endif
 
 #include <vtkCallbackCommand.h>
-#include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -85,18 +82,6 @@ struct ChunkFunctor
   }
 };
 
-const int* GetIds(vtkPolyData* scene, const char* name, vtkSmartPointer<vtkIntArray>& ids)
-{
-  vtkDataArray* given = scene->GetCellData()->GetArray(name);
-  ids = vtkIntArray::FastDownCast(given);
-  if (given && !ids)
-  {
-    ids = vtkSmartPointer<vtkIntArray>::New();
-    ids->DeepCopy(given);
-  }
-  return ids ? ids->GetPointer(0) : nullptr;
-}
-
 } // namespace
 
 /// The model of the kernel, and what keeps its pointers alive.
@@ -104,8 +89,6 @@ struct vtkHeliosScanner::Scan
 {
   helios::ScanModel Model;
   helios::Trajectory Trajectory;
-  vtkSmartPointer<vtkIntArray> MaterialIds;
-  vtkSmartPointer<vtkIntArray> PartIds;
   vtkIdType FirstPulse = 0;
   vtkIdType LastPulse = 0; // one behind
 };
@@ -371,25 +354,11 @@ bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
   helios::ScanModel& m = scan.Model;
   m.Caster = this->RayCaster;
   m.Detector = this->EchoDetector;
-  m.MaterialIds = GetIds(scene, names::MaterialIds, scan.MaterialIds);
-  m.PartIds = GetIds(scene, names::PartIds, scan.PartIds);
-  for (const helios::Material& material : helios::GetMaterials(scene))
+  const std::string fault = m.Surfaces.Set(scene);
+  if (!fault.empty())
   {
-    m.Reflectances.push_back(
-      std::isnan(material.Reflectance) ? helios::DefaultReflectance : material.Reflectance);
-    m.Classifications.push_back(material.Classification);
-  }
-  if (m.MaterialIds)
-  {
-    int range[2] = { 0, 0 };
-    scan.MaterialIds->GetValueRange(range);
-    if (range[0] < 0 || range[1] >= static_cast<int>(m.Reflectances.size()))
-    {
-      vtkErrorMacro(<< "cell array " << names::MaterialIds << " of the scene goes from " << range[0]
-                    << " to " << range[1] << ", but its field data has " << m.Reflectances.size()
-                    << " materials");
-      return false;
-    }
+    vtkErrorMacro(<< fault);
+    return false;
   }
   for (int k = 0; k < this->BeamSampler->GetNumberOfSubRays(); ++k)
   {

@@ -4,9 +4,9 @@
  * @class   vtkHeliosScanner
  * @brief   fires the pulses of one leg through a scene and detects the echoes
  *
- * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds and PartIds
- * and the material columns in its field data are optional). Port 1: the
- * trajectory (vtkPolyData with GpsTime and Orientation, as platforms make it).
+ * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds, PartIds
+ * and Normals, which incidence is then measured from, and the material columns
+ * in its field data are optional). Port 1: the trajectory (vtkPolyData with GpsTime and Orientation, as platforms make it).
  *
  * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,

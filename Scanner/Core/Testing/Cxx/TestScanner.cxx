@@ -2,28 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanner.h"
 
-#include "heliosErrorObserver.h"
-#include "heliosMaterialTable.h"
-#include "heliosPose.h"
 #include "heliosRadiometry.h"
-#include "vtkHeliosArrayNames.h"
-#include "vtkHeliosBeamDeflector.h"
+#include "heliosScannerBench.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosLinearPathPlatform.h"
 #include "vtkHeliosRotatingMirror.h"
-#include "vtkHeliosStaticPlatform.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -40,125 +30,7 @@
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
 
-namespace
-{
-
-/// A deflector of a user: all pulses go along y.
-class StraightAhead : public vtkHeliosBeamDeflector
-{
-public:
-  static StraightAhead* New();
-  vtkTypeMacro(StraightAhead, vtkHeliosBeamDeflector);
-  bool GetDirection(vtkIdType, double direction[3]) const override
-  {
-    direction[0] = direction[2] = 0.0;
-    direction[1] = 1.0;
-    return true;
-  }
-};
-vtkStandardNewMacro(StraightAhead);
-
-/// Rectangles given by a corner and two sides.
-struct Rectangle
-{
-  Vec3 Corner, A, B;
-};
-
-vtkSmartPointer<vtkPolyData> MakeScene(std::initializer_list<Rectangle> rectangles)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> polys;
-  for (const Rectangle& r : rectangles)
-  {
-    const vtkIdType i = points->GetNumberOfPoints();
-    for (const Vec3& p : { r.Corner, r.Corner + r.A, r.Corner + r.A + r.B, r.Corner + r.B })
-    {
-      points->InsertNextPoint(p.GetData());
-    }
-    polys->InsertNextCell({ i, i + 1, i + 2 });
-    polys->InsertNextCell({ i, i + 2, i + 3 });
-  }
-  auto scene = vtkSmartPointer<vtkPolyData>::New();
-  scene->SetPoints(points);
-  scene->SetPolys(polys);
-  return scene;
-}
-
-/// A wall across the y axis at a distance.
-Rectangle Wall(double y, double half = 50.0)
-{
-  return { { -half, y, -half }, { 2 * half, 0, 0 }, { 0, 0, 2 * half } };
-}
-
-vtkSmartPointer<vtkPolyData> MakeWaypoints(
-  std::initializer_list<Vec3> positions, double speed = 1.0)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> speeds;
-  speeds->SetName(names::Speed);
-  for (const Vec3& p : positions)
-  {
-    points->InsertNextPoint(p.GetData());
-    speeds->InsertNextValue(speed);
-  }
-  auto waypoints = vtkSmartPointer<vtkPolyData>::New();
-  waypoints->SetPoints(points);
-  waypoints->GetPointData()->AddArray(speeds);
-  return waypoints;
-}
-
-/// A scanner on a tripod at the origin that looks along y for 10 ms: 1000 pulses.
-struct Bench
-{
-  vtkNew<vtkHeliosScanner> Scanner;
-  vtkNew<StraightAhead> Deflector;
-  vtkNew<vtkHeliosStaticPlatform> Tripod;
-  vtkSmartPointer<helios::ErrorObserver> Log =
-    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
-
-  explicit Bench(vtkPolyData* scene, Vec3 position = { 0, 0, 0 })
-  {
-    this->Tripod->SetInputData(MakeWaypoints({ position }));
-    this->Scanner->SetInputData(0, scene);
-    this->Scanner->SetInputConnection(1, this->Tripod->GetOutputPort());
-    this->Scanner->SetBeamDeflector(this->Deflector);
-    this->Scanner->SetDuration(0.01);
-    this->Log->Watch(this->Scanner);
-    this->Log->Watch(this->Scanner->GetExecutive());
-  }
-
-  vtkPolyData* Run()
-  {
-    this->Scanner->Update();
-    return this->Scanner->GetOutput();
-  }
-};
-
-double Value(vtkPolyData* data, const char* name, vtkIdType row)
-{
-  return data->GetPointData()->GetArray(name)->GetComponent(row, 0);
-}
-
-/// All bytes of a cloud, in order.
-std::string Bytes(vtkPolyData* data)
-{
-  std::string bytes;
-  const auto append = [&bytes](vtkDataArray* array)
-  {
-    bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
-      static_cast<std::size_t>(array->GetNumberOfValues() * array->GetDataTypeSize()));
-  };
-  append(data->GetPoints()->GetData());
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    append(data->GetPointData()->GetArray(i));
-  }
-  return bytes;
-}
-
-} // namespace
+using namespace helios::testing;
 
 TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
 {
@@ -456,20 +328,6 @@ TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]"
   CHECK(time == Approx(2 * 30 / 0.299792458).epsilon(0).margin(0.126));
 }
 
-TEST_CASE("Scanner: materials give reflectance and class", "[Scanner]")
-{
-  const auto scene = MakeScene({ Wall(100) });
-  helios::MaterialTable materials(1);
-  materials[0].Reflectance = 0.25;
-  materials[0].Classification = 6;
-  helios::SetMaterials(scene, materials);
-  Bench bench(scene);
-  vtkPolyData* echoes = bench.Run();
-  CHECK(Value(echoes, names::ClassificationIds, 0) == 6);
-  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
-  CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.25, 1)).epsilon(1e-6));
-}
-
 TEST_CASE("Scanner: a UTM shift moves the cloud and nothing else", "[Scanner]")
 {
   const Vec3 shift(500000, 5500000, 300);
@@ -499,98 +357,4 @@ TEST_CASE("Scanner: only what changed runs again", "[Scanner]")
   CHECK(bench.Scanner->GetOutput()->GetMTime() == before);
   bench.Deflector->SetPulseFrequency(50000);
   CHECK(bench.Run()->GetNumberOfPoints() == 500);
-}
-
-TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
-{
-  const auto scene = MakeScene({ Wall(100) });
-  Bench bench(scene);
-  const auto expect = [&bench](const char* message)
-  {
-    bench.Scanner->Update();
-    CHECK(bench.Log->HasError(message));
-    bench.Log->Clear();
-  };
-  SECTION("no deflector")
-  {
-    bench.Scanner->SetBeamDeflector(nullptr);
-    expect("BeamDeflector is not set");
-    CHECK(bench.Scanner->GetNumberOfPulses() == -1);
-  }
-  SECTION("no ray caster")
-  {
-    bench.Scanner->SetRayCaster(nullptr);
-    expect("RayCaster, BeamSampler or EchoDetector was set to nothing");
-  }
-  SECTION("a frequency that is no number")
-  {
-    bench.Deflector->SetPulseFrequency(std::numeric_limits<double>::quiet_NaN());
-    expect("PulseFrequency is nan");
-  }
-  SECTION("a property that is no number")
-  {
-    bench.Scanner->SetReceiverDiameter(std::numeric_limits<double>::quiet_NaN());
-    expect("not a finite number");
-  }
-  SECTION("bins wider than the pulse")
-  {
-    bench.Scanner->SetBinSize(3);
-    expect("BinSize is 3 ns");
-  }
-  SECTION("ranges the wrong way round")
-  {
-    bench.Scanner->SetRangeMin(10);
-    bench.Scanner->SetRangeMax(5);
-    expect("is not beyond RangeMin");
-  }
-  SECTION("a head axis without direction")
-  {
-    bench.Scanner->SetHeadRotateAxis(0, 0, 0);
-    expect("HeadRotateAxis has no direction");
-  }
-  SECTION("a scan that never ends")
-  {
-    bench.Scanner->SetDuration(-1);
-    expect("the scan never ends");
-  }
-  SECTION("a head that turns away")
-  {
-    bench.Scanner->SetDuration(-1);
-    bench.Scanner->SetHeadRotateStop(90);
-    bench.Scanner->SetHeadRotateSpeed(-10);
-    expect("the head never arrives");
-  }
-  SECTION("an empty scene")
-  {
-    vtkNew<vtkPolyData> empty;
-    bench.Scanner->SetInputData(0, empty);
-    expect("the scene is empty");
-  }
-  SECTION("material ids without materials")
-  {
-    vtkNew<vtkIntArray> ids;
-    ids->SetName(names::MaterialIds);
-    ids->SetNumberOfValues(2);
-    ids->FillValue(3);
-    scene->GetCellData()->AddArray(ids);
-    expect("has 1 materials");
-  }
-  SECTION("a trajectory without points")
-  {
-    vtkNew<vtkPolyData> empty;
-    bench.Scanner->SetInputData(1, empty);
-    expect("the trajectory has no points");
-  }
-  SECTION("a trajectory that goes back in time")
-  {
-    vtkNew<vtkPolyData> path;
-    path->DeepCopy(MakeWaypoints({ { 0, 0, 0 }, { 1, 0, 0 } }));
-    vtkNew<vtkDoubleArray> times;
-    times->SetName(names::GpsTime);
-    times->InsertNextValue(5);
-    times->InsertNextValue(4);
-    path->GetPointData()->AddArray(times);
-    bench.Scanner->SetInputData(1, path);
-    expect("go back at sample 1");
-  }
 }

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the scene says of its surfaces: materials and normals.
+#include "heliosMaterialTable.h"
+#include "heliosRadiometry.h"
+#include "heliosScannerBench.h"
+
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+using namespace helios::testing;
+
+TEST_CASE("Scanner: materials give reflectance and class", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  helios::MaterialTable materials(1);
+  materials[0].Reflectance = 0.25;
+  materials[0].Classification = 6;
+  helios::SetMaterials(scene, materials);
+  Bench bench(scene);
+  vtkPolyData* echoes = bench.Run();
+  CHECK(Value(echoes, names::ClassificationIds, 0) == 6);
+  const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.25, 1)).epsilon(1e-6));
+}
+
+TEST_CASE("Scanner: incidence is measured from the scene's normals where it has them", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench plain(scene);
+  const double perpendicular = Value(plain.Run(), names::Amplitude, 0);
+
+  const auto tilted = MakeScene({ Wall(100) });
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(names::Normals);
+  normals->SetNumberOfComponents(3);
+  const double angle = std::acos(0.5); // 60 degrees
+  normals->InsertNextTuple3(std::sin(angle), std::cos(angle), 0);
+  normals->InsertNextTuple3(2 * std::sin(angle), 2 * std::cos(angle), 0); // any length will do
+  tilted->GetCellData()->AddArray(normals);
+  Bench bench(tilted);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(Value(echoes, names::IncidenceAngle, 0) == Approx(60).margin(0.02));
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(0.5 * perpendicular).epsilon(1e-4));
+  CHECK(Value(echoes, names::Range, 0) == Value(plain.Run(), names::Range, 0));
+
+  normals->SetTuple3(0, 0, 0, 0); // no normal: that of the triangle
+  normals->SetTuple3(1, 0, 0, 0);
+  normals->Modified();
+  tilted->Modified();
+  CHECK(Value(bench.Run(), names::Amplitude, 0) == Approx(perpendicular).epsilon(1e-12));
+}
