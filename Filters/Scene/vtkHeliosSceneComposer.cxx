@@ -3,12 +3,13 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosSceneJoin.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
@@ -17,8 +18,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkTypeInt32Array.h>
-#include <vtkTypeInt64Array.h>
 
 #include <algorithm>
 #include <limits>
@@ -26,117 +25,10 @@
 vtkStandardNewMacro(vtkHeliosSceneComposer);
 
 namespace names = vtkHeliosArrayNames;
+using helios::PartList;
 
 namespace
 {
-
-using PartList = std::vector<vtkPolyData*>; // by connection; null: a part without triangles
-
-vtkIdType CountPoints(const PartList& parts)
-{
-  vtkIdType count = 0;
-  for (vtkPolyData* part : parts)
-  {
-    count += part ? part->GetNumberOfPoints() : 0;
-  }
-  return count;
-}
-
-vtkIdType CountTriangles(const PartList& parts)
-{
-  vtkIdType count = 0;
-  for (vtkPolyData* part : parts)
-  {
-    count += part ? part->GetNumberOfPolys() : 0;
-  }
-  return count;
-}
-
-/// The one part there is; null where there are several.
-vtkPolyData* GetSinglePart(const PartList& parts)
-{
-  const auto isPart = [](vtkPolyData* part) { return part != nullptr; };
-  return std::count_if(parts.begin(), parts.end(), isPart) == 1
-    ? *std::find_if(parts.begin(), parts.end(), isPart)
-    : nullptr;
-}
-
-vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts)
-{
-  vtkPolyData* single = GetSinglePart(parts);
-  if (single && single->GetPoints()->GetDataType() == VTK_DOUBLE)
-  {
-    return single->GetPoints();
-  }
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(CountPoints(parts));
-  vtkIdType first = 0;
-  for (vtkPolyData* part : parts)
-  {
-    if (part)
-    {
-      points->InsertPoints(first, part->GetNumberOfPoints(), 0, part->GetPoints());
-      first += part->GetNumberOfPoints();
-    }
-  }
-  return points;
-}
-
-template <typename ArrayT>
-vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
-{
-  const auto* corners = from->GetPointer(0);
-  const vtkIdType count = from->GetNumberOfValues();
-  return std::transform(corners, corners + count, to,
-    [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
-}
-
-vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts)
-{
-  vtkPolyData* single = GetSinglePart(parts);
-  if (single && !single->GetPolys()->IsStorage64Bit())
-  {
-    return single->GetPolys();
-  }
-  const vtkIdType count = CountTriangles(parts);
-  vtkNew<vtkTypeInt32Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  for (vtkIdType i = 0; i <= count; ++i)
-  {
-    offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
-  }
-  vtkNew<vtkTypeInt32Array> corners;
-  corners->SetNumberOfValues(3 * count);
-  vtkTypeInt32* to = corners->GetPointer(0);
-  vtkIdType firstPoint = 0;
-  for (vtkPolyData* part : parts)
-  {
-    if (part)
-    {
-      vtkCellArray* polys = part->GetPolys();
-      to = polys->IsStorage64Bit() ? CopyCorners(polys->GetConnectivityArray64(), firstPoint, to)
-                                   : CopyCorners(polys->GetConnectivityArray32(), firstPoint, to);
-      firstPoint += part->GetNumberOfPoints();
-    }
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, corners);
-  return cells;
-}
-
-vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts)
-{
-  auto ids = vtkSmartPointer<vtkIntArray>::New();
-  ids->SetName(names::PartIds);
-  ids->SetNumberOfValues(CountTriangles(parts));
-  int* to = ids->GetPointer(0);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    to = parts[i] ? std::fill_n(to, parts[i]->GetNumberOfPolys(), static_cast<int>(i)) : to;
-  }
-  return ids;
-}
 
 /// The rows that materials have in a table, which grows by those it does not have yet.
 std::vector<int> Merge(const helios::MaterialTable& materials, helios::MaterialTable& table)
@@ -178,7 +70,7 @@ vtkIdType MapMaterialIds(vtkPolyData* part, const std::vector<int>& rows, int* t
 /// The material ids of the one part there is, if they are right as they are.
 vtkIntArray* GetSingleMaterialIds(const PartList& parts)
 {
-  vtkPolyData* single = GetSinglePart(parts);
+  vtkPolyData* single = helios::GetSinglePart(parts);
   auto* ids = vtkIntArray::SafeDownCast(
     single ? single->GetCellData()->GetArray(names::MaterialIds) : nullptr);
   helios::MaterialTable table;
@@ -248,14 +140,18 @@ int vtkHeliosSceneComposer::RequestData(
   {
     return 0;
   }
-  output->SetPoints(JoinPoints(parts));
-  output->SetPolys(JoinCells(parts));
+  output->SetPoints(helios::JoinPoints(parts));
+  output->SetPolys(helios::JoinCells(parts));
   if (!this->AddMaterialIds(output, parts) || !this->AddCRS(output, parts))
   {
     output->Initialize();
     return 0;
   }
-  output->GetCellData()->AddArray(MakePartIds(parts));
+  output->GetCellData()->AddArray(helios::MakePartIds(parts));
+  if (const auto normals = helios::JoinNormals(parts))
+  {
+    output->GetCellData()->SetNormals(normals);
+  }
   this->AddPartNames(output, static_cast<int>(parts.size()));
   return 1;
 }
@@ -281,17 +177,18 @@ bool vtkHeliosSceneComposer::FindParts(vtkInformationVector* inputs, PartList& p
       return false;
     }
   }
-  if (CountTriangles(parts) == 0)
+  if (helios::CountTriangles(parts) == 0)
   {
     vtkErrorMacro(<< "The scene is empty: none of its " << parts.size()
                   << " parts has triangles; add parts with AddInputConnection");
     return false;
   }
-  const vtkIdType largest = std::max(CountPoints(parts), 3 * CountTriangles(parts));
+  const vtkIdType largest = std::max(helios::CountPoints(parts), 3 * helios::CountTriangles(parts));
   if (largest > std::numeric_limits<vtkTypeInt32>::max())
   {
-    vtkErrorMacro(<< "The scene has " << CountPoints(parts) << " points and "
-                  << CountTriangles(parts) << " triangles, more than 2^31 points or corners; "
+    vtkErrorMacro(<< "The scene has " << helios::CountPoints(parts) << " points and "
+                  << helios::CountTriangles(parts)
+                  << " triangles, more than 2^31 points or corners; "
                   << "split it into several scenes");
     return false;
   }
@@ -311,14 +208,14 @@ bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& 
 {
   if (vtkIntArray* single = GetSingleMaterialIds(parts))
   {
-    helios::SetMaterials(scene, helios::GetMaterials(GetSinglePart(parts)));
+    helios::SetMaterials(scene, helios::GetMaterials(helios::GetSinglePart(parts)));
     scene->GetCellData()->AddArray(single);
     return true;
   }
   helios::MaterialTable table;
   vtkNew<vtkIntArray> ids;
   ids->SetName(names::MaterialIds);
-  ids->SetNumberOfValues(CountTriangles(parts));
+  ids->SetNumberOfValues(helios::CountTriangles(parts));
   int* to = ids->GetPointer(0);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {

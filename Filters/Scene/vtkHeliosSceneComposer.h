@@ -11,6 +11,7 @@
  * - cell data MaterialIds (int): rows of the material columns in the field data, where equal materials
  *   of the parts are one row; a part without MaterialIds has the first row of its own materials;
  * - cell data PartIds (int): the connection a triangle comes from;
+ * - cell data Normals (float), if parts have them; (0, 0, 0), which is no normal, for those that do not;
  * - field data Part.Name (string), one a connection, and CRS, if parts have one.
  *
  * Other arrays are left out. What needs no change is passed by reference: of a single part its points,

@@ -5,6 +5,7 @@
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSyntheticScene.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkShortArray.h>
 #include <vtkStringArray.h>
@@ -192,6 +193,29 @@ TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
 
   composer->SetPartName(-1, "x");
   CHECK(log->HasError("Part -1 cannot have a name"));
+}
+
+TEST_CASE("SceneComposer: normals of the parts that have them", "[SceneComposer]")
+{
+  const auto plain = helios::MakeTriangle(0.0, { Grass });
+  const auto voxel = helios::MakeTriangle(1.0, { Grass });
+  vtkNew<vtkDoubleArray> normals;
+  normals->SetName(names::Normals);
+  normals->SetNumberOfComponents(3);
+  normals->InsertNextTuple3(0.6, 0.0, 0.8);
+  voxel->GetCellData()->SetNormals(normals);
+  vtkNew<vtkHeliosSceneComposer> composer;
+  composer->AddInputData(plain);
+  composer->Update();
+  CHECK(composer->GetOutput()->GetCellData()->GetNormals() == nullptr);
+  composer->AddInputData(voxel);
+  composer->Update();
+  vtkDataArray* joined = composer->GetOutput()->GetCellData()->GetArray(names::Normals);
+  REQUIRE(joined);
+  REQUIRE(joined->GetNumberOfTuples() == 2);
+  CHECK(joined->GetComponent(0, 2) == 0.0);
+  CHECK(joined->GetComponent(1, 0) == 0.6f);
+  CHECK(joined->GetComponent(1, 2) == 0.8f);
 }
 
 TEST_CASE("SceneComposer: a name is a change", "[SceneComposer]")

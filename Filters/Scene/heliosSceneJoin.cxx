@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneJoin.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+
+#include <algorithm>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+template <typename ArrayT>
+vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
+{
+  const auto* corners = from->GetPointer(0);
+  const vtkIdType count = from->GetNumberOfValues();
+  return std::transform(corners, corners + count, to,
+    [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
+}
+
+/// The normals of a part's triangles; null where it has none.
+vtkDataArray* FindNormals(vtkPolyData* part)
+{
+  vtkDataArray* normals = part ? part->GetCellData()->GetArray(names::Normals) : nullptr;
+  const bool fits = normals && normals->GetNumberOfComponents() == 3 &&
+    normals->GetNumberOfTuples() == part->GetNumberOfPolys();
+  return fits ? normals : nullptr;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkIdType CountPoints(const PartList& parts)
+{
+  vtkIdType count = 0;
+  for (vtkPolyData* part : parts)
+  {
+    count += part ? part->GetNumberOfPoints() : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType CountTriangles(const PartList& parts)
+{
+  vtkIdType count = 0;
+  for (vtkPolyData* part : parts)
+  {
+    count += part ? part->GetNumberOfPolys() : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* GetSinglePart(const PartList& parts)
+{
+  const auto isPart = [](vtkPolyData* part) { return part != nullptr; };
+  return std::count_if(parts.begin(), parts.end(), isPart) == 1
+    ? *std::find_if(parts.begin(), parts.end(), isPart)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts)
+{
+  vtkPolyData* single = GetSinglePart(parts);
+  if (single && single->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    return single->GetPoints();
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(CountPoints(parts));
+  vtkIdType first = 0;
+  for (vtkPolyData* part : parts)
+  {
+    if (part)
+    {
+      points->InsertPoints(first, part->GetNumberOfPoints(), 0, part->GetPoints());
+      first += part->GetNumberOfPoints();
+    }
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts)
+{
+  vtkPolyData* single = GetSinglePart(parts);
+  if (single && !single->GetPolys()->IsStorage64Bit())
+  {
+    return single->GetPolys();
+  }
+  const vtkIdType count = CountTriangles(parts);
+  vtkNew<vtkTypeInt32Array> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offsets->SetValue(i, static_cast<vtkTypeInt32>(3 * i));
+  }
+  vtkNew<vtkTypeInt32Array> corners;
+  corners->SetNumberOfValues(3 * count);
+  vtkTypeInt32* to = corners->GetPointer(0);
+  vtkIdType firstPoint = 0;
+  for (vtkPolyData* part : parts)
+  {
+    if (part)
+    {
+      vtkCellArray* polys = part->GetPolys();
+      to = polys->IsStorage64Bit() ? CopyCorners(polys->GetConnectivityArray64(), firstPoint, to)
+                                   : CopyCorners(polys->GetConnectivityArray32(), firstPoint, to);
+      firstPoint += part->GetNumberOfPoints();
+    }
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, corners);
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts)
+{
+  auto ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName(names::PartIds);
+  ids->SetNumberOfValues(CountTriangles(parts));
+  int* to = ids->GetPointer(0);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    to = parts[i] ? std::fill_n(to, parts[i]->GetNumberOfPolys(), static_cast<int>(i)) : to;
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkFloatArray> JoinNormals(const PartList& parts)
+{
+  if (std::none_of(parts.begin(), parts.end(), FindNormals))
+  {
+    return nullptr;
+  }
+  auto normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetName(names::Normals);
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(CountTriangles(parts));
+  normals->Fill(0.0);
+  vtkIdType first = 0;
+  for (vtkPolyData* part : parts)
+  {
+    if (vtkDataArray* from = FindNormals(part))
+    {
+      normals->InsertTuples(first, part->GetNumberOfPolys(), 0, from);
+    }
+    first += part ? part->GetNumberOfPolys() : 0;
+  }
+  return normals;
+}
+
+} // namespace helios
