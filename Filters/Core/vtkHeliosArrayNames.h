@@ -19,6 +19,13 @@ namespace vtkHeliosArrayNames
 inline constexpr const char* MaterialIds = "MaterialIds";
 inline constexpr const char* PartIds = "PartIds";
 inline constexpr const char* Normals = "Normals"; // unit; where it is, incidence is measured from it
+inline constexpr const char* EdgeDefects = "EdgeDefects"; // bits, see vtkHeliosMeshRepair
+///@}
+
+///@{
+/** Clouds as input: point data (with Normals); scenes made of them: cell data. */
+inline constexpr const char* RGB = "RGB";           // [0..1]
+inline constexpr const char* VoxelIds = "VoxelIds"; // the solid cell that a triangle bounds
 ///@}
 
 ///@{
