@@ -5,17 +5,16 @@
 #ifndef heliosObjParser_h
 #define heliosObjParser_h
 
+#include "heliosGrowingArray.h"
 #include "heliosTextFile.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkTypeInt32Array.h>
 
 #include <cstdint>
 #include <limits>
-#include <new>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -23,55 +22,6 @@
 
 namespace helios
 {
-
-/// A VTK array that grows by doubling and is written through a plain pointer.
-template <typename ArrayT>
-class GrowingArray
-{
-public:
-  using T = typename ArrayT::ValueType;
-
-  /// Room for more values, which the caller writes.
-  T* Append(vtkIdType count)
-  {
-    if (this->Size + count > this->Capacity)
-    {
-      this->Grow(count);
-    }
-    T* values = this->Values + this->Size;
-    this->Size += count;
-    return values;
-  }
-
-  vtkIdType GetSize() const { return this->Size; }
-  T* GetValues() { return this->Values; }
-  void Truncate(vtkIdType size) { this->Size = size; }
-
-  /// The array with the values written, nothing spare.
-  ArrayT* Finish(int components)
-  {
-    this->Array->Resize(this->Size);
-    this->Array->SetNumberOfComponents(components);
-    this->Array->SetNumberOfTuples(this->Size / components);
-    return this->Array;
-  }
-
-private:
-  void Grow(vtkIdType count)
-  {
-    if (!this->Array->Resize(this->Size + count)) // makes it at least twice as large
-    {
-      throw std::bad_alloc();
-    }
-    this->Capacity = this->Array->GetSize();
-    this->Values = this->Array->GetPointer(0);
-  }
-
-  vtkNew<ArrayT> Array;
-  T* Values = nullptr;
-  vtkIdType Size = 0;
-  vtkIdType Capacity = 0;
-};
 
 /**
  * Reads v, vn, vt, f, mtllib and usemtl; knows o, g, s, l, p and the like and leaves them out.

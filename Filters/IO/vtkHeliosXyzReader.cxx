@@ -2,6 +2,238 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosXyzReader.h"
 
+#include "heliosXyzParser.h"
+
+#include <vtkDataObject.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <memory>
+#include <new>
 
 vtkStandardNewMacro(vtkHeliosXyzReader);
+
+namespace
+{
+
+using FileList = std::vector<std::unique_ptr<helios::XyzFile>>;
+
+/// The first byte of piece i of n, without the overflow of size * i.
+std::int64_t GetPieceBegin(std::int64_t size, std::int64_t i, std::int64_t n)
+{
+  return size / n * i + size % n * i / n;
+}
+
+bool IsSeparator(char c)
+{
+  const auto byte = static_cast<unsigned char>(c);
+  return !std::isalnum(byte) && c != '\n' && std::string("+-.#/").find(c) == std::string::npos;
+}
+
+} // namespace
+
+vtkHeliosXyzReader::vtkHeliosXyzReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+void vtkHeliosXyzReader::SetFileName(const char* name)
+{
+  if (this->FileNames.size() == 1 && name && this->FileNames[0] == name)
+  {
+    return;
+  }
+  this->RemoveAllFileNames();
+  this->AddFileName(name);
+}
+
+void vtkHeliosXyzReader::AddFileName(const char* name)
+{
+  if (name && *name)
+  {
+    this->FileNames.emplace_back(name);
+    this->Modified();
+  }
+}
+
+void vtkHeliosXyzReader::RemoveAllFileNames()
+{
+  this->FileNames.clear();
+  this->Modified();
+}
+
+const char* vtkHeliosXyzReader::GetFileName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfFileNames()
+    ? this->FileNames[static_cast<std::size_t>(index)].c_str()
+    : nullptr;
+}
+
+bool vtkHeliosXyzReader::CheckProperties()
+{
+  if (this->FileNames.empty())
+  {
+    vtkErrorMacro(<< "FileName is not set; give the file of points with SetFileName");
+    return false;
+  }
+  if (this->Separators.empty() ||
+    !std::all_of(this->Separators.begin(), this->Separators.end(), IsSeparator))
+  {
+    vtkErrorMacro(<< "Separators is \"" << this->Separators
+                  << "\"; give characters other than letters, digits and + - . # /, such as \",\"");
+    return false;
+  }
+  if (!std::isfinite(this->MaximumColorValue) || this->MaximumColorValue <= 0.0)
+  {
+    vtkErrorMacro(<< "MaximumColorValue is " << this->MaximumColorValue
+                  << "; set a number greater than 0, such as 255");
+    return false;
+  }
+  return true;
+}
+
+helios::XyzFormat vtkHeliosXyzReader::MakeFormat() const
+{
+  helios::XyzFormat format;
+  format.Separators = this->Separators;
+  format.HasNormals = this->ReadNormals;
+  format.NormalColumns[0] = this->NormalXIndex;
+  format.NormalColumns[1] = this->NormalYIndex;
+  format.NormalColumns[2] = this->NormalZIndex;
+  format.HasColors = this->ReadColors;
+  format.ColorColumns[0] = this->RgbRIndex;
+  format.ColorColumns[1] = this->RgbGIndex;
+  format.ColorColumns[2] = this->RgbBIndex;
+  format.MaximumColor = this->MaximumColorValue;
+  return format;
+}
+
+int vtkHeliosXyzReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+// Reads the stretch of each file that belongs to the piece; the files are taken as one.
+bool vtkHeliosXyzReader::ReadPiece(
+  helios::XyzParser& parser, helios::TextReport& report, std::int64_t piece, std::int64_t count)
+{
+  FileList files;
+  std::int64_t size = 0;
+  for (const std::string& name : this->FileNames)
+  {
+    files.push_back(std::make_unique<helios::XyzFile>());
+    const std::string fault = files.back()->Open(name);
+    if (!fault.empty())
+    {
+      return report.Fail(fault);
+    }
+    size += files.back()->GetSize();
+  }
+  const std::int64_t begin = GetPieceBegin(size, piece, count);
+  const std::int64_t end = GetPieceBegin(size, piece + 1, count);
+  std::int64_t start = 0; // of the file, in all bytes
+  for (const auto& file : files)
+  {
+    const vtkIdType known = parser.GetNumberOfPoints();
+    const std::int64_t done = std::max<std::int64_t>(start - begin, 0);
+    file->OnBlock = [this, done, length = static_cast<double>(end - begin)](std::int64_t bytes)
+    {
+      this->UpdateProgress(std::min(1.0, static_cast<double>(done + bytes) / length));
+      return !this->AbortExecute;
+    };
+    const std::int64_t from = std::max<std::int64_t>(begin - start, 0);
+    const std::int64_t to = std::min(end - start, file->GetSize());
+    if (from < to && !parser.Read(*file, from, to))
+    {
+      return file->IsStopped()
+        ? report.Fail(file->GetPlace() + "reading was aborted here; update again to read it")
+        : false;
+    }
+    if (file->GetSize() == 0 || (count == 1 && parser.GetNumberOfPoints() == known))
+    {
+      return report.Fail(file->GetPath() + ": has no points; give a file with rows x y z");
+    }
+    start += file->GetSize();
+  }
+  return true;
+}
+
+void vtkHeliosXyzReader::WarnOnce(const std::vector<std::string>& warnings)
+{
+  if (this->WarnedTime < this->GetMTime())
+  {
+    this->Warned.clear();
+    this->WarnedTime = this->GetMTime();
+  }
+  for (const std::string& warning : warnings)
+  {
+    if (std::find(this->Warned.begin(), this->Warned.end(), warning) == this->Warned.end())
+    {
+      this->Warned.push_back(warning);
+      vtkWarningMacro(<< warning);
+    }
+  }
+}
+
+int vtkHeliosXyzReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->CheckProperties())
+  {
+    return 0;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  const bool isPiece = outInfo->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) != 0;
+  const int count = isPiece ? std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) : 1;
+  const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
+  if (piece < 0 || piece >= count)
+  {
+    return 1; // nothing of the file
+  }
+  const helios::XyzFormat format = this->MakeFormat();
+  helios::TextReport report;
+  bool isRead = false;
+  try
+  {
+    helios::XyzParser parser(format, report);
+    isRead = this->ReadPiece(parser, report, piece, count);
+    if (isRead)
+    {
+      parser.MoveTo(vtkPolyData::GetData(outputVector));
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    report.Error = this->FileNames[0] + ": not enough memory for its points; ask for it in pieces";
+  }
+  this->WarnOnce(report.Warnings);
+  if (!isRead)
+  {
+    vtkErrorMacro(<< report.Error);
+  }
+  return isRead;
+}
+
+void vtkHeliosXyzReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  for (const std::string& name : this->FileNames)
+  {
+    os << indent << "FileName: " << name << "\n";
+  }
+  os << indent << "Separators: \"" << this->Separators << "\"\n";
+  os << indent << "ReadNormals: " << this->ReadNormals << " (columns " << this->NormalXIndex << ' '
+     << this->NormalYIndex << ' ' << this->NormalZIndex << ")\n";
+  os << indent << "ReadColors: " << this->ReadColors << " (columns " << this->RgbRIndex << ' '
+     << this->RgbGIndex << ' ' << this->RgbBIndex << ")\n";
+  os << indent << "MaximumColorValue: " << this->MaximumColorValue << "\n";
+}

@@ -2,28 +2,153 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosXyzReader
- * @brief   points from a text file, piece by piece
+ * @brief   points from text files, piece by piece
+ *
+ * Output 0 is a vtkPolyData without cells:
+ * - points: x, y, z of columns 0, 1, 2, double and correctly rounded;
+ * - point data Normals (double, 3) with ReadNormals;
+ * - point data RGB (float, 3, each in [0..1]) with ReadColors.
+ *
+ * A row is a line. Lines may end in CR LF; the last one may lack its end; a byte-order mark is
+ * skipped. What follows a word that starts with # or // is a comment. Separators is the set of
+ * characters between columns; blanks and tabs beside a separator never count. Of a row only the
+ * columns that are asked for are read, and those strictly: 1,5 is no number, nor is nan a
+ * coordinate. Where the first row of a file has no numbers at all it is left out as a header, with
+ * a warning.
+ *
+ * Piece i of n (UPDATE_PIECE_NUMBER) is the rows that start in the i-th of n equal stretches of
+ * the bytes of all files: the pieces in order are the whole. So a cloud larger than memory can be
+ * asked for piece by piece, as vtkHeliosPointVoxelizer does.
+ *
+ * Errors end the reading without output: a row that is too short, a word that is no number, NaN
+ * and infinities, a colour out of range, a file that cannot be read or, where it is read in one
+ * piece, has no rows. Messages start with file:line.
+ *
+ * Progress events come for every MiB read; AbortExecute ends the reading, and the update fails.
+ *
+ * @sa
+ * vtkHeliosPointVoxelizer
  */
 
 #ifndef vtkHeliosXyzReader_h
 #define vtkHeliosXyzReader_h
 
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <cstdint> // For positions in files
+#include <string>  // For the names of files
+#include <vector>  // For the names of files
+
+namespace helios
+{
+class XyzParser;
+struct TextReport;
+struct XyzFormat;
+}
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosXyzReader : public vtkPolyDataAlgorithm
 {
 public:
   static vtkHeliosXyzReader* New();
   vtkTypeMacro(vtkHeliosXyzReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the file to read, or add further ones: their points follow in that order. Default: none.
+   */
+  void SetFileName(const char* name);
+  void AddFileName(const char* name);
+  void RemoveAllFileNames();
+  int GetNumberOfFileNames() const { return static_cast<int>(this->FileNames.size()); }
+  const char* GetFileName(int index = 0) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the characters that separate columns. A blank or a tab stands for any run of blanks and
+   * tabs; between two of any other there is an empty column. Valid range: none of digits, letters,
+   * + - . # /. Default: blank and tab.
+   */
+  vtkSetMacro(Separators, std::string);
+  vtkGetMacro(Separators, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether normals are read, of which columns from 0. Valid range of a column: [0, 999].
+   * Default: off; 3, 4, 5.
+   */
+  vtkSetMacro(ReadNormals, bool);
+  vtkGetMacro(ReadNormals, bool);
+  vtkBooleanMacro(ReadNormals, bool);
+  vtkSetClampMacro(NormalXIndex, int, 0, 999);
+  vtkGetMacro(NormalXIndex, int);
+  vtkSetClampMacro(NormalYIndex, int, 0, 999);
+  vtkGetMacro(NormalYIndex, int);
+  vtkSetClampMacro(NormalZIndex, int, 0, 999);
+  vtkGetMacro(NormalZIndex, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether colours are read, of which columns from 0. Valid range of a column: [0, 999].
+   * Default: off; 6, 7, 8.
+   */
+  vtkSetMacro(ReadColors, bool);
+  vtkGetMacro(ReadColors, bool);
+  vtkBooleanMacro(ReadColors, bool);
+  vtkSetClampMacro(RgbRIndex, int, 0, 999);
+  vtkGetMacro(RgbRIndex, int);
+  vtkSetClampMacro(RgbGIndex, int, 0, 999);
+  vtkGetMacro(RgbGIndex, int);
+  vtkSetClampMacro(RgbBIndex, int, 0, 999);
+  vtkGetMacro(RgbBIndex, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number that full colour has in the file. Valid range: greater than 0. Default: 255.
+   */
+  vtkSetMacro(MaximumColorValue, double);
+  vtkGetMacro(MaximumColorValue, double);
+  ///@}
 
 protected:
-  vtkHeliosXyzReader() = default;
+  vtkHeliosXyzReader();
   ~vtkHeliosXyzReader() override = default;
+
+  int RequestInformation(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 private:
   vtkHeliosXyzReader(const vtkHeliosXyzReader&) = delete;
   void operator=(const vtkHeliosXyzReader&) = delete;
+
+  bool CheckProperties();
+  helios::XyzFormat MakeFormat() const;
+  bool ReadPiece(
+    helios::XyzParser& parser, helios::TextReport& report, std::int64_t piece, std::int64_t count);
+  void WarnOnce(const std::vector<std::string>& warnings);
+
+  std::vector<std::string> FileNames;
+  std::string Separators = " \t";
+  bool ReadNormals = false;
+  int NormalXIndex = 3;
+  int NormalYIndex = 4;
+  int NormalZIndex = 5;
+  bool ReadColors = false;
+  int RgbRIndex = 6;
+  int RgbGIndex = 7;
+  int RgbBIndex = 8;
+  double MaximumColorValue = 255.0;
+  std::vector<std::string> Warned; // since the last change: pieces may be read several times
+  vtkMTimeType WarnedTime = 0;
 };
 
 #endif

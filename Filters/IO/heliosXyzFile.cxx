@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXyzFile.h"
+
+#include "heliosTextFile.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr std::size_t BlockSize = std::size_t(1) << 20;
+
+/// The number of line ends among the first bytes of a file.
+std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
+{
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  std::vector<char> block(BlockSize);
+  std::int64_t count = 0;
+  while (file && bytes > 0)
+  {
+    const std::size_t size = static_cast<std::size_t>(std::min<std::int64_t>(bytes, BlockSize));
+    const std::size_t read = std::fread(block.data(), 1, size, file);
+    count += std::count(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(read), '\n');
+    bytes = read > 0 ? bytes - static_cast<std::int64_t>(read) : 0;
+  }
+  if (file)
+  {
+    std::fclose(file);
+  }
+  return count;
+}
+
+} // namespace
+
+XyzFile::~XyzFile()
+{
+  if (this->File)
+  {
+    std::fclose(this->File);
+  }
+}
+
+std::string XyzFile::Open(const std::string& path)
+{
+  this->Path = path;
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+  {
+    return path + ": cannot be read: it is a folder; give the name of a file";
+  }
+  this->File = std::fopen(path.c_str(), "rb");
+  if (!this->File)
+  {
+    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
+  }
+  const auto size = std::filesystem::file_size(path, error);
+  if (error)
+  {
+    return path + ": cannot be read in pieces: " + error.message() + "; give a file on a disk";
+  }
+  std::setvbuf(this->File, nullptr, _IONBF, 0);
+  this->Size = static_cast<std::int64_t>(size);
+  this->SetRange(0, this->Size);
+  return {};
+}
+
+void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
+{
+  this->Buffer.resize(BlockSize);
+  this->Begin = this->End = this->Buffer.data();
+  this->AtEnd = false;
+  this->Stop = std::min(end, this->Size);
+  // A line starts at begin if the byte before ends one.
+  this->Next = std::max<std::int64_t>(begin - 1, 0);
+  if (std::fseek(this->File, static_cast<long>(this->Next), SEEK_SET) != 0)
+  {
+    this->Error = this->Path + ": cannot be read: " + std::strerror(errno) + "; check the disk";
+  }
+  else if (begin > 0 && begin < this->Stop)
+  {
+    this->SkipLine();
+  }
+}
+
+bool XyzFile::ReadBlock()
+{
+  const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
+  std::memmove(this->Buffer.data(), this->Begin, left);
+  if (left == this->Buffer.size())
+  {
+    this->Buffer.resize(2 * left);
+  }
+  this->Begin = this->Buffer.data();
+  this->End = this->Begin + left;
+  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File);
+  if (std::ferror(this->File))
+  {
+    this->Error =
+      this->Path + ": cannot be read any further: " + std::strerror(errno) + "; check the disk";
+    return false;
+  }
+  this->End += count;
+  this->AtEnd = count == 0;
+  this->Done += static_cast<std::int64_t>(count);
+  this->Stopped = this->OnBlock && !this->OnBlock(this->Done);
+  return !this->Stopped;
+}
+
+// Finds the end of the line at Begin and reads on where it needs to.
+bool XyzFile::FindLineEnd()
+{
+  std::size_t searched = 0;
+  for (;;)
+  {
+    const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
+    this->LineEnd = static_cast<char*>(std::memchr(this->Begin + searched, '\n', left - searched));
+    if (!this->LineEnd && this->AtEnd && left > 0)
+    {
+      this->LineEnd = this->End; // a last line without an end
+    }
+    if (this->LineEnd)
+    {
+      return true;
+    }
+    searched = left;
+    if (this->AtEnd || left > BlockSize || !this->ReadBlock())
+    {
+      return false;
+    }
+  }
+}
+
+void XyzFile::SkipLine()
+{
+  while (!this->FindLineEnd() && this->End - this->Begin > static_cast<std::ptrdiff_t>(BlockSize))
+  {
+    this->Next += this->End - this->Begin;
+    this->Begin = this->End;
+  }
+  if (this->LineEnd)
+  {
+    char* const begin = std::min(this->LineEnd + 1, this->End);
+    this->Next += begin - this->Begin;
+    this->Begin = begin;
+  }
+}
+
+bool XyzFile::NextLine(std::string_view& line)
+{
+  if (this->Next >= this->Stop || !this->Error.empty())
+  {
+    return false;
+  }
+  this->LineStart = this->Next;
+  if (!this->FindLineEnd())
+  {
+    if (this->Error.empty() && !this->Stopped && !this->AtEnd)
+    {
+      this->Error = this->GetPlace() + "the line is longer than 1 MiB; is this a text file?";
+    }
+    return false;
+  }
+  line = { this->Begin, static_cast<std::size_t>(this->LineEnd - this->Begin) };
+  char* const begin = std::min(this->LineEnd + 1, this->End);
+  this->Next += begin - this->Begin;
+  this->Begin = begin;
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.remove_suffix(1);
+  }
+  constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+  if (this->LineStart == 0 && line.substr(0, byteOrderMark.size()) == byteOrderMark)
+  {
+    line.remove_prefix(byteOrderMark.size());
+  }
+  return true;
+}
+
+std::string XyzFile::GetPlace() const
+{
+  return Place(this->Path, 1 + CountLineEnds(this->Path, this->LineStart));
+}
+
+} // namespace helios

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows of a text file of points, as numbers.
+
+#ifndef heliosXyzParser_h
+#define heliosXyzParser_h
+
+#include "heliosGrowingArray.h"
+#include "heliosTextFile.h"
+#include "heliosXyzFile.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/// Which columns hold what, and what lies between them.
+struct XyzFormat
+{
+  std::string Separators = " \t";
+  int NormalColumns[3] = { 3, 4, 5 };
+  int ColorColumns[3] = { 6, 7, 8 };
+  bool HasNormals = false;
+  bool HasColors = false;
+  double MaximumColor = 255.0;
+};
+
+/// Reads rows of x, y, z and what the format asks for; every number that is used is checked.
+class XyzParser
+{
+public:
+  XyzParser(const XyzFormat& format, TextReport& report);
+
+  /// Adds the points of the lines that start in [begin, end) of the file; false after an error.
+  bool Read(XyzFile& file, std::int64_t begin, std::int64_t end);
+
+  vtkIdType GetNumberOfPoints() const { return this->Points.GetSize() / 3; }
+
+  /// Hands the points and their arrays over.
+  void MoveTo(vtkPolyData* cloud);
+
+private:
+  enum CharacterClass : char
+  {
+    InWord,
+    Blank,
+    Separator
+  };
+
+  void MarkNeeded(const int columns[3]);
+  CharacterClass GetClass(char c) const { return this->Classes[static_cast<unsigned char>(c)]; }
+  const char* SkipBlanks(const char* at, const char* end) const;
+  const char* SkipWord(const char* at, const char* end) const;
+  bool IsWordEnd(const char* wordEnd, const char* next, const char* end) const;
+  bool IsFirstRow(std::int64_t lineStart) const;
+  bool HasNumber(std::string_view line) const;
+
+  bool ReadRow(std::string_view line);
+  bool AppendColor();
+  bool Fail(const std::string& message);
+  bool FailShort(int columns);
+  bool FailNumber(std::string_view line, const char* word, int column);
+
+  const XyzFormat& Format;
+  TextReport& Report;
+  XyzFile* File = nullptr;
+  std::array<CharacterClass, 256> Classes;
+  bool BlankSeparates = false;
+  std::vector<char> Needed;   // by column
+  std::vector<double> Values; // of the row, by column
+  GrowingArray<vtkDoubleArray> Points;
+  GrowingArray<vtkDoubleArray> Normals;
+  GrowingArray<vtkFloatArray> Colors;
+};
+
+} // namespace helios
+
+#endif
