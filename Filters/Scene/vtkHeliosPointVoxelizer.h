@@ -3,27 +3,201 @@
 /**
  * @class   vtkHeliosPointVoxelizer
  * @brief   points to solid cells
+ *
+ * Input 0 is a vtkPointSet: points, double or float; point data Normals (3) and RGB (3: bytes, 16-bit,
+ * or real in [0..1]) where there are any. Its cells do not matter.
+ *
+ * Output 0 is a scene, a vtkPolyData of triangles with double points:
+ * - polys: the surface of the solid cells. Cells are cubes of VoxelSize on a grid that starts at the
+ *   points' minimum; a cell with enough points is a solid box. A face has two triangles, wound
+ *   outward; between two solid cells there is none; boxes share the points of their corners, so
+ *   that the surface is closed;
+ * - cell data MaterialIds (int): the cell's number modulo NumberOfMaterials;
+ * - cell data VoxelIds (int) with GenerateVoxelIds: the number of the cell, from 0, along x first,
+ *   then y, then z;
+ * - cell data Normals (float, 3) where cells have normals: those of the input's points, summed up
+ *   and normalised, or what EstimateNormals, SnapNeighborNormal and DefaultNormal say. Where a cell
+ *   has none, the normal of its faces;
+ * - cell data RGB (float, 3, [0..1]) where points have colours: the root of their mean square;
+ * - field data: the input's (CRS), and NumberOfMaterials default materials.
+ *
+ * A cell is half-open: a point x is in cell floor(q), q = (x - x0) / VoxelSize, except that a q
+ * within rounding, 2 ulp(max(|x|, |x0|)) / VoxelSize + 4 eps max(1, q), below a whole number is that
+ * number. So points on a decimal lattice are where their decimals say, also at UTM coordinates.
+ *
+ * A source that answers UPDATE_PIECE_NUMBER is asked for piece after piece, twice: for the minimum,
+ * then for the cells. Only cells stay in memory. The output does not depend on the number of
+ * pieces nor on the order of the points: sums are of whole numbers.
+ *
+ * Errors: no points, a coordinate that is not finite, more cells than MaximumNumberOfCells, a
+ * VoxelSize below the precision of the coordinates.
+ *
+ * @warning
+ * A rotated scene has rotated boxes; rotate the points where boxes shall stay along the axes.
+ *
+ * @sa
+ * vtkHeliosXyzReader vtkHeliosSceneComposer
  */
 
 #ifndef vtkHeliosPointVoxelizer_h
 #define vtkHeliosPointVoxelizer_h
 
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <functional> // For the work on each piece
+
+namespace helios
+{
+class VoxelGrid;
+class VoxelInput;
+struct VoxelBounds;
+}
 
 class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosPointVoxelizer : public vtkPolyDataAlgorithm
 {
 public:
   static vtkHeliosPointVoxelizer* New();
   vtkTypeMacro(vtkHeliosPointVoxelizer, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the edge of a cell [m]. Valid range: greater than 0. Default: 1.
+   */
+  vtkSetMacro(VoxelSize, double);
+  vtkGetMacro(VoxelSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many points a solid cell has at least; more than one leaves out lone points, which
+   * are often noise. Valid range: [1, 1000000]. Default: 1.
+   */
+  vtkSetClampMacro(MinimumNumberOfPoints, int, 1, 1000000);
+  vtkGetMacro(MinimumNumberOfPoints, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the normal of a cell is that of the plane fitted to its points (least squares of
+   * distances; upwards) instead of the points' own. Cells with fewer than three points, or with
+   * points on a line, have none. Default: off.
+   */
+  vtkSetMacro(EstimateNormals, bool);
+  vtkGetMacro(EstimateNormals, bool);
+  vtkBooleanMacro(EstimateNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the normal of a cell is that of the point nearest to its centre, not the mean of
+   * all. Does not matter with EstimateNormals. Default: off.
+   */
+  vtkSetMacro(SnapNeighborNormal, bool);
+  vtkGetMacro(SnapNeighborNormal, bool);
+  vtkBooleanMacro(SnapNeighborNormal, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the normal of cells that have none; of any length, 0 0 0: the normal of the faces.
+   * Valid range: finite. Default: 0 0 0.
+   */
+  vtkSetVector3Macro(DefaultNormal, double);
+  vtkGetVector3Macro(DefaultNormal, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of materials that cells take in turn. Valid range: [1, 1000000]. Default: 1.
+   */
+  vtkSetClampMacro(NumberOfMaterials, int, 1, 1000000);
+  vtkGetMacro(NumberOfMaterials, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether triangles carry the number of their cell. Default: off.
+   */
+  vtkSetMacro(GenerateVoxelIds, bool);
+  vtkGetMacro(GenerateVoxelIds, bool);
+  vtkBooleanMacro(GenerateVoxelIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many pieces a source that can is asked for, or how many points a piece has about, if
+   * the number of pieces is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
+   */
+  vtkSetClampMacro(NumberOfPieces, int, 0, 1000000);
+  vtkGetMacro(NumberOfPieces, int);
+  vtkSetClampMacro(PointsPerPiece, vtkIdType, 1000, 1000000000);
+  vtkGetMacro(PointsPerPiece, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many cells there may be: a guard of memory, of which a cell of a surface takes some
+   * 250 bytes. Valid range: [1, 4e9]. Default: 50000000.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Get how many points the last update took in, and how many solid cells came of them.
+   */
+  vtkGetMacro(NumberOfPoints, vtkIdType);
+  vtkGetMacro(NumberOfVoxels, vtkIdType);
+  ///@}
 
 protected:
   vtkHeliosPointVoxelizer() = default;
   ~vtkHeliosPointVoxelizer() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 private:
   vtkHeliosPointVoxelizer(const vtkHeliosPointVoxelizer&) = delete;
   void operator=(const vtkHeliosPointVoxelizer&) = delete;
+
+  /// What is done with a piece; false ends the work.
+  using PieceVisitor = std::function<bool(const helios::VoxelInput&)>;
+
+  bool CheckProperties();
+  bool FetchPiece(vtkInformation* inInfo, int piece, int count);
+  int ChooseNumberOfPieces(vtkInformation* inInfo);
+  bool ForEachPiece(vtkInformation* inInfo, int count, double progress, const PieceVisitor& visit);
+  bool CheckBounds(const helios::VoxelBounds& bounds);
+  bool CheckAttributes(const helios::VoxelBounds& bounds);
+  bool Measure(
+    vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene);
+  bool Gather(vtkInformation* inInfo, int count, helios::VoxelGrid& grid);
+  bool MakeScene(helios::VoxelGrid& grid, const helios::VoxelBounds& bounds, vtkPolyData* scene);
+
+  double VoxelSize = 1.0;
+  int MinimumNumberOfPoints = 1;
+  bool EstimateNormals = false;
+  bool SnapNeighborNormal = false;
+  double DefaultNormal[3] = { 0.0, 0.0, 0.0 };
+  int NumberOfMaterials = 1;
+  bool GenerateVoxelIds = false;
+  int NumberOfPieces = 0;
+  vtkIdType PointsPerPiece = 1000000;
+  vtkIdType MaximumNumberOfCells = 50000000;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfVoxels = 0;
 };
 
 #endif

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosVoxelGrid.h"
+
+#include <algorithm>
+
+namespace helios
+{
+
+void VoxelMap::Clear()
+{
+  constexpr int bits = 10;
+  if (this->Size < this->Entries.size() / 8 || this->Entries.empty())
+  {
+    this->Entries.assign(std::size_t(1) << bits, Entry());
+    this->Shift = 64 - bits;
+  }
+  else
+  {
+    std::fill(this->Entries.begin(), this->Entries.end(), Entry());
+  }
+  this->Mask = this->Entries.size() - 1;
+  this->Size = 0;
+}
+
+std::uint32_t VoxelMap::Add(std::size_t slot, VoxelKey key)
+{
+  const std::uint32_t id = this->Size++;
+  this->Entries[slot] = { key, id };
+  if (this->Size > this->Entries.size() / 10 * 7)
+  {
+    this->Grow();
+  }
+  return id;
+}
+
+void VoxelMap::Grow()
+{
+  std::vector<Entry> entries(2 * this->Entries.size());
+  entries.swap(this->Entries);
+  this->Mask = this->Entries.size() - 1;
+  --this->Shift;
+  for (const Entry& entry : entries)
+  {
+    if (entry.Key != 0)
+    {
+      std::size_t slot = this->GetSlot(entry.Key);
+      while (this->Entries[slot].Key != 0)
+      {
+        slot = (slot + 1) & this->Mask;
+      }
+      this->Entries[slot] = entry;
+    }
+  }
+}
+
+std::vector<VoxelMap::Entry> VoxelMap::TakeSorted()
+{
+  std::vector<Entry> entries;
+  entries.swap(this->Entries);
+  this->Clear();
+  const auto isEmpty = [](const Entry& entry) { return entry.Key == 0; };
+  entries.erase(std::remove_if(entries.begin(), entries.end(), isEmpty), entries.end());
+  const auto isBefore = [](const Entry& a, const Entry& b) { return a.Key < b.Key; };
+  std::sort(entries.begin(), entries.end(), isBefore);
+  return entries;
+}
+
+VoxelGrid::VoxelGrid(const double origin[3], double size, double epsilon, const Contents& contents)
+  : Size(size)
+  , Epsilon(epsilon)
+  , Wanted(contents)
+{
+  std::copy_n(origin, 3, this->Origin);
+}
+
+std::uint32_t VoxelGrid::Find(VoxelKey key)
+{
+  if (key == this->LastKey)
+  {
+    return this->LastId;
+  }
+  const std::uint32_t known = this->Map.GetSize();
+  const std::uint32_t id = this->Map.Insert(key);
+  if (id == known)
+  {
+    const std::size_t size = known + std::size_t(1);
+    this->Counts.resize(this->Wanted.Counts ? size : 0);
+    this->Normals.resize(this->Wanted.Normals ? size : 0);
+    this->Nearest.resize(this->Wanted.Nearest ? size : 0);
+    this->Planes.resize(this->Wanted.Planes ? size : 0);
+    this->Colors.resize(this->Wanted.Colors ? size : 0);
+  }
+  this->LastKey = key;
+  this->LastId = id;
+  return id;
+}
+
+bool VoxelGrid::Add(const VoxelPoints& points, vtkIdType maximumNumberOfCells)
+{
+  const bool isPlain =
+    !(this->Wanted.Normals || this->Wanted.Nearest || this->Wanted.Planes || this->Wanted.Colors);
+  for (vtkIdType i = 0; i < points.Count; ++i)
+  {
+    const double* p = points.Points + 3 * i;
+    double index[3];
+    std::int64_t cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = GetVoxelIndex(p[axis], this->Origin[axis], this->Size, this->Epsilon);
+      cell[axis] = static_cast<std::int64_t>(index[axis]);
+    }
+    const std::uint32_t id = this->Find(MakeVoxelKey(cell));
+    if (this->Wanted.Counts)
+    {
+      this->Counts[id] += this->Counts[id] < std::numeric_limits<std::uint32_t>::max();
+    }
+    if (!isPlain)
+    {
+      double local[3]; // from the centre, in cells
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        local[axis] = (p[axis] - this->Origin[axis]) / this->Size - (index[axis] + 0.5);
+      }
+      this->Gather(id, local, points, i);
+    }
+    if (this->Map.GetSize() > maximumNumberOfCells)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void VoxelGrid::Gather(
+  std::uint32_t id, const double local[3], const VoxelPoints& points, vtkIdType i)
+{
+  if (this->Wanted.Planes)
+  {
+    this->Planes[id].Add(local);
+  }
+  if (points.Normals)
+  {
+    const Vec3 normal = GetUnit(Vec3(points.Normals + 3 * i));
+    const bool isValid = normal != Vec3(0.0, 0.0, 0.0);
+    if (this->Wanted.Normals)
+    {
+      this->Normals[id].Add(normal);
+    }
+    if (this->Wanted.Nearest && isValid)
+    {
+      const Vec3 offset(local);
+      this->Nearest[id].Add(offset.Dot(offset), normal);
+    }
+  }
+  if (this->Wanted.Colors)
+  {
+    this->Colors[id].Add(points.Colors + 3 * i);
+  }
+}
+
+std::vector<VoxelMap::Entry> VoxelGrid::TakeCells(vtkIdType minimumNumberOfPoints)
+{
+  std::vector<VoxelMap::Entry> cells = this->Map.TakeSorted();
+  if (this->Wanted.Counts)
+  {
+    const auto hasFew = [this, minimumNumberOfPoints](const VoxelMap::Entry& cell)
+    { return this->Counts[cell.Id] < minimumNumberOfPoints; };
+    cells.erase(std::remove_if(cells.begin(), cells.end(), hasFew), cells.end());
+  }
+  return cells;
+}
+
+Vec3 VoxelGrid::GetNormal(std::uint32_t id) const
+{
+  return this->Wanted.Planes ? this->Planes[id].GetNormal()
+    : this->Wanted.Nearest   ? Vec3(this->Nearest[id].Normal)
+                             : this->Normals[id].GetNormal();
+}
+
+Vec3 VoxelGrid::GetColor(std::uint32_t id) const
+{
+  return this->Colors[id].GetColor();
+}
+
+} // namespace helios

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the triangles of solid cells carry.
+
+#ifndef heliosVoxelScene_h
+#define heliosVoxelScene_h
+
+#include "heliosVoxelMesh.h"
+
+class vtkPolyData;
+
+namespace helios
+{
+
+struct VoxelSceneOptions
+{
+  int NumberOfMaterials = 1;
+  bool HasVoxelIds = false;
+  bool HasNormals = false;
+  bool HasColors = false;
+  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< unit; 0 0 0: that of the faces
+};
+
+/// Writes triangles, their arrays and the materials.
+void WriteVoxelScene(const VoxelGrid& grid, const std::vector<VoxelMap::Entry>& cells,
+  const VoxelMesh& mesh, const VoxelSceneOptions& options, vtkPolyData* scene);
+
+} // namespace helios
+
+#endif
