@@ -3,6 +3,7 @@
 #include "vtkHeliosSceneComposer.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -82,12 +83,6 @@ vtkIntArray* GetSingleMaterialIds(const PartList& parts)
   const int* range = ids->GetValueRange();
   const bool isRight = table.size() == rows && range[0] >= 0 && range[1] < static_cast<int>(rows);
   return isRight ? ids : nullptr;
-}
-
-std::string GetCRS(vtkPolyData* part)
-{
-  auto* crs = vtkStringArray::SafeDownCast(part->GetFieldData()->GetAbstractArray(names::CRS));
-  return crs && crs->GetNumberOfValues() > 0 ? std::string(crs->GetValue(0)) : std::string();
 }
 
 } // namespace
@@ -245,7 +240,7 @@ bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
   std::string crs;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    const std::string own = parts[i] ? GetCRS(parts[i]) : std::string();
+    const std::string own = parts[i] ? helios::GetCRS(parts[i]) : std::string();
     if (!crs.empty() && !own.empty() && own != crs)
     {
       vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS " << own
@@ -254,13 +249,7 @@ bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
     }
     crs = own.empty() ? crs : own;
   }
-  if (!crs.empty())
-  {
-    vtkNew<vtkStringArray> column;
-    column->SetName(names::CRS);
-    column->InsertNextValue(crs);
-    scene->GetFieldData()->AddArray(column);
-  }
+  helios::SetCRS(scene, crs);
   return true;
 }
 
