@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoordinateSystem.h"
+
+#include "heliosCoordinateSystemData.h"
+#include "heliosProj.h"
+
+#include <vtkMath.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+namespace helios
+{
+
+namespace
+{
+
+const char* const Forms =
+  "give \"EPSG:n\", WKT, a PROJ string, or \"ENU latitude longitude height\"";
+
+/// What messages show of a text that may be a page of WKT.
+std::string Shorten(const std::string& text)
+{
+  constexpr std::size_t longest = 60;
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+/// 1 for a ratio that only rounding keeps from it.
+double Snap(double ratio)
+{
+  return std::abs(ratio - 1.0) < 1e-12 ? 1.0 : ratio;
+}
+
+double GetDegrees(double radians)
+{
+  return Snap(radians / vtkMath::RadiansFromDegrees(1.0));
+}
+
+bool IsLocalText(const std::string& text)
+{
+  return text.size() >= 3 && vtksys::SystemTools::UpperCase(text.substr(0, 3)) == "ENU" &&
+    (text.size() == 3 || text[3] == ' ' || text[3] == '\t');
+}
+
+/// Three numbers after "ENU" and nothing else.
+bool ParseOrigin(const std::string& text, double origin[3])
+{
+  const char* at = text.data() + 3;
+  const char* end = text.data() + text.size();
+  const auto isText = [](char c) { return c != ' ' && c != '\t'; };
+  for (int k = 0; k < 3; ++k)
+  {
+    at = std::find_if(at, end, isText);
+    const auto result = std::from_chars(at, end, origin[k]);
+    if (result.ec != std::errc() || !std::isfinite(origin[k]))
+    {
+      return false;
+    }
+    at = result.ptr;
+  }
+  return std::find_if(at, end, isText) == end;
+}
+
+std::string MakeLocalSystem(CoordinateSystemData& data)
+{
+  double* origin = data.Origin;
+  if (!ParseOrigin(data.Text, origin) || std::abs(origin[0]) > 90.0 || std::abs(origin[1]) > 360.0)
+  {
+    return "\"" + Shorten(data.Text) +
+      "\" is no local system; write \"ENU latitude longitude height\" in degrees (latitude -90 to "
+      "90) and metres, e.g. \"ENU 49.4 8.7 110\"";
+  }
+  data.IsLocal = true;
+  data.Name = data.Text;
+  data.UnitName = data.HeightUnitName = "metre";
+  data.Projection = MakeLocal(origin[0], origin[1], origin[2]);
+  return {};
+}
+
+struct Axis
+{
+  std::string Direction;
+  std::string UnitName;
+  double Unit = 1.0; // [m] or [rad]
+};
+
+std::vector<Axis> GetAxes(const ProjContext& context, const PJ* crs)
+{
+  std::vector<Axis> axes;
+  const ProjObject system(proj_crs_get_coordinate_system(context.Get(), crs));
+  const int count = system ? proj_cs_get_axis_count(context.Get(), system.get()) : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const char* direction = nullptr;
+    const char* unit = nullptr;
+    Axis axis;
+    proj_cs_get_axis_info(context.Get(), system.get(), i, nullptr, nullptr, &direction, &axis.Unit,
+      &unit, nullptr, nullptr);
+    axis.Direction = direction ? direction : "";
+    axis.UnitName = unit ? unit : "";
+    axes.push_back(axis);
+  }
+  return axes;
+}
+
+/// From the directions of the axes after PROJ's own ordering, which leaves south and west as they
+/// are. Polar systems, where both axes point south or north, have them in the order east, north.
+AxisOrder GetAxisOrder(const std::vector<Axis>& axes)
+{
+  const auto isAlong = [&](int i, const char* positive, const char* negative)
+  { return axes[i].Direction == positive || axes[i].Direction == negative; };
+  AxisOrder order;
+  const bool isSwapped = isAlong(0, "north", "south") && isAlong(1, "east", "west");
+  const bool isMap = isAlong(0, "east", "west") && isAlong(1, "north", "south");
+  if (isSwapped)
+  {
+    std::swap(order.From[0], order.From[1]);
+  }
+  if (isSwapped || isMap)
+  {
+    order.Factor[0] = axes[order.From[0]].Direction == "west" ? -1.0 : 1.0;
+    order.Factor[1] = axes[order.From[1]].Direction == "south" ? -1.0 : 1.0;
+  }
+  return order;
+}
+
+/// The EPSG codes of the parameters that map projections have here.
+enum Parameter
+{
+  LatitudeOfOrigin = 8801,
+  LongitudeOfOrigin = 8802,
+  ScaleAtOrigin = 8805,
+  FalseEasting = 8806,
+  FalseNorthing = 8807
+};
+
+/// The parameters of a map projection in degrees and metres.
+std::map<int, double> GetParameters(const ProjContext& context, const PJ* conversion)
+{
+  std::map<int, double> parameters;
+  const int count = proj_coordoperation_get_param_count(context.Get(), conversion);
+  for (int i = 0; i < count; ++i)
+  {
+    const char* code = nullptr;
+    const char* category = nullptr;
+    double value = 0.0;
+    double unit = 1.0;
+    proj_coordoperation_get_param(context.Get(), conversion, i, nullptr, nullptr, &code, &value,
+      nullptr, &unit, nullptr, nullptr, nullptr, &category);
+    const bool isAngle = category && std::string(category) == "angular";
+    parameters[code ? std::atoi(code) : 0] = value * (isAngle ? GetDegrees(unit) : unit);
+  }
+  return parameters;
+}
+
+bool IsWGS84(const ProjContext& context, const PJ* geodetic)
+{
+  const char* const codes[] = { "4326", "4979", "4978" };
+  return std::any_of(std::begin(codes), std::end(codes),
+    [&](const char* code)
+    {
+      const ProjObject known(
+        proj_create_from_database(context.Get(), "EPSG", code, PJ_CATEGORY_CRS, false, nullptr));
+      return known &&
+        proj_is_equivalent_to_with_ctx(
+          context.Get(), geodetic, known.get(), PJ_COMP_EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS);
+    });
+}
+
+MapProjectionPointer MakeMap(const ProjContext& context, const PJ* crs)
+{
+  const ProjObject conversion(proj_crs_get_coordoperation(context.Get(), crs));
+  const char* code = nullptr;
+  if (!conversion ||
+    !proj_coordoperation_get_method_info(context.Get(), conversion.get(), nullptr, nullptr, &code))
+  {
+    return nullptr;
+  }
+  std::map<int, double> parameters = GetParameters(context, conversion.get());
+  const MapOrigin origin{ parameters[LongitudeOfOrigin], parameters[ScaleAtOrigin],
+    parameters[FalseEasting], parameters[FalseNorthing] };
+  const double latitude = parameters[LatitudeOfOrigin];
+  const std::string method = code ? code : "";
+  if (!(origin.Scale > 0.0))
+  {
+    return nullptr;
+  }
+  if (method == "9807" && latitude == 0.0)
+  {
+    return MakeTransverseMercator(origin);
+  }
+  return method == "9810" && std::abs(latitude) == 90.0
+    ? MakePolarStereographic(latitude > 0.0, origin)
+    : nullptr;
+}
+
+/// GeographicLib's formulas for a system, if it is one on WGS 84 in degrees and metres.
+MapProjectionPointer FindProjection(
+  const ProjContext& context, const PJ* crs, const CoordinateSystemData& data)
+{
+  const ProjObject geodetic(proj_crs_get_geodetic_crs(context.Get(), crs));
+  if (!data.Axes.IsIdentity() || !geodetic || !IsWGS84(context, geodetic.get()))
+  {
+    return nullptr;
+  }
+  switch (proj_get_type(crs))
+  {
+    case PJ_TYPE_GEOGRAPHIC_2D_CRS:
+    case PJ_TYPE_GEOGRAPHIC_3D_CRS:
+      return MakeGeographic();
+    case PJ_TYPE_GEOCENTRIC_CRS:
+      return MakeGeocentric();
+    case PJ_TYPE_PROJECTED_CRS:
+      return data.Unit == 1.0 ? MakeMap(context, crs) : nullptr;
+    default:
+      return nullptr;
+  }
+}
+
+std::string MakeName(const PJ* crs, const std::string& text)
+{
+  const char* authority = proj_get_id_auth_name(crs, 0);
+  const char* code = proj_get_id_code(crs, 0);
+  const std::string name = proj_get_name(crs);
+  const std::string id = authority && code ? std::string(authority) + ":" + code : Shorten(text);
+  return name.empty() || name == "unknown" || name == id ? id : id + " (" + name + ")";
+}
+
+void SetHeights(const ProjContext& context, const PJ* crs, CoordinateSystemData& data)
+{
+  const ProjObject vertical = GetVerticalPart(context, crs);
+  const std::vector<Axis> axes = vertical ? GetAxes(context, vertical.get()) : std::vector<Axis>();
+  data.IsCompound = !axes.empty();
+  if (data.IsCompound)
+  {
+    data.HeightUnit = axes[0].Unit;
+    data.HeightUnitName = axes[0].UnitName;
+    data.Axes.Factor[2] = axes[0].Direction == "down" ? -1.0 : 1.0;
+  }
+}
+
+std::string MakeProjSystem(CoordinateSystemData& data)
+{
+  ProjContext context;
+  const ProjObject crs = MakeProjCRS(context, data.Text);
+  if (!crs)
+  {
+    const std::string reason = context.TakeMessage();
+    return "\"" + Shorten(data.Text) + "\" is no coordinate system that PROJ knows" +
+      (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms;
+  }
+  data.Name = MakeName(crs.get(), data.Text);
+  const ProjObject horizontal = GetHorizontalPart(context, crs.get());
+  const ProjObject ordered(
+    horizontal ? proj_normalize_for_visualization(context.Get(), horizontal.get()) : nullptr);
+  const std::vector<Axis> axes = ordered ? GetAxes(context, ordered.get()) : std::vector<Axis>();
+  if (axes.size() < 2)
+  {
+    return data.Name + " has no horizontal part; " + Forms;
+  }
+  const PJ_TYPE type = proj_get_type(horizontal.get());
+  const bool isGeographic = type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS;
+  const bool isGeocentric = type == PJ_TYPE_GEOCENTRIC_CRS;
+  data.Axes = isGeocentric ? AxisOrder() : GetAxisOrder(axes);
+  data.Unit = isGeographic ? 0.0 : axes[0].Unit;
+  data.UnitName = isGeographic ? "degrees" : axes[0].UnitName;
+  if (isGeographic)
+  {
+    data.Axes.Factor[0] *= GetDegrees(axes[0].Unit);
+    data.Axes.Factor[1] *= GetDegrees(axes[1].Unit);
+  }
+  if (axes.size() > 2)
+  {
+    data.HeightUnit = axes[2].Unit;
+    data.HeightUnitName = axes[2].UnitName;
+  }
+  SetHeights(context, crs.get(), data);
+  data.IsPlane = axes.size() == 2 && !data.IsCompound;
+  if (proj_get_type(crs.get()) == type)
+  {
+    data.Projection = FindProjection(context, crs.get(), data);
+  }
+  return {};
+}
+
+bool IsSameLocal(const CoordinateSystemData& a, const CoordinateSystemData& b)
+{
+  return a.Origin[0] == b.Origin[0] && a.Origin[2] == b.Origin[2] &&
+    std::remainder(a.Origin[1] - b.Origin[1], 360.0) == 0.0;
+}
+
+bool IsSameProj(const CoordinateSystemData& a, const CoordinateSystemData& b)
+{
+  const ProjContext context;
+  const auto make = [&](const std::string& text)
+  {
+    const ProjObject crs = MakeProjCRS(context, text);
+    ProjObject ordered(proj_normalize_for_visualization(context.Get(), crs.get()));
+    return ordered ? std::move(ordered) : MakeProjCRS(context, text);
+  };
+  return proj_is_equivalent_to_with_ctx(
+    context.Get(), make(a.Text).get(), make(b.Text).get(), PJ_COMP_EQUIVALENT);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string CoordinateSystem::Set(const std::string& text)
+{
+  this->Data = nullptr;
+  auto data = std::make_shared<CoordinateSystemData>();
+  const std::string blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos)
+  {
+    return std::string("The name of the coordinate system is empty; ") + Forms;
+  }
+  data->Text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+  std::string problem = IsLocalText(data->Text) ? MakeLocalSystem(*data) : MakeProjSystem(*data);
+  if (problem.empty())
+  {
+    this->Data = data;
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+const std::string& CoordinateSystem::GetText() const
+{
+  return this->Data->Text;
+}
+
+//------------------------------------------------------------------------------
+const std::string& CoordinateSystem::GetName() const
+{
+  return this->Data->Name;
+}
+
+//------------------------------------------------------------------------------
+bool CoordinateSystem::IsGeographic() const
+{
+  return this->Data->Unit == 0.0;
+}
+
+//------------------------------------------------------------------------------
+double CoordinateSystem::GetUnit() const
+{
+  return this->Data->Unit;
+}
+
+//------------------------------------------------------------------------------
+double CoordinateSystem::GetHeightUnit() const
+{
+  return this->Data->HeightUnit;
+}
+
+//------------------------------------------------------------------------------
+bool CoordinateSystem::IsMetric() const
+{
+  return this->Data->Unit == 1.0 && this->Data->HeightUnit == 1.0;
+}
+
+//------------------------------------------------------------------------------
+std::string CoordinateSystem::GetUnitName() const
+{
+  const CoordinateSystemData& data = *this->Data;
+  const bool isSame = data.HeightUnitName.empty() || data.HeightUnitName == data.UnitName ||
+    (data.Unit == 0.0 && data.HeightUnit == 1.0);
+  return isSame ? data.UnitName : data.UnitName + ", with heights in " + data.HeightUnitName;
+}
+
+//------------------------------------------------------------------------------
+bool CoordinateSystem::operator==(const CoordinateSystem& other) const
+{
+  const CoordinateSystemData* a = this->Data.get();
+  const CoordinateSystemData* b = other.Data.get();
+  if (!a || !b || a->Text == b->Text)
+  {
+    return (!a && !b) || (a && b);
+  }
+  if (a->IsLocal || b->IsLocal)
+  {
+    return a->IsLocal && b->IsLocal && IsSameLocal(*a, *b);
+  }
+  return IsSameProj(*a, *b);
+}
+
+} // namespace helios
