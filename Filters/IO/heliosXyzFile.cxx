@@ -68,13 +68,12 @@ std::string XyzFile::Open(const std::string& path)
   }
   std::setvbuf(this->File, nullptr, _IONBF, 0);
   this->Size = static_cast<std::int64_t>(size);
-  this->SetRange(0, this->Size);
   return {};
 }
 
 void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
 {
-  this->Buffer.resize(BlockSize);
+  this->Buffer.resize(std::max(this->Buffer.size(), BlockSize));
   this->Begin = this->End = this->Buffer.data();
   this->AtEnd = false;
   this->Stop = std::min(end, this->Size);

@@ -27,7 +27,7 @@ public:
   /// Called after every block with the number of bytes read in all; false stops the reading.
   std::function<bool(std::int64_t)> OnBlock;
 
-  /// Says in words why a file cannot be read, or returns an empty text.
+  /// Says in words why a file cannot be read, or returns an empty text. Lines come after SetRange.
   std::string Open(const std::string& path);
 
   std::int64_t GetSize() const { return this->Size; }

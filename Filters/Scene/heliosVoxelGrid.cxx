@@ -66,6 +66,14 @@ std::vector<VoxelMap::Entry> VoxelMap::TakeSorted()
   return entries;
 }
 
+struct VoxelGrid::Block
+{
+  static constexpr int Size = 256;
+  VoxelKey Keys[Size];
+  std::uint32_t Ids[Size];
+  double Local[Size][3]; ///< from the centre of the cell, in cells
+};
+
 VoxelGrid::VoxelGrid(const double origin[3], double size, double epsilon, const Contents& contents)
   : Size(size)
   , Epsilon(epsilon)
@@ -98,32 +106,16 @@ std::uint32_t VoxelGrid::Find(VoxelKey key)
 
 bool VoxelGrid::Add(const VoxelPoints& points, vtkIdType maximumNumberOfCells)
 {
-  const bool isPlain =
-    !(this->Wanted.Normals || this->Wanted.Nearest || this->Wanted.Planes || this->Wanted.Colors);
-  for (vtkIdType i = 0; i < points.Count; ++i)
+  Block block;
+  for (vtkIdType first = 0; first < points.Count; first += Block::Size)
   {
-    const double* p = points.Points + 3 * i;
-    double index[3];
-    std::int64_t cell[3];
-    for (int axis = 0; axis < 3; ++axis)
+    const int count = static_cast<int>(std::min<vtkIdType>(Block::Size, points.Count - first));
+    this->Place(points.Points + 3 * first, count, block);
+    for (int i = 0; i < count; ++i)
     {
-      index[axis] = GetVoxelIndex(p[axis], this->Origin[axis], this->Size, this->Epsilon);
-      cell[axis] = static_cast<std::int64_t>(index[axis]);
+      block.Ids[i] = this->Find(block.Keys[i]);
     }
-    const std::uint32_t id = this->Find(MakeVoxelKey(cell));
-    if (this->Wanted.Counts)
-    {
-      this->Counts[id] += this->Counts[id] < std::numeric_limits<std::uint32_t>::max();
-    }
-    if (!isPlain)
-    {
-      double local[3]; // from the centre, in cells
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        local[axis] = (p[axis] - this->Origin[axis]) / this->Size - (index[axis] + 0.5);
-      }
-      this->Gather(id, local, points, i);
-    }
+    this->Gather(block, count, points, first);
     if (this->Map.GetSize() > maximumNumberOfCells)
     {
       return false;
@@ -132,30 +124,55 @@ bool VoxelGrid::Add(const VoxelPoints& points, vtkIdType maximumNumberOfCells)
   return true;
 }
 
-void VoxelGrid::Gather(
-  std::uint32_t id, const double local[3], const VoxelPoints& points, vtkIdType i)
+void VoxelGrid::Place(const double* points, int count, Block& block) const
 {
-  if (this->Wanted.Planes)
+  for (int i = 0; i < count; ++i)
   {
-    this->Planes[id].Add(local);
+    std::int64_t cell[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double x = points[3 * i + axis];
+      const double index = GetVoxelIndex(x, this->Origin[axis], this->Size, this->Epsilon);
+      cell[axis] = static_cast<std::int64_t>(index);
+      block.Local[i][axis] = (x - this->Origin[axis]) / this->Size - (index + 0.5);
+    }
+    block.Keys[i] = MakeVoxelKey(cell);
+    this->Map.Prefetch(block.Keys[i]);
   }
-  if (points.Normals)
+}
+
+void VoxelGrid::Gather(const Block& block, int count, const VoxelPoints& points, vtkIdType first)
+{
+  for (int i = 0; this->Wanted.Counts && i < count; ++i)
   {
-    const Vec3 normal = GetUnit(Vec3(points.Normals + 3 * i));
-    const bool isValid = normal != Vec3(0.0, 0.0, 0.0);
+    std::uint32_t& number = this->Counts[block.Ids[i]];
+    number += number < std::numeric_limits<std::uint32_t>::max();
+  }
+  for (int i = 0; this->Wanted.Planes && i < count; ++i)
+  {
+    __builtin_prefetch(&this->Planes[block.Ids[std::min(i + 8, count - 1)]], 1);
+    this->Planes[block.Ids[i]].Add(block.Local[i]);
+  }
+  for (int i = 0; this->Wanted.Colors && i < count; ++i)
+  {
+    this->Colors[block.Ids[i]].Add(points.Colors + 3 * (first + i));
+  }
+  for (int i = 0; (this->Wanted.Normals || this->Wanted.Nearest) && i < count; ++i)
+  {
+    const Vec3 normal = GetUnit(Vec3(points.Normals + 3 * (first + i)));
+    const Vec3 local(block.Local[i]);
+    if (normal == Vec3(0.0, 0.0, 0.0))
+    {
+      continue; // none
+    }
     if (this->Wanted.Normals)
     {
-      this->Normals[id].Add(normal);
+      this->Normals[block.Ids[i]].Add(normal);
     }
-    if (this->Wanted.Nearest && isValid)
+    if (this->Wanted.Nearest)
     {
-      const Vec3 offset(local);
-      this->Nearest[id].Add(offset.Dot(offset), normal);
+      this->Nearest[block.Ids[i]].Add(local.Dot(local), normal);
     }
-  }
-  if (this->Wanted.Colors)
-  {
-    this->Colors[id].Add(points.Colors + 3 * i);
   }
 }
 

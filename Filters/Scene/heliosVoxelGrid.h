@@ -86,6 +86,9 @@ public:
     return this->Entries[slot].Id;
   }
 
+  /// Asks for the memory that Insert will look at.
+  void Prefetch(VoxelKey key) const { __builtin_prefetch(&this->Entries[this->GetSlot(key)], 1); }
+
   /// The entries by key; the map is empty afterwards.
   std::vector<Entry> TakeSorted();
 
@@ -146,8 +149,12 @@ public:
   double GetVoxelSize() const { return this->Size; }
 
 private:
+  /// Points in the order of the work: memory of later ones comes while earlier ones are done.
+  struct Block;
+
+  void Place(const double* points, int count, Block& block) const;
   std::uint32_t Find(VoxelKey key);
-  void Gather(std::uint32_t id, const double local[3], const VoxelPoints& points, vtkIdType i);
+  void Gather(const Block& block, int count, const VoxelPoints& points, vtkIdType first);
 
   double Origin[3];
   double Size;

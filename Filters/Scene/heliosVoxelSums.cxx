@@ -30,7 +30,7 @@ void PlaneSum::Add(const double local[3])
   std::int64_t v[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    v[axis] = std::llround(local[axis] * 0x1p30);
+    v[axis] = GetNearest(local[axis] * 0x1p30);
     this->Sums[axis] += v[axis];
   }
   Wide* product = this->Products;

@@ -30,6 +30,12 @@ inline Vec3 GetUnit(const Vec3& direction)
   return scaled * (1.0 / scaled.Norm());
 }
 
+/// The whole number nearest to x; half of it away from zero. (llround is a call.)
+inline std::int64_t GetNearest(double x)
+{
+  return static_cast<std::int64_t>(x + std::copysign(0.5, x));
+}
+
 /// The sum of unit vectors, in units of 2^-30.
 struct NormalSum
 {
@@ -39,7 +45,7 @@ struct NormalSum
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Sum[axis] += std::llround(unit[axis] * 0x1p30);
+      this->Sum[axis] += GetNearest(unit[axis] * 0x1p30);
     }
   }
   Vec3 GetNormal() const
