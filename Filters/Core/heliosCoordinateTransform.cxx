@@ -5,6 +5,8 @@
 #include "heliosCoordinateSystemData.h"
 #include "heliosProj.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -289,6 +291,60 @@ vtkIdType CoordinateTransform::Forward(const double* from, double* to, vtkIdType
     }
   }
   return failed;
+}
+
+//------------------------------------------------------------------------------
+bool CoordinateTransform::GetJacobian(const double point[3], double jacobian[3][3])
+{
+  const double height = 10.0;
+  const double plane = this->State->Source.IsGeographic() ? 1e-4 : height;
+  for (int k = 0; k < 3; ++k)
+  {
+    double ends[6] = { point[0], point[1], point[2], point[0], point[1], point[2] };
+    const double step = k == 2 ? height : plane;
+    ends[k] -= step;
+    ends[3 + k] += step;
+    const double width = ends[3 + k] - ends[k];
+    if (this->Forward(ends, ends, 2) >= 0)
+    {
+      return false;
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      jacobian[i][k] = (ends[3 + i] - ends[i]) / width;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CoordinateTransform::GetRotation(const double point[3], double rotation[3][3])
+{
+  double jacobian[3][3];
+  if (!this->GetJacobian(point, jacobian))
+  {
+    return false;
+  }
+  // Degrees of longitude and latitude have lengths of their own: of each axis only the direction.
+  const bool isFromAngles = this->State->Source.IsGeographic();
+  double axes[3][3];
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      axes[k][i] = isFromAngles ? jacobian[i][k] : jacobian[k][i];
+    }
+    if (!(vtkMath::Normalize(axes[k]) > 0.0))
+    {
+      return false;
+    }
+  }
+  if (isFromAngles)
+  {
+    vtkMath::Transpose3x3(axes, axes);
+  }
+  vtkMath::Orthogonalize3x3(axes, rotation);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -49,6 +49,20 @@ public:
    */
   vtkIdType Forward(const double* from, double* to, vtkIdType count);
 
+  /**
+   * How the coordinates at a point change with those in the source: jacobian[i][k] = d to_i / d from_k,
+   * by central differences (to 1e-9 of their size). False where the point or its surroundings have
+   * no image.
+   */
+  bool GetJacobian(const double point[3], double jacobian[3][3]);
+
+  /**
+   * The rotation that turns directions at a point: east, north, up of the source into those of the
+   * target, metric in both (geographic ones too). It is that of the grids' convergences, and towards
+   * geocentric or local systems the tilt.
+   */
+  bool GetRotation(const double point[3], double rotation[3][3]);
+
   /// How accurate the operation that PROJ chose last says it is [m]; -1: not known, 0: exact.
   double GetAccuracy() const;
 

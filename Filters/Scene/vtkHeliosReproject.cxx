@@ -2,6 +2,155 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosReproject.h"
 
+#include "heliosReprojection.h"
+#include "heliosSceneCrs.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+
+#include <string>
 
 vtkStandardNewMacro(vtkHeliosReproject);
+
+namespace
+{
+
+/// The first point of a data set with points.
+const double* GetFirstPoint(vtkPointSet* data)
+{
+  return data->GetNumberOfPoints() > 0 ? data->GetPoint(0) : nullptr;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHeliosReproject::~vtkHeliosReproject()
+{
+  this->SetSourceCRS(nullptr);
+  this->SetTargetCRS(nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosReproject::FindSystems(
+  vtkPointSet* input, helios::CoordinateSystem& source, helios::CoordinateSystem& target)
+{
+  const std::string own = helios::GetCRS(input);
+  const std::string given = this->SourceCRS ? this->SourceCRS : "";
+  const std::string wanted = this->TargetCRS ? this->TargetCRS : "";
+  if (wanted.empty())
+  {
+    vtkErrorMacro(<< "TargetCRS is not set; give the system to go to, e.g. EPSG:32632");
+    return false;
+  }
+  if (given.empty() && own.empty())
+  {
+    vtkErrorMacro(<< "The input has no CRS in its field data; set SourceCRS, the system it is in");
+    return false;
+  }
+  const std::string targetProblem = target.Set(wanted);
+  const std::string sourceProblem = source.Set(given.empty() ? own : given);
+  if (!targetProblem.empty() || !sourceProblem.empty())
+  {
+    const char* place = given.empty() ? "CRS of the input" : "SourceCRS";
+    vtkErrorMacro(<< (sourceProblem.empty() ? "TargetCRS" : place) << ": "
+                  << (sourceProblem.empty() ? targetProblem : sourceProblem));
+    return false;
+  }
+  helios::CoordinateSystem said;
+  const bool isWarned = this->Warned > this->GetMTime();
+  if (!isWarned && !given.empty() && !own.empty() && !(said.Set(own).empty() && said == source))
+  {
+    vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", the input says " << own
+                    << "; SourceCRS counts");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosReproject::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPointSet* input = vtkPointSet::GetData(inputVector[0]);
+  vtkPointSet* output = vtkPointSet::GetData(outputVector);
+  helios::CoordinateSystem source;
+  helios::CoordinateSystem target;
+  if (!this->FindSystems(input, source, target))
+  {
+    return 0;
+  }
+  helios::CoordinateTransform transform;
+  std::string problem = transform.Set(source, target);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  output->ShallowCopy(input);
+  helios::SetCRS(output, target.GetText());
+  const double* first = GetFirstPoint(input);
+  if (transform.IsIdentity() || !first)
+  {
+    return 1;
+  }
+  this->Warn(transform, first);
+  problem = this->Transform(input, output, transform);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosReproject::Warn(helios::CoordinateTransform& transform, const double first[3])
+{
+  const bool isWarned = this->Warned > this->GetMTime();
+  const std::string warning = isWarned ? std::string() : transform.GetWarning(first);
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  this->Warned.Modified();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosReproject::Transform(
+  vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform)
+{
+  double done = 0.0;
+  const auto watch = [&](double share)
+  {
+    this->UpdateProgress(done + share / 3.0);
+    return !this->GetAbortExecute();
+  };
+  helios::Reprojection reprojection(transform, watch);
+  std::string problem = reprojection.TransformCells(input, output);
+  done = 1.0 / 3.0;
+  if (problem.empty() && !reprojection.IsAborted())
+  {
+    problem = reprojection.TransformPointData(input, output);
+  }
+  done = 2.0 / 3.0;
+  if (problem.empty() && !reprojection.IsAborted())
+  {
+    problem = reprojection.TransformPoints(input, output);
+  }
+  if (reprojection.IsAborted())
+  {
+    output->Initialize();
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosReproject::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SourceCRS: " << (this->SourceCRS ? this->SourceCRS : "(the input's)") << "\n";
+  os << indent << "TargetCRS: " << (this->TargetCRS ? this->TargetCRS : "(none)") << "\n";
+}

@@ -2,28 +2,96 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosReproject
- * @brief   a scene from one coordinate system to another
+ * @brief   points from one coordinate system to another
+ *
+ * Input 0: a vtkPointSet: a scene, a cloud, a trajectory, waypoints. Output 0: the same, of the same
+ * type, with
+ * - points: those of the input in TargetCRS, double, always in the order east, north, up, angles in
+ *   degrees;
+ * - field data CRS: TargetCRS as it was given;
+ * - active normals of points and cells: those of the surface in the new coordinates;
+ * - point data TruePoint: transformed as points are;
+ * - point data Orientation, Velocity, Direction and Normal: turned by the angle between the axes of
+ *   both systems at their place (convergence of the grids; tilt towards geocentric or local axes);
+ * - cells and everything else by reference.
+ *
+ * Systems are "EPSG:n", WKT, PROJ strings, or "ENU latitude longitude height" for local axes at an
+ * origin on WGS 84 [degrees, m]. GeographicLib computes what is on WGS 84 (UTM, UPS, geocentric,
+ * local), to 5e-9 m; PROJ the rest. Where one of two systems says nothing of heights they pass as they
+ * are, but for the unit. Both systems being the same, however they are spelled, the output is the
+ * input. Works on all threads; the output does not depend on their number.
+ *
+ * Warned of: a source that is not what the input says; an operation less accurate than another whose
+ * grids PROJ does not find. Errors: no source, no target, a system PROJ does not know, no
+ * transformation between them, a point outside their domain.
+ *
+ * @warning
+ * Straight edges stay straight: a triangle of a kilometre leaves the true surface by its sagitta,
+ * some 2 cm towards local or geocentric axes.
+ *
+ * @sa
+ * vtkHeliosSceneTransform vtkHeliosSceneComposer vtkHeliosGeoTiffSceneReader
  */
 
 #ifndef vtkHeliosReproject_h
 #define vtkHeliosReproject_h
 
-#include "vtkPolyDataAlgorithm.h"
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
+#include "vtkPointSetAlgorithm.h"
 
-class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosReproject : public vtkPolyDataAlgorithm
+#include <string> // For what is wrong
+
+class vtkPointSet;
+
+namespace helios
+{
+class CoordinateSystem;
+class CoordinateTransform;
+}
+
+class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosReproject : public vtkPointSetAlgorithm
 {
 public:
   static vtkHeliosReproject* New();
-  vtkTypeMacro(vtkHeliosReproject, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHeliosReproject, vtkPointSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the coordinate system of the input. Default: none, which means that of the input's field
+   * data CRS.
+   */
+  vtkSetStringMacro(SourceCRS);
+  vtkGetStringMacro(SourceCRS);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the coordinate system of the output. Default: none, which is an error.
+   */
+  vtkSetStringMacro(TargetCRS);
+  vtkGetStringMacro(TargetCRS);
+  ///@}
 
 protected:
   vtkHeliosReproject() = default;
-  ~vtkHeliosReproject() override = default;
+  ~vtkHeliosReproject() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkHeliosReproject(const vtkHeliosReproject&) = delete;
   void operator=(const vtkHeliosReproject&) = delete;
+
+  bool FindSystems(
+    vtkPointSet* input, helios::CoordinateSystem& source, helios::CoordinateSystem& target);
+  void Warn(helios::CoordinateTransform& transform, const double first[3]);
+  std::string Transform(
+    vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform);
+
+  vtkTimeStamp Warned; // once for all pieces
+  char* SourceCRS = nullptr;
+  char* TargetCRS = nullptr;
 };
 
 #endif
