@@ -77,7 +77,7 @@ std::string MakeLocalSystem(CoordinateSystemData& data)
       "90) and metres, e.g. \"ENU 49.4 8.7 110\"";
   }
   data.IsLocal = true;
-  data.Name = data.Text;
+  data.Label = data.Name = data.Text;
   data.UnitName = data.HeightUnitName = "metre";
   data.Projection = MakeLocal(origin[0], origin[1], origin[2]);
   return {};
@@ -223,13 +223,17 @@ MapProjectionPointer FindProjection(
   }
 }
 
-std::string MakeName(const PJ* crs, const std::string& text)
+void SetName(const PJ* crs, CoordinateSystemData& data)
 {
   const char* authority = proj_get_id_auth_name(crs, 0);
   const char* code = proj_get_id_code(crs, 0);
   const std::string name = proj_get_name(crs);
-  const std::string id = authority && code ? std::string(authority) + ":" + code : Shorten(text);
-  return name.empty() || name == "unknown" || name == id ? id : id + " (" + name + ")";
+  data.Label = authority && code ? std::string(authority) + ":" + code : Shorten(data.Text);
+  data.Name = data.Label;
+  if (!name.empty() && name != "unknown" && name != data.Label)
+  {
+    data.Name += " (" + name + ")";
+  }
 }
 
 void SetHeights(const ProjContext& context, const PJ* crs, CoordinateSystemData& data)
@@ -255,7 +259,7 @@ std::string MakeProjSystem(CoordinateSystemData& data)
     return "\"" + Shorten(data.Text) + "\" is no coordinate system that PROJ knows" +
       (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms;
   }
-  data.Name = MakeName(crs.get(), data.Text);
+  SetName(crs.get(), data);
   const ProjObject horizontal = GetHorizontalPart(context, crs.get());
   const ProjObject ordered(
     horizontal ? proj_normalize_for_visualization(context.Get(), horizontal.get()) : nullptr);
@@ -334,6 +338,12 @@ std::string CoordinateSystem::Set(const std::string& text)
 const std::string& CoordinateSystem::GetText() const
 {
   return this->Data->Text;
+}
+
+//------------------------------------------------------------------------------
+const std::string& CoordinateSystem::GetLabel() const
+{
+  return this->Data->Label;
 }
 
 //------------------------------------------------------------------------------

@@ -37,8 +37,10 @@ public:
   bool IsSet() const { return this->Data != nullptr; }
 
   ///@{
-  /// The text it was made from; and how messages call it: "EPSG:32632 (WGS 84 / UTM zone 32N)".
+  /// The text it was made from; a short one for it ("EPSG:32632" for its WKT); and how messages call
+  /// it: "EPSG:32632 (WGS 84 / UTM zone 32N)".
   const std::string& GetText() const;
+  const std::string& GetLabel() const;
   const std::string& GetName() const;
   ///@}
 

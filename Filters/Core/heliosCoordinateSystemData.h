@@ -28,6 +28,7 @@ struct AxisOrder
 struct CoordinateSystemData
 {
   std::string Text;
+  std::string Label;
   std::string Name;
   std::string UnitName;
   std::string HeightUnitName; // empty: nothing said of heights

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSceneComposer.h"
 
+#include "heliosCoordinateSystem.h"
 #include "heliosMaterialTable.h"
 #include "heliosSceneCrs.h"
 #include "heliosSceneJoin.h"
@@ -83,6 +84,24 @@ vtkIntArray* GetSingleMaterialIds(const PartList& parts)
   const int* range = ids->GetValueRange();
   const bool isRight = table.size() == rows && range[0] >= 0 && range[1] < static_cast<int>(rows);
   return isRight ? ids : nullptr;
+}
+
+/// Whether two texts mean one coordinate system: empty, or what is wrong.
+std::string CompareCRS(const std::string& own, const std::string& before)
+{
+  helios::CoordinateSystem systems[2];
+  for (const std::string& problem : { systems[0].Set(own), systems[1].Set(before) })
+  {
+    if (!problem.empty())
+    {
+      return own + ", parts before it " + before + ": " + problem;
+    }
+  }
+  return systems[0] == systems[1]
+    ? std::string()
+    : systems[0].GetName() + ", parts before it " + systems[1].GetName() +
+      "; reproject one of them: vtkHeliosReproject, or <filter type=\"crs\"> with target " +
+      systems[1].GetLabel();
 }
 
 } // namespace
@@ -237,17 +256,18 @@ bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& 
 //------------------------------------------------------------------------------
 bool vtkHeliosSceneComposer::AddCRS(vtkPolyData* scene, const PartList& parts)
 {
-  std::string crs;
+  std::string crs; // of the first part that has one
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const std::string own = parts[i] ? helios::GetCRS(parts[i]) : std::string();
-    if (!crs.empty() && !own.empty() && own != crs)
+    const std::string problem =
+      crs.empty() || own.empty() || own == crs ? std::string() : CompareCRS(own, crs);
+    if (!problem.empty())
     {
-      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS " << own
-                    << ", parts before it " << crs << "; reproject one of them");
+      vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << " has the CRS " << problem);
       return false;
     }
-    crs = own.empty() ? crs : own;
+    crs = crs.empty() ? own : crs;
   }
   helios::SetCRS(scene, crs);
   return true;

@@ -12,13 +12,15 @@
  *   of the parts are one row; a part without MaterialIds has the first row of its own materials;
  * - cell data PartIds (int): the connection a triangle comes from;
  * - cell data Normals (float), if parts have them; (0, 0, 0), which is no normal, for those that do not;
- * - field data Part.Name (string), one a connection, and CRS, if parts have one.
+ * - field data Part.Name (string), one a connection, and CRS, if parts have one: that of the first that
+ *   has, which those without are taken to be in.
  *
  * Other arrays are left out. What needs no change is passed by reference: of a single part its points,
  * cells and material ids.
  *
  * Warned of: parts without triangles (skipped; they keep their id). Errors: no triangles at all, cells
- * that are not triangles, material ids without a material, parts of different CRS, more than 2^31
+ * that are not triangles, material ids without a material, parts of different CRS
+ * (not of one that is spelled differently), more than 2^31
  * points or corners.
  *
  * @sa

@@ -154,8 +154,33 @@ TEST_CASE("SceneComposer: keeps the CRS", "[SceneComposer]")
   composer->AddInputData(other);
   const auto log = Watch(composer);
   composer->Update();
-  CHECK(log->HasError("Part 2 has the CRS EPSG:32632, parts before it EPSG:25832; reproject"));
+  CHECK(log->HasError("Part 2 has the CRS EPSG:32632 (WGS 84 / UTM zone 32N), parts before it "
+                      "EPSG:25832 (ETRS89 / UTM zone 32N); reproject one of them: "
+                      "vtkHeliosReproject, or <filter type=\"crs\"> with target EPSG:25832"));
   CHECK(composer->GetOutput()->GetNumberOfCells() == 0);
+}
+
+TEST_CASE("SceneComposer: one CRS in several spellings", "[SceneComposer]")
+{
+  vtkNew<vtkHeliosSceneComposer> composer;
+  const auto log = Watch(composer);
+  composer->AddInputData(helios::MakeTriangle(0.0, { Grass }));
+  for (const char* crs : { "EPSG:32632", "+proj=utm +zone=32 +datum=WGS84", "epsg:32632" })
+  {
+    const auto part = helios::MakeTriangle(1.0, { Grass });
+    SetCRS(part, crs);
+    composer->AddInputData(part);
+  }
+  composer->Update();
+  CHECK(log->Errors.empty());
+  CHECK(GetText(composer->GetOutput(), names::CRS, 0) == "EPSG:32632");
+
+  const auto part = helios::MakeTriangle(2.0, { Grass });
+  SetCRS(part, "nonsense");
+  composer->AddInputData(part);
+  composer->Update();
+  CHECK(log->HasError("Part 4 has the CRS nonsense, parts before it EPSG:32632: \"nonsense\" is no "
+                      "coordinate system that PROJ knows"));
 }
 
 TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
