@@ -2,6 +2,142 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosGeoTiffSceneReader.h"
 
+#include "heliosMaterialTable.h"
+#include "heliosRasterFile.h"
+#include "heliosRasterMesh.h"
+#include "heliosSceneCrs.h"
+
 #include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+
+#include <algorithm>
+#include <new>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosGeoTiffSceneReader);
+
+namespace
+{
+
+constexpr double HighestHeight = 9000.0; // [m], of the Earth
+
+// Whether 32-bit cells hold the mesh: the end of the last triangle is the largest number in them.
+bool IsSmall(const helios::RasterFile& file)
+{
+  const std::int64_t blocks = (file.GetNumberOfColumns() - 1) * (file.GetNumberOfRows() - 1);
+  return blocks <= std::numeric_limits<vtkTypeInt32>::max() / 6;
+}
+
+} // namespace
+
+vtkHeliosGeoTiffSceneReader::vtkHeliosGeoTiffSceneReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkHeliosGeoTiffSceneReader::~vtkHeliosGeoTiffSceneReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkHeliosGeoTiffSceneReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    return this->Fail("FileName is not set; give the GeoTIFF file with SetFileName");
+  }
+  helios::RasterFile file;
+  const std::string fault =
+    file.Open(this->FileName, { this->Band, this->HeightUnit, this->NoDataValue });
+  if (!fault.empty())
+  {
+    return this->Fail(fault);
+  }
+  vtkPolyData* scene = vtkPolyData::GetData(outputVector);
+  try
+  {
+    if (!(IsSmall(file) ? this->ReadMesh<vtkTypeInt32Array>(file, scene)
+                        : this->ReadMesh<vtkTypeInt64Array>(file, scene)))
+    {
+      return 0;
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    return this->Fail(std::string(this->FileName) +
+      ": not enough memory for its mesh; free some, or cut out a part with gdal_translate -srcwin");
+  }
+  helios::SetMaterials(scene, { helios::Material() });
+  helios::SetCRS(scene, file.GetCrs());
+  for (const std::string& warning : file.GetWarnings())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return 1;
+}
+
+template <typename IndexArrayT>
+bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData* scene)
+{
+  const std::int64_t columns = file.GetNumberOfColumns();
+  const std::int64_t rows = file.GetNumberOfRows();
+  const std::int64_t step = file.GetRowsPerBlock();
+  const std::string place = std::string(this->FileName) + ": ";
+  helios::RasterMesh<IndexArrayT> mesh(columns, file.GetTransform());
+  std::vector<double> heights(static_cast<std::size_t>(columns * step));
+  bool hasRoom = true;
+  for (std::int64_t row = 0; row < rows && hasRoom; row += step)
+  {
+    const std::int64_t count = std::min(step, rows - row);
+    const std::string fault = file.Read(row, count, heights.data());
+    if (!fault.empty())
+    {
+      return this->Fail(fault);
+    }
+    for (std::int64_t i = 0; i < count && hasRoom; ++i)
+    {
+      hasRoom = mesh.AddRow(heights.data() + i * columns);
+    }
+    this->UpdateProgress(0.9 * static_cast<double>(row + count) / static_cast<double>(rows));
+    if (this->AbortExecute)
+    {
+      return this->Fail(place + "reading was aborted at row " + std::to_string(row + count) +
+        "; update again to read it");
+    }
+  }
+  if (!hasRoom || !mesh.Finish())
+  {
+    return this->Fail(place + "more than 2^31 points; cut it into parts with gdal_retile.py");
+  }
+  const auto& [lowest, highest] = mesh.GetHeights();
+  if (lowest < -HighestHeight || highest > HighestHeight)
+  {
+    vtkWarningMacro(<< place << "heights reach from " << lowest << " to " << highest
+                    << " m; if pixels without height do that, name their value with NoDataValue");
+  }
+  mesh.MoveTo(scene);
+  if (scene->GetNumberOfPolys() == 0)
+  {
+    vtkWarningMacro(<< place << "no triangles, so the scene is empty; four neighbours with height "
+                    << "make two (the raster is " << columns << " x " << rows << ")");
+  }
+  return true;
+}
+
+bool vtkHeliosGeoTiffSceneReader::Fail(const std::string& message)
+{
+  vtkErrorMacro(<< message);
+  return false;
+}
+
+void vtkHeliosGeoTiffSceneReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Band: " << this->Band << "\n";
+  os << indent << "HeightUnit: " << this->HeightUnit << "\n";
+  os << indent << "NoDataValue: " << this->NoDataValue << "\n";
+}

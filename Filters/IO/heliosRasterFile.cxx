@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRasterFile.h"
+
+#include "heliosRasterUnits.h"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <cpl_string.h>
+#include <gdal.h>
+#include <gdal_frmts.h>
+#include <ogr_srs_api.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr std::int64_t SmallBlock = std::int64_t(4) << 20;  // bytes
+constexpr std::int64_t LargeBlock = std::int64_t(64) << 20; // bytes
+
+std::string ToText(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.10g", value);
+  return text;
+}
+
+// Collects GDAL's messages of this thread while it lives.
+class MessageCatcher
+{
+public:
+  MessageCatcher() { CPLPushErrorHandlerEx(MessageCatcher::Catch, this); }
+  ~MessageCatcher()
+  {
+    CPLPopErrorHandler();
+    CPLErrorReset();
+  }
+  MessageCatcher(const MessageCatcher&) = delete;
+  void operator=(const MessageCatcher&) = delete;
+
+  std::string Error; // the first one
+  std::vector<std::string> Warnings;
+
+private:
+  static void CPL_STDCALL Catch(CPLErr severity, CPLErrorNum, const char* message)
+  {
+    auto* self = static_cast<MessageCatcher*>(CPLGetErrorHandlerUserData());
+    if (severity >= CE_Failure && self->Error.empty())
+    {
+      self->Error = message;
+    }
+    else if (severity == CE_Warning)
+    {
+      self->Warnings.emplace_back(message);
+    }
+  }
+};
+
+void RegisterDriver()
+{
+  static std::once_flag once;
+  std::call_once(once, GDALRegister_GTiff);
+}
+
+struct DatasetDeleter
+{
+  void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
+};
+
+} // namespace
+
+struct RasterFile::Internals
+{
+  std::unique_ptr<void, DatasetDeleter> Dataset;
+  GDALRasterBandH Band = nullptr;
+  GDALRasterBandH Mask = nullptr; // of the dataset or its alpha band
+  std::string Path;
+  std::int64_t Columns = 0;
+  std::int64_t Rows = 0;
+  double Transform[6];
+  std::string Crs;
+  double NoData = std::numeric_limits<double>::quiet_NaN(); // as the band's type holds it
+  bool IsSignedByte = false;
+  double Scale = 1.0;
+  double Offset = 0.0;
+  double Unit = 1.0; // [m]
+  std::vector<unsigned char> MaskRows;
+  std::vector<std::string> Warnings;
+
+  std::string OpenDataset(const MessageCatcher& messages);
+  std::string FindBand(int number);
+  std::string FindTransform();
+  void FindNoData(double noData);
+  std::string FindScale();
+  std::string FindCrs(double heightUnit);
+  bool ReadMask(std::int64_t firstRow, std::int64_t count);
+  double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
+  std::string Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
+  void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
+  void Warn(const MessageCatcher& messages);
+};
+
+// The first of GDAL's warnings, with the number of them.
+void RasterFile::Internals::Warn(const MessageCatcher& messages)
+{
+  if (!messages.Warnings.empty())
+  {
+    this->Warn(messages.Warnings[0] + " (" + std::to_string(messages.Warnings.size()) +
+      " such warnings of GDAL)");
+  }
+}
+
+std::string RasterFile::Internals::OpenDataset(const MessageCatcher& messages)
+{
+  static const char* const drivers[] = { "GTiff", nullptr };
+  this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
+    GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr));
+  if (!this->Dataset)
+  {
+    return "cannot be read as GeoTIFF: " + messages.Error +
+      "; check the file (gdal_translate -of GTiff turns other formats into GeoTIFF)";
+  }
+  this->Columns = GDALGetRasterXSize(this->Dataset.get());
+  this->Rows = GDALGetRasterYSize(this->Dataset.get());
+  return {};
+}
+
+std::string RasterFile::Internals::FindBand(int number)
+{
+  const int count = GDALGetRasterCount(this->Dataset.get());
+  if (number < 1 || number > count)
+  {
+    return "Band " + std::to_string(number) + " is not in the file, whose bands are 1 to " +
+      std::to_string(count) + "; set Band to one of them";
+  }
+  this->Band = GDALGetRasterBand(this->Dataset.get(), number);
+  const GDALDataType type = GDALGetRasterDataType(this->Band);
+  if (GDALDataTypeIsComplex(type))
+  {
+    return "band " + std::to_string(number) + " has complex numbers (" + GDALGetDataTypeName(type) +
+      "), which are no heights; choose another with Band";
+  }
+  const char* pixelType = GDALGetMetadataItem(this->Band, "PIXELTYPE", "IMAGE_STRUCTURE");
+  this->IsSignedByte = type == GDT_Byte && pixelType && EQUAL(pixelType, "SIGNEDBYTE");
+  const int flags = GDALGetMaskFlags(this->Band);
+  const bool hasMask = flags != GMF_ALL_VALID && flags != GMF_NODATA;
+  this->Mask = hasMask ? GDALGetMaskBand(this->Band) : nullptr;
+  return {};
+}
+
+std::string RasterFile::Internals::FindTransform()
+{
+  double* t = this->Transform;
+  if (GDALGetGeoTransform(this->Dataset.get(), t) != CE_None)
+  {
+    return GDALGetGCPCount(this->Dataset.get()) > 0
+      ? "has ground control points only, which place no pixel exactly; make a map of it with "
+        "gdalwarp"
+      : "does not say where on Earth it lies; give it corners with gdal_edit.py -a_ullr";
+  }
+  const double columns = static_cast<double>(this->Columns);
+  const double rows = static_cast<double>(this->Rows);
+  const double reach[2] = { std::abs(t[0]) + std::abs(t[1]) * columns + std::abs(t[2]) * rows,
+    std::abs(t[3]) + std::abs(t[4]) * columns + std::abs(t[5]) * rows };
+  const double column = std::hypot(t[1], t[4]);
+  const double row = std::hypot(t[2], t[5]);
+  const double area = std::abs(t[1] * t[5] - t[2] * t[4]);
+  const double reached = std::max(reach[0], reach[1]);
+  constexpr double coarsest = 1e-14; // of the coordinates; double precision has 2e-16
+  if (!std::isfinite(reached) || !(std::min(column, row) > coarsest * reached) ||
+    !(area > 1e-9 * column * row))
+  {
+    std::string numbers;
+    for (int i = 0; i < 6; ++i)
+    {
+      numbers += (i ? ", " : "") + ToText(t[i]);
+    }
+    return "has the geotransform " + numbers +
+      ", which gives pixels no area; correct it with gdal_edit.py -a_ullr";
+  }
+  return {};
+}
+
+// The value that marks pixels without height, rounded as the band stores it.
+void RasterFile::Internals::FindNoData(double noData)
+{
+  int isGiven = !std::isnan(noData);
+  if (!isGiven)
+  {
+    noData = GDALGetRasterNoDataValue(this->Band, &isGiven);
+  }
+  if (isGiven && GDALGetRasterDataType(this->Band) == GDT_Float32 && std::isfinite(noData))
+  {
+    constexpr double largest = std::numeric_limits<float>::max();
+    noData = std::abs(noData) <= largest ? static_cast<double>(static_cast<float>(noData)) : noData;
+  }
+  if (isGiven)
+  {
+    this->NoData = noData;
+  }
+}
+
+std::string RasterFile::Internals::FindScale()
+{
+  this->Scale = GDALGetRasterScale(this->Band, nullptr);
+  this->Offset = GDALGetRasterOffset(this->Band, nullptr);
+  if (!std::isfinite(this->Scale) || this->Scale == 0.0 || !std::isfinite(this->Offset))
+  {
+    return "has heights with scale " + ToText(this->Scale) + " and offset " + ToText(this->Offset) +
+      "; correct them with gdal_edit.py -scale 1 -offset 0";
+  }
+  return {};
+}
+
+std::string RasterFile::Internals::FindCrs(double heightUnit)
+{
+  const OGRSpatialReferenceH system = GDALGetSpatialRef(this->Dataset.get());
+  if (system && !OSRIsLocal(system))
+  {
+    char* text = nullptr;
+    static const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
+    OSRExportToWktEx(system, &text, options);
+    this->Crs = text ? text : "";
+    CPLFree(text);
+  }
+  const std::string unit = GDALGetRasterUnitType(this->Band);
+  this->Unit = heightUnit > 0.0 ? heightUnit : unit.empty() ? 1.0 : GetUnitInMetres(unit);
+  if (this->Unit == 0.0)
+  {
+    return "has heights in \"" + unit +
+      "\", which is no known unit; give its metres with HeightUnit";
+  }
+  if (this->Crs.empty())
+  {
+    return {};
+  }
+  if (heightUnit == 0.0 && unit.empty() && OSRIsProjected(system) &&
+    OSRGetLinearUnits(system, nullptr) != 1.0)
+  {
+    this->Warn("says nothing of the unit of its heights, which are taken for metres, while its "
+               "map is not in metres; set HeightUnit, to 1 if they are");
+  }
+  const std::string metric = MakeHeightsMetric(this->Crs);
+  if (!metric.empty())
+  {
+    this->Crs = metric;
+  }
+  return {};
+}
+
+bool RasterFile::Internals::ReadMask(std::int64_t firstRow, std::int64_t count)
+{
+  this->MaskRows.resize(static_cast<std::size_t>(this->Columns * count));
+  const int columns = static_cast<int>(this->Columns);
+  const int rows = static_cast<int>(count);
+  return GDALRasterIO(this->Mask, GF_Read, 0, static_cast<int>(firstRow), columns, rows,
+           this->MaskRows.data(), columns, rows, GDT_Byte, 0, 0) == CE_None;
+}
+
+// Values become heights, and NaN where there are none.
+std::string RasterFile::Internals::Convert(
+  std::int64_t firstRow, std::int64_t count, double* values) const
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::int64_t size = this->Columns * count;
+  double sum = 0.0; // NaN if there is an infinite height
+  for (std::int64_t i = 0; i < size; ++i)
+  {
+    const double value = values[i] - (this->IsSignedByte && values[i] > 127.0 ? 256.0 : 0.0);
+    const bool isHole = value == this->NoData || value != value;
+    const double height = this->GetHeight(value);
+    sum += isHole ? 0.0 : 0.0 * height;
+    values[i] = isHole ? none : height;
+  }
+  if (this->Mask)
+  {
+    for (std::int64_t i = 0; i < size; ++i)
+    {
+      values[i] = this->MaskRows[i] ? values[i] : none;
+    }
+  }
+  if (sum == 0.0)
+  {
+    return {};
+  }
+  const auto* infinite =
+    std::find_if(values, values + size, [](double v) { return std::isinf(v); });
+  if (infinite == values + size)
+  {
+    return {}; // the mask hides it
+  }
+  return "the height at row " + std::to_string(firstRow + (infinite - values) / this->Columns) +
+    ", column " + std::to_string((infinite - values) % this->Columns) +
+    " (from 0) is infinite; correct it, or make it the no-data value with gdal_edit.py -a_nodata";
+}
+
+RasterFile::RasterFile()
+  : State(std::make_unique<Internals>())
+{
+}
+
+RasterFile::~RasterFile() = default;
+
+std::string RasterFile::Open(const std::string& path, const RasterOptions& options)
+{
+  Internals& self = *this->State;
+  self.Path = path;
+  MessageCatcher messages;
+  RegisterDriver();
+  std::string fault = self.OpenDataset(messages);
+  if (fault.empty())
+    fault = self.FindBand(options.Band);
+  if (fault.empty())
+    fault = self.FindTransform();
+  if (fault.empty())
+    fault = self.FindScale();
+  if (fault.empty())
+    fault = self.FindCrs(options.HeightUnit);
+  if (fault.empty() && !messages.Error.empty())
+    fault = "is damaged: " + messages.Error + "; make it anew, or repair it with gdal_edit.py";
+  if (!fault.empty())
+  {
+    return path + ": " + fault;
+  }
+  self.FindNoData(options.NoData);
+  self.Warn(messages);
+  return {};
+}
+
+std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* heights)
+{
+  Internals& self = *this->State;
+  MessageCatcher messages;
+  const int columns = static_cast<int>(self.Columns);
+  const int rows = static_cast<int>(count);
+  const bool isRead = GDALRasterIO(self.Band, GF_Read, 0, static_cast<int>(firstRow), columns, rows,
+                        heights, columns, rows, GDT_Float64, 0, 0) == CE_None &&
+    (!self.Mask || self.ReadMask(firstRow, count));
+  if (!isRead || !messages.Error.empty())
+  {
+    return self.Path + ": rows " + std::to_string(firstRow) + " to " +
+      std::to_string(firstRow + count - 1) + " (from 0) cannot be read: " + messages.Error +
+      "; the file is damaged, get it anew";
+  }
+  self.Warn(messages);
+  const std::string fault = self.Convert(firstRow, count, heights);
+  return fault.empty() ? fault : self.Path + ": " + fault;
+}
+
+std::int64_t RasterFile::GetRowsPerBlock() const
+{
+  int width = 0;
+  int height = 0;
+  GDALGetBlockSize(this->State->Band, &width, &height);
+  const std::int64_t rowSize = this->State->Columns * static_cast<std::int64_t>(sizeof(double));
+  const std::int64_t blockSize = rowSize * height;
+  const std::int64_t rows = blockSize > LargeBlock
+    ? std::max<std::int64_t>(1, LargeBlock / rowSize)
+    : height * std::max<std::int64_t>(1, SmallBlock / blockSize);
+  return std::min(rows, this->State->Rows);
+}
+
+std::int64_t RasterFile::GetNumberOfColumns() const
+{
+  return this->State->Columns;
+}
+
+std::int64_t RasterFile::GetNumberOfRows() const
+{
+  return this->State->Rows;
+}
+
+const double* RasterFile::GetTransform() const
+{
+  return this->State->Transform;
+}
+
+const std::string& RasterFile::GetCrs() const
+{
+  return this->State->Crs;
+}
+
+const std::vector<std::string>& RasterFile::GetWarnings() const
+{
+  return this->State->Warnings;
+}
+
+} // namespace helios
