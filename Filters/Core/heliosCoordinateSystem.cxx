@@ -24,11 +24,12 @@ namespace
 const char* const Forms =
   "give \"EPSG:n\", WKT, a PROJ string, or \"ENU latitude longitude height\"";
 
+constexpr std::size_t LongestShown = 60;
+
 /// What messages show of a text that may be a page of WKT.
 std::string Shorten(const std::string& text)
 {
-  constexpr std::size_t longest = 60;
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return text.size() <= LongestShown ? text : text.substr(0, LongestShown) + "...";
 }
 
 /// 1 for a ratio that only rounding keeps from it.
@@ -187,7 +188,9 @@ MapProjectionPointer MakeMap(const ProjContext& context, const PJ* crs)
     parameters[FalseEasting], parameters[FalseNorthing] };
   const double latitude = parameters[LatitudeOfOrigin];
   const std::string method = code ? code : "";
-  if (!(origin.Scale > 0.0))
+  const bool isFinite = std::all_of(parameters.begin(), parameters.end(),
+    [](const auto& parameter) { return std::isfinite(parameter.second); });
+  if (!isFinite || !(origin.Scale > 0.0))
   {
     return nullptr;
   }
@@ -228,7 +231,10 @@ void SetName(const PJ* crs, CoordinateSystemData& data)
   const char* authority = proj_get_id_auth_name(crs, 0);
   const char* code = proj_get_id_code(crs, 0);
   const std::string name = proj_get_name(crs);
-  data.Label = authority && code ? std::string(authority) + ":" + code : Shorten(data.Text);
+  const bool isPage = data.Text.size() > LongestShown && !name.empty() && name != "unknown";
+  data.Label = authority && code ? std::string(authority) + ":" + code
+    : isPage                     ? name
+                                 : Shorten(data.Text);
   data.Name = data.Label;
   if (!name.empty() && name != "unknown" && name != data.Label)
   {

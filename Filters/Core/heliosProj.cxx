@@ -60,7 +60,8 @@ ProjObject MakeProjCRS(const ProjContext& context, const std::string& text)
     text.find("+init=") != std::string::npos || text.compare(0, 5, "proj=") == 0;
   const bool isWhole = text.find("type=crs") != std::string::npos;
   const std::string whole = text + (isProjString && !isWhole ? " +type=crs" : "");
-  ProjObject crs(proj_create(context.Get(), whole.c_str()));
+  const bool isText = text.find('\0') == std::string::npos;
+  ProjObject crs(isText ? proj_create(context.Get(), whole.c_str()) : nullptr);
   if (!crs || !proj_is_crs(crs.get()))
   {
     return nullptr;

@@ -76,6 +76,9 @@ TEST_CASE("CoordinateSystem: knows its name and units", "[CoordinateSystem]")
   CHECK(Make("EPSG:4978").IsMetric());
   CHECK(Make("enu 49.4 8.7 110").IsMetric());
   CHECK(Make("ENU 49.4 8.7 110").GetName() == "ENU 49.4 8.7 110");
+  CHECK(Make(UTM32ESRI).GetName() == "WGS 84 / UTM zone 32N");
+  CHECK(utm.GetLabel() == "EPSG:32632");
+  CHECK(Make(UTM32WKT1).GetLabel() == "WGS 84 / UTM zone 32N");
   CHECK(Make("+proj=utm +zone=32 +datum=WGS84").GetName() == "+proj=utm +zone=32 +datum=WGS84");
 }
 
