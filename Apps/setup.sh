@@ -51,6 +51,15 @@ helios_make_venv() {
   for site in build/venv/lib/python3*/site-packages; do
     echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
   done
+  helios_install_laspy
+}
+
+# LAS and LAZ files as scenes, which Debian has no package for. Without it the tests of them are skipped.
+# --no-deps: the numpy of Debian stays, which its VTK was built with.
+helios_install_laspy() {
+  build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+    'laspy>=2.5' lazrs || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

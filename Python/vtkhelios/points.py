@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds as input: numpy arrays, and LAS or LAZ files piece by piece.
+
+Both are input for vtkHeliosPointVoxelizer, as any VTK data set with points is:
+
+>>> from vtkhelios import points
+>>> voxelizer = vtkhelios.vtkHeliosPointVoxelizer()
+>>> voxelizer.SetInputData(points.points_from_arrays(xyz))
+>>> voxelizer.SetInputConnection(points.las_source("trees.laz").GetOutputPort())
+"""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+
+__all__ = ["las_source", "points_from_arrays"]
+
+_CRS, _NORMALS, _RGB = "CRS", "Normals", "RGB"  # as in vtkHeliosArrayNames.h
+_COLOUR_TYPES = (np.uint8, np.uint16, np.float32, np.float64)
+
+
+def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
+    """A cloud of points (vtkPolyData without cells) from arrays of n rows and three columns.
+
+    xyz
+        coordinates [m]. float64 and float32 are not copied if contiguous, and the
+        cloud keeps them alive; all else becomes float64.
+    normals
+        vectors of any length, 0 0 0 where there is none.
+    rgb
+        uint8, uint16, or real numbers within 0 and 1.
+    crs
+        the coordinate system, WKT or "EPSG:n".
+    """
+    coordinates = _triples("xyz", xyz, (np.float64, np.float32))
+    cloud = vtkPolyData()
+    holder = vtkPoints()
+    holder.SetData(numpy_to_vtk(coordinates))  # of the array's own precision
+    cloud.SetPoints(holder)
+    if normals is not None:
+        array = numpy_to_vtk(_triples("normals", normals, (np.float64,), len(coordinates)))
+        array.SetName(_NORMALS)
+        cloud.GetPointData().SetNormals(array)
+    if rgb is not None:
+        array = numpy_to_vtk(_triples("rgb", rgb, _COLOUR_TYPES, len(coordinates)))
+        array.SetName(_RGB)
+        cloud.GetPointData().AddArray(array)
+    if crs:
+        text = vtkStringArray()
+        text.SetName(_CRS)
+        text.InsertNextValue(crs)
+        cloud.GetFieldData().AddArray(text)
+    return cloud
+
+
+def _triples(name, values, types, rows=None):
+    """The values as a contiguous array of three columns, of one of the types (else of the first)."""
+    array = np.asarray(values)
+    if array.ndim != 2 or array.shape[1] != 3 or rows not in (None, len(array)):
+        wanted = "n" if rows is None else rows
+        raise ValueError(f"{name} has the shape {array.shape}; give an array of ({wanted}, 3)")
+    if not array.dtype.isnative or array.dtype.type not in types:
+        if name == "rgb" and array.dtype.kind not in "f":
+            raise ValueError(f"rgb is {array.dtype}; give uint8, uint16, or reals within 0 and 1")
+        array = array.astype(types[0] if name != "rgb" else np.float64)
+    return np.ascontiguousarray(array)
+
+
+def las_source(path, colors=False):
+    """A source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy (and lazrs for LAZ).
+
+    It answers requests for pieces, so that a filter that asks for one after the
+    other never holds the file: piece i of n is the i-th of n runs of points. The
+    coordinate system of the file, if it has one, comes as field data; with colors
+    its red, green and blue do as RGB.
+
+    Raises ImportError without laspy, OSError and ValueError for a file that
+    cannot be read; what goes wrong later is an error of the source.
+    """
+    return _LasSource(path, colors)
+
+
+def _laspy():
+    try:
+        import laspy
+    except ImportError as error:
+        raise ImportError(
+            "LAS and LAZ files need laspy, which is not installed: pip install laspy lazrs"
+        ) from error
+    return laspy
+
+
+class _LasSource(VTKPythonAlgorithmBase):
+    def __init__(self, path, colors):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self._path = os.fspath(path)
+        self._colors = colors
+        with self._open() as reader:
+            header = reader.header
+            self._count = header.point_count
+            self._crs = _find_crs(reader)
+            names = set(header.point_format.dimension_names)
+        if self._count == 0:
+            raise ValueError(f"{self._path} has no points; give a file with points")
+        if colors and not {"red", "green", "blue"} <= names:
+            raise ValueError(f"{self._path} has no colours; leave colors off")
+
+    def _open(self):
+        laspy = _laspy()
+        try:
+            return laspy.open(self._path)
+        except laspy.errors.LaspyException as error:
+            hint = "" if laspy.LazBackend.detect_available() else " (LAZ: pip install lazrs)"
+            raise ValueError(f"{self._path} cannot be read: {error}{hint}") from error
+
+    def RequestInformation(self, _request, _in_info, out_info):
+        out_info.GetInformationObject(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
+        return 1
+
+    def RequestData(self, _request, _in_info, out_info):
+        info = out_info.GetInformationObject(0)
+        keys = vtkStreamingDemandDrivenPipeline
+        pieces = max(1, info.Get(keys.UPDATE_NUMBER_OF_PIECES()) or 1)
+        piece = info.Get(keys.UPDATE_PIECE_NUMBER()) or 0
+        begin, end = (self._count * min(i, pieces) // pieces for i in (piece, piece + 1))
+        try:
+            cloud = self._read(begin, end - begin)
+        except Exception as error:  # nothing may pass through the pipeline, whatever laspy raises
+            self._report(f"{self._path}: points {begin} to {end} cannot be read: {error}")
+            return 0
+        vtkPolyData.GetData(out_info).ShallowCopy(cloud)
+        return 1
+
+    def _read(self, begin, count):
+        with self._open() as reader:
+            reader.seek(begin)
+            rows = reader.read_points(count)
+        if len(rows) != count:
+            raise ValueError(f"the file ends after {begin + len(rows)} of {self._count} points")
+        xyz = np.column_stack([rows.x, rows.y, rows.z])
+        rgb = np.column_stack([rows.red, rows.green, rows.blue]) if self._colors else None
+        return points_from_arrays(xyz, rgb=rgb, crs=self._crs)
+
+    def _report(self, message):
+        if self.HasObserver("ErrorEvent"):
+            self.InvokeEvent("ErrorEvent", message)
+        else:
+            vtkOutputWindow.GetInstance().DisplayErrorText(message)
+
+
+def _find_crs(reader):
+    """The coordinate system that a LAS header tells, as WKT or EPSG code, or None."""
+    records = list(reader.header.vlrs) + list(reader.evlrs or [])
+    for record in records:
+        if type(record).__name__ == "WktCoordinateSystemVlr" and record.string:
+            return record.string.rstrip("\0")
+    projected, geographic = 3072, 2048  # keys of GeoTIFF, with an EPSG code in place
+    codes = {
+        key.id: key.value_offset
+        for record in records
+        if type(record).__name__ == "GeoKeyDirectoryVlr"
+        for key in record.geo_keys
+        if key.tiff_tag_location == 0 and 0 < key.value_offset < 32767
+    }
+    code = codes.get(projected, codes.get(geographic))
+    return f"EPSG:{code}" if code else None
