@@ -242,7 +242,7 @@ bool vtkHeliosPointVoxelizer::Gather(vtkInformation* inInfo, int count, helios::
       vtkErrorMacro(
         << "VoxelSize is " << this->VoxelSize
         << " m, which makes more cells than MaximumNumberOfCells, " << this->MaximumNumberOfCells
-        << "; set a larger one, split the cloud, or allow more, at some 250 bytes each");
+        << "; set a larger one, split the cloud, or allow more, at 250 to 500 bytes each");
     }
     return fits;
   };

@@ -138,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many cells there may be: a guard of memory, of which a cell of a surface takes some
-   * 250 bytes. Valid range: [1, 4e9]. Default: 50000000.
+   * Set/Get how many cells there may be: a guard of memory, of which a cell takes some 250 bytes in a
+   * surface and 500 alone. Valid range: [1, 4e9]. Default: 20000000.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -195,7 +195,7 @@ private:
   bool GenerateVoxelIds = false;
   int NumberOfPieces = 0;
   vtkIdType PointsPerPiece = 1000000;
-  vtkIdType MaximumNumberOfCells = 50000000;
+  vtkIdType MaximumNumberOfCells = 20000000;
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfVoxels = 0;
 };
