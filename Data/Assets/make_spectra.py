@@ -103,8 +103,8 @@ def snow(grain=0.4e-3, soot=0.97):
 # What a leaf holds takes light in: chlorophylls and carotenoids [cm^2/ug], water [1/cm], dry matter [cm^2/g].
 # Positions and widths are those of the published features, heights are set so that leaves of usual content
 # reflect what is published (Jacquemoud, Baret 1990).
-K_PIGMENT = gaussians((0.34, 0.045, 0.055), (0.43, 0.036, 0.058), (0.48, 0.026, 0.045), (0.58, 0.045, 0.011), (0.62, 0.022, 0.014),
-                      (0.65, 0.014, 0.018), (0.676, 0.018, 0.052))
+K_PIGMENT = gaussians((0.34, 0.045, 0.055), (0.43, 0.036, 0.058), (0.48, 0.026, 0.045), (0.58, 0.045, 0.011),
+                      (0.62, 0.022, 0.014), (0.65, 0.014, 0.018), (0.676, 0.018, 0.052))
 K_BROWN = np.exp(-(WAVELENGTHS - 0.40) / 0.16)  # relative; of dead leaves
 K_WATER = interpolate_log([
     (0.35, 3e-4), (0.60, 2.3e-3), (0.70, 6e-3), (0.75, 0.026), (0.80, 0.020), (0.85, 0.043), (0.90, 0.068),
@@ -190,7 +190,8 @@ SPECTRA = {
                  "+-3 % for the clean metal; weathered or rough sheets reflect 10 to 30 % less, and not diffusely",
                  aluminum),
     "copper": ("Copper, clean and smooth", "Fresnel with the Lorentz-Drude model of Rakic et al. 1998",
-               "+-3 % beyond 0.65 um, +-20 % near its edge at 0.57 um and below, as the model is; brown or green patina reflects far less",
+               "+-3 % beyond 0.65 um, +-20 % near its edge at 0.57 um and below, as the model is; brown or green "
+               "patina reflects far less",
                copper),
     "water": ("Water, clear and deep, at normal incidence", "Fresnel with n of Hale and Querry 1973",
               "+-3 % for a still surface; what comes out of turbid or shallow water is not in it", water),

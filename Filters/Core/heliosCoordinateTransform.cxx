@@ -360,14 +360,47 @@ double CoordinateTransform::GetAccuracy() const
 }
 
 //------------------------------------------------------------------------------
-std::string CoordinateTransform::GetWarning(const double point[3])
+std::string CoordinateTransform::GetWarning(const double* points, vtkIdType count)
+{
+  if (!this->State->Operation || count == 0)
+  {
+    return {};
+  }
+  const std::string seam = this->DescribeSeam(points, count);
+  const std::string grids = this->DescribeMissingGrids(points);
+  return seam + (seam.empty() || grids.empty() ? "" : ". ") + grids;
+}
+
+//------------------------------------------------------------------------------
+std::string CoordinateTransform::DescribeSeam(const double* points, vtkIdType count)
+{
+  std::set<std::string> operations;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double ignored[3];
+    const bool isMoved = this->Forward(points + 3 * i, ignored, 1) < 0;
+    const ProjObject used(proj_trans_get_last_used_operation(this->State->Operation.get()));
+    if (isMoved && used)
+    {
+      operations.insert(proj_pj_info(used.get()).description);
+    }
+  }
+  return operations.size() < 2 ? std::string()
+                               : "From " + this->State->Source.GetName() + " to " +
+      this->State->Target.GetName() + " PROJ takes " + std::to_string(operations.size()) +
+      " operations for different places of the data (" + *operations.begin() + "; " +
+      *operations.rbegin() + "): surfaces are torn where they meet; split the data there";
+}
+
+//------------------------------------------------------------------------------
+std::string CoordinateTransform::DescribeMissingGrids(const double point[3])
 {
   const Internals& state = *this->State;
   double ignored[3];
   double place[3];
   CoordinateSystem geographic;
   CoordinateTransform toPlace;
-  if (!state.Operation || this->Forward(point, ignored, 1) == 0 ||
+  if (this->Forward(point, ignored, 1) == 0 ||
     !geographic.Set(state.From->IsLocal ? Geographic3D : "EPSG:4326").empty() ||
     !toPlace.Set(state.Source, geographic).empty() || toPlace.Forward(point, place, 1) == 0)
   {
@@ -377,9 +410,8 @@ std::string CoordinateTransform::GetWarning(const double point[3])
   const ProjObject source = MakeEnd(*state.Context, *state.From, *state.To);
   const ProjObject target = MakeEnd(*state.Context, *state.To, *state.From);
   const Grids grids = FindMissingGrids(*state.Context, source.get(), target.get(), place);
-  const bool isBetter = !grids.Missing.empty() && grids.Accuracy >= 0.0 &&
-    !(accuracy >= 0.0 && accuracy <= grids.Accuracy);
-  if (!isBetter)
+  const bool isAsGood = accuracy >= 0.0 && accuracy <= grids.Accuracy;
+  if (grids.Missing.empty() || grids.Accuracy < 0.0 || isAsGood)
   {
     return {};
   }

@@ -67,15 +67,19 @@ public:
   double GetAccuracy() const;
 
   /**
-   * What is worth a warning about transforming a point: that a better operation exists whose grids
-   * are not installed. Empty: nothing.
+   * What is worth a warning about transforming points: that a better operation exists for the first
+   * of them whose grids are not installed; that PROJ takes different operations for them, which
+   * tears surfaces. Empty: nothing.
    */
-  std::string GetWarning(const double point[3]);
+  std::string GetWarning(const double* points, vtkIdType count);
 
   /// Why a point has no image, in words.
   std::string DescribeFailure(vtkIdType index, const double point[3]) const;
 
 private:
+  std::string DescribeSeam(const double* points, vtkIdType count);
+  std::string DescribeMissingGrids(const double point[3]);
+
   struct Internals;
   std::unique_ptr<Internals> State;
 };

@@ -12,16 +12,25 @@
 #include <vtkPoints.h>
 
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosReproject);
 
 namespace
 {
 
-/// The first point of a data set with points.
-const double* GetFirstPoint(vtkPointSet* data)
+/// The first point, and the corners of the box about all.
+std::vector<double> GetSamples(vtkPointSet* data)
 {
-  return data->GetNumberOfPoints() > 0 ? data->GetPoint(0) : nullptr;
+  std::vector<double> samples(3);
+  data->GetPoint(0, samples.data());
+  double b[6];
+  data->GetBounds(b);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    samples.insert(samples.end(), { b[corner % 2], b[2 + corner / 2], b[4] });
+  }
+  return samples;
 }
 
 } // namespace
@@ -90,12 +99,11 @@ int vtkHeliosReproject::RequestData(
   }
   output->ShallowCopy(input);
   helios::SetCRS(output, target.GetText());
-  const double* first = GetFirstPoint(input);
-  if (transform.IsIdentity() || !first)
+  if (transform.IsIdentity() || input->GetNumberOfPoints() == 0)
   {
     return 1;
   }
-  this->Warn(transform, first);
+  this->Warn(input, transform);
   problem = this->Transform(input, output, transform);
   if (!problem.empty())
   {
@@ -107,10 +115,13 @@ int vtkHeliosReproject::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosReproject::Warn(helios::CoordinateTransform& transform, const double first[3])
+void vtkHeliosReproject::Warn(vtkPointSet* input, helios::CoordinateTransform& transform)
 {
   const bool isWarned = this->Warned > this->GetMTime();
-  const std::string warning = isWarned ? std::string() : transform.GetWarning(first);
+  const std::vector<double> samples = GetSamples(input);
+  const std::string warning = isWarned
+    ? std::string()
+    : transform.GetWarning(samples.data(), static_cast<vtkIdType>(samples.size() / 3));
   if (!warning.empty())
   {
     vtkWarningMacro(<< warning);

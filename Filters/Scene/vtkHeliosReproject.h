@@ -22,7 +22,7 @@
  * input. Works on all threads; the output does not depend on their number.
  *
  * Warned of: a source that is not what the input says; an operation less accurate than another whose
- * grids PROJ does not find. Errors: no source, no target, a system PROJ does not know, no
+ * grids PROJ does not find; several operations over the extent of the data, which tears surfaces. Errors: no source, no target, a system PROJ does not know, no
  * transformation between them, a point outside their domain.
  *
  * @warning
@@ -85,7 +85,7 @@ private:
 
   bool FindSystems(
     vtkPointSet* input, helios::CoordinateSystem& source, helios::CoordinateSystem& target);
-  void Warn(helios::CoordinateTransform& transform, const double first[3]);
+  void Warn(vtkPointSet* input, helios::CoordinateTransform& transform);
   std::string Transform(
     vtkPointSet* input, vtkPointSet* output, const helios::CoordinateTransform& transform);
 

@@ -313,17 +313,28 @@ TEST_CASE("CoordinateTransform: warns of a grid that would be better", "[Coordin
 {
   helios::CoordinateTransform transform = MakeTransform("EPSG:4267", "EPSG:4326");
   const Point denver{ -105.0, 39.7, 1600.0 };
-  const std::string warning = transform.GetWarning(denver.data());
+  const std::string warning = transform.GetWarning(denver.data(), 1);
   CHECK(Has(warning, "From EPSG:4267 (NAD27) to EPSG:4326 (WGS 84) is accurate to "));
   CHECK(Has(warning, " it needs the grid "));
   CHECK(Has(warning, "which PROJ does not find; install it"));
 
   helios::CoordinateTransform exact = MakeTransform("EPSG:4326", "EPSG:32632");
   const Point place{ 8.7, 49.4, 110.0 };
-  CHECK(exact.GetWarning(place.data()).empty());
+  CHECK(exact.GetWarning(place.data(), 1).empty());
   CHECK(exact.GetAccuracy() == 0.0);
   helios::CoordinateTransform plain = MakeTransform("EPSG:4258", "EPSG:32632");
-  CHECK(plain.GetWarning(place.data()).empty());
+  CHECK(plain.GetWarning(place.data(), 1).empty());
+}
+
+TEST_CASE("CoordinateTransform: warns of a seam", "[CoordinateTransform]")
+{
+  helios::CoordinateTransform transform = MakeTransform("EPSG:4267", "EPSG:4326");
+  const double places[] = { -105.0, 39.7, 0.0, -80.0, 35.0, 0.0, -150.0, 65.0, 0.0 };
+  const std::string warning = transform.GetWarning(places, 3);
+  CHECK(Has(warning, "From EPSG:4267 (NAD27) to EPSG:4326 (WGS 84) PROJ takes "));
+  CHECK(Has(warning, " operations for different places of the data ("));
+  CHECK(Has(warning, "): surfaces are torn where they meet; split the data there. From EPSG:4267"));
+  CHECK_FALSE(Has(transform.GetWarning(places, 1), "torn"));
 }
 
 TEST_CASE("CoordinateTransform: says when there is no way", "[CoordinateTransform]")
