@@ -27,7 +27,7 @@ constexpr std::int64_t LargeBlock = std::int64_t(64) << 20; // bytes
 std::string ToText(double value)
 {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.10g", value);
+  std::snprintf(text, sizeof(text), "%.10g", std::isnan(value) ? std::abs(value) : value);
   return text;
 }
 
@@ -171,7 +171,7 @@ std::string RasterFile::Internals::FindTransform()
   const double column = std::hypot(t[1], t[4]);
   const double row = std::hypot(t[2], t[5]);
   const double area = std::abs(t[1] * t[5] - t[2] * t[4]);
-  const double reached = std::max(reach[0], reach[1]);
+  const double reached = reach[0] + reach[1];
   constexpr double coarsest = 1e-14; // of the coordinates; double precision has 2e-16
   if (!std::isfinite(reached) || !(std::min(column, row) > coarsest * reached) ||
     !(area > 1e-9 * column * row))
@@ -223,11 +223,12 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   const OGRSpatialReferenceH system = GDALGetSpatialRef(this->Dataset.get());
   if (system && !OSRIsLocal(system))
   {
-    char* text = nullptr;
-    static const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
-    OSRExportToWktEx(system, &text, options);
-    this->Crs = text ? text : "";
-    CPLFree(text);
+    this->Crs = ToWkt(system);
+  }
+  else if (system && !EQUAL(OSRGetName(system), "unnamed")) // else the file says area or point only
+  {
+    this->Warn("its coordinate system \"" + std::string(OSRGetName(system)) +
+      "\" has no place on Earth and is left out; if it should, give it with gdal_edit.py -a_srs");
   }
   const std::string unit = GDALGetRasterUnitType(this->Band);
   this->Unit = heightUnit > 0.0 ? heightUnit : unit.empty() ? 1.0 : GetUnitInMetres(unit);
@@ -246,12 +247,11 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
     this->Warn("says nothing of the unit of its heights, which are taken for metres, while its "
                "map is not in metres; set HeightUnit, to 1 if they are");
   }
-  const std::string metric = MakeHeightsMetric(this->Crs);
-  if (!metric.empty())
-  {
-    this->Crs = metric;
-  }
-  return {};
+  this->Crs = MakeHeightsMetric(this->Crs);
+  return this->Crs.empty() ? "has a coordinate system with heights in feet that cannot be turned "
+                             "into metres; transform it "
+                             "with gdalwarp -t_srs"
+                           : "";
 }
 
 bool RasterFile::Internals::ReadMask(std::int64_t firstRow, std::int64_t count)

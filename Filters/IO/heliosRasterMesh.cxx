@@ -3,6 +3,7 @@
 #include "heliosRasterMesh.h"
 
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosFiltersIOModule.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -177,7 +178,7 @@ void RasterMesh<IndexArrayT>::MoveTo(vtkPolyData* scene)
   scene->GetCellData()->AddArray(materialIds);
 }
 
-template class RasterMesh<vtkTypeInt32Array>;
-template class RasterMesh<vtkTypeInt64Array>;
+template class VTKHELIOSFILTERSIO_EXPORT RasterMesh<vtkTypeInt32Array>;
+template class VTKHELIOSFILTERSIO_EXPORT RasterMesh<vtkTypeInt64Array>;
 
 } // namespace helios

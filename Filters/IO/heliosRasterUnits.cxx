@@ -31,10 +31,17 @@ std::string Simplify(const std::string& name)
   return letters;
 }
 
-bool IsMetric(const std::string& wkt)
+// False for heights in feet; a text that is no known system has no heights either.
+bool HasMetres(const std::string& wkt)
 {
   CoordinateSystem system;
-  return system.Set(wkt).empty() && system.GetHeightUnit() == 1.0;
+  return !system.Set(wkt).empty() || system.GetHeightUnit() == 1.0;
+}
+
+std::string GetAttribute(OGRSpatialReferenceH system, const char* name)
+{
+  const char* text = OSRGetAttrValue(system, name, 0);
+  return text ? text : "";
 }
 
 } // namespace
@@ -65,29 +72,34 @@ double GetUnitInMetres(const std::string& name)
   return 0.0;
 }
 
+std::string ToWkt(OGRSpatialReferenceH system)
+{
+  static const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
+  char* text = nullptr;
+  OSRExportToWktEx(system, &text, options);
+  const std::string wkt = text ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
 std::string MakeHeightsMetric(const std::string& wkt)
 {
-  if (IsMetric(wkt))
+  if (HasMetres(wkt))
   {
     return wkt;
   }
   const std::unique_ptr<void, void (*)(OGRSpatialReferenceH)> system(
     OSRNewSpatialReference(wkt.c_str()), OSRDestroySpatialReference);
-  const char* name = system ? OSRGetAttrValue(system.get(), "VERT_CS", 0) : nullptr;
-  const char* datum = system ? OSRGetAttrValue(system.get(), "VERT_CS|VERT_DATUM", 0) : nullptr;
+  const std::string name = GetAttribute(system.get(), "VERT_CS") + ", in metres";
+  const std::string datum = GetAttribute(system.get(), "VERT_CS|VERT_DATUM");
   constexpr int anyDatum = 2005;
-  if (!name || !datum ||
-    OSRSetVertCS(system.get(), (std::string(name) + ", in metres").c_str(),
-      std::string(datum).c_str(), anyDatum) != OGRERR_NONE)
+  if (datum.empty() || OSRStripVertical(system.get()) != OGRERR_NONE ||
+    OSRSetVertCS(system.get(), name.c_str(), datum.c_str(), anyDatum) != OGRERR_NONE)
   {
     return {};
   }
-  char* text = nullptr;
-  static const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
-  OSRExportToWktEx(system.get(), &text, options);
-  const std::string metric = text ? text : "";
-  CPLFree(text);
-  return IsMetric(metric) ? metric : std::string();
+  const std::string metric = ToWkt(system.get());
+  return HasMetres(metric) ? metric : std::string();
 }
 
 } // namespace helios

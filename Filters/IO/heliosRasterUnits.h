@@ -7,6 +7,8 @@
 
 #include "vtkHeliosFiltersIOModule.h"
 
+#include <ogr_srs_api.h>
+
 #include <string>
 
 namespace helios
@@ -14,6 +16,9 @@ namespace helios
 
 /// The metres of a unit as GeoTIFF files spell it ("m", "us-ft", "Foot_US", ...); 0: not known.
 VTKHELIOSFILTERSIO_EXPORT double GetUnitInMetres(const std::string& name);
+
+/// WKT 2 of a system.
+std::string ToWkt(OGRSpatialReferenceH system);
 
 /**
  * The same system (WKT) with heights in metres, where it has any. The vertical part then says so
