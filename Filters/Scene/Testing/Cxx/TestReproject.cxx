@@ -25,8 +25,8 @@ namespace
 
 namespace names = vtkHeliosArrayNames;
 
-/// Convergences of EPSG:32632 and 32633 at 60 N, 6 E and 12 E lie at 3 degrees from the meridian.
-constexpr double Convergence = 2.598672693802; // [degrees], at 60 N, 3 degrees from the meridian
+/// [degrees] of a UTM grid at 60 N, 3 degrees from its meridian.
+constexpr double Convergence = 2.598672693802;
 
 vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>& places)
 {
@@ -229,14 +229,14 @@ TEST_CASE("Reproject: normals are those of the new surface, winding stays", "[Re
 
 TEST_CASE("Reproject: directions turn by the convergences of both grids", "[Reproject]")
 {
-  // 60 N, 9 E is on the meridian of zone 32 and 6 degrees from that of zone 33; 60 N, 12 E lies 3
-  // degrees from both.
+  // 12 E lies 3 degrees from the meridians of zones 32 and 33.
   const auto places = MakePoints({ { 12.0, 60.0, 0.0 } });
   const auto utm = MakeFilter(places, "EPSG:4326", "EPSG:32632");
   utm->Update();
   vtkPolyData* data = utm->GetPolyDataOutput();
   data->GetPointData()->AddArray(MakeArray(names::Velocity, { 0.0, 5.0, 1.0 }));
-  data->GetPointData()->AddArray(MakeArray(names::Orientation, { 1.0, 0.0, 0.0, 0.0 }));
+  data->GetPointData()->AddArray(
+    MakeArray(names::Orientation, { std::sqrt(0.75), 0.5, 0.0, 0.0 })); // nose 60 degrees up
   data->GetPointData()->AddArray(MakeArray(names::TruePoint, { 500000.0, 6650000.0, 3.0 }));
   data->GetPointData()->SetNormals(MakeArray("Normals", { 0.0, 1.0, 0.0 }));
   const auto reproject = MakeFilter(data, nullptr, "EPSG:32633");
@@ -250,10 +250,11 @@ TEST_CASE("Reproject: directions turn by the convergences of both grids", "[Repr
   CHECK(velocity[1] == Approx(5.0 * std::cos(angle)).margin(1e-8));
   CHECK(velocity[2] == Approx(1.0).margin(1e-8));
   const double* q = turned->GetArray(names::Orientation)->GetTuple4(0);
-  const helios::Vec3 north =
+  const helios::Vec3 nose =
     helios::Rotate(helios::Quaternion(q[0], q[1], q[2], q[3]), helios::Vec3(0, 1, 0));
-  CHECK(north[0] == Approx(std::sin(angle)).margin(1e-9));
-  CHECK(north[1] == Approx(std::cos(angle)).margin(1e-9));
+  CHECK(nose[0] == Approx(0.5 * std::sin(angle)).margin(1e-9));
+  CHECK(nose[1] == Approx(0.5 * std::cos(angle)).margin(1e-9));
+  CHECK(nose[2] == Approx(std::sqrt(0.75)).margin(1e-9));
   CHECK(turned->GetNormals()->GetComponent(0, 0) == Approx(std::sin(angle)).margin(1e-8));
   CHECK(turned->GetArray(names::TruePoint)->GetComponent(0, 1) == Approx(6659546).margin(20000.0));
   CHECK(turned->GetArray(names::TruePoint)->GetComponent(0, 2) == 3.0);
