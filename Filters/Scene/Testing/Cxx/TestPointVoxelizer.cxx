@@ -264,7 +264,6 @@ TEST_CASE("PointVoxelizer: neither pieces nor order matter", "[PointVoxelizer]")
       normals[i][2] - 100.4 };
     colors[i] = { colors[i][0] - 4.5e5, colors[i][1] - 5.4e6, colors[i][2] - 100.0 };
   }
-  points[17] = points[16]; // as near to the centre, with another normal
   Triples shuffled[3];
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0);

@@ -81,6 +81,16 @@ TEST_CASE(
   cells.Filter->SnapNeighborNormalOn();
   REQUIRE(cells.Run());
   CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0)); // of those that have one
+
+  // Of points in one place neither the first nor the last, but the same in any order.
+  const Triples place = { { 0, 0, 0 }, { 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 } };
+  for (const Triples& twins : { Triples{ { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 } },
+         Triples{ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 } } })
+  {
+    cells.Filter->SetInputData(MakeCloud(place, twins));
+    REQUIRE(cells.Run());
+    CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0));
+  }
 }
 
 TEST_CASE("PointVoxelizer: cells without a normal take the default, or that of their faces",
