@@ -4,6 +4,10 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+
 namespace helios
 {
 
@@ -20,10 +24,28 @@ ProjObject Clone(const ProjContext& context, const PJ* object)
   return ProjObject(proj_clone(context.Get(), object));
 }
 
-/// "EPSG:n", WKT, JSON, a PROJ string: what is not a plain name.
+bool IsProjString(const std::string& text)
+{
+  return text.find("proj=") != std::string::npos || text.find("+init=") != std::string::npos;
+}
+
+/// WKT, JSON, a PROJ string, "EPSG:n", "urn:ogc:def:crs:EPSG::n", "http://...": what is no name.
 bool IsDefinition(const std::string& text)
 {
-  return text.find_first_of(":[{+=") != std::string::npos;
+  const auto isOfCode = [](unsigned char c) { return std::isalnum(c) || std::strchr("_:+.-/", c); };
+  const bool isCode =
+    text.find(':') != std::string::npos && std::all_of(text.begin(), text.end(), isOfCode);
+  return isCode || IsProjString(text) || text.find_first_of("[{") != std::string::npos;
+}
+
+/// Whether a name is that of a system, or of several with plus signs. PROJ itself takes names that are
+/// near: "foo" for Amersfoort.
+bool IsName(const ProjContext& context, const std::string& text)
+{
+  const PJ_TYPE types[] = { PJ_TYPE_CRS };
+  const ProjList exact(
+    proj_create_from_name(context.Get(), nullptr, text.c_str(), types, 1, false, 1, nullptr));
+  return (exact && proj_list_get_count(exact.get()) > 0) || text.find(" + ") != std::string::npos;
 }
 
 } // namespace
@@ -56,20 +78,20 @@ std::string ProjContext::TakeMessage()
 //------------------------------------------------------------------------------
 ProjObject MakeProjCRS(const ProjContext& context, const std::string& text)
 {
-  const bool isProjString = text.find("+proj=") != std::string::npos ||
-    text.find("+init=") != std::string::npos || text.compare(0, 5, "proj=") == 0;
-  const bool isWhole = text.find("type=crs") != std::string::npos;
-  const std::string whole = text + (isProjString && !isWhole ? " +type=crs" : "");
-  const bool isText = text.find('\0') == std::string::npos;
-  ProjObject crs(isText ? proj_create(context.Get(), whole.c_str()) : nullptr);
+  const bool isDefinition = IsDefinition(text);
+  if (text.find('\0') != std::string::npos || (!isDefinition && !IsName(context, text)))
+  {
+    return nullptr;
+  }
+  const bool isWhole = !IsProjString(text) || text.find("type=crs") != std::string::npos;
+  ProjObject crs(proj_create(context.Get(), (text + (isWhole ? "" : " +type=crs")).c_str()));
   if (!crs || !proj_is_crs(crs.get()))
   {
     return nullptr;
   }
-  // PROJ takes "foo" for Amersfoort.
   const bool isNamed = vtksys::SystemTools::LowerCase(proj_get_name(crs.get())) ==
     vtksys::SystemTools::LowerCase(text);
-  return IsDefinition(text) || isNamed ? std::move(crs) : nullptr;
+  return isDefinition || isNamed ? std::move(crs) : nullptr;
 }
 
 //------------------------------------------------------------------------------

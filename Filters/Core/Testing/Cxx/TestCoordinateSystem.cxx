@@ -57,6 +57,7 @@ TEST_CASE("CoordinateSystem: knows its name and units", "[CoordinateSystem]")
   CHECK_FALSE(utm.IsGeographic());
   CHECK(utm.GetUnitName() == "metre");
   CHECK(Make("WGS 84 / UTM zone 32N").GetName() == utm.GetName());
+  CHECK(Make("etrs89 / utm zone 32n + dhhn2016 height") == Make("EPSG:25832+7837"));
 
   const helios::CoordinateSystem degrees = Make("EPSG:4326");
   CHECK(degrees.IsGeographic());
@@ -120,7 +121,9 @@ TEST_CASE("CoordinateSystem: says what is wrong with a text", "[CoordinateSystem
   CHECK(Has(GetProblem("EPSG:1149"), "\"EPSG:1149\" is no coordinate system")); // an operation
   CHECK(Has(GetProblem("foo"), "\"foo\" is no coordinate system"));
   CHECK(Has(GetProblem("Amersfoor"), "\"Amersfoor\" is no coordinate system"));
-  CHECK(Has(GetProblem("UTM32"), "(several objects matching this name"));
+  CHECK(Has(GetProblem("UTM32"), "\"UTM32\" is no coordinate system"));
+  CHECK(Has(GetProblem("EPSG:32632 x"), "\"EPSG:32632 x\" is no coordinate system"));
+  CHECK(Has(GetProblem("ETRS89 + foo"), "\"ETRS89 + foo\" is no coordinate system"));
   CHECK(Has(GetProblem("32632"), "\"32632\" is no coordinate system"));
   CHECK(Has(GetProblem("+proj=nonsense"), "\"+proj=nonsense\" is no coordinate system"));
   CHECK(Has(GetProblem("PROJCS[\"broken\",GEOGCS["), "is no coordinate system that PROJ knows"));
