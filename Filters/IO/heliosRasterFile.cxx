@@ -7,6 +7,7 @@
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <gdal_frmts.h>
 #include <ogr_srs_api.h>
@@ -95,11 +96,14 @@ struct RasterFile::Internals
 
   std::string OpenDataset(const MessageCatcher& messages);
   std::string FindBand(int number);
+  std::string CheckSize() const;
   std::string FindTransform();
   void FindNoData(double noData);
   std::string FindScale();
   std::string FindCrs(double heightUnit);
   bool ReadMask(std::int64_t firstRow, std::int64_t count);
+  bool HasGap(std::int64_t column, std::int64_t row, std::int64_t columns, std::int64_t rows) const;
+  void EmptyGaps(std::int64_t firstRow, std::int64_t count, double* heights) const;
   double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
   std::string Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
@@ -151,6 +155,24 @@ std::string RasterFile::Internals::FindBand(int number)
   const int flags = GDALGetMaskFlags(this->Band);
   const bool hasMask = flags != GMF_ALL_VALID && flags != GMF_NODATA;
   this->Mask = hasMask ? GDALGetMaskBand(this->Band) : nullptr;
+  return {};
+}
+
+// Every block takes four bytes of the file or more: the number of its first and of all its bytes.
+std::string RasterFile::Internals::CheckSize() const
+{
+  int width = 0;
+  int height = 0;
+  GDALGetBlockSize(this->Band, &width, &height);
+  const std::int64_t blocks =
+    ((this->Columns + width - 1) / width) * ((this->Rows + height - 1) / height);
+  VSIStatBufL file;
+  if (VSIStatL(this->Path.c_str(), &file) == 0 && blocks > file.st_size / 4)
+  {
+    return "is damaged: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
+      " pixels in " + std::to_string(blocks) + " blocks do not fit into a file of " +
+      std::to_string(file.st_size) + " bytes; get it anew";
+  }
   return {};
 }
 
@@ -263,6 +285,39 @@ bool RasterFile::Internals::ReadMask(std::int64_t firstRow, std::int64_t count)
            this->MaskRows.data(), columns, rows, GDT_Byte, 0, 0) == CE_None;
 }
 
+// Whether blocks of some pixels are not in the file ("sparse").
+bool RasterFile::Internals::HasGap(
+  std::int64_t column, std::int64_t row, std::int64_t columns, std::int64_t rows) const
+{
+  return GDALGetDataCoverageStatus(this->Band, static_cast<int>(column), static_cast<int>(row),
+           static_cast<int>(columns), static_cast<int>(rows), GDAL_DATA_COVERAGE_STATUS_EMPTY,
+           nullptr) &
+    GDAL_DATA_COVERAGE_STATUS_EMPTY;
+}
+
+// GDAL gives such blocks the height 0.
+void RasterFile::Internals::EmptyGaps(
+  std::int64_t firstRow, std::int64_t count, double* heights) const
+{
+  int width = 0;
+  int height = 0;
+  GDALGetBlockSize(this->Band, &width, &height);
+  for (std::int64_t row = 0, rows; row < count; row += rows)
+  {
+    rows = std::min(count - row, height - (firstRow + row) % height);
+    for (std::int64_t column = 0; column < this->Columns; column += width)
+    {
+      const std::int64_t columns = std::min<std::int64_t>(this->Columns - column, width);
+      const bool hasGap = this->HasGap(column, firstRow + row, columns, rows);
+      for (std::int64_t i = row; hasGap && i < row + rows; ++i)
+      {
+        std::fill_n(
+          heights + i * this->Columns + column, columns, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+}
+
 // Values become heights, and NaN where there are none.
 std::string RasterFile::Internals::Convert(
   std::int64_t firstRow, std::int64_t count, double* values) const
@@ -317,6 +372,8 @@ std::string RasterFile::Open(const std::string& path, const RasterOptions& optio
   if (fault.empty())
     fault = self.FindBand(options.Band);
   if (fault.empty())
+    fault = self.CheckSize();
+  if (fault.empty())
     fault = self.FindTransform();
   if (fault.empty())
     fault = self.FindScale();
@@ -350,6 +407,10 @@ std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* 
   }
   self.Warn(messages);
   const std::string fault = self.Convert(firstRow, count, heights);
+  if (self.HasGap(0, firstRow, self.Columns, count))
+  {
+    self.EmptyGaps(firstRow, count, heights);
+  }
   return fault.empty() ? fault : self.Path + ": " + fault;
 }
 

@@ -26,16 +26,6 @@ RasterMesh<IndexArrayT>::RasterMesh(std::int64_t columns, const double transform
   , Heights{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() }
 {
   std::copy_n(transform, 6, this->Transform.begin());
-  const std::size_t size = static_cast<std::size_t>(columns);
-  for (Row& row : this->Rows)
-  {
-    row.Heights.resize(size);
-    row.HasHeight.resize(size);
-    row.IsUsed.resize(size);
-    row.Upper.resize(size);
-    row.Lower.resize(size);
-    row.Ids.resize(size);
-  }
 }
 
 // A row's vertices are known once the triangles above and below it are: one row later.
@@ -44,12 +34,17 @@ bool RasterMesh<IndexArrayT>::AddRow(const double* heights)
 {
   const std::int64_t r = this->NumberOfRows++;
   Row& row = this->GetRow(r);
+  const std::size_t size = static_cast<std::size_t>(this->Columns);
+  row.Heights.assign(heights, heights + this->Columns);
+  row.HasHeight.resize(size);
+  row.IsUsed.assign(size, 0);
+  row.Upper.resize(size);
+  row.Lower.resize(size);
+  row.Ids.resize(size);
   for (std::int64_t c = 0; c < this->Columns; ++c)
   {
-    row.Heights[c] = heights[c];
     row.HasHeight[c] = heights[c] == heights[c];
   }
-  std::fill(row.IsUsed.begin(), row.IsUsed.end(), 0);
   if (r == 0)
   {
     return true;

@@ -13,8 +13,8 @@
 #include <vtkTypeInt64Array.h>
 
 #include <algorithm>
+#include <memory>
 #include <new>
-#include <vector>
 
 vtkStandardNewMacro(vtkHeliosGeoTiffSceneReader);
 
@@ -87,19 +87,19 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   const std::int64_t step = file.GetRowsPerBlock();
   const std::string place = std::string(this->FileName) + ": ";
   helios::RasterMesh<IndexArrayT> mesh(columns, file.GetTransform());
-  std::vector<double> heights(static_cast<std::size_t>(columns * step));
+  const std::unique_ptr<double[]> heights(new double[static_cast<std::size_t>(columns * step)]);
   bool hasRoom = true;
   for (std::int64_t row = 0; row < rows && hasRoom; row += step)
   {
     const std::int64_t count = std::min(step, rows - row);
-    const std::string fault = file.Read(row, count, heights.data());
+    const std::string fault = file.Read(row, count, heights.get());
     if (!fault.empty())
     {
       return this->Fail(fault);
     }
     for (std::int64_t i = 0; i < count && hasRoom; ++i)
     {
-      hasRoom = mesh.AddRow(heights.data() + i * columns);
+      hasRoom = mesh.AddRow(heights.get() + i * columns);
     }
     this->UpdateProgress(0.9 * static_cast<double>(row + count) / static_cast<double>(rows));
     if (this->AbortExecute)

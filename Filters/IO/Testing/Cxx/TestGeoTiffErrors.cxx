@@ -135,6 +135,15 @@ TEST_CASE("GeoTiffErrors: files cut off anywhere", "[GeoTiffErrors]")
   CheckBytes(whole.substr(0, whole.size() - 4), "; the file is damaged, get it anew");
 }
 
+TEST_CASE("GeoTiffErrors: more pixels than the file has room for", "[GeoTiffErrors]")
+{
+  std::string bytes = MakeGoodBytes();
+  bytes[33] = '\x7f'; // of the number of rows
+  CheckBytes(bytes,
+    ": is damaged: 3 x 2130706434 pixels in 1065353217 blocks do not fit into a file "
+    "of 326 bytes; get it anew");
+}
+
 TEST_CASE("GeoTiffErrors: nothing is written to the console", "[GeoTiffErrors]")
 {
   TempFolder folder;

@@ -483,6 +483,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("GeoTiffSceneReader: blocks that are not in the file are holes", "[GeoTiffSceneReader]")
+{
+  for (const bool isTiled : { false, true })
+  {
+    TestRaster raster(40, 40); // of 0 outside of one block: GDAL leaves such blocks out
+    raster.Values.assign(1600, 0.0);
+    raster.At(20, 18) = 5.0;
+    raster.Options = isTiled
+      ? std::vector<std::string>{ "SPARSE_OK=YES", "TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16" }
+      : std::vector<std::string>{ "SPARSE_OK=YES", "BLOCKYSIZE=16" };
+    TempFolder folder;
+    GeoTiffReading reading(folder, raster);
+    REQUIRE(reading.Read());
+    const int columns = isTiled ? 16 : 40;
+    CHECK(reading.PointCount() == 16 * columns);
+    CHECK(reading.TriangleCount() == 2 * 15 * (columns - 1));
+    CHECK(reading.Scene()->GetBounds()[0] == (isTiled ? 108.25 : 100.25));
+    CHECK(reading.Scene()->GetBounds()[3] == 200.0 - 8.25);
+  }
+}
+
 TEST_CASE("GeoTiffSceneReader: rasters without triangles are empty scenes with a warning",
   "[GeoTiffSceneReader]")
 {
