@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <vector>
 
@@ -131,20 +130,19 @@ AxisOrder GetAxisOrder(const std::vector<Axis>& axes)
   return order;
 }
 
+///@{
 /// The EPSG codes of the parameters that map projections have here.
-enum Parameter
-{
-  LatitudeOfOrigin = 8801,
-  LongitudeOfOrigin = 8802,
-  ScaleAtOrigin = 8805,
-  FalseEasting = 8806,
-  FalseNorthing = 8807
-};
+const char* const LatitudeOfOrigin = "8801";
+const char* const LongitudeOfOrigin = "8802";
+const char* const ScaleAtOrigin = "8805";
+const char* const FalseEasting = "8806";
+const char* const FalseNorthing = "8807";
+///@}
 
 /// The parameters of a map projection in degrees and metres.
-std::map<int, double> GetParameters(const ProjContext& context, const PJ* conversion)
+std::map<std::string, double> GetParameters(const ProjContext& context, const PJ* conversion)
 {
-  std::map<int, double> parameters;
+  std::map<std::string, double> parameters;
   const int count = proj_coordoperation_get_param_count(context.Get(), conversion);
   for (int i = 0; i < count; ++i)
   {
@@ -155,7 +153,7 @@ std::map<int, double> GetParameters(const ProjContext& context, const PJ* conver
     proj_coordoperation_get_param(context.Get(), conversion, i, nullptr, nullptr, &code, &value,
       nullptr, &unit, nullptr, nullptr, nullptr, &category);
     const bool isAngle = category && std::string(category) == "angular";
-    parameters[code ? std::atoi(code) : 0] = value * (isAngle ? GetDegrees(unit) : unit);
+    parameters[code ? code : ""] = value * (isAngle ? GetDegrees(unit) : unit);
   }
   return parameters;
 }
@@ -183,7 +181,7 @@ MapProjectionPointer MakeMap(const ProjContext& context, const PJ* crs)
   {
     return nullptr;
   }
-  std::map<int, double> parameters = GetParameters(context, conversion.get());
+  std::map<std::string, double> parameters = GetParameters(context, conversion.get());
   const MapOrigin origin{ parameters[LongitudeOfOrigin], parameters[ScaleAtOrigin],
     parameters[FalseEasting], parameters[FalseNorthing] };
   const double latitude = parameters[LatitudeOfOrigin];

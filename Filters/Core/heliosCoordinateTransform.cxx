@@ -86,7 +86,10 @@ Grids GetGrids(const ProjContext& context, const PJ* operation)
 
 bool IsInArea(const ProjContext& context, const PJ* operation, const double place[2])
 {
-  double west, south, east, north;
+  double west = 0.0;
+  double south = 0.0;
+  double east = 0.0;
+  double north = 0.0;
   if (!proj_get_area_of_use(context.Get(), operation, &west, &south, &east, &north, nullptr) ||
     west < -180.0)
   {
