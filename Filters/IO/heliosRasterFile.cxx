@@ -158,16 +158,26 @@ std::string RasterFile::Internals::FindBand(int number)
   return {};
 }
 
-// Every block takes four bytes of the file or more: the number of its first and of all its bytes.
+// A file cannot hold more blocks than it has numbers for (four bytes each: where it is, how long it
+// is), nor a larger block than compression makes of its bytes. GDAL would make room for it.
 std::string RasterFile::Internals::CheckSize() const
 {
+  VSIStatBufL file;
+  if (VSIStatL(this->Path.c_str(), &file) != 0)
+  {
+    return {};
+  }
+  const double size = static_cast<double>(file.st_size);
   int width = 0;
   int height = 0;
   GDALGetBlockSize(this->Band, &width, &height);
   const std::int64_t blocks =
     ((this->Columns + width - 1) / width) * ((this->Rows + height - 1) / height);
-  VSIStatBufL file;
-  if (VSIStatL(this->Path.c_str(), &file) == 0 && blocks > file.st_size / 4)
+  const double blockSize = static_cast<double>(width) * height *
+    GDALGetDataTypeSizeBytes(GDALGetRasterDataType(this->Band));
+  const bool isCompressed =
+    GDALGetMetadataItem(this->Dataset.get(), "COMPRESSION", "IMAGE_STRUCTURE") != nullptr;
+  if (4.0 * static_cast<double>(blocks) > size || blockSize > (isCompressed ? 1e5 : 1.0) * size)
   {
     return "is damaged: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
       " pixels in " + std::to_string(blocks) + " blocks do not fit into a file of " +

@@ -142,6 +142,11 @@ TEST_CASE("GeoTiffErrors: more pixels than the file has room for", "[GeoTiffErro
   CheckBytes(bytes,
     ": is damaged: 3 x 2130706434 pixels in 1065353217 blocks do not fit into a file "
     "of 326 bytes; get it anew");
+  bytes = MakeGoodBytes();
+  bytes[21] = '\x7f'; // of the number of columns
+  CheckBytes(bytes,
+    ": is damaged: 2130706435 x 2 pixels in 2 blocks do not fit into a file of 326 "
+    "bytes; get it anew");
 }
 
 TEST_CASE("GeoTiffErrors: nothing is written to the console", "[GeoTiffErrors]")
