@@ -216,6 +216,43 @@ TEST_CASE("PointVoxelizer: the fraction of solid cells is Poisson's", "[PointVox
   }
 }
 
+TEST_CASE(
+  "PointVoxelizer: a cloud moved by UTM offsets gives the same cells, moved", "[PointVoxelizer]")
+{
+  const std::int64_t offset[3] = { 476123, 5473456, 110 };
+  Triples here, there;
+  std::mt19937 random(4);
+  for (int i = 0; i < 3000; ++i)
+  {
+    here.emplace_back();
+    there.emplace_back();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t units = i == 0 ? 0 : random() % 1000; // 0.01 m, so many at faces of cells
+      here.back()[axis] = static_cast<double>(units) / 100.0;
+      there.back()[axis] = static_cast<double>(units + 100 * offset[axis]) / 100.0;
+    }
+  }
+  Voxelizing a(MakeCloud(here), 0.1);
+  Voxelizing b(MakeCloud(there), 0.1);
+  REQUIRE(a.Run());
+  REQUIRE(b.Run());
+  CHECK(helios::HaveSameBytes(
+    a.Scene()->GetPolys()->GetConnectivityArray(), b.Scene()->GetPolys()->GetConnectivityArray()));
+  REQUIRE(a.Scene()->GetNumberOfPoints() == b.Scene()->GetNumberOfPoints());
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < a.Scene()->GetNumberOfPoints(); ++i)
+  {
+    const helios::Vec3 p(a.Scene()->GetPoint(i));
+    const helios::Vec3 q(b.Scene()->GetPoint(i));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      worst = std::max(worst, std::abs(q[axis] - p[axis] - static_cast<double>(offset[axis])));
+    }
+  }
+  CHECK(worst < 1e-8);
+}
+
 TEST_CASE("PointVoxelizer: cells with few points are left out", "[PointVoxelizer]")
 {
   Triples points = { { 0, 0, 0 }, { 0.1, 0, 0 }, { 0.2, 0, 0 }, { 5, 0, 0 }, { 5.5, 0, 0 } };
