@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMeshDecimation.h"
+
+#include "heliosSurfaceDistance.h"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Decimater/Observer.hh>
+
+#include <algorithm>
+#include <utility>
+
+namespace helios
+{
+
+namespace
+{
+
+struct Traits : public OpenMesh::DefaultTraits
+{
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+Vec3 ToVec3(const OpenMesh::Vec3d& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/**
+ * Forbids collapses by distance, as OpenMesh's ModHausdorff does, but asks for the point to be taken out
+ * first, refuses triangles without area or turned round, and chains the points of a triangle by index
+ * instead of copying them.
+ */
+template <typename MeshT>
+class ModDistance : public OpenMesh::Decimater::ModBaseT<MeshT>
+{
+public:
+  DECIMATING_MODULE(ModDistance, MeshT, Distance)
+
+  explicit ModDistance(MeshT& mesh)
+    : Base(mesh, true)
+    , NumberOfVertices(static_cast<int>(mesh.n_vertices()))
+    , IsOriginal(mesh.n_edges(), true)
+    , First(mesh.n_faces(), -1)
+    , Next(mesh.n_vertices() + mesh.n_edges(), -1)
+  {
+    for (const auto edge : mesh.all_edges())
+    {
+      const auto side = mesh.halfedge_handle(edge, 0);
+      this->Ends.emplace_back(
+        mesh.from_vertex_handle(side).idx(), mesh.to_vertex_handle(side).idx());
+    }
+  }
+
+  void SetTolerances(const std::vector<double>& tolerances) { this->Tolerances = &tolerances; }
+
+  /// The point that each collapse took out, and the one it went to.
+  const std::vector<std::pair<int, int>>& GetHistory() const { return this->History; }
+
+  float collapse_priority(const CollapseInfo& info) override
+  {
+    this->Collect(info);
+    const bool isLegal = this->KeepsFacing() &&
+      std::all_of(this->Samples.begin(), this->Samples.end(),
+        [this](int sample) { return this->IsNear(sample); });
+    return static_cast<float>(isLegal ? Base::LEGAL_COLLAPSE : Base::ILLEGAL_COLLAPSE);
+  }
+
+  void preprocess_collapse(const CollapseInfo& info) override
+  {
+    this->Collect(info);
+    this->History.emplace_back(info.v0.idx(), info.v1.idx());
+    for (const auto edge : Base::mesh().ve_range(info.v0))
+    {
+      this->IsOriginal[edge.idx()] = false;
+    }
+    for (const int face : this->Ring)
+    {
+      this->First[face] = -1;
+    }
+    for (const int sample : this->Samples)
+    {
+      const std::size_t nearest = this->FindNearest(this->GetSample(sample));
+      int& first = this->First[this->Changed[nearest]];
+      this->Next[sample] = first;
+      first = sample;
+    }
+  }
+
+private:
+  Vec3 GetVertex(int vertex)
+  {
+    return ToVec3(Base::mesh().point(typename MeshT::VertexHandle(vertex)));
+  }
+
+  /// A vertex, or the middle of an edge of the patch.
+  Vec3 GetSample(int sample)
+  {
+    if (sample < this->NumberOfVertices)
+    {
+      return this->GetVertex(sample);
+    }
+    const std::pair<int, int>& ends = this->Ends[sample - this->NumberOfVertices];
+    return (this->GetVertex(ends.first) + this->GetVertex(ends.second)) * 0.5;
+  }
+
+  double GetTolerance(int sample) const
+  {
+    if (sample < this->NumberOfVertices)
+    {
+      return (*this->Tolerances)[sample];
+    }
+    const std::pair<int, int>& ends = this->Ends[sample - this->NumberOfVertices];
+    return std::min((*this->Tolerances)[ends.first], (*this->Tolerances)[ends.second]);
+  }
+
+  /// The triangles about v0, those that stay as they will be, and the samples that have to be near them.
+  void Collect(const CollapseInfo& info)
+  {
+    this->Ring.clear();
+    this->Changed.clear();
+    this->Before.clear();
+    this->After.clear();
+    this->Samples.assign(1, info.v0.idx());
+    for (const auto edge : Base::mesh().ve_range(info.v0))
+    {
+      if (this->IsOriginal[edge.idx()])
+      {
+        this->Samples.push_back(this->NumberOfVertices + edge.idx());
+      }
+    }
+    for (const auto face : Base::mesh().vf_range(info.v0))
+    {
+      this->Ring.push_back(face.idx());
+      for (int sample = this->First[face.idx()]; sample >= 0; sample = this->Next[sample])
+      {
+        this->Samples.push_back(sample);
+      }
+      if (face != info.fl && face != info.fr)
+      {
+        this->AddChanged(info, face);
+      }
+    }
+  }
+
+  void AddChanged(const CollapseInfo& info, typename MeshT::FaceHandle face)
+  {
+    const auto side = Base::mesh().halfedge_handle(face);
+    const typename MeshT::VertexHandle corners[3] = { Base::mesh().from_vertex_handle(side),
+      Base::mesh().to_vertex_handle(side),
+      Base::mesh().to_vertex_handle(Base::mesh().next_halfedge_handle(side)) };
+    const auto before = [&](int i) { return ToVec3(Base::mesh().point(corners[i])); };
+    const auto after = [&](int i) { return corners[i] == info.v0 ? ToVec3(info.p1) : before(i); };
+    this->Changed.push_back(face.idx());
+    this->Before.push_back({ before(0), before(1), before(2) });
+    this->After.push_back({ after(0), after(1), after(2) });
+  }
+
+  static Vec3 GetNormal(const Triangle& t) { return (t[1] - t[0]).Cross(t[2] - t[0]); }
+
+  /// No triangle turns by 75 degrees or more, nor loses all of its area.
+  bool KeepsFacing() const
+  {
+    for (std::size_t i = 0; i < this->After.size(); ++i)
+    {
+      const Vec3 before = GetNormal(this->Before[i]);
+      const Vec3 after = GetNormal(this->After[i]);
+      if (!(before.Dot(after) > 0.26 * before.Norm() * after.Norm()))
+      {
+        return false;
+      }
+    }
+    return !this->After.empty();
+  }
+
+  bool IsNear(int sample)
+  {
+    const Vec3 p = this->GetSample(sample);
+    const double tolerance = this->GetTolerance(sample);
+    return std::any_of(this->After.begin(), this->After.end(),
+      [&p, tolerance](const Triangle& t) { return GetDistance(p, t) <= tolerance; });
+  }
+
+  std::size_t FindNearest(const Vec3& point) const
+  {
+    std::size_t nearest = 0;
+    double least = GetDistance(point, this->After[0]);
+    for (std::size_t i = 1; i < this->After.size(); ++i)
+    {
+      const double distance = GetDistance(point, this->After[i]);
+      nearest = distance < least ? i : nearest;
+      least = std::min(distance, least);
+    }
+    return nearest;
+  }
+
+  int NumberOfVertices;
+  std::vector<std::pair<int, int>> Ends;           ///< of the edges of the patch
+  std::vector<bool> IsOriginal;                    ///< edges that are as in the patch
+  const std::vector<double>* Tolerances = nullptr; ///< one a vertex
+  std::vector<std::pair<int, int>> History;
+  std::vector<int> First; ///< sample counted to a triangle; -1: none
+  std::vector<int> Next;  ///< sample counted to the same triangle
+  std::vector<int> Ring;
+  std::vector<int> Changed;
+  std::vector<Triangle> Before, After; ///< the changed ones
+  std::vector<int> Samples;
+};
+
+/// Lets a decimation be stopped.
+class StopObserver : public OpenMesh::Decimater::Observer
+{
+public:
+  explicit StopObserver(const std::function<bool()>& shouldStop)
+    : Observer(1000)
+    , ShouldStop(shouldStop)
+  {
+  }
+  void notify(std::size_t) override { this->IsStopped = this->IsStopped || this->ShouldStop(); }
+  bool abort() const override { return this->IsStopped; }
+
+private:
+  const std::function<bool()>& ShouldStop;
+  bool IsStopped = false;
+};
+
+/// OpenMesh's decimater, which can also do given collapses only.
+class Decimater : public OpenMesh::Decimater::DecimaterT<HalfedgeMesh>
+{
+public:
+  explicit Decimater(HalfedgeMesh& mesh)
+    : BaseDecimaterT(mesh)
+    , DecimaterT(mesh)
+  {
+  }
+
+  void Repeat(const std::vector<std::pair<int, int>>& history)
+  {
+    for (const auto& collapse : history)
+    {
+      const auto side = this->mesh().find_halfedge(
+        HalfedgeMesh::VertexHandle(collapse.first), HalfedgeMesh::VertexHandle(collapse.second));
+      if (!side.is_valid())
+      {
+        continue;
+      }
+      CollapseInfo info(this->mesh(), side);
+      if (this->is_collapse_legal(info) && this->collapse_priority(info) >= 0.0F)
+      {
+        this->preprocess_collapse(info);
+        this->mesh().collapse(side);
+        this->postprocess_collapse(info);
+      }
+    }
+  }
+};
+
+/// The patch as half-edges; lists the triangle of each face, and the triangles that do not fit.
+HalfedgeMesh MakeMesh(
+  const Patch& patch, std::vector<vtkIdType>& ofFace, std::vector<vtkIdType>& rejected)
+{
+  HalfedgeMesh mesh;
+  const std::size_t count = patch.Cells.size();
+  mesh.reserve(patch.Points.size(), 3 * count / 2 + patch.Points.size() / 8, count);
+  mesh.request_vertex_status();
+  for (std::size_t i = 0; i < patch.Points.size(); ++i)
+  {
+    const Vec3& p = patch.Points[i];
+    const auto vertex = mesh.add_vertex({ p[0], p[1], p[2] });
+    mesh.status(vertex).set_locked(patch.IsLocked[i]);
+  }
+  const auto handle = [](vtkTypeInt32 id) { return HalfedgeMesh::VertexHandle(id); };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const vtkTypeInt32* c = &patch.Corners[3 * i];
+    const bool fits = mesh.add_face(handle(c[0]), handle(c[1]), handle(c[2])).is_valid();
+    (fits ? ofFace : rejected).push_back(static_cast<vtkIdType>(i));
+  }
+  for (const vtkIdType triangle : rejected)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      mesh.status(handle(patch.Corners[3 * triangle + corner])).set_locked(true);
+    }
+  }
+  return mesh;
+}
+
+/// What is left, in the order of the patch.
+DecimatedPatch GetResult(const Patch& patch, const HalfedgeMesh& mesh,
+  const std::vector<vtkIdType>& ofFace, const std::vector<vtkIdType>& rejected)
+{
+  std::vector<int> faceOf(patch.Cells.size(), -1);
+  for (std::size_t i = 0; i < ofFace.size(); ++i)
+  {
+    faceOf[static_cast<std::size_t>(ofFace[i])] = static_cast<int>(i);
+  }
+  DecimatedPatch result;
+  result.Rejected = static_cast<vtkIdType>(rejected.size());
+  for (std::size_t i = 0; i < faceOf.size(); ++i)
+  {
+    const HalfedgeMesh::FaceHandle face(faceOf[i]);
+    if (!face.is_valid())
+    {
+      const vtkTypeInt32* c = &patch.Corners[3 * i];
+      result.Corners.insert(result.Corners.end(), c, c + 3);
+    }
+    else if (!mesh.status(face).deleted())
+    {
+      for (const auto vertex : mesh.fv_range(face))
+      {
+        result.Corners.push_back(vertex.idx());
+      }
+    }
+    else
+    {
+      continue;
+    }
+    result.Triangles.push_back(static_cast<vtkIdType>(i));
+  }
+  return result;
+}
+
+} // namespace
+
+MeshDecimation::MeshDecimation(const Patch& patch)
+  : Source(patch)
+{
+}
+
+DecimatedPatch MeshDecimation::Run(
+  const std::vector<double>& tolerances, const std::function<bool()>& shouldStop)
+{
+  std::vector<vtkIdType> ofFace;
+  std::vector<vtkIdType> rejected;
+  HalfedgeMesh mesh = MakeMesh(this->Source, ofFace, rejected);
+
+  Decimater decimater(mesh);
+  OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadric;
+  ModDistance<HalfedgeMesh>::Handle distance;
+  decimater.add(quadric);
+  decimater.add(distance);
+  decimater.module(quadric).unset_max_err();
+  decimater.module(distance).SetTolerances(tolerances);
+  StopObserver observer(shouldStop);
+  decimater.set_observer(&observer);
+  decimater.initialize();
+  decimater.Repeat(this->History);
+  decimater.decimate();
+  this->History = decimater.module(distance).GetHistory();
+  return GetResult(this->Source, mesh, ofFace, rejected);
+}
+
+} // namespace helios

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPatchSimplifier.h"
+
+#include "heliosPatchVerifier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Of the limit: how far from a triangle the points that the decimation looks at may be.
+constexpr double FirstTolerance = 0.75;
+/// How much smaller their tolerance becomes where the limit is exceeded all the same.
+constexpr double Tightening = 0.4;
+/// Some ten are enough for rough ground at 80,000 triangles a patch.
+constexpr int NumberOfRounds = 24;
+
+/// The rounding of distances over coordinates of that size.
+double GetRounding(const Patch& patch)
+{
+  double size = 0.0;
+  for (const Vec3& p : patch.Points)
+  {
+    size = std::max({ size, std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+  }
+  return 0x1p-46 * size;
+}
+
+void Tighten(
+  const Patch& patch, const std::vector<vtkIdType>& triangles, std::vector<double>& tolerances)
+{
+  std::vector<bool> isBad(tolerances.size(), false);
+  for (const vtkIdType triangle : triangles)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      isBad[static_cast<std::size_t>(
+        patch.Corners[3 * static_cast<std::size_t>(triangle) + corner])] = true;
+    }
+  }
+  for (std::size_t i = 0; i < tolerances.size(); ++i)
+  {
+    tolerances[i] *= isBad[i] ? Tightening : 1.0;
+  }
+}
+
+} // namespace
+
+SimplifiedPatch Simplify(const Patch& patch, double limit, const std::function<bool()>& shouldStop)
+{
+  const double allowed = std::max(limit, GetRounding(patch));
+  std::vector<double> tolerances(patch.Points.size(), FirstTolerance * allowed);
+  MeshDecimation decimation(patch);
+  PatchVerifier verifier(patch, allowed);
+  SimplifiedPatch result;
+  for (int round = 0; round < NumberOfRounds && !shouldStop(); ++round)
+  {
+    result.Mesh = decimation.Run(tolerances, shouldStop);
+    if (result.Mesh.Triangles.size() == patch.Cells.size())
+    {
+      break;
+    }
+    if (verifier.Verify(result.Mesh))
+    {
+      result.Distance = verifier.GetDistance();
+      result.IsUntouched = false;
+      return result;
+    }
+    Tighten(patch, verifier.GetBadTriangles(), tolerances);
+  }
+  result.Mesh.Corners = patch.Corners;
+  result.Mesh.Triangles.resize(patch.Cells.size());
+  std::iota(result.Mesh.Triangles.begin(), result.Mesh.Triangles.end(), 0);
+  return result;
+}
+
+} // namespace helios
