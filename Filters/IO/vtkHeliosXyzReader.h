@@ -56,7 +56,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read, or add further ones: their points follow in that order. Default: none.
+   * Set/Get the file to read, or add further ones: their points follow in that order. Default:
+   * none.
    */
   void SetFileName(const char* name);
   void AddFileName(const char* name);

@@ -16,19 +16,19 @@ namespace helios
 {
 
 /**
- * The index of the half-open cell [i s, (i + 1) s) from x0 that x is in, for x >= x0. A quotient that
- * rounding may have put below a whole number counts as that: decimal lattice points, in double or
- * (epsilon = 2^-23) in float, are where their decimals say.
+ * The index of the half-open cell [i s, (i + 1) s) from x0 that x is in, for x >= x0. A quotient
+ * that rounding may have put below a whole number counts as that: decimal lattice points, in double
+ * or (epsilon = 2^-23) in float, are where their decimals say.
  */
 inline double GetVoxelIndex(double x, double x0, double s, double epsilon = 0x1p-52)
 {
   const double q = (x - x0) / s;
   const double below = static_cast<double>(static_cast<std::int64_t>(q));
   const double magnitude = std::max(std::abs(x), std::abs(x0));
-  std::uint64_t bits;
+  std::uint64_t bits = 0;
   std::memcpy(&bits, &magnitude, sizeof bits);
   bits &= 0x7ff0000000000000; // the power of two of its binade
-  double power;
+  double power = 0.0;
   std::memcpy(&power, &bits, sizeof power);
   const double tolerance = 2.0 * power * epsilon / s + 4.0 * 0x1p-52 * std::max(1.0, q);
   return below + (below + 1.0 - q <= tolerance ? 1.0 : 0.0);

@@ -80,7 +80,7 @@ std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
 // Whole numbers have their type's range, others [0..1].
 std::string VoxelInput::SetColors(vtkDataArray* colors)
 {
-  const std::string fault = CheckTuples(colors, this->Points.Count);
+  std::string fault = CheckTuples(colors, this->Points.Count);
   if (!fault.empty())
   {
     return fault;

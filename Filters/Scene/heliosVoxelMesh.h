@@ -18,8 +18,8 @@ namespace helios
 {
 
 /**
- * Two triangles for every face between a solid cell and an empty one, wound outward; cells share the
- * points of their corners, so that the surface is closed. Cells come by key, and triangles by cell.
+ * Two triangles for every face between a solid cell and an empty one, wound outward; cells share
+ * the points of their corners, so that the surface is closed. Cells come by key, triangles by cell.
  */
 class VoxelMesh
 {
@@ -31,7 +31,7 @@ public:
   /// Writes points and polys, in 32-bit storage.
   void Write(const double origin[3], double size, vtkPolyData* scene) const;
 
-  /// Calls visit(cell, side) for every triangle; cell counts the cells, side is 2 axis + (1: upper).
+  /// Calls visit(cell, side) for every triangle; cells count from 0, side is 2 axis + (1: upper).
   template <typename Visitor>
   void ForEachTriangle(Visitor&& visit) const
   {

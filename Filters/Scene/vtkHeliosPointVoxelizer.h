@@ -4,12 +4,12 @@
  * @class   vtkHeliosPointVoxelizer
  * @brief   points to solid cells
  *
- * Input 0 is a vtkPointSet: points, double or float; point data Normals (3) and RGB (3: bytes, 16-bit,
- * or real in [0..1]) where there are any. Its cells do not matter.
+ * Input 0 is a vtkPointSet: points, double or float; point data Normals (3) and RGB (3: bytes,
+ * 16-bit, or real in [0..1]) where there are any. Its cells do not matter.
  *
  * Output 0 is a scene, a vtkPolyData of triangles with double points:
- * - polys: the surface of the solid cells. Cells are cubes of VoxelSize on a grid that starts at the
- *   points' minimum; a cell with enough points is a solid box. A face has two triangles, wound
+ * - polys: the surface of the solid cells. Cells are cubes of VoxelSize on a grid that starts at
+ *   the points' minimum; a cell with enough points is a solid box. A face has two triangles, wound
  *   outward; between two solid cells there is none; boxes share the points of their corners, so
  *   that the surface is closed;
  * - cell data MaterialIds (int): the cell's number modulo NumberOfMaterials;
@@ -22,8 +22,8 @@
  * - field data: the input's (CRS), and NumberOfMaterials default materials.
  *
  * A cell is half-open: a point x is in cell floor(q), q = (x - x0) / VoxelSize, except that a q
- * within rounding, 2 ulp(max(|x|, |x0|)) / VoxelSize + 4 eps max(1, q), below a whole number is that
- * number. So points on a decimal lattice are where their decimals say, also at UTM coordinates.
+ * within rounding, 2 ulp(max(|x|, |x0|)) / VoxelSize + 4 eps max(1, q), below a whole number is
+ * that number. So points on a decimal lattice are where their decimals say, also at UTM coordinates.
  *
  * A source that answers UPDATE_PIECE_NUMBER is asked for piece after piece, twice: for the minimum,
  * then for the cells. Only cells stay in memory. The output does not depend on the number of
@@ -80,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the normal of a cell is that of the plane fitted to its points (least squares of
-   * distances; upwards) instead of the points' own. Cells with fewer than three points, or with
+   * Set/Get whether the normal of a cell is that of the plane fitted to its points (least squares
+   * of distances; upwards) instead of the points' own. Cells with fewer than three points, or with
    * points on a line, have none. Default: off.
    */
   vtkSetMacro(EstimateNormals, bool);
@@ -91,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the normal of a cell is that of the point nearest to its centre, not the mean of
-   * all. Does not matter with EstimateNormals. Default: off.
+   * Set/Get whether the normal of a cell is that of the point nearest to its centre, not the mean
+   * of all. Does not matter with EstimateNormals. Default: off.
    */
   vtkSetMacro(SnapNeighborNormal, bool);
   vtkGetMacro(SnapNeighborNormal, bool);
@@ -127,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many pieces a source that can is asked for, or how many points a piece has about, if
-   * the number of pieces is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
+   * Set/Get how many pieces a source that can is asked for, or how many points a piece has about,
+   * if the number of pieces is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
    */
   vtkSetClampMacro(NumberOfPieces, int, 0, 1000000);
   vtkGetMacro(NumberOfPieces, int);
@@ -138,8 +138,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many cells there may be: a guard of memory, of which a cell takes some 250 bytes in a
-   * surface and 500 alone. Valid range: [1, 4e9]. Default: 20000000.
+   * Set/Get how many cells there may be: a guard of memory, of which a cell takes some 250 bytes in
+   * a surface and 500 alone. Valid range: [1, 4e9]. Default: 20000000.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);

@@ -171,7 +171,9 @@ def las_file(request, tmp_path):
         las = laspy.LasData(header)
         las.x, las.y, las.z = np.asarray(xyz, float).reshape(-1, 3).T
         if colors:
-            las.red, las.green, las.blue = [np.full(len(xyz), c, np.uint16) for c in (65535, 0, 6553)]
+            las.red, las.green, las.blue = [
+                np.full(len(xyz), c, np.uint16) for c in (65535, 0, 6553)
+            ]
         path = tmp_path / f"cloud.{request.param}"
         las.write(path)
         return path

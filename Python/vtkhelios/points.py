@@ -60,7 +60,7 @@ def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
 
 
 def _triples(name, values, types, rows=None):
-    """The values as a contiguous array of three columns, of one of the types (else of the first)."""
+    """The values as a contiguous array of three columns, of one of the types, else of the first."""
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3 or rows not in (None, len(array)):
         wanted = "n" if rows is None else rows
