@@ -16,29 +16,9 @@ namespace
 // What other programs write and a scanner does not need.
 bool IsIgnored(std::string_view key)
 {
-  static constexpr std::array<std::string_view, 24> keys = { "illum",
-    "d",
-    "Tr",
-    "Tf",
-    "Ke",
-    "Ni",
-    "sharpness",
-    "bump",
-    "disp",
-    "decal",
-    "refl",
-    "norm",
-    "Pr",
-    "Pm",
-    "Ps",
-    "Pc",
-    "Pcr",
-    "Pfr",
-    "aniso",
-    "anisor",
-    "Km",
-    "helios_useVertexColors",
-    "helios_castShadows",
+  static constexpr std::array<std::string_view, 24> keys = { "illum", "d", "Tr", "Tf", "Ke", "Ni",
+    "sharpness", "bump", "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "Pfr",
+    "aniso", "anisor", "Km", "helios_useVertexColors", "helios_castShadows",
     "helios_receiveShadows" };
   return key.substr(0, 4) == "map_" || std::find(keys.begin(), keys.end(), key) != keys.end();
 }
@@ -98,7 +78,7 @@ double GetSpecularity(double diffuse, double specular)
 bool MtlFile::Read(const std::string& path)
 {
   this->Started = false;
-  this->UnknownCount = 0;
+  this->Unknown = this->Percent = Note();
   TextFile file;
   const std::string fault = file.Open(path);
   if (!fault.empty())
@@ -118,11 +98,8 @@ bool MtlFile::Read(const std::string& path)
     return this->Report.Fail(file.GetError());
   }
   this->Finish(path);
-  if (this->UnknownCount > 0)
-  {
-    this->Report.Warn(this->FirstUnknown + ", ignored (" + std::to_string(this->UnknownCount) +
-      " such lines in this file)");
-  }
+  this->Warn(this->Percent);
+  this->Warn(this->Unknown);
   return true;
 }
 
@@ -136,7 +113,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
   }
   if (key == "newmtl")
   {
-    return this->Start(file, words.NextName());
+    return this->Start(file, words.NextTitle());
   }
   if (!this->Started)
   {
@@ -206,6 +183,7 @@ bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
   return true;
 }
 
+// A fraction; more than 1 can only be meant as percent.
 bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
 {
   TextWords start = words;
@@ -215,12 +193,19 @@ bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
     return this->Report.Fail(file.GetPlace() + "helios_reflectance " + Quote(start.Next()) +
       " is not a number; it is a fraction from 0 to 1");
   }
-  if (reflectance < 0.0 || reflectance > 1.0)
+  if (reflectance < 0.0 || reflectance > 100.0)
   {
     return this->Report.Fail(file.GetPlace() + "helios_reflectance " + ToText(reflectance) +
       " is outside [0, 1]; it is a fraction, so 50 percent is 0.5");
   }
-  this->Current.Reflectance = reflectance;
+  const bool isPercent = reflectance > 1.0;
+  this->Current.Reflectance = isPercent ? reflectance / 100.0 : reflectance;
+  if (isPercent && this->Percent.Count++ == 0)
+  {
+    this->Percent.First = file.GetPlace() + "helios_reflectance " + ToText(reflectance) +
+      " is above 1 and taken for percent; write it as the fraction " +
+      ToText(this->Current.Reflectance);
+  }
   return true;
 }
 
@@ -287,6 +272,9 @@ void MtlFile::Finish(const std::string& path)
   if (isNew)
   {
     this->Materials.push_back(this->Current);
+    const std::string word(TextWords(this->Current.Name).NextName());
+    const auto [first, isFirst] = this->FirstWordRows.emplace(word, next);
+    first->second = isFirst ? next : -1;
   }
   else if (!(this->Materials[place->second] == this->Current))
   {
@@ -299,14 +287,27 @@ void MtlFile::Finish(const std::string& path)
 int MtlFile::Find(std::string_view name) const
 {
   const auto place = this->Rows.find(std::string(name));
-  return place == this->Rows.end() ? -1 : place->second;
+  if (place != this->Rows.end())
+  {
+    return place->second;
+  }
+  const auto first = this->FirstWordRows.find(std::string(TextWords(name).NextName()));
+  return first == this->FirstWordRows.end() ? -1 : first->second;
 }
 
 void MtlFile::NoteUnknown(TextFile& file, std::string_view key)
 {
-  if (this->UnknownCount++ == 0)
+  if (this->Unknown.Count++ == 0)
   {
-    this->FirstUnknown = file.GetPlace() + "unknown keyword " + Quote(key);
+    this->Unknown.First = file.GetPlace() + "unknown keyword " + Quote(key) + ", ignored";
+  }
+}
+
+void MtlFile::Warn(const Note& note)
+{
+  if (note.Count > 0)
+  {
+    this->Report.Warn(note.First + " (" + std::to_string(note.Count) + " such lines in this file)");
   }
 }
 

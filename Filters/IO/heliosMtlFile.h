@@ -21,7 +21,7 @@ namespace helios
  * Reads one MTL file after the other into one table. Understood are newmtl, Kd, Ks, Ns,
  * helios_reflectance, helios_isGround, helios_classification and helios_spectra; Ka is checked. The
  * specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces
- * the first one.
+ * the first one. A reflectance above 1 is percent, up to 100, and warned of.
  */
 class MtlFile
 {
@@ -35,7 +35,10 @@ public:
   /// False after an error, which the report tells.
   bool Read(const std::string& path);
 
-  /// The row of a material, -1 if there is none of that name.
+  /**
+   * The row of a material, -1 if there is none of that name. Names may have blanks; where the whole
+   * name is not found, the first word counts (HELIOS reads no more), if one material alone has it.
+   */
   int Find(std::string_view name) const;
 
 private:
@@ -59,6 +62,7 @@ private:
   MaterialTable& Materials;
   TextReport& Report;
   std::unordered_map<std::string, int> Rows;
+  std::unordered_map<std::string, int> FirstWordRows; // -1: several materials
 
   // The material being read.
   bool Started = false;
@@ -66,8 +70,17 @@ private:
   Material Current;
   Colors CurrentColors;
 
-  std::int64_t UnknownCount = 0;
-  std::string FirstUnknown;
+  /// Lines of one kind, of which the first is reported with their number.
+  struct Note
+  {
+    std::int64_t Count = 0;
+    std::string First;
+  };
+
+  void Warn(const Note& note);
+
+  Note Unknown;
+  Note Percent;
 };
 
 /// sum Ks / (sum Kd + sum Ks), 0 if both are zero.

@@ -89,7 +89,7 @@ bool ObjParser::ReadStatement(std::string_view keyword, TextWords& words)
   }
   if (keyword == "usemtl")
   {
-    this->Use(words.NextName());
+    this->Use(words.NextTitle());
   }
   else if (keyword == "mtllib")
   {

@@ -144,6 +144,18 @@ bool TextFile::Join(std::string_view& line)
   return this->Error.empty() && !this->Stopped;
 }
 
+std::string_view TextWords::NextTitle()
+{
+  this->HasMore();
+  const char* begin = this->At;
+  std::string_view word = this->TakeWord();
+  while (this->HasMore())
+  {
+    word = this->TakeWord();
+  }
+  return { begin, static_cast<std::size_t>(word.data() + word.size() - begin) };
+}
+
 std::string_view TextWords::Rest()
 {
   this->HasMore();

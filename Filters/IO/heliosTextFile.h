@@ -168,6 +168,9 @@ public:
     return this->TakeWord();
   }
 
+  /// The words up to a comment as one name with blanks in it; the first may start with #.
+  std::string_view NextTitle();
+
   /// The rest of the line without blanks around it; comments are part of it.
   std::string_view Rest();
 

@@ -37,13 +37,14 @@ std::string ListNames(const helios::MaterialTable& materials)
 }
 
 /// The material of that name, or the alphabetically first; null where there is none.
-const helios::Material* Choose(const helios::MaterialTable& materials, const std::string& name)
+const helios::Material* Choose(
+  const helios::MaterialTable& materials, const helios::MtlFile& file, const std::string& name)
 {
-  const auto chosen = name.empty()
-    ? std::min_element(materials.begin(), materials.end(), HasLowerName)
-    : std::find_if(materials.begin(), materials.end(),
-        [&name](const helios::Material& material) { return material.Name == name; });
-  return chosen != materials.end() ? &*chosen : nullptr;
+  const int row = name.empty()
+    ? static_cast<int>(
+        std::min_element(materials.begin(), materials.end(), HasLowerName) - materials.begin())
+    : file.Find(name);
+  return row >= 0 && row < static_cast<int>(materials.size()) ? &materials[row] : nullptr;
 }
 
 void SetOnlyMaterial(vtkPolyData* scene, const helios::Material& material)
@@ -76,7 +77,8 @@ int vtkHeliosMaterialReader::RequestData(
   }
   helios::MaterialTable materials;
   helios::TextReport report;
-  const bool isRead = helios::MtlFile(materials, report).Read(this->FileName);
+  helios::MtlFile file(materials, report);
+  const bool isRead = file.Read(this->FileName);
   for (const std::string& warning : report.Warnings)
   {
     vtkWarningMacro(<< warning);
@@ -87,7 +89,7 @@ int vtkHeliosMaterialReader::RequestData(
     return 0;
   }
   const std::string name = this->MaterialName ? this->MaterialName : "";
-  const helios::Material* material = Choose(materials, name);
+  const helios::Material* material = Choose(materials, file, name);
   if (!material)
   {
     vtkErrorMacro(<< this->FileName << ": has no material"

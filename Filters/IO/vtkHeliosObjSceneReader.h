@@ -16,13 +16,15 @@
  * indices count backwards. A long line may go on behind a backslash. mtllib names one file, blanks
  * included, or several, in the folder of the OBJ file. Material files have Kd, Ks, Ns and the keys
  * helios_reflectance [0..1], helios_isGround, helios_classification and helios_spectra; the
- * specularity of a material is sum Ks / (sum Kd + sum Ks).
+ * specularity of a material is sum Ks / (sum Kd + sum Ks). Names of materials may have blanks; one
+ * that is not found whole is looked for by its first word.
  *
  * The file is checked line by line. Errors end the reading without output: a malformed number, a
  * coordinate that is NaN or infinite, an index out of range (of vertices, texture coordinates or
- * normals), a face with fewer than three corners, a reflectance outside [0, 1]. Warned of are
+ * normals), a face with fewer than three corners, a reflectance outside [0, 100]. Warned of are
  * triangles without area (dropped), vertices 1e7 m away from the others, unknown keywords, a
- * missing material file and unknown materials (both give default properties), a file without faces.
+ * reflectance above 1 (taken for percent), a missing material file and unknown materials (both give
+ * default properties), a file without faces.
  * Messages start with file:line.
  *
  * Progress events come for every MiB read; AbortExecute ends the reading, and the update fails.

@@ -50,7 +50,7 @@ TEST_CASE("ObjMaterials: every key, for every material", "[ObjMaterials]")
   const helios::MaterialTable table = helios::GetMaterials(reading.Scene());
   REQUIRE(table.size() == 4);
   Material grass;
-  grass.Name = "grass";
+  grass.Name = "grass field";
   grass.Reflectance = 0.125;
   grass.Specularity = 0.5;
   grass.SpecularExponent = 96.078431;
@@ -66,7 +66,7 @@ TEST_CASE("ObjMaterials: every key, for every material", "[ObjMaterials]")
   CHECK(table[3] == Material());
 
   CHECK(reading.MaterialOf(0).Name == "default");
-  CHECK(reading.MaterialOf(1).Name == "grass");
+  CHECK(reading.MaterialOf(1).Name == "grass field");
   CHECK(reading.MaterialOf(2).Name == "wall");
   CHECK(reading.MaterialOf(3).Name == "roof");
 }
@@ -144,10 +144,53 @@ TEST_CASE("ObjMaterials: a missing library and unknown materials are warned of",
   CHECK_FALSE(half.Log->HasWarning("there.mtl"));
 }
 
+TEST_CASE("ObjMaterials: a reflectance above 1 is percent, and warned of", "[ObjMaterials]")
+{
+  TestFolder folder;
+  const std::string path = folder.Write("a.mtl",
+    "newmtl a\nhelios_reflectance 1\nnewmtl b\nhelios_reflectance 1.5\nnewmtl c\n"
+    "helios_reflectance 100\nnewmtl d\nhelios_reflectance 0\n");
+  ObjReading reading(folder.Write("a.obj", "mtllib a.mtl\n" + ObjSquare + "usemtl a\nf 1 2 3\n"));
+  REQUIRE(reading.Read());
+  const auto table = helios::GetMaterials(reading.Scene());
+  CHECK(table.at(0).Reflectance == 1.0);
+  CHECK(table.at(1).Reflectance == 0.015);
+  CHECK(table.at(2).Reflectance == 1.0);
+  CHECK(table.at(3).Reflectance == 0.0);
+  INFO(reading.Log->Warnings);
+  CHECK(reading.Log->HasWarning(path +
+    ":4: helios_reflectance 1.5 is above 1 and taken for percent; write it as the fraction 0.015 "
+    "(2 such lines in this file)"));
+}
+
+TEST_CASE(
+  "ObjMaterials: names have blanks; the first word is enough where it tells", "[ObjMaterials]")
+{
+  TestFolder folder;
+  folder.Write("a.mtl",
+    "newmtl oak leaf  # spring\nhelios_reflectance 0.25\nnewmtl oak bark\nhelios_reflectance 0.5\n"
+    "newmtl elm tree\nhelios_reflectance 0.75\nnewmtl #7 b\nhelios_reflectance 0.125\n");
+  const std::string path = folder.Write("a.obj",
+    "mtllib a.mtl\n" + ObjSquare +
+      "usemtl oak leaf\nf 1 2 3\nusemtl  oak bark \r\nf 1 2 3\nusemtl elm\nf 1 2 3\n"
+      "usemtl elm wood # trunk\nf 1 2 3\nusemtl #7 b\nf 1 2 3\nusemtl oak\nf 1 2 3\n");
+  ObjReading reading(path);
+  REQUIRE(reading.Read());
+  CHECK(reading.MaterialOf(0).Reflectance == 0.25);
+  CHECK(reading.MaterialOf(1).Reflectance == 0.5);
+  CHECK(reading.MaterialOf(2).Name == "elm tree");
+  CHECK(reading.MaterialOf(3).Name == "elm tree");
+  CHECK(reading.MaterialOf(4).Reflectance == 0.125);
+  CHECK(std::isnan(reading.MaterialOf(5).Reflectance)); // leaf or bark?
+  INFO(reading.Log->Warnings);
+  CHECK(
+    reading.Log->HasWarning(path + ":16: unknown material \"oak\", default properties are used"));
+}
+
 TEST_CASE("ObjMaterials: errors name the file, the line and the cure", "[ObjMaterials]")
 {
-  CheckError("newmtl m\nhelios_reflectance 50\n",
-    ":2: helios_reflectance 50 is outside [0, 1]; it is a fraction, so 50 percent is 0.5");
+  CheckError("newmtl m\nhelios_reflectance 101\n",
+    ":2: helios_reflectance 101 is outside [0, 1]; it is a fraction, so 50 percent is 0.5");
   CheckError(
     "newmtl m\nhelios_reflectance -0.1\n", ":2: helios_reflectance -0.1 is outside [0, 1]");
   CheckError("newmtl m\nhelios_reflectance 0,5\n",
