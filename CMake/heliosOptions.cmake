@@ -4,7 +4,7 @@ option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
 option(VTKHELIOS_BUILD_TESTING "Build the tests" ON)
 option(VTKHELIOS_BUILD_BENCHMARKS "Build the benchmarks (they need Embree, CGAL and tinyobjloader)" OFF)
 option(VTKHELIOS_ENABLE_EMBREE "Build the ray caster on Embree 3" ON)
-option(VTKHELIOS_ENABLE_CGAL "Build what uses CGAL's GPL parts: a ray caster, mesh simplification" ON)
+option(VTKHELIOS_ENABLE_CGAL "Build what uses CGAL's GPL parts: a ray caster, mesh simplification" OFF)
 set(VTKHELIOS_MUTATIONS 200 CACHE STRING "Damaged files that the tests give to each reader")
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -3,15 +3,12 @@
 #include "vtkHeliosScanner.h"
 
 #include "heliosPulseKernel.h"
+#include "heliosRayCasterBackends.h"
 #include "heliosScanOutput.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosPeakDetector.h"
-#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
-#include "vtkHeliosEmbreeRayCaster.h"
-#endif
 
 #include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
@@ -98,11 +95,7 @@ vtkHeliosScanner::vtkHeliosScanner()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
-#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
-  this->RayCaster = vtkSmartPointer<vtkHeliosEmbreeRayCaster>::New();
-#else
-  this->RayCaster = vtkSmartPointer<vtkHeliosBvhRayCaster>::New();
-#endif
+  this->RayCaster = helios::MakeDefaultRayCaster();
   this->BeamSampler = vtkSmartPointer<vtkHeliosBeamSampler>::New();
   this->EchoDetector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
 }

@@ -3,12 +3,72 @@
 #include "vtkHeliosRayCaster.h"
 
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosBvhRayCaster.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
+
+namespace
+{
+
+struct Backend
+{
+  std::string Name;
+  int Priority;
+  vtkHeliosRayCaster::Factory Create;
+};
+
+/// The backends, the highest priority first. Those of other libraries register when they are loaded.
+std::vector<Backend>& GetBackends()
+{
+  static std::vector<Backend> backends = { { "bvh", 2,
+    []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } } };
+  return backends;
+}
+
+} // namespace
+
+bool vtkHeliosRayCaster::Register(const char* name, int priority, Factory create)
+{
+  std::vector<Backend>& backends = GetBackends();
+  const auto before = std::find_if(backends.begin(), backends.end(),
+    [priority](const Backend& backend) { return backend.Priority < priority; });
+  backends.insert(before, { name, priority, create });
+  return true;
+}
+
+vtkHeliosRayCaster* vtkHeliosRayCaster::Create(const char* name)
+{
+  const std::string wanted = name ? name : "";
+  std::string names;
+  for (const Backend& backend : GetBackends())
+  {
+    if (wanted.empty() || wanted == backend.Name)
+    {
+      return backend.Create();
+    }
+    names += (names.empty() ? "" : ", ") + backend.Name;
+  }
+  vtkErrorWithObjectMacro(
+    nullptr, << "There is no ray caster \"" << wanted << "\" in this build; give one of " << names);
+  return nullptr;
+}
+
+int vtkHeliosRayCaster::GetNumberOfBackends()
+{
+  return static_cast<int>(GetBackends().size());
+}
+
+const char* vtkHeliosRayCaster::GetBackendName(int index)
+{
+  const bool isThere = index >= 0 && index < vtkHeliosRayCaster::GetNumberOfBackends();
+  return isThere ? GetBackends()[static_cast<std::size_t>(index)].Name.c_str() : nullptr;
+}
 
 vtkHeliosRayCaster::vtkHeliosRayCaster()
   : Mesh(new helios::TriangleMesh)

@@ -9,10 +9,12 @@
  * watertight test (Woop et al. 2013) on the scene's own points, so all give the
  * same bytes: no leak through shared edges and vertices; of triangles at
  * equal range the one with the lowest cell id. Triangles without area are
- * never hit. Both sides of a triangle are hit.
+ * never hit. Both sides of a triangle are hit. (Of vtkHeliosObbTreeRayCaster,
+ * which is there for cross-checks, this holds only nearly.)
  *
  * @sa
- * vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster vtkHeliosScanner
+ * vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster vtkHeliosCgalRayCaster
+ * vtkHeliosObbTreeRayCaster vtkHeliosScanner
  */
 
 #ifndef vtkHeliosRayCaster_h
@@ -56,6 +58,23 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
+   * A new ray caster by the name of its backend, or of the default backend where
+   * the name is null or empty. Null, after an error that lists the names there
+   * are, for another name.
+   */
+  VTK_NEWINSTANCE static vtkHeliosRayCaster* Create(const char* name);
+
+  ///@{
+  /**
+   * The names of the backends in this process, the default one first: "embree",
+   * "bvh", "cgal", "obbtree" where all are built. Valid range of an index:
+   * [0, number - 1].
+   */
+  static int GetNumberOfBackends();
+  static const char* GetBackendName(int index);
+  ///@}
+
+  /**
    * Builds the accelerator for a scene of triangles. Does nothing when it was
    * built from this scene and the scene has not been modified since. Returns
    * false, after an error that names the reason, for a scene that is empty or
@@ -87,7 +106,7 @@ public:
     vtkIdTypeArray* cellIds);
 
   /**
-   * The name of the backend: "embree", "bvh".
+   * The name of the backend: "embree", "bvh", "cgal", "obbtree".
    */
   virtual const char* GetName() const = 0;
 
@@ -97,6 +116,11 @@ public:
   virtual std::size_t GetAcceleratorSize() const = 0;
 
 #ifndef __VTK_WRAP__
+  using Factory = vtkHeliosRayCaster* (*)();
+
+  /// Adds a backend to those that Create() knows; the one with the highest priority is the default.
+  static bool Register(const char* name, int priority, Factory create);
+
   /// The triangles it was built from.
   const helios::TriangleMesh& GetMesh() const { return *this->Mesh; }
 #endif

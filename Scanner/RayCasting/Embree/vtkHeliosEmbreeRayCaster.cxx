@@ -12,6 +12,14 @@ class vtkHeliosEmbreeRayCaster::Internals : public helios::EmbreeTree
 
 vtkStandardNewMacro(vtkHeliosEmbreeRayCaster);
 
+namespace
+{
+
+const bool IsRegistered = vtkHeliosRayCaster::Register(
+  "embree", 3, []() -> vtkHeliosRayCaster* { return vtkHeliosEmbreeRayCaster::New(); });
+
+} // namespace
+
 vtkHeliosEmbreeRayCaster::vtkHeliosEmbreeRayCaster()
   : Tree(new Internals)
 {

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRayCasterBackends.h"
+
+#include "vtkHeliosRayCaster.h"
+
+#include <vtkNew.h>
+
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingCgal
+#include "vtkHeliosCgalRayCaster.h"
+#endif
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
+#include "vtkHeliosEmbreeRayCaster.h"
+#endif
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingObbTree
+#include "vtkHeliosObbTreeRayCaster.h"
+#endif
+
+namespace helios
+{
+
+namespace
+{
+
+/// A backend registers itself when its library is loaded; to name it here keeps the library linked.
+void KeepBackends()
+{
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingCgal
+  vtkNew<vtkHeliosCgalRayCaster> cgal;
+#endif
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
+  vtkNew<vtkHeliosEmbreeRayCaster> embree;
+#endif
+#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingObbTree
+  vtkNew<vtkHeliosObbTreeRayCaster> obbTree;
+#endif
+}
+
+} // namespace
+
+vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster()
+{
+  KeepBackends();
+  return vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(nullptr));
+}
+
+} // namespace helios

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The one place that knows which backends of the ray caster are built.
+
+#ifndef heliosRayCasterBackends_h
+#define heliosRayCasterBackends_h
+
+#include <vtkSmartPointer.h>
+
+class vtkHeliosRayCaster;
+
+namespace helios
+{
+
+/// The best ray caster there is. All backends that are built are then registered.
+vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
+
+} // namespace helios
+
+#endif
