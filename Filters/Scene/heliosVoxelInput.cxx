@@ -141,6 +141,18 @@ vtkIdType VoxelBounds::Add(const VoxelInput& input)
   return (std::find_if(points.Points, points.Points + 3 * points.Count, isBad) - points.Points) / 3;
 }
 
+bool VoxelBounds::Holds(const VoxelBounds& other) const
+{
+  bool holds = other.Count <= this->Count &&
+    other.NormalCount == (this->NormalCount > 0 ? other.Count : 0) &&
+    other.ColorCount == (this->ColorCount > 0 ? other.Count : 0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    holds = holds && other.Low[axis] >= this->Low[axis] && other.High[axis] <= this->High[axis];
+  }
+  return holds;
+}
+
 double VoxelBounds::GetMagnitude() const
 {
   double magnitude = 0.0;

@@ -55,6 +55,9 @@ struct VoxelBounds
   /// The place of the first point that is not finite, or -1.
   vtkIdType Add(const VoxelInput& input);
 
+  /// Whether another one can be of some of the same points.
+  bool Holds(const VoxelBounds& other) const;
+
   /// The largest distance from zero along any axis.
   double GetMagnitude() const;
 };

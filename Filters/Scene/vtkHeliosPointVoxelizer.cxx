@@ -232,10 +232,22 @@ bool vtkHeliosPointVoxelizer::Measure(
 }
 
 // The second time: the cells they are in.
-bool vtkHeliosPointVoxelizer::Gather(vtkInformation* inInfo, int count, helios::VoxelGrid& grid)
+bool vtkHeliosPointVoxelizer::Gather(
+  vtkInformation* inInfo, int count, const helios::VoxelBounds& bounds, helios::VoxelGrid& grid)
 {
+  helios::VoxelBounds again;
+  const auto fails = [&]
+  {
+    vtkErrorMacro(<< "Input is not what it was when it was measured, a moment ago; leave its file "
+                     "alone and update again");
+    return false;
+  };
   const auto gather = [&](const helios::VoxelInput& input)
   {
+    if (again.Add(input) >= 0 || !bounds.Holds(again))
+    {
+      return fails();
+    }
     const bool fits = grid.Add(input.Get(), this->MaximumNumberOfCells);
     if (!fits)
     {
@@ -246,7 +258,8 @@ bool vtkHeliosPointVoxelizer::Gather(vtkInformation* inInfo, int count, helios::
     }
     return fits;
   };
-  return this->ForEachPiece(inInfo, count, 0.45, gather);
+  return this->ForEachPiece(inInfo, count, 0.45, gather) &&
+    (again.Count == bounds.Count || fails());
 }
 
 bool vtkHeliosPointVoxelizer::MakeScene(
@@ -302,7 +315,7 @@ int vtkHeliosPointVoxelizer::RequestData(
   try
   {
     helios::VoxelGrid grid(bounds.Low, this->VoxelSize, bounds.Epsilon, contents);
-    return this->Gather(inInfo, count, grid) && this->MakeScene(grid, bounds, scene);
+    return this->Gather(inInfo, count, bounds, grid) && this->MakeScene(grid, bounds, scene);
   }
   catch (const std::bad_alloc&)
   {

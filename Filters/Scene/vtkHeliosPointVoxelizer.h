@@ -183,7 +183,10 @@ private:
   bool CheckAttributes(const helios::VoxelBounds& bounds);
   bool Measure(
     vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene);
-  bool Gather(vtkInformation* inInfo, int count, helios::VoxelGrid& grid);
+  bool Gather(vtkInformation* inInfo,
+    int count,
+    const helios::VoxelBounds& bounds,
+    helios::VoxelGrid& grid);
   bool MakeScene(helios::VoxelGrid& grid, const helios::VoxelBounds& bounds, vtkPolyData* scene);
 
   double VoxelSize = 1.0;

@@ -431,6 +431,27 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     cloud.Filter->SetInputData(bare);
     CHECK(cloud.FailsWith("RGB has 2 tuples of 3; give one of 3 for each of 1 points"));
   }
+  SECTION("a source that is not the same twice")
+  {
+    using Change = std::function<void(int, vtkPolyData*)>;
+    const Change moved = [](int request, vtkPolyData* piece)
+    { piece->GetPoints()->SetPoint(0, request >= 2 ? -1e9 : 0.0, 0.0, 0.0); };
+    const Change bare = [](int request, vtkPolyData* piece)
+    { request >= 2 ? piece->GetPointData()->Initialize() : void(); };
+    const Change fewer = [](int request, vtkPolyData* piece)
+    { request >= 3 ? piece->Initialize() : void(); };
+    const Change bad = [](int request, vtkPolyData* piece)
+    { piece->GetPoints()->SetPoint(0, request >= 3 ? std::nan("") : 0.0, 0.0, 0.0); };
+    for (const Change& change : { moved, bare, fewer, bad })
+    {
+      vtkNew<helios::PieceSource> source;
+      source->Cloud = MakeCloud({ { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 0, 1 }, { 0, 0, 1 } });
+      source->OnRequest = change;
+      cloud.Filter->SetInputConnection(source->GetOutputPort());
+      cloud.Filter->SetNumberOfPieces(2);
+      CHECK(cloud.FailsWith("Input is not what it was when it was measured"));
+    }
+  }
   SECTION("pieces")
   {
     vtkNew<helios::PieceSource> source;

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -73,7 +74,9 @@ public:
   std::set<int> Asked; // numbers of pieces
   vtkIdType Largest = 0;
   int FailingPiece = -1;
-  int BarePiece = -1; // comes without attributes
+  int BarePiece = -1;                               // comes without attributes
+  std::function<void(int, vtkPolyData*)> OnRequest; // may change what comes; counts from 0
+  int NumberOfRequests = 0;
 
 protected:
   PieceSource() { this->SetNumberOfInputPorts(0); }
@@ -113,6 +116,10 @@ protected:
       output->GetPointData()->CopyData(this->Cloud->GetPointData(), 0, end - begin, begin);
     }
     output->GetFieldData()->PassData(this->Cloud->GetFieldData());
+    if (this->OnRequest)
+    {
+      this->OnRequest(this->NumberOfRequests++, output);
+    }
     return 1;
   }
 };
