@@ -59,7 +59,7 @@ helios_make_venv() {
 helios_install_laspy() {
   build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'laspy>=2.5' lazrs || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
+    'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.
