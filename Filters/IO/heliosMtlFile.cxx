@@ -120,7 +120,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
     return this->Report.Fail(file.GetPlace() + Quote(key) +
       " comes before any material; begin one with newmtl NAME above it");
   }
-  double unused;
+  double unused = 0.0;
   if (key == "Ka")
     return this->ReadColor(file, key, words, unused);
   if (key == "Kd")
@@ -172,7 +172,7 @@ bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, 
 bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
 {
   TextWords start = words;
-  double exponent;
+  double exponent = 0.0;
   if (words.Next(exponent) != TextWords::Number::Good || !(exponent >= 0.0) ||
     !std::isfinite(exponent))
   {
@@ -187,7 +187,7 @@ bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
 bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
 {
   TextWords start = words;
-  double reflectance;
+  double reflectance = 0.0;
   if (words.Next(reflectance) != TextWords::Number::Good || !std::isfinite(reflectance))
   {
     return this->Report.Fail(file.GetPlace() + "helios_reflectance " + Quote(start.Next()) +

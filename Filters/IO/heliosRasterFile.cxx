@@ -69,6 +69,25 @@ void RegisterDriver()
   std::call_once(once, GDALRegister_GTiff);
 }
 
+// NaN: none.
+double GetNoData(GDALRasterBandH band)
+{
+  int isGiven = 0;
+  double value = 0.0;
+  switch (GDALGetRasterDataType(band))
+  {
+    case GDT_Int64:
+      value = static_cast<double>(GDALGetRasterNoDataValueAsInt64(band, &isGiven));
+      break;
+    case GDT_UInt64:
+      value = static_cast<double>(GDALGetRasterNoDataValueAsUInt64(band, &isGiven));
+      break;
+    default:
+      value = GDALGetRasterNoDataValue(band, &isGiven);
+  }
+  return isGiven ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
 struct DatasetDeleter
 {
   void operator()(GDALDatasetH dataset) const { GDALClose(dataset); }
@@ -93,6 +112,8 @@ struct RasterFile::Internals
   double Unit = 1.0; // [m]
   std::vector<unsigned char> MaskRows;
   std::vector<std::string> Warnings;
+  std::string FirstMessage; // of GDAL's warnings
+  std::int64_t NumberOfMessages = 0;
 
   std::string OpenDataset(const MessageCatcher& messages);
   std::string FindBand(int number);
@@ -107,17 +128,16 @@ struct RasterFile::Internals
   double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
   std::string Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
-  void Warn(const MessageCatcher& messages);
+  void Note(const MessageCatcher& messages);
 };
 
-// The first of GDAL's warnings, with the number of them.
-void RasterFile::Internals::Warn(const MessageCatcher& messages)
+void RasterFile::Internals::Note(const MessageCatcher& messages)
 {
-  if (!messages.Warnings.empty())
+  if (this->NumberOfMessages == 0 && !messages.Warnings.empty())
   {
-    this->Warn(messages.Warnings[0] + " (" + std::to_string(messages.Warnings.size()) +
-      " such warnings of GDAL)");
+    this->FirstMessage = messages.Warnings.front();
   }
+  this->NumberOfMessages += static_cast<std::int64_t>(messages.Warnings.size());
 }
 
 std::string RasterFile::Internals::OpenDataset(const MessageCatcher& messages)
@@ -222,20 +242,11 @@ std::string RasterFile::Internals::FindTransform()
 // The value that marks pixels without height, rounded as the band stores it.
 void RasterFile::Internals::FindNoData(double noData)
 {
-  int isGiven = !std::isnan(noData);
-  if (!isGiven)
-  {
-    noData = GDALGetRasterNoDataValue(this->Band, &isGiven);
-  }
-  if (isGiven && GDALGetRasterDataType(this->Band) == GDT_Float32 && std::isfinite(noData))
-  {
-    constexpr double largest = std::numeric_limits<float>::max();
-    noData = std::abs(noData) <= largest ? static_cast<double>(static_cast<float>(noData)) : noData;
-  }
-  if (isGiven)
-  {
-    this->NoData = noData;
-  }
+  const double value = std::isnan(noData) ? GetNoData(this->Band) : noData;
+  constexpr double largest = std::numeric_limits<float>::max();
+  const bool isFloat =
+    GDALGetRasterDataType(this->Band) == GDT_Float32 && std::abs(value) <= largest;
+  this->NoData = isFloat ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
 std::string RasterFile::Internals::FindScale()
@@ -280,10 +291,12 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
                "map is not in metres; set HeightUnit, to 1 if they are");
   }
   this->Crs = MakeHeightsMetric(this->Crs);
-  return this->Crs.empty() ? "has a coordinate system with heights in feet that cannot be turned "
-                             "into metres; transform it "
-                             "with gdalwarp -t_srs"
-                           : "";
+  if (this->Crs.empty())
+  {
+    return "has a coordinate system with heights in feet that cannot be turned into metres; "
+           "transform it with gdalwarp -t_srs";
+  }
+  return {};
 }
 
 bool RasterFile::Internals::ReadMask(std::int64_t firstRow, std::int64_t count)
@@ -312,7 +325,8 @@ void RasterFile::Internals::EmptyGaps(
   int width = 0;
   int height = 0;
   GDALGetBlockSize(this->Band, &width, &height);
-  for (std::int64_t row = 0, rows; row < count; row += rows)
+  std::int64_t rows = 0;
+  for (std::int64_t row = 0; row < count; row += rows)
   {
     rows = std::min(count - row, height - (firstRow + row) % height);
     for (std::int64_t column = 0; column < this->Columns; column += width)
@@ -370,7 +384,11 @@ RasterFile::RasterFile()
 {
 }
 
-RasterFile::~RasterFile() = default;
+RasterFile::~RasterFile()
+{
+  const MessageCatcher quiet;
+  this->State.reset();
+}
 
 std::string RasterFile::Open(const std::string& path, const RasterOptions& options)
 {
@@ -396,7 +414,7 @@ std::string RasterFile::Open(const std::string& path, const RasterOptions& optio
     return path + ": " + fault;
   }
   self.FindNoData(options.NoData);
-  self.Warn(messages);
+  self.Note(messages);
   return {};
 }
 
@@ -415,7 +433,7 @@ std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* 
       std::to_string(firstRow + count - 1) + " (from 0) cannot be read: " + messages.Error +
       "; the file is damaged, get it anew";
   }
-  self.Warn(messages);
+  self.Note(messages);
   const std::string fault = self.Convert(firstRow, count, heights);
   if (self.HasGap(0, firstRow, self.Columns, count))
   {
@@ -457,9 +475,15 @@ const std::string& RasterFile::GetCrs() const
   return this->State->Crs;
 }
 
-const std::vector<std::string>& RasterFile::GetWarnings() const
+std::vector<std::string> RasterFile::GetWarnings() const
 {
-  return this->State->Warnings;
+  std::vector<std::string> warnings = this->State->Warnings;
+  if (this->State->NumberOfMessages > 0)
+  {
+    warnings.push_back(this->State->Path + ": " + this->State->FirstMessage + " (" +
+      std::to_string(this->State->NumberOfMessages) + " warnings of GDAL)");
+  }
+  return warnings;
 }
 
 } // namespace helios

@@ -53,7 +53,7 @@ public:
   std::string Read(std::int64_t firstRow, std::int64_t count, double* heights);
 
   /// What GDAL warned of, and what is doubtful.
-  const std::vector<std::string>& GetWarnings() const;
+  std::vector<std::string> GetWarnings() const;
 
 private:
   struct Internals;

@@ -77,7 +77,7 @@ std::string ToWkt(OGRSpatialReferenceH system)
   static const char* const options[] = { "FORMAT=WKT2_2019", nullptr };
   char* text = nullptr;
   OSRExportToWktEx(system, &text, options);
-  const std::string wkt = text ? text : "";
+  std::string wkt = text ? text : "";
   CPLFree(text);
   return wkt;
 }
@@ -98,7 +98,7 @@ std::string MakeHeightsMetric(const std::string& wkt)
   {
     return {};
   }
-  const std::string metric = ToWkt(system.get());
+  std::string metric = ToWkt(system.get());
   return HasMetres(metric) ? metric : std::string();
 }
 

@@ -130,3 +130,17 @@ TEST_CASE("MaterialReader: errors", "[MaterialReader]")
     CHECK(reading.Log->HasError("/nowhere.mtl"));
   }
 }
+
+TEST_CASE(
+  "MaterialReader: names have blanks; the first word is enough where it tells", "[MaterialReader]")
+{
+  Reading reading("newmtl oak leaf\nhelios_reflectance 0.25\nnewmtl oak bark\nnewmtl elm tree\n");
+  reading.Reader->SetMaterialName("oak leaf");
+  CHECK(reading.Update().at(0).Reflectance == 0.25);
+  reading.Reader->SetMaterialName("elm");
+  CHECK(reading.Update().at(0).Name == "elm tree");
+  CHECK(reading.Log->Errors.empty());
+  reading.Reader->SetMaterialName("oak");
+  reading.Update();
+  CHECK(reading.Log->HasError("m.mtl: has no material oak; it has oak leaf, oak bark, elm tree"));
+}

@@ -137,7 +137,15 @@ private:
     {
       value += shift;
     }
-    if (this->HasNoData)
+    if (this->HasNoData && this->Type == GDT_Int64)
+    {
+      GDALSetRasterNoDataValueAsInt64(band, static_cast<std::int64_t>(this->NoData));
+    }
+    else if (this->HasNoData && this->Type == GDT_UInt64)
+    {
+      GDALSetRasterNoDataValueAsUInt64(band, static_cast<std::uint64_t>(this->NoData));
+    }
+    else if (this->HasNoData)
     {
       GDALSetRasterNoDataValue(band, this->NoData);
     }
