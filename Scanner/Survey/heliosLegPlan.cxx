@@ -3,6 +3,7 @@
 #include "heliosLegPlan.h"
 
 #include "heliosMessages.h"
+#include "heliosSurveyCrs.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosGroundSnap.h"
 #include "vtkHeliosLinearPathPlatform.h"
@@ -38,10 +39,8 @@ ArrayT* AddArray(vtkPolyData* data, const char* name, int components = 1)
 }
 
 /// The legs [first, last) as waypoints.
-vtkSmartPointer<vtkPolyData> MakeWaypoints(const SurveyData& survey,
-  const std::vector<Vec3>& positions,
-  std::size_t first,
-  std::size_t last)
+vtkSmartPointer<vtkPolyData> MakeWaypoints(
+  const SurveyData& survey, const std::vector<Vec3>& positions, std::size_t first, std::size_t last)
 {
   auto waypoints = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -60,46 +59,54 @@ vtkSmartPointer<vtkPolyData> MakeWaypoints(const SurveyData& survey,
   return waypoints;
 }
 
-/// The positions of all legs, those on the ground put there; none after an error.
-std::vector<Vec3> FindPositions(const SurveyData& survey, vtkPolyData* scene, Messages& log)
+/// The positions of all legs in the scene's system; false after an error.
+bool FindPositions(
+  const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
 {
-  vtkNew<vtkPolyData> legs;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(survey.Legs.size()));
-  legs->SetPoints(points);
-  auto* onGround = AddArray<vtkIntArray>(legs, names::OnGround);
-  vtkIdType i = 0;
   for (const LegData& leg : survey.Legs)
   {
-    points->SetPoint(i, leg.Position.GetData());
-    onGround->SetValue(i, leg.OnGround ? 1 : 0);
-    ++i;
+    positions.emplace_back();
+    if (!TransformPosition(leg, scene, log, positions.back()))
+    {
+      return false;
+    }
   }
-  vtkPolyData* placed = legs;
+  return true;
+}
+
+/// Puts the positions of legs that are on the ground there; false after an error.
+bool PutOnGround(
+  const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
+{
+  const auto isOnGround = [](const LegData& leg) { return leg.OnGround; };
+  if (std::none_of(survey.Legs.begin(), survey.Legs.end(), isOnGround))
+  {
+    return true;
+  }
+  const auto legs = MakeWaypoints(survey, positions, 0, positions.size());
+  auto* onGround = AddArray<vtkIntArray>(legs, names::OnGround);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    onGround->SetValue(static_cast<vtkIdType>(i), survey.Legs[i].OnGround ? 1 : 0);
+  }
   vtkNew<vtkHeliosGroundSnap> snap;
   log.Listen(snap);
-  if (onGround->GetRange()[1] != 0.0)
-  {
-    snap->SetInputDataObject(0, legs);
-    snap->SetInputDataObject(1, scene);
-    snap->Update();
-    placed = snap->GetOutput();
-  }
-  std::vector<Vec3> positions;
+  snap->SetInputDataObject(0, legs);
+  snap->SetInputDataObject(1, scene);
+  snap->Update();
   if (log.HasError())
   {
     log.Error(survey.FileName +
       ": legs with onGround need ground below them; point 0, 1 ... are the "
       "legs, the first at " +
       survey.Legs.front().Where);
-    return positions;
+    return false;
   }
-  for (i = 0; i < placed->GetNumberOfPoints(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    positions.emplace_back(placed->GetPoint(i));
+    positions[i] = Vec3(snap->GetOutput()->GetPoint(static_cast<vtkIdType>(i)));
   }
-  return positions;
+  return true;
 }
 
 /// What is left of a duration where a leg has a longest one.
@@ -116,9 +123,8 @@ double GetStandingTime(const LegData& leg)
   return turns ? LimitDuration(leg, head) : std::max(0.0, leg.MaximumDuration);
 }
 
-std::vector<LegPlan> PlanStandingLegs(const SurveyData& survey,
-  const std::vector<Vec3>& positions,
-  Messages& log)
+std::vector<LegPlan> PlanStandingLegs(
+  const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
 {
   std::vector<LegPlan> plans;
   double time = 0.0;
@@ -138,9 +144,8 @@ std::vector<LegPlan> PlanStandingLegs(const SurveyData& survey,
   return plans;
 }
 
-std::vector<LegPlan> PlanMovingLegs(const SurveyData& survey,
-  const std::vector<Vec3>& positions,
-  Messages& log)
+std::vector<LegPlan> PlanMovingLegs(
+  const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
 {
   std::vector<LegPlan> plans;
   auto platform = vtkSmartPointer<vtkHeliosLinearPathPlatform>::New();
@@ -177,8 +182,8 @@ std::vector<LegPlan> PlanMovingLegs(const SurveyData& survey,
 //------------------------------------------------------------------------------
 std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, Messages& log)
 {
-  const std::vector<Vec3> positions = FindPositions(survey, scene, log);
-  if (log.HasError())
+  std::vector<Vec3> positions;
+  if (!FindPositions(survey, scene, log, positions) || !PutOnGround(survey, scene, log, positions))
   {
     return {};
   }
@@ -202,8 +207,7 @@ TrajectorySampler::TrajectorySampler(const LegPlan& plan, double interval)
       double q[4];
       data->GetArray(names::Orientation)->GetTuple(i, q);
       this->Path.push_back({ data->GetArray(names::GpsTime)->GetTuple1(i),
-        Vec3(trajectory->GetPoint(i)),
-        Quaternion(q) });
+        Vec3(trajectory->GetPoint(i)), Quaternion(q) });
     }
   }
   if (this->Path.size() > 1)

@@ -61,10 +61,8 @@ void SetPose(const Pose& pose, double position[3], double orientation[4])
 } // namespace
 
 //------------------------------------------------------------------------------
-LegRunner::LegRunner(const SurveyData& survey,
-  vtkPolyData* scene,
-  const RunSettings& settings,
-  Messages& log)
+LegRunner::LegRunner(
+  const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log)
   : Survey(survey)
   , Settings(settings)
   , Log(log)
@@ -82,6 +80,10 @@ void LegRunner::SetUpInstrument()
 {
   const ScannerData& data = this->Survey.Scanner;
   this->Scanner->SetInputDataObject(0, this->Scene);
+  if (this->Settings.RayCaster)
+  {
+    this->Scanner->SetRayCaster(this->Settings.RayCaster);
+  }
   this->Scanner->SetPulseLength(data.PulseLength);
   this->Scanner->SetBinSize(data.BinSize);
   this->Scanner->SetAveragePower(data.AveragePower);

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class vtkHeliosRayCaster;
 class vtkHeliosScanner;
 class vtkHeliosStreamWriter;
 class vtkPolyData;
@@ -33,6 +34,7 @@ struct RunSettings
   bool Noise = true;
   bool Waveforms = false;
   vtkIdType PulsesPerBlock = 262144;
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
 };
 
 /// What a run has done so far.
@@ -53,10 +55,8 @@ using BlockCallback = std::function<bool(const RunCounts&)>;
 class LegRunner
 {
 public:
-  LegRunner(const SurveyData& survey,
-    vtkPolyData* scene,
-    const RunSettings& settings,
-    Messages& log);
+  LegRunner(
+    const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegRunner();
 
   /// Plans the legs and counts their pulses; false after an error.

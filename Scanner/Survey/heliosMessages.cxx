@@ -26,6 +26,17 @@ std::string StripOrigin(const std::string& message)
 } // namespace
 
 //------------------------------------------------------------------------------
+std::string Enumerate(const std::vector<std::string>& words)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 Messages::Messages(vtkObject* owner)
   : Owner(owner)
 {

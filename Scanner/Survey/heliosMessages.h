@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkObject;
@@ -24,6 +25,9 @@ class Sentence : public std::ostringstream
 public:
   Sentence() { this->precision(15); }
 };
+
+/// "a, b and c".
+std::string Enumerate(const std::vector<std::string>& words);
 
 /// Reports through the owner's error and warning events; the same text only once.
 class Messages

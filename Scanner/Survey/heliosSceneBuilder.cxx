@@ -4,9 +4,9 @@
 
 #include "heliosMessages.h"
 #include "heliosSpectrum.h"
+#include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGroundSnap.h"
-#include "vtkHeliosObjSceneReader.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
 
@@ -46,6 +46,7 @@ bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
 SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log)
   : Scene(scene)
   , Log(log)
+  , Pipelines(log)
 {
 }
 
@@ -57,9 +58,10 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(double wavelength, const StepCa
 {
   for (const PartData& part : this->Scene.Parts)
   {
-    this->MakePart(part);
+    this->Parts.push_back(this->Pipelines.Make(part));
   }
-  if (!this->ReadFiles(onStep) || !onStep("putting the scene together") || !this->PutOnGround())
+  if (!this->Pipelines.ReadFiles(onStep) || !onStep("putting the scene together") ||
+    !this->PutOnGround())
   {
     return nullptr;
   }
@@ -69,66 +71,6 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(double wavelength, const StepCa
     ResolveSpectra(scene, this->Scene.SpectraFolders, wavelength, this->Log);
   }
   return scene;
-}
-
-//------------------------------------------------------------------------------
-vtkHeliosObjSceneReader* SceneBuilder::GetReader(const std::string& file, bool upIsY)
-{
-  auto& reader = this->Readers[{ file, upIsY }];
-  if (!reader)
-  {
-    reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
-    reader->SetFileName(file.c_str());
-    if (upIsY)
-    {
-      reader->SetUpAxisToY();
-    }
-    this->Log.Listen(reader);
-  }
-  return reader;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkAlgorithm> SceneBuilder::MakeSource(const PartData& part)
-{
-  if (part.Files.size() == 1)
-  {
-    return this->GetReader(part.Files.front(), part.UpIsY);
-  }
-  auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
-  this->Log.Listen(composer);
-  for (const std::string& file : part.Files)
-  {
-    composer->AddInputConnection(this->GetReader(file, part.UpIsY)->GetOutputPort());
-  }
-  return composer;
-}
-
-//------------------------------------------------------------------------------
-void SceneBuilder::MakePart(const PartData& part)
-{
-  const Quaternion& q = part.Rotation;
-  auto transform = vtkSmartPointer<vtkHeliosSceneTransform>::New();
-  transform->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
-  transform->SetScale(part.Scale);
-  transform->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
-  transform->SetInputConnection(this->MakeSource(part)->GetOutputPort());
-  this->Log.Listen(transform);
-  this->Parts.push_back(transform);
-}
-
-//------------------------------------------------------------------------------
-bool SceneBuilder::ReadFiles(const StepCallback& onStep)
-{
-  for (const auto& reader : this->Readers)
-  {
-    if (!onStep("reading " + reader.first.first))
-    {
-      return false;
-    }
-    reader.second->Update();
-  }
-  return !this->Log.HasError();
 }
 
 //------------------------------------------------------------------------------
@@ -153,7 +95,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   }
   auto scene = vtkSmartPointer<vtkPolyData>::New(); // the pipeline before it may go
   scene->ShallowCopy(composer->GetOutput());
-  return scene;
+  return SetSceneCrs(scene, this->Scene, this->Log) ? scene : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -5,18 +5,13 @@
 #ifndef heliosSceneBuilder_h
 #define heliosSceneBuilder_h
 
-#include "heliosSurveyData.h"
+#include "heliosPartPipelines.h"
 
 #include <vtkSmartPointer.h>
 
-#include <functional>
-#include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-class vtkAlgorithm;
-class vtkHeliosObjSceneReader;
 class vtkHeliosSceneTransform;
 class vtkPolyData;
 
@@ -25,10 +20,7 @@ namespace helios
 
 class Messages;
 
-/// Called before each step of something long with what it does; false stops it.
-using StepCallback = std::function<bool(const std::string& step)>;
-
-/// Builds one scene. A file that several parts name is read once.
+/// Builds one scene.
 class SceneBuilder
 {
 public:
@@ -40,19 +32,13 @@ public:
   vtkSmartPointer<vtkPolyData> Build(double wavelength, const StepCallback& onStep);
 
 private:
-  using FileKey = std::pair<std::string, bool>; // the name, whether y is up
-
-  vtkHeliosObjSceneReader* GetReader(const std::string& file, bool upIsY);
-  vtkSmartPointer<vtkAlgorithm> MakeSource(const PartData& part);
-  void MakePart(const PartData& part);
-  bool ReadFiles(const StepCallback& onStep);
   bool PutOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
 
   const SceneData& Scene;
   Messages& Log;
-  std::map<FileKey, vtkSmartPointer<vtkHeliosObjSceneReader>> Readers;
+  PartPipelines Pipelines;
   std::vector<vtkSmartPointer<vtkHeliosSceneTransform>> Parts;
 };
 

@@ -67,13 +67,54 @@ struct PlatformData
   Pose Mount; ///< of the scanner
 };
 
-/// A part of a scene: its files as one mesh, rotated, scaled, moved.
+enum class Loader
+{
+  Obj,
+  GeoTiff,
+  Xyz
+};
+
+/// How the points of a file become solid cells.
+struct VoxelData
+{
+  double Size = 1.0;      ///< [m], of an edge
+  std::string Separators; ///< of columns, beside blanks and tabs
+  bool ReadNormals = false;
+  int NormalIndex[3] = { 3, 4, 5 }; ///< columns, from 0
+  bool EstimateNormals = false;
+  Vec3 DefaultNormal{ 0.0, 0.0, 0.0 }; ///< of cells without one; 0: that of the faces
+  bool SnapNeighborNormal = false;
+};
+
+/// The one material of a part whose file has none.
+struct MaterialData
+{
+  std::string Where;
+  std::string File; ///< MTL; empty: the default material
+  std::string Name; ///< empty: the alphabetically first
+};
+
+/// From one coordinate system to another.
+struct CrsData
+{
+  std::string Where;
+  std::string Source; ///< empty: that of the file
+  std::string Target;
+};
+
+/// A part of a scene: its files as one mesh, reprojected, repaired, simplified, rotated, scaled, moved.
 struct PartData
 {
   std::string Name;
   std::string Where;
-  std::vector<std::string> Files; ///< OBJ
+  Loader Type = Loader::Obj;
+  std::vector<std::string> Files;
   bool UpIsY = false;
+  VoxelData Voxels;
+  MaterialData Material;
+  std::vector<CrsData> Crs;
+  bool Repair = false;
+  double SimplifyDistance = 0.0; ///< [m], that the surface may move; 0: not simplified
   Quaternion Rotation{ 1.0, 0.0, 0.0, 0.0 };
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
@@ -85,6 +126,7 @@ struct SceneData
   std::string Id;
   std::string Name;
   std::string Where;
+  std::string Crs; ///< of its parts that do not say theirs; empty: a frame of its own, in metres
   std::vector<PartData> Parts;
   std::vector<std::string> SpectraFolders; ///< that a spectrum is looked for in, in this order
 };
@@ -93,7 +135,8 @@ struct SceneData
 struct LegData
 {
   std::string Where;
-  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m]
+  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or what Crs counts in
+  std::string Crs;                ///< of the position; empty: the scene's
   bool OnGround = false;
   double Speed = 70.0; ///< [m/s], to the next leg's position
   bool Active = true;
@@ -122,6 +165,7 @@ struct SurveyData
 {
   std::string Name; ///< fit for the name of a folder
   std::string FileName;
+  std::string RayCaster; ///< its name; empty: the default
   ScannerData Scanner;
   PlatformData Platform;
   SceneData Scene;

@@ -31,10 +31,12 @@ constexpr XmlRange Fraction = { 0.0, 1.0, false };
 constexpr XmlRange Angle = { -360.0, 360.0, false };
 constexpr XmlRange HalfAngle = { 0.0, 360.0, false };
 constexpr XmlRange HeadAngle = { -1e6, 1e6, false };
+constexpr XmlRange Column = { 0.0, 999.0, false };
 constexpr XmlRange ScanFrequency = { 0.0, 1e6, false };
 constexpr bool Repeats = true;
 
-// clang-format off: one row a name
+// One row a name.
+// clang-format off
 const std::vector<XmlElementRule> Rules = {
   { "document",
     {},
@@ -48,6 +50,7 @@ const std::vector<XmlElementRule> Rules = {
 
   { "survey",
     { { "name" },
+      { "rayCaster" },
       { "scanner", Reference },
       { "platform", Reference },
       { "scene", Reference },
@@ -87,6 +90,7 @@ const std::vector<XmlElementRule> Rules = {
       { "x", Real, Used, "m" },
       { "y", Real, Used, "m" },
       { "z", Real, Used, "m" },
+      { "crs" },
       { "onGround", Boolean },
       { "movePerSec_m", Real, Used, "m/s", { -1e9, 1e9, false } },
       { "stopAndTurn", Boolean, Later },
@@ -251,7 +255,11 @@ const std::vector<XmlElementRule> Rules = {
   { "rot", { { "axis" }, { "angle_deg", Real, Used, "deg", { -1e6, 1e6, false } } }, {} },
 
   { "scene",
-    { { "id" }, { "name" }, { "dynStep", Integer, Later }, { "dynTimeStep", Real, Later, "s" } },
+    { { "id" },
+      { "name" },
+      { "crs" },
+      { "dynStep", Integer, Later },
+      { "dynTimeStep", Real, Later, "s" } },
     { { "part", Repeats },
       { "sunDir", false, Ignored },
       { "sky", false, Ignored },
@@ -282,6 +290,38 @@ const std::vector<XmlElementRule> Rules = {
       { "receiveShadows", Boolean, Ignored } },
     {} },
 
+  { "filter:geotiffloader",
+    { { "filepath" }, { "efilepath" }, { "matfile" }, { "matname" } },
+    {} },
+
+  { "filter:xyzloader",
+    { { "filepath" },
+      { "efilepath" },
+      { "separator" },
+      { "voxelSize", Real, Used, "m", { 0.0, 1e6, true } },
+      { "maxColorValue", Real, Ignored },
+      { "normalXIndex", Integer, Used, "", Column },
+      { "normalYIndex", Integer, Used, "", Column },
+      { "normalZIndex", Integer, Used, "", Column },
+      { "rgbRIndex", Integer, Ignored },
+      { "rgbGIndex", Integer, Ignored },
+      { "rgbBIndex", Integer, Ignored },
+      { "estimateNormals", Integer, Used, "", { 0.0, 1e9, false } },
+      { "defaultNormal", Vector },
+      { "snapNeighborNormal", Boolean },
+      { "sparse", Boolean, Ignored },
+      { "matfile" },
+      { "matname" },
+      { "randomMaterials", Integer, Later },
+      { "randomRange", Real, Later } },
+    {} },
+
+  { "filter:crs", { { "source" }, { "target" } }, {} },
+
+  { "filter:repair", {}, {} },
+
+  { "filter:simplify", { { "maximumDistance", Real, Used, "m", { 0.0, 1e6, true } } }, {} },
+
   { "filter:scale", { { "scale", Real, Used, "", { 0.0, 1e9, false } } }, {} },
 
   { "filter:translate",
@@ -309,15 +349,6 @@ std::string FindNearest(const std::vector<RuleT>& rules, const std::string& name
     names.emplace_back(rule.Name);
   }
   return FindNearestName(name, names);
-}
-
-std::string ToLower(std::string text)
-{
-  std::transform(text.begin(),
-    text.end(),
-    text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// Levenshtein's distance: how many letters to insert, delete or replace.
@@ -363,6 +394,16 @@ std::string XmlElementRule::FindNearestValue(const std::string& name) const
 std::string XmlElementRule::FindNearestChild(const std::string& name) const
 {
   return FindNearest(this->Children, name);
+}
+
+//------------------------------------------------------------------------------
+std::string ToLower(std::string text)
+{
+  std::transform(text.begin(),
+    text.end(),
+    text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
 }
 
 //------------------------------------------------------------------------------

@@ -81,6 +81,9 @@ struct XmlElementRule
 /// filter are the values of "filter:<type>".
 const XmlElementRule* FindXmlRule(const std::string& element);
 
+/// A text in lower case.
+std::string ToLower(std::string text);
+
 /// Of some names the one nearest to a misspelt one by edit distance, upper and lower case being
 /// equal; empty where none is near.
 std::string FindNearestName(const std::string& name, const std::vector<std::string>& names);

@@ -60,6 +60,7 @@ void SurveyReader::Read(const XmlElement& survey, SurveyData& data)
 {
   survey.CheckNames();
   this->ReadName(survey, data);
+  data.RayCaster = survey.GetText("rayCaster");
   this->ReadReferences(survey, data);
   this->ReadLegs(survey, data);
 }
@@ -172,6 +173,7 @@ void SurveyReader::ReadPlatformSettings(const XmlElement& element, LegSettings& 
   }
   LegData& leg = settings.Leg;
   element.ReadVector(leg.Position);
+  element.Read("crs", leg.Crs);
   element.Read("onGround", leg.OnGround);
   element.Read("movePerSec_m", leg.Speed);
 }
@@ -222,9 +224,8 @@ XmlElement SurveyReader::FindTemplate(const XmlElement& element, int depth)
 } // namespace
 
 //------------------------------------------------------------------------------
-SurveyData ReadSurvey(const std::string& fileName,
-  const std::vector<std::string>& assetDirectories,
-  Messages& log)
+SurveyData ReadSurvey(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
 {
   SurveyData data;
   data.FileName = fileName;

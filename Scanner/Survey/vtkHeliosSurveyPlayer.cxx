@@ -5,12 +5,14 @@
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosSceneBuilder.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <regex>
@@ -34,6 +36,7 @@ public:
 
 private:
   bool CheckSettings();
+  bool ChooseRayCaster();
   bool CheckFolder();
   bool ClearFolder();
   bool Load();
@@ -95,6 +98,31 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.Noise = player->Noise;
   this->Settings.Waveforms = player->WriteWaveforms;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
+  return this->ChooseRayCaster();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::ChooseRayCaster()
+{
+  const helios::SurveyData& survey = this->Player->Survey->GetData();
+  const std::string given = this->Player->RayCaster ? this->Player->RayCaster : "";
+  const std::string name = given.empty() ? survey.RayCaster : given;
+  if (name.empty())
+  {
+    return true;
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  {
+    names.emplace_back(vtkHeliosRayCaster::GetBackendName(i));
+  }
+  if (std::find(names.begin(), names.end(), name) == names.end())
+  {
+    return this->Fail((given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" +
+      name + "\" is not in this build; give one of " + helios::Enumerate(names));
+  }
+  this->Settings.RayCaster =
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
   return true;
 }
 
@@ -260,6 +288,7 @@ vtkHeliosSurveyPlayer::~vtkHeliosSurveyPlayer()
 {
   this->SetOutputDirectory(nullptr);
   this->SetFormat(nullptr);
+  this->SetRayCaster(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -319,6 +348,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "OutputDirectory: " << (this->OutputDirectory ? this->OutputDirectory : "(none)")
      << "\n"
      << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
+     << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Noise: " << this->Noise << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"

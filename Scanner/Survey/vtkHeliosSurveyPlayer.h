@@ -94,6 +94,15 @@ public:
 
   ///@{
   /**
+   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName().
+   * Default: none, which takes that of the survey, or else the default one.
+   */
+  vtkSetStringMacro(RayCaster);
+  vtkGetStringMacro(RayCaster);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the waveforms are written. Default: off.
    */
   vtkSetMacro(WriteWaveforms, bool);
@@ -170,6 +179,7 @@ private:
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
+  char* RayCaster = nullptr;
   vtkIdType Seed = 0;
   bool Noise = true;
   bool WriteWaveforms = false;

@@ -50,6 +50,12 @@ def whole_number(highest):
     return parse
 
 
+def ray_casters():
+    """The names of the ray casters in this build, the default one first."""
+    caster = vtkhelios.vtkHeliosRayCaster
+    return [caster.GetBackendName(index) for index in range(caster.GetNumberOfBackends())]
+
+
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
@@ -95,6 +101,13 @@ def add_arguments(parser):
         type=whole_number(4096),
         default=0,
         help="how many processor cores to use; 0: all (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--ray-caster",
+        metavar="NAME",
+        choices=ray_casters(),
+        help="how rays are cast: %(choices)s (default: the survey's rayCaster, else the first); "
+        "the result is the same, Docs/ray-casters.md says what each costs",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
@@ -148,6 +161,7 @@ def make_player(arguments, survey, messages):
     player.SetWriteWaveforms(arguments.waveforms)
     player.SetSeed(arguments.seed)
     player.SetNoise(not arguments.no_noise)
+    player.SetRayCaster(arguments.ray_caster)
     messages.info(
         f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
         f"{', without noise' if arguments.no_noise else ''}"

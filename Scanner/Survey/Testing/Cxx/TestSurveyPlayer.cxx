@@ -1,0 +1,543 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of small surveys: what they write, and how they end.
+#include "vtkHeliosSurveyPlayer.h"
+
+#include "heliosSurveyFiles.h"
+
+#include <vtkCommand.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace helios::test;
+
+namespace
+{
+
+/// A line of a point file.
+struct Point
+{
+  double X, Y, Z, Intensity, Width;
+  long long Number, Returns, Pulse;
+  std::string Part;
+  long long Classification;
+  double Time;
+};
+
+std::vector<Point> ReadPoints(const std::string& path)
+{
+  std::vector<Point> points;
+  std::ifstream file(path);
+  Point p;
+  while (file >> p.X >> p.Y >> p.Z >> p.Intensity >> p.Width >> p.Number >> p.Returns >> p.Pulse >>
+    p.Part >> p.Classification >> p.Time)
+  {
+    points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<std::string> ReadLines(const std::string& path)
+{
+  std::vector<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// A player of a survey that has been read, with its output in the folder out.
+struct Playing
+{
+  vtkNew<vtkHeliosSurveyPlayer> Player;
+  vtkSmartPointer<helios::ErrorObserver> Log = Observe(Player);
+
+  Playing(const Files& files, const Reading& reading)
+  {
+    this->Player->SetSurvey(reading.Reader->GetSurvey());
+    this->Player->SetOutputDirectory((files / "out").c_str());
+  }
+
+  void CheckFails(const std::vector<std::string>& messages)
+  {
+    CHECK_FALSE(this->Player->Run());
+    INFO(this->Log->Errors);
+    for (const std::string& message : messages)
+    {
+      INFO("missing: " << message);
+      CHECK(this->Log->HasError(message));
+      CHECK(this->Player->GetMessage().find(message) != std::string::npos);
+    }
+  }
+};
+
+/// Notes what a player says at every progress event, and aborts it after some.
+class ProgressLog : public vtkCommand
+{
+public:
+  static ProgressLog* New() { return new ProgressLog; }
+
+  void Execute(vtkObject* caller, unsigned long, void* progress) override
+  {
+    auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
+    this->Messages.push_back(player->GetMessage());
+    this->Progress.push_back(*static_cast<double*>(progress));
+    if (player->GetNumberOfPulsesDone() >= this->AbortAfter)
+    {
+      player->Abort();
+    }
+  }
+
+  std::vector<std::string> Messages;
+  std::vector<double> Progress;
+  vtkIdType AbortAfter = VTK_ID_MAX;
+};
+
+} // namespace
+
+TEST_CASE("SurveyPlayer: legs share the time, lose and repeat no pulse", "[SurveyPlayer]")
+{
+  const Files files;
+  Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="50"/>
+<scannerSettings id="c" pulseFreq_hz="200000" scanFreq_hz="80" scanAngle_deg="10"
+ trajectoryTimeInterval_s="0.05"/>
+<leg><platformSettings template="p" x="-10"/><scannerSettings template="c"/></leg>
+<leg><platformSettings template="p" x="10"/><scannerSettings template="c" active="false"/></leg>
+<leg><platformSettings template="p" x="15"/><scannerSettings template="c"/></leg>
+<leg><platformSettings template="p" x="15" y="5"/><scannerSettings template="c"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  reading.Log->Watch(player);
+  player->SetSurvey(reading.Reader->GetSurvey());
+  player->SetOutputDirectory((files / "out").c_str());
+  player->SetPulsesPerBlock(30000);
+  REQUIRE(player->Run());
+  // 20 m and 5 m at 50 m/s and 200 kHz
+  CHECK(player->GetNumberOfPulses() == 80000 + 20000);
+  CHECK(player->GetNumberOfPulsesDone() == 100000);
+  CHECK(player->GetNumberOfEchoes() == 100000);
+  CHECK(player->GetNumberOfFirstReturns() == 100000);
+  CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg003_points.xyz"));
+
+  std::ifstream points(files / "out/test/leg002_points.xyz");
+  double x, y, z, intensity, width, time;
+  long long number, returns, pulse, classification;
+  std::string part;
+  REQUIRE(points >> x >> y >> z >> intensity >> width >> number >> returns >> pulse >> part >>
+    classification >> time);
+  CHECK(pulse == 80000);      // goes on where the first active leg ended
+  CHECK(time == Approx(0.5)); // 0.4 s of leg 0, 0.1 s of leg 1
+  CHECK(part == "floor");
+  CHECK(std::abs(z) < 1e-3);
+  std::ifstream trajectory(files / "out/test/leg000_trajectory.txt");
+  int lines = 0;
+  for (std::string line; std::getline(trajectory, line);)
+  {
+    ++lines;
+  }
+  CHECK(lines == 9); // 0 to 0.4 s in steps of 0.05 s
+
+  CHECK_FALSE(player->Run());
+  CHECK(reading.Log->HasError("earlier run"));
+  player->SetOverwrite(true);
+  CHECK(player->Run());
+}
+
+TEST_CASE("SurveyPlayer: the size of the blocks changes no byte", "[SurveyPlayer]")
+{
+  const Files files;
+  Reading reading(files, Tripod, R"(<leg><platformSettings onGround="true"/>
+<scannerSettings scanFreq_hz="100" headRotatePerSec_deg="60" headRotateStop_deg="30"/></leg>)");
+  REQUIRE(reading.Good);
+  std::string texts[2];
+  for (const int run : { 0, 1 })
+  {
+    vtkNew<vtkHeliosSurveyPlayer> player;
+    player->SetSurvey(reading.Reader->GetSurvey());
+    const std::string folder = files / ("out" + std::to_string(run));
+    player->SetOutputDirectory(folder.c_str());
+    player->SetSeed(3);
+    player->SetPulsesPerBlock(run == 0 ? 262144 : 777);
+    REQUIRE(player->Run());
+    texts[run] = ReadText(folder + "/test/leg000_points.xyz");
+  }
+  CHECK(texts[0].size() > 100000);
+  CHECK(texts[0] == texts[1]);
+}
+
+TEST_CASE("SurveyPlayer: parts and legs go onto the ground", "[SurveyPlayer]")
+{
+  const Files files;
+  files.Write("hill.mtl", "newmtl earth\nhelios_isGround true\n");
+  files.Write("hill.obj",
+    "mtllib hill.mtl\nusemtl earth\nv -50 -50 20\nv 50 -50 20\nv 50 50 20\n"
+    "v -50 50 20\nf 1 2 3 4\n");
+  files.Write("wall.obj", "v -5 10 -3\nv 5 10 -3\nv 5 10 7\nv -5 10 7\nf 1 2 3 4\n");
+  files.Write("scene.xml", R"(<document><scene id="s">
+<part id="hill"><filter type="objloader"><param type="string" key="filepath" value="hill.obj"/></filter></part>
+<part id="wall"><filter type="objloader"><param type="string" key="filepath" value="wall.obj"/></filter>
+<filter type="translate"><param type="integer" key="onGround" value="1"/></filter></part>
+</scene></document>)");
+  Reading reading(files, Tripod, R"(<leg><platformSettings onGround="true"/>
+<scannerSettings scanFreq_hz="100" headRotatePerSec_deg="60" headRotateStart_deg="-5"
+ headRotateStop_deg="5"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  player->SetSurvey(reading.Reader->GetSurvey());
+  player->SetOutputDirectory((files / "out").c_str());
+  player->SetNoise(false);
+  REQUIRE(player->Run());
+  double lowest = 1e9, highest = -1e9;
+  std::ifstream points(files / "out/test/leg000_points.xyz");
+  for (std::string line; std::getline(points, line);)
+  {
+    std::istringstream words(line);
+    double x, y, z;
+    words >> x >> y >> z;
+    lowest = std::min(lowest, z);
+    highest = std::max(highest, z);
+  }
+  CHECK(lowest > 19.9);
+  CHECK(highest == Approx(30).margin(0.2)); // the wall: 10 m high, put down from z = -3
+}
+
+TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[SurveyPlayer]")
+{
+  const Files files;
+  // 100 kHz; 1 s at 10 deg/s, then an inactive leg of 0.5 s, then a leg ended after 0.25 s
+  const Reading reading(files, Tripod, R"(<scannerSettings id="s" scanFreq_hz="100"
+ headRotatePerSec_deg="10" headRotateStop_deg="10"/>
+<leg><scannerSettings template="s"/></leg>
+<leg><scannerSettings template="s" active="false" headRotateStop_deg="5"/></leg>
+<leg maxDuration_s="0.25"><platformSettings x="3"/><scannerSettings template="s"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  CHECK(playing.Player->GetNumberOfPulses() == 125000);
+  CHECK(playing.Player->GetNumberOfPulsesFired() < 125000); // 100 of 240 degrees
+  CHECK(playing.Player->GetNumberOfLegs() == 3);
+  CHECK(playing.Player->GetCurrentLeg() == 2);
+  CHECK(playing.Player->GetProgress() == 1.0);
+  const std::vector<Point> first = ReadPoints(files / "out/test/leg000_points.xyz");
+  const std::vector<Point> last = ReadPoints(files / "out/test/leg002_points.xyz");
+  REQUIRE(!first.empty());
+  REQUIRE(!last.empty());
+  CHECK(static_cast<vtkIdType>(first.size() + last.size()) == playing.Player->GetNumberOfEchoes());
+  CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
+  for (const Point& point : first)
+  {
+    REQUIRE(point.Time == Approx(static_cast<double>(point.Pulse) / 1e5).margin(1e-9));
+  }
+  for (const Point& point : last)
+  {
+    REQUIRE(point.Pulse >= 100000);
+    REQUIRE(
+      point.Time == Approx(1.5 + static_cast<double>(point.Pulse - 100000) / 1e5).margin(1e-9));
+  }
+  CHECK(ReadLines(files / "out/test/leg002_trajectory.txt") ==
+    std::vector<std::string>{ "3.0000 0.0000 0.0000 1.500000000 0.0000 0.0000 0.0000" });
+}
+
+TEST_CASE("SurveyPlayer: a trajectory has start and end of its leg", "[SurveyPlayer]")
+{
+  const Files files;
+  std::string legs = ThreeLegs;
+  legs.replace(legs.find("scanFreq_hz"), 11, "trajectoryTimeInterval_s=\"0.06\" scanFreq_hz");
+  const Reading reading(files, Flight, legs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  const std::vector<std::string> stepped = ReadLines(files / "out/test/leg000_trajectory.txt");
+  REQUIRE(stepped.size() == 5); // 0, 0.06, 0.12, 0.18, 0.2 s
+  CHECK(stepped[1].find("3.0000 0.0000 100.0000 0.060000000") == 0);
+  CHECK(stepped[4].find("10.0000 0.0000 100.0000 0.200000000") == 0);
+  const std::vector<std::string> plain = ReadLines(files / "out/test/leg001_trajectory.txt");
+  REQUIRE(plain.size() == 2);
+  CHECK(plain[0].find("10.0000 0.0000 100.0000 0.200000000") == 0);
+  CHECK(plain[1].find("20.0000 0.0000 100.0000 0.400000000") == 0);
+}
+
+TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Player->SetWriteWaveforms(true);
+  REQUIRE(playing.Player->Run());
+  CHECK(ReadLines(files / "out/test/leg000_points.xyz").size() == 40000);
+  CHECK(ReadLines(files / "out/test/leg000_fullwave.txt").size() == 40000);
+
+  // The other format replaces all files of the first run, the waveforms too.
+  playing.Player->SetOverwrite(true);
+  playing.Player->SetWriteWaveforms(false);
+  playing.Player->SetFormat("vtp");
+  REQUIRE(playing.Player->Run());
+  CHECK(fs::exists(files / "out/test/leg001_points.pvtp"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
+
+  playing.Player->SetFormat("doc");
+  playing.CheckFails({ "Format is \"doc\"; give xyz or vtp" });
+  playing.Player->SetSurvey(nullptr);
+  playing.CheckFails({ "Survey is not set" });
+}
+
+TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  std::vector<std::string> texts;
+  for (const int run : { 0, 1, 2 })
+  {
+    Playing playing(files, reading);
+    playing.Player->SetOverwrite(true);
+    playing.Player->SetNoise(run > 0);
+    playing.Player->SetSeed(run);
+    REQUIRE(playing.Player->Run());
+    texts.push_back(ReadText(files / "out/test/leg000_points.xyz"));
+  }
+  CHECK(texts[0] != texts[1]);
+  CHECK(texts[1] != texts[2]);
+}
+
+TEST_CASE(
+  "SurveyPlayer: a file of several parts is read once; they are part by part", "[SurveyPlayer]")
+{
+  const Files files;
+  files.Replace("scene.xml", "</scene>", R"(<part id="shelf"><filter type="objloader">
+<param key="filepath" value="plane.obj"/></filter><filter type="translate">
+<param key="offset" value="60;0;20"/></filter></part></scene>)");
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  vtkNew<ProgressLog> log;
+  playing.Player->AddObserver(vtkCommand::ProgressEvent, log);
+  REQUIRE(playing.Player->Run());
+  const auto isReading = [](const std::string& message) { return message.find("reading") == 0; };
+  CHECK(std::count_if(log->Messages.begin(), log->Messages.end(), isReading) == 1);
+  CHECK(std::is_sorted(log->Progress.begin(), log->Progress.end()));
+  CHECK(log->Progress.back() == 1.0);
+  for (const Point& point : ReadPoints(files / "out/test/leg000_points.xyz"))
+  {
+    REQUIRE(point.Part == (point.Z > 10.0 ? "shelf" : "floor"));
+    REQUIRE(point.Z == Approx(point.Part == "shelf" ? 20.0 : 0.0).margin(0.01));
+  }
+}
+
+TEST_CASE("SurveyPlayer: files of one part are one part", "[SurveyPlayer]")
+{
+  const Files files;
+  files.Write("more/a.obj", "v -50 -50 0\nv 0 -50 0\nv 0 50 0\nv -50 50 0\nf 1 2 3 4\n");
+  files.Write("more/b.obj", "v 0 -50 0\nv 50 -50 0\nv 50 50 0\nv 0 50 0\nf 1 2 3 4\n");
+  files.Replace("scene.xml", "\"filepath\" value=\"plane.obj\"", "\"efilepath\" value=\"more/.*\"");
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  const std::vector<Point> points = ReadPoints(files / "out/test/leg000_points.xyz");
+  CHECK(points.size() == 40000); // the halves make the floor
+  const auto isFloor = [](const Point& point) { return point.Part == "floor"; };
+  CHECK(std::all_of(points.begin(), points.end(), isFloor));
+}
+
+TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
+{
+  const Files files;
+  files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\n");
+  files.Replace("plane.obj", "v -50", "mtllib plane.mtl\nusemtl m\nv -50");
+  // 1064 nm lies 0.64 of the way from 20 to 30 %
+  const std::string header =
+    "Name: Moss\nX Units: Wavelength (micrometers)\nFirst X Value: 0.5\n\n";
+  files.Write("spectra/moss.txt", header + "0.5\t10\t\n1.0\t20\n1.1\t30\r\n2.5\t90\n");
+  const Reading reading(files, Flight, ThreeLegs);
+  const auto intensity = [&files, &reading](const std::string& warning)
+  {
+    Playing playing(files, reading);
+    playing.Player->SetOverwrite(true);
+    REQUIRE(playing.Player->Run());
+    INFO(playing.Log->Warnings);
+    CHECK(playing.Log->HasWarning(warning));
+    CHECK(playing.Log->Warnings.empty() == warning.empty());
+    return ReadPoints(files / "out/test/leg000_points.xyz").front().Intensity;
+  };
+  const double from = intensity("");
+  files.Write("spectra/moss.txt", header + "0.3 0\n1.0 50\n"); // ends before: its last
+  CHECK(intensity("") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header + "1.5 40\n2 0\n"); // starts beyond: its first
+  CHECK(intensity("") == Approx(from * 0.4 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header);
+  CHECK(intensity("has no rows") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header + "2 10\n1 20\n");
+  CHECK(intensity("do not ascend") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("spectra/moss.txt", header + "2 101\n");
+  CHECK(intensity("outside 0 to 100 %") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  fs::remove(files / "spectra/moss.txt");
+  CHECK(intensity("Spectrum moss is in none of") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\nhelios_reflectance 0.1\n");
+  CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // what is given counts
+}
+
+TEST_CASE("SurveyPlayer: output that cannot be", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Player->SetOutputDirectory((files / "plane.obj/below").c_str());
+  playing.CheckFails({ "plane.obj/below", "cannot be made", "OutputDirectory" });
+  playing.Player->SetOutputDirectory((files / "out").c_str());
+  files.Write("out/test", "a file");
+  playing.CheckFails({ "out/test: the output folder cannot be made" });
+}
+
+TEST_CASE(
+  "SurveyPlayer: an earlier run is kept, also where the new one fails early", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  files.Write("out/test/leg000_points.xyz.part", "earlier");
+  files.Write("out/test/notes.txt", "mine");
+  playing.CheckFails({ "out/test: holds the files of an earlier run", "Overwrite" });
+  playing.Player->SetOverwrite(true);
+  files.Write("plane.obj", "v a b c\n");
+  playing.CheckFails({ "plane.obj:1" });
+  CHECK(ReadText(files / "out/test/leg000_points.xyz.part") == "earlier");
+  files.Write("plane.obj", ReadText(Files() / "plane.obj"));
+  CHECK(playing.Player->Run());
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz.part"));
+  CHECK(ReadText(files / "out/test/notes.txt") == "mine");
+}
+
+TEST_CASE("SurveyPlayer: a run without points says why", "[SurveyPlayer]")
+{
+  const Files files;
+  SECTION("no leg is active")
+  {
+    const Reading reading(files, Tripod, "<leg><scannerSettings active=\"false\"/></leg>");
+    Playing(files, reading).CheckFails({ "No points: no leg fires a pulse", "active=\"true\"" });
+  }
+  SECTION("no pulse leaves the scanner")
+  {
+    files.Replace("assets.xml", "scanAngleEffectiveMax_deg=\"50\"", "");
+    std::string leg = OneLeg;
+    leg.replace(leg.find("scanFreq_hz"), 11,
+      "verticalAngleMin_deg=\"130\" verticalAngleMax_deg=\"140\" scanFreq_hz");
+    const Reading reading(files, Tripod, leg);
+    Playing(files, reading)
+      .CheckFails({ "No points: no pulse left the scanner", "verticalAngleMin" });
+  }
+  SECTION("no pulse hits the scene")
+  {
+    std::string legs = ThreeLegs;
+    legs.replace(legs.find("z=\"100\""), 7, "z=\"-100\"")
+      .replace(legs.find("z=\"100\""), 7, "z=\"-100\"");
+    legs.replace(legs.find("z=\"100\""), 7, "z=\"-100\"");
+    const Reading reading(files, Flight, legs);
+    Playing(files, reading)
+      .CheckFails({ "No points: none of 80000 pulses hit the scene", "x -50 to 50", "z 0 to 0",
+        "leg 0 starts at 0, 0, -100" });
+  }
+  SECTION("all is too near")
+  {
+    files.Replace("assets.xml", "id=\"als\"", "id=\"als\" rangeMin_m=\"500\"");
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing(files, reading)
+      .CheckFails({ "No points: every surface hit is nearer than rangeMin_m=\"500\"" });
+  }
+  SECTION("all is too weak")
+  {
+    files.Replace("assets.xml", "id=\"als\"", "id=\"als\" receivedEnergyMin_W=\"1e9\"");
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing(files, reading)
+      .CheckFails(
+        { "No points: the strongest of 80000 returns", "below the detection threshold of 1 W" });
+  }
+}
+
+TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
+{
+  const Files files;
+  SECTION("all parts on a ground that there is not")
+  {
+    files.Replace("scene.xml", "</part>",
+      "<filter type=\"translate\"><param key=\"onGround\" value=\"1\"/></filter></part>");
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing(files, reading).CheckFails({ "scene.xml:1", "every part is onGround" });
+  }
+  SECTION("a part beside the ground")
+  {
+    files.Replace("scene.xml", "</scene>", R"(
+<part><filter type="objloader"><param key="filepath" value="plane.obj"/></filter>
+<filter type="translate"><param key="offset" value="500;0;0"/><param key="onGround" value="1"/></filter>
+</part></scene>)");
+    const Reading reading(files, Flight, ThreeLegs);
+    REQUIRE(reading.Good);
+    Playing playing(files, reading);
+    CHECK_FALSE(playing.Player->Run());
+    CHECK(playing.Log->HasError("no ground above or below point 0 at x 450, y -50"));
+    CHECK(playing.Log->HasError("scene.xml:4"));
+  }
+  SECTION("a leg beside the ground")
+  {
+    std::string leg = OneLeg;
+    leg.replace(leg.find("x=\"1\""), 5, "x=\"99\" onGround=\"true\"");
+    const Reading reading(files, Tripod, leg);
+    Playing playing(files, reading);
+    CHECK_FALSE(playing.Player->Run());
+    CHECK(playing.Log->HasError("no ground above or below point 0 at x 99, y 2"));
+    CHECK(playing.Log->HasError("survey.xml: legs with onGround"));
+  }
+  SECTION("no geometry")
+  {
+    files.Write("plane.obj", "");
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing playing(files, reading);
+    CHECK_FALSE(playing.Player->Run());
+    CHECK_FALSE(playing.Log->Errors.empty());
+  }
+}
+
+TEST_CASE("SurveyPlayer: a run that is stopped keeps what it has", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  vtkNew<ProgressLog> log;
+  playing.Player->AddObserver(vtkCommand::ProgressEvent, log);
+  playing.Player->SetPulsesPerBlock(10000);
+  SECTION("in its second leg")
+  {
+    log->AbortAfter = 50000;
+    CHECK_FALSE(playing.Player->Run());
+    CHECK(playing.Log->Errors.empty());
+    CHECK(playing.Player->GetMessage().find(
+            "Stopped after 50000 of 80000 pulses; the 50000 points") == 0);
+    CHECK(playing.Player->GetMessage().find("out/test") != std::string::npos);
+    CHECK(ReadPoints(files / "out/test/leg000_points.xyz").size() == 40000);
+    CHECK(ReadPoints(files / "out/test/leg001_points.xyz.part").size() == 10000);
+    CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
+  }
+  SECTION("while it loads")
+  {
+    log->AbortAfter = 0;
+    CHECK_FALSE(playing.Player->Run());
+    CHECK(playing.Log->Errors.empty());
+    CHECK(playing.Player->GetMessage().find("nothing was written") != std::string::npos);
+  }
+  SECTION("after its last pulse: it is done")
+  {
+    log->AbortAfter = 80000;
+    CHECK(playing.Player->Run());
+  }
+}

@@ -1,0 +1,673 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// From files in the HELIOS dialect to plain data; what is wrong with a file is said with its line.
+#include "vtkHeliosSurveyReader.h"
+
+#include "heliosSurveyFiles.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace helios::test;
+
+namespace
+{
+
+/// A change to a file of a good survey, and what messages must say then.
+struct Change
+{
+  std::string File;
+  std::string From;
+  std::string To;
+  std::vector<std::string> Messages;
+};
+
+void CheckRefused(const Files& files, const std::vector<std::string>& messages)
+{
+  const Reading reading(files);
+  INFO(reading.Log->Errors);
+  CHECK_FALSE(reading.Good);
+  CHECK(reading.Reader->GetSurvey() == nullptr);
+  for (const std::string& message : messages)
+  {
+    INFO("missing: " << message);
+    CHECK(reading.Log->HasError(message));
+  }
+}
+
+/// Each change alone makes the survey an error.
+void CheckAllRefused(const char* attributes, const char* legs, const std::vector<Change>& changes)
+{
+  for (const Change& change : changes)
+  {
+    const Files files;
+    REQUIRE(Reading(files, attributes, legs).Good);
+    INFO(change.From << " -> " << change.To);
+    files.Replace(change.File, change.From, change.To);
+    CheckRefused(files, change.Messages);
+  }
+}
+
+/// Each change alone is warned of, and read all the same.
+void CheckAllWarned(const char* attributes, const char* legs, const std::vector<Change>& changes)
+{
+  for (const Change& change : changes)
+  {
+    const Files files;
+    REQUIRE(Reading(files, attributes, legs).Good);
+    INFO(change.From << " -> " << change.To);
+    files.Replace(change.File, change.From, change.To);
+    const Reading reading(files);
+    INFO(reading.Log->Errors << reading.Log->Warnings);
+    CHECK(reading.Good);
+    for (const std::string& message : change.Messages)
+    {
+      INFO("missing: " << message);
+      CHECK(reading.Log->HasWarning(message));
+    }
+  }
+}
+
+std::size_t CountOf(const std::string& part, const std::string& text)
+{
+  std::size_t count = 0;
+  for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+/// A <filter> with one parameter.
+std::string Filter(const char* type, const char* key, const char* value)
+{
+  return std::string("<filter type=\"") + type + "\"><param key=\"" + key + "\" value=\"" + value +
+    "\"/></filter>";
+}
+
+} // namespace
+
+TEST_CASE("SurveyReader: scanner, platform and units", "[SurveyReader]")
+{
+  const Files files;
+  Reading reading(files, Tripod, R"(<leg><platformSettings x="1" y="2" z="3"/>
+<scannerSettings scanFreq_hz="100" headRotatePerSec_deg="30" headRotateStop_deg="90"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  const helios::ScannerData& scanner = reading.Data().Scanner;
+  CHECK(scanner.PulseFrequencies == std::vector<double>{ 100000, 300000 });
+  CHECK(scanner.PulseLength == 5.0);
+  CHECK(scanner.Accuracy == 0.005);
+  CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // counted in nanowatts
+  CHECK(scanner.NumberOfCircles == 2);
+  CHECK(scanner.Beam.Position[2] == 0.2);
+  CHECK(reading.Data().Platform.Mount.Position[2] == 1.5);
+  const helios::LegData& leg = reading.Data().Legs.at(0);
+  CHECK(leg.Position[1] == 2.0);
+  CHECK(leg.PulseFrequency == 100000); // the scanner's first
+  CHECK(leg.BeamDivergence == 0.0004);
+  CHECK(leg.VerticalAngleMin == -50);
+  CHECK(leg.VerticalAngleMax == 50);
+  CHECK(leg.GetHeadTime() == 3.0);
+  CHECK(reading.Reader->GetSurvey()->GetName() == "test");
+  CHECK(reading.Reader->GetSurvey()->GetNumberOfLegs() == 1);
+}
+
+TEST_CASE("SurveyReader: rotations of a mount, the last outermost", "[SurveyReader]")
+{
+  const Files files;
+  Reading reading(files, Flight, R"(<leg><platformSettings z="100"/></leg>
+<leg><platformSettings x="10" z="100"/></leg>)");
+  REQUIRE(reading.Good);
+  // x -90 turns y down; z 90 leaves it there
+  const helios::Vec3 down = helios::Rotate(reading.Data().Platform.Mount.Orientation, { 0, 1, 0 });
+  CHECK(down[2] == Approx(-1));
+  const helios::Vec3 side = helios::Rotate(reading.Data().Platform.Mount.Orientation, { 1, 0, 0 });
+  CHECK(side[1] == Approx(1));
+}
+
+TEST_CASE("SurveyReader: templates are inherited by presence", "[SurveyReader]")
+{
+  const Files files;
+  Reading reading(
+    files, Tripod, R"(<scannerSettings id="base" pulseFreq_hz="300000" scanFreq_hz="50"
+ headRotatePerSec_deg="10" headRotateStop_deg="20" beamDivergence_rad="0.001"/>
+<scannerSettings id="fast" template="base" headRotatePerSec_deg="20"/>
+<platformSettings id="place" x="5" y="6" z="7"/>
+<leg><platformSettings template="place" y="8"/><scannerSettings template="fast" active="false"/></leg>
+<leg><platformSettings template="place"/><scannerSettings template="base" scanFreq_hz="60"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  const auto& legs = reading.Data().Legs;
+  REQUIRE(legs.size() == 2);
+  CHECK(legs[0].Position == helios::Vec3(5, 8, 7));
+  CHECK_FALSE(legs[0].Active);
+  CHECK(legs[0].HeadRotateSpeed == 20);
+  CHECK(legs[0].ScanFrequency == 50);
+  CHECK(legs[0].BeamDivergence == 0.001);
+  CHECK(legs[1].Position == helios::Vec3(5, 6, 7));
+  CHECK(legs[1].HeadRotateSpeed == 10);
+  CHECK(legs[1].ScanFrequency == 60);
+  CHECK(legs[1].PulseFrequency == 300000);
+}
+
+TEST_CASE("SurveyReader: resolution in degrees sets line rate and head speed", "[SurveyReader]")
+{
+  const Files files;
+  // f = 100 kHz, 240 degrees a facet: 0.12 deg take 50 lines a second, 0.1 deg a line 5 deg/s
+  Reading reading(files, Tripod, R"(<leg><platformSettings/><scannerSettings
+ verticalResolution_deg="0.12" horizontalResolution_deg="0.1" headRotateStop_deg="10"/></leg>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Data().Legs[0].ScanFrequency == Approx(50));
+  CHECK(reading.Data().Legs[0].HeadRotateSpeed == Approx(5));
+}
+
+TEST_CASE("SurveyReader: asset folders come before the survey's own", "[SurveyReader]")
+{
+  const Files files;
+  std::string other = ReadText(files / "assets.xml");
+  other.replace(other.find("pulseLength_ns=\"5\""), 18, "pulseLength_ns=\"9\"");
+  files.Write("extra/assets.xml", other);
+  Reading plain(files, Tripod,
+    "<leg><platformSettings/><scannerSettings scanFreq_hz=\"50\" "
+    "headRotatePerSec_deg=\"10\" headRotateStop_deg=\"20\"/></leg>");
+  REQUIRE(plain.Good);
+  CHECK(plain.Data().Scanner.PulseLength == 5);
+  vtkNew<vtkHeliosSurveyReader> reader;
+  reader->AddAssetDirectory((files / "extra").c_str());
+  reader->SetFileName((files / "survey.xml").c_str());
+  REQUIRE(reader->Read());
+  CHECK(reader->GetSurvey()->GetData().Scanner.PulseLength == 9);
+}
+
+TEST_CASE("SurveyReader: scene filters go rotate, scale, translate; the last scale counts",
+  "[SurveyReader]")
+{
+  const Files files;
+  files.Write("scene.xml", R"(<document><scene id="s"><part>
+<filter type="translate"><param type="vec3" key="offset" value="1;2;3"/></filter>
+<filter type="scale"><param type="double" key="scale" value="5"/></filter>
+<filter type="objloader"><param type="string" key="filepath" value="plane.obj"/></filter>
+<filter type="rotate"><param key="rotation" type="rotation"><rot axis="z" angle_deg="90"/></param></filter>
+<filter type="scale"><param type="double" key="scale" value="2"/></filter>
+</part></scene></document>)");
+  Reading reading(files, Tripod,
+    "<leg><platformSettings/><scannerSettings scanFreq_hz=\"50\" "
+    "headRotatePerSec_deg=\"10\" headRotateStop_deg=\"20\"/></leg>");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  const helios::PartData& part = reading.Data().Scene.Parts.at(0);
+  CHECK(part.Scale == 2);
+  CHECK(part.Translation == helios::Vec3(1, 2, 3));
+  CHECK(helios::Rotate(part.Rotation, { 1, 0, 0 })[1] == Approx(1));
+  CHECK(part.Name == "0");
+  CHECK(reading.Log->HasWarning("scale"));
+}
+
+TEST_CASE("SurveyReader: scene filters keep their repeated turns", "[SurveyReader]")
+{
+  const Files files;
+  const std::string turn = R"(<filter type="rotate"><param key="rotation" type="rotation">
+<rot axis="AXIS" angle_deg="90"/></param></filter>)";
+  std::string turns = turn + turn;
+  turns.replace(turns.find("AXIS"), 4, "yaw").replace(turns.find("AXIS"), 4, "pitch");
+  files.Replace("scene.xml", "</part>", turns + "</part>");
+  Reading reading(files, Tripod, OneLeg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  // z: x to y; then x: y to z
+  const helios::Quaternion& turned = reading.Data().Scene.Parts.at(0).Rotation;
+  CHECK(helios::Rotate(turned, { 1, 0, 0 })[2] == Approx(1));
+}
+
+TEST_CASE("SurveyReader: rotations are global or local", "[SurveyReader]")
+{
+  const Files files;
+  Reading global(files, Flight, ThreeLegs);
+  files.Replace("assets.xml", "z=\"0.7\"", "z=\"0.7\" rotations=\"local\"");
+  Reading local(files);
+  REQUIRE(global.Good);
+  REQUIRE(local.Good);
+  // global: x by -90 first, so y ends down; local: z by 90 first, so y goes to -x and stays there
+  CHECK(helios::Rotate(global.Data().Platform.Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
+  CHECK(helios::Rotate(local.Data().Platform.Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
+}
+
+TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader]")
+{
+  const Files files;
+  Reading reading(files, Tripod, std::string(OneLeg) + R"(
+<FWFSettings binSize_ns="0.5"/><detectorSettings accuracy_m="0.02" rangeMax_m="80"/>)");
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Data().Scanner.BinSize == 0.5);
+  CHECK(reading.Data().Scanner.NumberOfCircles == 2); // the scanner's
+  CHECK(reading.Data().Scanner.Accuracy == 0.02);
+  CHECK(reading.Data().Scanner.RangeMin == 0.5);
+  CHECK(reading.Data().Scanner.RangeMax == 80.0);
+}
+
+TEST_CASE("SurveyReader: references and numbers as files in the wild write them", "[SurveyReader]")
+{
+  const Files files;
+  files.Write("data/scanners.xml", ReadText(files / "assets.xml"));
+  files.Write("lone.xml", ReadText(files / "scene.xml"));
+  files.Write("sub/survey.xml", R"(<document><platform id="stand" type="dummy"/>
+<survey platform="#stand" scanner="scanners.xml#tls" scene="near.xml#s">
+<leg maxDuration_s="4"><platformSettings x=" +1.5e1 " y="-.5" onGround="FALSE"/>
+<scannerSettings scanFreq_hz="50." active="True"/></leg>
+<leg><scannerSettings scanFreq_hz="50" beamDivergenceRad="0"><maxDuration_s>2.5</maxDuration_s>
+</scannerSettings></leg></survey></document>)");
+  files.Write("sub/near.xml", R"(<document><scene id="s"><part><filter type="OBJLoader">
+<param key="filepath" value="plane.obj"/></filter></part></scene></document>)");
+  vtkNew<vtkHeliosSurveyReader> reader;
+  const auto log = Observe(reader);
+  reader->AddAssetDirectory((files / "").c_str());
+  reader->SetFileName((files / "sub/survey.xml").c_str());
+  REQUIRE(reader->Read());
+  INFO(log->Warnings);
+  CHECK(log->Warnings.empty());
+  const helios::SurveyData& data = reader->GetSurvey()->GetData();
+  CHECK(data.Name == "survey"); // of the file
+  CHECK(data.Scanner.Id == "tls");
+  CHECK(data.Platform.Type == helios::PlatformType::Static);
+  CHECK(data.Scene.Parts.at(0).Files.at(0) == files / "plane.obj");
+  CHECK(data.Legs.at(0).Position == helios::Vec3(15, -0.5, 0));
+  CHECK(data.Legs.at(0).MaximumDuration == 4.0);
+  CHECK(data.Legs.at(1).MaximumDuration == 2.5);
+  CHECK(data.Legs.at(1).BeamDivergence == 0.0); // one ray
+}
+
+TEST_CASE("SurveyReader: an expression for file names makes a part a file", "[SurveyReader]")
+{
+  const Files files;
+  files.Write("trees/oak_2.obj", "v 0 0 0\n");
+  files.Write("trees/oak_1.obj", "v 0 0 0\n");
+  files.Write("trees/oak_1.mtl", "");
+  files.Write("trees/ash.obj", "v 0 0 0\n");
+  const std::string part =
+    "<part>" + Filter("objloader", "efilepath", "trees/oak_.*[.]obj") + "</part>";
+  files.Replace("scene.xml", "</scene>", part + part + "</scene>");
+  const Reading first(files, Tripod, OneLeg);
+  REQUIRE(first.Good);
+  const auto& parts = first.Reader->GetSurvey()->GetData().Scene.Parts;
+  REQUIRE(parts.size() == 5);
+  CHECK(parts[1].Name == "1");
+  CHECK(parts[1].Files == std::vector<std::string>{ files / "trees/oak_1.obj" });
+  CHECK(parts[4].Name == "4");
+  CHECK(parts[4].Files == std::vector<std::string>{ files / "trees/oak_2.obj" });
+  CHECK(first.Reader->GetSurvey()->GetPartName(0) == "floor");
+  CHECK(first.Reader->GetSurvey()->GetPartName(9).empty());
+
+  files.Replace("scene.xml", "<part><filter type=\"objloader\"><param key=\"efilepath\"",
+    "<part id=\"oaks\"><filter type=\"objloader\"><param key=\"efilepath\"");
+  const Reading second(files);
+  REQUIRE(second.Good);
+  const auto& joined = second.Reader->GetSurvey()->GetData().Scene.Parts;
+  REQUIRE(joined.size() == 4); // with an id one part has both files
+  CHECK(joined[1].Name == "oaks");
+  CHECK(joined[1].Files.size() == 2);
+}
+
+TEST_CASE("SurveyReader: XML that is none, or of another kind", "[SurveyReader]")
+{
+  const Files files;
+  struct Document
+  {
+    std::string Text;
+    std::vector<std::string> Messages;
+  };
+  const std::vector<Document> documents = {
+    { "", { "survey.xml:1", "empty" } },
+    { " \n\n ", { "survey.xml:1", "empty" } },
+    { "<document>\n<survey>\n</document>", { "survey.xml:3", "not XML", "tags mismatch" } },
+    { "<document>\n<survey name=\"a\"", { "survey.xml:2", "not XML" } },
+    { "<document>\n\n<survey name=unquoted/></document>", { "survey.xml:3", "not XML" } },
+    { "<scene>\n</scene>", { "survey.xml:1", "the root element is <scene>", "<document>" } },
+    { "<!-- only this -->", { "survey.xml:1", "root element is missing" } },
+    { "<document/>\n\n<document/>", { "survey.xml:3", "second root element" } },
+    { "<document>\n<survey name=\"a\"\nname=\"b\"/></document>",
+      { "survey.xml:2", "attribute name twice" } },
+    { "<document>\n</document>", { "survey.xml:1", "no <survey>" } },
+    { "\xFF\xFE<", { "survey.xml:1", "UTF-16", "save it as UTF-8" } },
+  };
+  for (const Document& document : documents)
+  {
+    INFO(document.Text);
+    files.Write("survey.xml", document.Text);
+    CheckRefused(files, document.Messages);
+  }
+  fs::remove(files / "survey.xml");
+  CheckRefused(files, { "survey.xml: cannot be read" });
+  fs::create_directory(files / "survey.xml");
+  CheckRefused(files, { "survey.xml: cannot be read" });
+  vtkNew<vtkHeliosSurveyReader> reader;
+  const auto log = Observe(reader);
+  CHECK_FALSE(reader->Read());
+  CHECK(log->HasError("FileName is not set"));
+}
+
+TEST_CASE("SurveyReader: XML in other clothes is read", "[SurveyReader]")
+{
+  const Files files;
+  REQUIRE(Reading(files, Tripod, OneLeg).Good);
+  SECTION("without a declaration")
+  {
+    files.Replace("survey.xml", "<?xml version=\"1.0\"?>\n", "");
+    const Reading reading(files);
+    CHECK(reading.Good);
+    CHECK(reading.Log->Warnings.empty());
+  }
+  SECTION("with a byte order mark; lines stay right")
+  {
+    files.Write("survey.xml", "\xEF\xBB\xBF" + ReadText(files / "survey.xml"));
+    CHECK(Reading(files).Good);
+    files.Replace("survey.xml", "x=\"1\"", "x=\"one\"");
+    CheckRefused(files, { "survey.xml:4", "x=\"one\"" });
+  }
+  SECTION("in Latin-1; lines stay right")
+  {
+    files.Replace("survey.xml", "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\"");
+    files.Replace(
+      "survey.xml", "<document>", "<document><!-- \xE4\xF6\xFC\xE4\xF6\xFC\xE4\xF6 -->");
+    files.Replace("survey.xml", "\"test\"", "\"B\xE4ume\"");
+    const Reading reading(files);
+    REQUIRE(reading.Good);
+    CHECK(reading.Reader->GetSurvey()->GetName() == "B\xC3\xA4ume");
+    files.Replace("survey.xml", "x=\"1\"", "x=\"one\"");
+    CheckRefused(files, { "survey.xml:4", "x=\"one\"" });
+  }
+  SECTION("with a document type: it is not read, its entities are not expanded")
+  {
+    files.Replace("survey.xml", "<document>",
+      "<!DOCTYPE document [<!ENTITY who SYSTEM \"file:///etc/hostname\">]>\n<document>");
+    files.Replace("survey.xml", "\"test\"", "\"&who;\"");
+    const Reading reading(files);
+    REQUIRE(reading.Good);
+    CHECK(reading.Log->HasWarning("entities are not expanded"));
+    CHECK(reading.Reader->GetSurvey()->GetName() == "&who;");
+  }
+  SECTION("with two surveys: the first is run")
+  {
+    files.Replace("survey.xml", "</document>", "<survey name=\"second\"/></document>");
+    const Reading reading(files);
+    REQUIRE(reading.Good);
+    CHECK(reading.Log->HasWarning("only the first"));
+    CHECK(reading.Reader->GetSurvey()->GetName() == "test");
+  }
+  SECTION("with a name that is no folder's")
+  {
+    files.Replace("survey.xml", "\"test\"", "\"../../up\"");
+    const Reading reading(files);
+    REQUIRE(reading.Good);
+    CHECK(reading.Log->HasWarning("survey.xml:3"));
+    CHECK(reading.Reader->GetSurvey()->GetName() == ".._.._up");
+  }
+}
+
+TEST_CASE("SurveyReader: values that are none of their kind", "[SurveyReader]")
+{
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "survey.xml", "x=\"1\"", "x=\"1,5\"",
+        { "survey.xml:4", "x=\"1,5\" is not a number", "decimal point", "[m]" } },
+      { "survey.xml", "x=\"1\"", "x=\"abc\"", { "survey.xml:4", "x=\"abc\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"\"", { "survey.xml:4", "x=\"\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"nan\"", { "survey.xml:4", "x=\"nan\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"inf\"", { "survey.xml:4", "x=\"inf\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"1e999\"", { "survey.xml:4", "x=\"1e999\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"5 m\"", { "survey.xml:4", "x=\"5 m\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"+-5\"", { "survey.xml:4", "x=\"+-5\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "x=\"0x10\"", { "survey.xml:4", "x=\"0x10\" is not a number" } },
+      { "survey.xml", "x=\"1\"", "onGround=\"yes\"",
+        { "survey.xml:4", "onGround=\"yes\" is neither true nor false" } },
+      { "survey.xml", "scanFreq_hz", "pulseFreq_hz=\"0\" scanFreq_hz",
+        { "survey.xml:5", "pulseFreq_hz=\"0\" is out of range", "above 0", "[Hz]" } },
+      { "survey.xml", "scanFreq_hz", "pulseFreq_hz=\"-5\" scanFreq_hz",
+        { "survey.xml:5", "pulseFreq_hz=\"-5\" is out of range" } },
+      { "survey.xml", "scanFreq_hz", "pulseFreq_hz=\"fast\" scanFreq_hz",
+        { "survey.xml:5", "pulseFreq_hz=\"fast\" is not a number" } },
+      { "survey.xml", "scanFreq_hz", "beamDivergence_rad=\"-0.1\" scanFreq_hz",
+        { "survey.xml:5", "beamDivergence_rad=\"-0.1\" is out of range", "from 0 to 1 [rad]" } },
+      { "assets.xml", "rangeMin_m", "maxNOR=\"2.5\" rangeMin_m",
+        { "assets.xml:5", "maxNOR=\"2.5\" is not an integer" } },
+      { "assets.xml", "rangeMin_m", "maxNOR=\"300\" rangeMin_m",
+        { "assets.xml:5", "maxNOR=\"300\" is out of range; give a number from 0 to 255" } },
+      { "assets.xml", "100000, 300000", "100000; 300000",
+        { "assets.xml:5", "is not a list of numbers", "\"100000; 300000\" is none", "commas" } },
+      { "assets.xml", "100000, 300000", "100000, -1",
+        { "assets.xml:5", "pulseFreqs_Hz=\"100000, -1\" is out of range" } },
+      { "assets.xml", "beamSampleQuality=\"2\"", "beamSampleQuality=\"0\"",
+        { "assets.xml:8", "beamSampleQuality=\"0\" is out of range; give a number from 1 to 64" } },
+      { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\"><rot axis=\"w\" angle_deg=\"1\"/></scannerMount>",
+        { "assets.xml:2", "axis=\"w\" is no axis", "x, y or z" } },
+      { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\"><rot axis=\"x\"/></scannerMount>",
+        { "assets.xml:2", "<rot> has no angle_deg" } },
+      { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\" rotations=\"mine\"/>",
+        { "assets.xml:2", "rotations=\"mine\" is neither global nor local" } },
+    });
+}
+
+TEST_CASE("SurveyReader: all errors are told, each once", "[SurveyReader]")
+{
+  const Files files;
+  Reading reading(files, Tripod,
+    R"(<scannerSettings id="t" scanFreq_hz="x"/><leg><scannerSettings template="t"/></leg>
+<leg><scannerSettings template="t" pulseFreq_hz="0"/></leg>)");
+  CHECK_FALSE(reading.Good);
+  CHECK(CountOf("scanFreq_hz=\"x\"", reading.Log->Errors) == 1);
+  CHECK(CountOf("pulseFreq_hz=\"0\"", reading.Log->Errors) == 1);
+}
+
+TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
+{
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "survey.xml", "#tripod", "#tripot",
+        { "survey.xml:3", "platform=\"assets.xml#tripot\"", "assets.xml has no <platform>",
+          "did you mean tripod?", "Its ids are tripod, plane" } },
+      { "survey.xml", "#tls", "#mls", { "survey.xml:3", "Its ids are tls, als" } },
+      { "survey.xml", "#s\"", "#wood\"", { "survey.xml:3", "has no <scene> of the id \"wood\"" } },
+      { "survey.xml", "assets.xml#tls", "als",
+        { "survey.xml:3", "It has none at all", "file.xml#id" } },
+      { "survey.xml", "assets.xml#tls", "scanners.xml#tls",
+        { "survey.xml:3", "scanner=\"scanners.xml\": no such file", "looked for",
+          "asset directories" } },
+      { "survey.xml", "scanner=\"assets.xml#tls\"", "",
+        { "survey.xml:3", "<survey> has no attribute scanner", "scanner=\"file.xml#id\"" } },
+      { "survey.xml", "assets.xml#tripod", "interpolated",
+        { "survey.xml:3", "interpolated", "later version" } },
+      { "survey.xml", "x=\"1\"", "template=\"none\"",
+        { "survey.xml:4", "has no <platformSettings> of the id \"none\"" } },
+      { "assets.xml", "</document>", "</docment>", { "assets.xml:11", "not XML" } },
+      { "scene.xml", "plane.obj", "plain.obj",
+        { "scene.xml:2", "filepath=\"plain.obj\": no such file", "looked for", "plain.obj" } },
+    });
+  const Files files;
+  Reading circle(files, Tripod,
+    R"(<platformSettings id="a" template="b"/><platformSettings id="b" template="a"/>
+<leg><platformSettings template="a"/></leg>)");
+  CHECK_FALSE(circle.Good);
+  CHECK(circle.Log->HasError("goes round in circles"));
+}
+
+TEST_CASE("SurveyReader: surveys without legs", "[SurveyReader]")
+{
+  CheckAllRefused(
+    Tripod, OneLeg, { { "survey.xml", OneLeg, "", { "survey.xml:3", "has 0 <leg>", "add one" } } });
+  const std::string legs = ThreeLegs;
+  CheckAllRefused(Flight, ThreeLegs,
+    { { "survey.xml", legs, legs.substr(0, legs.find("<leg", 1)),
+      { "survey.xml:3", "has 1 <leg>", "needs two" } } });
+}
+
+TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
+{
+  const std::string loader = R"(<filter type="objloader">)";
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "assets.xml", "optics=\"rotating\"", "optics=\"risley\"",
+        { "assets.xml:5", "scanner tls", "risley", "later version", "rotating and conic" } },
+      { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
+        { "assets.xml:5", "optics=\"turning\"", "give rotating or conic" } },
+      { "assets.xml", "<FWFSettings", "<channels/><FWFSettings",
+        { "assets.xml:8", "<channels>", "later version" } },
+      { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
+        { "assets.xml:2", "platform tripod", "multicopter", "later version",
+          "static and linearpath" } },
+      { "assets.xml", "type=\"static\"", "type=\"sttic\"",
+        { "assets.xml:2", "type=\"sttic\" is none", "static or linearpath" } },
+      { "scene.xml", "\"objloader\"", "\"detailedvoxels\"",
+        { "scene.xml:2", "detailedvoxels", "later version" } },
+      { "scene.xml", "\"objloader\"", "\"objloder\"",
+        { "scene.xml:2", "type=\"objloder\" is unknown", "did you mean objloader?" } },
+    });
+}
+
+TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
+{
+  const std::string part = ReadText(Files() / "scene.xml");
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "scene.xml", part, "<document><scene id=\"s\"/></document>",
+        { "scene.xml:1", "scene s has no <part>" } },
+      { "scene.xml", "</scene>", "\n<part id=\"b\"/></scene>",
+        { "scene.xml:4", "<part> has no loader", "objloader" } },
+      { "scene.xml", "</part>", Filter("objloader", "filepath", "plane.obj") + "</part>",
+        { "scene.xml:3", "second loader" } },
+      { "scene.xml", "key=\"filepath\"", "key=\"up\"", { "scene.xml:2", "no filepath" } },
+      { "scene.xml", "</filter>", "<param key=\"up\" value=\"x\"/></filter>",
+        { "scene.xml:2", "up=\"x\"", "y or z" } },
+      { "scene.xml", "</part>", Filter("scale", "scale", "-1") + "</part>",
+        { "scene.xml:3", "scale=\"-1\" is out of range" } },
+      { "scene.xml", "</part>", Filter("translate", "offset", "1;2") + "</part>",
+        { "scene.xml:3", "offset=\"1;2\" is not a vector", "semicolons" } },
+      { "scene.xml", "</part>", Filter("translate", "offset", "1;2;x") + "</part>",
+        { "scene.xml:3", "offset=\"1;2;x\" is not a vector" } },
+      { "scene.xml", "</part>", Filter("translate", "onGround", "true") + "</part>",
+        { "scene.xml:3", "onGround=\"true\" is not an integer" } },
+      { "scene.xml", "key=\"filepath\" value=\"plane.obj\"", "key=\"efilepath\" value=\"none.*\"",
+        { "scene.xml:2", "efilepath=\"none.*\": no file matches", "looked in" } },
+      { "scene.xml", "key=\"filepath\" value=\"plane.obj\"", "key=\"efilepath\" value=\"[\"",
+        { "scene.xml:2", "efilepath=\"[\" is no regular expression" } },
+    });
+}
+
+TEST_CASE("SurveyReader: scanners that cannot be", "[SurveyReader]")
+{
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "assets.xml", "scanAngleMax_deg=\"120\"", "",
+        { "assets.xml:5", "scanner tls", "scanAngleMax_deg is missing or 0" } },
+      { "assets.xml", "<FWFSettings", "<FWFSettings binSize_ns=\"3\"",
+        { "assets.xml:5", "binSize_ns=\"3\" is wider than half of pulseLength_ns=\"5\"" } },
+      { "assets.xml", "rangeMin_m=\"0.5\"", "rangeMin_m=\"50\" rangeMax_m=\"20\"",
+        { "assets.xml:5", "rangeMin_m=\"50\" is not below rangeMax_m=\"20\"" } },
+      { "assets.xml", "pulseFreqs_Hz=\"100000, 300000\"", "",
+        { "survey.xml:5", "no pulse frequency", "pulseFreqs_Hz for scanner tls" } },
+    });
+}
+
+TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
+{
+  const std::string stop = "headRotateStop_deg=\"10\"";
+  CheckAllRefused(Tripod, OneLeg,
+    {
+      { "survey.xml", "scanFreq_hz=\"50\"", "scanFreq_hz=\"500\"",
+        { "survey.xml:5", "scanFreq_hz=\"500\" is above scanFreqMax_Hz=\"120\" of scanner tls" } },
+      { "survey.xml", "scanFreq_hz=\"50\"", "",
+        { "survey.xml:5", "scanFreq_hz=\"0\" is below scanFreqMin_Hz=\"3\" of scanner tls" } },
+      { "survey.xml", "scanFreq_hz=\"50\"",
+        "verticalResolution_deg=\"2\" horizontalResolution_deg=\"1\"",
+        { "survey.xml:5", "resolution asks for, 833.33", "above scanFreqMax_Hz=\"120\"" } },
+      { "survey.xml", "scanFreq_hz=\"50\"", "horizontalResolution_deg=\"1\"",
+        { "survey.xml:5", "needs verticalResolution_deg" } },
+      { "survey.xml", stop, "headRotateStop_deg=\"-10\"",
+        { "survey.xml:5", "headRotateStop_deg=\"-10\"", "never gets there", "exchange" } },
+      { "survey.xml", stop, "", { "survey.xml:5", "lasts no time" } },
+      { "survey.xml", "headRotatePerSec_deg=\"10\"", "",
+        { "survey.xml:5", "the leg never ends", "maxDuration_s" } },
+      { "survey.xml", "headRotatePerSec_deg=\"10\"", "headRotatePerSec_deg=\"1e-12\"",
+        { "survey.xml:5", "the leg never ends" } },
+      { "survey.xml", stop, stop + " verticalAngleMin_deg=\"20\" verticalAngleMax_deg=\"10\"",
+        { "survey.xml:5", "verticalAngleMin_deg=\"20\"", "is no window" } },
+      { "survey.xml", stop, stop + " verticalAngleMin_deg=\"-60\" verticalAngleMax_deg=\"60\"",
+        { "survey.xml:5", "wider than the 100 deg of scanner tls" } },
+    });
+  CheckAllRefused(Flight, ThreeLegs,
+    { { "survey.xml", "movePerSec_m=\"50\"", "movePerSec_m=\"0\"",
+      { "survey.xml:5", "movePerSec_m=\"0\"", "above 0 [m/s]" } } });
+}
+
+TEST_CASE(
+  "SurveyReader: the end point of a way and inactive legs are not checked", "[SurveyReader]")
+{
+  const Files files;
+  std::string legs = ThreeLegs;
+  legs.replace(legs.rfind("scanFreq_hz=\"50\""), 16, "scanFreq_hz=\"500\"");
+  legs.replace(legs.rfind("movePerSec_m=\"50\""), 17, "movePerSec_m=\"0\"");
+  const Reading reading(files, Flight, legs);
+  INFO(reading.Log->Errors);
+  CHECK(reading.Good);
+  CHECK(reading.Reader->GetSurvey()->IsLegActive(1));
+  CHECK_FALSE(reading.Reader->GetSurvey()->IsLegActive(2));
+  CHECK(Reading(files, Tripod, "<leg><scannerSettings active=\"false\"/></leg>").Good);
+}
+
+TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
+{
+  CheckAllWarned(Tripod, OneLeg,
+    {
+      { "survey.xml", "scanFreq_hz", "pulsFreq_hz=\"1\" scanFreq_hz",
+        { "survey.xml:5", "attribute pulsFreq_hz of <scannerSettings> is unknown",
+          "did you mean pulseFreq_hz?" } },
+      { "survey.xml", "scanFreq_hz", "colour=\"red\" scanFreq_hz",
+        { "survey.xml:5", "attribute colour", "is unknown and not used" } },
+      { "survey.xml", "<survey", "<survei/><survey",
+        { "survey.xml:3", "element <survei> in <document> is unknown; did you mean <survey>?" } },
+      { "survey.xml", "</leg>", "<weather/></leg>",
+        { "survey.xml:5", "element <weather> in <leg> is unknown and not used" } },
+      { "survey.xml", "x=\"1\"", "stopAndTurn=\"true\"",
+        { "survey.xml:4", "attribute stopAndTurn of <platformSettings> is not used" } },
+      { "survey.xml", "</survey>",
+        "<FWFSettings winSize_ns=\"1\" maxFullwaveRange_ns=\"9\"/></survey>",
+        { "survey.xml:6", "attribute winSize_ns of <FWFSettings> is not used",
+          "attribute maxFullwaveRange_ns" } },
+      { "assets.xml", "<scannerMount", "<positionXNoise/><scannerMount",
+        { "assets.xml:2", "element <positionXNoise> in <platform> is not used" } },
+      { "survey.xml", "</leg>", "<scannerSettings/></leg>",
+        { "survey.xml:5", "a second <scannerSettings> in one <leg> is not used" } },
+      { "scene.xml", "</filter>", "<param key=\"filepth\" value=\"\"/></filter>",
+        { "scene.xml:2", "parameter \"filepth\" of filter objloader is unknown",
+          "did you mean filepath?" } },
+      { "scene.xml", "</part>", Filter("scale", "scale", "0") + "</part>",
+        { "scene.xml:3", "scale=\"0\" is not used" } },
+      { "scene.xml", "</part>",
+        Filter("translate", "offset", "1;2;3") + Filter("translate", "offset", "0;0;1") + "</part>",
+        { "scene.xml:3", "repeated filter translate" } },
+      { "assets.xml", "<beamOrigin", "<headRotateAxis z=\"0.01\"/><beamOrigin",
+        { "assets.xml:9", "<headRotateAxis> is shorter than 0.1" } },
+      { "survey.xml", "scanFreq_hz", "pulseFreq_hz=\"123456\" scanFreq_hz",
+        { "survey.xml:5", "pulseFreq_hz=\"123456\" is none of scanner tls", "100000 300000" } },
+      { "survey.xml", "scanFreq_hz", "scanAngle_deg=\"150\" scanFreq_hz",
+        { "survey.xml:5", "scanAngle_deg=\"150\" is clipped to 120" } },
+      { "survey.xml", "headRotatePerSec_deg=\"10\"", "headRotatePerSec_deg=\"90\"",
+        { "survey.xml:5", "headRotatePerSec_deg=\"90\" is clipped to 60" } },
+    });
+  CheckAllWarned(Flight, ThreeLegs,
+    { { "survey.xml", "scanFreq_hz", "verticalResolution_deg=\"1\" scanFreq_hz",
+      { "survey.xml:5", "not used by conic optics" } } });
+}
+
+TEST_CASE("SurveyReader: what is warned of is warned of once", "[SurveyReader]")
+{
+  const Files files;
+  const Reading reading(files, Tripod,
+    R"(<leg><scannerSettings active="0" speed="1"/></leg><leg><scannerSettings active="0" speed="2"/>
+</leg>)");
+  CHECK(CountOf("attribute speed", reading.Log->Warnings) == 1);
+  CHECK(reading.Log->HasWarning("survey.xml:4"));
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The pipelines that the parts of a scene come out of: reader, material, reprojection, mesh care, transform.
+
+#ifndef heliosPartPipelines_h
+#define heliosPartPipelines_h
+
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkHeliosSceneTransform;
+
+namespace helios
+{
+
+class Messages;
+
+/// Called before each step of something long with what it does; false stops it.
+using StepCallback = std::function<bool(const std::string& step)>;
+
+/// A mesh that several parts have is read once.
+class PartPipelines
+{
+public:
+  explicit PartPipelines(Messages& log)
+    : Log(log)
+  {
+  }
+
+  /// The last filter of a part.
+  vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
+
+  /// Reads all files; false after an error or where it was stopped.
+  bool ReadFiles(const StepCallback& onStep);
+
+private:
+  using Filter = vtkSmartPointer<vtkAlgorithm>;
+
+  Filter MakeMesh(const PartData& part);
+  Filter MakeVoxels(const PartData& part);
+  Filter GetReader(const PartData& part, const std::string& file);
+  Filter AddMaterial(const MaterialData& material, Filter before);
+  Filter AddCrs(const PartData& part, Filter before);
+  Filter AddMeshCare(const PartData& part, Filter before);
+  Filter Connect(Filter filter, const Filter& before);
+
+  Messages& Log;
+  std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
+  std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSurveyCrs.h"
+
+#include "heliosCoordinateTransform.h"
+#include "heliosMessages.h"
+#include "heliosSceneCrs.h"
+
+#include <vtkPolyData.h>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Reads the name of a system that stands in the attribute crs of a place in the file.
+bool ReadCrs(
+  const std::string& text, const std::string& where, Messages& log, CoordinateSystem& crs)
+{
+  const std::string problem = crs.Set(text);
+  if (!problem.empty())
+  {
+    log.Error(where + ": crs=\"" + text + "\" " + problem);
+  }
+  return problem.empty();
+}
+
+/// The system that the parts of a scene brought along; not set where they brought none.
+CoordinateSystem GetPartsCrs(vtkPolyData* scene)
+{
+  CoordinateSystem crs;
+  const std::string text = GetCRS(scene);
+  if (!text.empty())
+  {
+    crs.Set(text); // its reader has checked it
+  }
+  return crs;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log)
+{
+  CoordinateSystem crs = GetPartsCrs(scene);
+  CoordinateSystem wanted;
+  if (!data.Crs.empty() && !ReadCrs(data.Crs, data.Where, log, wanted))
+  {
+    return false;
+  }
+  if (crs.IsSet() && wanted.IsSet() && crs != wanted)
+  {
+    log.Error(data.Where + ": the scene is said to be in " + wanted.GetName() +
+      ", its parts are in " + crs.GetName() +
+      "; add <filter type=\"crs\"> with the scene's system as target to the parts");
+    return false;
+  }
+  if (!crs.IsSet() && wanted.IsSet())
+  {
+    SetCRS(scene, data.Crs);
+    crs = wanted;
+  }
+  const double* centre = scene->GetCenter();
+  const std::string problem = crs.IsSet() ? GetMetricProblem(crs, centre) : std::string();
+  if (!problem.empty())
+  {
+    log.Error(data.Where + ": the scene's system " + problem);
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool TransformPosition(const LegData& leg, vtkPolyData* scene, Messages& log, Vec3& position)
+{
+  position = leg.Position;
+  if (leg.Crs.empty())
+  {
+    return true;
+  }
+  CoordinateSystem source;
+  const CoordinateSystem target = GetPartsCrs(scene);
+  if (!ReadCrs(leg.Crs, leg.Where, log, source))
+  {
+    return false;
+  }
+  if (!target.IsSet())
+  {
+    log.Error(leg.Where + ": crs=\"" + leg.Crs +
+      "\", but the scene has no coordinate system that the position could come into; give <scene> "
+      "one, crs=\"EPSG:...\"");
+    return false;
+  }
+  CoordinateTransform transform;
+  std::string problem = transform.Set(source, target);
+  if (problem.empty() && transform.Forward(position.GetData(), position.GetData(), 1) >= 0)
+  {
+    problem = transform.DescribeFailure(0, leg.Position.GetData());
+  }
+  if (!problem.empty())
+  {
+    log.Error(leg.Where + ": crs=\"" + leg.Crs + "\": " + problem);
+  }
+  return problem.empty();
+}
+
+} // namespace helios

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlFilter.h"
+
+#include "heliosMessages.h"
+
+namespace helios
+{
+
+namespace
+{
+
+/// Names that mean a filter of another name.
+std::string FindType(const std::string& given)
+{
+  const std::string type = ToLower(given);
+  return type == "crstransform" || type == "transform" ? "crs" : type;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+XmlFilter::XmlFilter(const XmlElement& element)
+  : Element(element)
+  , Type(FindType(element.GetText("type")))
+  , Rule(FindXmlRule("filter:" + this->Type))
+{
+  element.CheckNames();
+  if (this->Rule)
+  {
+    for (const XmlElement& parameter : element.GetChildren("param"))
+    {
+      this->AddParameter(parameter);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void XmlFilter::AddParameter(const XmlElement& parameter)
+{
+  parameter.CheckNames();
+  const std::string key = parameter.GetText("key");
+  const std::string warned = parameter.GetDocument().GetPath() + " " + this->Type + " " + key;
+  const std::string what =
+    parameter.Where() + ": parameter \"" + key + "\" of filter " + this->Type + " ";
+  if (const XmlValueRule* rule = this->Rule->FindValue(key))
+  {
+    this->Parameters[key] = parameter;
+    if (rule->Use == XmlUse::NotModelled)
+    {
+      this->GetMessages().WarnOnce(warned, what + "is not modelled and not used");
+    }
+    return;
+  }
+  const std::string nearest = this->Rule->FindNearestValue(key);
+  this->GetMessages().WarnOnce(warned,
+    what + "is unknown" + (nearest.empty() ? " and not used" : "; did you mean " + nearest + "?"));
+}
+
+//------------------------------------------------------------------------------
+XmlValue XmlFilter::GetValue(const char* key) const
+{
+  const XmlElement& parameter = this->GetParameter(key);
+  return { key, parameter.GetText("value"), parameter.Where() };
+}
+
+//------------------------------------------------------------------------------
+bool XmlFilter::Read(const char* key, std::string& target) const
+{
+  if (!this->Has(key))
+  {
+    return false;
+  }
+  target = this->GetValue(key).Text;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool XmlFilter::Read(const char* key, double& target) const
+{
+  return this->Has(key) &&
+    ParseReal(this->GetValue(key), *this->Rule->FindValue(key), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlFilter::Read(const char* key, int& target) const
+{
+  return this->Has(key) &&
+    ParseInteger(this->GetValue(key), *this->Rule->FindValue(key), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlFilter::Read(const char* key, bool& target) const
+{
+  return this->Has(key) && ParseBoolean(this->GetValue(key), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlFilter::Read(const char* key, Vec3& target) const
+{
+  return this->Has(key) && ParseVector(this->GetValue(key), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& GetFilterTypes()
+{
+  static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader", "crs",
+    "repair", "simplify", "rotate", "scale", "translate" };
+  return types;
+}
+
+} // namespace helios

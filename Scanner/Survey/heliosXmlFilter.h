@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A <filter> of a scene part: its type and its parameters.
+
+#ifndef heliosXmlFilter_h
+#define heliosXmlFilter_h
+
+#include "heliosXmlElement.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// One <filter>, read by the rule "filter:<type>".
+class XmlFilter
+{
+public:
+  explicit XmlFilter(const XmlElement& element);
+
+  const std::string& GetType() const { return this->Type; }
+  const XmlElement& GetElement() const { return this->Element; }
+  std::string Where() const { return this->Element.Where(); }
+  Messages& GetMessages() const { return this->Element.GetMessages(); }
+
+  bool Has(const char* key) const { return this->Parameters.count(key) > 0; }
+  const XmlElement& GetParameter(const char* key) const { return this->Parameters.at(key); }
+  XmlValue GetValue(const char* key) const;
+
+  /// The value of a parameter, by its rule; false where it is missing or wrong, the target being as before.
+  bool Read(const char* key, std::string& target) const;
+  bool Read(const char* key, double& target) const;
+  bool Read(const char* key, int& target) const;
+  bool Read(const char* key, bool& target) const;
+  bool Read(const char* key, Vec3& target) const;
+
+private:
+  void AddParameter(const XmlElement& parameter);
+
+  XmlElement Element;
+  std::string Type;
+  const XmlElementRule* Rule;
+  std::map<std::string, XmlElement> Parameters;
+};
+
+/// The types of filter that exist.
+const std::vector<std::string>& GetFilterTypes();
+
+} // namespace helios
+
+#endif

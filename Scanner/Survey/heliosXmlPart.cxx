@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlPart.h"
+
+#include "heliosMessages.h"
+#include "heliosXmlFilter.h"
+
+#include <algorithm>
+#include <array>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Reads the filters of one <part>.
+class PartReader
+{
+public:
+  PartReader(const XmlElement& element, Assets& assets)
+    : Element(element)
+    , Files(assets)
+  {
+  }
+
+  PartData Read();
+
+private:
+  using Reading = void (PartReader::*)(const XmlFilter&);
+
+  static Reading FindReading(const std::string& type);
+  void ReadFilter(const XmlFilter& filter);
+  void ReadObjLoader(const XmlFilter& filter);
+  void ReadGeoTiffLoader(const XmlFilter& filter);
+  void ReadXyzLoader(const XmlFilter& filter);
+  void ReadNormals(const XmlFilter& filter);
+  bool StartLoader(const XmlFilter& filter, Loader type);
+  void ReadMaterial(const XmlFilter& filter);
+  void ReadCrs(const XmlFilter& filter);
+  void ReadRepair(const XmlFilter&) { this->Part.Repair = true; }
+  void ReadSimplify(const XmlFilter& filter);
+  void ReadRotate(const XmlFilter& filter);
+  void ReadScale(const XmlFilter& filter);
+  void ReadTranslate(const XmlFilter& filter);
+  void WarnIfRepeated(const XmlFilter& filter, bool& seen);
+  void ReportFilter(const XmlFilter& filter);
+
+  const XmlElement& Element;
+  Assets& Files;
+  PartData Part;
+  bool HasLoader = false;
+  bool HasScale = false;
+  bool HasTranslate = false;
+};
+
+//------------------------------------------------------------------------------
+PartData PartReader::Read()
+{
+  this->Element.CheckNames();
+  this->Part.Where = this->Element.Where();
+  this->Part.Name = this->Element.GetText("id");
+  for (const XmlElement& filter : this->Element.GetChildren("filter"))
+  {
+    this->ReadFilter(XmlFilter(filter));
+  }
+  if (!this->HasLoader)
+  {
+    this->Element.GetMessages().Error(this->Part.Where +
+      ": <part> has no loader; add a <filter type=\"objloader\">, geotiffloader or xyzloader");
+  }
+  return this->Part;
+}
+
+//------------------------------------------------------------------------------
+PartReader::Reading PartReader::FindReading(const std::string& type)
+{
+  static const std::map<std::string, Reading> readings = {
+    { "objloader", &PartReader::ReadObjLoader },
+    { "geotiffloader", &PartReader::ReadGeoTiffLoader },
+    { "xyzloader", &PartReader::ReadXyzLoader },
+    { "crs", &PartReader::ReadCrs },
+    { "repair", &PartReader::ReadRepair },
+    { "simplify", &PartReader::ReadSimplify },
+    { "rotate", &PartReader::ReadRotate },
+    { "scale", &PartReader::ReadScale },
+    { "translate", &PartReader::ReadTranslate },
+  };
+  const auto found = readings.find(type);
+  return found != readings.end() ? found->second : &PartReader::ReportFilter;
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadFilter(const XmlFilter& filter)
+{
+  (this->*FindReading(filter.GetType()))(filter);
+}
+
+//------------------------------------------------------------------------------
+bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
+{
+  Messages& log = filter.GetMessages();
+  if (this->HasLoader)
+  {
+    log.Error(filter.Where() + ": a second loader in one <part>; make a <part> of each");
+    return false;
+  }
+  this->HasLoader = true;
+  this->Part.Type = type;
+  const XmlDocument& document = filter.GetElement().GetDocument();
+  if (filter.Has("efilepath"))
+  {
+    this->Part.Files = this->Files.FindFiles(filter.GetValue("efilepath"), document);
+  }
+  else if (filter.Has("filepath"))
+  {
+    this->Part.Files = { this->Files.FindFile(filter.GetValue("filepath"), document) };
+  }
+  else
+  {
+    log.Error(filter.Where() + ": filter " + filter.GetType() +
+      " has no filepath; add <param key=\"filepath\" value=\"...\">");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadObjLoader(const XmlFilter& filter)
+{
+  if (!this->StartLoader(filter, Loader::Obj))
+  {
+    return;
+  }
+  const std::string up = filter.Has("up") ? ToLower(filter.GetValue("up").Text) : "z";
+  this->Part.UpIsY = up == "y";
+  if (up != "y" && up != "z")
+  {
+    filter.GetMessages().Error(
+      filter.GetValue("up").Where + ": up=\"" + up + "\" is no axis that points up; give y or z");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadGeoTiffLoader(const XmlFilter& filter)
+{
+  if (this->StartLoader(filter, Loader::GeoTiff))
+  {
+    this->ReadMaterial(filter);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadXyzLoader(const XmlFilter& filter)
+{
+  if (!this->StartLoader(filter, Loader::Xyz))
+  {
+    return;
+  }
+  VoxelData& voxels = this->Part.Voxels;
+  filter.Read("separator", voxels.Separators);
+  filter.Read("voxelSize", voxels.Size);
+  this->ReadNormals(filter);
+  this->ReadMaterial(filter);
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadNormals(const XmlFilter& filter)
+{
+  VoxelData& voxels = this->Part.Voxels;
+  int estimate = 0;
+  bool wanted = filter.Read("estimateNormals", estimate);
+  wanted = filter.Read("normalXIndex", voxels.NormalIndex[0]) || wanted;
+  wanted = filter.Read("normalYIndex", voxels.NormalIndex[1]) || wanted;
+  wanted = filter.Read("normalZIndex", voxels.NormalIndex[2]) || wanted;
+  voxels.EstimateNormals = estimate != 0;
+  voxels.ReadNormals = wanted && !voxels.EstimateNormals;
+  filter.Read("defaultNormal", voxels.DefaultNormal);
+  filter.Read("snapNeighborNormal", voxels.SnapNeighborNormal);
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadMaterial(const XmlFilter& filter)
+{
+  MaterialData& material = this->Part.Material;
+  material.Where = filter.Where();
+  filter.Read("matname", material.Name);
+  if (filter.Has("matfile"))
+  {
+    const XmlDocument& document = filter.GetElement().GetDocument();
+    material.Where = filter.GetValue("matfile").Where;
+    material.File = this->Files.FindFile(filter.GetValue("matfile"), document);
+  }
+  else if (filter.Has("matname"))
+  {
+    filter.GetMessages().Warning(filter.GetValue("matname").Where + ": matname=\"" + material.Name +
+      "\" is not used without a matfile; add <param key=\"matfile\" value=\"....mtl\">");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadCrs(const XmlFilter& filter)
+{
+  CrsData crs;
+  crs.Where = filter.Where();
+  filter.Read("source", crs.Source);
+  if (!filter.Read("target", crs.Target) || crs.Target.empty())
+  {
+    filter.GetMessages().Error(
+      crs.Where + ": filter crs has no target; add <param key=\"target\" value=\"EPSG:...\">");
+  }
+  this->Part.Crs.push_back(crs);
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadSimplify(const XmlFilter& filter)
+{
+  if (!filter.Has("maximumDistance"))
+  {
+    filter.GetMessages().Error(filter.Where() +
+      ": filter simplify has no maximumDistance; add <param key=\"maximumDistance\" "
+      "value=\"0.01\"> with the metres that the surface may move");
+  }
+  filter.Read("maximumDistance", this->Part.SimplifyDistance);
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadRotate(const XmlFilter& filter)
+{
+  if (filter.Has("rotation"))
+  {
+    this->Part.Rotation = filter.GetParameter("rotation").ReadRotation() * this->Part.Rotation;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadScale(const XmlFilter& filter)
+{
+  double scale = 0.0;
+  if (!filter.Read("scale", scale))
+  {
+    return;
+  }
+  this->WarnIfRepeated(filter, this->HasScale);
+  if (scale > 0.0)
+  {
+    this->Part.Scale = scale;
+    return;
+  }
+  filter.GetMessages().Warning(
+    filter.Where() + ": scale=\"0\" is not used; the part keeps its size");
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadTranslate(const XmlFilter& filter)
+{
+  this->WarnIfRepeated(filter, this->HasTranslate);
+  int onGround = 0;
+  this->Part.Translation = Vec3(0.0, 0.0, 0.0);
+  filter.Read("offset", this->Part.Translation);
+  filter.Read("onGround", onGround);
+  this->Part.OnGround = onGround != 0;
+}
+
+//------------------------------------------------------------------------------
+void PartReader::WarnIfRepeated(const XmlFilter& filter, bool& seen)
+{
+  if (seen)
+  {
+    filter.GetMessages().Warning(filter.Where() + ": a repeated filter " + filter.GetType() +
+      " replaces the one before it in this <part>");
+  }
+  seen = true;
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReportFilter(const XmlFilter& filter)
+{
+  static const std::array<const char*, 3> later = { "detailedvoxels", "assumematerials", "wms" };
+  const std::string& type = filter.GetType();
+  const std::vector<std::string>& now = GetFilterTypes();
+  std::string text = filter.Where() + ": filter type=\"" + type + "\" ";
+  if (std::find(later.begin(), later.end(), type) != later.end())
+  {
+    text += "comes with a later version; those that exist now are ";
+  }
+  else
+  {
+    const std::string nearest = FindNearestName(type, now);
+    text +=
+      "is unknown; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Filters are ";
+  }
+  filter.GetMessages().Error(text + Enumerate(now));
+  this->HasLoader =
+    this->HasLoader || type.find("load") != std::string::npos || type == "detailedvoxels";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+PartData ReadPart(const XmlElement& element, Assets& assets)
+{
+  return PartReader(element, assets).Read();
+}
+
+} // namespace helios

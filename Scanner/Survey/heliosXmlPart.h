@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A part of a scene from its element. Errors go to the messages of the document.
+
+#ifndef heliosXmlPart_h
+#define heliosXmlPart_h
+
+#include "heliosAssets.h"
+#include "heliosSurveyData.h"
+
+namespace helios
+{
+
+/// The filters of a <part>, their files found; it may have several.
+PartData ReadPart(const XmlElement& element, Assets& assets);
+
+} // namespace helios
+
+#endif
