@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRasterFile.h"
 
+#include "heliosGdalMessages.h"
 #include "heliosRasterUnits.h"
 
 #include <cpl_conv.h>
-#include <cpl_error.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 #include <gdal.h>
@@ -31,37 +31,6 @@ std::string ToText(double value)
   std::snprintf(text, sizeof(text), "%.10g", std::isnan(value) ? std::abs(value) : value);
   return text;
 }
-
-// Collects GDAL's messages of this thread while it lives.
-class MessageCatcher
-{
-public:
-  MessageCatcher() { CPLPushErrorHandlerEx(MessageCatcher::Catch, this); }
-  ~MessageCatcher()
-  {
-    CPLPopErrorHandler();
-    CPLErrorReset();
-  }
-  MessageCatcher(const MessageCatcher&) = delete;
-  void operator=(const MessageCatcher&) = delete;
-
-  std::string Error; // the first one
-  std::vector<std::string> Warnings;
-
-private:
-  static void CPL_STDCALL Catch(CPLErr severity, CPLErrorNum, const char* message)
-  {
-    auto* self = static_cast<MessageCatcher*>(CPLGetErrorHandlerUserData());
-    if (severity >= CE_Failure && self->Error.empty())
-    {
-      self->Error = message;
-    }
-    else if (severity == CE_Warning)
-    {
-      self->Warnings.emplace_back(message);
-    }
-  }
-};
 
 void RegisterDriver()
 {
@@ -115,7 +84,7 @@ struct RasterFile::Internals
   std::string FirstMessage; // of GDAL's warnings
   std::int64_t NumberOfMessages = 0;
 
-  std::string OpenDataset(const MessageCatcher& messages);
+  std::string OpenDataset(const GdalMessages& messages);
   std::string FindBand(int number);
   std::string CheckSize() const;
   std::string FindTransform();
@@ -128,10 +97,10 @@ struct RasterFile::Internals
   double GetHeight(double value) const { return (value * this->Scale + this->Offset) * this->Unit; }
   std::string Convert(std::int64_t firstRow, std::int64_t count, double* values) const;
   void Warn(const std::string& text) { this->Warnings.push_back(this->Path + ": " + text); }
-  void Note(const MessageCatcher& messages);
+  void Note(const GdalMessages& messages);
 };
 
-void RasterFile::Internals::Note(const MessageCatcher& messages)
+void RasterFile::Internals::Note(const GdalMessages& messages)
 {
   if (this->NumberOfMessages == 0 && !messages.Warnings.empty())
   {
@@ -140,7 +109,7 @@ void RasterFile::Internals::Note(const MessageCatcher& messages)
   this->NumberOfMessages += static_cast<std::int64_t>(messages.Warnings.size());
 }
 
-std::string RasterFile::Internals::OpenDataset(const MessageCatcher& messages)
+std::string RasterFile::Internals::OpenDataset(const GdalMessages& messages)
 {
   static const char* const drivers[] = { "GTiff", nullptr };
   this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
@@ -386,7 +355,7 @@ RasterFile::RasterFile()
 
 RasterFile::~RasterFile()
 {
-  const MessageCatcher quiet;
+  const GdalMessages quiet;
   this->State.reset();
 }
 
@@ -394,7 +363,7 @@ std::string RasterFile::Open(const std::string& path, const RasterOptions& optio
 {
   Internals& self = *this->State;
   self.Path = path;
-  MessageCatcher messages;
+  GdalMessages messages;
   RegisterDriver();
   std::string fault = self.OpenDataset(messages);
   if (fault.empty())
@@ -421,7 +390,7 @@ std::string RasterFile::Open(const std::string& path, const RasterOptions& optio
 std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* heights)
 {
   Internals& self = *this->State;
-  MessageCatcher messages;
+  GdalMessages messages;
   const int columns = static_cast<int>(self.Columns);
   const int rows = static_cast<int>(count);
   const bool isRead = GDALRasterIO(self.Band, GF_Read, 0, static_cast<int>(firstRow), columns, rows,

@@ -40,7 +40,7 @@ public:
   std::int64_t GetNumberOfColumns() const;
   std::int64_t GetNumberOfRows() const;
 
-  /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel's centre is (0.5, 0.5).
+  /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel's centre is at 0.5.
   const double* GetTransform() const;
 
   /// WKT with heights in metres; empty: the file has none.

@@ -19,16 +19,17 @@
  * Where AREA_OR_POINT is Area, the first sample lies half a pixel inside the raster's corner; where
  * it is Point, on the tie point: GDAL moves the geotransform then.
  *
- * Pixels without height make holes: those of the no-data value (compared exactly, as the band's type
- * holds it), NaN, and those that the mask or the alpha band hides. A triangle is left out if one of
- * its own corners has no height.
+ * Pixels without height make holes: those of the no-data value (compared exactly, as the band's
+ * type holds it), NaN, those that the mask or the alpha band hides, and those of blocks that are
+ * not in the file ("sparse"). A triangle is left out if one of its own corners has no height.
  *
  * The file is read by blocks of rows, so that the memory is little more than the output's.
  *
- * Errors end the reading without output: files that are missing, damaged or no GeoTIFF; a band that
- * is not there; no geotransform (or ground control points only); an infinite height; an unknown unit;
- * more than 2^31 points. Warned of are heights beyond 9000 m (an undeclared no-data value), feet on
- * the map without a unit of heights, a raster without triangles, and what GDAL warns of.
+ * Errors end the reading without output: files that are missing, damaged or no GeoTIFF; a band
+ * that is not there; no geotransform (or ground control points only); an infinite height; an
+ * unknown unit; more than 2^31 points. Warned of are heights beyond 9000 m (an undeclared no-data
+ * value), feet on the map without a unit of heights, a raster without triangles, and what GDAL
+ * warns of.
  *
  * @warning
  * Coordinates stay as the file's coordinate system has them, be it degrees or feet:
@@ -77,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the unit of the heights, instead of the file's [m]; 0: the file's. Valid range: [0, 1e6].
-   * Default: 0.
+   * Set/Get the unit of the heights, instead of the file's [m]; 0: the file's. Valid range:
+   * [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeightUnit, double, 0.0, 1e6);
   vtkGetMacro(HeightUnit, double);
@@ -86,8 +87,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the value of pixels without height, before scale and offset, instead of the file's; NaN:
-   * the file's. Default: NaN.
+   * Set/Get the value of pixels without height, before scale and offset, instead of the file's;
+   * NaN: the file's. Default: NaN.
    */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast vtkHeliosGeoTiffSceneReader makes a mesh of 4000 x 4000 heights, against a bare GDAL read of
-// the band and the allocation of the mesh's arrays. Usage: BenchGeoTiffReader [repetitions [side]]
+// How fast vtkHeliosGeoTiffSceneReader makes a mesh of 4000 x 4000 heights, against a bare GDAL
+// read of the band and the allocation of the mesh's arrays.
+// Usage: BenchGeoTiffReader [repetitions [side]]
 
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGeoTiffSceneReader.h"

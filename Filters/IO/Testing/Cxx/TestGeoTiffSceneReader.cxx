@@ -123,7 +123,7 @@ TEST_CASE(
   {
     CHECK(Count(raster, { border }) == Counts{ all - 3, n * m - 1 });
   }
-  // The diagonal runs from LL to UR: at the upper left and the lower right a corner has one triangle.
+  // The diagonal runs from LL to UR: the other two corners have one triangle each.
   CHECK(Count(raster, { { 0, 0 } }) == Counts{ all - 1, n * m - 1 });
   CHECK(Count(raster, { { n - 1, m - 1 } }) == Counts{ all - 1, n * m - 1 });
   CHECK(Count(raster, { { n - 1, 0 } }) == Counts{ all - 2, n * m - 1 });
