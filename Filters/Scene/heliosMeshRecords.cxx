@@ -41,7 +41,7 @@ auto GetOrder(const SideRecord& side)
   return std::tie(side.High, side.Group, side.Use);
 }
 
-/// Sorts the records that generate(receiver) makes: into buckets of their lowest point, then within.
+/// Sorts what generate(receiver) makes: into buckets of the lowest point, then within.
 template <typename RecordT, typename GenerateT>
 std::vector<RecordT> Sort(vtkIdType numberOfPoints, GenerateT generate)
 {

@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// Triangles as three corners each, and the group (the part) of each: what two groups have is never equal.
+/// Triangles as three corners each, and the group (part) of each: nothing of two groups is equal.
 struct Triangles
 {
   const vtkTypeInt32* Corners;
@@ -55,9 +55,10 @@ struct FaceRecord
 };
 
 /**
- * The sides of all triangles with three different corners, edge by edge, in ascending order of their
- * triangles within an edge. Sorted by the lower end first, which takes one pass, and by the few that
- * share it then: no structure of half-edges, which could not hold edges of three triangles.
+ * The sides of all triangles with three different corners, edge by edge, in ascending order of
+ * their triangles within an edge. Sorted by the lower end first, which takes one pass, and by the
+ * few that share it then: no structure of half-edges, which could not hold edges of three
+ * triangles.
  */
 VTKHELIOSFILTERSSCENE_EXPORT std::vector<SideRecord> SortSides(const Triangles& triangles);
 

@@ -72,7 +72,7 @@ vtkTypeInt32 PointMerger::Add(vtkTypeInt32 point, int group)
   vtkTypeInt32 found = point;
   if (this->Tolerance > 0.0)
   {
-    // Cells are twice the tolerance wide: what is near lies in this one or in its nearer neighbours.
+    // Cells are twice the tolerance wide: what is near is in this one or its nearer neighbours.
     home = this->GetCell(p);
     for (int corner = 0; corner < 8; ++corner)
     {

@@ -15,8 +15,8 @@ namespace helios
 {
 
 /**
- * A hash table of points by place: one probe a point at tolerance 0, eight at any other, whatever the
- * spread of the points (the buckets of a regular grid overflow where a tree stands on 20 km of
+ * A hash table of points by place: one probe a point at tolerance 0, eight at any other, whatever
+ * the spread of the points (the buckets of a regular grid overflow where a tree stands on 20 km of
  * terrain).
  */
 class PointMerger

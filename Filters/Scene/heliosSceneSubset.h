@@ -26,10 +26,10 @@ VTKHELIOSFILTERSSCENE_EXPORT vtkSmartPointer<vtkDoubleArray> GetDoublePoints(vtk
 VTKHELIOSFILTERSSCENE_EXPORT std::string FindShortArray(vtkPolyData* scene);
 
 /**
- * Fills output with triangles of input: cells lists the ones whose cell data they get, corners three
- * points of input each. Points that none of them uses are left out, the rest keep their order and point
- * data; field data pass. Arrays pass by reference where nothing is left out. Returns how many points
- * the output has.
+ * Fills output with triangles of input: cells lists the ones whose cell data they get, corners
+ * three points of input each. Points that none of them uses are left out, the rest keep their order
+ * and point data; field data pass. Arrays pass by reference where nothing is left out. Returns how
+ * many points the output has.
  */
 VTKHELIOSFILTERSSCENE_EXPORT vtkIdType ExtractTriangles(vtkPolyData* input,
   const std::vector<vtkIdType>& cells, const std::vector<vtkTypeInt32>& corners,

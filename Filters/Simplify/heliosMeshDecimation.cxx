@@ -32,9 +32,9 @@ Vec3 ToVec3(const OpenMesh::Vec3d& p)
 }
 
 /**
- * Forbids collapses by distance, as OpenMesh's ModHausdorff does, but asks for the point to be taken out
- * first, refuses triangles without area or turned round, and chains the points of a triangle by index
- * instead of copying them.
+ * Forbids collapses by distance, as OpenMesh's ModHausdorff does, but asks for the point to be
+ * taken out first, refuses triangles without area or turned round, and chains the points of a
+ * triangle by index instead of copying them.
  */
 template <typename MeshT>
 class ModDistance : public OpenMesh::Decimater::ModBaseT<MeshT>
@@ -119,7 +119,7 @@ private:
     return std::min((*this->Tolerances)[ends.first], (*this->Tolerances)[ends.second]);
   }
 
-  /// The triangles about v0, those that stay as they will be, and the samples that have to be near them.
+  /// The triangles about v0, those that stay as they will be, and the samples to be near them.
   void Collect(const CollapseInfo& info)
   {
     this->Ring.clear();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenMesh's decimation by collapsing half-edges, held within a tolerance at the points it takes out.
+// OpenMesh's decimation by collapsing half-edges, held within tolerances at points and edges.
 
 #ifndef heliosMeshDecimation_h
 #define heliosMeshDecimation_h
@@ -37,10 +37,11 @@ struct DecimatedPatch
 };
 
 /**
- * Takes points out, the least quadric error first (M. Garland, P. Heckbert 1997, OpenMesh's ModQuadric),
- * as long as every point taken out is within its tolerance of the triangle it is counted to and no
- * triangle turns its face. Run again, it repeats what it did as far as the tolerances still allow it,
- * which takes a fraction of the time. Asks shouldStop() now and then; what it leaves then is of no use.
+ * Takes points out, the least quadric error first (M. Garland, P. Heckbert 1997, OpenMesh's
+ * ModQuadric), as long as every point taken out, and the middle of every edge, is within its tolerance of the triangle it is
+ * counted to and no triangle turns its face. Run again, it repeats what it did as far as the
+ * tolerances still allow it, which takes a fraction of the time. Asks shouldStop() now and then;
+ * what it leaves then is of no use.
  */
 class MeshDecimation
 {

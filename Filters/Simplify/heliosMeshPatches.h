@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// A scene as the patches see it: triangles without area, duplicates or points at equal coordinates.
+/// A scene: no triangles without area or at the same place, no points at equal coordinates.
 struct PatchSource
 {
   const double* Points;
@@ -23,11 +23,11 @@ struct PatchSource
 };
 
 /**
- * Two triangles of one part and material hold together where an edge has these two and no other, wound
- * alike. All other edges are seams: borders of the surface, of parts and of materials, non-manifold
- * edges. A patch is what holds together. Points on seams are locked, and points where two fans of
- * triangles meet; each fan has its own copy, so that OpenMesh finds a manifold. Triangles at edges of
- * more than two triangles are locked altogether, and counted.
+ * Two triangles of one part and material hold together where an edge has these two and no other,
+ * wound alike. All other edges are seams: borders of the surface, of parts and of materials,
+ * non-manifold edges. A patch is what holds together. Points on seams are locked, and points where
+ * two fans of triangles meet; each fan has its own copy, so that OpenMesh finds a manifold.
+ * Triangles at edges of more than two triangles are locked altogether, and counted.
  */
 class MeshPatches
 {

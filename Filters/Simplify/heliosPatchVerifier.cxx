@@ -85,7 +85,7 @@ bool PatchVerifier::Verify(const DecimatedPatch& mesh)
   return this->Bad.empty();
 }
 
-/// Whether a bound holds no more: it exceeded the limit, or not all that it came from is still there.
+/// Whether a bound is of no use: it exceeded the limit, or not all it came from is still there.
 bool PatchVerifier::NeedsCheck(const Result& result) const
 {
   return result.Worst >= 0 || result.NumberOfUsed > Result::MaximumUsed ||

@@ -14,9 +14,9 @@ namespace helios
 {
 
 /**
- * Bounds the distance of each triangle from the other surface, in both directions, in parallel. Of one
- * decimation after another of the same patch it measures only what could have changed: triangles whose
- * bounds came from triangles that are no more.
+ * Bounds the distance of each triangle from the other surface, in both directions, in parallel. Of
+ * one decimation after another of the same patch it measures only what could have changed:
+ * triangles whose bounds came from triangles that are no more.
  */
 class PatchVerifier
 {

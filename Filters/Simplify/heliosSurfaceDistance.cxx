@@ -27,8 +27,8 @@ Vec3 GetNearest(const Vec3& p, const Vec3& a, const Vec3& b)
 }
 
 /**
- * The nearest point of a triangle: the foot of the perpendicular if it is inside, or else on a side that
- * has it outside. Differences from the point keep slivers accurate.
+ * The nearest point of a triangle: the foot of the perpendicular if it is inside, or else on a side
+ * that has it outside. Differences from the point keep slivers accurate.
  */
 Vec3 GetNearest(const Vec3& p, const Triangle& t)
 {
@@ -50,6 +50,9 @@ Vec3 GetNearest(const Vec3& p, const Triangle& t)
   }
   return nearest;
 }
+
+/// Cuts that make a piece: three along each small triangle beside it, in a row of many.
+constexpr int MaximumLevel = 3000;
 
 /// A convex polygon in space, a piece of a triangle.
 struct Piece
@@ -99,7 +102,7 @@ struct Piece
   }
 };
 
-/// Cuts a piece by the plane through a point: what lies along the normal, and the rest. Either may be empty.
+/// Cuts a piece by a plane: what lies along the normal, and the rest. Either may be empty.
 void Cut(const Piece& piece, const Vec3& point, const Vec3& normal, Piece& along, Piece& rest)
 {
   along.Size = rest.Size = 0;
@@ -258,7 +261,7 @@ private:
     const double distance = helios::GetDistance(centre, near);
     this->Reached = std::max(this->Reached, distance);
     const Vec3 diameter = piece.GetDiameter();
-    const bool isTiny = diameter.Norm() < 1e-3 * this->Limit || piece.Level > 100;
+    const bool isTiny = diameter.Norm() < 1e-3 * this->Limit || piece.Level > MaximumLevel;
     if (this->Accept(piece, near, isTiny || piece.Level > 6))
     {
       return true;
@@ -279,7 +282,7 @@ private:
     return true;
   }
 
-  /// Good enough: not above what another place of the triangle has anyway; or within the limit at all.
+  /// Good enough: not above what another place of the triangle has anyway; or within the limit.
   bool Accept(const Piece& piece, const Triangle& near, bool isFair)
   {
     const double bound = piece.GetDistance(near);
@@ -293,7 +296,7 @@ private:
     return isGood;
   }
 
-  /// Cuts along the sides of the nearest triangle, if it is not tiny; false if that cuts nothing off.
+  /// Cuts along the sides of the nearest triangle if it is not tiny; false if that does nothing.
   bool CutOut(const Piece& piece, const Triangle& near, double diameter)
   {
     const Vec3 sides[3] = { near[1] - near[0], near[2] - near[1], near[0] - near[2] };

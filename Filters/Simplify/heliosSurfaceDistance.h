@@ -22,12 +22,12 @@ using Triangle = std::array<Vec3, 3>;
 double GetDistance(const Vec3& point, const Triangle& triangle);
 
 /**
- * A surface to be near to. The distance of a point from one of its triangles T is a convex function, so
- * over a convex polygon it is largest at a corner: max |v - T| bounds the distance of the polygon from
- * the surface. A triangle is cut along the sides of the T nearest to its middle, or in halves, until that
- * bound of every piece is good enough. Only the choice of T is up to CGAL's tree of boxes: a poor one
- * costs time, never the bound. Rounding adds a few units in the last place of the coordinates: use a
- * local frame.
+ * A surface to be near to. The distance of a point from one of its triangles T is a convex
+ * function, so over a convex polygon it is largest at a corner: max |v - T| bounds the distance of
+ * the polygon from the surface. A triangle is cut along the sides of the T nearest to its middle,
+ * or in halves, until that bound of every piece is good enough. Only the choice of T is up to
+ * CGAL's tree of boxes: a poor one costs time, never the bound. Rounding adds a few units in the
+ * last place of the coordinates: use a local frame.
  */
 class SurfaceDistance
 {
@@ -52,8 +52,9 @@ public:
 
   /**
    * Whether all of a triangle is within a limit of the surface, and a bound of its distance. Bounds
-   * below enough are not made tighter. Says exceeded, too, where the distance is within a thousandth
-   * of the limit. The hint is a triangle of the surface, the better the nearer. Thread-safe.
+   * below enough are not made tighter. Says exceeded, too, where the distance is within a
+   * thousandth of the limit. The hint is a triangle of the surface, the better the nearer.
+   * Thread-safe.
    */
   Result Measure(const Triangle& triangle, double limit, double enough, vtkIdType hint = 0) const;
 

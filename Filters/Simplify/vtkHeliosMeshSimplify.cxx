@@ -102,12 +102,12 @@ public:
     std::size_t begin = 0;
     for (; begin < count && this->Patches.GetNumberOfTriangles(begin) >= Large; ++begin)
     {
-      if (!this->Simplify(begin, [this]() { return this->Report(0.0); }))
+      if (!this->Simplify(begin, [this]() { return this->Report(); }))
       {
         return false;
       }
     }
-    while (begin < count && !this->Report(0.0))
+    while (begin < count && !this->Report())
     {
       std::size_t end = begin; // a share of about a large patch
       for (vtkIdType size = 0; end < count && size < 4 * Large; ++end)
@@ -165,7 +165,7 @@ private:
   };
 
   /// Tells the progress, and whether to stop.
-  bool Report(double)
+  bool Report()
   {
     this->Self->UpdateProgress(
       0.2 + 0.7 * static_cast<double>(this->Done) / static_cast<double>(this->IsKept.size()));

@@ -91,7 +91,7 @@ std::vector<int> GetMaterialIds(vtkPolyData* scene)
   return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues() };
 }
 
-/// Every array has a value a cell or point, the right one, and every coordinate is one of the input's.
+/// Every array has the right value a cell or point, and every coordinate is one of the input's.
 void CheckFollows(vtkPolyData* input, vtkPolyData* output)
 {
   CHECK(output->GetPoints()->GetDataType() == VTK_DOUBLE);

@@ -45,7 +45,7 @@ using helios::Vec3;
 namespace
 {
 
-/// A square of cells x cells squares of a side, at heights of a function; material and part by place.
+/// A grid of squares of a side, at heights of a function; material and part by place.
 vtkSmartPointer<vtkPolyData> MakeGrid(int cells, double side,
   const std::function<double(double, double)>& height, const Vec3& offset = Vec3(0, 0, 0))
 {
@@ -322,7 +322,7 @@ TEST_CASE("MeshSimplify: CGAL bounds the distance alike", "[MeshSimplify]")
 
 TEST_CASE("MeshSimplify: a sphere becomes as coarse as its chords allow", "[MeshSimplify]")
 {
-  // A chord of length e is e^2 / (8 rho) below a sphere: triangles of that size, or a few times smaller.
+  // A chord of length e is e^2 / (8 rho) below a sphere: triangles are about that size.
   vtkNew<vtkHeliosSyntheticScene> sphere;
   sphere->SetKindToSphere();
   sphere->SetSize(10.0);
@@ -426,8 +426,7 @@ TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimp
 TEST_CASE(
   "MeshSimplify: what OpenMesh does not take stays, and nothing is printed", "[MeshSimplify]")
 {
-  // Two closed tetrahedra that share a face's edge and one that shares a vertex; all points are locked
-  // or the solids too small: nothing may change.
+  // Two closed tetrahedra that share an edge, which four triangles meet at.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3& p :

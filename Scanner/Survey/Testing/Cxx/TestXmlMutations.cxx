@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged surveys, scenes and assets give an error that names the file, or a survey that can be run.
+// Damaged surveys, scenes and assets give an error that names the file, or a survey to run.
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 
