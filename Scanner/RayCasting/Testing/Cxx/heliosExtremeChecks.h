@@ -189,7 +189,7 @@ inline void CheckRangeLaw(vtkHeliosRayCaster& caster)
   }
   INFO("worst " << tally.Worst << " u R / cos, left out " << tally.LeftOut);
   CHECK(tally.Count == 6720);
-  CHECK(tally.LeftOut < 67); // they graze, at small ranges far from the origin
+  CHECK(tally.LeftOut < 67); // grazing, at small ranges far out; none when this was written
   CHECK(tally.Wrong == 0);
   CHECK(tally.Worst > 1.0); // or the truth would be no better than the caster
   CHECK(tally.Worst <= 8.0);
@@ -243,7 +243,8 @@ inline void CheckSmallLeaves(vtkHeliosRayCaster& caster)
       {
         tally.Add(soup, rays[i], hits[i], ground + 2 * k, ground + 2 * k + 1);
       }
-      INFO("offset " << offset[0] << ", leaf " << k / 3 << ", place " << k % 3);
+      INFO("offset " << offset[0] << ", leaf " << k / 3 << ", place " << k % 3 << ", worst "
+                     << tally.Worst << " u R / cos");
       CHECK(tally.LeftOut == 0);
       CHECK(tally.Wrong == 0);
       CHECK(tally.Worst <= 8.0);
@@ -337,7 +338,7 @@ inline void CheckHeightFieldLeaks(vtkHeliosRayCaster& caster)
       }
     }
     const auto echoes = Cast(&caster, rays);
-    INFO("offset " << offset[0]);
+    INFO("offset " << offset[0] << ", worst " << worst << " of what is allowed");
     CHECK(misses == 0);
     CHECK(worst <= 1.0);
     CHECK(std::count_if(echoes.begin(), echoes.end(),
@@ -367,7 +368,8 @@ inline void CheckNeedles(vtkHeliosRayCaster& caster)
         (soup.Points[5] - soup.Points[3]) * t;
       const double angle = vtkMath::RadiansFromDegrees(dice(0, 80));
       const Vec3 direction = along * std::sin(angle) - n * std::cos(angle);
-      const std::vector<vtkHeliosRay> rays = { MakeRay(target - direction * 10.0, direction) };
+      const std::vector<vtkHeliosRay> rays = { MakeRay(
+        target - direction * dice(5, 15), direction) };
       const auto scene = soup.GetPolyData();
       REQUIRE(caster.Build(scene));
       tally.Add(soup, rays[0], Cast(&caster, rays)[0], 1, 1);
