@@ -79,6 +79,16 @@ bool vtkHeliosReproject::FindSystems(
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosReproject::ExecuteInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Points do not depend on each other: a cloud that comes in pieces goes on in pieces.
+  outputVector->GetInformationObject(0)->CopyEntry(
+    inputVector[0]->GetInformationObject(0), vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosReproject::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

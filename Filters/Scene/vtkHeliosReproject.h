@@ -77,6 +77,7 @@ protected:
   vtkHeliosReproject() = default;
   ~vtkHeliosReproject() override;
 
+  int ExecuteInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
