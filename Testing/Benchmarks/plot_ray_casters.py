@@ -15,12 +15,13 @@ import matplotlib.pyplot as plt
 
 MARKERS = {"local": "o", "UTM": "s", "geocentric": "^"}
 SMALLEST = 1e-16  # m, where an error of 0 is drawn
+LARGEST = 1e-2  # m, where one is drawn that has hardly a right hit
 
 
 def main(table, picture):
     with open(table, newline="") as file:
         rows = list(csv.DictReader(file))
-    scenes = list(dict.fromkeys(row["scene"] for row in rows))
+    scenes = list(dict.fromkeys(row["scene"] for row in rows))[:4]
     casters = list(dict.fromkeys(row["caster"] for row in rows))
     colours = dict(zip(casters, plt.get_cmap("tab20").colors))
     figure, axes = plt.subplots(2, 2, figsize=(11, 8), sharex=True, sharey=True)
@@ -45,11 +46,12 @@ def draw(axis, row, colour):
     """One way to cast rays at one place; filled where it is ours."""
     speed, error = float(row["mray_per_s"]), max(float(row["worst_range_error_m"]), SMALLEST)
     wrong = sum(int(row[name]) for name in ("missed", "invented", "other_surface"))
+    wrong = round(1000 * wrong / int(row["rays"]))
+    error = max(error, LARGEST) if wrong > 500 else error
     face = colour if row["kind"] == "ours" else "none"
     axis.plot(speed, error, MARKERS[row["coordinates"]], color=colour, mfc=face, ms=7)
     if wrong:
-        text = f"{1000 * wrong / int(row['rays']):.2g}"
-        axis.annotate(text, (speed, error), fontsize=7, xytext=(5, 3), textcoords="offset points")
+        axis.annotate(str(wrong), (speed, error), fontsize=7, xytext=(5, 3), textcoords="offset points")
 
 
 if __name__ == "__main__":
