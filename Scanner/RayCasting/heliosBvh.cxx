@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBvh.h"
 
+#include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
 #include <algorithm>
@@ -231,7 +232,7 @@ void Bvh::Build(const TriangleMesh& mesh)
   triangles.reserve(static_cast<std::size_t>(mesh.GetNumberOfTriangles()));
   for (vtkTypeInt32 i = 0; i < mesh.GetNumberOfTriangles(); ++i)
   {
-    if (HasArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
+    if (SpansArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
     {
       triangles.push_back(i);
     }

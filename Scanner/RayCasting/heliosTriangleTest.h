@@ -90,10 +90,6 @@ struct TrianglePlane
   int Pivot;
 };
 
-/// Whether three points span an area, decided exactly. Triangles without are not to be tested.
-VTKHELIOSSCANNERRAYCASTING_EXPORT bool HasArea(
-  const double* p0, const double* p1, const double* p2);
-
 /// The normal of a triangle whose edges at the pivot are nearly parallel, in double-double.
 VTKHELIOSSCANNERRAYCASTING_EXPORT void GetFlatNormal(
   const double* const points[3], int pivot, double normal[3]);

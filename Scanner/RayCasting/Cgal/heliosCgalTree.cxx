@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCgalTree.h"
 
+#include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
 #include <CGAL/AABB_traits.h>
@@ -152,7 +153,7 @@ void CgalTree::Build(const TriangleMesh& mesh)
   std::vector<vtkTypeInt32> triangles;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
   {
-    if (HasArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
+    if (SpansArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
     {
       triangles.push_back(static_cast<vtkTypeInt32>(i));
     }

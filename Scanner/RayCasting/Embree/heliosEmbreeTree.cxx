@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosEmbreeTree.h"
 
+#include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
 #include <vtkSMPTools.h>
@@ -167,7 +168,7 @@ void EmbreeTree::SortTriangles()
       most[axis] = Max(Max(p[0][axis], p[1][axis]), p[2][axis]);
       isInside = isInside && least[axis] >= core[2 * axis] && most[axis] <= core[2 * axis + 1];
     }
-    const bool hasArea = HasArea(p[0], p[1], p[2]);
+    const bool hasArea = SpansArea(p[0], p[1], p[2]);
     const bool isTaken = hasArea && isInside;
     for (int axis = 0; axis < 3 && isTaken; ++axis)
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosObbSearch.h"
 
+#include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
 #include <vtkCellArray.h>
@@ -52,7 +53,7 @@ void ObbSearch::Build(const TriangleMesh& mesh)
   vtkNew<vtkCellArray> cells;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
   {
-    if (HasArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
+    if (SpansArea(mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2)))
     {
       const vtkTypeInt32* corners = mesh.GetCorners() + 3 * i;
       cells->InsertNextCell({ corners[0], corners[1], corners[2] });

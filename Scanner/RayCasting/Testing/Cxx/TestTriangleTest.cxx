@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosTriangleArea.h"
 #include "heliosTriangleTest.h"
 
 #include "heliosRayCastingScenes.h"
@@ -32,9 +33,9 @@ struct Triangle
     helios::TestRay prepared;
     return prepared.Set(ray) ? helios::TestTriangle(prepared, points) : helios::NoHit;
   }
-  bool HasArea() const
+  bool SpansArea() const
   {
-    return helios::HasArea(this->P[0].GetData(), this->P[1].GetData(), this->P[2].GetData());
+    return helios::SpansArea(this->P[0].GetData(), this->P[1].GetData(), this->P[2].GetData());
   }
 };
 
@@ -185,11 +186,11 @@ TEST_CASE("TriangleTest: area is decided exactly", "[TriangleTest]")
     const Vec3 step(std::round(dice(-9, 9)), std::round(dice(-9, 9)), 1.0 + std::round(dice(0, 9)));
     const Vec3 a(std::round(p[0] * 64), std::round(p[1] * 64), std::round(p[2] * 64));
     Triangle straight{ { a, a + step * 3.0, a - step * 7.0 } };
-    CHECK_FALSE(straight.HasArea());
-    CHECK_FALSE(Triangle{ { p, p, a } }.HasArea());
+    CHECK_FALSE(straight.SpansArea());
+    CHECK_FALSE(Triangle{ { p, p, a } }.SpansArea());
     const int axis = i % 2;
     straight.P[1][axis] = std::nextafter(straight.P[1][axis], 1e300);
-    CHECK(straight.HasArea());
+    CHECK(straight.SpansArea());
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "heliosPose.h"
 #include "heliosRandom.h"
+#include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 #include "heliosTriangleTest.h"
 
@@ -297,7 +298,7 @@ inline vtkHeliosHit IntersectBruteForce(const TriangleMesh& mesh, const vtkHelio
   {
     const double* points[3] = { mesh.GetCorner(i, 0), mesh.GetCorner(i, 1), mesh.GetCorner(i, 2) };
     const double range =
-      HasArea(points[0], points[1], points[2]) ? TestTriangle(prepared, points) : NoHit;
+      SpansArea(points[0], points[1], points[2]) ? TestTriangle(prepared, points) : NoHit;
     if (range < hit.Range)
     {
       hit = { range, i };
