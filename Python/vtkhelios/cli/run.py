@@ -107,7 +107,7 @@ def add_arguments(parser):
         metavar="NAME",
         choices=ray_casters(),
         help="how rays are cast: %(choices)s (default: the survey's rayCaster, else the first); "
-        "the result is the same, Docs/ray-casters.md says what each costs",
+        "the points are the same (obbtree: nearly); Docs/ray-casters.md says what each costs",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
