@@ -95,7 +95,8 @@ def test_pip_install(tmp_path):
         "import vtkhelios; print(*vtkhelios.__all__, vtkhelios.__file__)",
         cwd=tmp_path,
     ).split()
-    assert names[:-1] == vtkhelios.__all__
+    under_gpl = {"vtkHeliosCgalRayCaster", "vtkHeliosMeshSimplify"}  # left out where nobody asks for it
+    assert names[:-1] == [name for name in vtkhelios.__all__ if name not in under_gpl]
     assert names[-1].startswith(str(tmp_path))
 
 
