@@ -30,6 +30,7 @@ HOMES = {
     r"Random123/": "FiltersCore",
     r"pcl/": "FiltersPCL",
     r"Eigen/": "ScannerDetectors",
+    r"CGAL/Polygon_mesh_processing": "FiltersSimplify",
     r"CGAL/": "ScannerRayCastingCgal FiltersSimplify",
     r"OpenMesh/": "FiltersSimplify",
     r"gdal": "FiltersIO",
