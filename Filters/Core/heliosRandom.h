@@ -18,7 +18,9 @@ enum class RandomStream : std::uint32_t
 {
   RangeNoise = 1,
   Scene = 2,
-  Platform = 3
+  Platform = 3,
+  AngleNoise = 4,
+  DetectorNoise = 5
 };
 
 /**

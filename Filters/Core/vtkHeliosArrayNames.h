@@ -74,6 +74,7 @@ inline constexpr const char* NumberOfReturns = "NumberOfReturns";
 inline constexpr const char* Range = "Range";         // [m]
 inline constexpr const char* Amplitude = "Amplitude"; // [W]
 inline constexpr const char* EchoWidth = "EchoWidth"; // [ns], full width at half maximum, two-way
+inline constexpr const char* Deviation = "Deviation"; // RMS residual of a fit over its amplitude
 inline constexpr const char* ClassificationIds = "ClassificationIds";
 inline constexpr const char* CellIds = "CellIds";               // of the scene
 inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from the normal

@@ -19,6 +19,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
+#include <limits> // For what a detector does not give
 #include <vector> // For the echoes
 
 /// A received waveform: Samples[i] [W] was received at i BinSize.
@@ -36,6 +37,8 @@ struct vtkHeliosDetectedEcho
   double Time;      ///< [ns] after the first sample
   double Amplitude; ///< [W]
   double Width;     ///< [ns], full width at half maximum
+  /// RMS of the samples about the fitted echo over its Amplitude; not a number where none was fitted.
+  double Deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosEchoDetector : public vtkObject
@@ -54,7 +57,12 @@ public:
   ///@}
 
   /**
-   * Appends the echoes of a waveform in the order of time.
+   * Whether echoes come with a Deviation. Default: no.
+   */
+  virtual bool GivesDeviation() const { return false; }
+
+  /**
+   * Appends the echoes of a waveform in the order of time. Thread-safe.
    */
   virtual void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const = 0;
