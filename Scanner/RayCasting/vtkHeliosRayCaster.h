@@ -51,6 +51,20 @@ struct vtkHeliosHit
   vtkIdType CellId;
 };
 
+/// What a cone meets.
+struct vtkHeliosConeHit
+{
+  enum Kinds
+  {
+    Empty,    ///< nothing
+    OnePlane, ///< one plane all over its cross-section, and nothing before it
+    Mixed     ///< anything else, or not known
+  };
+  int Kind;
+  vtkIdType CellId; ///< of the plane, where the axis meets it
+  double Range;     ///< at which it does
+};
+
 class VTKHELIOSSCANNERRAYCASTING_EXPORT vtkHeliosRayCaster : public vtkObject
 {
 public:
@@ -89,6 +103,25 @@ public:
    */
   virtual void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const = 0;
   ///@}
+
+  /**
+   * The first hits of beams, each of so many rays that lie close together: the
+   * same bytes as Intersect() gives, only faster.
+   */
+  virtual void IntersectBeams(
+    const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
+
+  /**
+   * Prepares ProbeCone() for the scene, once. Not thread-safe.
+   */
+  void PrepareConeProbe();
+
+  /**
+   * What a cone meets that opens from origin about a unit axis; planeTolerance
+   * [m] is how far surfaces may lie off one plane, along the axis. Thread-safe.
+   */
+  vtkHeliosConeHit ProbeCone(const double origin[3], const double axis[3], double tanHalfAngle,
+    double planeTolerance) const;
 
   /**
    * For each of count rays whether anything lies in (0, MaximumRange].
