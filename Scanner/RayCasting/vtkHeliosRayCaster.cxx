@@ -153,3 +153,17 @@ bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins, vtkDoubleArray* dire
   }
   return true;
 }
+
+void vtkHeliosRayCaster::IntersectBeams(
+  const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
+{
+  this->Intersect(rays, hits, raysPerBeam * beams);
+}
+
+void vtkHeliosRayCaster::PrepareConeProbe() {}
+
+vtkHeliosConeHit vtkHeliosRayCaster::ProbeCone(
+  const double[3], const double[3], double, double) const
+{
+  return { vtkHeliosConeHit::Mixed, -1, 0.0 };
+}
