@@ -11,10 +11,18 @@
 namespace helios
 {
 
+/// x - floor(x) in [0, 1), also where rounding or NaN would leave it.
+inline double Fraction(double x)
+{
+  const double fraction = x - std::floor(x);
+  return fraction < 1.0 ? fraction : 0.0;
+}
+
 /**
  * frac(index * frequency / rate), in [0, 1), exact to a few ulps for any index below 2^53 whatever
- * the number of turns. index * frequency is the exact sum of a product and its rounding error
- * (Dekker's two-product), whole turns are taken off by a fused multiply-add, so nothing cancels.
+ * the number of turns; a negative frequency turns the other way. index * frequency is the exact sum
+ * of a product and its rounding error (Dekker's two-product), whole turns are taken off by a fused
+ * multiply-add, so nothing cancels.
  */
 inline double Phase(std::int64_t index, double frequency, double rate)
 {
@@ -23,9 +31,15 @@ inline double Phase(std::int64_t index, double frequency, double rate)
   const double error = std::fma(i, frequency, -product);
   const double turns = std::floor(product / rate);
   const double rest = std::fma(-turns, rate, product) + error; // in (-rate, 2 rate)
-  const double phase = rest / rate;
-  const double fraction = phase - std::floor(phase);
-  return fraction < 1.0 ? fraction : 0.0;
+  return Fraction(rest / rate);
+}
+
+/// frac(time * frequency), in [0, 1), exact to a few ulps whatever the number of turns.
+inline double Phase(double time, double frequency)
+{
+  const double product = time * frequency;
+  const double error = std::fma(time, frequency, -product);
+  return Fraction(product - std::floor(product) + error);
 }
 
 /// The time of a pulse [s]: from its index, never summed.

@@ -2,9 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosBeamDeflector.h"
 
+#include "heliosPhase.h"
+
 #include <vtkMath.h>
 
+#include <algorithm>
 #include <cmath>
+
+//------------------------------------------------------------------------------
+bool vtkHeliosBeamDeflector::SetClamped(double& property, double value, double low, double high)
+{
+  const double clamped = std::min(std::max(low, value), high); // in this order NaN gives low
+  if (property == clamped)
+  {
+    return false;
+  }
+  property = clamped;
+  this->Modified();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamDeflector::SetPulseFrequency(double frequency)
+{
+  this->SetClamped(this->PulseFrequency, frequency, 1e-9, 1e9);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamDeflector::SetWarmUpTime(double time)
+{
+  this->SetClamped(this->WarmUpTime, time, 0.0, 1e6);
+}
 
 //------------------------------------------------------------------------------
 double vtkHeliosBeamDeflector::GetScanAngle(vtkIdType pulse) const
@@ -19,8 +47,36 @@ double vtkHeliosBeamDeflector::GetScanAngle(vtkIdType pulse) const
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosBeamDeflector::GetChannel(vtkIdType) const
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosBeamDeflector::GetDelay(vtkIdType) const
+{
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosBeamDeflector::ComputePhase(vtkIdType pulse, double frequency) const
+{
+  const double phase = helios::Phase(pulse, frequency, this->PulseFrequency);
+  return this->WarmUpTime > 0.0
+    ? helios::Fraction(phase + helios::Phase(this->WarmUpTime, frequency))
+    : phase;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosBeamDeflector::ComputeCount(vtkIdType pulse) const
+{
+  return pulse + std::llround(this->WarmUpTime * this->PulseFrequency);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosBeamDeflector::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PulseFrequency: " << this->PulseFrequency << "\n";
+  os << indent << "WarmUpTime: " << this->WarmUpTime << "\n";
 }

@@ -9,10 +9,13 @@
  * drifts.
  *
  * To add one: subclass, implement GetDirection() (and GetScanAngle() if the
- * angle is not the one from the y axis). It needs nothing else of vtkHelios.
+ * angle is not the one from the y axis). Phases come from ComputePhase(), which
+ * is exact for any index. It needs nothing else of vtkHelios.
  *
  * @sa
- * vtkHeliosRotatingMirror vtkHeliosConicMirror vtkHeliosScanner
+ * vtkHeliosRotatingMirror vtkHeliosOscillatingMirror vtkHeliosFiberArray
+ * vtkHeliosConicMirror vtkHeliosPalmerMirror vtkHeliosRisleyPrisms
+ * vtkHeliosSpinningChannels vtkHeliosScanner
  */
 
 #ifndef vtkHeliosBeamDeflector_h
@@ -32,8 +35,19 @@ public:
    * Set/Get the pulses emitted a second [Hz]. Valid range: (0, 1e9].
    * Default: 100000.
    */
-  vtkSetClampMacro(PulseFrequency, double, 1e-9, 1e9);
+  void SetPulseFrequency(double frequency);
   vtkGetMacro(PulseFrequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how long the optics have been moving when pulse 0 leaves [s]: pulse i
+   * is at the phases of the time i / PulseFrequency + WarmUpTime. Optics that
+   * count pulses start at the nearest whole one. Valid range: [0, 1e6].
+   * Default: 0.
+   */
+  void SetWarmUpTime(double time);
+  vtkGetMacro(WarmUpTime, double);
   ///@}
 
   /**
@@ -49,11 +63,40 @@ public:
    */
   virtual double GetScanAngle(vtkIdType pulse) const;
 
+  ///@{
+  /**
+   * For optics with several channels: which of them, from 0, a pulse comes from,
+   * and how much later than pulse / PulseFrequency it leaves [s], where they do
+   * not fire evenly. By default there is one, which does: 0 and 0.
+   */
+  virtual int GetChannel(vtkIdType pulse) const;
+  virtual double GetDelay(vtkIdType pulse) const;
+  ///@}
+
 protected:
   vtkHeliosBeamDeflector() = default;
   ~vtkHeliosBeamDeflector() override = default;
 
+  /**
+   * The phase of a motion with this frequency [Hz], in [0, 1): that of pulse i is
+   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps
+   * however many turns came before. A negative frequency turns the other way.
+   */
+  double ComputePhase(vtkIdType pulse, double frequency) const;
+
+  /**
+   * The index of a pulse for optics that count pulses: those of the WarmUpTime
+   * come before.
+   */
+  vtkIdType ComputeCount(vtkIdType pulse) const;
+
+  /**
+   * Sets a property in its range and says whether it changed; NaN gives low.
+   */
+  bool SetClamped(double& property, double value, double low, double high);
+
   double PulseFrequency = 100000.0;
+  double WarmUpTime = 0.0;
 
 private:
   vtkHeliosBeamDeflector(const vtkHeliosBeamDeflector&) = delete;

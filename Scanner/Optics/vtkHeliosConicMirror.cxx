@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosConicMirror.h"
 
-#include "heliosPhase.h"
-
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
-#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkHeliosConicMirror);
@@ -22,21 +19,17 @@ vtkHeliosConicMirror::vtkHeliosConicMirror()
 //------------------------------------------------------------------------------
 void vtkHeliosConicMirror::SetScanAngle(double angle)
 {
-  const double clamped = std::min(std::max(0.0, angle), 180.0); // in this order NaN gives 0
-  if (this->ScanAngle != clamped)
+  if (this->SetClamped(this->ScanAngle, angle, 0.0, 180.0))
   {
-    this->ScanAngle = clamped;
-    this->SinScanAngle = std::sin(vtkMath::RadiansFromDegrees(clamped));
-    this->CosScanAngle = std::cos(vtkMath::RadiansFromDegrees(clamped));
-    this->Modified();
+    this->SinScanAngle = std::sin(vtkMath::RadiansFromDegrees(this->ScanAngle));
+    this->CosScanAngle = std::cos(vtkMath::RadiansFromDegrees(this->ScanAngle));
   }
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosConicMirror::GetDirection(vtkIdType pulse, double direction[3]) const
 {
-  const double phi =
-    2.0 * vtkMath::Pi() * helios::Phase(pulse, this->ScanFrequency, this->PulseFrequency);
+  const double phi = 2.0 * vtkMath::Pi() * this->ComputePhase(pulse, this->ScanFrequency);
   direction[0] = this->SinScanAngle * std::sin(phi);
   direction[1] = this->CosScanAngle;
   direction[2] = this->SinScanAngle * std::cos(phi);

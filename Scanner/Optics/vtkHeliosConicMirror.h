@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosConicMirror
- * @brief   a Palmer scanner: the beam runs round a cone
+ * @brief   the beam runs round a cone
  *
  * The beam leaves the mirror at half angle ScanAngle from the y axis and turns
  * about it with ScanFrequency. Pulse i at PulseFrequency f has azimuth
@@ -11,7 +11,7 @@
  * centres of the footprints form a circle.
  *
  * @sa
- * vtkHeliosBeamDeflector vtkHeliosScanner
+ * vtkHeliosBeamDeflector vtkHeliosPalmerMirror vtkHeliosScanner
  */
 
 #ifndef vtkHeliosConicMirror_h

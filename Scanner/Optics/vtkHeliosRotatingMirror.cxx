@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosRotatingMirror.h"
 
-#include "heliosPhase.h"
-
 #include <vtkMath.h>
 #include <vtkObjectFactory.h>
 
@@ -14,7 +12,7 @@ vtkStandardNewMacro(vtkHeliosRotatingMirror);
 //------------------------------------------------------------------------------
 double vtkHeliosRotatingMirror::ComputeBeta(vtkIdType pulse) const
 {
-  const double phase = helios::Phase(pulse, this->ScanFrequency, this->PulseFrequency);
+  const double phase = this->ComputePhase(pulse, this->ScanFrequency);
   return 2.0 * this->MirrorAngle * (phase > 0.5 ? phase - 1.0 : phase);
 }
 

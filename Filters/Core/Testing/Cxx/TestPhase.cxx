@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 namespace
 {
 
@@ -11,7 +13,8 @@ namespace
 double ExactPhase(std::int64_t i, std::int64_t frequency, std::int64_t rate)
 {
   const auto product = static_cast<__int128>(i) * frequency;
-  return static_cast<double>(static_cast<std::int64_t>(product % rate)) / static_cast<double>(rate);
+  const auto rest = static_cast<std::int64_t>((product % rate + rate) % rate);
+  return static_cast<double>(rest) / static_cast<double>(rate);
 }
 
 } // namespace
@@ -41,6 +44,27 @@ TEST_CASE("Phase: stays in [0, 1)", "[Phase]")
     REQUIRE(phase >= 0.0);
     REQUIRE(phase < 1.0);
   }
+}
+
+TEST_CASE("Phase: a negative frequency turns the other way", "[Phase]")
+{
+  for (const std::int64_t i : { 0LL, 1LL, 999999LL, 86399999999LL, 4503599627370495LL })
+  {
+    CHECK(helios::Phase(i, -7294, 6000000) == Approx(ExactPhase(i, -7294, 6000000)).margin(1e-15));
+  }
+  CHECK(helios::Phase(1, -1e-30, 1.0) == 0.0); // 1 - 1e-30 is no double below 1
+}
+
+TEST_CASE("Phase: of a time", "[Phase]")
+{
+  // 86400.001 s is 86400 + m 2^-36 as it is stored; 997 Hz times that, in integers.
+  const double time = 86400.001;
+  const auto scaled = static_cast<__int128>(std::ldexp(time, 36)) * 997;
+  const auto rest = static_cast<std::int64_t>(scaled % (std::int64_t(1) << 36));
+  CHECK(helios::Phase(time, 997.0) == Approx(std::ldexp(double(rest), -36)).margin(1e-15));
+  CHECK(helios::Phase(time, -997.0) == Approx(1.0 - std::ldexp(double(rest), -36)).margin(1e-15));
+  CHECK(helios::Phase(0.0, 997.0) == 0.0);
+  CHECK(helios::Phase(0.25, 3.0) == 0.75);
 }
 
 TEST_CASE("PulseTime: a day of pulses does not drift", "[Phase]")

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosSpinningChannels
+ * @brief   many lasers one above the other in a head that spins
+ *
+ * The n channels fire in turn, PulseFrequency pulses a second in all: pulse i is
+ * channel c = i mod n in the cycle of n pulses that starts at
+ * (i - c) / PulseFrequency. A channel has an elevation e above the horizon, an
+ * azimuth of its own, and a time in the cycle at which it fires; by default
+ * c / PulseFrequency, evenly. The head turns about z with ScanFrequency, and the
+ * azimuth a of a pulse is that of the head when it fires, each fraction of a
+ * turn taken exactly, plus that of its channel. The direction is
+ * - (-sin a cos e, cos a cos e, sin e)
+ *
+ * Azimuths grow as the head of a scanner turns: anticlockwise, seen from above,
+ * with y at 0; instruments that count clockwise have a negative ScanFrequency
+ * and azimuths of the other sign.
+ *
+ * @sa
+ * vtkHeliosBeamDeflector vtkHeliosScanner
+ */
+
+#ifndef vtkHeliosSpinningChannels_h
+#define vtkHeliosSpinningChannels_h
+
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosScannerOpticsModule.h" // For export macro
+
+#include <vector> // For the channels
+
+class VTKHELIOSSCANNEROPTICS_EXPORT vtkHeliosSpinningChannels : public vtkHeliosBeamDeflector
+{
+public:
+  static vtkHeliosSpinningChannels* New();
+  vtkTypeMacro(vtkHeliosSpinningChannels, vtkHeliosBeamDeflector);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the revolutions of the head a second [Hz]; negative: clockwise. Valid
+   * range: [-1e6, 1e6]. Default: 10.
+   */
+  vtkSetClampMacro(ScanFrequency, double, -1e6, 1e6);
+  vtkGetMacro(ScanFrequency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the channels n; new ones look to elevation and azimuth 0 and fire
+   * evenly. Valid range: [1, 100000]. Default: 1.
+   */
+  void SetNumberOfChannels(int channels);
+  int GetNumberOfChannels() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the elevation of a channel [deg]. Valid range: [-90, 90]. Default: 0.
+   */
+  void SetElevation(int channel, double elevation);
+  double GetElevation(int channel) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the azimuth of a channel in the head [deg]. Valid range: [-360, 360].
+   * Default: 0.
+   */
+  void SetAzimuth(int channel, double azimuth);
+  double GetAzimuth(int channel) const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get when a channel fires in a cycle [s]; negative: evenly, at
+   * channel / PulseFrequency. Valid range: [-1, 1e3]. Default: -1.
+   */
+  void SetFiringTime(int channel, double time);
+  double GetFiringTime(int channel) const;
+  ///@}
+
+  bool GetDirection(vtkIdType pulse, double direction[3]) const override;
+
+  /**
+   * The azimuth of a pulse [deg], in [0, 360).
+   */
+  double GetScanAngle(vtkIdType pulse) const override;
+
+  int GetChannel(vtkIdType pulse) const override;
+  double GetDelay(vtkIdType pulse) const override;
+
+protected:
+  vtkHeliosSpinningChannels() = default;
+  ~vtkHeliosSpinningChannels() override = default;
+
+private:
+  vtkHeliosSpinningChannels(const vtkHeliosSpinningChannels&) = delete;
+  void operator=(const vtkHeliosSpinningChannels&) = delete;
+
+  struct Channel
+  {
+    double Elevation = 0.0;
+    double Azimuth = 0.0;
+    double FiringTime = -1.0;
+  };
+
+  Channel* Find(int channel);
+  Channel GetOne(int channel) const;
+  double ComputeTurn(vtkIdType pulse) const;
+
+  double ScanFrequency = 10.0;
+  std::vector<Channel> Channels = std::vector<Channel>(1);
+};
+
+#endif
