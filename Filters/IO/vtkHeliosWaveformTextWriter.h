@@ -21,7 +21,7 @@
  * needs no columns.
  *
  * @sa
- * vtkHeliosStreamWriter vtkHeliosScanner
+ * vtkHeliosWaveformTextReader vtkHeliosWaveformXMLWriter vtkHeliosScanner
  */
 
 #ifndef vtkHeliosWaveformTextWriter_h

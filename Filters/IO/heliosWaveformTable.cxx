@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosWaveformTable.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkFieldData.h>
+#include <vtkTable.h>
+
+namespace helios
+{
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// Takes an array of numbers, or says what is wrong with it.
+std::string TakeArray(
+  vtkFieldData* data, const char* name, vtkIdType rows, int components, Column& column)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array)
+  {
+    return std::string("has no array ") + name;
+  }
+  if (array->GetNumberOfTuples() != rows || array->GetNumberOfComponents() != components)
+  {
+    return std::string("has an array ") + name + " of " +
+      std::to_string(array->GetNumberOfTuples()) + " x " +
+      std::to_string(array->GetNumberOfComponents()) + " values, not " + std::to_string(rows) +
+      " x " + std::to_string(components);
+  }
+  column = Column(array);
+  return {};
+}
+
+std::string TakeIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column& column)
+{
+  std::string problem = TakeArray(data, name, rows, 1, column);
+  if (problem.empty() && !column.HasIntegers())
+  {
+    problem = std::string("has an array ") + name + " of " +
+      data->GetArray(name)->GetDataTypeAsString() + "; it must hold integers";
+  }
+  return problem;
+}
+
+} // namespace
+
+std::string WaveformTable::Take(vtkTable* table)
+{
+  vtkFieldData* data = table->GetRowData();
+  const vtkIdType rows = this->NumberOfRows = table->GetNumberOfRows();
+  vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
+  this->NumberOfSamples = samples ? samples->GetNumberOfTuples() : 0;
+  if (rows == 0)
+  {
+    return {};
+  }
+  const std::string problems[] = {
+    TakeIntegers(data, names::PulseIds, rows, this->PulseIds),
+    TakeArray(data, names::Origin, rows, 3, this->Origin),
+    TakeArray(data, names::Direction, rows, 3, this->Direction),
+    TakeArray(data, names::GpsTime, rows, 1, this->GpsTime),
+    TakeArray(data, names::StartTime, rows, 1, this->StartTime),
+    TakeArray(data, names::BinSize, rows, 1, this->BinSize),
+    TakeIntegers(data, names::Offset, rows, this->Offset),
+    TakeIntegers(data, names::Count, rows, this->Count),
+    TakeArray(table->GetFieldData(), names::Samples, this->NumberOfSamples, 1, this->Samples),
+  };
+  for (const std::string& problem : problems)
+  {
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return this->CheckSamples();
+}
+
+std::string WaveformTable::CheckSamples() const
+{
+  for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
+  {
+    const vtkIdType first = this->Offset.GetInteger(row);
+    const vtkIdType count = this->Count.GetInteger(row);
+    if (first < 0 || first >= this->NumberOfSamples || count < 1 ||
+      count > this->NumberOfSamples - first)
+    {
+      return "has a row " + std::to_string(row) + " with Offset " + std::to_string(first) +
+        " and Count " + std::to_string(count) + ", not within its " +
+        std::to_string(this->NumberOfSamples) + " Samples";
+    }
+  }
+  return {};
+}
+
+} // namespace helios

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosWaveformXMLReader.h"
+
+#include "heliosWaveformTable.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCommand.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLDataParser.h>
+#include <vtkXMLTableReader.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+vtkStandardNewMacro(vtkHeliosWaveformXMLReader);
+
+namespace names = vtkHeliosArrayNames;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// Takes the messages of VTK's readers, so that there is one error and not several.
+class FaultListener : public vtkCommand
+{
+public:
+  static FaultListener* New() { return new FaultListener; }
+  void Execute(vtkObject*, unsigned long, void*) override { this->HasFault = true; }
+  void Listen(vtkObject* object)
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, this);
+    object->AddObserver(vtkCommand::WarningEvent, this);
+  }
+  bool HasFault = false;
+};
+
+/// The table of a piece, or null.
+vtkSmartPointer<vtkTable> ReadPiece(const std::string& name)
+{
+  const auto faults = vtkSmartPointer<FaultListener>::Take(FaultListener::New());
+  vtkNew<vtkXMLTableReader> reader;
+  faults->Listen(reader);
+  faults->Listen(reader->GetExecutive());
+  reader->SetFileName(name.c_str());
+  if (!reader->CanReadFile(name.c_str()))
+  {
+    return nullptr;
+  }
+  reader->Update();
+  return faults->HasFault ? nullptr : reader->GetOutput();
+}
+
+/// Appends the tuples of all arrays; false where they are not the same arrays.
+bool AppendArrays(vtkFieldData* from, vtkFieldData* to)
+{
+  bool areSame = from->GetNumberOfArrays() == to->GetNumberOfArrays();
+  for (int i = 0; areSame && i < to->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* target = to->GetAbstractArray(i);
+    vtkAbstractArray* source = from->GetAbstractArray(target->GetName());
+    areSame = source && source->GetDataType() == target->GetDataType() &&
+      source->GetNumberOfComponents() == target->GetNumberOfComponents();
+    if (areSame)
+    {
+      target->InsertTuples(target->GetNumberOfTuples(), source->GetNumberOfTuples(), 0, source);
+    }
+  }
+  return areSame;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHeliosWaveformXMLReader::vtkHeliosWaveformXMLReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosWaveformXMLReader::~vtkHeliosWaveformXMLReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosWaveformXMLReader::FindPieces()
+{
+  this->Pieces.clear();
+  const std::string name = this->FileName ? this->FileName : "";
+  std::error_code problem;
+  if (name.empty() || !fs::is_regular_file(name, problem))
+  {
+    vtkErrorMacro(<< (name.empty() ? "FileName is not set" : name + ": there is no such file")
+                  << "; give a file of waveforms, .pvtt or .vtt");
+    return false;
+  }
+  const auto faults = vtkSmartPointer<FaultListener>::Take(FaultListener::New());
+  vtkNew<vtkXMLTableReader> pieceReader;
+  faults->Listen(pieceReader);
+  if (pieceReader->CanReadFile(name.c_str()))
+  {
+    this->Pieces.push_back(name);
+    return true;
+  }
+  vtkNew<vtkXMLDataParser> parser;
+  faults->Listen(parser);
+  parser->SetFileName(name.c_str());
+  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
+  vtkXMLDataElement* index = root ? root->FindNestedElementWithName("PTable") : nullptr;
+  for (int i = 0; index && i < index->GetNumberOfNestedElements(); ++i)
+  {
+    const char* source = index->GetNestedElement(i)->GetAttribute("Source");
+    if (source)
+    {
+      this->Pieces.push_back((fs::path(name).parent_path() / source).string());
+    }
+  }
+  if (!index)
+  {
+    vtkErrorMacro(<< name
+                  << ": is not a VTK XML file of tables; give a file of waveforms, .pvtt or "
+                  << ".vtt (text: vtkHeliosWaveformTextReader)");
+  }
+  return index != nullptr;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosWaveformXMLReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  return this->FindPieces();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* waveforms)
+{
+  const vtkSmartPointer<vtkTable> piece = ReadPiece(name);
+  const std::string problem =
+    piece ? helios::WaveformTable().Take(piece) : "cannot be read; is it there, and whole?";
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< name << ": the piece " << problem << "; run the survey again");
+    return false;
+  }
+  if (waveforms->GetNumberOfRows() == 0)
+  {
+    waveforms->DeepCopy(piece);
+    return true;
+  }
+  vtkDataArray* samples = waveforms->GetFieldData()->GetArray(names::Samples);
+  const auto shift = static_cast<double>(samples->GetNumberOfTuples());
+  const vtkIdType firstRow = waveforms->GetNumberOfRows();
+  if (!AppendArrays(piece->GetRowData(), waveforms->GetRowData()) ||
+    !AppendArrays(piece->GetFieldData(), waveforms->GetFieldData()))
+  {
+    vtkErrorMacro(<< name << ": the piece has other columns than " << this->Pieces.front()
+                  << "; are they of one run?");
+    return false;
+  }
+  vtkDataArray* offsets = waveforms->GetRowData()->GetArray(names::Offset);
+  for (vtkIdType row = firstRow; row < waveforms->GetNumberOfRows(); ++row)
+  {
+    offsets->SetComponent(row, 0, offsets->GetComponent(row, 0) + shift);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosWaveformXMLReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  const bool isPiece = outInfo->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) != 0;
+  const auto count =
+    isPiece ? std::max<vtkIdType>(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) : 1;
+  const vtkIdType piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
+  if (piece < 0 || piece >= count)
+  {
+    return 1;
+  }
+  const vtkIdType last = this->GetNumberOfPieces() * (piece + 1) / count;
+  vtkNew<vtkTable> waveforms;
+  for (vtkIdType i = this->GetNumberOfPieces() * piece / count; i < last; ++i)
+  {
+    if (!this->AppendPiece(this->Pieces[static_cast<std::size_t>(i)], waveforms))
+    {
+      return 0;
+    }
+    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(last));
+  }
+  vtkTable::GetData(outputVector)->ShallowCopy(waveforms);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosWaveformXMLReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "NumberOfPieces: " << this->GetNumberOfPieces() << "\n";
+}

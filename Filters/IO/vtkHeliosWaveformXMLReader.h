@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosWaveformXMLReader
+ * @brief   waveforms from VTT pieces, some of them or all as one table
+ *
+ * Reads a .pvtt, and each of its .vtt, as vtkHeliosWaveformXMLWriter writes
+ * them; also the .part of a run that was cut off.
+ *
+ * Output 0: a vtkTable as vtkHeliosScanner gives it. Piece i of n
+ * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file: the pieces in
+ * order are the whole, each with its own Samples. Where several pieces of the
+ * file become one table, Offset counts in the Samples of all of them.
+ *
+ * Errors: a file that cannot be read or is none of these, a piece that is
+ * missing, has no waveforms or other columns than the first.
+ *
+ * @sa
+ * vtkHeliosWaveformXMLWriter vtkHeliosWaveformTextReader
+ */
+
+#ifndef vtkHeliosWaveformXMLReader_h
+#define vtkHeliosWaveformXMLReader_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkTableAlgorithm.h"
+
+#include <string> // For the names of pieces
+#include <vector> // For the names of pieces
+
+class VTKHELIOSFILTERSIO_EXPORT vtkHeliosWaveformXMLReader : public vtkTableAlgorithm
+{
+public:
+  static vtkHeliosWaveformXMLReader* New();
+  vtkTypeMacro(vtkHeliosWaveformXMLReader, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the file to read. No default: an error without.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  /**
+   * Get the number of pieces that the file has, after UpdateInformation().
+   */
+  int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
+
+protected:
+  vtkHeliosWaveformXMLReader();
+  ~vtkHeliosWaveformXMLReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHeliosWaveformXMLReader(const vtkHeliosWaveformXMLReader&) = delete;
+  void operator=(const vtkHeliosWaveformXMLReader&) = delete;
+
+  bool FindPieces();
+  bool AppendPiece(const std::string& name, vtkTable* waveforms);
+
+  char* FileName = nullptr;
+  std::vector<std::string> Pieces; // the names of the files
+};
+
+#endif
