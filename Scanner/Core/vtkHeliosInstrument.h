@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosInstrument
+ * @brief   what the data sheet of a laser scanner says: pulse, receiver, accuracy
+ *
+ * The properties of an instrument that do not depend on where it stands or what
+ * it looks at; vtkHeliosScanner fires it. Sub-ray k of the beam with the weight
+ * W that meets a surface at range R under the incidence theta returns
+ * - P = AveragePower W f(theta) D^2 / (4 R^2) eta exp(-2 alpha R)
+ *
+ * with the ReceiverDiameter D, the OpticalEfficiency eta, the extinction alpha
+ * and, for a surface of reflectance rho, specularity s and exponent n,
+ * - f = rho ((1 - s) cos(theta) + s (n + 2) / 2 max(0, cos(2 theta))^n cos(theta))
+ *
+ * that is pi times the bidirectional reflectance times cos(theta): Lambert and a
+ * Phong lobe that returns no more than it gets (Wagner et al. 2006, ISPRS J. 60,
+ * 100-112; Lewis 1994). P comes back after 2 R / c as a pulse with the peak P.
+ *
+ * Values out of their range are refused when it runs, with the range.
+ *
+ * @sa
+ * vtkHeliosScanner vtkHeliosEchoDetector vtkHeliosErrorModel
+ */
+
+#ifndef vtkHeliosInstrument_h
+#define vtkHeliosInstrument_h
+
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <string> // For what is said in words
+
+namespace helios
+{
+class PulseShape;
+}
+
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosInstrument : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHeliosInstrument, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How the transmitted pulse runs.
+  enum PulseShapes
+  {
+    GAUSSIAN = 0, ///< exp(-t^2 / (2 sigma^2))
+    HELIOS = 1,   ///< (t / tau)^2 exp(-t / tau), tau = PulseLength / 3.3947
+    SAMPLED = 2   ///< the samples of PulseFileName
+  };
+
+  /// Which echoes of a pulse are kept.
+  enum ReturnSelections
+  {
+    ALL = 0,
+    FIRST = 1,
+    LAST = 2,
+    STRONGEST = 3,
+    FIRST_AND_LAST = 4
+  };
+
+  ///@{
+  /**
+   * Set/Get the full width of the transmitted pulse at half its maximum [ns]; not
+   * used with a sampled pulse. Valid range: [1e-3, 1e6]. Default: 4.
+   */
+  vtkSetMacro(PulseLength, double);
+  vtkGetMacro(PulseLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the transmitted pulse runs; its peak is 1 and leaves at the time
+   * of the pulse. Default: GAUSSIAN.
+   */
+  vtkSetClampMacro(PulseShape, int, GAUSSIAN, SAMPLED);
+  vtkGetMacro(PulseShape, int);
+  void SetPulseShapeToGaussian() { this->SetPulseShape(GAUSSIAN); }
+  void SetPulseShapeToHelios() { this->SetPulseShape(HELIOS); }
+  void SetPulseShapeToSampled() { this->SetPulseShape(SAMPLED); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the text file of a sampled pulse: a time [ns] and a power of any unit
+   * a line, times increasing, # for comments; between the samples it is linear.
+   * Default: none.
+   */
+  vtkSetFilePathMacro(PulseFileName);
+  vtkGetFilePathMacro(PulseFileName);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the bin of the waveform [ns]. Valid range: [1e-4, half the pulse].
+   * Default: 0.25.
+   */
+  vtkSetMacro(BinSize, double);
+  vtkGetMacro(BinSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how long a waveform may be [ns], or its number of bins, counted from
+   * its first; 0: as long as the target. What comes later is cut off, with a
+   * warning that counts the pulses. Valid range: 0 or at least a pulse. Default: 0.
+   */
+  vtkSetMacro(MaximumWaveformLength, double);
+  vtkGetMacro(MaximumWaveformLength, double);
+  vtkSetMacro(NumberOfBins, int);
+  vtkGetMacro(NumberOfBins, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the transmit power in the lidar equation [W]. Valid range:
+   * [0, 1e12]. Default: 4.
+   */
+  vtkSetMacro(AveragePower, double);
+  vtkGetMacro(AveragePower, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the wavelength [nm]. Valid range: [200, 20000]. Default: 1064.
+   */
+  vtkSetMacro(Wavelength, double);
+  vtkGetMacro(Wavelength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the efficiency of the optics. Valid range: (0, 1]. Default: 0.99.
+   */
+  vtkSetMacro(OpticalEfficiency, double);
+  vtkGetMacro(OpticalEfficiency, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the diameter of the receiver [m]. Valid range: (0, 100].
+   * Default: 0.15.
+   */
+  vtkSetMacro(ReceiverDiameter, double);
+  vtkGetMacro(ReceiverDiameter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the meteorological visibility [km], from which the extinction
+   * follows by Kruse; infinite: none. Valid range: [1e-3, infinity]. Default: 23.
+   */
+  vtkSetMacro(AtmosphericVisibility, double);
+  vtkGetMacro(AtmosphericVisibility, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the extinction of the air [1/m], one way; negative: from
+   * AtmosphericVisibility. Valid range: [-1, 1e3]. Default: -1.
+   */
+  vtkSetMacro(AtmosphericExtinction, double);
+  vtkGetMacro(AtmosphericExtinction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the standard deviation of the noise of the detector, one draw a bin
+   * [W]. With noise or sunlight every pulse is binned. Valid range: [0, 1e6].
+   * Default: 0.
+   */
+  vtkSetMacro(DetectorNoise, double);
+  vtkGetMacro(DetectorNoise, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the sunlight that falls on the scene [W/m^2/nm] (0.6 at 1064 nm on a
+   * clear day), the width of the receiver's filter [nm] and its field of view,
+   * a full angle [rad]. A surface of reflectance rho that fills the view adds
+   * - E rho / pi (pi FieldOfView^2 / 4) (pi D^2 / 4) FilterBandwidth eta exp(-alpha R)
+   *
+   * to every bin. Valid range: [0, 1e6]. Default: 0 (off), 1 and 0.001.
+   */
+  vtkSetMacro(SolarIrradiance, double);
+  vtkGetMacro(SolarIrradiance, double);
+  vtkSetMacro(FilterBandwidth, double);
+  vtkGetMacro(FilterBandwidth, double);
+  vtkSetMacro(FieldOfView, double);
+  vtkGetMacro(FieldOfView, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the standard deviation of the range noise, one draw an echo: constant
+   * [m], growing with the range [m/m], and of an echo that only just reaches the
+   * detection threshold [m] (it falls with the amplitude, as for every fit: Cramer
+   * and Rao); their squares add up. Valid range: [0, 1e3]. Default: 0, none.
+   */
+  vtkSetMacro(RangeAccuracy, double);
+  vtkGetMacro(RangeAccuracy, double);
+  vtkSetMacro(RangeAccuracyPerMeter, double);
+  vtkGetMacro(RangeAccuracyPerMeter, double);
+  vtkSetMacro(RangeAccuracyAtThreshold, double);
+  vtkGetMacro(RangeAccuracyAtThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the standard deviation of the direction, on each of two axes across
+   * the beam [rad]: the pulse goes along the direction with the error, and its
+   * points are placed along the one without. Valid range: [0, 0.1]. Default: 0.
+   */
+  vtkSetMacro(AngleAccuracy, double);
+  vtkGetMacro(AngleAccuracy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the ranges that the instrument measures [m]. What a sub-ray hits
+   * outside them blocks it and returns nothing. Valid range: [0, infinity].
+   * Default: 0 and infinity.
+   */
+  vtkSetMacro(RangeMin, double);
+  vtkGetMacro(RangeMin, double);
+  vtkSetMacro(RangeMax, double);
+  vtkGetMacro(RangeMax, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get which echoes of a pulse are kept; NumberOfReturns counts these.
+   * Default: ALL.
+   */
+  vtkSetClampMacro(ReturnSelection, int, ALL, FIRST_AND_LAST);
+  vtkGetMacro(ReturnSelection, int);
+  void SetReturnSelectionToAll() { this->SetReturnSelection(ALL); }
+  void SetReturnSelectionToFirst() { this->SetReturnSelection(FIRST); }
+  void SetReturnSelectionToLast() { this->SetReturnSelection(LAST); }
+  void SetReturnSelectionToStrongest() { this->SetReturnSelection(STRONGEST); }
+  void SetReturnSelectionToFirstAndLast() { this->SetReturnSelection(FIRST_AND_LAST); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many of them are kept, in the order of range; 0: all. Valid
+   * range: [0, 255]. Default: 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
+  vtkGetMacro(MaximumNumberOfReturns, int);
+  ///@}
+
+protected:
+  vtkHeliosInstrument() = default;
+  ~vtkHeliosInstrument() override;
+
+  /// Whether all values are in their ranges; false after an error that names the first that is not.
+  bool CheckInstrument();
+
+  /// The extinction that applies [1/m].
+  double ComputeExtinction() const;
+
+  /// The sunlight from a white surface without air before it, as the receiver counts it [W].
+  double ComputeBackground() const;
+
+  /// The most samples of a waveform.
+  vtkIdType CountSamples() const;
+
+  /// Makes the pulse, and checks it against the bins; says what is wrong, or nothing.
+  std::string MakePulseShape(helios::PulseShape& shape) const;
+
+  double PulseLength = 4.0;
+  int PulseShape = GAUSSIAN;
+  char* PulseFileName = nullptr;
+  double BinSize = 0.25;
+  double MaximumWaveformLength = 0.0;
+  int NumberOfBins = 0;
+  double AveragePower = 4.0;
+  double Wavelength = 1064.0;
+  double OpticalEfficiency = 0.99;
+  double ReceiverDiameter = 0.15;
+  double AtmosphericVisibility = 23.0;
+  double AtmosphericExtinction = -1.0;
+  double DetectorNoise = 0.0;
+  double SolarIrradiance = 0.0;
+  double FilterBandwidth = 1.0;
+  double FieldOfView = 1e-3;
+  double RangeAccuracy = 0.0;
+  double RangeAccuracyPerMeter = 0.0;
+  double RangeAccuracyAtThreshold = 0.0;
+  double AngleAccuracy = 0.0;
+  double RangeMin = 0.0;
+  double RangeMax = VTK_DOUBLE_MAX;
+  int ReturnSelection = ALL;
+  int MaximumNumberOfReturns = 0;
+
+private:
+  vtkHeliosInstrument(const vtkHeliosInstrument&) = delete;
+  void operator=(const vtkHeliosInstrument&) = delete;
+};
+
+#endif
