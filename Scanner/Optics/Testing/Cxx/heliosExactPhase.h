@@ -18,8 +18,8 @@ inline double ExactPhase(std::int64_t index, double frequency, std::int64_t rate
   const double fraction = std::frexp(frequency, &exponent); // frequency = fraction 2^exponent
   const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
   const __int128 turn = static_cast<__int128>(rate) << (53 - exponent);
-  const __int128 rest = static_cast<__int128>(index) * mantissa % turn;
-  return static_cast<double>(rest) / static_cast<double>(turn);
+  const __int128 rest = static_cast<__int128>(index) * mantissa % turn; // has the frequency's sign
+  return static_cast<double>(rest < 0 ? rest + turn : rest) / static_cast<double>(turn);
 }
 
 } // namespace helios
