@@ -92,6 +92,7 @@ inline constexpr const char* BinSize = "BinSize";     // [ns]
 inline constexpr const char* Offset = "Offset";       // of the first sample
 inline constexpr const char* Count = "Count";         // of samples
 inline constexpr const char* Samples = "Samples";     // float32 [W]
+inline constexpr const char* PulseLength = "PulseLength"; // [ns], one value in the field data
 ///@}
 
 } // namespace vtkHeliosArrayNames

@@ -97,7 +97,7 @@ private:
 };
 
 /// The words of a line, taken one after the other; a word that starts with # ends the line.
-class TextWords
+class VTKHELIOSFILTERSIO_EXPORT TextWords
 {
 public:
   enum class Number

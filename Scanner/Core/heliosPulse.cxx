@@ -5,6 +5,8 @@
 #include "vtkHeliosBeamDeflector.h"
 
 #include "heliosPhase.h"
+#include "heliosRandom.h"
+#include "vtkHeliosErrorModel.h"
 
 #include <cmath>
 
@@ -30,6 +32,12 @@ Rotation BeamFrame(const Vec3& axis)
   return frame;
 }
 
+Quaternion PulseSource::GetHead(double angle) const
+{
+  return angle != 0.0 ? this->Mount.Orientation * AxisAngle(this->HeadAxis, angle)
+                      : this->Mount.Orientation;
+}
+
 bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const
 {
   double direction[3];
@@ -42,17 +50,42 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
 
   Rotation platform;
   const Vec3 position = this->Platform->GetPosition(pulse.Time, cursor, platform);
-  Quaternion head = this->Mount.Orientation;
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
-  if (headAngle != 0.0)
-  {
-    head = head * AxisAngle(this->HeadAxis, headAngle);
-  }
+  const Quaternion head = this->GetHead(headAngle);
   pulse.Origin =
     position + platform * (this->Mount.Position + Rotate(head, this->BeamOrigin.Position));
   pulse.Beam =
     platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(Vec3(direction)));
+  pulse.Reported = pulse.GetDirection();
+  if (this->Errors || this->AngleAccuracy > 0.0)
+  {
+    this->TurnBeam(index, headAngle, platform, Vec3(direction), pulse);
+  }
   return true;
+}
+
+/// Turns the beam to where the pulse really goes.
+void PulseSource::TurnBeam(
+  vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction, Pulse& pulse) const
+{
+  if (this->Errors)
+  {
+    const double theta = vtkMath::RadiansFromDegrees(this->Deflector->GetScanAngle(index));
+    const double deflection = vtkMath::DegreesFromRadians(this->Errors->GetDeflectionError(theta));
+    const double turn = vtkMath::DegreesFromRadians(this->Errors->GetHeadError(theta));
+    direction = Rotate(AxisAngle({ 1.0, 0.0, 0.0 }, deflection), direction);
+    pulse.Beam = platform *
+      (Rotation(this->GetHead(headAngle + turn) * this->BeamOrigin.Orientation) *
+        BeamFrame(direction));
+  }
+  if (this->AngleAccuracy > 0.0)
+  {
+    const auto id = static_cast<std::uint64_t>(this->FirstPulseId + index);
+    const auto noise = NormalPair(this->Seed, RandomStream::AngleNoise, id, 0);
+    Vec3 axis(this->AngleAccuracy * noise[0], 1.0, this->AngleAccuracy * noise[1]);
+    axis.Normalize();
+    pulse.Beam = BeamFrame(pulse.Beam * axis);
+  }
 }
 
 } // namespace helios

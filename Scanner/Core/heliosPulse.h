@@ -10,7 +10,10 @@
 
 #include <vtkType.h>
 
+#include <cstdint>
+
 class vtkHeliosBeamDeflector;
+class vtkHeliosErrorModel;
 
 namespace helios
 {
@@ -20,6 +23,7 @@ struct Pulse
   double Time;
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world
+  Vec3 Reported; // the direction that the instrument believes in
 
   Vec3 GetDirection() const
   {
@@ -30,7 +34,8 @@ struct Pulse
 /**
  * What carries the beam, from the platform to the deflector:
  * A = A_platform A_mount R_head A_beam, and the lever arms turn with the attitude,
- * origin = p + A_platform (m + A_mount R_head b).
+ * origin = p + A_platform (m + A_mount R_head b). Errors of deflector, head and angles turn the beam,
+ * not what is reported.
  */
 struct PulseSource
 {
@@ -43,9 +48,18 @@ struct PulseSource
   Vec3 HeadAxis;
   double HeadStart; // [deg]
   double HeadSpeed; // [deg/s]
+  const vtkHeliosErrorModel* Errors = nullptr;
+  double AngleAccuracy = 0.0; // [rad]
+  std::uint64_t Seed = 0;
+  vtkIdType FirstPulseId = 0;
 
   /// Pulse number index; false where the deflector lets none out.
   bool GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const;
+
+private:
+  Quaternion GetHead(double angle) const;
+  void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
+    Pulse& pulse) const;
 };
 
 /// A frame whose y axis is a unit vector (Duff et al. 2017, J. Computer Graphics Techniques 6).

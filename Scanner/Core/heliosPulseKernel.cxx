@@ -3,7 +3,9 @@
 #include "heliosPulseKernel.h"
 
 #include "heliosRandom.h"
+#include "heliosReturnSelection.h"
 #include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosErrorModel.h"
 
 #include <vtkMath.h>
 
@@ -17,8 +19,6 @@ namespace
 
 // Pulses traced together: their rays and hits stay in the cache.
 constexpr vtkIdType PulsesTogether = 32;
-// A stored waveform ends here: 16 million samples are 600 km in bins of 0.25 ns.
-constexpr vtkIdType LongestWaveform = 1 << 24;
 
 double IncidenceDegrees(double cosIncidence)
 {
@@ -29,181 +29,341 @@ double IncidenceDegrees(double cosIncidence)
 
 PulseKernel::PulseKernel(const ScanModel& model)
   : Model(model)
-  , Signal(model.PulseLength, model.BinSize, model.Detector)
+  , Response(model)
+  , Tracer(model, this->Response)
+  , Signal(model.Receiver)
 {
 }
 
+//------------------------------------------------------------------------------
 void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
 {
-  const std::size_t subRays = this->Model.SubRays.size();
   for (vtkIdType begin = first; begin < last; begin += PulsesTogether)
   {
     this->AimPulses(begin, std::min(last, begin + PulsesTogether));
-    const vtkIdType rayCount = static_cast<vtkIdType>(this->Rays.size());
-    this->Hits.resize(this->Rays.size());
-    this->Model.Caster->Intersect(this->Rays.data(), this->Hits.data(), rayCount);
+    this->CastRays();
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
-      this->CollectReturns(&this->Rays[slot * subRays], &this->Hits[slot * subRays]);
-      this->FinishPulse(slot, result);
+      this->PulseId = this->Model.FirstPulseId + this->Indices[slot];
+      this->Returns.clear();
+      this->SubRays.clear();
+      this->Echoes.clear();
+      this->HasWaveform = false;
+      this->Response.StartPulse();
+      if (this->Model.Lattice)
+      {
+        this->RunByTolerance(slot);
+      }
+      else
+      {
+        this->RunFixed(slot);
+      }
+      this->StorePulse(slot, result);
     }
   }
 }
 
+//------------------------------------------------------------------------------
 void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 {
   this->Pulses.clear();
   this->Indices.clear();
-  this->Rays.clear();
   Pulse pulse;
   for (vtkIdType i = first; i < last; ++i)
   {
-    if (!this->Model.Source.GetPulse(i, this->Cursor, pulse))
+    if (this->Model.Source.GetPulse(i, this->Cursor, pulse))
     {
-      continue;
-    }
-    this->Pulses.push_back(pulse);
-    this->Indices.push_back(i);
-    const std::size_t before = this->Rays.size();
-    this->Rays.resize(before + this->Model.SubRays.size());
-    vtkHeliosRay* ray = this->Rays.data() + before;
-    for (const Vec3& subRay : this->Model.SubRays)
-    {
-      const Vec3 direction = pulse.Beam * subRay;
-      std::copy_n(pulse.Origin.GetData(), 3, ray->Origin);
-      std::copy_n(direction.GetData(), 3, ray->Direction);
-      ++ray;
+      this->Pulses.push_back(pulse);
+      this->Indices.push_back(i);
     }
   }
   this->Counts.PulsesFired += static_cast<vtkIdType>(this->Pulses.size());
 }
 
-const Vec3& PulseKernel::GetNormal(vtkIdType cell)
+//------------------------------------------------------------------------------
+/// The rays of fixed sampling.
+void PulseKernel::CastRays()
 {
-  if (cell != this->NormalCell)
+  const std::vector<SubRay>& subRays = this->Model.SubRays;
+  this->Rays.resize(this->Pulses.size() * subRays.size());
+  this->Hits.resize(this->Rays.size());
+  vtkHeliosRay* ray = this->Rays.data();
+  for (const Pulse& pulse : this->Pulses)
   {
-    this->NormalCell = cell;
-    if (!this->Model.Surfaces.GetNormal(cell, this->Normal))
+    for (const SubRay& subRay : subRays)
     {
-      this->Normal = this->Model.Caster->GetMesh().GetNormal(cell);
+      const Vec3 direction = pulse.Beam * subRay.Direction;
+      const Vec3 origin =
+        this->Model.HasOffsets ? pulse.Origin + pulse.Beam * subRay.Offset : pulse.Origin;
+      std::copy_n(origin.GetData(), 3, ray->Origin);
+      std::copy_n(direction.GetData(), 3, ray->Direction);
+      ++ray;
     }
   }
-  return this->Normal;
+  this->Model.Caster->IntersectBeams(this->Rays.data(), this->Hits.data(),
+    static_cast<int>(subRays.size()), static_cast<vtkIdType>(this->Pulses.size()));
+  this->Counts.SubRays += static_cast<vtkIdType>(this->Rays.size());
 }
 
-void PulseKernel::CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* hits)
+//------------------------------------------------------------------------------
+void PulseKernel::CollectReturns(std::size_t slot)
 {
-  const ScanModel& m = this->Model;
-  this->Returns.clear();
-  NearbyTransmission transmission(m.Equation);
-  for (std::size_t k = 0; k < m.SubRays.size(); ++k)
+  const std::vector<SubRay>& subRays = this->Model.SubRays;
+  for (std::size_t k = 0; k < subRays.size(); ++k)
   {
-    const vtkHeliosHit& hit = hits[k];
+    const vtkHeliosHit& hit = this->Hits[slot * subRays.size() + k];
+    const Vec3 direction(this->Rays[slot * subRays.size() + k].Direction);
+    if (this->Model.WantsSubRays)
+    {
+      this->SubRays.push_back({ direction, subRays[k].Weight });
+    }
     if (hit.CellId < 0)
     {
       continue;
     }
-    if (hit.Range < m.RangeMin || hit.Range > m.RangeMax)
+    if (hit.Range < this->Model.RangeMin || hit.Range > this->Model.RangeMax)
     {
       ++this->Counts.HitsOutOfRange;
       continue;
     }
-    const double* d = rays[k].Direction;
-    const Vec3& n = this->GetNormal(hit.CellId);
-    const double cosIncidence = std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
-    const int material = m.Surfaces.GetMaterialId(hit.CellId);
-    const double gain = m.Equation.GetGain(hit.Range, transmission(hit.Range)) *
-      m.Surfaces.GetReflectance(material) * cosIncidence;
+    double cosIncidence;
+    const double power = this->Response.GetPower(hit.CellId, hit.Range, direction, cosIncidence);
     this->Returns.push_back(
-      { hit.Range, m.Power * m.Weights[k] * gain, hit.CellId, static_cast<int>(k), cosIncidence });
+      { hit.Range, subRays[k].Weight * power, hit.CellId, static_cast<int>(k), cosIncidence });
   }
 }
 
-void PulseKernel::FinishPulse(std::size_t slot, ChunkResult& result)
+//------------------------------------------------------------------------------
+void PulseKernel::RunFixed(std::size_t slot)
+{
+  this->CollectReturns(slot);
+  this->FindEchoes();
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::RunByTolerance(std::size_t slot)
+{
+  const Pulse& pulse = this->Pulses[slot];
+  const Vec3 axis = pulse.GetDirection();
+  const Vec3 apex = pulse.Origin - this->Model.Setback * axis;
+  vtkHeliosConeHit hit = this->Model.Caster->ProbeCone(
+    apex.GetData(), axis.GetData(), this->Model.ConeTangent, this->Model.Plan.PlaneTolerance);
+  hit.Range -= this->Model.Setback;
+  if (hit.Kind == vtkHeliosConeHit::Empty ||
+    (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
+  {
+    return;
+  }
+  this->Tracer.Trace(pulse, this->Returns, this->SubRays, this->Counts);
+  this->FindEchoes();
+}
+
+//------------------------------------------------------------------------------
+/// The echo of a beam that meets one plane; false where its closed form is not exact enough.
+bool PulseKernel::TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
+{
+  if (!(hit.Range > 0.0))
+  {
+    return false;
+  }
+  const ScanModel& m = this->Model;
+  const Vec3 axis = pulse.GetDirection();
+  const double cosPlane = std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(axis));
+  const double tangent = std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane;
+  const double reach = std::hypot(hit.Range, m.Setback); // the footprint grows with it
+  const bool isGaussian = m.Receiver.Shape.IsGaussian();
+  const double widest = isGaussian ? m.Plan.LargestWidening : 0.1 * m.Plan.PowerTolerance;
+  const double rim = 2.0 * reach * m.ConeTangent * tangent; // in range
+  if (!(m.Plane.GetWidening(reach, tangent) <= widest &&
+        m.Plane.GetShift(reach, tangent) <= m.Plan.LargestShift &&
+        std::abs(hit.Range - m.RangeMin) > rim && std::abs(hit.Range - m.RangeMax) > rim))
+  {
+    return false;
+  }
+  ++this->Counts.PulsesOnPlane;
+  if (hit.Range < m.RangeMin || hit.Range > m.RangeMax)
+  {
+    ++this->Counts.HitsOutOfRange;
+    return true;
+  }
+  double cosIncidence;
+  const double power = this->Response.GetPower(hit.CellId, hit.Range, axis, cosIncidence);
+  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, reach, tangent, power);
+  this->Returns.push_back({ echo.Range, echo.Power, hit.CellId, 0, cosIncidence });
+  if (m.WantsSubRays)
+  {
+    this->SubRays.push_back({ axis, 1.0 });
+  }
+  this->FinishPlane(echo);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::FinishPlane(const PlaneEcho& echo)
+{
+  if (this->Model.WantsWaveforms || this->Model.NeedsWaveform())
+  {
+    const bool cut = this->Signal.Fill(echo, this->GetBackground(), this->PulseId);
+    this->Counts.CutWaveforms += cut ? 1 : 0;
+    this->HasWaveform = true;
+  }
+  if (this->Model.NeedsWaveform())
+  {
+    this->DetectEchoes();
+  }
+  else if (echo.Power > 0.0 && echo.Power >= this->Model.Receiver.Detector->GetDetectionThreshold())
+  {
+    this->Echoes.push_back(
+      { echo.Range, echo.Power, FwhmPerSigma * echo.Sigma, this->Returns.data() });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of the returns of a pulse.
+void PulseKernel::FindEchoes()
+{
+  if (this->Returns.empty())
+  {
+    return;
+  }
+  const bool needsWaveform = this->Model.NeedsWaveform();
+  if (this->Model.WantsWaveforms || needsWaveform)
+  {
+    const bool cut = this->Signal.Fill(this->Returns, this->GetBackground(), this->PulseId);
+    this->Counts.CutWaveforms += cut ? 1 : 0;
+    this->HasWaveform = true;
+  }
+  const bool isBinned = needsWaveform || !this->Signal.FindEchoes(this->Returns, this->Echoes);
+  if (needsWaveform)
+  {
+    this->DetectEchoes();
+  }
+  ++(isBinned ? this->Counts.PulsesBinned : this->Counts.PulsesWithoutBins);
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::DetectEchoes()
+{
+  this->Signal.DetectEchoes(this->Returns, this->Echoes);
+}
+
+//------------------------------------------------------------------------------
+/// The sunlight in the pulse's waveform; every return holds its share of the field of view.
+double PulseKernel::GetBackground()
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; this->Model.Background > 0.0 && i < this->Returns.size(); ++i)
+  {
+    const SubReturn& r = this->Returns[i];
+    sum += this->Response.GetBackground(r.CellId, r.Range);
+  }
+  return this->Returns.empty() ? 0.0 : sum / static_cast<double>(this->Returns.size());
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
 {
   const Pulse& pulse = this->Pulses[slot];
   const vtkIdType index = this->Indices[slot];
-  const vtkIdType id = this->Model.FirstPulseId + index;
   const std::size_t echoesBefore = result.Echoes.size();
   if (!this->Returns.empty())
   {
     ++this->Counts.PulsesHit;
-    this->Echoes.clear();
-    this->Signal.FindEchoes(this->Returns, this->Echoes);
     this->StoreEchoes(pulse, index, result);
-    if (this->Model.WantsWaveforms)
+    if (this->Model.WantsWaveforms && this->HasWaveform)
     {
-      this->StoreWaveform(pulse, id, result);
+      this->StoreWaveform(pulse, result);
     }
     if (this->Model.WantsSubRays)
     {
-      this->StoreSubRays(&this->Rays[slot * this->Model.SubRays.size()], id, result);
+      this->StoreSubRays(pulse, result);
     }
   }
   if (this->Model.WantsPulses)
   {
-    result.Pulses.push_back({ pulse.Origin, pulse.GetDirection(), pulse.Time, id,
+    result.Pulses.push_back({ pulse.Origin, pulse.Reported, pulse.Time, this->PulseId,
       this->Model.Source.Deflector->GetScanAngle(index), result.Echoes.size() > echoesBefore });
   }
 }
 
+//------------------------------------------------------------------------------
 void PulseKernel::StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& result)
 {
-  const ScanModel& m = this->Model;
-  std::size_t count = this->Echoes.size();
-  if (count == 0)
+  double largest = 0.0;
+  for (const Echo& echo : this->Echoes)
   {
-    double total = 0.0;
-    for (const SubReturn& r : this->Returns)
-    {
-      total += r.Power;
-    }
-    this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, total);
-    return;
+    largest = std::max(largest, echo.Amplitude);
   }
-  const std::size_t limit = m.MaximumNumberOfReturns > 0 ? m.MaximumNumberOfReturns : 255;
-  count = std::min(count, limit);
-  const Vec3 direction = pulse.GetDirection();
-  const double scanAngle = m.Source.Deflector->GetScanAngle(index);
-  const vtkIdType id = m.FirstPulseId + index;
-  for (std::size_t e = 0; e < count; ++e)
+  for (std::size_t i = 0; this->Echoes.empty() && i < this->Returns.size(); ++i)
   {
-    const Echo& echo = this->Echoes[e];
-    double range = echo.Range;
-    if (m.RangeAccuracy > 0.0)
-    {
-      const auto noise = NormalPair(m.Seed, RandomStream::RangeNoise,
-        static_cast<std::uint64_t>(id), static_cast<std::uint32_t>(e));
-      range += m.RangeAccuracy * noise[0];
-    }
-    const vtkIdType cell = echo.Nearest->CellId;
-    const int material = m.Surfaces.GetMaterialId(cell);
-    this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, echo.Amplitude);
-    result.Echoes.push_back({ pulse.Origin + range * direction, pulse.Time, id, cell, range,
-      echo.Amplitude, echo.Width, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence), material,
-      m.Surfaces.GetPartId(cell), m.Surfaces.GetClassification(material),
-      static_cast<unsigned char>(e + 1), static_cast<unsigned char>(count) });
+    largest += this->Returns[i].Power;
   }
+  this->Counts.LargestAmplitude = std::max(this->Counts.LargestAmplitude, largest);
+  SelectReturns(
+    this->Echoes, this->Model.ReturnSelection, this->Model.MaximumNumberOfReturns, this->Kept);
+  for (std::size_t i = 0; i < this->Kept.size(); ++i)
+  {
+    this->StoreEcho(pulse, index, this->Echoes[this->Kept[i]], i, this->Kept.size(), result);
+  }
+  this->Counts.Echoes += static_cast<vtkIdType>(this->Kept.size());
 }
 
-void PulseKernel::StoreWaveform(const Pulse& pulse, vtkIdType id, ChunkResult& result)
+//------------------------------------------------------------------------------
+void PulseKernel::StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& echo,
+  std::size_t number, std::size_t count, ChunkResult& result)
 {
-  const bool cut = this->Signal.MakeWaveform(this->Returns, LongestWaveform, this->Wave);
-  this->Counts.CutWaveforms += cut ? 1 : 0;
-  const auto& samples = this->Wave.Samples;
-  result.Waveforms.push_back({ pulse.Origin, pulse.GetDirection(), pulse.Time, id,
-    this->Wave.StartTime, static_cast<vtkIdType>(samples.size()) });
-  result.Samples.insert(result.Samples.end(), samples.begin(), samples.end());
+  const SceneSurfaces& surfaces = this->Model.Surfaces;
+  const double scanAngle = this->Model.Source.Deflector->GetScanAngle(index);
+  const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
+  const vtkIdType cell = echo.Nearest->CellId;
+  const int material = surfaces.GetMaterialId(cell);
+  result.Echoes.push_back(
+    { pulse.Origin + range * pulse.Reported, pulse.Time, this->PulseId, cell, range, echo.Amplitude,
+      echo.Width, echo.Deviation, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence), material,
+      surfaces.GetPartId(cell), surfaces.GetClassification(material),
+      static_cast<unsigned char>(number + 1), static_cast<unsigned char>(count) });
+  if (this->Model.WantsTruth)
+  {
+    const Vec3 normal = this->Response.GetNormal(cell);
+    result.Truths.push_back({ pulse.Origin + echo.Range * pulse.GetDirection(), normal });
+  }
 }
 
-void PulseKernel::StoreSubRays(const vtkHeliosRay* rays, vtkIdType id, ChunkResult& result)
+//------------------------------------------------------------------------------
+/// The range with the errors of the instrument; number counts the echoes of the pulse from 0.
+double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t number) const
+{
+  const RangeNoise& law = this->Model.Noise;
+  const vtkHeliosErrorModel* errors = this->Model.Source.Errors;
+  double range = echo.Range + (errors ? errors->GetRangeError(theta) : 0.0);
+  if (law.IsOn())
+  {
+    const auto noise = NormalPair(this->Model.Seed, RandomStream::RangeNoise,
+      static_cast<std::uint64_t>(this->PulseId), static_cast<std::uint32_t>(number));
+    const double factor = errors ? errors->GetRangeNoiseFactor(range) : 1.0;
+    range += factor * law.GetDeviation(echo.Range, echo.Amplitude) * noise[0];
+  }
+  return range;
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::StoreWaveform(const Pulse& pulse, ChunkResult& result)
+{
+  const Waveform& wave = this->Signal.GetWaveform();
+  result.Waveforms.push_back({ pulse.Origin, pulse.Reported, pulse.Time, this->PulseId,
+    wave.StartTime, static_cast<vtkIdType>(wave.Samples.size()) });
+  result.Samples.insert(result.Samples.end(), wave.Samples.begin(), wave.Samples.end());
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::StoreSubRays(const Pulse& pulse, ChunkResult& result)
 {
   for (const SubReturn& r : this->Returns)
   {
-    const std::size_t k = static_cast<std::size_t>(r.SubRay);
-    const Vec3 point = Vec3(rays[k].Origin) + r.Range * Vec3(rays[k].Direction);
+    const CastSubRay& ray = this->SubRays[static_cast<std::size_t>(r.SubRay)];
+    const Vec3 point = pulse.Origin + r.Range * ray.Direction;
     result.SubRays.push_back(
-      { point, id, r.CellId, this->Model.Weights[k], r.Range, IncidenceDegrees(r.CosIncidence) });
+      { point, this->PulseId, r.CellId, ray.Weight, r.Range, IncidenceDegrees(r.CosIncidence) });
   }
 }
 

@@ -5,113 +5,16 @@
 #ifndef heliosPulseKernel_h
 #define heliosPulseKernel_h
 
-#include "heliosPulse.h"
-#include "heliosRadiometry.h"
-#include "heliosReturn.h"
-#include "heliosSceneSurfaces.h"
-#include "heliosTriangleMesh.h"
-#include "vtkHeliosRayCaster.h"
+#include "heliosBeamTracer.h"
+#include "heliosScanModel.h"
+#include "heliosScanRecords.h"
+#include "heliosSurfaceResponse.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace helios
 {
-
-/// Everything a pulse needs to know; constant while the scanner runs.
-struct ScanModel
-{
-  PulseSource Source;
-  const vtkHeliosRayCaster* Caster;
-  const vtkHeliosEchoDetector* Detector;
-  std::vector<Vec3> SubRays; // directions in the frame of the beam
-  std::vector<double> Weights;
-
-  SceneSurfaces Surfaces;
-
-  double PulseLength;
-  double BinSize;
-  double Power;
-  LidarEquation Equation;
-  double RangeMin;
-  double RangeMax;
-  double RangeAccuracy;
-  int MaximumNumberOfReturns; // 0: all
-  std::uint64_t Seed;
-  vtkIdType FirstPulseId;
-
-  bool WantsWaveforms;
-  bool WantsPulses;
-  bool WantsSubRays;
-};
-
-struct EchoRecord
-{
-  Vec3 Point;
-  double Time;
-  vtkIdType PulseId;
-  vtkIdType CellId;
-  double Range;
-  double Amplitude;
-  double Width;
-  double ScanAngle;
-  double Incidence; // [deg]
-  int MaterialId;
-  int PartId;
-  int Classification;
-  unsigned char ReturnNumber;
-  unsigned char NumberOfReturns;
-};
-
-struct PulseRecord
-{
-  Vec3 Origin;
-  Vec3 Direction;
-  double Time;
-  vtkIdType PulseId;
-  double ScanAngle;
-  bool Hit;
-};
-
-struct SubRayRecord
-{
-  Vec3 Point;
-  vtkIdType PulseId;
-  vtkIdType CellId;
-  double Weight;
-  double Range;
-  double Incidence; // [deg]
-};
-
-struct WaveformRecord
-{
-  Vec3 Origin;
-  Vec3 Direction;
-  double Time;
-  vtkIdType PulseId;
-  double StartTime; // [ns]
-  vtkIdType Count;  // samples
-};
-
-/// What a chunk of pulses gives, in the order of the pulses.
-struct ChunkResult
-{
-  std::vector<EchoRecord> Echoes;
-  std::vector<PulseRecord> Pulses;
-  std::vector<SubRayRecord> SubRays;
-  std::vector<WaveformRecord> Waveforms;
-  std::vector<float> Samples;
-};
-
-/// Sums over pulses, whatever thread they ran in.
-struct ScanCounts
-{
-  vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;      // with a surface in the measured ranges
-  vtkIdType HitsOutOfRange = 0; // sub-rays that met a surface outside the measured ranges
-  vtkIdType CutWaveforms = 0;
-  double LargestAmplitude = 0.0; // of what the pulses that hit sent back [W]
-};
 
 /// One a thread; all its memory is scratch.
 class PulseKernel
@@ -126,14 +29,27 @@ public:
 
 private:
   void AimPulses(vtkIdType first, vtkIdType last);
-  void CollectReturns(const vtkHeliosRay* rays, const vtkHeliosHit* hits);
-  void FinishPulse(std::size_t slot, ChunkResult& result);
+  void CastRays();
+  void CollectReturns(std::size_t slot);
+  void RunFixed(std::size_t slot);
+  void RunByTolerance(std::size_t slot);
+  bool TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  void FinishPlane(const PlaneEcho& echo);
+  void FindEchoes();
+  void DetectEchoes();
+  double GetBackground();
+
+  void StorePulse(std::size_t slot, ChunkResult& result);
   void StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& result);
-  void StoreWaveform(const Pulse& pulse, vtkIdType id, ChunkResult& result);
-  void StoreSubRays(const vtkHeliosRay* rays, vtkIdType id, ChunkResult& result);
-  const Vec3& GetNormal(vtkIdType cell);
+  void StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& echo, std::size_t number,
+    std::size_t count, ChunkResult& result);
+  void StoreWaveform(const Pulse& pulse, ChunkResult& result);
+  void StoreSubRays(const Pulse& pulse, ChunkResult& result);
+  double GetMeasuredRange(const Echo& echo, double theta, std::size_t number) const;
 
   const ScanModel& Model;
+  SurfaceResponse Response;
+  BeamTracer Tracer;
   Receiver Signal;
   Trajectory::Cursor Cursor;
   ScanCounts Counts;
@@ -142,11 +58,14 @@ private:
   std::vector<vtkIdType> Indices;
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
+
+  // Of the pulse at work.
+  vtkIdType PulseId = 0;
   std::vector<SubReturn> Returns;
+  std::vector<CastSubRay> SubRays;
   std::vector<Echo> Echoes;
-  Waveform Wave;
-  vtkIdType NormalCell = -1;
-  Vec3 Normal;
+  std::vector<std::size_t> Kept;
+  bool HasWaveform = false;
 };
 
 } // namespace helios

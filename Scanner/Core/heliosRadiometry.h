@@ -5,6 +5,7 @@
 #ifndef heliosRadiometry_h
 #define heliosRadiometry_h
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,8 +33,8 @@ inline double AtmosphericExtinction(double visibility, double wavelength)
 }
 
 /**
- * What a Lambertian surface that holds the whole beam returns, as a fraction of the power sent:
- * rho cos(theta) D^2 / (4 R^2) eta exp(-2 alpha R) (Wagner et al. 2006).
+ * What a surface that holds the whole beam returns, as a fraction of the power sent:
+ * f D^2 / (4 R^2) eta exp(-2 alpha R), f = rho cos(theta) for Lambert (Wagner et al. 2006).
  */
 struct LidarEquation
 {
@@ -41,6 +42,7 @@ struct LidarEquation
   double OpticalEfficiency; // eta
   double Extinction;        // alpha [1/m]
 
+  /// Of a Lambertian surface.
   double operator()(double range, double reflectance, double cosIncidence) const
   {
     return this->GetGain(range, this->GetTransmission(range)) * reflectance * cosIncidence;
@@ -60,6 +62,33 @@ struct LidarEquation
   }
 };
 
+/// How a surface sends light back.
+struct SurfaceReflection
+{
+  double Reflectance;      // rho, [0..1]
+  double Specularity;      // s, [0..1]: the share of it in the lobe
+  double SpecularExponent; // n
+};
+
+/**
+ * pi times the bidirectional reflectance times cos(theta), back along the way the light came: what
+ * takes the place of rho cos(theta) in the lidar equation. The lobe of Phong is about the mirrored
+ * direction, 2 theta away, and normalised by (n + 2) / (2 pi) so that it returns no more than it gets
+ * (Lewis 1994, Computer Graphics Forum 13, 109-120); where 2 theta > 90 degrees there is none.
+ */
+inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
+{
+  if (surface.Specularity == 0.0)
+  {
+    return surface.Reflectance * cosTheta;
+  }
+  const double n = surface.SpecularExponent;
+  const double cosMirrored = std::max(0.0, 2.0 * cosTheta * cosTheta - 1.0);
+  const double lobe = 0.5 * (n + 2.0) * std::pow(cosMirrored, n);
+  const double s = surface.Specularity;
+  return surface.Reflectance * ((1.0 - s) + s * lobe) * cosTheta;
+}
+
 /**
  * The transmission for the sub-rays of one pulse, whose ranges differ little: one exponential at
  * the first range, and its series from there.
@@ -68,24 +97,24 @@ class NearbyTransmission
 {
 public:
   explicit NearbyTransmission(const LidarEquation& equation)
-    : Equation(equation)
+    : Equation(&equation)
   {
   }
 
   double operator()(double range)
   {
-    const double x = -2.0 * this->Equation.Extinction * (range - this->Range);
+    const double x = -2.0 * this->Equation->Extinction * (range - this->Range);
     if (!(std::abs(x) < 1e-3))
     {
       this->Range = range;
-      this->Transmission = this->Equation.GetTransmission(range);
+      this->Transmission = this->Equation->GetTransmission(range);
       return this->Transmission;
     }
     return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
   }
 
 private:
-  const LidarEquation& Equation;
+  const LidarEquation* Equation;
   double Range = std::numeric_limits<double>::quiet_NaN();
   double Transmission = 1.0;
 };

@@ -3,6 +3,8 @@
 #include "heliosReturn.h"
 
 #include "heliosRadiometry.h"
+#include "heliosRandom.h"
+#include "heliosReturnSelection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +14,11 @@ namespace helios
 namespace
 {
 
-// A pulse is followed to where it has fallen to 1e-14 of its peak ...
-constexpr double ReachInSigma = 8.0;
-// ... and the window opens this long before the first return: no maximum lies outside the returns.
+// Returns farther apart than twice this do not touch: a pulse has fallen to 2e-10 of its peak ...
+constexpr double ReachInSigma = 6.7;
+// ... and the window of a Gaussian opens this long before the first return: no maximum lies outside
+// the returns.
 constexpr double MarginInSigma = 5.0;
-// Bins handled together, so that the compiler can use vector instructions.
-constexpr vtkIdType Lanes = 8;
 
 double TwoWayTime(double range)
 {
@@ -30,34 +31,6 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
   return std::min_element(begin, end,
     [range](const SubReturn& a, const SubReturn& b)
     { return std::abs(a.Range - range) < std::abs(b.Range - range); });
-}
-
-/// sum[i] += shape[i] start rho^i. Compiled for wider registers too; the bytes stay the same.
-__attribute__((target_clones("avx2", "default"))) void AddGeometric(
-  double* __restrict sum, const double* __restrict shape, double start, double rho, vtkIdType count)
-{
-  double factor[Lanes];
-  factor[0] = start;
-  for (vtkIdType l = 1; l < Lanes; ++l)
-  {
-    factor[l] = factor[l - 1] * rho;
-  }
-  const double rho2 = rho * rho;
-  const double rho4 = rho2 * rho2;
-  const double rho8 = rho4 * rho4;
-  vtkIdType i = 0;
-  for (; i + Lanes <= count; i += Lanes)
-  {
-    for (vtkIdType l = 0; l < Lanes; ++l)
-    {
-      sum[i + l] += shape[i + l] * factor[l];
-      factor[l] *= rho8;
-    }
-  }
-  for (vtkIdType l = 0; i < count; ++i, ++l)
-  {
-    sum[i] += shape[i] * factor[l];
-  }
 }
 
 bool IsNearer(const SubReturn& a, const SubReturn& b)
@@ -75,34 +48,31 @@ double ExpMinus(double y)
 
 } // namespace
 
-Receiver::Receiver(double pulseLength, double binSize, const vtkHeliosEchoDetector* detector)
-  : PulseLength(pulseLength)
-  , BinSize(binSize)
-  , Sigma(pulseLength / FwhmPerSigma)
-  , SigmaRange(0.5 * SpeedOfLight * pulseLength / FwhmPerSigma)
-  , Detector(detector)
-  , Reach(static_cast<vtkIdType>(std::ceil(ReachInSigma * pulseLength / FwhmPerSigma / binSize)))
+//------------------------------------------------------------------------------
+Receiver::Receiver(const ReceiverSettings& settings)
+  : Settings(settings)
+  , DetectionShape(settings.Shape)
+  , Sigma(settings.Shape.GetSigma())
+  , SigmaRange(0.5 * SpeedOfLight * settings.Shape.GetSigma())
 {
-  const vtkIdType count = (2 * this->Reach + Lanes) / Lanes * Lanes;
-  this->Shape.resize(static_cast<std::size_t>(count), 0.0);
-  for (vtkIdType i = 0; i <= 2 * this->Reach; ++i)
-  {
-    const double u = static_cast<double>(i - this->Reach) * binSize / this->Sigma;
-    this->Shape[static_cast<std::size_t>(i)] = std::exp(-0.5 * u * u);
-  }
+  this->Settings.Shape.SetBinSize(settings.BinSize);
+  this->DetectionShape.SetBinSize(settings.DetectionBin);
 }
 
-void Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+//------------------------------------------------------------------------------
+bool Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
   const SubReturn* end = returns.data() + returns.size();
   const auto limits = std::minmax_element(returns.begin(), returns.end(), IsNearer);
-  if (limits.second->Range - limits.first->Range <= 2.0 * this->SigmaRange)
+  const double most = 2.0 * this->SigmaRange;
+  if (limits.second->Range - limits.first->Range <= most)
   {
     this->FindSingleEcho(returns.data(), end, echoes);
-    return;
+    return true;
   }
   std::sort(returns.begin(), returns.end(), IsNearer);
   const double gap = 2.0 * ReachInSigma * this->SigmaRange;
+  bool isWithoutBins = true;
   for (const SubReturn* first = returns.data(); first != end;)
   {
     const SubReturn* last = first + 1;
@@ -110,18 +80,21 @@ void Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& ec
     {
       ++last;
     }
-    if ((last - 1)->Range - first->Range <= 2.0 * this->SigmaRange)
+    if ((last - 1)->Range - first->Range <= most)
     {
       this->FindSingleEcho(first, last, echoes);
     }
     else
     {
       this->FindBinnedEchoes(first, last, echoes);
+      isWithoutBins = false;
     }
     first = last;
   }
+  return isWithoutBins;
 }
 
+//------------------------------------------------------------------------------
 void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const
 {
   double power = 0.0, first = 0.0, second = 0.0, third = 0.0;
@@ -169,7 +142,7 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
       break;
     }
   }
-  if (amplitude < this->Detector->GetDetectionThreshold())
+  if (amplitude < this->Settings.Detector->GetDetectionThreshold())
   {
     return;
   }
@@ -180,74 +153,126 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
       FindNearest(begin, end, range) });
 }
 
+//------------------------------------------------------------------------------
 void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes)
 {
-  this->Fill(begin, end, VTK_ID_MAX, this->Scratch);
-  this->Detected.clear();
-  const auto& samples = this->Scratch.Samples;
-  this->Detector->Detect(
-    { samples.data(), static_cast<vtkIdType>(samples.size()), this->BinSize, this->PulseLength },
-    this->Detected);
-  for (const vtkHeliosDetectedEcho& echo : this->Detected)
-  {
-    const double range = 0.5 * SpeedOfLight * (this->Scratch.StartTime + echo.Time);
-    echoes.push_back({ range, echo.Amplitude, echo.Width, FindNearest(begin, end, range) });
-  }
+  this->OpenWindow(begin->Range, (end - 1)->Range, 1.0, this->Settings.DetectionBin);
+  this->AddReturns(begin, end, this->DetectionShape);
+  this->CloseWindow();
+  this->Detect(begin, end, this->Settings.DetectionBin, echoes);
 }
 
-bool Receiver::MakeWaveform(
-  const std::vector<SubReturn>& returns, vtkIdType maximumCount, Waveform& waveform)
+//------------------------------------------------------------------------------
+bool Receiver::Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId)
 {
-  return this->Fill(returns.data(), returns.data() + returns.size(), maximumCount, waveform);
-}
-
-bool Receiver::Fill(Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform)
-{
+  const SubReturn* begin = returns.data();
+  const SubReturn* end = begin + returns.size();
   const auto limits = std::minmax_element(begin, end, IsNearer);
-  const double nearest = limits.first->Range;
-  const double margin = MarginInSigma * this->Sigma;
-  waveform.StartTime = TwoWayTime(nearest) - margin;
-  const double length = TwoWayTime(limits.second->Range - nearest) + 2.0 * margin;
-  const double wanted = std::ceil(length / this->BinSize) + 1.0;
-  const bool cut = wanted > static_cast<double>(maximumCount);
-  const vtkIdType count = cut ? maximumCount : static_cast<vtkIdType>(wanted);
-
-  this->Sum.assign(static_cast<std::size_t>(count), 0.0);
-  for (Iterator r = begin; r != end; ++r)
-  {
-    this->Deposit(TwoWayTime(r->Range - nearest) + margin, r->Power, count);
-  }
-  waveform.Samples.resize(static_cast<std::size_t>(count));
-  std::transform(this->Sum.begin(), this->Sum.end(), waveform.Samples.begin(),
-    [](double value) { return static_cast<float>(value); });
+  const bool cut =
+    this->OpenWindow(limits.first->Range, limits.second->Range, 1.0, this->Settings.BinSize);
+  this->AddReturns(begin, end, this->Settings.Shape);
+  this->AddNoise(background, pulseId);
+  this->CloseWindow();
   return cut;
 }
 
-/**
- * Adds a pulse with its peak at a time after the window's start. With the nearest bin m and
- * delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2 sigma^2)) =
- * shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no exponential a bin.
- */
-void Receiver::Deposit(double time, double power, vtkIdType count)
+//------------------------------------------------------------------------------
+bool Receiver::Fill(const PlaneEcho& echo, double background, vtkIdType pulseId)
 {
-  const double position = std::round(time / this->BinSize);
-  if (position - static_cast<double>(this->Reach) >= static_cast<double>(count))
+  const PulseShape& shape = this->Settings.Shape;
+  const double widening = shape.IsGaussian() ? echo.Sigma / this->Sigma : 1.0;
+  const bool cut = this->OpenWindow(echo.Range, echo.Range, widening, this->Settings.BinSize);
+  for (std::size_t i = 0; i < this->Sum.size(); ++i)
   {
-    return; // behind a window that was cut
+    const double time = static_cast<double>(i) * this->Settings.BinSize - this->Margin;
+    this->Sum[i] = echo.Power * shape(time / widening);
   }
-  const vtkIdType middle = static_cast<vtkIdType>(position);
-  const double delta = time - position * this->BinSize;
-  const double exponent = this->BinSize * delta / (this->Sigma * this->Sigma);
-  const double u = delta / this->Sigma;
+  this->AddNoise(background, pulseId);
+  this->CloseWindow();
+  return cut;
+}
 
-  const vtkIdType from = std::max<vtkIdType>(0, middle - this->Reach);
-  const vtkIdType to = std::min(count, middle + this->Reach + 1);
-  const double* shape = this->Shape.data() + (from - middle + this->Reach);
-  double* sum = this->Sum.data() + from;
+//------------------------------------------------------------------------------
+/// Makes room for the pulses of returns between two ranges; true: less than they need.
+bool Receiver::OpenWindow(double nearest, double farthest, double widening, double binSize)
+{
+  const PulseShape& shape = this->Settings.Shape;
+  const double before =
+    shape.IsGaussian() ? MarginInSigma * widening * this->Sigma : binSize - shape.GetStart();
+  const double after = shape.IsGaussian() ? before : shape.GetEnd();
+  this->Nearest = nearest;
+  this->Margin = before;
+  this->Wave.StartTime = TwoWayTime(nearest) - before;
+  const double length = before + TwoWayTime(farthest - nearest) + after;
+  const double wanted = std::ceil(length / binSize) + 1.0;
+  const bool cut = wanted > static_cast<double>(this->Settings.MaximumCount);
+  this->Sum.assign(
+    cut ? static_cast<std::size_t>(this->Settings.MaximumCount) : static_cast<std::size_t>(wanted),
+    0.0);
+  return cut;
+}
 
-  const double start =
-    power * std::exp(-0.5 * u * u + exponent * static_cast<double>(from - middle));
-  AddGeometric(sum, shape, start, std::exp(exponent), to - from);
+//------------------------------------------------------------------------------
+void Receiver::AddReturns(Iterator begin, Iterator end, const PulseShape& shape)
+{
+  const auto count = static_cast<vtkIdType>(this->Sum.size());
+  for (Iterator r = begin; r != end; ++r)
+  {
+    const double time = TwoWayTime(r->Range - this->Nearest) + this->Margin;
+    shape.Deposit(time, r->Power, this->Sum.data(), count);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Receiver::AddNoise(double background, vtkIdType pulseId)
+{
+  if (background != 0.0)
+  {
+    for (double& sample : this->Sum)
+    {
+      sample += background;
+    }
+  }
+  for (std::size_t i = 0; this->Settings.Noise > 0.0 && i < this->Sum.size(); i += 2)
+  {
+    const auto noise = NormalPair(this->Settings.Seed, RandomStream::DetectorNoise,
+      static_cast<std::uint64_t>(pulseId), static_cast<std::uint32_t>(i / 2));
+    this->Sum[i] += this->Settings.Noise * noise[0];
+    if (i + 1 < this->Sum.size())
+    {
+      this->Sum[i + 1] += this->Settings.Noise * noise[1];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Receiver::CloseWindow()
+{
+  this->Wave.Samples.resize(this->Sum.size());
+  std::transform(this->Sum.begin(), this->Sum.end(), this->Wave.Samples.begin(),
+    [](double value) { return static_cast<float>(value); });
+}
+
+//------------------------------------------------------------------------------
+void Receiver::DetectEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+{
+  this->Detect(returns.data(), returns.data() + returns.size(), this->Settings.BinSize, echoes);
+}
+
+//------------------------------------------------------------------------------
+void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes)
+{
+  this->Detected.clear();
+  const auto& samples = this->Wave.Samples;
+  this->Settings.Detector->Detect({ samples.data(), static_cast<vtkIdType>(samples.size()), binSize,
+                                    this->Settings.Shape.GetLength() },
+    this->Detected);
+  for (const vtkHeliosDetectedEcho& echo : this->Detected)
+  {
+    const double range = GetRange(this->Wave.StartTime, echo.Time);
+    echoes.push_back(
+      { range, echo.Amplitude, echo.Width, FindNearest(begin, end, range), echo.Deviation });
+  }
 }
 
 } // namespace helios

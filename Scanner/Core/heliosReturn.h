@@ -5,11 +5,14 @@
 #ifndef heliosReturn_h
 #define heliosReturn_h
 
+#include "heliosPulseShape.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosScannerCoreModule.h"
 
 #include <vtkType.h>
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace helios
@@ -32,6 +35,7 @@ struct Echo
   double Amplitude; // [W]
   double Width;     // [ns], full width at half maximum
   const SubReturn* Nearest;
+  double Deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A waveform that starts StartTime [ns] after the emission.
@@ -41,43 +45,79 @@ struct Waveform
   std::vector<float> Samples;
 };
 
+/// The echo of a beam on a plane, before it is detected.
+struct PlaneEcho
+{
+  double Range;
+  double Power; // at its peak [W]
+  double Sigma; // [ns]; of a pulse that is no Gaussian: not used
+};
+
+/// What receives the light.
+struct ReceiverSettings
+{
+  PulseShape Shape;
+  double BinSize = 0.25;      // of waveforms [ns]
+  double DetectionBin = 0.25; // of groups of returns that FindEchoes() has to bin [ns]
+  const vtkHeliosEchoDetector* Detector = nullptr;
+  vtkIdType MaximumCount = VTK_ID_MAX; // of samples of a waveform
+  double Noise = 0.0;                  // standard deviation of a sample [W]
+  std::uint64_t Seed = 0;
+};
+
 /**
- * The received signal of a Gaussian pulse: sub-return k adds its power times
- * exp(-(t - 2 R_k / c)^2 / (2 sigma^2)). One a thread: it owns the scratch memory.
+ * The received signal: sub-return k adds its power times the pulse at t - 2 R_k / c. One a thread: it
+ * owns the scratch memory.
  */
 class VTKHELIOSSCANNERCORE_EXPORT Receiver
 {
 public:
-  Receiver(double pulseLength, double binSize, const vtkHeliosEchoDetector* detector);
+  explicit Receiver(const ReceiverSettings& settings);
+
+  /// The standard deviation of the pulse in range [m].
+  double GetSigmaRange() const { return this->SigmaRange; }
 
   /**
    * The echoes of a pulse in the order of range; it may reorder the returns. Returns too far apart
    * to touch are treated by themselves; where a group spreads over no more than c sigma its sum has
-   * exactly one maximum, found by Newton's method, else bins are filled and searched.
+   * exactly one maximum, found by Newton's method, else bins are filled and searched. True: all
+   * groups went without bins. For Gaussian pulses and detectors that find maxima.
    */
-  void FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
+  bool FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
-  /// The whole waveform of the returns, cut after maximumCount samples (true: it was cut).
-  bool MakeWaveform(
-    const std::vector<SubReturn>& returns, vtkIdType maximumCount, Waveform& waveform);
+  ///@{
+  /**
+   * Fills the waveform of a pulse, over a background [W]; its id is the key of the noise. True: it was
+   * cut, since it would be longer than allowed.
+   */
+  bool Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId);
+  bool Fill(const PlaneEcho& echo, double background, vtkIdType pulseId);
+  ///@}
+
+  const Waveform& GetWaveform() const { return this->Wave; }
+
+  /// The echoes in the waveform that was filled last, and their nearest returns.
+  void DetectEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
 private:
   using Iterator = const SubReturn*;
 
   void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
   void FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes);
-  bool Fill(Iterator begin, Iterator end, vtkIdType maximumCount, Waveform& waveform);
-  void Deposit(double time, double power, vtkIdType count);
+  bool OpenWindow(double nearest, double farthest, double widening, double binSize);
+  void AddReturns(Iterator begin, Iterator end, const PulseShape& shape);
+  void CloseWindow();
+  void AddNoise(double background, vtkIdType pulseId);
+  void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
 
-  double PulseLength;
-  double BinSize;
+  ReceiverSettings Settings;
+  PulseShape DetectionShape;
   double Sigma;      // [ns]
   double SigmaRange; // [m]
-  const vtkHeliosEchoDetector* Detector;
-  std::vector<double> Shape; // of the pulse at multiples of BinSize, from -Reach on
-  vtkIdType Reach;           // bins
+  double Nearest = 0.0;
+  double Margin = 0.0; // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum;
-  Waveform Scratch;
+  Waveform Wave;
   std::vector<vtkHeliosDetectedEcho> Detected;
 };
 

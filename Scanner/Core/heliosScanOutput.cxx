@@ -106,7 +106,7 @@ void ForEachRecord(const std::vector<ChunkResult>& chunks,
 
 } // namespace
 
-void FillEchoes(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
+void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes);
   const vtkIdType count = offsets.back();
@@ -148,9 +148,30 @@ void FillEchoes(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyDat
       incidences[row] = e.Incidence;
       waveforms[row] = hasWaveforms ? e.PulseId : -1;
     });
+  if (ids.HasDeviations)
+  {
+    double* deviations = columns.Add<vtkDoubleArray>(names::Deviation);
+    ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
+      [=](const EchoRecord& e, vtkIdType row) { deviations[row] = e.Deviation; });
+  }
 }
 
-void FillPulses(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
+/// What no instrument knows, beside the echoes.
+void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
+{
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Truths);
+  Columns columns(output->GetPointData(), offsets.back());
+  double* points = columns.Add<vtkDoubleArray>(names::TruePoint, 3);
+  double* normals = columns.Add<vtkDoubleArray>(names::Normal, 3);
+  ForEachRecord(chunks, &ChunkResult::Truths, offsets,
+    [=](const TruthRecord& t, vtkIdType row)
+    {
+      Put(points, row, t.Point);
+      Put(normals, row, t.Normal);
+    });
+}
+
+void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Pulses);
   const vtkIdType count = offsets.back();
@@ -175,7 +196,7 @@ void FillPulses(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyDat
     });
 }
 
-void FillSubRays(std::vector<ChunkResult>& chunks, vtkPolyData* output)
+void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::SubRays);
   const vtkIdType count = offsets.back();
@@ -198,8 +219,8 @@ void FillSubRays(std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
-void FillWaveforms(
-  std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize, vtkTable* output)
+void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
+  double pulseLength, vtkTable* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Waveforms);
   const vtkIdType count = offsets.back();
@@ -237,6 +258,7 @@ void FillWaveforms(
   {
     samples = std::copy(chunk.Samples.begin(), chunk.Samples.end(), samples);
   }
+  *Columns(output->GetFieldData(), 1).Add<vtkDoubleArray>(names::PulseLength) = pulseLength;
 }
 
 } // namespace helios

@@ -5,7 +5,7 @@
 #ifndef heliosScanOutput_h
 #define heliosScanOutput_h
 
-#include "heliosPulseKernel.h"
+#include "heliosScanRecords.h"
 
 #include <vector>
 
@@ -15,20 +15,24 @@ class vtkTable;
 namespace helios
 {
 
-/// The ids that all records of a leg share.
+/// What all records of a leg share.
 struct ScanIds
 {
   int Leg;
   int Channel;
   bool HasWaveforms;
+  bool HasDeviations;
 };
 
-/// Each takes the records of chunks, in order, into an empty data object.
-void FillEchoes(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
-void FillPulses(std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
-void FillSubRays(std::vector<ChunkResult>& chunks, vtkPolyData* output);
-void FillWaveforms(
-  std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize, vtkTable* output);
+///@{
+/// Each takes the records of chunks, in order, into an empty data object; truths go beside echoes.
+void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
+void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
+void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
+void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
+void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
+  double pulseLength, vtkTable* output);
+///@}
 
 } // namespace helios
 

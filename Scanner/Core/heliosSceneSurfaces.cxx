@@ -52,21 +52,32 @@ std::string SceneSurfaces::Set(vtkPolyData* scene)
   this->Materials = Take(scene, names::MaterialIds, 1, this->MaterialArray, fault);
   this->Parts = Take(scene, names::PartIds, 1, this->PartArray, fault);
   this->Normals = Take(scene, names::Normals, 3, this->NormalArray, fault);
-  this->SetMaterials(scene);
+  const std::string material = this->SetMaterials(scene);
+  fault = fault.empty() ? material : fault;
   return fault.empty() ? this->CheckMaterialIds() : fault;
 }
 
 //------------------------------------------------------------------------------
-void SceneSurfaces::SetMaterials(vtkPolyData* scene)
+std::string SceneSurfaces::SetMaterials(vtkPolyData* scene)
 {
-  this->Reflectances.clear();
+  this->Reflections.clear();
   this->Classifications.clear();
-  for (const Material& material : GetMaterials(scene))
+  const auto isShare = [](double x) { return x >= 0.0 && x <= 1.0; };
+  for (const Material& m : GetMaterials(scene))
   {
-    this->Reflectances.push_back(
-      std::isnan(material.Reflectance) ? DefaultReflectance : material.Reflectance);
-    this->Classifications.push_back(material.Classification);
+    const double rho = std::isnan(m.Reflectance) ? DefaultReflectance : m.Reflectance;
+    const double exponent = m.SpecularExponent;
+    if (!isShare(rho) || !isShare(m.Specularity) || !(exponent >= 0.0 && exponent <= 1e6))
+    {
+      return "material " + std::to_string(this->Reflections.size()) + " of the scene, " + m.Name +
+        ", has reflectance " + std::to_string(rho) + ", specularity " +
+        std::to_string(m.Specularity) + " and specular exponent " + std::to_string(exponent) +
+        "; give the first two within [0, 1] and the last within [0, 1e6]";
+    }
+    this->Reflections.push_back({ rho, m.Specularity, exponent });
+    this->Classifications.push_back(m.Classification);
   }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -77,13 +88,13 @@ std::string SceneSurfaces::CheckMaterialIds() const
   {
     this->MaterialArray->GetValueRange(range);
   }
-  if (range[0] >= 0 && range[1] < static_cast<int>(this->Reflectances.size()))
+  if (range[0] >= 0 && range[1] < static_cast<int>(this->Reflections.size()))
   {
     return {};
   }
   return std::string("cell array ") + names::MaterialIds + " of the scene goes from " +
     std::to_string(range[0]) + " to " + std::to_string(range[1]) + ", but its field data has " +
-    std::to_string(this->Reflectances.size()) + " materials";
+    std::to_string(this->Reflections.size()) + " materials";
 }
 
 } // namespace helios

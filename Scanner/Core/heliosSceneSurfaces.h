@@ -6,6 +6,7 @@
 #define heliosSceneSurfaces_h
 
 #include "heliosPose.h"
+#include "heliosRadiometry.h"
 
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
@@ -28,32 +29,33 @@ public:
   int GetMaterialId(vtkIdType cell) const { return this->Materials ? this->Materials[cell] : 0; }
   int GetPartId(vtkIdType cell) const { return this->Parts ? this->Parts[cell] : 0; }
 
-  /// [0..1] of a material.
-  double GetReflectance(int material) const
+  const SurfaceReflection& GetReflection(int material) const
   {
-    return this->Reflectances[static_cast<std::size_t>(material)];
+    return this->Reflections[static_cast<std::size_t>(material)];
   }
   int GetClassification(int material) const
   {
     return this->Classifications[static_cast<std::size_t>(material)];
   }
 
-  /// The unit normal that the scene gives a cell; false where it gives none.
-  bool GetNormal(vtkIdType cell, Vec3& normal) const
+  /// Sets the unit normal that the scene gives a cell; leaves it as it is where the scene gives none.
+  void GetNormal(vtkIdType cell, Vec3& normal) const
   {
     if (!this->Normals)
     {
-      return false;
+      return;
     }
     const float* n = this->Normals + 3 * cell;
-    normal = Vec3(n[0], n[1], n[2]);
-    const double length = normal.Norm();
-    normal = length > 0.0 ? (1.0 / length) * normal : normal;
-    return length > 0.0;
+    const Vec3 given(n[0], n[1], n[2]);
+    const double length = given.Norm();
+    if (length > 0.0)
+    {
+      normal = (1.0 / length) * given;
+    }
   }
 
 private:
-  void SetMaterials(vtkPolyData* scene);
+  std::string SetMaterials(vtkPolyData* scene);
   std::string CheckMaterialIds() const;
 
   vtkSmartPointer<vtkIntArray> MaterialArray;
@@ -62,7 +64,7 @@ private:
   const int* Materials = nullptr;
   const int* Parts = nullptr;
   const float* Normals = nullptr;
-  std::vector<double> Reflectances; // of the materials
+  std::vector<SurfaceReflection> Reflections; // of the materials
   std::vector<int> Classifications;
 };
 

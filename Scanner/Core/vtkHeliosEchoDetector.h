@@ -62,6 +62,12 @@ public:
   virtual bool GivesDeviation() const { return false; }
 
   /**
+   * Whether an echo is a maximum of the waveform, so that it may be found
+   * without bins where that is faster. Default: no.
+   */
+  virtual bool FindsMaxima() const { return false; }
+
+  /**
    * Appends the echoes of a waveform in the order of time. Thread-safe.
    */
   virtual void Detect(

@@ -8,12 +8,14 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
@@ -117,17 +119,11 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent
      << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)")
      << "\n"
-     << indent << "PulseLength: " << this->PulseLength << " ns\n"
-     << indent << "BinSize: " << this->BinSize << " ns\n"
-     << indent << "AveragePower: " << this->AveragePower << " W\n"
-     << indent << "Wavelength: " << this->Wavelength << " nm\n"
-     << indent << "OpticalEfficiency: " << this->OpticalEfficiency << "\n"
-     << indent << "ReceiverDiameter: " << this->ReceiverDiameter << " m\n"
-     << indent << "AtmosphericVisibility: " << this->AtmosphericVisibility << " km\n"
-     << indent << "RangeAccuracy: " << this->RangeAccuracy << " m\n"
-     << indent << "RangeMin: " << this->RangeMin << " m\n"
-     << indent << "RangeMax: " << this->RangeMax << " m\n"
-     << indent << "MaximumNumberOfReturns: " << this->MaximumNumberOfReturns << "\n"
+     << indent << "ErrorModel: " << (this->ErrorModel ? this->ErrorModel->GetClassName() : "(none)")
+     << "\n"
+     << indent << "Sampling: " << (this->Sampling == FIXED ? "Fixed" : "Tolerance") << "\n"
+     << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
+     << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
      << indent << "HeadRotateStart: " << this->HeadRotateStart << " deg\n"
      << indent << "HeadRotateStop: " << this->HeadRotateStop << " deg\n"
      << indent << "HeadRotateSpeed: " << this->HeadRotateSpeed << " deg/s\n"
@@ -139,7 +135,8 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ChannelId: " << this->ChannelId << "\n"
      << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
      << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
-     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n";
+     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
+     << indent << "GenerateTruth: " << this->GenerateTruth << "\n";
 }
 
 // The strategies, each set and got alike.
@@ -161,6 +158,7 @@ HELIOS_STRATEGY(RayCaster)
 HELIOS_STRATEGY(BeamDeflector)
 HELIOS_STRATEGY(BeamSampler)
 HELIOS_STRATEGY(EchoDetector)
+HELIOS_STRATEGY(ErrorModel)
 #undef HELIOS_STRATEGY
 
 //------------------------------------------------------------------------------
@@ -170,7 +168,8 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
   // The ray caster is left out: building it changes no result, and any gives the same bytes.
   for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
          static_cast<vtkObject*>(this->BeamSampler.Get()),
-         static_cast<vtkObject*>(this->EchoDetector.Get()) })
+         static_cast<vtkObject*>(this->EchoDetector.Get()),
+         static_cast<vtkObject*>(this->ErrorModel.Get()) })
   {
     time = strategy ? std::max(time, strategy->GetMTime()) : time;
   }
@@ -237,39 +236,26 @@ bool vtkHeliosScanner::CheckSettings()
                   << " Hz; it must be positive");
     return false;
   }
-  if (this->BinSize > 0.5 * this->PulseLength)
-  {
-    vtkErrorMacro(<< "BinSize is " << this->BinSize << " ns, more than half of PulseLength ("
-                  << this->PulseLength
-                  << " ns): echoes would fall between the bins; use a quarter");
-    return false;
-  }
-  if (this->RangeMax <= this->RangeMin)
-  {
-    vtkErrorMacro(<< "RangeMax (" << this->RangeMax << " m) is not beyond RangeMin ("
-                  << this->RangeMin << " m)");
-    return false;
-  }
   const helios::Vec3 axis(this->HeadRotateAxis);
   if (!(axis.Norm() > 0.0))
   {
     vtkErrorMacro(<< "HeadRotateAxis has no direction");
     return false;
   }
-  for (const double value : { this->PulseLength, this->AveragePower, this->OpticalEfficiency,
-         this->ReceiverDiameter, this->RangeAccuracy, this->BeamSampler->GetBeamDivergence() })
+  if (!std::isfinite(this->BeamSampler->GetBeamDivergence()))
   {
-    if (!std::isfinite(value))
-    {
-      vtkErrorMacro(<< "a property is not a finite number: PulseLength " << this->PulseLength
-                    << ", AveragePower " << this->AveragePower << ", OpticalEfficiency "
-                    << this->OpticalEfficiency << ", ReceiverDiameter " << this->ReceiverDiameter
-                    << ", RangeAccuracy " << this->RangeAccuracy << ", BeamDivergence "
-                    << this->BeamSampler->GetBeamDivergence());
-      return false;
-    }
+    vtkErrorMacro(<< "BeamDivergence is " << this->BeamSampler->GetBeamDivergence()
+                  << " rad; give a finite angle, 0 for one ideal ray");
+    return false;
   }
-  return true;
+  const auto isWithin = [](double x, double low) { return x >= low && x <= 1.0; };
+  if (!isWithin(this->RangeTolerance, 1e-6) || !isWithin(this->EnergyTolerance, 1e-4))
+  {
+    vtkErrorMacro(<< "RangeTolerance is " << this->RangeTolerance << " m and EnergyTolerance "
+                  << this->EnergyTolerance << "; give them within [1e-6, 1] m and [1e-4, 1]");
+    return false;
+  }
+  return this->CheckInstrument();
 }
 
 //------------------------------------------------------------------------------
@@ -291,6 +277,10 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadAxis = helios::Vec3(this->HeadRotateAxis);
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
+  source.Errors = this->ErrorModel;
+  source.AngleAccuracy = this->AngleAccuracy;
+  source.Seed = static_cast<std::uint64_t>(this->Seed);
+  source.FirstPulseId = this->FirstPulseId;
   return true;
 }
 
@@ -346,35 +336,81 @@ bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
   }
   helios::ScanModel& m = scan.Model;
   m.Caster = this->RayCaster;
-  m.Detector = this->EchoDetector;
   const std::string fault = m.Surfaces.Set(scene);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
     return false;
   }
-  for (int k = 0; k < this->BeamSampler->GetNumberOfSubRays(); ++k)
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
+{
+  helios::ScanModel& m = scan.Model;
+  helios::ReceiverSettings& receiver = m.Receiver;
+  const std::string fault = this->MakePulseShape(receiver.Shape);
+  if (!fault.empty())
   {
-    double direction[3];
-    this->BeamSampler->GetDirection(k, direction);
-    m.SubRays.emplace_back(direction);
-    m.Weights.push_back(this->BeamSampler->GetWeight(k));
+    vtkErrorMacro(<< fault);
+    return false;
   }
-  m.PulseLength = this->PulseLength;
-  m.BinSize = this->BinSize;
+  receiver.BinSize = this->BinSize;
+  receiver.Detector = this->EchoDetector;
+  receiver.MaximumCount = this->CountSamples();
+  receiver.Noise = this->DetectorNoise;
+  receiver.Seed = static_cast<std::uint64_t>(this->Seed);
   m.Power = this->AveragePower;
-  m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency,
-    helios::AtmosphericExtinction(this->AtmosphericVisibility, this->Wavelength) };
+  m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeExtinction() };
+  m.Background = this->ComputeBackground();
   m.RangeMin = this->RangeMin;
   m.RangeMax = this->RangeMax;
-  m.RangeAccuracy = this->RangeAccuracy;
+  m.Noise = { this->RangeAccuracy, this->RangeAccuracyPerMeter, this->RangeAccuracyAtThreshold,
+    this->EchoDetector->GetDetectionThreshold() };
+  m.ReturnSelection = this->ReturnSelection;
   m.MaximumNumberOfReturns = this->MaximumNumberOfReturns;
   m.Seed = static_cast<std::uint64_t>(this->Seed);
   m.FirstPulseId = this->FirstPulseId;
   m.WantsWaveforms = this->GenerateWaveforms;
   m.WantsPulses = this->GeneratePulses;
   m.WantsSubRays = this->GenerateSubRays;
+  m.WantsTruth = this->GenerateTruth;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::PrepareBeam(Scan& scan)
+{
+  helios::ScanModel& m = scan.Model;
+  vtkHeliosBeamSampler* sampler = this->BeamSampler;
+  const double divergence = sampler->GetBeamDivergence();
+  m.IsFixed = this->Sampling == FIXED;
+  if (divergence > 0.0 && !m.IsFixed)
+  {
+    const double sigma = m.Receiver.Shape.GetSigma();
+    const double truncation = sampler->GetTruncation();
+    m.Plan = helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, sigma);
+    m.Receiver.DetectionBin = m.Plan.DetectionBin;
+    m.Lattice =
+      std::make_shared<helios::BeamLattice>(divergence, truncation, m.Plan.GetNumberOfCells());
+    m.Plane = { helios::BeamMoments(divergence, truncation), sigma };
+    m.ConeTangent = std::tan(0.5 * divergence * truncation);
+    const double w = 0.5 * divergence;
+    m.Setback =
+      sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
+    this->RayCaster->PrepareConeProbe();
+    return;
+  }
+  const int count = m.IsFixed ? sampler->GetNumberOfSubRays() : 1;
+  for (int k = 0; k < count; ++k)
+  {
+    double direction[3], offset[3];
+    sampler->GetDirection(k, direction);
+    sampler->GetOffset(k, offset);
+    m.SubRays.push_back({ helios::Vec3(direction), sampler->GetWeight(k), helios::Vec3(offset) });
+    m.HasOffsets = m.HasOffsets || m.SubRays.back().Offset.Norm() > 0.0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -400,10 +436,12 @@ int vtkHeliosScanner::RequestData(
 {
   Scan scan;
   if (!this->CheckSettings() || !this->PrepareSources(vtkPolyData::GetData(inputs[1]), scan) ||
-    !this->PreparePulses(scan) || !this->PrepareScene(vtkPolyData::GetData(inputs[0]), scan))
+    !this->PreparePulses(scan) || !this->PrepareScene(vtkPolyData::GetData(inputs[0]), scan) ||
+    !this->PrepareReceiver(scan))
   {
     return 0;
   }
+  this->PrepareBeam(scan);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
   vtkInformation* info = outputs->GetInformationObject(port);
@@ -444,29 +482,21 @@ void vtkHeliosScanner::RunPulses(
   helios::ScanCounts sum;
   for (auto& kernel : functor.Kernels)
   {
-    const helios::ScanCounts& counts = kernel->GetCounts();
-    sum.PulsesFired += counts.PulsesFired;
-    sum.PulsesHit += counts.PulsesHit;
-    sum.HitsOutOfRange += counts.HitsOutOfRange;
-    sum.CutWaveforms += counts.CutWaveforms;
-    sum.LargestAmplitude = std::max(sum.LargestAmplitude, counts.LargestAmplitude);
+    sum.Add(kernel->GetCounts());
   }
-  this->NumberOfPulsesFired = sum.PulsesFired;
-  this->NumberOfPulsesHit = sum.PulsesHit;
-  this->NumberOfHitsOutOfRange = sum.HitsOutOfRange;
-  this->LargestAmplitude = sum.LargestAmplitude;
-  if (sum.CutWaveforms > 0)
-  {
-    vtkWarningMacro(<< sum.CutWaveforms
-                    << " waveforms were cut: their pulse met surfaces too far "
-                       "apart to store all bins between them");
-  }
+  this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last);
 
-  const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms };
+  const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms,
+    this->EchoDetector->GivesDeviation() };
   helios::FillEchoes(results, ids, vtkPolyData::GetData(outputs, 0));
+  if (this->GenerateTruth)
+  {
+    helios::FillTruths(results, vtkPolyData::GetData(outputs, 0));
+  }
   if (this->GenerateWaveforms)
   {
-    helios::FillWaveforms(results, ids, this->BinSize, vtkTable::GetData(outputs, 1));
+    helios::FillWaveforms(results, ids, this->BinSize, scan.Model.Receiver.Shape.GetLength(),
+      vtkTable::GetData(outputs, 1));
   }
   if (this->GeneratePulses)
   {
@@ -476,4 +506,44 @@ void vtkHeliosScanner::RunPulses(
   {
     helios::FillSubRays(results, vtkPolyData::GetData(outputs, 3));
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::TakeCounts(const helios::ScanCounts& counts, bool isWholeScan)
+{
+  this->NumberOfPulsesFired = counts.PulsesFired;
+  this->NumberOfPulsesHit = counts.PulsesHit;
+  this->NumberOfPulsesOnPlane = counts.PulsesOnPlane;
+  this->NumberOfPulsesWithoutBins = counts.PulsesWithoutBins;
+  this->NumberOfPulsesBinned = counts.PulsesBinned;
+  this->NumberOfSubRays = counts.SubRays;
+  this->NumberOfHitsOutOfRange = counts.HitsOutOfRange;
+  this->LargestAmplitude = counts.LargestAmplitude;
+  if (counts.CutWaveforms > 0)
+  {
+    vtkWarningMacro(<< counts.CutWaveforms
+                    << " waveforms were cut: they are longer than NumberOfBins or "
+                       "MaximumWaveformLength allow, or than what can be stored");
+  }
+  if (isWholeScan && counts.PulsesHit > 0 && counts.Echoes == 0)
+  {
+    vtkWarningMacro(<< "no echo: the largest amplitude of " << counts.PulsesHit << " pulses is "
+                    << counts.LargestAmplitude << " W, below DetectionThreshold ("
+                    << this->EchoDetector->GetDetectionThreshold() << " W); lower the threshold");
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosScanner::DescribeSampling()
+{
+  if (this->Sampling == FIXED || !(this->BeamSampler->GetBeamDivergence() > 0.0))
+  {
+    const int count = this->Sampling == FIXED ? this->BeamSampler->GetNumberOfSubRays() : 1;
+    return std::to_string(count) + " sub-rays a pulse, always";
+  }
+  helios::PulseShape shape;
+  const std::string fault = this->MakePulseShape(shape);
+  return fault.empty()
+    ? helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, shape.GetSigma()).Describe()
+    : fault;
 }

@@ -45,20 +45,28 @@
 #ifndef vtkHeliosScanner_h
 #define vtkHeliosScanner_h
 
+#include "vtkHeliosInstrument.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For the strategies
+#include "vtkSmartPointer.h"            // For the strategies
+
+#include <string> // For what is said in words
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
 class vtkHeliosEchoDetector;
+class vtkHeliosErrorModel;
 class vtkHeliosRayCaster;
 
-class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosScanner : public vtkPolyDataAlgorithm
+namespace helios
+{
+struct ScanCounts;
+}
+
+class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosScanner : public vtkHeliosInstrument
 {
 public:
   static vtkHeliosScanner* New();
-  vtkTypeMacro(vtkHeliosScanner, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHeliosScanner, vtkHeliosInstrument);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -97,93 +105,40 @@ public:
 
   ///@{
   /**
-   * Set/Get the full width of the transmitted pulse at half its maximum [ns].
-   * Valid range: [1e-3, 1e6]. Default: 4.
+   * Set/Get what the instrument gets wrong in a way that can be written down.
+   * Default: none, no error.
    */
-  vtkSetClampMacro(PulseLength, double, 1e-3, 1e6);
-  vtkGetMacro(PulseLength, double);
+  void SetErrorModel(vtkHeliosErrorModel* model);
+  vtkHeliosErrorModel* GetErrorModel() const;
+  ///@}
+
+  /// How the beam is sampled.
+  enum Samplings
+  {
+    FIXED = 0,    ///< always all sub-rays of the BeamSampler, always bins
+    TOLERANCE = 1 ///< as few as RangeTolerance and EnergyTolerance allow
+  };
+
+  ///@{
+  /**
+   * Set/Get how the beam is sampled. Default: TOLERANCE.
+   */
+  vtkSetClampMacro(Sampling, int, FIXED, TOLERANCE);
+  vtkGetMacro(Sampling, int);
+  void SetSamplingToFixed() { this->SetSampling(FIXED); }
+  void SetSamplingToTolerance() { this->SetSampling(TOLERANCE); }
   ///@}
 
   ///@{
   /**
-   * Set/Get the bin of the waveform [ns]. Valid range: [1e-4, 1e3]; a bin wider
-   * than half the pulse is an error when run. Default: 0.25.
+   * Set/Get the errors that the sampling may make, as root mean squares over the
+   * echoes of a scene: in range [m] and in amplitude, relative. Valid range:
+   * [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
    */
-  vtkSetClampMacro(BinSize, double, 1e-4, 1e3);
-  vtkGetMacro(BinSize, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the transmit power in the lidar equation [W]. Valid range:
-   * [0, 1e12]. Default: 4.
-   */
-  vtkSetClampMacro(AveragePower, double, 0.0, 1e12);
-  vtkGetMacro(AveragePower, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the wavelength [nm]. Valid range: [200, 20000]. Default: 1064.
-   */
-  vtkSetClampMacro(Wavelength, double, 200.0, 20000.0);
-  vtkGetMacro(Wavelength, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the efficiency of the optics. Valid range: [0, 1]. Default: 0.99.
-   */
-  vtkSetClampMacro(OpticalEfficiency, double, 0.0, 1.0);
-  vtkGetMacro(OpticalEfficiency, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the diameter of the receiver [m]. Valid range: [1e-6, 100].
-   * Default: 0.15.
-   */
-  vtkSetClampMacro(ReceiverDiameter, double, 1e-6, 100.0);
-  vtkGetMacro(ReceiverDiameter, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the meteorological visibility [km]; infinite: no extinction. Valid
-   * range: [1e-3, infinity]. Default: 23.
-   */
-  vtkSetClampMacro(AtmosphericVisibility, double, 1e-3, VTK_DOUBLE_MAX);
-  vtkGetMacro(AtmosphericVisibility, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the standard deviation of the range noise, one draw an echo [m].
-   * Valid range: [0, 1e3]. Default: 0, none.
-   */
-  vtkSetClampMacro(RangeAccuracy, double, 0.0, 1e3);
-  vtkGetMacro(RangeAccuracy, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the ranges that the instrument measures [m]. What a sub-ray hits
-   * outside them blocks it and returns nothing. Valid range: [0, infinity].
-   * Default: 0 and infinity.
-   */
-  vtkSetClampMacro(RangeMin, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(RangeMin, double);
-  vtkSetClampMacro(RangeMax, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(RangeMax, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get how many echoes of a pulse are kept, in the order of range; 0: all.
-   * Valid range: [0, 255]. Default: 0.
-   */
-  vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
-  vtkGetMacro(MaximumNumberOfReturns, int);
+  vtkSetMacro(RangeTolerance, double);
+  vtkGetMacro(RangeTolerance, double);
+  vtkSetMacro(EnergyTolerance, double);
+  vtkGetMacro(EnergyTolerance, double);
   ///@}
 
   ///@{
@@ -296,6 +251,21 @@ public:
   vtkBooleanMacro(GenerateSubRays, bool);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the echoes carry TruePoint, where the light came from without
+   * any error of the instrument, and Normal, of the surface there. Default: off.
+   */
+  vtkSetMacro(GenerateTruth, bool);
+  vtkGetMacro(GenerateTruth, bool);
+  vtkBooleanMacro(GenerateTruth, bool);
+  ///@}
+
+  /**
+   * What Sampling and the tolerances come to, in words.
+   */
+  std::string DescribeSampling();
+
   /**
    * The number of pulse indices of the scan (of the time window, where one is
    * set), for the inputs as they are; -1 after an error. Updates the
@@ -305,12 +275,19 @@ public:
 
   ///@{
   /**
-   * Get the counts of the last update: pulses that left the scanner, pulses
-   * with a surface in the measured ranges, sub-rays that met one outside them,
-   * and the largest signal of a pulse [W], detected or not.
+   * Get the counts of the last update: pulses that left the scanner; pulses with
+   * a surface in the measured ranges; of these and others those whose beam met
+   * one plane, in closed form, those whose maxima were found by Newton's method,
+   * and those that were binned (the rest met nothing); sub-rays traced, and those
+   * that met a surface outside the measured ranges; and the largest signal of a
+   * pulse [W], detected or not.
    */
   vtkGetMacro(NumberOfPulsesFired, vtkIdType);
   vtkGetMacro(NumberOfPulsesHit, vtkIdType);
+  vtkGetMacro(NumberOfPulsesOnPlane, vtkIdType);
+  vtkGetMacro(NumberOfPulsesWithoutBins, vtkIdType);
+  vtkGetMacro(NumberOfPulsesBinned, vtkIdType);
+  vtkGetMacro(NumberOfSubRays, vtkIdType);
   vtkGetMacro(NumberOfHitsOutOfRange, vtkIdType);
   vtkGetMacro(LargestAmplitude, double);
   ///@}
@@ -334,7 +311,10 @@ private:
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
   bool PrepareScene(vtkPolyData* scene, Scan& scan);
   bool PreparePulses(Scan& scan);
+  bool PrepareReceiver(Scan& scan);
+  void PrepareBeam(Scan& scan);
   void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
+  void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
 
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;
   void operator=(const vtkHeliosScanner&) = delete;
@@ -344,17 +324,11 @@ private:
   vtkSmartPointer<vtkHeliosBeamSampler> BeamSampler;
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
-  double PulseLength = 4.0;
-  double BinSize = 0.25;
-  double AveragePower = 4.0;
-  double Wavelength = 1064.0;
-  double OpticalEfficiency = 0.99;
-  double ReceiverDiameter = 0.15;
-  double AtmosphericVisibility = 23.0;
-  double RangeAccuracy = 0.0;
-  double RangeMin = 0.0;
-  double RangeMax = VTK_DOUBLE_MAX;
-  int MaximumNumberOfReturns = 0;
+  vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
+
+  int Sampling = TOLERANCE;
+  double RangeTolerance = 1e-3;
+  double EnergyTolerance = 1e-2;
   double MountPosition[3] = { 0.0, 0.0, 0.0 };
   double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double BeamOrigin[3] = { 0.0, 0.0, 0.0 };
@@ -373,9 +347,14 @@ private:
   bool GenerateWaveforms = false;
   bool GeneratePulses = false;
   bool GenerateSubRays = false;
+  bool GenerateTruth = false;
 
   vtkIdType NumberOfPulsesFired = 0;
   vtkIdType NumberOfPulsesHit = 0;
+  vtkIdType NumberOfPulsesOnPlane = 0;
+  vtkIdType NumberOfPulsesWithoutBins = 0;
+  vtkIdType NumberOfPulsesBinned = 0;
+  vtkIdType NumberOfSubRays = 0;
   vtkIdType NumberOfHitsOutOfRange = 0;
   double LargestAmplitude = 0.0;
 };

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How the transmitted pulse runs in time: peak 1 at time 0.
+
+#ifndef heliosPulseShape_h
+#define heliosPulseShape_h
+
+#include "vtkHeliosScannerCoreModule.h"
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+class VTKHELIOSSCANNERCORE_EXPORT PulseShape
+{
+public:
+  /// exp(-t^2 / (2 sigma^2)), length [ns] its full width at half maximum.
+  static PulseShape MakeGaussian(double length);
+
+  /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak on, tau = length / 3.3947.
+  static PulseShape MakeHelios(double length);
+
+  /// Reads a time [ns] and a power a line; says what is wrong with file:line, or nothing.
+  static std::string Read(const std::string& fileName, PulseShape& shape);
+
+  bool IsGaussian() const { return this->Kind == Gaussian; }
+
+  /// Full width at half maximum, and the standard deviation of a Gaussian of that width [ns].
+  double GetLength() const { return this->Length; }
+  double GetSigma() const;
+
+  /// From how long before the peak to how long after it there is power [ns].
+  double GetStart() const { return this->Start; }
+  double GetEnd() const { return this->End; }
+
+  double operator()(double time) const;
+
+  /// Makes it ready for bins of a size [ns].
+  void SetBinSize(double binSize);
+
+  /**
+   * Adds a pulse with its peak at a time [ns] after the first of count bins. Every bin gets the
+   * pulse's value at the bin's own time, without rounding to bins.
+   */
+  void Deposit(double time, double power, double* sum, vtkIdType count) const;
+
+private:
+  enum Kinds
+  {
+    Gaussian,
+    Helios,
+    Sampled
+  };
+
+  void DepositGaussian(double time, double power, double* sum, vtkIdType count) const;
+  void SetSamples(const std::vector<double>& times, const std::vector<double>& powers);
+
+  Kinds Kind = Gaussian;
+  double Length = 4.0;
+  double Start = 0.0;
+  double End = 0.0;
+  double Tau = 0.0;
+  std::vector<double> Times; // of a sampled pulse, from its peak
+  std::vector<double> Powers;
+  double BinSize = 0.25;
+  std::vector<double> Shape; // of a Gaussian at multiples of BinSize, from -Reach on
+  vtkIdType Reach = 0;       // bins
+};
+
+} // namespace helios
+
+#endif

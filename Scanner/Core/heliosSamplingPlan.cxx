@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSamplingPlan.h"
+
+#include "heliosRadiometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace helios
+{
+namespace
+{
+
+constexpr double EdgeEnergyLaw = 0.05;
+constexpr double EdgeRangeLaw = 0.2;
+constexpr double BinRangeLaw = 0.02;
+constexpr int MostLevels = 4;
+
+} // namespace
+
+SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double sigma)
+{
+  const double sigmaRange = 0.5 * SpeedOfLight * sigma;
+  SamplingPlan plan;
+  plan.BaseCells = energyTolerance >= 0.05 ? 4 : energyTolerance >= 0.002 ? 6 : 8;
+  const double cells =
+    std::max(EdgeEnergyLaw / energyTolerance, EdgeRangeLaw * sigmaRange / rangeTolerance);
+  const double levels = std::ceil(std::log2(cells / plan.BaseCells) - 0.1);
+  plan.Levels = static_cast<int>(std::clamp(levels, 0.0, static_cast<double>(MostLevels)));
+  const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
+  plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.6);
+  plan.PlaneTolerance = 2.0 * rangeTolerance;
+  plan.PowerTolerance = std::min(0.5, 10.0 * energyTolerance);
+  plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
+  plan.LargestShift = 0.5 * rangeTolerance;
+  return plan;
+}
+
+std::string SamplingPlan::Describe() const
+{
+  const int corners = (this->BaseCells + 1) * (this->BaseCells + 1);
+  std::ostringstream text;
+  text << "none where a beam meets one plane or nothing, else " << corners
+       << " sub-rays, and more at edges down to 1/" << this->GetNumberOfCells()
+       << " of the beam; bins of " << this->DetectionBin
+       << " ns where the returns of a pulse spread over more than c sigma";
+  return text.str();
+}
+
+} // namespace helios

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything a pulse needs to know; constant while the scanner runs.
+
+#ifndef heliosScanModel_h
+#define heliosScanModel_h
+
+#include "heliosBeamLattice.h"
+#include "heliosPlaneEcho.h"
+#include "heliosPulse.h"
+#include "heliosRadiometry.h"
+#include "heliosReturn.h"
+#include "heliosSamplingPlan.h"
+#include "heliosSceneSurfaces.h"
+
+#include <memory>
+#include <vector>
+
+class vtkHeliosRayCaster;
+
+namespace helios
+{
+
+/// A sub-ray in the frame of the beam.
+struct SubRay
+{
+  Vec3 Direction;
+  double Weight;
+  Vec3 Offset; // [m], of where it leaves
+};
+
+/// How far a range may be off by chance: the squares add up.
+struct RangeNoise
+{
+  double Constant = 0.0;    // [m]
+  double PerMeter = 0.0;    // [m/m]
+  double AtThreshold = 0.0; // [m], of an amplitude at the detection threshold
+  double Threshold = 0.0;   // [W]
+
+  bool IsOn() const
+  {
+    return this->Constant > 0.0 || this->PerMeter > 0.0 || this->AtThreshold > 0.0;
+  }
+  double GetDeviation(double range, double amplitude) const
+  {
+    return std::hypot(this->Constant, this->PerMeter * range,
+      this->AtThreshold > 0.0 ? this->AtThreshold * this->Threshold / amplitude : 0.0);
+  }
+};
+
+struct ScanModel
+{
+  PulseSource Source;
+  const vtkHeliosRayCaster* Caster = nullptr;
+  SceneSurfaces Surfaces;
+  ReceiverSettings Receiver;
+
+  bool IsFixed = false;
+  std::vector<SubRay> SubRays; // of fixed sampling, or of a beam without width
+  bool HasOffsets = false;
+  SamplingPlan Plan; // of sampling by tolerance
+  std::shared_ptr<const BeamLattice> Lattice;
+  PlaneModel Plane;
+  double ConeTangent = 0.0; // of the half angle of all sub-rays together
+  double Setback =
+    0.0; // [m], Rayleigh length of the waist: from the origin back to the cone's apex
+
+  double Power = 0.0;
+  LidarEquation Equation{ 0.15, 1.0, 0.0 };
+  double Background = 0.0; // of the sun, of a white surface without air before it [W]
+  double RangeMin = 0.0;
+  double RangeMax = VTK_DOUBLE_MAX;
+  RangeNoise Noise;
+  int ReturnSelection = 0;
+  int MaximumNumberOfReturns = 0; // 0: all
+  std::uint64_t Seed = 0;
+  vtkIdType FirstPulseId = 0;
+
+  bool WantsWaveforms = false;
+  bool WantsPulses = false;
+  bool WantsSubRays = false;
+  bool WantsTruth = false;
+
+  /// Whether echoes cannot be found but in a waveform.
+  bool NeedsWaveform() const
+  {
+    return this->IsFixed || this->Receiver.Noise > 0.0 || this->Background > 0.0 ||
+      !this->Receiver.Shape.IsGaussian() || !this->Receiver.Detector->FindsMaxima();
+  }
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a chunk of pulses gives, before it becomes VTK data.
+
+#ifndef heliosScanRecords_h
+#define heliosScanRecords_h
+
+#include "heliosPose.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace helios
+{
+
+struct EchoRecord
+{
+  Vec3 Point;
+  double Time;
+  vtkIdType PulseId;
+  vtkIdType CellId;
+  double Range;
+  double Amplitude;
+  double Width;
+  double Deviation;
+  double ScanAngle;
+  double Incidence; // [deg]
+  int MaterialId;
+  int PartId;
+  int Classification;
+  unsigned char ReturnNumber;
+  unsigned char NumberOfReturns;
+};
+
+/// Of the echo at the same place.
+struct TruthRecord
+{
+  Vec3 Point;
+  Vec3 Normal;
+};
+
+struct PulseRecord
+{
+  Vec3 Origin;
+  Vec3 Direction;
+  double Time;
+  vtkIdType PulseId;
+  double ScanAngle;
+  bool Hit;
+};
+
+struct SubRayRecord
+{
+  Vec3 Point;
+  vtkIdType PulseId;
+  vtkIdType CellId;
+  double Weight;
+  double Range;
+  double Incidence; // [deg]
+};
+
+struct WaveformRecord
+{
+  Vec3 Origin;
+  Vec3 Direction;
+  double Time;
+  vtkIdType PulseId;
+  double StartTime; // [ns]
+  vtkIdType Count;  // samples
+};
+
+/// What a chunk of pulses gives, in the order of the pulses.
+struct ChunkResult
+{
+  std::vector<EchoRecord> Echoes;
+  std::vector<TruthRecord> Truths; // empty where nobody asks
+  std::vector<PulseRecord> Pulses;
+  std::vector<SubRayRecord> SubRays;
+  std::vector<WaveformRecord> Waveforms;
+  std::vector<float> Samples;
+};
+
+/// Sums over pulses, whatever thread they ran in.
+struct ScanCounts
+{
+  vtkIdType PulsesFired = 0;
+  vtkIdType PulsesHit = 0;         // with a surface in the measured ranges
+  vtkIdType PulsesOnPlane = 0;     // whose echo was written down at once
+  vtkIdType PulsesWithoutBins = 0; // whose maxima were found by Newton's method
+  vtkIdType PulsesBinned = 0;
+  vtkIdType SubRays = 0; // traced
+  vtkIdType Echoes = 0;
+  vtkIdType HitsOutOfRange = 0; // sub-rays that met a surface outside the measured ranges
+  vtkIdType CutWaveforms = 0;
+  double LargestAmplitude = 0.0; // of what the pulses that hit sent back [W]
+
+  void Add(const ScanCounts& other)
+  {
+    for (vtkIdType ScanCounts::*count :
+      { &ScanCounts::PulsesFired, &ScanCounts::PulsesHit, &ScanCounts::PulsesOnPlane,
+        &ScanCounts::PulsesWithoutBins, &ScanCounts::PulsesBinned, &ScanCounts::SubRays,
+        &ScanCounts::Echoes, &ScanCounts::HitsOutOfRange, &ScanCounts::CutWaveforms })
+    {
+      this->*count += other.*count;
+    }
+    this->LargestAmplitude = std::max(this->LargestAmplitude, other.LargestAmplitude);
+  }
+};
+
+} // namespace helios
+
+#endif
