@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformXMLReader.h"
 
+#include "heliosPartFile.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -45,7 +46,7 @@ public:
   bool HasFault = false;
 };
 
-/// The table of a piece, or null.
+/// The table of a piece, or null. VTK makes nothing of a file that is cut off, and says nothing.
 vtkSmartPointer<vtkTable> ReadPiece(const std::string& name)
 {
   const auto faults = vtkSmartPointer<FaultListener>::Take(FaultListener::New());
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkTable> ReadPiece(const std::string& name)
   faults->Listen(reader);
   faults->Listen(reader->GetExecutive());
   reader->SetFileName(name.c_str());
-  if (!reader->CanReadFile(name.c_str()))
+  if (helios::GetSizeOfWhole(name, "</VTKFile>\n") < 0 || !reader->CanReadFile(name.c_str()))
   {
     return nullptr;
   }

@@ -214,7 +214,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     words->SetNumberOfValues(4);
     echoes->GetPointData()->AddArray(words);
     CHECK_FALSE(writer->Write(echoes));
-    CHECK(log->HasError("the array Words of a block is not one tuple of numbers a point"));
+    CHECK(log->HasError("the array Words of a block is not one tuple of numbers a record"));
   }
   SECTION("a name that VTK writes and cannot read")
   {
@@ -227,7 +227,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     helios::AddColumn<vtkIntArray>(
       echoes->GetPointData(), names::PartIds, 2, [](vtkIdType) { return 0; });
     CHECK_FALSE(writer->Write(echoes));
-    CHECK(log->HasError("the array PartIds of a block is not one tuple of numbers a point"));
+    CHECK(log->HasError("the array PartIds of a block is not one tuple of numbers a record"));
   }
   SECTION("other arrays than before")
   {

@@ -1,63 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTempFolder.h"
-#include "heliosWriterTesting.h"
+#include "heliosWaveformTesting.h"
 #include "vtkHeliosWaveformTextWriter.h"
-
-#include <vtkDataSetAttributes.h>
-#include <vtkFloatArray.h>
-#include <vtkTable.h>
 
 #include <catch2/catch.hpp>
 
 namespace names = vtkHeliosArrayNames;
-
-namespace
-{
-
-/// Row i has 1 + i % 40 samples.
-vtkSmartPointer<vtkTable> MakeWaveforms(vtkIdType count)
-{
-  auto table = vtkSmartPointer<vtkTable>::New();
-  vtkFieldData* rows = table->GetRowData();
-  helios::AddColumn<vtkTypeInt64Array>(
-    rows, names::PulseIds, count, [](vtkIdType i) { return 40 + 3 * i; });
-  vtkNew<vtkDoubleArray> origins;
-  origins->SetName(names::Origin);
-  vtkNew<vtkDoubleArray> directions;
-  directions->SetName(names::Direction);
-  for (vtkDoubleArray* vectors : { origins.Get(), directions.Get() })
-  {
-    vectors->SetNumberOfComponents(3);
-    rows->AddArray(vectors);
-  }
-  vtkIdType first = 0;
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetName(names::Offset);
-  vtkNew<vtkTypeInt64Array> counts;
-  counts->SetName(names::Count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const auto x = static_cast<double>(i);
-    origins->InsertNextTuple3(500000 + x / 3, -x, 100.5);
-    directions->InsertNextTuple3(std::cos(x), std::sin(x), 1e-9);
-    offsets->InsertNextValue(first);
-    counts->InsertNextValue(1 + i % 40);
-    first += 1 + i % 40;
-  }
-  rows->AddArray(offsets);
-  rows->AddArray(counts);
-  helios::AddColumn<vtkDoubleArray>(
-    rows, names::GpsTime, count, [](vtkIdType i) { return 0.25 * static_cast<double>(i); });
-  helios::AddColumn<vtkDoubleArray>(
-    rows, names::StartTime, count, [](vtkIdType i) { return 667.125 + static_cast<double>(i); });
-  helios::AddColumn<vtkDoubleArray>(rows, names::BinSize, count, [](vtkIdType) { return 0.25; });
-  helios::AddColumn<vtkFloatArray>(table->GetFieldData(), names::Samples, first,
-    [](vtkIdType i) { return 1e-9 * static_cast<double>(i % 1000); });
-  return table;
-}
-
-} // namespace
 
 TEST_CASE("WaveformTextWriter: a line", "[WaveformTextWriter]")
 {
@@ -65,7 +14,7 @@ TEST_CASE("WaveformTextWriter: a line", "[WaveformTextWriter]")
   const std::string path = folder / "fullwave.txt";
   vtkNew<vtkHeliosWaveformTextWriter> writer;
   writer->SetFileName(path.c_str());
-  const auto table = MakeWaveforms(3);
+  const auto table = helios::MakeWaveforms(3);
   table->GetFieldData()->GetArray(names::Samples)->SetComponent(3, 0, 0.5); // 5e8 nW
   REQUIRE((writer->Open() && writer->Write(table) && writer->Close()));
   const std::string text = helios::ReadText(path);
@@ -81,7 +30,7 @@ TEST_CASE("WaveformTextWriter: an independent reader gets every value back", "[W
   const helios::TempFolder folder;
   const std::string path = folder / "fullwave.txt";
   constexpr vtkIdType count = 5000;
-  const auto table = MakeWaveforms(count);
+  const auto table = helios::MakeWaveforms(count);
   vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
   vtkNew<vtkHeliosWaveformTextWriter> writer;
   writer->SetFileName(path.c_str());
@@ -129,7 +78,7 @@ TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
   const auto log = helios::WatchErrors(writer);
   writer->SetFileName(path.c_str());
   REQUIRE(writer->Open());
-  const auto table = MakeWaveforms(3);
+  const auto table = helios::MakeWaveforms(3);
   SECTION("no table")
   {
     CHECK_FALSE(writer->Write(helios::MakeEchoes(1)));
@@ -140,7 +89,7 @@ TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
   {
     table->GetFieldData()->RemoveArray(names::Samples);
     CHECK_FALSE(writer->Write(table));
-    CHECK(log->HasError("no array Samples; the waveforms of vtkHeliosScanner"));
+    CHECK(log->HasError("the block has no array Samples; write the waveforms of vtkHeliosScanner"));
   }
   SECTION("a column too few")
   {
@@ -155,8 +104,8 @@ TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
     table->GetRowData()->GetArray(names::Offset)->SetComponent(1, 0, offset);
     table->GetRowData()->GetArray(names::Count)->SetComponent(1, 0, count);
     CHECK_FALSE(writer->Write(table));
-    CHECK(log->HasError("row 1 of the block has Offset " + std::to_string(offset) + " and Count " +
-      std::to_string(count) + ", not within its 6 Samples"));
+    CHECK(log->HasError("the block has a row 1 with Offset " + std::to_string(offset) +
+      " and Count " + std::to_string(count) + ", not within its 6 Samples"));
   }
   SECTION("a sample that is not finite leaves out its waveform")
   {
