@@ -26,6 +26,8 @@ public:
   vtkTypeMacro(vtkHeliosPeakDetector, vtkHeliosEchoDetector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  bool FindsMaxima() const override { return true; }
+
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
 
