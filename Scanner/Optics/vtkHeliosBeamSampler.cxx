@@ -6,6 +6,7 @@
 #include <vtkObjectFactory.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 vtkStandardNewMacro(vtkHeliosBeamSampler);
@@ -13,84 +14,341 @@ vtkStandardNewMacro(vtkHeliosBeamSampler);
 namespace
 {
 
+constexpr double QuarterTurn = 0.5 * 3.14159265358979323846;
+constexpr double GoldenSection = 0.61803398874989484820;
+constexpr double WeightUnit = 0x1p-53;
+
+/// A sub-ray across the axis of the beam: its radius in units of w, its azimuth, its energy.
+struct Node
+{
+  double Radius;
+  double Sin;
+  double Cos;
+  double Weight;
+
+  Node(double radius, double azimuth, double weight)
+    : Radius(radius)
+    , Sin(std::sin(azimuth))
+    , Cos(std::cos(azimuth))
+    , Weight(weight)
+  {
+  }
+};
+
+using Nodes = std::vector<Node>;
+
+/// The share of the energy inside radius r of a Gaussian beam cut at radius k.
+double EnergyInside(double r, double k)
+{
+  return std::expm1(-2.0 * r * r) / std::expm1(-2.0 * k * k);
+}
+
+/// The inverse: the radius with the share p inside.
+double EnergyQuantile(double p, double k)
+{
+  return std::sqrt(-0.5 * std::log1p(p * std::expm1(-2.0 * k * k)));
+}
+
+/// Node j of n of the Gauss-Legendre rule on [0, 1], ascending, and its weight: Newton's method on P_n.
+std::array<long double, 2> GaussLegendre(int j, int n)
+{
+  long double x = -std::cos(2.0 * QuarterTurn * (j + 0.75) / (n + 0.5));
+  long double slope = 1.0L;
+  for (int iteration = 0; iteration < 8; ++iteration)
+  {
+    long double p = 1.0L; // P_i
+    long double before = 0.0L;
+    for (int i = 1; i <= n; ++i)
+    {
+      const long double next = ((2 * i - 1) * x * p - (i - 1) * before) / i;
+      before = p;
+      p = next;
+    }
+    slope = n * (x * p - before) / (x * x - 1.0L);
+    x -= p / slope;
+  }
+  return { 0.5L * (1.0L + x), 1.0L / ((1.0L - x * x) * slope * slope) };
+}
+
+/// A quarter of the rings.
+Nodes GaussLegendreQuarter(int rings, double k)
+{
+  Nodes nodes;
+  for (int j = 0; j < rings; ++j)
+  {
+    const auto [p, weight] = GaussLegendre(j, rings);
+    const double radius = EnergyQuantile(static_cast<double>(p), k);
+    for (int i = 0; i < rings; ++i)
+    {
+      const double azimuth = QuarterTurn * (i + 0.5 * (j % 2)) / rings;
+      nodes.emplace_back(radius, azimuth, static_cast<double>(weight / rings));
+    }
+  }
+  return nodes;
+}
+
+/// A quarter of the spiral.
+Nodes VogelQuarter(int count, double k)
+{
+  Nodes nodes;
+  for (int i = 0; i < count; ++i)
+  {
+    const double turns = i * GoldenSection;
+    nodes.emplace_back(
+      EnergyQuantile((i + 0.5) / count, k), QuarterTurn * (turns - std::floor(turns)), 1.0 / count);
+  }
+  return nodes;
+}
+
 /// The sub-rays of circle i: floor(2 pi i), one in the centre.
 int CircleSize(int circle)
 {
   return std::max(1, static_cast<int>(2.0 * vtkMath::Pi() * circle));
 }
 
-/// The share of the energy inside radius r of a Gaussian beam cut at radius k, both in units of w.
-double EnergyInside(double r, double k)
+/// Evenly spaced circles with a weight for each sub-ray of a circle.
+template <typename WeightOf>
+Nodes Circles(int circles, double spacing, WeightOf weightOf)
 {
-  return std::expm1(-2.0 * r * r) / std::expm1(-2.0 * k * k);
-}
-
-/// The circle of a sub-ray, and its place on it.
-struct Place
-{
-  int Circle = 0;
-  int Index = 0;
-
-  explicit Place(int subRay)
-    : Index(subRay)
+  Nodes nodes;
+  for (int i = 0; i < circles; ++i)
   {
-    while (this->Index >= CircleSize(this->Circle))
+    const int size = CircleSize(i);
+    for (int a = 0; a < size; ++a)
     {
-      this->Index -= CircleSize(this->Circle);
-      ++this->Circle;
+      nodes.emplace_back(i * spacing, 4.0 * QuarterTurn * a / size, weightOf(i, size));
     }
   }
-};
+  return nodes;
+}
+
+Nodes EnergyCircles(int circles, double k)
+{
+  const double spacing = k / (circles - 0.5);
+  return Circles(circles, spacing,
+    [spacing, k](int i, int size)
+    {
+      const double inner = std::max(0.0, i - 0.5) * spacing;
+      const double outer = (i + 0.5) * spacing;
+      return (EnergyInside(outer, k) - EnergyInside(inner, k)) / size;
+    });
+}
+
+/// Intensity 2 / pi exp(-2 r^2) times area pi k^2 / N, over the energy of the cone.
+Nodes LegacyCircles(int circles, double k)
+{
+  Nodes nodes = Circles(circles, k / circles, [](int, int) { return 0.0; });
+  const double perRay = -2.0 * k * k / std::expm1(-2.0 * k * k) / static_cast<double>(nodes.size());
+  for (Node& node : nodes)
+  {
+    node.Weight = perRay * std::exp(-2.0 * node.Radius * node.Radius);
+  }
+  return nodes;
+}
+
+/// Rounds the weights to multiples of a unit whose sum is 1 over turns: cumulated, then rounded.
+void Normalize(Nodes& nodes, int turns)
+{
+  const double units = 1.0 / WeightUnit / turns;
+  long double total = 0.0L;
+  for (const Node& node : nodes)
+  {
+    total += node.Weight;
+  }
+  long double sum = 0.0L;
+  double before = 0.0;
+  for (Node& node : nodes)
+  {
+    sum += node.Weight;
+    const double after = static_cast<double>(std::round(sum / total * units));
+    node.Weight = (after - before) * WeightUnit;
+    before = after;
+  }
+}
+
+/// Each node and its turns by 90, 180 and 270 degrees, without rounding.
+Nodes FourTurns(const Nodes& quarter)
+{
+  Nodes nodes;
+  for (Node node : quarter)
+  {
+    for (int turn = 0; turn < 4; ++turn)
+    {
+      nodes.push_back(node);
+      const double sin = node.Sin;
+      node.Sin = node.Cos;
+      node.Cos = -sin;
+    }
+  }
+  return nodes;
+}
 
 } // namespace
 
 //------------------------------------------------------------------------------
-int vtkHeliosBeamSampler::GetNumberOfSubRays() const
+vtkHeliosBeamSampler::vtkHeliosBeamSampler()
 {
-  int count = 1;
-  if (this->BeamDivergence > 0.0)
+  this->Build();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::Modified()
+{
+  this->Build();
+  this->Superclass::Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::Refuse(const char* property, double value, const char* cure)
+{
+  vtkErrorMacro(<< property << " is " << value << "; it must be " << cure);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetProperty(double& property, double value)
+{
+  if (property != value)
   {
-    for (int circle = 1; circle < this->NumberOfCircles; ++circle)
-    {
-      count += CircleSize(circle);
-    }
+    property = value;
+    this->Modified();
   }
-  return count;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetBeamDivergence(double angle)
+{
+  if (!(angle >= 0.0 && angle <= 1.0))
+  {
+    this->Refuse("BeamDivergence", angle, "in [0, 1] rad; 0 is one ideal ray");
+    return;
+  }
+  this->SetProperty(this->BeamDivergence, angle);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetBeamQualityFactor(double factor)
+{
+  if (factor != 0.0 && !(factor >= 1.0 && factor <= 1e4))
+  {
+    this->Refuse("BeamQualityFactor", factor, "in [1, 10000], or 0 for a beam without a waist");
+    return;
+  }
+  this->SetProperty(this->BeamQualityFactor, factor);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetWavelength(double wavelength)
+{
+  if (!(wavelength >= 1.0 && wavelength <= 1e6))
+  {
+    this->Refuse("Wavelength", wavelength, "in [1, 1000000] nm, 1064 for instance");
+    return;
+  }
+  this->SetProperty(this->Wavelength, wavelength);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::SetNumberOfSubRays(int number)
+{
+  const int size = number <= 1 ? 1 : (std::min(number, 65536) + 3) / 4 * 4;
+  if (this->SpiralSize != size)
+  {
+    this->SpiralSize = size;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosBeamSampler::GetWaist() const
+{
+  const double w = 0.5 * this->BeamDivergence;
+  return w > 0.0 ? this->BeamQualityFactor * 1e-9 * this->Wavelength / (vtkMath::Pi() * w) : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosBeamSampler::GetFootprintRadius(double distance) const
+{
+  return std::hypot(this->GetWaist(), 0.5 * this->BeamDivergence * distance);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::Build()
+{
+  const double k = this->Truncation;
+  const bool circles = this->Pattern == CIRCLES;
+  Nodes nodes;
+  if (this->BeamDivergence == 0.0 || (circles && this->NumberOfCircles == 1) ||
+    (this->Pattern == VOGEL && this->SpiralSize == 1))
+  {
+    nodes.emplace_back(0.0, 0.0, 1.0);
+  }
+  else if (circles && this->LegacyWeights)
+  {
+    nodes = LegacyCircles(this->NumberOfCircles, k);
+  }
+  else if (circles)
+  {
+    nodes = EnergyCircles(this->NumberOfCircles, k);
+    Normalize(nodes, 1);
+  }
+  else
+  {
+    Nodes quarter = this->Pattern == VOGEL ? VogelQuarter(this->SpiralSize / 4, k)
+                                           : GaussLegendreQuarter(this->NumberOfRings, k);
+    Normalize(quarter, 4);
+    nodes = FourTurns(quarter);
+  }
+
+  const double w = 0.5 * this->BeamDivergence;
+  const double waist = this->GetWaist();
+  this->SubRays.clear();
+  for (const Node& node : nodes)
+  {
+    // With a waist, a slope instead of an angle keeps the hyperboloid exact.
+    const double angle = waist > 0.0 ? std::atan(node.Radius * w) : node.Radius * w;
+    const double across = std::sin(angle);
+    const double aside = node.Radius * waist;
+    this->SubRays.push_back({ { across * node.Sin, std::cos(angle), across * node.Cos },
+      { aside * node.Cos, 0.0, -aside * node.Sin }, node.Weight });
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosBeamSampler::GetDirection(int subRay, double direction[3]) const
 {
-  const Place place(subRay);
-  const double w = 0.5 * this->BeamDivergence;
-  const double polar = place.Circle * this->Truncation * w / (this->NumberOfCircles - 0.5);
-  const double azimuth = 2.0 * vtkMath::Pi() * place.Index / CircleSize(place.Circle);
-  direction[0] = std::sin(polar) * std::sin(azimuth);
-  direction[1] = std::cos(polar);
-  direction[2] = std::sin(polar) * std::cos(azimuth);
+  std::copy_n(this->SubRays[static_cast<std::size_t>(subRay)].Direction, 3, direction);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosBeamSampler::GetOffset(int subRay, double offset[3]) const
+{
+  std::copy_n(this->SubRays[static_cast<std::size_t>(subRay)].Offset, 3, offset);
 }
 
 //------------------------------------------------------------------------------
 double vtkHeliosBeamSampler::GetWeight(int subRay) const
 {
-  if (this->GetNumberOfSubRays() == 1)
-  {
-    return 1.0;
-  }
-  const Place place(subRay);
-  const double spacing = this->Truncation / (this->NumberOfCircles - 0.5);
-  const double inner = std::max(0.0, place.Circle - 0.5) * spacing;
-  const double outer = (place.Circle + 0.5) * spacing;
-  const double energy =
-    EnergyInside(outer, this->Truncation) - EnergyInside(inner, this->Truncation);
-  return energy / CircleSize(place.Circle);
+  return this->SubRays[static_cast<std::size_t>(subRay)].Weight;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeliosBeamSampler::GetPatternAsString() const
+{
+  const char* const names[] = { "GaussLegendre", "Circles", "Vogel" };
+  return names[this->Pattern];
 }
 
 //------------------------------------------------------------------------------
 void vtkHeliosBeamSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pattern: " << this->GetPatternAsString() << "\n";
   os << indent << "BeamDivergence: " << this->BeamDivergence << "\n";
+  os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "NumberOfCircles: " << this->NumberOfCircles << "\n";
+  os << indent << "LegacyWeights: " << this->LegacyWeights << "\n";
+  os << indent << "NumberOfSubRays: " << this->GetNumberOfSubRays() << "\n";
   os << indent << "Truncation: " << this->Truncation << "\n";
+  os << indent << "BeamQualityFactor: " << this->BeamQualityFactor << "\n";
+  os << indent << "Wavelength: " << this->Wavelength << "\n";
 }

@@ -4,19 +4,34 @@
  * @class   vtkHeliosBeamSampler
  * @brief   the sub-rays that stand for a Gaussian beam
  *
- * A strategy, const once set up; a scanner asks for the sub-rays once, not once
- * a pulse. The beam has the intensity exp(-2 g^2 / w^2) at angle g from its
- * axis, with w = BeamDivergence / 2; the cone sampled reaches K = Truncation
- * times w. NumberOfCircles q gives the paper's evenly spaced circles (Bechtold
- * and Hoefle 2016):
- * - circle i = 0 ... q - 1 lies at g = i K w / (q - 1/2)
- * - it has floor(2 pi i) sub-rays, the first one one: 1, 7, 19, 37, 62 ... in all
- * - they share evenly the energy between (i - 1/2) and (i + 1/2) spacings,
- *   exact: exp(-2 a^2 / w^2) - exp(-2 b^2 / w^2), over that of the whole cone
+ * A strategy, const once set up; the sub-rays are computed when a property
+ * changes, and read by any thread. The beam has the intensity exp(-2 g^2 / w^2)
+ * at angle g from its axis, with w = BeamDivergence / 2; the cone sampled
+ * reaches K = Truncation times w and holds E = 1 - exp(-2 K^2) of the energy.
+ * Pattern says where the sub-rays lie:
+ * - GAUSS_LEGENDRE: q = NumberOfRings rings at w sqrt(-ln(1 - p_j E) / 2), p_j
+ *   the Gauss-Legendre nodes of [0, 1], each with the energy of its node and 4 q
+ *   sub-rays, odd rings turned by half a step: 4 q^2 in all. Ranges on a plane
+ *   converge exponentially: 64 sub-rays give the echo width to 1e-3, K being 1
+ * - CIRCLES: the evenly spaced circles of the paper (Bechtold and Hoefle 2016),
+ *   q = NumberOfCircles at i K w / (q - 1/2), i = 0 ... q - 1, of floor(2 pi i)
+ *   sub-rays, the first of one: 1, 7, 19, 37, 62 ... in all. A circle has the
+ *   exact energy between (i - 1/2) and (i + 1/2) spacings; second order in 1 / q
+ * - VOGEL: a sunflower spiral of equal energies (Vogel 1979), NumberOfSubRays in
+ *   all; point k of a quarter is at the energy quantile (k + 1/2) 4 / N and turned
+ *   by k golden sections of 90 degrees, and the quarters are alike, so that the
+ *   mean direction is the axis. The best of the three where edges or thin things
+ *   cross the beam
  *
- * All weights sum to 1. A BeamDivergence of 0 is one ray, and so is one circle.
- * The circles have the right energy and mean; the variance of the cone they
- * miss by -0.8 % (K = 1) to 6 % (K = 1.5) for three circles, falling with q^2.
+ * The weights are multiples of 2^-53 and sum to 1 exactly, in any order. A
+ * BeamDivergence of 0 is one ray along the axis, and so is one circle or a spiral
+ * of one sub-ray.
+ *
+ * With a BeamQualityFactor M2 the beam has a waist, w0 = M2 Wavelength / (pi w),
+ * and the sub-rays are rulings of the hyperboloid that it widens along: the one at
+ * r w and azimuth a leaves r w0 beside the axis at azimuth a + 90 degrees with the
+ * slope r w towards a. At the plane R before the scanner, the radius of the beam
+ * is then sqrt(w0^2 + (w R)^2) exactly, and every ray is straight.
  *
  * @sa
  * vtkHeliosScanner
@@ -28,6 +43,8 @@
 #include "vtkHeliosScannerOpticsModule.h" // For export macro
 #include "vtkObject.h"
 
+#include <vector> // For the sub-rays
+
 class VTKHELIOSSCANNEROPTICS_EXPORT vtkHeliosBeamSampler : public vtkObject
 {
 public:
@@ -35,22 +52,74 @@ public:
   vtkTypeMacro(vtkHeliosBeamSampler, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Where the sub-rays lie.
+  enum Patterns
+  {
+    GAUSS_LEGENDRE = 0,
+    CIRCLES = 1,
+    VOGEL = 2
+  };
+
+  ///@{
+  /**
+   * Set/Get where the sub-rays lie. Default: GAUSS_LEGENDRE.
+   */
+  vtkSetClampMacro(Pattern, int, GAUSS_LEGENDRE, VOGEL);
+  vtkGetMacro(Pattern, int);
+  void SetPatternToGaussLegendre() { this->SetPattern(GAUSS_LEGENDRE); }
+  void SetPatternToCircles() { this->SetPattern(CIRCLES); }
+  void SetPatternToVogel() { this->SetPattern(VOGEL); }
+  const char* GetPatternAsString() const;
+  ///@}
+
   ///@{
   /**
    * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as data
-   * sheets give it. Valid range: [0, 1]. Default: 0.0003.
+   * sheets give it. Valid range: [0, 1], else refused. Default: 0.0003.
    */
-  vtkSetClampMacro(BeamDivergence, double, 0.0, 1.0);
+  void SetBeamDivergence(double angle);
   vtkGetMacro(BeamDivergence, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get the number of circles, the centre included. Valid range: [1, 64].
+   * Set/Get the number of rings of GAUSS_LEGENDRE. Valid range: [1, 64].
+   * Default: 2, which is 16 sub-rays.
+   */
+  vtkSetClampMacro(NumberOfRings, int, 1, 64);
+  vtkGetMacro(NumberOfRings, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of CIRCLES, the centre included. Valid range: [1, 64].
    * Default: 3, which is 19 sub-rays.
    */
   vtkSetClampMacro(NumberOfCircles, int, 1, 64);
   vtkGetMacro(NumberOfCircles, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether CIRCLES follow the paper to the letter, to compare with it:
+   * circles at i K w / q, and sub-rays weighted with the intensity where they are
+   * times an equal share of the area. These weights are not normalised: their
+   * sum is 1 + C / q, C = 0.6259 for K = 1, 31 % too much for 19 sub-rays.
+   * Default: off.
+   */
+  vtkSetMacro(LegacyWeights, bool);
+  vtkGetMacro(LegacyWeights, bool);
+  vtkBooleanMacro(LegacyWeights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set the number of sub-rays of VOGEL; above 1, it is rounded up to a multiple
+   * of 4. Valid range: [1, 65536]. Default: 64. Get the number of sub-rays of a
+   * pulse, whatever the Pattern.
+   */
+  void SetNumberOfSubRays(int number);
+  int GetNumberOfSubRays() const { return static_cast<int>(this->SubRays.size()); }
   ///@}
 
   ///@{
@@ -62,33 +131,85 @@ public:
   vtkGetMacro(Truncation, double);
   ///@}
 
+  ///@{
   /**
-   * The number of sub-rays of a pulse.
+   * Set/Get M2, how many times wider the beam is than diffraction makes it; 0: no
+   * waist, all sub-rays leave from one point. Valid range: 0 or [1, 1e4], else
+   * refused. Default: 0.
    */
-  int GetNumberOfSubRays() const;
+  void SetBeamQualityFactor(double factor);
+  vtkGetMacro(BeamQualityFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the wavelength [nm], which the waist is proportional to. Valid range:
+   * [1, 1e6], else refused. Default: 1064.
+   */
+  void SetWavelength(double wavelength);
+  vtkGetMacro(Wavelength, double);
+  ///@}
+
+  /**
+   * The radius of the beam at 1/e^2 of its intensity at a distance from the
+   * waist [m], where the beam leaves.
+   */
+  double GetFootprintRadius(double distance) const;
 
   /**
    * A sub-ray's direction in the frame of the beam, whose axis is y: a unit
-   * vector. Sub-ray 0 is the axis.
+   * vector.
    */
-  void GetDirection(int subRay, double direction[3]) const;
+  void GetDirection(int subRay, double direction[3]) const
+    VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
+
+  /**
+   * Where a sub-ray leaves, beside the origin of the beam and across its axis
+   * [m]: zero without a waist.
+   */
+  void GetOffset(int subRay, double offset[3]) const
+    VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
    * A sub-ray's share of the pulse's energy, in (0, 1].
    */
-  double GetWeight(int subRay) const;
+  double GetWeight(int subRay) const VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
+
+  /**
+   * Computes the sub-rays anew.
+   */
+  void Modified() override;
 
 protected:
-  vtkHeliosBeamSampler() = default;
+  vtkHeliosBeamSampler();
   ~vtkHeliosBeamSampler() override = default;
 
 private:
+  struct SubRay
+  {
+    double Direction[3];
+    double Offset[3];
+    double Weight;
+  };
+
+  void Refuse(const char* property, double value, const char* cure);
+  void SetProperty(double& property, double value);
+  double GetWaist() const;
+  void Build();
+
   vtkHeliosBeamSampler(const vtkHeliosBeamSampler&) = delete;
   void operator=(const vtkHeliosBeamSampler&) = delete;
 
+  int Pattern = GAUSS_LEGENDRE;
   double BeamDivergence = 0.0003;
+  int NumberOfRings = 2;
   int NumberOfCircles = 3;
+  bool LegacyWeights = false;
+  int SpiralSize = 64;
   double Truncation = 1.5;
+  double BeamQualityFactor = 0.0;
+  double Wavelength = 1064.0;
+  std::vector<SubRay> SubRays;
 };
 
 #endif
