@@ -96,6 +96,7 @@ void LegRunner::SetUpInstrument()
   this->Scanner->SetRangeMax(data.RangeMax);
   this->Scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
   this->Scanner->GetEchoDetector()->SetDetectionThreshold(data.DetectionThreshold);
+  this->Scanner->GetBeamSampler()->SetPatternToCircles();
   this->Scanner->GetBeamSampler()->SetNumberOfCircles(data.NumberOfCircles);
   double position[3];
   double orientation[4];
