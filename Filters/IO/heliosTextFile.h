@@ -32,10 +32,10 @@ struct TextReport
 };
 
 /// A word as messages show it: in quotes, cut where it is long, without control characters.
-std::string Quote(std::string_view word);
+VTKHELIOSFILTERSIO_EXPORT std::string Quote(std::string_view word);
 
 /// "path:line: ", the start of a message.
-std::string Place(const std::string& path, std::int64_t line);
+VTKHELIOSFILTERSIO_EXPORT std::string Place(const std::string& path, std::int64_t line);
 
 /// Reads a file in blocks, so that memory does not grow with it.
 class VTKHELIOSFILTERSIO_EXPORT TextFile
