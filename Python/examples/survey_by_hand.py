@@ -61,6 +61,7 @@ def make_scanner(scene, platform):
 
     beam = vtkhelios.vtkHeliosBeamSampler()
     beam.SetBeamDivergence(0.35e-3)  # rad, full angle at 1/e^2
+    beam.SetPatternToCircles()
     beam.SetNumberOfCircles(3)  # 19 sub-rays
 
     scanner = vtkhelios.vtkHeliosScanner()
