@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
+#include "heliosLegOptics.h"
 #include "heliosMessages.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosConicMirror.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
 #include "vtkHeliosRayCaster.h"
-#include "vtkHeliosRotatingMirror.h"
 #include "vtkHeliosScanner.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
+#include "vtkHeliosWaveformXMLWriter.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -52,6 +53,15 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
   return count;
 }
 
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
+{
+  if (isXml)
+  {
+    return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
+  }
+  return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+}
+
 void SetPose(const Pose& pose, double position[3], double orientation[4])
 {
   std::copy_n(pose.Position.GetData(), 3, position);
@@ -84,20 +94,7 @@ void LegRunner::SetUpInstrument()
   {
     this->Scanner->SetRayCaster(this->Settings.RayCaster);
   }
-  this->Scanner->SetPulseLength(data.PulseLength);
-  this->Scanner->SetBinSize(data.BinSize);
-  this->Scanner->SetAveragePower(data.AveragePower);
-  this->Scanner->SetWavelength(data.Wavelength);
-  this->Scanner->SetOpticalEfficiency(data.OpticalEfficiency);
-  this->Scanner->SetReceiverDiameter(data.ReceiverDiameter);
-  this->Scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
-  this->Scanner->SetRangeAccuracy(this->Settings.Noise ? data.Accuracy : 0.0);
-  this->Scanner->SetRangeMin(data.RangeMin);
-  this->Scanner->SetRangeMax(data.RangeMax);
-  this->Scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
-  this->Scanner->GetEchoDetector()->SetDetectionThreshold(data.DetectionThreshold);
-  this->Scanner->GetBeamSampler()->SetPatternToCircles();
-  this->Scanner->GetBeamSampler()->SetNumberOfCircles(data.NumberOfCircles);
+  SetUpReceiver(data, this->Settings.Receiver, this->Scanner);
   double position[3];
   double orientation[4];
   SetPose(this->Survey.Platform.Mount, position, orientation);
@@ -116,7 +113,7 @@ void LegRunner::SetUpInstrument()
 void LegRunner::SetUpLeg(const LegPlan& plan)
 {
   const LegData& leg = this->Survey.Legs[plan.Leg];
-  this->SetUpOptics(leg);
+  this->Scanner->SetBeamDeflector(MakeDeflector(this->Survey.Scanner, leg));
   this->Scanner->GetBeamSampler()->SetBeamDivergence(leg.BeamDivergence);
   this->Scanner->SetHeadRotateStart(leg.HeadRotateStart);
   this->Scanner->SetHeadRotateStop(leg.HeadRotateStop);
@@ -126,30 +123,6 @@ void LegRunner::SetUpLeg(const LegPlan& plan)
   this->Scanner->SetDuration(plan.Duration);
   this->Scanner->SetFirstPulseId(plan.FirstPulse);
   this->Scanner->SetLegId(static_cast<int>(plan.Leg));
-}
-
-//------------------------------------------------------------------------------
-void LegRunner::SetUpOptics(const LegData& leg)
-{
-  vtkSmartPointer<vtkHeliosBeamDeflector> deflector;
-  if (this->Survey.Scanner.Type == Optics::ConicMirror)
-  {
-    auto mirror = vtkSmartPointer<vtkHeliosConicMirror>::New();
-    mirror->SetScanFrequency(leg.ScanFrequency);
-    mirror->SetScanAngle(leg.ScanAngle);
-    deflector = mirror;
-  }
-  else
-  {
-    auto mirror = vtkSmartPointer<vtkHeliosRotatingMirror>::New();
-    mirror->SetScanFrequency(leg.ScanFrequency);
-    mirror->SetMirrorAngle(this->Survey.Scanner.ScanAngleMax);
-    mirror->SetVerticalAngleMin(leg.VerticalAngleMin);
-    mirror->SetVerticalAngleMax(leg.VerticalAngleMax);
-    deflector = mirror;
-  }
-  deflector->SetPulseFrequency(leg.PulseFrequency);
-  this->Scanner->SetBeamDeflector(deflector);
 }
 
 //------------------------------------------------------------------------------
@@ -178,7 +151,8 @@ void LegRunner::Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const c
 LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
 {
   Writers writers(1);
-  if (this->Settings.Format == "vtp")
+  const bool isXml = this->Settings.Format == "vtp";
+  if (isXml)
   {
     writers[0] = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
     this->Open(writers[0], plan, "_points.pvtp");
@@ -190,8 +164,8 @@ LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
   }
   if (this->Settings.Waveforms)
   {
-    writers.push_back(vtkSmartPointer<vtkHeliosWaveformTextWriter>::New());
-    this->Open(writers[1], plan, "_fullwave.txt");
+    writers.push_back(MakeWaveformWriter(isXml));
+    this->Open(writers[1], plan, isXml ? "_fullwave.pvtt" : "_fullwave.txt");
   }
   return writers;
 }
@@ -272,9 +246,19 @@ void LegRunner::CountBlock(vtkIdType pulses)
   this->Counts.FirstReturns += CountFirstReturns(echoes);
   this->Counts.PulsesFired += this->Scanner->GetNumberOfPulsesFired();
   this->Counts.PulsesHit += this->Scanner->GetNumberOfPulsesHit();
+  this->Counts.PulsesOnPlane += this->Scanner->GetNumberOfPulsesOnPlane();
+  this->Counts.PulsesWithoutBins += this->Scanner->GetNumberOfPulsesWithoutBins();
+  this->Counts.PulsesBinned += this->Scanner->GetNumberOfPulsesBinned();
+  this->Counts.SubRays += this->Scanner->GetNumberOfSubRays();
   this->Counts.HitsOutOfRange += this->Scanner->GetNumberOfHitsOutOfRange();
   this->Counts.LargestAmplitude =
     std::max(this->Counts.LargestAmplitude, this->Scanner->GetLargestAmplitude());
+}
+
+//------------------------------------------------------------------------------
+std::string LegRunner::DescribeSampling()
+{
+  return this->Scanner->DescribeSampling();
 }
 
 //------------------------------------------------------------------------------
@@ -287,6 +271,12 @@ std::string LegRunner::ExplainNoEchoes() const
   {
     text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "
             "one";
+  }
+  else if (this->Counts.PulsesFired == 0 && scanner.Type == Optics::RisleyPrisms)
+  {
+    text << "no pulse left the scanner, since its prisms reflect all of them; check angle1_deg to "
+            "angle3_deg and refrIndex1 to refrIndex3 of scanner "
+         << scanner.Id;
   }
   else if (this->Counts.PulsesFired == 0)
   {

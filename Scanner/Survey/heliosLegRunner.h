@@ -6,6 +6,7 @@
 #define heliosLegRunner_h
 
 #include "heliosLegPlan.h"
+#include "heliosReceiver.h"
 #include "heliosSurveyData.h"
 
 #include <vtkNew.h>
@@ -31,7 +32,7 @@ struct RunSettings
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, vtp
   vtkIdType Seed = 0;
-  bool Noise = true;
+  ReceiverChoice Receiver;
   bool Waveforms = false;
   vtkIdType PulsesPerBlock = 262144;
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
@@ -44,7 +45,11 @@ struct RunCounts
   vtkIdType Echoes = 0;
   vtkIdType FirstReturns = 0;
   vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;       ///< a surface in the ranges that are measured
+  vtkIdType PulsesHit = 0;         ///< a surface in the ranges that are measured
+  vtkIdType PulsesOnPlane = 0;     ///< their beam met one plane: in closed form
+  vtkIdType PulsesWithoutBins = 0; ///< their maxima were found without bins
+  vtkIdType PulsesBinned = 0;
+  vtkIdType SubRays = 0;         ///< traced
   vtkIdType HitsOutOfRange = 0;  ///< of sub-rays
   double LargestAmplitude = 0.0; ///< [W], detected or not
 };
@@ -70,6 +75,9 @@ public:
   /// written then is valid and called .part.
   bool Run(const LegPlan& plan, const BlockCallback& onBlock);
 
+  /// What sub-rays and bins the settings come to, in words.
+  std::string DescribeSampling();
+
   /// Why a run has no echo, and what to do about it.
   std::string ExplainNoEchoes() const;
 
@@ -81,7 +89,6 @@ private:
 
   void SetUpInstrument();
   void SetUpLeg(const LegPlan& plan);
-  void SetUpOptics(const LegData& leg);
   Writers OpenWriters(const LegPlan& plan);
   void Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending);
   bool WriteTrajectory(const LegPlan& plan);

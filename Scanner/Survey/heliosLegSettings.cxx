@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegSettings.h"
 
+#include "heliosLegOptics.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
@@ -37,11 +38,16 @@ private:
   void ResolvePulses();
   void ResolveScanAngles();
   void ResolveFrequencies();
+  void ResolveScanProduct();
   void ResolveHead();
+  void ResolveWarmUp();
+  void CheckUnused();
   void CheckWindow();
   void CheckScanFrequency();
   void CheckHead();
   void CheckSpeed();
+
+  bool Has(Optics type) const { return this->Scanner.Type == type; }
 
   bool HasResolution() const
   {
@@ -69,7 +75,10 @@ LegData LegResolver::Resolve()
   this->ResolvePulses();
   this->ResolveScanAngles();
   this->ResolveFrequencies();
+  this->ResolveScanProduct();
   this->ResolveHead();
+  this->ResolveWarmUp();
+  this->CheckUnused();
   this->CheckSpeed();
   return this->Leg;
 }
@@ -107,8 +116,9 @@ void LegResolver::ResolvePulses()
 //------------------------------------------------------------------------------
 void LegResolver::ResolveScanAngles()
 {
-  const double most = this->Scanner.ScanAngleMax;
   const bool isGiven = this->Given.ScanAngle > 0.0; // false for NaN
+  const bool isLimited = this->Scanner.ScanAngleMax > 0.0;
+  const double most = isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
   this->Leg.ScanAngle = isGiven ? std::min(this->Given.ScanAngle, most) : most;
   if (isGiven && this->Given.ScanAngle > most)
   {
@@ -116,6 +126,13 @@ void LegResolver::ResolveScanAngles()
     text << "scanAngle_deg=\"" << this->Given.ScanAngle << "\" is clipped to " << most
          << ", scanAngleMax_deg of scanner " << this->Scanner.Id;
     this->Warning(text);
+  }
+  if (this->Has(Optics::OscillatingMirror) && !isGiven && !isLimited)
+  {
+    Sentence text;
+    text << "no scan angle: give scanAngle_deg here, or scanAngleMax_deg for scanner "
+         << this->Scanner.Id;
+    this->Error(text);
   }
   const double effective =
     this->Scanner.ScanAngleEffectiveMax > 0.0 ? this->Scanner.ScanAngleEffectiveMax : most;
@@ -137,13 +154,12 @@ void LegResolver::CheckWindow()
   const double high = this->Leg.VerticalAngleMax;
   Sentence text;
   text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\" ";
-  if (this->Scanner.Type == Optics::RotatingMirror && !(low < high))
+  if (this->Has(Optics::RotatingMirror) && !(low < high))
   {
     text << "is no window; give a smaller one first";
     this->Error(text);
   }
-  else if (this->Scanner.Type == Optics::RotatingMirror &&
-    high - low > 2.0 * effective * (1 + 1e-12))
+  else if (this->Has(Optics::RotatingMirror) && high - low > 2.0 * effective * (1 + 1e-12))
   {
     text << "is wider than the " << 2.0 * effective << " deg of scanner " << this->Scanner.Id
          << " (twice its scanAngleEffectiveMax_deg); give a narrower window";
@@ -155,7 +171,7 @@ void LegResolver::CheckWindow()
 void LegResolver::ResolveFrequencies()
 {
   this->Leg.ScanFrequency = this->Given.ScanFrequency;
-  if (this->HasResolution() && this->Scanner.Type == Optics::RotatingMirror)
+  if (this->HasResolution() && this->Has(Optics::RotatingMirror))
   {
     this->Leg.ScanFrequency = this->Leg.PulseFrequency * this->Given.VerticalResolution /
       (2.0 * this->Scanner.ScanAngleMax);
@@ -168,13 +184,27 @@ void LegResolver::ResolveFrequencies()
       this->Error(text);
     }
   }
-  else if (this->HasResolution())
+  if (!this->Has(Optics::FiberArray) && !this->Has(Optics::RisleyPrisms))
   {
-    Sentence text;
-    text << "verticalResolution_deg and horizontalResolution_deg are not used by conic optics";
-    this->Warning(text);
+    this->CheckScanFrequency();
   }
-  this->CheckScanFrequency();
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveScanProduct()
+{
+  const double frequency = this->Leg.ScanFrequency;
+  const double asked = this->Leg.ScanAngle;
+  if (!this->Has(Optics::OscillatingMirror) || !(asked * frequency > this->Scanner.ScanProduct))
+  {
+    return;
+  }
+  this->Leg.ScanAngle = this->Scanner.ScanProduct / frequency;
+  Sentence text;
+  text << "a scan angle of " << asked << " deg is clipped to " << this->Leg.ScanAngle
+       << " deg, since scanProduct=\"" << this->Scanner.ScanProduct << "\" of scanner "
+       << this->Scanner.Id << " allows no more at scanFreq_hz=\"" << frequency << "\"";
+  this->Warning(text);
 }
 
 //------------------------------------------------------------------------------
@@ -185,7 +215,14 @@ void LegResolver::CheckScanFrequency()
   const double most = this->Scanner.ScanFrequencyMax;
   const bool isLow = frequency < least;
   const bool isHigh = most != 0.0 && frequency > most * (1.0 + 1e-9);
-  if (isLow || isHigh)
+  if (this->Has(Optics::OscillatingMirror) && frequency == 0.0)
+  {
+    Sentence text;
+    text << "scanFreq_hz is missing or 0, so that the mirror of scanner " << this->Scanner.Id
+         << " stands still; give how often it swings to and fro a second [Hz]";
+    this->Error(text);
+  }
+  else if (isLow || isHigh)
   {
     Sentence text;
     text << (this->HasResolution() ? "the scan frequency that the resolution asks for, "
@@ -239,6 +276,47 @@ void LegResolver::CheckHead()
     text << "and is there at once: the leg lasts no time; give another stop";
     this->Error(text);
   }
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveWarmUp()
+{
+  const double before = this->Leg.GetHeadTime();
+  const double turn = this->Leg.HeadRotateSpeed * this->Leg.WarmUpTime;
+  if (!this->IsMoving && before > 0.0 && this->Leg.WarmUpTime >= before)
+  {
+    Sentence text;
+    text << "opticsWarmupPhase_s=\"" << this->Leg.WarmUpTime << "\" turns the head by " << turn
+         << " deg, to headRotateStop_deg=\"" << this->Leg.HeadRotateStop
+         << "\" and beyond, before a pulse leaves; give less than " << before << " s";
+    this->Error(text);
+  }
+  // On a platform that moves, only where the head looks counts, not how it got there.
+  this->Leg.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::CheckUnused()
+{
+  const bool isRotating = this->Has(Optics::RotatingMirror);
+  const bool hasPrisms = this->Has(Optics::RisleyPrisms);
+  const bool hasWindow =
+    !std::isnan(this->Given.VerticalAngleMin) || !std::isnan(this->Given.VerticalAngleMax);
+  const bool ownsFrequency = hasPrisms || this->Has(Optics::FiberArray);
+  const auto warn = [this](const char* names, bool isUnused)
+  {
+    Sentence text;
+    text << names << " not used by " << GetOpticsName(this->Scanner.Type) << " optics";
+    if (isUnused)
+    {
+      this->Warning(text);
+    }
+  };
+  warn("verticalResolution_deg and horizontalResolution_deg are",
+    !isRotating && this->HasResolution());
+  warn("verticalAngleMin_deg and verticalAngleMax_deg are", !isRotating && hasWindow);
+  warn("scanAngle_deg is", hasPrisms && this->Given.ScanAngle > 0.0);
+  warn("scanFreq_hz is", ownsFrequency && this->Given.ScanFrequency > 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #define heliosSurveyData_h
 
 #include "heliosPose.h"
+#include "heliosReceiverData.h"
 
 #include <vtkType.h>
 
@@ -19,7 +20,19 @@ namespace helios
 enum class Optics
 {
   RotatingMirror,
-  ConicMirror
+  OscillatingMirror,
+  FiberArray,
+  ConicMirror,
+  PalmerMirror,
+  RisleyPrisms
+};
+
+/// A prism of Risley optics.
+struct PrismData
+{
+  double WedgeAngle = 0.0; ///< [deg], its sign says which face is inclined; 0: there is none
+  double RefractiveIndex = 1.0;
+  double RotorFrequency = 0.0; ///< [Hz], its sign is the sense
 };
 
 enum class PlatformType
@@ -53,9 +66,14 @@ struct ScannerData
   double ScanFrequencyMin = 0.0;        ///< [Hz]
   double ScanFrequencyMax = 0.0;        ///< [Hz], 0: no limit
   double HeadRotateSpeedMax = 0.0;      ///< [deg/s]
-  double BinSize = 0.25;                ///< [ns]
-  int NumberOfCircles = 3;              ///< of sub-rays
-  Pose Beam;                            ///< in the frame of the head
+  double ScanProduct = 1e6;             ///< [deg Hz], of angle and frequency: oscillating
+  int TurningPulses = 0;                ///< oscillating
+  bool IsSinusoidal = false;            ///< oscillating; else triangular
+  int NumberOfFibers = 1;
+  PrismData Prisms[3];
+  double AirRefractiveIndex = 1.0; ///< around the prisms
+  ReceiverData Receiver;
+  Pose Beam;                       ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };
 };
 
@@ -151,6 +169,7 @@ struct LegData
   double BeamDivergence = 0.0;         ///< [rad]
   double TrajectoryTimeInterval = 0.0; ///< [s], 0: start and end of the leg only
   double MaximumDuration = -1.0;       ///< [s], negative: no limit
+  double WarmUpTime = 0.0;             ///< [s], that the optics have moved before the leg
 
   /// How long the head turns [s]; 0 where it does not.
   double GetHeadTime() const

@@ -3,6 +3,8 @@
 #include "heliosXmlScanner.h"
 
 #include "heliosMessages.h"
+#include "heliosXmlOptics.h"
+#include "heliosXmlReceiver.h"
 
 namespace helios
 {
@@ -42,35 +44,6 @@ void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
   }
   element.GetMessages().Warning(element.Where() +
     ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
-}
-
-void ReadFwfSettings(const XmlElement& element, ScannerData& scanner)
-{
-  if (element)
-  {
-    element.CheckNames();
-    element.Read("binSize_ns", scanner.BinSize);
-    element.Read("beamSampleQuality", scanner.NumberOfCircles);
-  }
-}
-
-void ReadOptics(const XmlElement& element, ScannerData& scanner)
-{
-  const std::string optics = element.GetText("optics");
-  if (optics == "rotating" || optics == "conic")
-  {
-    scanner.Type = optics == "conic" ? Optics::ConicMirror : Optics::RotatingMirror;
-  }
-  else if (optics == "oscillating" || optics == "line" || optics == "risley")
-  {
-    element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": optics=\"" +
-      optics + "\" come with a later version; those that exist now are rotating and conic");
-  }
-  else
-  {
-    element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": optics=\"" +
-      optics + "\" are none; give rotating or conic");
-  }
 }
 
 void CheckChannels(const XmlElement& scanner)
@@ -121,7 +94,7 @@ ScannerData ReadScanner(const XmlElement& element)
   double threshold = scanner.DetectionThreshold / WattsPerUnit;
   element.Read("receivedEnergyMin_W", threshold);
   scanner.DetectionThreshold = threshold * WattsPerUnit;
-  ReadFwfSettings(element.GetChild("FWFSettings"), scanner);
+  ReadReceiver(element, scanner);
   scanner.Beam = ReadPose(element.GetChild("beamOrigin"));
   ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);
   return scanner;
@@ -157,33 +130,16 @@ PlatformData ReadPlatform(const XmlElement& element)
 //------------------------------------------------------------------------------
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner)
 {
-  ReadFwfSettings(survey.GetChild("FWFSettings"), scanner);
-  const XmlElement detector = survey.GetChild("detectorSettings");
-  if (detector)
-  {
-    detector.CheckNames();
-    detector.Read("accuracy_m", scanner.Accuracy);
-    detector.Read("rangeMin_m", scanner.RangeMin);
-    detector.Read("rangeMax_m", scanner.RangeMax);
-  }
+  OverrideReceiver(survey, scanner);
 }
 
 //------------------------------------------------------------------------------
 void CheckScanner(const ScannerData& scanner, Messages& log)
 {
+  CheckOptics(scanner, log);
+  CheckReceiver(scanner, log);
   Sentence text;
-  if (scanner.ScanAngleMax <= 0.0)
-  {
-    text
-      << "scanAngleMax_deg is missing or 0, so that no beam is deflected; give half the angle that "
-         "its mirror sweeps [deg]";
-  }
-  else if (scanner.BinSize > 0.5 * scanner.PulseLength)
-  {
-    text << "binSize_ns=\"" << scanner.BinSize << "\" is wider than half of pulseLength_ns=\""
-         << scanner.PulseLength << "\"; give smaller bins";
-  }
-  else if (!(scanner.RangeMin < scanner.RangeMax))
+  if (!(scanner.RangeMin < scanner.RangeMax))
   {
     text << "rangeMin_m=\"" << scanner.RangeMin << "\" is not below rangeMax_m=\""
          << scanner.RangeMax << "\"; no range is measured. Correct one of them";

@@ -203,6 +203,7 @@ void SurveyReader::ReadScannerSettings(const XmlElement& element, LegSettings& s
   element.Read("maxDuration_s", leg.MaximumDuration);
   element.Read("verticalResolution_deg", settings.VerticalResolution);
   element.Read("horizontalResolution_deg", settings.HorizontalResolution);
+  element.Read("opticsWarmupPhase_s", leg.WarmUpTime);
 }
 
 //------------------------------------------------------------------------------

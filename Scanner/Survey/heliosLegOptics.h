@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The optics of a leg: what deflects its beam.
+
+#ifndef heliosLegOptics_h
+#define heliosLegOptics_h
+
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkHeliosBeamDeflector;
+
+namespace helios
+{
+
+/// Optics as files write them.
+struct OpticsName
+{
+  const char* Name;
+  Optics Type;
+};
+
+constexpr OpticsName OpticsNames[] = { { "rotating", Optics::RotatingMirror },
+  { "oscillating", Optics::OscillatingMirror }, { "line", Optics::FiberArray },
+  { "conic", Optics::ConicMirror }, { "palmer", Optics::PalmerMirror },
+  { "risley", Optics::RisleyPrisms } };
+
+const char* GetOpticsName(Optics type);
+
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
+  const ScannerData& scanner, const LegData& leg);
+
+} // namespace helios
+
+#endif

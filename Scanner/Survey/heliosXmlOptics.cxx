@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlOptics.h"
+
+#include "heliosLegOptics.h"
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace helios
+{
+
+namespace
+{
+
+void ReadType(const XmlElement& element, ScannerData& scanner)
+{
+  const std::string optics = element.GetText("optics");
+  for (const OpticsName& name : OpticsNames)
+  {
+    if (optics == name.Name)
+    {
+      scanner.Type = name.Type;
+      return;
+    }
+  }
+  element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": optics=\"" + optics +
+    "\" are none; give rotating, oscillating, line, conic, palmer or risley");
+}
+
+void ReadPattern(const XmlElement& element, ScannerData& scanner)
+{
+  const std::string pattern = element.GetText("scanPattern");
+  scanner.IsSinusoidal = pattern == "sinusoidal";
+  if (!pattern.empty() && pattern != "triangular" && !scanner.IsSinusoidal)
+  {
+    element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": scanPattern=\"" +
+      pattern + "\" is none; give triangular or sinusoidal");
+  }
+}
+
+/// Of prisms counted from 0, as the file counts them.
+std::string Numbered(const char* before, int prism, const char* after = "")
+{
+  return before + std::to_string(prism + 1) + after;
+}
+
+void ReadPrisms(const XmlElement& element, ScannerData& scanner)
+{
+  element.Read("refrIndex_air", scanner.AirRefractiveIndex);
+  for (int k = 0; k < 3; ++k)
+  {
+    PrismData& prism = scanner.Prisms[k];
+    element.Read(Numbered("angle", k, "_deg").c_str(), prism.WedgeAngle);
+    element.Read(Numbered("refrIndex", k).c_str(), prism.RefractiveIndex);
+    element.Read(Numbered("rotorFreq", k, "_Hz").c_str(), prism.RotorFrequency);
+  }
+}
+
+/// A prism that bends the beam.
+bool Bends(const PrismData& prism, const ScannerData& scanner)
+{
+  return prism.WedgeAngle != 0.0 && prism.RefractiveIndex != scanner.AirRefractiveIndex;
+}
+
+void CheckPrisms(const ScannerData& scanner, Messages& log)
+{
+  const std::string who = scanner.Where + ": scanner " + scanner.Id + ": ";
+  if (std::none_of(std::begin(scanner.Prisms), std::end(scanner.Prisms),
+        [&scanner](const PrismData& prism) { return Bends(prism, scanner); }))
+  {
+    log.Error(who +
+      "none of its prisms bends the beam; give angle1_deg, and a refrIndex1 above refrIndex_air");
+    return;
+  }
+  for (int k = 0; k < 3; ++k)
+  {
+    if (scanner.Prisms[k].WedgeAngle != 0.0 && !Bends(scanner.Prisms[k], scanner))
+    {
+      log.Warning(who + Numbered("prism ", k) + " does not bend the beam; give a " +
+        Numbered("refrIndex", k) + " above refrIndex_air");
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void ReadOptics(const XmlElement& element, ScannerData& scanner)
+{
+  ReadType(element, scanner);
+  ReadPattern(element, scanner);
+  ReadPrisms(element, scanner);
+  element.Read("scanProduct", scanner.ScanProduct);
+  element.Read("turningPulses", scanner.TurningPulses);
+  element.Read("numFibers", scanner.NumberOfFibers);
+}
+
+//------------------------------------------------------------------------------
+void CheckOptics(const ScannerData& scanner, Messages& log)
+{
+  // A swinging mirror may take its angle from the leg.
+  const bool hasAngle = scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror;
+  if (scanner.Type == Optics::RisleyPrisms)
+  {
+    CheckPrisms(scanner, log);
+  }
+  else if (!hasAngle)
+  {
+    log.Error(scanner.Where + ": scanner " + scanner.Id +
+      ": scanAngleMax_deg is missing or 0, so that no beam is deflected; give half the angle that "
+      "its mirror sweeps [deg]");
+  }
+}
+
+} // namespace helios
