@@ -21,6 +21,16 @@ vtkStandardNewMacro(vtkHeliosSurveyPlayer);
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+bool IsToleranceOrZero(double tolerance, double least)
+{
+  return tolerance == 0.0 || (tolerance >= least && tolerance <= 1.0);
+}
+
+} // namespace
+
 /// One run of a player.
 class vtkHeliosSurveyPlayer::Internals
 {
@@ -36,6 +46,7 @@ public:
 
 private:
   bool CheckSettings();
+  bool ChooseReceiver();
   bool ChooseRayCaster();
   bool CheckFolder();
   bool ClearFolder();
@@ -70,6 +81,7 @@ bool vtkHeliosSurveyPlayer::Internals::Run()
     return this->Fail();
   }
   this->Player->NumberOfPulses = runner.GetNumberOfPulses();
+  this->Player->Sampling = runner.DescribeSampling();
   if (this->Player->NumberOfPulses == 0)
   {
     return this->Fail(runner.ExplainNoEchoes());
@@ -95,10 +107,48 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   this->Settings.Folder = (fs::path(output) / player->Survey->GetName()).string();
   this->Settings.Format = format;
   this->Settings.Seed = player->Seed;
-  this->Settings.Noise = player->Noise;
+  this->Settings.Receiver.Noise = player->Noise;
   this->Settings.Waveforms = player->WriteWaveforms;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
-  return this->ChooseRayCaster();
+  return this->ChooseReceiver() && this->ChooseRayCaster();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::ChooseReceiver()
+{
+  const vtkHeliosSurveyPlayer* player = this->Player;
+  helios::Sentence fault;
+  if (!IsToleranceOrZero(player->RangeTolerance, 1e-6))
+  {
+    fault << "RangeTolerance is " << player->RangeTolerance
+          << "; give 0.000001 to 1 m, or 0: as the survey says";
+  }
+  else if (!IsToleranceOrZero(player->EnergyTolerance, 1e-4))
+  {
+    fault << "EnergyTolerance is " << player->EnergyTolerance
+          << "; give 0.0001 to 1, or 0: as the survey says";
+  }
+  else if (player->NumberOfSubRays > 0 &&
+    (player->RangeTolerance > 0.0 || player->EnergyTolerance > 0.0))
+  {
+    fault << "NumberOfSubRays is " << player->NumberOfSubRays
+          << " beside a tolerance, which would choose it; set one of them to 0";
+  }
+  const std::string detector = player->EchoDetector ? player->EchoDetector : "";
+  const std::vector<std::string> known = helios::GetEchoDetectorNames();
+  if (!detector.empty() && std::find(known.begin(), known.end(), detector) == known.end())
+  {
+    fault << "EchoDetector is \"" << detector << "\"; give " << helios::Enumerate(known);
+  }
+  if (!fault.str().empty())
+  {
+    return this->Fail(fault.str());
+  }
+  this->Settings.Receiver.RangeTolerance = player->RangeTolerance;
+  this->Settings.Receiver.EnergyTolerance = player->EnergyTolerance;
+  this->Settings.Receiver.NumberOfSubRays = player->NumberOfSubRays;
+  this->Settings.Receiver.EchoDetector = detector;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -253,6 +303,10 @@ bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
   player->NumberOfPulsesFired = counts.PulsesFired;
   player->NumberOfEchoes = counts.Echoes;
   player->NumberOfFirstReturns = counts.FirstReturns;
+  player->NumberOfPulsesOnPlane = counts.PulsesOnPlane;
+  player->NumberOfPulsesWithoutBins = counts.PulsesWithoutBins;
+  player->NumberOfPulsesBinned = counts.PulsesBinned;
+  player->NumberOfSubRaysTraced = counts.SubRays;
   player->Progress =
     static_cast<double>(counts.Pulses) / static_cast<double>(player->NumberOfPulses);
   double progress = player->Progress;
@@ -289,6 +343,7 @@ vtkHeliosSurveyPlayer::~vtkHeliosSurveyPlayer()
   this->SetOutputDirectory(nullptr);
   this->SetFormat(nullptr);
   this->SetRayCaster(nullptr);
+  this->SetEchoDetector(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +379,11 @@ bool vtkHeliosSurveyPlayer::Run()
   this->NumberOfPulsesFired = 0;
   this->NumberOfEchoes = 0;
   this->NumberOfFirstReturns = 0;
+  this->NumberOfPulsesOnPlane = 0;
+  this->NumberOfPulsesWithoutBins = 0;
+  this->NumberOfPulsesBinned = 0;
+  this->NumberOfSubRaysTraced = 0;
+  this->Sampling.clear();
   this->Message.clear();
   this->InvokeEvent(vtkCommand::StartEvent);
   bool good = false;
@@ -349,6 +409,10 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
      << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
+     << indent << "RangeTolerance: " << this->RangeTolerance << "\n"
+     << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
+     << indent << "NumberOfSubRays: " << this->NumberOfSubRays << "\n"
+     << indent << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector : "(none)") << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Noise: " << this->Noise << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"

@@ -17,7 +17,7 @@
  * - legNNN_points.xyz (or .pvtp): the echoes
  * - legNNN_trajectory.txt: the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
- * - legNNN_fullwave.txt, with WriteWaveforms: the waveforms
+ * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
  *
  * While a leg runs its files end in .part and are valid up to the last block.
  *
@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the form of the point files: "xyz", text columns, or "vtp", VTK XML.
-   * Default: "xyz".
+   * Set/Get the form of points and waveforms: "xyz", text columns, or "vtp", VTK
+   * XML. Default: "xyz".
    */
   vtkSetStringMacro(Format);
   vtkGetStringMacro(Format);
@@ -90,6 +90,39 @@ public:
   vtkSetMacro(Noise, bool);
   vtkGetMacro(Noise, bool);
   vtkBooleanMacro(Noise, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the errors that the sampling of the beam may make, in range [m] and
+   * in amplitude (relative): as vtkHeliosScanner has them, instead of what the
+   * survey says. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0, as the
+   * survey says.
+   */
+  vtkSetMacro(RangeTolerance, double);
+  vtkGetMacro(RangeTolerance, double);
+  vtkSetMacro(EnergyTolerance, double);
+  vtkGetMacro(EnergyTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the number of sub-rays that every pulse has: 1, 7, 19, 37, 62 ... on
+   * circles as beamSampleQuality has them, any other number (rounded up to a
+   * multiple of 4) on a spiral. Valid range: [0, 65536]. Default: 0, as the
+   * survey says.
+   */
+  vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
+  vtkGetMacro(NumberOfSubRays, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get what makes echoes of waveforms: "peak", "gaussian", "cfd" or
+   * "leadingEdge". Default: none, as the survey says.
+   */
+  vtkSetStringMacro(EchoDetector);
+  vtkGetStringMacro(EchoDetector);
   ///@}
 
   ///@{
@@ -165,6 +198,20 @@ public:
   vtkGetMacro(NumberOfFirstReturns, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Which way the pulses went that left the scanner: they met one plane, which is
+   * written down in closed form; their maxima were found without bins; they were
+   * binned; the rest met nothing. The sub-rays traced for all of them. What the
+   * sampling came to, in words.
+   */
+  vtkGetMacro(NumberOfPulsesOnPlane, vtkIdType);
+  vtkGetMacro(NumberOfPulsesWithoutBins, vtkIdType);
+  vtkGetMacro(NumberOfPulsesBinned, vtkIdType);
+  vtkGetMacro(NumberOfSubRaysTraced, vtkIdType);
+  std::string GetSampling() const { return this->Sampling; }
+  ///@}
+
 protected:
   vtkHeliosSurveyPlayer();
   ~vtkHeliosSurveyPlayer() override;
@@ -180,6 +227,10 @@ private:
   char* OutputDirectory = nullptr;
   char* Format = nullptr;
   char* RayCaster = nullptr;
+  char* EchoDetector = nullptr;
+  double RangeTolerance = 0.0;
+  double EnergyTolerance = 0.0;
+  int NumberOfSubRays = 0;
   vtkIdType Seed = 0;
   bool Noise = true;
   bool WriteWaveforms = false;
@@ -194,6 +245,11 @@ private:
   vtkIdType NumberOfPulsesFired = 0;
   vtkIdType NumberOfEchoes = 0;
   vtkIdType NumberOfFirstReturns = 0;
+  vtkIdType NumberOfPulsesOnPlane = 0;
+  vtkIdType NumberOfPulsesWithoutBins = 0;
+  vtkIdType NumberOfPulsesBinned = 0;
+  vtkIdType NumberOfSubRaysTraced = 0;
+  std::string Sampling;
   std::string Message;
 };
 

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosReceiver.h"
+
+#include "heliosSurveyData.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosScanner.h"
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr int MostCircles = 64;
+
+void SetUpRadiometry(const ScannerData& data, vtkHeliosScanner* scanner)
+{
+  const ReceiverData& receiver = data.Receiver;
+  scanner->SetPulseLength(data.PulseLength);
+  scanner->SetAveragePower(data.AveragePower);
+  scanner->SetWavelength(data.Wavelength);
+  scanner->SetOpticalEfficiency(data.OpticalEfficiency);
+  scanner->SetReceiverDiameter(data.ReceiverDiameter);
+  scanner->SetAtmosphericVisibility(data.AtmosphericVisibility);
+  scanner->SetAtmosphericExtinction(receiver.Extinction);
+  scanner->SetSolarIrradiance(receiver.SolarIrradiance);
+  scanner->SetFilterBandwidth(receiver.FilterBandwidth);
+  scanner->SetFieldOfView(receiver.FieldOfView);
+  if (receiver.PulseShape == "sampled")
+  {
+    scanner->SetPulseShapeToSampled();
+    scanner->SetPulseFileName(receiver.PulseFile.c_str());
+  }
+  else if (receiver.PulseShape == "helios")
+  {
+    scanner->SetPulseShapeToHelios();
+  }
+}
+
+/// So many sub-rays: circles where they are that many, else a spiral.
+void SetNumberOfSubRays(int count, vtkHeliosBeamSampler* sampler)
+{
+  sampler->SetPatternToCircles();
+  for (int circles = 1; circles <= MostCircles; ++circles)
+  {
+    sampler->SetNumberOfCircles(circles);
+    if (sampler->GetNumberOfSubRays() == count)
+    {
+      return;
+    }
+  }
+  sampler->SetPatternToVogel();
+  sampler->SetNumberOfSubRays(count);
+}
+
+void SetUpSampling(
+  const ReceiverData& receiver, const ReceiverChoice& choice, vtkHeliosScanner* scanner)
+{
+  const bool hasTolerance = choice.RangeTolerance > 0.0 || choice.EnergyTolerance > 0.0;
+  scanner->SetRangeTolerance(
+    choice.RangeTolerance > 0.0 ? choice.RangeTolerance : receiver.RangeTolerance);
+  scanner->SetEnergyTolerance(
+    choice.EnergyTolerance > 0.0 ? choice.EnergyTolerance : receiver.EnergyTolerance);
+  vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
+  scanner->SetSamplingToFixed();
+  if (choice.NumberOfSubRays > 0)
+  {
+    SetNumberOfSubRays(choice.NumberOfSubRays, sampler);
+  }
+  else if (receiver.NumberOfCircles > 0 && !hasTolerance)
+  {
+    sampler->SetPatternToCircles();
+    sampler->SetNumberOfCircles(receiver.NumberOfCircles);
+  }
+  else
+  {
+    scanner->SetSamplingToTolerance();
+  }
+}
+
+void SetUpWaveforms(const ReceiverData& receiver, vtkHeliosScanner* scanner)
+{
+  scanner->SetBinSize(receiver.BinSize);
+  scanner->SetMaximumWaveformLength(receiver.MaximumLength);
+  scanner->SetNumberOfBins(receiver.NumberOfBins);
+}
+
+void SetUpReturns(const ScannerData& data, vtkHeliosScanner* scanner)
+{
+  const std::string& selection = data.Receiver.ReturnSelection;
+  scanner->SetRangeMin(data.RangeMin);
+  scanner->SetRangeMax(data.RangeMax);
+  scanner->SetMaximumNumberOfReturns(data.MaximumNumberOfReturns);
+  scanner->SetReturnSelection(selection == "first" ? vtkHeliosScanner::FIRST
+      : selection == "last"                        ? vtkHeliosScanner::LAST
+      : selection == "strongest"                   ? vtkHeliosScanner::STRONGEST
+      : selection == "firstAndLast"                ? vtkHeliosScanner::FIRST_AND_LAST
+                                                   : vtkHeliosScanner::ALL);
+}
+
+void SetUpNoise(const ScannerData& data, bool hasNoise, vtkHeliosScanner* scanner)
+{
+  const ReceiverData& receiver = data.Receiver;
+  const double factor = hasNoise ? 1.0 : 0.0;
+  scanner->SetRangeAccuracy(factor * data.Accuracy);
+  scanner->SetRangeAccuracyPerMeter(factor * receiver.AccuracyPerMeter);
+  scanner->SetRangeAccuracyAtThreshold(factor * receiver.AccuracyAtThreshold);
+  scanner->SetAngleAccuracy(factor * receiver.AngleAccuracy);
+  scanner->SetDetectorNoise(factor * receiver.DetectorNoise);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetEchoDetectorNames()
+{
+  return { "peak", "gaussian", "cfd", "leadingEdge" };
+}
+
+//------------------------------------------------------------------------------
+void SetUpReceiver(const ScannerData& data, const ReceiverChoice& choice, vtkHeliosScanner* scanner)
+{
+  SetUpRadiometry(data, scanner);
+  vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
+  sampler->SetWavelength(data.Wavelength);
+  sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
+  SetUpSampling(data.Receiver, choice, scanner);
+  SetUpWaveforms(data.Receiver, scanner);
+  SetUpReturns(data, scanner);
+  SetUpNoise(data, choice.Noise, scanner);
+  scanner->GetEchoDetector()->SetDetectionThreshold(data.DetectionThreshold);
+}
+
+} // namespace helios

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a scanner samples its beam, and what it makes of what comes back: plain data.
+
+#ifndef heliosReceiverData_h
+#define heliosReceiverData_h
+
+#include <string>
+
+namespace helios
+{
+
+/// Errors as expressions of an angle [rad] or, the noise factor, of a range [m]; empty: none.
+struct ErrorExpressions
+{
+  std::string Where;
+  std::string Range;                 ///< [m]
+  std::string Deflection;            ///< [rad]
+  std::string Head;                  ///< [rad]
+  double HeadZeroSinThreshold = 0.0; ///< [deg], of the angle from multiples of pi
+  std::string RangeNoiseFactor;
+
+  bool IsEmpty() const
+  {
+    return this->Range.empty() && this->Deflection.empty() && this->Head.empty() &&
+      this->RangeNoiseFactor.empty();
+  }
+};
+
+struct ReceiverData
+{
+  std::string Where;                ///< what was read last
+  int NumberOfCircles = 0;          ///< of sub-rays, always these; 0: as the tolerances ask
+  double RangeTolerance = 1e-3;     ///< [m]
+  double EnergyTolerance = 1e-2;    ///< relative
+  double BinSize = 0.25;            ///< [ns]
+  double MaximumLength = 0.0;       ///< [ns], of a waveform; 0: as long as the target
+  int NumberOfBins = 0;             ///< of a waveform; 0: as many as needed
+  double PeakWindow = 0.0;          ///< [ns], either side of a peak; 0: none
+  std::string PulseShape;           ///< gaussian, helios, sampled; empty: the default
+  std::string PulseFile;            ///< of a sampled pulse
+  std::string EchoDetector;         ///< its name; empty: the default
+  std::string ReturnSelection;      ///< all, first, last, strongest, firstAndLast; empty: all
+  double DetectorNoise = 0.0;       ///< [W]
+  double SolarIrradiance = 0.0;     ///< [W/m^2/nm]
+  double FilterBandwidth = 1.0;     ///< [nm]
+  double FieldOfView = 1e-3;        ///< [rad], full angle
+  double Extinction = -1.0;         ///< [1/m]; negative: from the visibility
+  double BeamQualityFactor = 0.0;   ///< M2; 0: no waist
+  double AccuracyPerMeter = 0.0;    ///< [m/m]
+  double AccuracyAtThreshold = 0.0; ///< [m]
+  double AngleAccuracy = 0.0;       ///< [rad]
+  ErrorExpressions Errors;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlReceiver.h"
+
+#include "heliosMessages.h"
+#include "heliosReceiver.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double WattsPerNanowatt = 1e-9;
+
+/// Reads one of some words; an error where it is another.
+void ReadChoice(const XmlElement& element, const char* name,
+  const std::vector<std::string>& choices, std::string& target)
+{
+  std::string given;
+  if (!element.Read(name, given))
+  {
+    return;
+  }
+  if (std::find(choices.begin(), choices.end(), given) != choices.end())
+  {
+    target = given;
+    return;
+  }
+  const std::string nearest = FindNearestName(given, choices);
+  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + given + "\" is none; " +
+    (nearest.empty() ? "give one of " + Enumerate(choices) : "did you mean " + nearest + "?"));
+}
+
+/// gaussian, helios, or the name of a file: beside the XML, else as it is.
+void ReadPulseShape(const XmlElement& element, ReceiverData& receiver)
+{
+  std::string shape;
+  if (!element.Read("pulseShape", shape))
+  {
+    return;
+  }
+  receiver.PulseShape = shape;
+  receiver.PulseFile.clear();
+  if (shape == "gaussian" || shape == "helios")
+  {
+    return;
+  }
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(element.GetDocument().GetPath()).parent_path();
+  std::error_code ignored;
+  for (const fs::path& path : { folder / shape, fs::path(shape) })
+  {
+    if (fs::is_regular_file(path, ignored))
+    {
+      receiver.PulseShape = "sampled";
+      receiver.PulseFile = path.string();
+      return;
+    }
+  }
+  element.GetMessages().Error(element.Where() + ": pulseShape=\"" + shape +
+    "\" is no pulse and no file; give gaussian, helios, or a text file of times [ns] and powers");
+}
+
+/// A number of circles, or tolerances: what an element says wins over what was said before.
+void ReadSampling(const XmlElement& element, ReceiverData& receiver)
+{
+  const bool hasRange = element.Read("rangeTolerance_m", receiver.RangeTolerance);
+  const bool hasEnergy = element.Read("energyTolerance", receiver.EnergyTolerance);
+  int circles = 0;
+  if (element.GetTag() == "FWFSettings" && element.Read("beamSampleQuality", circles))
+  {
+    receiver.NumberOfCircles = circles;
+    if (hasRange || hasEnergy)
+    {
+      element.GetMessages().Warning(element.Where() + ": " +
+        (hasRange ? "rangeTolerance_m" : "energyTolerance") +
+        " is not used beside beamSampleQuality, which always samples the same sub-rays; leave one "
+        "of them");
+    }
+  }
+  else if (hasRange || hasEnergy)
+  {
+    receiver.NumberOfCircles = 0;
+  }
+}
+
+/// What vtkHelios has beyond the dialect, on <FWFSettings> and <survey>.
+void ReadOwn(const XmlElement& element, ReceiverData& receiver)
+{
+  ReadSampling(element, receiver);
+  ReadChoice(element, "echoDetector", GetEchoDetectorNames(), receiver.EchoDetector);
+  ReadChoice(element, "returnSelection", { "all", "first", "last", "strongest", "firstAndLast" },
+    receiver.ReturnSelection);
+  ReadPulseShape(element, receiver);
+}
+
+/// The names of the Java time that say the same as attributes of <scanner>.
+void ReadJavaNames(const XmlElement& element, ScannerData& data)
+{
+  element.Read("pulseLength_ns", data.PulseLength);
+  element.Read("beamDivergence_rad", data.BeamDivergence);
+  element.Read("scannerEfficiency", data.OpticalEfficiency);
+  element.Read("atmosphericVisibility", data.AtmosphericVisibility);
+  element.Read("scannerWaveLength", data.Wavelength);
+  element.Read("numFullwaveBins", data.Receiver.NumberOfBins);
+  double bins = 0.0;
+  if (element.Read("winSize", bins))
+  {
+    data.Receiver.PeakWindow = bins * data.Receiver.BinSize;
+  }
+}
+
+/// An aperture that HELIOS reads and never uses: said where it is not the receiver's.
+void CheckAperture(const XmlElement& element, const char* name, const ScannerData& data)
+{
+  double aperture = data.ReceiverDiameter;
+  if (element.Read(name, aperture) && aperture != data.ReceiverDiameter)
+  {
+    Sentence text;
+    text << element.Where() << ": " << name << "=\"" << aperture
+         << "\" has no effect; the receiver has receiverDiameter_m=\"" << data.ReceiverDiameter
+         << "\" of scanner " << data.Id;
+    element.GetMessages().WarnOnce(text.str(), text.str());
+  }
+}
+
+void ReadFwfSettings(const XmlElement& element, ScannerData& data)
+{
+  if (!element)
+  {
+    return;
+  }
+  element.CheckNames();
+  ReceiverData& receiver = data.Receiver;
+  receiver.Where = element.Where();
+  element.Read("binSize_ns", receiver.BinSize);
+  ReadJavaNames(element, data);
+  element.Read("winSize_ns", receiver.PeakWindow);
+  element.Read("maxFullwaveRange_ns", receiver.MaximumLength);
+  ReadOwn(element, receiver);
+  CheckAperture(element, "apertureDiameter_m", data);
+  CheckAperture(element, "apartureDiameter", data);
+}
+
+void ReadNoise(const XmlElement& scanner, ReceiverData& receiver)
+{
+  double noise = receiver.DetectorNoise / WattsPerNanowatt;
+  scanner.Read("detectorNoise_nW", noise);
+  receiver.DetectorNoise = noise * WattsPerNanowatt;
+  scanner.Read("solarIrradiance_W_m2_nm", receiver.SolarIrradiance);
+  scanner.Read("filterBandwidth_nm", receiver.FilterBandwidth);
+  scanner.Read("fieldOfView_rad", receiver.FieldOfView);
+  scanner.Read("atmosphericExtinction_1_m", receiver.Extinction);
+  scanner.Read("beamQualityFactor", receiver.BeamQualityFactor);
+  scanner.Read("accuracyPerMeter", receiver.AccuracyPerMeter);
+  scanner.Read("accuracyAtThreshold_m", receiver.AccuracyAtThreshold);
+  scanner.Read("angleAccuracy_rad", receiver.AngleAccuracy);
+}
+
+void ReadExpression(const XmlElement& scanner, const char* tag, std::string& target)
+{
+  const XmlElement element = scanner.GetChild(tag);
+  if (!element)
+  {
+    return;
+  }
+  element.CheckNames();
+  if (!element.Read("expr", target) || target.empty())
+  {
+    element.GetMessages().Error(element.Where() + ": <" + tag +
+      "> has no expr; add one, such as expr=\"0.001 * sin(THETA)\"");
+  }
+}
+
+void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)
+{
+  errors.Where = scanner.Where();
+  ReadExpression(scanner, "rangeError", errors.Range);
+  ReadExpression(scanner, "deflectionError", errors.Deflection);
+  ReadExpression(scanner, "headError", errors.Head);
+  if (const XmlElement head = scanner.GetChild("headError"))
+  {
+    head.Read("zeroSinThreshold_deg", errors.HeadZeroSinThreshold);
+  }
+}
+
+void ReadDetectorSettings(const XmlElement& element, ScannerData& data)
+{
+  if (element)
+  {
+    element.CheckNames();
+    element.Read("accuracy_m", data.Accuracy);
+    element.Read("rangeMin_m", data.RangeMin);
+    element.Read("rangeMax_m", data.RangeMax);
+    if (element.Read("distanceMeasurementError", data.Receiver.Errors.RangeNoiseFactor))
+    {
+      data.Receiver.Errors.Where = element.Where();
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void ReadReceiver(const XmlElement& scanner, ScannerData& data)
+{
+  data.Receiver.Where = scanner.Where();
+  ReadNoise(scanner, data.Receiver);
+  ReadErrors(scanner, data.Receiver.Errors);
+  ReadFwfSettings(scanner.GetChild("FWFSettings"), data);
+}
+
+//------------------------------------------------------------------------------
+void OverrideReceiver(const XmlElement& survey, ScannerData& data)
+{
+  ReadFwfSettings(survey.GetChild("FWFSettings"), data);
+  ReadDetectorSettings(survey.GetChild("detectorSettings"), data);
+  ReadOwn(survey, data.Receiver);
+}
+
+//------------------------------------------------------------------------------
+void CheckReceiver(const ScannerData& data, Messages& log)
+{
+  const ReceiverData& receiver = data.Receiver;
+  const bool isSampled = !receiver.PulseFile.empty(); // its length is in the file
+  const double length = receiver.NumberOfBins > 0 && receiver.MaximumLength > 0.0
+    ? std::min(receiver.MaximumLength, receiver.NumberOfBins * receiver.BinSize)
+    : std::max(receiver.MaximumLength, receiver.NumberOfBins * receiver.BinSize);
+  Sentence text;
+  if (!isSampled && receiver.BinSize > 0.5 * data.PulseLength)
+  {
+    text << "binSize_ns=\"" << receiver.BinSize << "\" is wider than half of pulseLength_ns=\""
+         << data.PulseLength << "\"; give smaller bins";
+  }
+  else if (!isSampled && length > 0.0 && length < data.PulseLength)
+  {
+    text << "waveforms of " << length << " ns ("
+         << (length == receiver.MaximumLength ? "maxFullwaveRange_ns" : "numFullwaveBins")
+         << ") are shorter than pulseLength_ns=\"" << data.PulseLength
+         << "\"; give longer ones, or 0: as long as the target";
+  }
+  if (!text.str().empty())
+  {
+    log.Error(receiver.Where + ": scanner " + data.Id + ": " + text.str());
+  }
+}
+
+} // namespace helios
