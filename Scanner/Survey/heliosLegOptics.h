@@ -6,6 +6,7 @@
 #define heliosLegOptics_h
 
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -28,7 +29,7 @@ constexpr OpticsName OpticsNames[] = { { "rotating", Optics::RotatingMirror },
 
 const char* GetOpticsName(Optics type);
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
+VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
   const ScannerData& scanner, const LegData& leg);
 
 } // namespace helios

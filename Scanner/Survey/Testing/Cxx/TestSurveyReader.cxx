@@ -101,7 +101,7 @@ TEST_CASE("SurveyReader: scanner, platform and units", "[SurveyReader]")
   CHECK(scanner.PulseLength == 5.0);
   CHECK(scanner.Accuracy == 0.005);
   CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // counted in nanowatts
-  CHECK(scanner.NumberOfCircles == 2);
+  CHECK(scanner.Receiver.NumberOfCircles == 2);
   CHECK(scanner.Beam.Position[2] == 0.2);
   CHECK(reading.Data().Platform.Mount.Position[2] == 1.5);
   const helios::LegData& leg = reading.Data().Legs.at(0);
@@ -243,8 +243,8 @@ TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader
 <FWFSettings binSize_ns="0.5"/><detectorSettings accuracy_m="0.02" rangeMax_m="80"/>)");
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
-  CHECK(reading.Data().Scanner.BinSize == 0.5);
-  CHECK(reading.Data().Scanner.NumberOfCircles == 2); // the scanner's
+  CHECK(reading.Data().Scanner.Receiver.BinSize == 0.5);
+  CHECK(reading.Data().Scanner.Receiver.NumberOfCircles == 2); // the scanner's
   CHECK(reading.Data().Scanner.Accuracy == 0.02);
   CHECK(reading.Data().Scanner.RangeMin == 0.5);
   CHECK(reading.Data().Scanner.RangeMax == 80.0);
@@ -509,10 +509,9 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
   const std::string loader = R"(<filter type="objloader">)";
   CheckAllRefused(Tripod, OneLeg,
     {
-      { "assets.xml", "optics=\"rotating\"", "optics=\"risley\"",
-        { "assets.xml:5", "scanner tls", "risley", "later version", "rotating and conic" } },
       { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
-        { "assets.xml:5", "optics=\"turning\"", "give rotating or conic" } },
+        { "assets.xml:5", "scanner tls", "optics=\"turning\" are none",
+          "give rotating, oscillating, line, conic, palmer or risley" } },
       { "assets.xml", "<FWFSettings", "<channels/><FWFSettings",
         { "assets.xml:8", "<channels>", "later version" } },
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
@@ -632,10 +631,9 @@ TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
         { "survey.xml:5", "element <weather> in <leg> is unknown and not used" } },
       { "survey.xml", "x=\"1\"", "stopAndTurn=\"true\"",
         { "survey.xml:4", "attribute stopAndTurn of <platformSettings> is not used" } },
-      { "survey.xml", "</survey>",
-        "<FWFSettings winSize_ns=\"1\" maxFullwaveRange_ns=\"9\"/></survey>",
-        { "survey.xml:6", "attribute winSize_ns of <FWFSettings> is not used",
-          "attribute maxFullwaveRange_ns" } },
+      { "survey.xml", "</survey>", "<FWFSettings peakEnergy=\"500\" numTimeBins=\"100\"/></survey>",
+        { "survey.xml:6", "attribute peakEnergy of <FWFSettings> is not used",
+          "attribute numTimeBins" } },
       { "assets.xml", "<scannerMount", "<positionXNoise/><scannerMount",
         { "assets.xml:2", "element <positionXNoise> in <platform> is not used" } },
       { "survey.xml", "</leg>", "<scannerSettings/></leg>",
