@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBeamTracer.h"
 
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +15,7 @@ BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
 {
   if (model.Lattice)
   {
-    const std::size_t side = static_cast<std::size_t>(model.Lattice->GetSide());
+    const std::size_t side = static_cast<std::size_t>(model.Lattice->GetNumberOfCorners());
     this->Slots.assign(side * side, -1);
   }
 }
@@ -28,48 +27,20 @@ void BeamTracer::Trace(const Pulse& pulse, std::vector<SubReturn>& returns,
   this->Returns = &returns;
   this->SubRays = &subRays;
   this->Start(pulse);
-  const SamplingPlan& plan = this->Model.Plan;
-  int size = 2 << plan.Levels; // of a cell, in steps of the lattice
-  double weight = 1.0 / (plan.BaseCells * plan.BaseCells);
-  for (int y = 0; y < plan.BaseCells; ++y)
-  {
-    for (int x = 0; x < plan.BaseCells; ++x)
-    {
-      this->Cells.push_back({ size * x, size * y });
-    }
-  }
   for (int level = 0; !this->Cells.empty(); ++level)
   {
-    this->CastRays();
     this->Finer.clear();
+    int corners[4];
     for (const Cell& cell : this->Cells)
     {
-      int corners[4];
-      this->GetCorners(cell, size, corners);
-      if (this->IsSmooth(corners))
-      {
-        this->ReturnFromCentre(cell, size, corners[0], weight);
-      }
-      else if (level == plan.Levels)
-      {
-        this->ReturnFromCorners(corners, weight);
-      }
-      else
-      {
-        const int half = size / 2;
-        this->Finer.insert(this->Finer.end(),
-          { cell, { cell.X + half, cell.Y }, { cell.X, cell.Y + half },
-            { cell.X + half, cell.Y + half } });
-      }
+      this->GetCorners(cell, level, corners);
+    }
+    this->CastRays();
+    for (const Cell& cell : this->Cells)
+    {
+      this->Visit(cell, level);
     }
     this->Cells.swap(this->Finer);
-    size /= 2;
-    weight *= 0.25;
-    for (const Cell& cell : this->Cells)
-    {
-      int corners[4];
-      this->GetCorners(cell, size, corners);
-    }
   }
   this->ReturnFromWeights();
   counts.SubRays += static_cast<vtkIdType>(this->Corners.size());
@@ -85,59 +56,89 @@ void BeamTracer::Start(const Pulse& pulse)
   this->Beam = pulse;
   this->Returns->clear();
   this->SubRays->clear();
-  for (const int slot : this->Used)
+  for (const std::size_t slot : this->Used)
   {
-    this->Slots[static_cast<std::size_t>(slot)] = -1;
+    this->Slots[slot] = -1;
   }
   this->Used.clear();
   this->Rays.clear();
   this->Corners.clear();
   this->Cells.clear();
-  const int size = 2 << this->Model.Plan.Levels;
-  for (int y = 0; y <= this->Model.Plan.BaseCells; ++y)
+  const int n = this->Model.Lattice->GetBaseCells();
+  for (int i = 0; i < n * n; ++i)
   {
-    for (int x = 0; x <= this->Model.Plan.BaseCells; ++x)
-    {
-      this->GetCorner(size * x, size * y);
-    }
+    this->Cells.push_back({ i % n, i / n });
   }
 }
 
 //------------------------------------------------------------------------------
-/// The corner at a place of the lattice; a new one gets a ray.
+/// Lets a cell return what it gets, or leaves that to its four parts.
+void BeamTracer::Visit(const Cell& cell, int level)
+{
+  int corners[4];
+  this->GetCorners(cell, level, corners);
+  const BeamCell& share = this->Model.Lattice->GetCell(level, cell.X, cell.Y);
+  if (this->IsSmooth(corners))
+  {
+    this->ReturnFromCell(share, corners[0], this->GetSpread(corners));
+  }
+  else if (level == this->Model.Lattice->GetLevels())
+  {
+    this->ReturnFromCorners(corners, share.Energy);
+  }
+  else
+  {
+    const int x = 2 * cell.X;
+    const int y = 2 * cell.Y;
+    this->Finer.insert(
+      this->Finer.end(), { { x, y }, { x + 1, y }, { x, y + 1 }, { x + 1, y + 1 } });
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Where a sub-ray leaves: the rulings of the hyperboloid that the beam is.
+Vec3 BeamTracer::GetOrigin(const Vec3& local) const
+{
+  const double setback = this->Model.Setback;
+  return setback > 0.0
+    ? this->Beam.Origin + this->Beam.Beam * (setback * Vec3(local[2], 0.0, -local[0]))
+    : this->Beam.Origin;
+}
+
+//------------------------------------------------------------------------------
+/// The corner at a place counted in cells of the finest level; a new one gets a ray.
 int BeamTracer::GetCorner(int x, int y)
 {
   const BeamLattice& lattice = *this->Model.Lattice;
-  int& slot = this->Slots[static_cast<std::size_t>(y * lattice.GetSide() + x)];
+  const std::size_t id = lattice.GetCornerId(x, y);
+  int& slot = this->Slots[id];
   if (slot < 0)
   {
     slot = static_cast<int>(this->Rays.size());
-    this->Used.push_back(y * lattice.GetSide() + x);
-    const Vec3& local = lattice.GetDirection(x, y);
+    this->Used.push_back(id);
+    const Vec3& local = lattice.GetCorner(id);
     const Vec3 direction = this->Beam.Beam * local;
+    const Vec3 origin = this->GetOrigin(local);
     vtkHeliosRay ray;
-    std::copy_n(this->Beam.Origin.GetData(), 3, ray.Origin);
+    std::copy_n(origin.GetData(), 3, ray.Origin);
     std::copy_n(direction.GetData(), 3, ray.Direction);
-    if (this->Model.Setback > 0.0)
-    {
-      const Vec3 offset = this->Beam.Beam * (this->Model.Setback * Vec3(local[2], 0.0, -local[0]));
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        ray.Origin[axis] += offset[axis];
-      }
-    }
     this->Rays.push_back(ray);
   }
   return slot;
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::GetCorners(const Cell& cell, int size, int corners[4])
+void BeamTracer::GetCorners(const Cell& cell, int level, int corners[4])
 {
-  corners[0] = this->GetCorner(cell.X, cell.Y);
-  corners[1] = this->GetCorner(cell.X + size, cell.Y);
-  corners[2] = this->GetCorner(cell.X + size, cell.Y + size);
-  corners[3] = this->GetCorner(cell.X, cell.Y + size);
+  const int shift = this->Model.Lattice->GetLevels() - level;
+  const int x0 = cell.X << shift;
+  const int y0 = cell.Y << shift;
+  const int x1 = (cell.X + 1) << shift;
+  const int y1 = (cell.Y + 1) << shift;
+  corners[0] = this->GetCorner(x0, y0);
+  corners[1] = this->GetCorner(x1, y0);
+  corners[2] = this->GetCorner(x1, y1);
+  corners[3] = this->GetCorner(x0, y1);
 }
 
 //------------------------------------------------------------------------------
@@ -174,12 +175,25 @@ double BeamTracer::GetPower(int corner)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a cell may return from its centre: its corners meet nothing, or one smooth surface.
+/// Between the nearest and the farthest corner [m].
+double BeamTracer::GetSpread(const int corners[4]) const
+{
+  double nearest = VTK_DOUBLE_MAX;
+  double farthest = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    const double range = this->Corners[static_cast<std::size_t>(corners[i])].Range;
+    nearest = std::min(nearest, range);
+    farthest = std::max(farthest, range);
+  }
+  return farthest - nearest;
+}
+
+//------------------------------------------------------------------------------
+/// Whether the corners of a cell meet nothing, or one smooth surface, not too much aslant.
 bool BeamTracer::IsSmooth(const int corners[4])
 {
   const Corner& first = this->Corners[static_cast<std::size_t>(corners[0])];
-  double nearest = first.Range;
-  double farthest = first.Range;
   for (int i = 1; i < 4; ++i)
   {
     const Corner& c = this->Corners[static_cast<std::size_t>(corners[i])];
@@ -187,15 +201,14 @@ bool BeamTracer::IsSmooth(const int corners[4])
     {
       return false;
     }
-    nearest = std::min(nearest, c.Range);
-    farthest = std::max(farthest, c.Range);
   }
   if (first.CellId < 0 || first.IsSilent)
   {
     return true;
   }
-  return farthest - nearest <= this->SigmaRange && this->AreAlike(corners[0], corners[1]) &&
-    this->AreAlike(corners[0], corners[2]) && this->AreAlike(corners[0], corners[3]);
+  return this->GetSpread(corners) <= this->Model.Plan.CellSpread * this->SigmaRange &&
+    this->AreAlike(corners[0], corners[1]) && this->AreAlike(corners[0], corners[2]) &&
+    this->AreAlike(corners[0], corners[3]);
 }
 
 //------------------------------------------------------------------------------
@@ -224,29 +237,43 @@ bool BeamTracer::AreAlike(int a, int b)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::ReturnFromCentre(const Cell& cell, int size, int corner, double weight)
+void BeamTracer::ReturnFromCell(const BeamCell& cell, int corner, double spread)
 {
   const Corner& at = this->Corners[static_cast<std::size_t>(corner)];
   if (at.CellId < 0 || at.IsSilent)
   {
     return;
   }
-  const Vec3& local = this->Model.Lattice->GetDirection(cell.X + size / 2, cell.Y + size / 2);
-  const Vec3 direction = this->Beam.Beam * local;
+  if (spread <= this->Model.Plan.PointSpread * this->SigmaRange)
+  {
+    this->ReturnFromPlane(corner, cell.Centre, cell.Energy);
+    return;
+  }
+  for (const Vec3& point : cell.Points)
+  {
+    this->ReturnFromPlane(corner, point, 0.25 * cell.Energy);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A return from where a direction meets the plane of a corner's hit.
+void BeamTracer::ReturnFromPlane(int corner, const Vec3& local, double weight)
+{
+  const Corner& at = this->Corners[static_cast<std::size_t>(corner)];
   const vtkHeliosRay& ray = this->Rays[static_cast<std::size_t>(corner)];
+  const Vec3 direction = this->Beam.Beam * local;
   const Vec3& normal = this->Response.GetPlaneNormal(at.CellId);
   double toPlane = at.Range * normal.Dot(Vec3(ray.Direction));
   if (this->Model.Setback > 0.0)
   {
-    const Vec3 offset = this->Beam.Beam * (this->Model.Setback * Vec3(local[2], 0.0, -local[0]));
-    toPlane += normal.Dot(Vec3(ray.Origin) - this->Beam.Origin - offset);
+    toPlane += normal.Dot(Vec3(ray.Origin) - this->GetOrigin(local));
   }
   const double range = toPlane / normal.Dot(direction);
-  // Nearly in its plane, a triangle says nothing of where the centre is.
-  const bool isClose = std::abs(range - at.Range) <= this->SigmaRange;
-  Corner centre{ isClose ? range : at.Range, at.CellId, 0.0, 0.0, weight, false, true };
-  centre.Power = this->Response.GetPower(at.CellId, centre.Range, direction, centre.CosIncidence);
-  this->AddReturn(centre, direction, weight);
+  // Nearly in its plane, a triangle says nothing of where the point is.
+  const bool isClose = std::abs(range - at.Range) <= 2.0 * this->SigmaRange;
+  Corner point{ isClose ? range : at.Range, at.CellId, 0.0, 0.0, weight, false, true };
+  point.Power = this->Response.GetPower(at.CellId, point.Range, direction, point.CosIncidence);
+  this->AddReturn(point, direction, weight);
 }
 
 //------------------------------------------------------------------------------

@@ -21,10 +21,10 @@ struct CastSubRay
 };
 
 /**
- * The cross-section of the beam is parted into cells of equal energy (heliosBeamLattice.h), with a
- * sub-ray at every corner. A cell whose corners meet one smooth surface returns from its centre, which
- * is put onto the plane of a corner; any other is parted into four, as often as the plan says, and at
- * last returns from its corners, a quarter of its energy each. One a thread.
+ * The cross-section of the beam is parted into cells (heliosBeamLattice.h), with a sub-ray at every
+ * corner. A cell whose corners meet one smooth surface returns from its own points, which are put onto
+ * the plane of a corner without casting a ray; any other is parted into four, as often as the plan
+ * says, and at last returns from its corners, a quarter of its energy each. One a thread.
  */
 class BeamTracer
 {
@@ -36,7 +36,7 @@ public:
     ScanCounts& counts);
 
 private:
-  /// A square of the lattice: its lowest corner.
+  /// A place of the lattice, in cells of the level at work.
   struct Cell
   {
     int X, Y;
@@ -55,12 +55,16 @@ private:
 
   void Start(const Pulse& pulse);
   int GetCorner(int x, int y);
-  void GetCorners(const Cell& cell, int size, int corners[4]);
+  void GetCorners(const Cell& cell, int level, int corners[4]);
   void CastRays();
+  void Visit(const Cell& cell, int level);
+  double GetSpread(const int corners[4]) const;
   bool IsSmooth(const int corners[4]);
   bool AreAlike(int a, int b);
+  Vec3 GetOrigin(const Vec3& local) const;
   double GetPower(int corner);
-  void ReturnFromCentre(const Cell& cell, int size, int corner, double weight);
+  void ReturnFromCell(const BeamCell& cell, int corner, double spread);
+  void ReturnFromPlane(int corner, const Vec3& local, double weight);
   void ReturnFromCorners(const int corners[4], double weight);
   void ReturnFromWeights();
   void AddReturn(const Corner& from, const Vec3& direction, double weight);
@@ -69,8 +73,8 @@ private:
   SurfaceResponse& Response;
   double SigmaRange;
   Pulse Beam;
-  std::vector<int> Slots; // of the lattice: the corner there, or -1
-  std::vector<int> Used;  // of the slots
+  std::vector<int> Slots;        // of the lattice: the corner there, or -1
+  std::vector<std::size_t> Used; // of the slots
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
   std::vector<Corner> Corners;

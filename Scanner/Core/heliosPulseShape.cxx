@@ -15,7 +15,7 @@ namespace
 
 // A Gaussian is followed to where it has fallen to 2e-10 of its peak: below a float's last bit.
 constexpr double ReachInSigma = 6.7;
-// t^2 exp(-t): half maxima at 0.76124865 and 4.15592932 tau, below 1e-9 of the peak from 27 tau on.
+// t^2 exp(-t): half maxima at 0.76124023 and 4.15592090 tau, below 1e-9 of the peak from 27 tau on.
 constexpr double HeliosLengthInTau = 3.3946806708465;
 constexpr double HeliosEndInTau = 27.0;
 // Bins handled together, so that the compiler can use vector instructions.

@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-constexpr double EdgeEnergyLaw = 0.05;
+constexpr double EdgeEnergyLaw = 0.06;
 constexpr double EdgeRangeLaw = 0.2;
 constexpr double BinRangeLaw = 0.02;
 constexpr int MostLevels = 4;
@@ -33,6 +33,9 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.6);
   plan.PlaneTolerance = 2.0 * rangeTolerance;
   plan.PowerTolerance = std::min(0.5, 10.0 * energyTolerance);
+  // Of even ranges over h sigma, one point misses h^2 / 24 of the amplitude, two miss h^4 / 1440.
+  plan.PointSpread = std::sqrt(6.0 * energyTolerance);
+  plan.CellSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
   return plan;

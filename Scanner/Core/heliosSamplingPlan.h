@@ -13,9 +13,9 @@ namespace helios
 {
 
 /**
- * A cross-section of the beam is parted into BaseCells^2 cells of equal energy, and a cell that holds
- * an edge into four, Levels times. The measured laws behind it (Docs/scanner-trade.md):
- * - a straight edge through m^2 cells: RMS of the energy 0.05 / m
+ * A cross-section of the beam is parted into BaseCells^2 cells, and a cell that holds an edge into four,
+ * Levels times. The measured laws behind it (Docs/scanner-trade.md):
+ * - a straight edge through m^2 cells: RMS of the energy 0.06 / m
  * - leaves, wires, steps through m^2 cells: RMS of the range 0.2 sigma_R / m
  * - bins of h sigma with the parabola through the logarithms: RMS of the range 0.02 h^2 sigma_R
  */
@@ -26,9 +26,10 @@ struct SamplingPlan
   double DetectionBin = 0.25;  ///< [ns]
   double PlaneTolerance = 0.0; ///< [m]: corners of a cell nearer than this to a plane are on it
   double PowerTolerance = 0.0; ///< relative: corners of a cell that differ by less are alike
-  double LargestWidening =
-    0.0; ///< of a plane's echo that is written down at once: (sigma' / sigma)^2 - 1
-  double LargestShift = 0.0; ///< of its maximum by what that leaves out [m]
+  double PointSpread = 0.0; ///< of the ranges in a cell that one point stands for, in sigma_R
+  double CellSpread = 0.0;  ///< of the ranges in a cell that four points stand for, in sigma_R
+  double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
+  double LargestShift = 0.0;    ///< of its maximum by what that leaves out [m]
 
   int GetNumberOfCells() const { return this->BaseCells << this->Levels; }
 

@@ -385,15 +385,15 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   helios::ScanModel& m = scan.Model;
   vtkHeliosBeamSampler* sampler = this->BeamSampler;
   const double divergence = sampler->GetBeamDivergence();
-  m.IsFixed = this->Sampling == FIXED;
+  m.IsFixed = this->Sampling == FIXED && divergence > 0.0; // one ideal ray needs no bins
   if (divergence > 0.0 && !m.IsFixed)
   {
     const double sigma = m.Receiver.Shape.GetSigma();
     const double truncation = sampler->GetTruncation();
     m.Plan = helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, sigma);
     m.Receiver.DetectionBin = m.Plan.DetectionBin;
-    m.Lattice =
-      std::make_shared<helios::BeamLattice>(divergence, truncation, m.Plan.GetNumberOfCells());
+    m.Lattice = std::make_shared<helios::BeamLattice>(
+      divergence, truncation, m.Plan.BaseCells, m.Plan.Levels);
     m.Plane = { helios::BeamMoments(divergence, truncation), sigma };
     m.ConeTangent = std::tan(0.5 * divergence * truncation);
     const double w = 0.5 * divergence;

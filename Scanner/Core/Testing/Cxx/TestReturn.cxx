@@ -31,10 +31,19 @@ std::vector<SubReturn> MakeReturns(std::initializer_list<std::pair<double, doubl
   return returns;
 }
 
+helios::ReceiverSettings MakeSettings(vtkHeliosEchoDetector* detector, double binSize)
+{
+  helios::ReceiverSettings settings;
+  settings.Shape = helios::PulseShape::MakeGaussian(PulseLength);
+  settings.BinSize = settings.DetectionBin = binSize;
+  settings.Detector = detector;
+  return settings;
+}
+
 std::vector<Echo> Find(std::vector<SubReturn>& returns, double binSize = 0.25)
 {
   vtkNew<vtkHeliosPeakDetector> detector;
-  Receiver receiver(PulseLength, binSize, detector);
+  Receiver receiver(MakeSettings(detector, binSize));
   std::vector<Echo> echoes;
   receiver.FindEchoes(returns, echoes);
   return echoes;
@@ -145,10 +154,11 @@ TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receive
 {
   vtkNew<vtkHeliosPeakDetector> detector;
   const double bin = 0.25;
-  Receiver receiver(PulseLength, bin, detector);
+  helios::ReceiverSettings settings = MakeSettings(detector, bin);
+  Receiver receiver(settings);
   auto returns = MakeReturns({ { 20.0123, 2e-7 }, { 23.3456, 1e-7 } });
-  helios::Waveform wave;
-  CHECK_FALSE(receiver.MakeWaveform(returns, 1000000, wave));
+  CHECK_FALSE(receiver.Fill(returns, 0.0, 0));
+  const helios::Waveform& wave = receiver.GetWaveform();
   const double sigma = PulseLength / helios::FwhmPerSigma;
 
   double sum = 0, worst = 0;
@@ -167,6 +177,9 @@ TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receive
   CHECK(worst < 2e-7 * 6e-8); // float samples
   const double area = 3e-7 * sigma * std::sqrt(2 * std::acos(-1.0));
   CHECK(sum * bin == Approx(area).epsilon(2e-6));
-  CHECK(receiver.MakeWaveform(returns, 10, wave));
-  CHECK(wave.Samples.size() == 10);
+
+  settings.MaximumCount = 10;
+  Receiver cut(settings);
+  CHECK(cut.Fill(returns, 0.0, 0));
+  CHECK(cut.GetWaveform().Samples.size() == 10);
 }
