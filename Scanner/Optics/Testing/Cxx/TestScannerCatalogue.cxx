@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The angles of Data/Assets/scanners.xml, against the rates and steps that data sheets publish.
+#include "vtkHeliosFiberArray.h"
+#include "vtkHeliosOscillatingMirror.h"
+#include "vtkHeliosRisleyPrisms.h"
 #include "vtkHeliosRotatingMirror.h"
 
 #include <catch2/catch.hpp>
@@ -39,9 +42,8 @@ double Number(const std::string& scanner, const std::string& attribute)
 }
 
 /// The mirror of a scanner of the catalogue, its window as wide as the instrument allows.
-vtkSmartPointer<vtkHeliosRotatingMirror> MakeMirror(const std::string& id,
-  double pulseFrequency,
-  double scanFrequency)
+vtkSmartPointer<vtkHeliosRotatingMirror> MakeMirror(
+  const std::string& id, double pulseFrequency, double scanFrequency)
 {
   const std::string scanner = ReadScanner(id);
   REQUIRE(scanner.find("optics=\"rotating\"") == 0);
@@ -86,13 +88,67 @@ TEST_CASE("Catalogue: measurement rates of the data sheets", "[ScannerCatalogue]
   CHECK(MeasurementRate("copter_uls", 550000, 200) == Approx(500000).epsilon(0.01));
 }
 
+TEST_CASE("Catalogue: the scan product of the ALTM Gemini", "[ScannerCatalogue]")
+{
+  const std::string scanner = ReadScanner("oscillating_als");
+  REQUIRE(scanner.find("optics=\"oscillating\"") == 0);
+  CHECK(Number(scanner, "scanProduct") == 1000.0);
+  CHECK(Number(scanner, "scanFreqMax_Hz") == 70.0);
+  // 50 degrees in all at 40 Hz and 167 kHz: 80 lines a second of 2087 pulses, 0.024 degrees apart
+  vtkNew<vtkHeliosOscillatingMirror> mirror;
+  mirror->SetPulseFrequency(167000);
+  mirror->SetScanFrequency(Number(scanner, "scanProduct") / 25.0);
+  mirror->SetScanAngle(Number(scanner, "scanAngleMax_deg"));
+  CHECK(mirror->GetScanAngle(167000 / 40) == Approx(-25.0).epsilon(1e-3));
+  CHECK(mirror->GetScanAngle(167000 / 80) == Approx(25.0).epsilon(1e-3));
+  CHECK(mirror->GetScanAngle(1) - mirror->GetScanAngle(0) == Approx(50.0 * 80.0 / 167000.0));
+}
+
+TEST_CASE("Catalogue: the lines of the Falcon II", "[ScannerCatalogue]")
+{
+  const std::string scanner = ReadScanner("fiber_als");
+  REQUIRE(scanner.find("optics=\"line\"") == 0);
+  const double fibers = Number(scanner, "numFibers");
+  CHECK(Number(scanner, "pulseFreqs_Hz") / fibers == Approx(653.0).epsilon(0.001));
+  vtkNew<vtkHeliosFiberArray> array;
+  array->SetNumberOfFibers(static_cast<int>(fibers));
+  array->SetScanAngle(Number(scanner, "scanAngleMax_deg"));
+  CHECK(array->GetScanAngle(126) - array->GetScanAngle(0) == Approx(14.3));
+}
+
+TEST_CASE("Catalogue: the field of view of the Mid-40", "[ScannerCatalogue]")
+{
+  const std::string scanner = ReadScanner("risley_uls");
+  REQUIRE(scanner.find("optics=\"risley\"") == 0);
+  CHECK(60.0 * Number(scanner, "rotorFreq1_Hz") == Approx(-7294.0));
+  CHECK(60.0 * Number(scanner, "rotorFreq2_Hz") == Approx(4664.0));
+  vtkNew<vtkHeliosRisleyPrisms> prisms;
+  prisms->SetPulseFrequency(Number(scanner, "pulseFreqs_Hz"));
+  for (int k = 0; k < 2; ++k)
+  {
+    const std::string number = std::to_string(k + 1);
+    prisms->SetWedgeAngle(k, Number(scanner, "angle" + number + "_deg"));
+    prisms->SetRefractiveIndex(k, Number(scanner, "refrIndex" + number));
+    prisms->SetRotorFrequency(k, Number(scanner, "rotorFreq" + number + "_Hz"));
+  }
+  double least = 90.0;
+  double most = 0.0;
+  for (vtkIdType i = 0; i < 100000; ++i) // a second
+  {
+    least = std::min(least, prisms->GetScanAngle(i));
+    most = std::max(most, prisms->GetScanAngle(i));
+  }
+  CHECK(2.0 * most == Approx(38.4).epsilon(1e-3));
+  CHECK(least < 0.5); // the middle is seen, too
+}
+
 TEST_CASE("Catalogue: an instrument is the same under class and product", "[ScannerCatalogue]")
 {
   const std::pair<const char*, const char*> pairs[] = { { "vz400_class_tls", "riegl_vz400" },
-    { "rotating_als", "riegl_vq780i" },
-    { "conic_als", "riegl_vq880g" },
-    { "mobile_mls", "riegl_vux1ha" },
-    { "copter_uls", "riegl_vux1uav" } };
+    { "rotating_als", "riegl_vq780i" }, { "conic_als", "riegl_vq880g" },
+    { "mobile_mls", "riegl_vux1ha" }, { "copter_uls", "riegl_vux1uav" },
+    { "oscillating_als", "optech_gemini" }, { "fiber_als", "toposys_falcon2" },
+    { "risley_uls", "livox_mid40" } };
   const auto words = [](const std::string& text)
   {
     std::string kept; // the last one of the file is followed by </document>
