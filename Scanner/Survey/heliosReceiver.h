@@ -5,6 +5,8 @@
 #ifndef heliosReceiver_h
 #define heliosReceiver_h
 
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
 #include <string>
 #include <vector>
 
@@ -29,7 +31,7 @@ struct ReceiverChoice
 std::vector<std::string> GetEchoDetectorNames();
 
 /// Pulse, radiometry, sampling, waveforms, detection, noise and errors; a choice wins over the data.
-void SetUpReceiver(
+VTKHELIOSSCANNERSURVEY_EXPORT void SetUpReceiver(
   const ScannerData& data, const ReceiverChoice& choice, vtkHeliosScanner* scanner);
 
 } // namespace helios

@@ -5,6 +5,7 @@
 import argparse
 import os
 import pathlib
+import sys
 import time
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -22,8 +23,19 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_points.xyz       one echo a line: x y z [m], intensity [nW], echo width [ns],
                           return number, number of returns, pulse, object, class, GPS time [s]
   legNNN_trajectory.txt   x y z [m], GPS time [s], roll pitch yaw [deg]
-  legNNN_fullwave.txt     the waveforms, with --waveforms
+  legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse a line, pulse, origin x y z,
+                          direction x y z, first and last time [ns, two-way], GPS time [s],
+                          samples [nW]
+With --format vtp: legNNN_points.pvtp and legNNN_fullwave.pvtt, with their pieces beside them.
 While a run writes, files end in .part; they hold whole lines at any moment.
+
+how the beam is sampled:
+  A survey that gives beamSampleQuality has that many circles of sub-rays, always. Without it
+  the run takes as few rays as the tolerances allow (1 mm in range, 1 % in amplitude, as root
+  mean squares): a beam on one plane is written down in closed form, edges and leaves are
+  resolved, and bins are made only where echoes overlap. --range-tolerance and
+  --energy-tolerance, or --sub-rays, win over the survey. The end of a run says what it came to.
+  Docs/instrument.md has the whole of it.
 
 where files are looked up: absolute names as they are; then every --assets folder in
 order, the folder of the survey, the working directory, what comes with vtkHelios.
@@ -33,6 +45,8 @@ examples:
   vtkhelios run survey.xml --assets scenes --assets my_scanners --output clouds
   vtkhelios run survey.xml --no-noise --seed 7 --threads 4 --overwrite
   vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
+  vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
+  vtkhelios run survey.xml --sub-rays 19 --detector gaussian
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
 2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid).
@@ -48,6 +62,26 @@ def whole_number(highest):
         return int(text)
 
     return parse
+
+
+def number(lowest, highest):
+    """An argparse type: a number from lowest to highest."""
+
+    def parse(text):
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if not lowest <= value <= highest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a number from {lowest:g} to {highest:g}"
+            )
+        return value
+
+    return parse
+
+
+DETECTORS = ["peak", "gaussian", "cfd", "leadingEdge"]
 
 
 def ray_casters():
@@ -83,7 +117,10 @@ def add_arguments(parser):
         default="xyz",
         help="text columns, or VTK XML (default: %(default)s)",
     )
-    parser.add_argument("--waveforms", action="store_true", help="write the waveforms, too")
+    parser.add_argument(
+        "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"
+    )
+    add_sampling_arguments(parser)
     parser.add_argument(
         "--seed",
         metavar="N",
@@ -112,7 +149,47 @@ def add_arguments(parser):
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
+def add_sampling_arguments(parser):
+    parser.add_argument(
+        "--range-tolerance",
+        metavar="M",
+        type=number(1e-6, 1),
+        default=0.0,
+        help="sample the beam so that ranges are within this many metres "
+        "(default: the survey's, else 0.001)",
+    )
+    parser.add_argument(
+        "--energy-tolerance",
+        metavar="F",
+        type=number(1e-4, 1),
+        default=0.0,
+        help="and amplitudes within this share (default: the survey's, else 0.01)",
+    )
+    parser.add_argument(
+        "--sub-rays",
+        metavar="N",
+        type=whole_number(65536),
+        default=0,
+        help="or always with this many sub-rays: 1, 7, 19, 37, 62 ... on circles, "
+        "as beamSampleQuality has them, other numbers on a spiral",
+    )
+    parser.add_argument(
+        "--detector",
+        metavar="NAME",
+        choices=DETECTORS,
+        help="what makes echoes of waveforms: peak (log-parabola), gaussian (decomposition), "
+        "cfd (constant fraction), leadingEdge (default: the survey's, else peak)",
+    )
+
+
 def run(arguments):
+    if arguments.sub_rays and (arguments.range_tolerance or arguments.energy_tolerance):
+        print(
+            "error: --sub-rays is always that many, and a tolerance chooses how many: "
+            "give one of them",
+            file=sys.stderr,
+        )
+        return 2
     with Messages(quiet=arguments.quiet) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         survey = read_survey(arguments, messages)
@@ -159,6 +236,10 @@ def make_player(arguments, survey, messages):
     player.SetOverwrite(arguments.overwrite)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)
+    player.SetRangeTolerance(arguments.range_tolerance)
+    player.SetEnergyTolerance(arguments.energy_tolerance)
+    player.SetNumberOfSubRays(arguments.sub_rays)
+    player.SetEchoDetector(arguments.detector)
     player.SetSeed(arguments.seed)
     player.SetNoise(not arguments.no_noise)
     player.SetRayCaster(arguments.ray_caster)
@@ -187,7 +268,8 @@ def conclude(arguments, player, messages, succeeded, interrupt, seconds):
 def summarise(player, folder, messages, seconds):
     pulses, points = player.GetNumberOfPulsesFired(), player.GetNumberOfEchoes()
     threads = vtkSMPTools.GetEstimatedNumberOfThreads()
-    messages.info(f"pulses   {pulses:,}")
+    messages.info(f"sub-rays {player.GetSampling()}")
+    messages.info(f"pulses   {pulses:,}: {describe_paths(player)}")
     messages.info(f"points   {points:,} ({player.GetNumberOfFirstReturns():,} first returns)")
     messages.info(
         f"time     {seconds:.2f} s with {threads} thread{'s'[:threads != 1]}: "
@@ -200,6 +282,19 @@ def summarise(player, folder, messages, seconds):
         )
     if len(files) > MAXIMUM_FILES:
         messages.info(f"         and {len(files) - MAXIMUM_FILES} more in {folder}")
+
+
+def describe_paths(player):
+    """Which way the pulses went, and what they cost."""
+    pulses = max(1, player.GetNumberOfPulsesFired())
+    ways = {
+        "on one plane": player.GetNumberOfPulsesOnPlane(),
+        "without bins": player.GetNumberOfPulsesWithoutBins(),
+        "binned": player.GetNumberOfPulsesBinned(),
+    }
+    ways["met nothing"] = pulses - sum(ways.values())
+    said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
+    return f"{said}; {player.GetNumberOfSubRaysTraced() / pulses:.1f} rays a pulse"
 
 
 MAXIMUM_FILES = 12

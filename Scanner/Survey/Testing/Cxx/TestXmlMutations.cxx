@@ -85,14 +85,15 @@ bool IsValid(const helios::ScannerData& s)
     std::all_of(s.PulseFrequencies.begin(), s.PulseFrequencies.end(),
       [](double f) { return std::isfinite(f) && f > 0.0; });
   return pulses && IsPose(s.Beam) && IsFinite(s.HeadRotateAxis) && s.HeadRotateAxis.Norm() > 0.0 &&
-    s.PulseLength > 0.0 && s.BinSize > 0.0 && s.BeamDivergence >= 0.0 && s.Wavelength > 0.0 &&
+    s.PulseLength > 0.0 && s.Receiver.BinSize > 0.0 && s.BeamDivergence >= 0.0 && s.Wavelength > 0.0 &&
     s.AveragePower > 0.0 && s.ReceiverDiameter > 0.0 && s.DetectionThreshold >= 0.0 &&
     s.Accuracy >= 0.0 && s.RangeMin >= 0.0 && s.RangeMax > s.RangeMin &&
-    s.MaximumNumberOfReturns >= 0 && s.NumberOfCircles >= 1 &&
+    s.MaximumNumberOfReturns >= 0 && s.Receiver.NumberOfCircles >= 0 &&
     AreFinite({ s.PulseLength, s.BeamDivergence, s.Wavelength, s.AveragePower, s.OpticalEfficiency,
       s.ReceiverDiameter, s.AtmosphericVisibility, s.DetectionThreshold, s.Accuracy, s.RangeMin,
       s.RangeMax, s.ScanAngleMax, s.ScanAngleEffectiveMax, s.ScanFrequencyMin, s.ScanFrequencyMax,
-      s.HeadRotateSpeedMax, s.BinSize });
+      s.HeadRotateSpeedMax, s.Receiver.BinSize, s.Receiver.PeakWindow, s.Receiver.MaximumLength,
+      s.Receiver.RangeTolerance, s.Receiver.EnergyTolerance });
 }
 
 bool IsValid(const helios::LegData& leg)

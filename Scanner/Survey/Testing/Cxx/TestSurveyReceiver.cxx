@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sampling, waveforms, detection and noise of the dialect: read, checked, set up, and run.
+#include "heliosReceiver.h"
+
+#include "heliosSurveyFiles.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosScanner.h"
+#include "vtkHeliosSurveyPlayer.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace helios::test;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A survey on a tripod with texts put into its scanner, into its <survey> and behind its leg.
+struct Bench
+{
+  Files Folder;
+  helios::test::Reading Reading;
+
+  explicit Bench(const std::string& fwf = "", const std::string& scanner = "",
+    const std::string& survey = "", const std::string& inside = "", const std::string& errors = "")
+    : Reading(Write(Folder, fwf, scanner, errors), Tripod + (" " + survey), OneLeg + inside)
+  {
+  }
+
+  const helios::ScannerData& Scanner() const { return this->Reading.Data().Scanner; }
+  const helios::ReceiverData& Receiver() const { return this->Scanner().Receiver; }
+
+  void CheckRefused(const std::vector<std::string>& messages) const
+  {
+    INFO(this->Reading.Log->Errors);
+    CHECK_FALSE(this->Reading.Good);
+    for (const std::string& message : messages)
+    {
+      INFO("missing: " << message);
+      CHECK(this->Reading.Log->HasError(message));
+    }
+  }
+
+  void CheckWarned(const std::string& message) const
+  {
+    INFO(this->Reading.Log->Errors << this->Reading.Log->Warnings << "missing: " << message);
+    CHECK(this->Reading.Good);
+    CHECK(this->Reading.Log->HasWarning(message));
+  }
+
+  /// Good, and nothing to say.
+  void CheckQuiet() const
+  {
+    INFO(this->Reading.Log->Errors << this->Reading.Log->Warnings);
+    CHECK(this->Reading.Good);
+    CHECK(this->Reading.Log->Warnings.empty());
+  }
+
+  vtkSmartPointer<vtkHeliosScanner> SetUp(const helios::ReceiverChoice& choice = {}) const
+  {
+    auto scanner = vtkSmartPointer<vtkHeliosScanner>::New();
+    helios::SetUpReceiver(this->Scanner(), choice, scanner);
+    return scanner;
+  }
+
+private:
+  static const Files& Write(const Files& files, const std::string& fwf, const std::string& scanner,
+    const std::string& errors)
+  {
+    files.Write("shot.txt", "# a pulse\n0 0\n2 1\n5 0\n");
+    files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
+      (fwf.empty() ? "" : "<FWFSettings " + fwf + "/>") + errors);
+    files.Replace("assets.xml", "optics=\"rotating\"", "optics=\"rotating\" " + scanner);
+    return files;
+  }
+};
+
+std::string Fwf(const std::string& attributes)
+{
+  return "\n<FWFSettings " + attributes + "/>";
+}
+
+} // namespace
+
+TEST_CASE("SurveyReceiver: without a word a run goes by tolerance", "[SurveyReceiver]")
+{
+  const Bench bench;
+  bench.CheckQuiet();
+  CHECK(bench.Receiver().NumberOfCircles == 0);
+  const auto scanner = bench.SetUp();
+  CHECK(scanner->GetSampling() == vtkHeliosScanner::TOLERANCE);
+  CHECK(scanner->GetRangeTolerance() == 0.001);
+  CHECK(scanner->GetEnergyTolerance() == 0.01);
+  CHECK(scanner->GetBinSize() == 0.25);
+  CHECK(scanner->GetMaximumWaveformLength() == 0.0);
+  CHECK(scanner->GetNumberOfBins() == 0);
+  CHECK(scanner->GetReturnSelection() == vtkHeliosScanner::ALL);
+  CHECK(scanner->GetPulseShape() == vtkHeliosScanner::GAUSSIAN);
+  CHECK(scanner->GetAtmosphericExtinction() < 0.0);
+}
+
+TEST_CASE("SurveyReceiver: beamSampleQuality on any level runs fixed", "[SurveyReceiver]")
+{
+  const Bench inScanner("beamSampleQuality=\"4\"");
+  const Bench inSurvey("", "", "", Fwf("beamSampleQuality=\"4\""));
+  for (const Bench* bench : { &inScanner, &inSurvey })
+  {
+    bench->CheckQuiet();
+    const auto scanner = bench->SetUp();
+    CHECK(scanner->GetSampling() == vtkHeliosScanner::FIXED);
+    CHECK(scanner->GetBeamSampler()->GetPattern() == vtkHeliosBeamSampler::CIRCLES);
+    CHECK(scanner->GetBeamSampler()->GetNumberOfSubRays() == 37);
+  }
+}
+
+TEST_CASE("SurveyReceiver: of sampling, what the survey says wins", "[SurveyReceiver]")
+{
+  // the survey's tolerance over the scanner's circles
+  const Bench tolerant("beamSampleQuality=\"3\"", "", "", Fwf("rangeTolerance_m=\"0.0002\""));
+  CHECK(tolerant.Receiver().NumberOfCircles == 0);
+  CHECK(tolerant.Receiver().RangeTolerance == 0.0002);
+  CHECK(
+    Bench("beamSampleQuality=\"3\"", "", "energyTolerance=\"0.05\"").Receiver().NumberOfCircles ==
+    0);
+  // and the other way round
+  const Bench fixed("rangeTolerance_m=\"0.0002\"", "", "", Fwf("beamSampleQuality=\"3\""));
+  CHECK(fixed.Receiver().NumberOfCircles == 3);
+  fixed.CheckQuiet();
+  // the attributes of <survey> over its <FWFSettings>
+  CHECK(Bench("", "", "rangeTolerance_m=\"0.003\"", Fwf("rangeTolerance_m=\"0.002\""))
+          .Receiver()
+          .RangeTolerance == 0.003);
+  Bench("beamSampleQuality=\"3\" rangeTolerance_m=\"0.1\"")
+    .CheckWarned("assets.xml:8: rangeTolerance_m is not used beside beamSampleQuality");
+}
+
+TEST_CASE("SurveyReceiver: a run's choice wins over the survey", "[SurveyReceiver]")
+{
+  const Bench bench("beamSampleQuality=\"3\"");
+  helios::ReceiverChoice choice;
+  choice.EnergyTolerance = 0.02;
+  auto scanner = bench.SetUp(choice);
+  CHECK(scanner->GetSampling() == vtkHeliosScanner::TOLERANCE);
+  CHECK(scanner->GetEnergyTolerance() == 0.02);
+  CHECK(scanner->GetRangeTolerance() == 0.001);
+
+  const auto [asked, pattern, got] = GENERATE(std::tuple(1, vtkHeliosBeamSampler::CIRCLES, 1),
+    std::tuple(19, vtkHeliosBeamSampler::CIRCLES, 19),
+    std::tuple(62, vtkHeliosBeamSampler::CIRCLES, 62),
+    std::tuple(64, vtkHeliosBeamSampler::VOGEL, 64),
+    std::tuple(250, vtkHeliosBeamSampler::VOGEL, 252));
+  choice = {};
+  choice.NumberOfSubRays = asked;
+  scanner = Bench("rangeTolerance_m=\"0.1\"").SetUp(choice);
+  CHECK(scanner->GetSampling() == vtkHeliosScanner::FIXED);
+  CHECK(scanner->GetBeamSampler()->GetPattern() == pattern);
+  CHECK(scanner->GetBeamSampler()->GetNumberOfSubRays() == got);
+}
+
+TEST_CASE("SurveyReceiver: waveforms, returns and the pulse", "[SurveyReceiver]")
+{
+  const Bench bench("binSize_ns=\"0.2\" maxFullwaveRange_ns=\"120\" numFullwaveBins=\"500\"", "",
+    "", Fwf("returnSelection=\"firstAndLast\" pulseShape=\"helios\""));
+  bench.CheckQuiet();
+  auto scanner = bench.SetUp();
+  CHECK(scanner->GetBinSize() == 0.2);
+  CHECK(scanner->GetMaximumWaveformLength() == 120.0);
+  CHECK(scanner->GetNumberOfBins() == 500);
+  CHECK(scanner->GetReturnSelection() == vtkHeliosScanner::FIRST_AND_LAST);
+  CHECK(scanner->GetPulseShape() == vtkHeliosScanner::HELIOS);
+
+  const std::vector<std::pair<std::string, int>> selections = { { "all", vtkHeliosScanner::ALL },
+    { "first", vtkHeliosScanner::FIRST }, { "last", vtkHeliosScanner::LAST },
+    { "strongest", vtkHeliosScanner::STRONGEST } };
+  for (const auto& [name, selection] : selections)
+  {
+    CHECK(
+      Bench("", "", "returnSelection=\"" + name + "\"").SetUp()->GetReturnSelection() == selection);
+  }
+
+  const Bench sampled("pulseShape=\"shot.txt\""); // beside the file that names it
+  sampled.CheckQuiet();
+  scanner = sampled.SetUp();
+  CHECK(scanner->GetPulseShape() == vtkHeliosScanner::SAMPLED);
+  CHECK(std::string(scanner->GetPulseFileName()) == sampled.Folder / "shot.txt");
+}
+
+TEST_CASE("SurveyReceiver: noise, air and sunlight", "[SurveyReceiver]")
+{
+  const Bench bench("",
+    "accuracyPerMeter=\"0.00002\" accuracyAtThreshold_m=\"0.05\" angleAccuracy_rad=\"0.0001\" "
+    "detectorNoise_nW=\"2.5\" solarIrradiance_W_m2_nm=\"0.6\" filterBandwidth_nm=\"2\" "
+    "fieldOfView_rad=\"0.002\" atmosphericExtinction_1_m=\"0.0003\" beamQualityFactor=\"1.5\"");
+  bench.CheckQuiet();
+  auto scanner = bench.SetUp();
+  CHECK(scanner->GetRangeAccuracy() == 0.005);
+  CHECK(scanner->GetRangeAccuracyPerMeter() == 0.00002);
+  CHECK(scanner->GetRangeAccuracyAtThreshold() == 0.05);
+  CHECK(scanner->GetAngleAccuracy() == 0.0001);
+  CHECK(scanner->GetDetectorNoise() == Approx(2.5e-9));
+  CHECK(scanner->GetSolarIrradiance() == 0.6);
+  CHECK(scanner->GetFilterBandwidth() == 2.0);
+  CHECK(scanner->GetFieldOfView() == 0.002);
+  CHECK(scanner->GetAtmosphericExtinction() == 0.0003);
+  CHECK(scanner->GetBeamSampler()->GetBeamQualityFactor() == 1.5);
+  CHECK(scanner->GetBeamSampler()->GetWavelength() == 1064.0);
+  CHECK(scanner->GetEchoDetector()->GetDetectionThreshold() == Approx(0.002e-9));
+
+  helios::ReceiverChoice quiet;
+  quiet.Noise = false;
+  scanner = bench.SetUp(quiet);
+  CHECK(scanner->GetRangeAccuracy() == 0.0);
+  CHECK(scanner->GetRangeAccuracyPerMeter() == 0.0);
+  CHECK(scanner->GetRangeAccuracyAtThreshold() == 0.0);
+  CHECK(scanner->GetAngleAccuracy() == 0.0);
+  CHECK(scanner->GetDetectorNoise() == 0.0);
+  CHECK(scanner->GetSolarIrradiance() == 0.6); // light, not noise
+}
+
+TEST_CASE("SurveyReceiver: the names of the Java time", "[SurveyReceiver]")
+{
+  const Bench bench(
+    "binSize_ns=\"0.5\" winSize=\"10\" pulseLength_ns=\"6\" beamDivergence_rad=\"0.001\" "
+    "scannerEfficiency=\"0.9\" atmosphericVisibility=\"5\" scannerWaveLength=\"1550\" "
+    "apartureDiameter=\"0.15\"");
+  bench.CheckQuiet();
+  CHECK(bench.Receiver().PeakWindow == 5.0);
+  CHECK(bench.Scanner().PulseLength == 6.0);
+  CHECK(bench.Reading.Data().Legs.at(0).BeamDivergence == 0.001);
+  CHECK(bench.Scanner().OpticalEfficiency == 0.9);
+  CHECK(bench.Scanner().AtmosphericVisibility == 5.0);
+  CHECK(bench.Scanner().Wavelength == 1550.0);
+  Bench("apartureDiameter=\"0.2\"")
+    .CheckWarned("assets.xml:8: apartureDiameter=\"0.2\" has no effect; the receiver has "
+                 "receiverDiameter_m=\"0.15\" of scanner tls");
+  Bench("apertureDiameter_m=\"0.1\"").CheckWarned("apertureDiameter_m=\"0.1\" has no effect");
+  Bench("minEchoWidth=\"2.5\"").CheckWarned("attribute minEchoWidth of <FWFSettings> is not used");
+}
+
+TEST_CASE("SurveyReceiver: error expressions", "[SurveyReceiver]")
+{
+  const Bench bench("", "", "", "<detectorSettings distanceMeasurementError=\"1 + t / 100\"/>",
+    "<rangeError expr=\"0.001*THETA\"/><deflectionError expr=\"0.0001*sin(THETA)\"/>"
+    "<headError expr=\"0.0002\" zeroSinThreshold_deg=\"2\"/>");
+  bench.CheckQuiet();
+  const helios::ErrorExpressions& errors = bench.Receiver().Errors;
+  CHECK(errors.Range == "0.001*THETA");
+  CHECK(errors.Deflection == "0.0001*sin(THETA)");
+  CHECK(errors.Head == "0.0002");
+  CHECK(errors.HeadZeroSinThreshold == 2.0);
+  CHECK(errors.RangeNoiseFactor == "1 + t / 100");
+  CHECK(Bench().Receiver().Errors.IsEmpty());
+  Bench("", "", "", "", "<rangeError/>").CheckRefused({ "assets.xml:8: <rangeError> has no expr" });
+  Bench("", "", "", "", "<headError expr=\"\"/>")
+    .CheckRefused({ "<headError> has no expr; add one" });
+}
+
+TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyReceiver]")
+{
+  const std::vector<std::pair<std::string, std::string>> fwf = {
+    { "rangeTolerance_m=\"0\"", "rangeTolerance_m=\"0\" is out of range; give a number from" },
+    { "energyTolerance=\"2\"", "energyTolerance=\"2\" is out of range" },
+    { "winSize_ns=\"-1\"", "winSize_ns=\"-1\" is out of range" },
+    { "numFullwaveBins=\"0\"", "numFullwaveBins=\"0\" is out of range" },
+    { "maxFullwaveRange_ns=\"1,5\"", "maxFullwaveRange_ns=\"1,5\"" },
+    { "scannerEfficiency=\"0\"", "scannerEfficiency=\"0\" is out of range" },
+    { "echoDetector=\"gausian\"", "echoDetector=\"gausian\" is none; did you mean gaussian?" },
+    { "echoDetector=\"xyzzy\"",
+      "echoDetector=\"xyzzy\" is none; give one of peak, gaussian, cfd and leadingEdge" },
+    { "returnSelection=\"frist\"", "returnSelection=\"frist\" is none; did you mean first?" },
+    { "pulseShape=\"nowhere.txt\"", "pulseShape=\"nowhere.txt\" is no pulse and no file; give" },
+    { "binSize_ns=\"3\"", "binSize_ns=\"3\" is wider than half of pulseLength_ns=\"5\"" },
+    { "maxFullwaveRange_ns=\"4\"",
+      "waveforms of 4 ns (maxFullwaveRange_ns) are shorter than "
+      "pulseLength_ns=\"5\"; give longer ones" },
+    { "numFullwaveBins=\"10\"", "waveforms of 2.5 ns (numFullwaveBins) are shorter than" },
+  };
+  for (const auto& [attributes, message] : fwf)
+  {
+    INFO(attributes);
+    Bench(attributes).CheckRefused({ "assets.xml:8: ", message });
+    Bench("", "", "", Fwf(attributes)).CheckRefused({ "survey.xml:6: ", message });
+  }
+  const std::vector<std::pair<std::string, std::string>> scanner = {
+    { "opticalEfficiency=\"0\"", "opticalEfficiency=\"0\" is out of range" },
+    { "opticalEfficiency=\"1.1\"", "opticalEfficiency=\"1.1\" is out of range" },
+    { "receiverDiameter_m=\"0\"", "receiverDiameter_m=\"0\" is out of range" },
+    { "receiverDiameter_m=\"-0.1\"", "receiverDiameter_m=\"-0.1\" is out of range" },
+    { "wavelength_nm=\"-1064\"", "wavelength_nm=\"-1064\" is out of range" },
+    { "beamQualityFactor=\"0.5\"", "beamQualityFactor=\"0.5\" is out of range" },
+    { "detectorNoise_nW=\"-1\"", "detectorNoise_nW=\"-1\" is out of range" },
+    { "angleAccuracy_rad=\"1\"", "angleAccuracy_rad=\"1\" is out of range" },
+    { "atmosphericExtinction_1_m=\"-1\"", "atmosphericExtinction_1_m=\"-1\" is out of range" },
+  };
+  for (const auto& [attributes, message] : scanner)
+  {
+    INFO(attributes);
+    Bench("", attributes).CheckRefused({ "assets.xml:5: ", message });
+  }
+  Bench("", "", "rangeTolerance_m=\"x\"")
+    .CheckRefused({ "survey.xml:3: ", "rangeTolerance_m=\"x\"" });
+}
+
+namespace
+{
+
+/// A run of the bench, which writes into its folder.
+struct Playing
+{
+  vtkNew<vtkHeliosSurveyPlayer> Player;
+  vtkSmartPointer<helios::ErrorObserver> Log = Observe(Player);
+
+  explicit Playing(const Bench& bench)
+  {
+    this->Player->SetSurvey(bench.Reading.Reader->GetSurvey());
+    this->Player->SetOutputDirectory((bench.Folder / "out").c_str());
+    this->Player->SetOverwrite(true);
+  }
+
+  bool FailsWith(const std::string& message)
+  {
+    this->Log->Clear();
+    return !this->Player->Run() && this->Log->HasError(message);
+  }
+};
+
+} // namespace
+
+TEST_CASE("SurveyReceiver: a run counts which way its pulses went", "[SurveyReceiver]")
+{
+  const Bench bench;
+  Playing playing(bench);
+  vtkHeliosSurveyPlayer* player = playing.Player;
+  REQUIRE(player->Run());
+  const vtkIdType fired = player->GetNumberOfPulsesFired();
+  CHECK(player->GetNumberOfPulsesOnPlane() > 0); // the floor
+  CHECK(player->GetNumberOfPulsesOnPlane() + player->GetNumberOfPulsesWithoutBins() +
+      player->GetNumberOfPulsesBinned() <=
+    fired);
+  CHECK(player->GetSampling().find("one plane") != std::string::npos);
+
+  player->SetNumberOfSubRays(7); // always bins
+  REQUIRE(player->Run());
+  CHECK(player->GetSampling().find("7 sub-rays a pulse, always") != std::string::npos);
+  CHECK(player->GetNumberOfPulsesOnPlane() == 0);
+  CHECK(player->GetNumberOfPulsesWithoutBins() == 0);
+  CHECK(player->GetNumberOfPulsesBinned() > 0);
+  CHECK(player->GetNumberOfSubRaysTraced() == 7 * player->GetNumberOfPulsesFired());
+}
+
+TEST_CASE("SurveyReceiver: waveforms take the form of the points", "[SurveyReceiver]")
+{
+  const Bench bench;
+  Playing playing(bench);
+  playing.Player->SetWriteWaveforms(true);
+  REQUIRE(playing.Player->Run());
+  CHECK(fs::exists(bench.Folder / "out/test/leg000_fullwave.txt"));
+  playing.Player->SetFormat("vtp");
+  playing.Player->SetPulsesPerBlock(20000);
+  REQUIRE(playing.Player->Run());
+  CHECK_FALSE(fs::exists(bench.Folder / "out/test/leg000_fullwave.txt"));
+  CHECK(fs::exists(bench.Folder / "out/test/leg000_fullwave.pvtt"));
+  CHECK(fs::exists(bench.Folder / "out/test/leg000_fullwave_0001.vtt"));
+}
+
+TEST_CASE("SurveyReceiver: what a run cannot have is said", "[SurveyReceiver]")
+{
+  const Bench bench;
+  Playing playing(bench);
+  playing.Player->SetRangeTolerance(1e-7);
+  CHECK(playing.FailsWith("RangeTolerance is 1e-07; give 0.000001 to 1 m, or 0"));
+  playing.Player->SetRangeTolerance(0.0);
+  playing.Player->SetEnergyTolerance(-1.0);
+  CHECK(playing.FailsWith("EnergyTolerance is -1; give 0.0001 to 1, or 0"));
+  playing.Player->SetEnergyTolerance(0.1);
+  playing.Player->SetNumberOfSubRays(19);
+  CHECK(playing.FailsWith("NumberOfSubRays is 19 beside a tolerance"));
+  playing.Player->SetEnergyTolerance(0.0);
+  playing.Player->SetEchoDetector("none");
+  CHECK(playing.FailsWith("EchoDetector is \"none\"; give peak, gaussian, cfd and leadingEdge"));
+}
