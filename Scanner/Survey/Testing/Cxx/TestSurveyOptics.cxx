@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 using namespace helios::test;
@@ -272,6 +273,29 @@ TEST_CASE("SurveyOptics: all of them run", "[SurveyOptics]")
     REQUIRE(player->Run());
     CHECK(player->GetNumberOfPulses() == 10000);
     CHECK(player->GetNumberOfFirstReturns() == 10000); // all on the floor
+  }
+}
+
+TEST_CASE("SurveyOptics: the instruments of the catalogue", "[SurveyOptics]")
+{
+  const std::filesystem::path root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
+  const std::vector<std::pair<std::string, std::string>> instruments = {
+    { "oscillating_als", R"(scanFreq_hz="40" scanAngle_deg="25")" }, { "fiber_als", "" },
+    { "risley_uls", "" }
+  };
+  for (const auto& [id, leg] : instruments)
+  {
+    INFO(id);
+    const Files files;
+    files.Write("own.xml", ReadText((root / "Data/Assets/scanners.xml").string()));
+    const std::string flight = Flight;
+    const Reading reading(files,
+      flight.substr(0, flight.find("scanner=")) + "scanner=\"own.xml#" + id + "\"",
+      "<leg><platformSettings z=\"100\"/><scannerSettings " + leg +
+        "/></leg><leg><platformSettings x=\"10\" z=\"100\"/></leg>");
+    INFO(reading.Log->Errors << reading.Log->Warnings);
+    REQUIRE(reading.Good);
+    CHECK(reading.Log->Warnings.empty());
   }
 }
 
