@@ -562,7 +562,7 @@ TEST_CASE("SurveyReader: scanners that cannot be", "[SurveyReader]")
       { "assets.xml", "scanAngleMax_deg=\"120\"", "",
         { "assets.xml:5", "scanner tls", "scanAngleMax_deg is missing or 0" } },
       { "assets.xml", "<FWFSettings", "<FWFSettings binSize_ns=\"3\"",
-        { "assets.xml:5", "binSize_ns=\"3\" is wider than half of pulseLength_ns=\"5\"" } },
+        { "assets.xml:8", "binSize_ns=\"3\" is wider than half of pulseLength_ns=\"5\"" } },
       { "assets.xml", "rangeMin_m=\"0.5\"", "rangeMin_m=\"50\" rangeMax_m=\"20\"",
         { "assets.xml:5", "rangeMin_m=\"50\" is not below rangeMax_m=\"20\"" } },
       { "assets.xml", "pulseFreqs_Hz=\"100000, 300000\"", "",
