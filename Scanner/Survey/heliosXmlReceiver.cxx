@@ -228,19 +228,20 @@ void CheckReceiver(const ScannerData& data, Messages& log)
 {
   const ReceiverData& receiver = data.Receiver;
   const bool isSampled = !receiver.PulseFile.empty(); // its length is in the file
-  const double length = receiver.NumberOfBins > 0 && receiver.MaximumLength > 0.0
-    ? std::min(receiver.MaximumLength, receiver.NumberOfBins * receiver.BinSize)
-    : std::max(receiver.MaximumLength, receiver.NumberOfBins * receiver.BinSize);
+  const double ofBins = (receiver.NumberOfBins - 1) * receiver.BinSize;
+  const bool isOfBins =
+    receiver.NumberOfBins > 0 && (receiver.MaximumLength == 0.0 || ofBins < receiver.MaximumLength);
+  const double length = isOfBins ? ofBins : receiver.MaximumLength; // 0: as long as the target
   Sentence text;
   if (!isSampled && receiver.BinSize > 0.5 * data.PulseLength)
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" is wider than half of pulseLength_ns=\""
          << data.PulseLength << "\"; give smaller bins";
   }
-  else if (!isSampled && length > 0.0 && length < data.PulseLength)
+  else if (!isSampled && (isOfBins || length > 0.0) && length < data.PulseLength)
   {
     text << "waveforms of " << length << " ns ("
-         << (length == receiver.MaximumLength ? "maxFullwaveRange_ns" : "numFullwaveBins")
+         << (isOfBins ? "numFullwaveBins" : "maxFullwaveRange_ns")
          << ") are shorter than pulseLength_ns=\"" << data.PulseLength
          << "\"; give longer ones, or 0: as long as the target";
   }

@@ -279,7 +279,7 @@ TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyRec
     { "maxFullwaveRange_ns=\"4\"",
       "waveforms of 4 ns (maxFullwaveRange_ns) are shorter than "
       "pulseLength_ns=\"5\"; give longer ones" },
-    { "numFullwaveBins=\"10\"", "waveforms of 2.5 ns (numFullwaveBins) are shorter than" },
+    { "numFullwaveBins=\"10\"", "waveforms of 2.25 ns (numFullwaveBins) are shorter than" },
   };
   for (const auto& [attributes, message] : fwf)
   {
