@@ -13,6 +13,12 @@
 vtkStandardNewMacro(vtkHeliosSpinningChannels);
 
 //------------------------------------------------------------------------------
+vtkHeliosSpinningChannels::vtkHeliosSpinningChannels()
+  : Channels(1)
+{
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosSpinningChannels::SetNumberOfChannels(int channels)
 {
   const int clamped = std::clamp(channels, 1, 100000);

@@ -91,7 +91,7 @@ public:
   double GetDelay(vtkIdType pulse) const override;
 
 protected:
-  vtkHeliosSpinningChannels() = default;
+  vtkHeliosSpinningChannels();
   ~vtkHeliosSpinningChannels() override = default;
 
 private:
@@ -110,7 +110,7 @@ private:
   double ComputeTurn(vtkIdType pulse) const;
 
   double ScanFrequency = 10.0;
-  std::vector<Channel> Channels = std::vector<Channel>(1);
+  std::vector<Channel> Channels;
 };
 
 #endif

@@ -137,7 +137,9 @@ TEST_CASE("BeamDeflector: a warm-up of any time, to the last ulps", "[BeamDeflec
   array->SetNumberOfFibers(1000);
   array->SetWarmUpTime(0.1000004); // the nearest whole pulse
   CHECK(array->GetScanAngle(0) == -10.0);
-  // A day of warm-up, then a day: an hour of 99.7 Hz, in integers.
+  array->SetWarmUpTime(0.1000006);
+  CHECK(array->GetScanAngle(0) == Approx(-10.0 + 20.0 / 999.0).epsilon(1e-14));
+  // A day of warm-up, then a day.
   mirror->SetScanFrequency(99.7);
   mirror->SetWarmUpTime(86400.0);
   const double phase = helios::ExactPhase(2 * 86400000000LL, 99.7, 1000000);
