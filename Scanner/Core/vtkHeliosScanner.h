@@ -132,7 +132,8 @@ public:
   ///@{
   /**
    * Set/Get the errors that the sampling may make, as root mean squares over the
-   * echoes of a scene: in range [m] and in amplitude, relative. Valid range:
+   * echoes of a scene: in range [m], and in amplitude as a share of what the pulse
+   * returns in all. Valid range:
    * [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
    */
   vtkSetMacro(RangeTolerance, double);

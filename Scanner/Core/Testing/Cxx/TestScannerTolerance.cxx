@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Sampling by tolerance against thousands of fixed sub-rays.
+#include "heliosRandom.h"
+#include "heliosScannerBench.h"
+#include "vtkHeliosBvhRayCaster.h"
+#include "vtkHeliosRotatingMirror.h"
+
+#include <vtkFieldData.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+using helios::Vec3;
+using namespace helios::testing;
+
+namespace
+{
+
+/// A scanner that sweeps up and down over a scene.
+struct Sweep : Bench
+{
+  vtkNew<vtkHeliosRotatingMirror> Mirror;
+
+  explicit Sweep(vtkPolyData* scene)
+    : Bench(scene)
+  {
+    this->Mirror->SetMirrorAngle(20);
+    this->Mirror->SetPulseFrequency(20000);
+    this->Scanner->SetBeamDeflector(this->Mirror);
+    this->Scanner->SetHeadRotateSpeed(200);
+    this->Scanner->SetDuration(0.05);
+    this->Scanner->GetBeamSampler()->SetBeamDivergence(2e-3);
+  }
+};
+
+/// Steps, slopes and slats at 40 to 60 m.
+vtkSmartPointer<vtkPolyData> MakeSteps()
+{
+  return MakeScene({ Wall(60), { { -50, 50, 3 }, { 100, 0, 0 }, { 0, 0, 50 } },
+    { { -50, 50.3, 1 }, { 100, 0, 0 }, { 0, 0, 2 } }, { { 0, 40, -10 }, { 5, 8, 0 }, { 0, 0, 9 } },
+    { { -5, 45, -8 }, { 4, 0, 1 }, { 0, 3, 6 } } });
+}
+
+struct Comparison
+{
+  vtkIdType Matched = 0;
+  vtkIdType Missed = 0;
+  vtkIdType Extra = 0;
+  double RangeRms = 0.0;
+  double AmplitudeRms = 0.0;
+};
+
+/// The sum of the amplitudes of an echo's pulse.
+double GetPower(vtkPolyData* echoes, vtkIdType echo)
+{
+  const vtkIdType first =
+    echo + 1 - static_cast<vtkIdType>(Value(echoes, names::ReturnNumber, echo));
+  const auto count = static_cast<vtkIdType>(Value(echoes, names::NumberOfReturns, echo));
+  double sum = 0;
+  for (vtkIdType i = first; i < first + count; ++i)
+  {
+    sum += Value(echoes, names::Amplitude, i);
+  }
+  return sum;
+}
+
+/// Echoes of the same pulse nearer than 0.3 m are the same; amplitudes are in units of what the whole
+/// pulse returns.
+Comparison Compare(vtkPolyData* echoes, vtkPolyData* reference)
+{
+  Comparison c;
+  vtkIdType j = 0;
+  for (vtkIdType i = 0; i < reference->GetNumberOfPoints(); ++i)
+  {
+    const double pulse = Value(reference, names::PulseIds, i);
+    while (j < echoes->GetNumberOfPoints() && Value(echoes, names::PulseIds, j) < pulse)
+    {
+      ++j;
+    }
+    vtkIdType best = -1;
+    double nearest = 0.3;
+    for (vtkIdType k = j;
+         k < echoes->GetNumberOfPoints() && Value(echoes, names::PulseIds, k) == pulse; ++k)
+    {
+      const double away =
+        std::abs(Value(echoes, names::Range, k) - Value(reference, names::Range, i));
+      if (away < nearest)
+      {
+        nearest = away;
+        best = k;
+      }
+    }
+    if (best < 0)
+    {
+      ++c.Missed;
+      continue;
+    }
+    ++c.Matched;
+    c.RangeRms += nearest * nearest;
+    const double away =
+      Value(echoes, names::Amplitude, best) - Value(reference, names::Amplitude, i);
+    c.AmplitudeRms += std::pow(away / GetPower(reference, i), 2);
+  }
+  c.Extra = echoes->GetNumberOfPoints() - c.Matched;
+  const double n = static_cast<double>(c.Matched);
+  c.RangeRms = std::sqrt(c.RangeRms / n);
+  c.AmplitudeRms = std::sqrt(c.AmplitudeRms / n);
+  return c;
+}
+
+} // namespace
+
+TEST_CASE("Tolerance: range and amplitude are within what was asked", "[Tolerance]")
+{
+  const auto scene = MakeSteps();
+  Sweep reference(scene);
+  reference.Scanner->GetBeamSampler()->SetPatternToVogel();
+  reference.Scanner->GetBeamSampler()->SetNumberOfSubRays(6000);
+  reference.Scanner->SetBinSize(0.1);
+  vtkPolyData* truth = reference.Run();
+  REQUIRE(truth->GetNumberOfPoints() > 1000);
+  for (const double factor : { 1.0, 0.3 })
+  {
+    Sweep sweep(scene);
+    sweep.Scanner->SetSamplingToTolerance();
+    sweep.Scanner->SetRangeTolerance(1e-3 * factor);
+    sweep.Scanner->SetEnergyTolerance(1e-2 * factor);
+    const Comparison c = Compare(sweep.Run(), truth);
+    CAPTURE(factor, c.Matched, c.Missed, c.Extra, c.RangeRms, c.AmplitudeRms,
+      sweep.Scanner->GetNumberOfSubRays());
+    CHECK(c.RangeRms < 1e-3 * factor);
+    CHECK(c.AmplitudeRms < 1e-2 * factor);
+    CHECK(c.Missed + c.Extra <= truth->GetNumberOfPoints() / 100);
+    CHECK(sweep.Scanner->GetNumberOfPulsesOnPlane() +
+        sweep.Scanner->GetNumberOfPulsesWithoutBins() + sweep.Scanner->GetNumberOfPulsesBinned() ==
+      sweep.Scanner->GetNumberOfPulsesHit());
+  }
+}
+
+TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
+{
+  Bench bench(MakeScene({ Wall(100) }));
+  bench.Scanner->SetSamplingToTolerance();
+  // Off the wall's diagonal, which two triangles share.
+  bench.Tripod->SetHeading(3);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(bench.Scanner->GetNumberOfPulsesOnPlane() == 1000);
+  CHECK(bench.Scanner->GetNumberOfSubRays() == 0);
+  CHECK(Value(echoes, names::Range, 0) ==
+    Approx(100 / std::cos(3 * 0.017453292519943295)).epsilon(1e-6));
+
+  Bench edge(MakeScene({ { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) }));
+  edge.Scanner->SetSamplingToTolerance();
+  CHECK(edge.Run()->GetNumberOfPoints() == 2000);
+  CHECK(
+    edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
+  CHECK(edge.Scanner->GetNumberOfSubRays() > 49 * 1000);
+}
+
+TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tolerance]")
+{
+  const auto scene = MakeSteps();
+  Sweep sweep(scene);
+  sweep.Scanner->SetSamplingToTolerance();
+  vtkNew<vtkPolyData> alone;
+  alone->DeepCopy(sweep.Run());
+  sweep.Scanner->GenerateWaveformsOn();
+  sweep.Scanner->GenerateSubRaysOn();
+  sweep.Scanner->GeneratePulsesOn();
+  vtkPolyData* together = sweep.Run();
+  REQUIRE(together->GetNumberOfPoints() == alone->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < alone->GetNumberOfPoints(); ++i)
+  {
+    REQUIRE(Value(together, names::Range, i) == Value(alone, names::Range, i));
+    REQUIRE(Value(together, names::WaveformIds, i) == Value(together, names::PulseIds, i));
+  }
+  // Every pulse with an echo has a waveform, and its sub-rays' weights are at most 1.
+  auto* table = vtkTable::SafeDownCast(sweep.Scanner->GetOutputDataObject(1));
+  CHECK(table->GetNumberOfRows() == sweep.Scanner->GetNumberOfPulsesHit());
+  vtkPolyData* hits = sweep.Scanner->GetOutput(3);
+  double sum = 0;
+  for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
+  {
+    sum += Value(hits, names::Weight, i);
+  }
+  CHECK(sum <= sweep.Scanner->GetNumberOfPulsesHit() * (1 + 1e-12));
+  CHECK(sum > 0.9 * sweep.Scanner->GetNumberOfPulsesHit());
+}
+
+TEST_CASE("Tolerance: same bytes for any number of threads, pieces, and caster", "[Tolerance]")
+{
+  const auto scene = MakeSteps();
+  Sweep sweep(scene);
+  sweep.Scanner->SetSamplingToTolerance();
+  sweep.Scanner->SetRangeAccuracy(0.01);
+  sweep.Scanner->SetAngleAccuracy(1e-5);
+  vtkSMPTools::Initialize(1);
+  const std::string one = Bytes(sweep.Run());
+  REQUIRE(one.size() > 100000);
+  vtkSMPTools::Initialize(2);
+  sweep.Scanner->Modified();
+  CHECK(Bytes(sweep.Run()) == one);
+  vtkNew<vtkHeliosBvhRayCaster> bvh;
+  sweep.Scanner->SetRayCaster(bvh);
+  CHECK(Bytes(sweep.Run()) == one);
+  vtkIdType points = 0;
+  const vtkIdType all = sweep.Run()->GetNumberOfPoints();
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    sweep.Scanner->UpdatePiece(piece, 3, 0);
+    points += sweep.Scanner->GetOutput()->GetNumberOfPoints();
+  }
+  CHECK(points == all);
+}
+
+TEST_CASE("Tolerance: a beam with a waist has its footprint near by", "[Tolerance]")
+{
+  // 1550 nm, w = 0.15 mrad: w(10 m) = 3.6 mm, not 1.5 mm. An edge 2 mm off the axis cuts it.
+  const auto scene = MakeScene({ { { -5, 10, 0.002 }, { 10, 0, 0 }, { 0, 0, 5 } }, Wall(20) });
+  Bench bench(scene);
+  bench.Scanner->SetSamplingToTolerance();
+  bench.Scanner->SetEnergyTolerance(1e-3);
+  bench.Scanner->SetAtmosphericExtinction(0);
+  bench.Scanner->SetDuration(1e-5);
+  vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
+  sampler->SetBeamDivergence(0.3e-3);
+  sampler->SetTruncation(3);
+  CHECK(Value(bench.Run(), names::NumberOfReturns, 0) == 2); // 2 mm are 1.3 w
+  const double energy = 4 * 0.99 * 0.5 * 0.25 * 0.0225 / 100;
+  CHECK(Value(bench.Run(), names::Amplitude, 0) / energy ==
+    Approx(0.5 * std::erfc(std::sqrt(2.0) * 0.002 / 0.0015)).margin(2e-3));
+  sampler->SetBeamQualityFactor(1);
+  sampler->SetWavelength(1550);
+  CHECK(Value(bench.Run(), names::Amplitude, 0) / energy ==
+    Approx(0.5 * std::erfc(std::sqrt(2.0) * 0.002 / 0.003615087)).margin(2e-3));
+}
+
+TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
+{
+  Bench bench(MakeScene({ Wall(100) }));
+  CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
+  bench.Scanner->SetSamplingToTolerance();
+  CHECK(bench.Scanner->DescribeSampling().find("49 sub-rays") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("1/48 of the beam") != std::string::npos);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
+}
