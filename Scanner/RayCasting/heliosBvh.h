@@ -37,7 +37,11 @@ public:
 
   std::size_t GetMemorySize() const;
 
+  const std::vector<vtkTypeInt32>& GetTriangles() const { return this->Order; }
+
 private:
+  friend class BeamTree; // which makes its wide nodes of these
+
   typedef double Pair __attribute__((vector_size(16)));
 
   /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosRayCaster.h"
 
+#include "heliosBeamTree.h"
+#include "heliosConeProbe.h"
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
 
 #include <vtkDoubleArray.h>
@@ -26,8 +29,10 @@ struct Backend
 /// The backends, the highest priority first. Those of other libraries register when they are loaded.
 std::vector<Backend>& GetBackends()
 {
-  static std::vector<Backend> backends = { { "bvh", 2,
-    []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } } };
+  static std::vector<Backend> backends = {
+    { "bvh", 2, []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } },
+    { "beam", 1, []() -> vtkHeliosRayCaster* { return vtkHeliosBeamRayCaster::New(); } }
+  };
   return backends;
 }
 
@@ -92,6 +97,8 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
     return true;
   }
   this->BuiltScene = nullptr;
+  this->ConeTree = nullptr;
+  this->OwnConeTree.reset();
   this->BuildAccelerator(helios::TriangleMesh()); // forgets the old one before its mesh goes
   const std::string problem = this->Mesh->Set(scene);
   if (!problem.empty())
@@ -160,10 +167,26 @@ void vtkHeliosRayCaster::IntersectBeams(
   this->Intersect(rays, hits, raysPerBeam * beams);
 }
 
-void vtkHeliosRayCaster::PrepareConeProbe() {}
+void vtkHeliosRayCaster::PrepareConeProbe()
+{
+  if (!this->ConeTree && this->BuiltScene)
+  {
+    this->ConeTree = this->GetBeamTree();
+    if (!this->ConeTree)
+    {
+      this->OwnConeTree.reset(new helios::BeamTree);
+      this->OwnConeTree->Build(*this->Mesh);
+      this->ConeTree = this->OwnConeTree.get();
+    }
+  }
+}
 
 vtkHeliosConeHit vtkHeliosRayCaster::ProbeCone(
-  const double[3], const double[3], double, double) const
+  const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const
 {
-  return { vtkHeliosConeHit::Mixed, -1, 0.0 };
+  if (!this->ConeTree)
+  {
+    return { vtkHeliosConeHit::Mixed, -1, 0.0 };
+  }
+  return helios::ConeProbe(origin, axis, tanHalfAngle, planeTolerance).Run(*this->ConeTree);
 }

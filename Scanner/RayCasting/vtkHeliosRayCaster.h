@@ -33,6 +33,7 @@ class vtkPolyData;
 
 namespace helios
 {
+class BeamTree;
 class TriangleMesh;
 }
 
@@ -112,16 +113,19 @@ public:
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
 
   /**
-   * Prepares ProbeCone() for the scene, once. Not thread-safe.
+   * Prepares ProbeCone() for the scene it was built from, once. Not thread-safe.
    */
   void PrepareConeProbe();
 
   /**
    * What a cone meets that opens from origin about a unit axis; planeTolerance
-   * [m] is how far surfaces may lie off one plane, along the axis. Thread-safe.
+   * [m] is how far surfaces may lie off one plane, along the axis, inside the
+   * cone. Empty and OnePlane are certain, whatever is between any samples; cell
+   * and range are those that Intersect() gives for the axis. Mixed before
+   * PrepareConeProbe(). Thread-safe.
    */
-  vtkHeliosConeHit ProbeCone(const double origin[3], const double axis[3], double tanHalfAngle,
-    double planeTolerance) const;
+  vtkHeliosConeHit ProbeCone(
+    const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const;
 
   /**
    * For each of count rays whether anything lies in (0, MaximumRange].
@@ -155,7 +159,10 @@ public:
   static bool Register(const char* name, int priority, Factory create);
 
   /// The triangles it was built from.
-  const helios::TriangleMesh& GetMesh() const { return *this->Mesh; }
+  const helios::TriangleMesh& GetMesh() const
+  {
+    return *this->Mesh;
+  }
 #endif
 
 protected:
@@ -165,11 +172,19 @@ protected:
   /// Makes the accelerator of the mesh; false after an error.
   virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
 
+  /// The accelerator, if it is what ProbeCone() needs.
+  virtual const helios::BeamTree* GetBeamTree() const
+  {
+    return nullptr;
+  }
+
 private:
   vtkHeliosRayCaster(const vtkHeliosRayCaster&) = delete;
   void operator=(const vtkHeliosRayCaster&) = delete;
 
   std::unique_ptr<helios::TriangleMesh> Mesh;
+  std::unique_ptr<helios::BeamTree> OwnConeTree;
+  const helios::BeamTree* ConeTree = nullptr; ///< once it is prepared
   vtkWeakPointer<vtkPolyData> BuiltScene;
   vtkMTimeType BuiltTime = 0;
 };

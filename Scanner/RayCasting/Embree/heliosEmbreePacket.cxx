@@ -3,42 +3,17 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosEmbreePacket.h"
 
+#include "heliosRayVectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-
-// The same operations with wider vectors where the machine has them; without FMA, so the same bytes.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-  !defined(__SANITIZE_ADDRESS__)
-#define HELIOS_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define HELIOS_CLONES
-#endif
 
 namespace helios
 {
 
 namespace
 {
-
-HELIOS_INLINE bool Any(const Masks& m)
-{
-  return (m[0] | m[1] | m[2] | m[3]) != 0;
-}
-
-template <typename VectorT, typename NumberT>
-HELIOS_INLINE VectorT Load(const NumberT* from)
-{
-  VectorT v;
-  std::memcpy(&v, from, sizeof(v));
-  return v;
-}
-
-template <typename NumberT, typename VectorT>
-HELIOS_INLINE void Store(NumberT* to, const VectorT& v)
-{
-  std::memcpy(to, &v, sizeof(v));
-}
 
 /// How far a float ray may go for a hit at a range: rounded up, so that equal ranges are still seen.
 template <typename Real>
@@ -106,68 +81,20 @@ HELIOS_INLINE void SetQuad(RayQuad& quad, const LocalFrame& frame, const vtkHeli
   Store(packet.Valid + first, __builtin_convertvector(isAlive, ShortMasks));
 }
 
-/// Which lanes are inside the triangle, given by their edge functions.
-HELIOS_INLINE Masks GetInside(
-  const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3])
-{
-  const Masks positive = (edges[0] > 0.0) | (edges[1] > 0.0) | (edges[2] > 0.0);
-  const Masks negative = (edges[0] < 0.0) | (edges[1] < 0.0) | (edges[2] < 0.0);
-  Masks inside = valid & ~(positive & negative);
-  const Masks tied = inside & ((edges[0] == 0.0) | (edges[1] == 0.0) | (edges[2] == 0.0));
-  if (Any(tied))
-  {
-    for (int lane = 0; lane < QuadWidth; ++lane)
-    {
-      const double e[3] = { edges[0][lane], edges[1][lane], edges[2][lane] };
-      const double s[3][2] = { { sheared[0][0][lane], sheared[0][1][lane] },
-        { sheared[1][0][lane], sheared[1][1][lane] },
-        { sheared[2][0][lane], sheared[2][1][lane] } };
-      inside[lane] = inside[lane] && IsInside(s, e) ? -1 : 0;
-    }
-  }
-  return inside;
-}
-
-/// The planes of a pair of triangles, as far as they are asked for.
-struct LazyPlanes
-{
-  TrianglePlane Planes[2];
-  bool Has[2] = { false, false };
-
-  HELIOS_INLINE const TrianglePlane& Get(const TrianglePair& pair, int i)
-  {
-    if (!this->Has[i])
-    {
-      this->Planes[i] = GetPlane(pair.Points[i]);
-      this->Has[i] = true;
-    }
-    return this->Planes[i];
-  }
-};
-
 /// Tests four rays whose axes are the same.
 HELIOS_INLINE void TestQuad(
-  RayQuad& quad, const Masks& isValid, const TrianglePair& pair, LazyPlanes& planes, float* far)
+  RayQuad& quad, const Masks& isValid, const TrianglePair& pair, LazyPlane planes[2], float* far)
 {
   for (int i = 0; i < pair.Count; ++i)
   {
-    Doubles corners[3][3], sheared[3][2], edges[3];
-    Relate<Doubles>(quad, pair.Points[i], corners);
-    GetEdgeFunctions<Doubles>(quad, quad.Axes[0], corners, sheared, edges);
-    const Masks inside = GetInside(isValid, sheared, edges);
-    if (!Any(inside))
+    Masks better;
+    TestLanes(quad, quad.Axes[0], isValid, pair.First + i, pair.Points[i], planes[i], better);
+    if (Any(better))
     {
-      continue;
+      const Doubles newFar = GetFar(quad.Range, quad.Start, quad.Stretch);
+      const Floats shortFar = __builtin_convertvector(newFar, Floats);
+      Store(far, __builtin_convertvector(better, ShortMasks) ? shortFar : Load<Floats>(far));
     }
-    const Doubles range = GetRange<Doubles>(quad, planes.Get(pair, i), corners);
-    const Masks id = Masks() + (pair.First + i);
-    const Masks better = inside & (range > 0.0) &
-      ((range < quad.Range) | ((range == quad.Range) & (id < quad.Triangle)));
-    quad.Range = better ? range : quad.Range;
-    quad.Triangle = better ? id : quad.Triangle;
-    const Doubles newFar = GetFar(quad.Range, quad.Start, quad.Stretch);
-    const Floats shortFar = __builtin_convertvector(newFar, Floats);
-    Store(far, __builtin_convertvector(better, ShortMasks) ? shortFar : Load<Floats>(far));
   }
 }
 
@@ -235,7 +162,7 @@ int Packet::Set(const LocalFrame& frame, const vtkHeliosRay* rays, int count)
 HELIOS_CLONES
 void Packet::TestLanes(const int* valid, const TrianglePair& pair, float* far)
 {
-  LazyPlanes planes;
+  LazyPlane planes[2];
   for (int first = 0; first < this->Width; first += QuadWidth)
   {
     RayQuad& quad = this->Quads[first / QuadWidth];

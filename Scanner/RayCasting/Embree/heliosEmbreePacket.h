@@ -5,19 +5,12 @@
 #ifndef heliosEmbreePacket_h
 #define heliosEmbreePacket_h
 
-#include "heliosTriangleTest.h"
-
-#include <limits>
+#include "heliosRayLanes.h"
 
 namespace helios
 {
 
 constexpr int MaximumWidth = 16; // of a packet: as many rays as Embree traces at a time
-constexpr int QuadWidth = 4;     // as many as AVX2 tests at a time
-typedef double Doubles __attribute__((vector_size(8 * QuadWidth)));
-typedef long long Masks __attribute__((vector_size(8 * QuadWidth))); // -1 or 0
-typedef float Floats __attribute__((vector_size(4 * QuadWidth)));
-typedef int ShortMasks __attribute__((vector_size(4 * QuadWidth)));
 
 /**
  * The frame of the float boxes: the scene's box, centred and scaled by a power of two into
@@ -50,24 +43,13 @@ struct TrianglePair
   const double* Points[2][3];
 };
 
-/// Four rays and their best hits so far.
-struct RayQuad : RayTerms<Doubles>
+/// Four rays, their best hits so far, and how they go on in floats.
+struct RayQuad : RayLanes
 {
-  Doubles Range;   ///< of the best hit; the ray's maximum as long as there is none
-  Masks Triangle;  ///< of the best hit; NoTriangle as long as there is none
   Doubles Start;   ///< where the float ray starts, on the scene's box
   Doubles Stretch; ///< float length for a unit of range
   RayAxes Axes[QuadWidth];
   bool HaveSameAxes;
-
-  static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
-
-  vtkHeliosHit GetHit(int lane) const
-  {
-    const vtkIdType triangle = this->Triangle[lane];
-    return triangle == NoTriangle ? vtkHeliosHit{ NoHit, -1 }
-                                  : vtkHeliosHit{ this->Range[lane], triangle };
-  }
 
   /**
    * Tests one ray against triangles; keeps a better hit and says how far its float ray may go.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosEmbreeTree.h"
 
+#include "heliosCoreBounds.h"
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
@@ -71,35 +72,6 @@ RTCRay GetAlone(const Packet& rays)
   RTCRay ray;
   std::memcpy(&ray, fields, sizeof(ray));
   return ray;
-}
-
-/**
- * The box that holds all but a few corners in a thousand, with four times its size around it. What
- * reaches out of it (a stray corner at 1e30) would take away the floats' resolution from the rest.
- */
-void GetCoreBounds(const TriangleMesh& mesh, double bounds[6])
-{
-  const vtkIdType count = 3 * mesh.GetNumberOfTriangles();
-  const vtkIdType stride = 3 * (count / (3 << 16)) + 1; // takes first, second and third corners
-  std::vector<double> values;
-  double width = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    values.clear();
-    for (vtkIdType i = 0; i < count; i += stride)
-    {
-      values.push_back(mesh.GetPoints()[3 * static_cast<vtkIdType>(mesh.GetCorners()[i]) + axis]);
-    }
-    std::sort(values.begin(), values.end());
-    bounds[2 * axis] = values[values.size() / 1024];
-    bounds[2 * axis + 1] = values[values.size() - 1 - values.size() / 1024];
-    width = std::max(width, bounds[2 * axis + 1] - bounds[2 * axis]);
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bounds[2 * axis] -= 4 * width;
-    bounds[2 * axis + 1] += 4 * width;
-  }
 }
 
 } // namespace

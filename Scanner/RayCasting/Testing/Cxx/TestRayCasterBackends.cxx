@@ -29,9 +29,9 @@ public:
 TEST_CASE("RayCaster: backends by their names", "[RayCaster]")
 {
   // This program is linked with no backend of another library.
-  REQUIRE(vtkHeliosRayCaster::GetNumberOfBackends() == 1);
+  REQUIRE(vtkHeliosRayCaster::GetNumberOfBackends() == 2);
   CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("bvh"));
-  CHECK(vtkHeliosRayCaster::GetBackendName(1) == nullptr);
+  CHECK(vtkHeliosRayCaster::GetBackendName(2) == nullptr);
   CHECK(vtkHeliosRayCaster::GetBackendName(-1) == nullptr);
   for (const char* name : { "bvh", "", static_cast<const char*>(nullptr) })
   {
@@ -62,5 +62,5 @@ TEST_CASE("RayCaster: backends are listed by priority", "[RayCaster]")
   REQUIRE(vtkHeliosRayCaster::Register("fast", 9, make));
   CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("fast"));
   CHECK(vtkHeliosRayCaster::GetBackendName(1) == std::string("bvh"));
-  CHECK(vtkHeliosRayCaster::GetBackendName(2) == std::string("slow"));
+  CHECK(vtkHeliosRayCaster::GetBackendName(3) == std::string("slow"));
 }

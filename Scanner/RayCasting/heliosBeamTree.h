@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A wide bounding volume hierarchy that a bundle of rays, or a cone, goes through once.
+
+#ifndef heliosBeamTree_h
+#define heliosBeamTree_h
+
+#include "heliosBvh.h"
+
+#include <vtkType.h>
+
+#include <vector>
+
+namespace helios
+{
+
+class TriangleMesh;
+
+/**
+ * What a bundle's rays have in common: they lie in a frustum about one of the axes, Z. At a
+ * distance s along Z the frustum reaches from Low + s SlopeLow to High + s SlopeHigh along X and Y.
+ * Numbers are floats in the frame of the tree, rounded outwards; s starts where the frustum reaches
+ * the box of the tree.
+ *
+ * No hit of TestTriangle is lost: origins are widened by Slack, which covers what the test allows a
+ * ray to pass beside a triangle (BoxSlack) and the rounding of everything here.
+ */
+struct Frustum
+{
+  RayAxes Axes;
+  bool IsForward; ///< along Z
+  float Low[3];   ///< origins along X, Y, Z
+  float High[3];
+  float SlopeLow[2]; ///< along X and Y, for a unit along Z
+  float SlopeHigh[2];
+  double Start; ///< s = 0, in units of the scene from the origins
+  double Slack; ///< in units of the scene
+  double Scale;
+
+  /// The limit of s for a distance along Z from the origins.
+  float GetLimit(double distance) const;
+};
+
+/**
+ * Boxes of eight children are float, in a frame local to the scene and rounded outwards; triangles
+ * are tested in double. Triangles that reach far out of the scene are kept in a tree of doubles.
+ */
+class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
+{
+public:
+  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
+  void Build(const TriangleMesh& mesh);
+
+  /// The first hits of beams, each of so many rays.
+  void Intersect(
+    const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
+
+  bool IsOccluded(const vtkHeliosRay& ray) const;
+
+  std::size_t GetMemorySize() const;
+
+  const TriangleMesh& GetMesh() const { return *this->Mesh; }
+
+  /// The triangles that are kept apart.
+  const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
+
+  /// Whether no triangle is in the tree, but for the outliers.
+  bool IsEmpty() const { return this->Scale == 0.0; }
+
+  /**
+   * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
+   * origins, and of slopes for a unit along Z. False where it misses the tree.
+   */
+  bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
+    const double slopeLow[2], const double slopeHigh[2]) const;
+
+  static constexpr int Width = 8;
+
+private:
+  friend class BeamWalk;
+  class Bundle;
+
+  /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or
+  /// with a Count of zero the node First.
+  struct alignas(32) Node
+  {
+    float Low[3][Width];
+    float High[3][Width];
+    vtkTypeUInt32 First[Width];
+    unsigned char Count[Width];
+  };
+
+  vtkTypeUInt32 MakeNode(const Bvh& binary, vtkTypeInt32 index);
+  void SetChild(vtkTypeUInt32 node, int child, const Bvh& binary, vtkTypeInt32 parent, int side);
+  void TraceBundle(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count) const;
+  vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
+
+  const TriangleMesh* Mesh = nullptr;
+  double Centre[3] = { 0, 0, 0 };
+  double Half[3] = { 0, 0, 0 }; ///< of the box
+  double Scale = 0.0;           ///< a power of two, into [-1, 1]; zero for an empty tree
+  std::vector<vtkTypeInt32> Order;
+  std::vector<Node> Nodes;
+  bool HasOutliers = false;
+  Bvh Outliers;
+};
+
+/// Goes through a tree along a frustum, from front to back.
+class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
+{
+public:
+  BeamWalk(const BeamTree& tree, const Frustum& frustum);
+
+  /// The next leaf that the frustum enters at or before a limit; the triangles of it, or none.
+  int GetNext(float limit, const vtkTypeInt32*& triangles);
+
+private:
+  struct Entry
+  {
+    float Near;
+    vtkTypeUInt32 First;
+    vtkTypeUInt32 Count;
+  };
+  /// A side of the frustum: a child is beyond it for s below or above (plane - origin) * inverse.
+  struct Side
+  {
+    float Origin;
+    float Inverse;
+    bool IsEntry;
+  };
+  static constexpr int StackSize = 8 + 90 * (BeamTree::Width - 1);
+
+  const BeamTree& Tree;
+  RayAxes Axes;
+  bool IsForward;
+  float Near, Far; ///< the origins along Z
+  Side Lower[2];   ///< against the children's High along X and Y
+  Side Upper[2];   ///< against their Low
+  int Size = 0;
+  Entry Stack[StackSize];
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a cone meets in a scene, for sure.
+
+#ifndef heliosConeProbe_h
+#define heliosConeProbe_h
+
+#include "heliosBeamTree.h"
+
+namespace helios
+{
+
+/**
+ * A cone in its own frame: the apex is the origin, the axis is z. A triangle, seen from the apex,
+ * is where all three of N_k . d have the sign of its determinant, N_k being the cross product of
+ * the corners of the edge across from corner k; over the directions d = (x, y, 1) of the cone
+ * N . d spans N_z -+ T |N_xy|. That tells touching from covering without a division, with corners
+ * behind the apex too. What is left is decided in the plane z = 1, where the cone is a disc.
+ *
+ * Rounding errs towards Mixed: signs count beyond a bound of their error only.
+ */
+class ConeProbe
+{
+public:
+  ConeProbe(const double origin[3], const double axis[3], double tanHalfAngle, double tolerance);
+
+  vtkHeliosConeHit Run(const BeamTree& tree);
+
+private:
+  /// A triangle that may touch the cone.
+  struct Candidate
+  {
+    vtkTypeInt32 Triangle;
+    const double* Points[3];
+    double Corners[3][3]; ///< in the frame of the cone
+    double Edges[3][3];   ///< N_k
+    double Errors[3];     ///< of N_k . d
+    double Sign;          ///< of the determinant; 0 where it is in doubt
+    bool IsBefore;        ///< all of it is before the apex
+    bool Covers;          ///< the whole cone
+  };
+  /// The plane n . p = c in the frame of the cone, with c > 0.
+  struct Plane
+  {
+    double Normal[3];
+    double Constant;
+    double Across;            ///< |n_xy|
+    double Nearest, Farthest; ///< depth over the cone; Farthest may be infinite
+  };
+
+  bool SetHull(const BeamTree& tree, Frustum& hull) const;
+  bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
+  bool Touches(Candidate& c) const;
+  bool EdgeTouches(const Candidate& c, int edge, double radius) const;
+  Plane GetPlane(const Candidate& c) const;
+  bool IsBehind(const Candidate& c, const Plane& plane) const;
+  bool IsOn(const Candidate& c, const Plane& plane) const;
+  bool IsShared(int member, int edge) const;
+  bool DropFarther();
+  vtkHeliosConeHit Judge();
+
+  static constexpr int MaximumCandidates = 24;
+
+  const double* Origin;
+  double Tangent;
+  double Tolerance;
+  double Frame[3][3]; ///< rows: two axes across, the axis
+  TestRay Axis;
+  bool IsValid;
+
+  int Count = 0;
+  Candidate Candidates[MaximumCandidates];
+  vtkHeliosHit Hit{ NoHit, -1 }; ///< of the axis
+  double Farthest = NoHit;       ///< depth beyond which nothing matters
+};
+
+} // namespace helios
+
+#endif

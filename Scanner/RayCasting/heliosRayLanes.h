@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Rays in the lanes of vectors, and their best hits.
+
+#ifndef heliosRayLanes_h
+#define heliosRayLanes_h
+
+#include "heliosTriangleTest.h"
+
+#include <limits>
+
+namespace helios
+{
+
+constexpr int QuadWidth = 4; // as many doubles as AVX2 holds
+typedef double Doubles __attribute__((vector_size(8 * QuadWidth)));
+typedef long long Masks __attribute__((vector_size(8 * QuadWidth))); // -1 or 0
+typedef float Floats __attribute__((vector_size(4 * QuadWidth)));
+typedef int ShortMasks __attribute__((vector_size(4 * QuadWidth)));
+
+/// Four rays and their best hits so far.
+struct RayLanes : RayTerms<Doubles>
+{
+  Doubles Range;  ///< of the best hit; the ray's maximum as long as there is none
+  Masks Triangle; ///< of the best hit; NoTriangle as long as there is none
+
+  static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
+
+  vtkHeliosHit GetHit(int lane) const
+  {
+    const vtkIdType triangle = this->Triangle[lane];
+    return triangle == NoTriangle ? vtkHeliosHit{ NoHit, -1 }
+                                  : vtkHeliosHit{ this->Range[lane], triangle };
+  }
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// TestTriangle for rays in the lanes of vectors. For sources only, which must first ignore -Wpsabi:
+// vectors are passed to functions that are inlined, into those that are compiled for the machine.
+
+#ifndef heliosRayVectors_h
+#define heliosRayVectors_h
+
+#include "heliosRayLanes.h"
+
+#include <cstring>
+
+// The same operations with wider vectors where the machine has them; without FMA, so the same bytes.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
+  !defined(__SANITIZE_ADDRESS__)
+#define HELIOS_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define HELIOS_CLONES
+#endif
+
+namespace helios
+{
+
+HELIOS_INLINE bool Any(const Masks& m)
+{
+  return (m[0] | m[1] | m[2] | m[3]) != 0;
+}
+
+template <typename VectorT, typename NumberT>
+HELIOS_INLINE VectorT Load(const NumberT* from)
+{
+  VectorT v;
+  std::memcpy(&v, from, sizeof(v));
+  return v;
+}
+
+template <typename NumberT, typename VectorT>
+HELIOS_INLINE void Store(NumberT* to, const VectorT& v)
+{
+  std::memcpy(to, &v, sizeof(v));
+}
+
+/// Which lanes are inside the triangle, given by their edge functions.
+HELIOS_INLINE void GetInside(
+  const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
+{
+  const Masks positive = (edges[0] > 0.0) | (edges[1] > 0.0) | (edges[2] > 0.0);
+  const Masks negative = (edges[0] < 0.0) | (edges[1] < 0.0) | (edges[2] < 0.0);
+  inside = valid & ~(positive & negative);
+  const Masks tied = inside & ((edges[0] == 0.0) | (edges[1] == 0.0) | (edges[2] == 0.0));
+  if (Any(tied))
+  {
+    for (int lane = 0; lane < QuadWidth; ++lane)
+    {
+      const double e[3] = { edges[0][lane], edges[1][lane], edges[2][lane] };
+      const double s[3][2] = { { sheared[0][0][lane], sheared[0][1][lane] },
+        { sheared[1][0][lane], sheared[1][1][lane] },
+        { sheared[2][0][lane], sheared[2][1][lane] } };
+      inside[lane] = inside[lane] && IsInside(s, e) ? -1 : 0;
+    }
+  }
+}
+
+/// The plane of a triangle, once it is asked for.
+struct LazyPlane
+{
+  TrianglePlane Plane;
+  bool Has = false;
+
+  HELIOS_INLINE const TrianglePlane& Get(const double* const points[3])
+  {
+    if (!this->Has)
+    {
+      this->Plane = GetPlane(points);
+      this->Has = true;
+    }
+    return this->Plane;
+  }
+};
+
+/// Tests four rays of the same axes, and keeps better hits; which lanes have one.
+HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& isValid,
+  long long triangle, const double* const points[3], LazyPlane& plane, Masks& better)
+{
+  Doubles corners[3][3], sheared[3][2], edges[3];
+  Relate<Doubles>(rays, points, corners);
+  GetEdgeFunctions<Doubles>(rays, axes, corners, sheared, edges);
+  Masks inside;
+  GetInside(isValid, sheared, edges, inside);
+  better = inside;
+  if (!Any(inside))
+  {
+    return;
+  }
+  const Doubles range = GetRange<Doubles>(rays, plane.Get(points), corners);
+  const Masks id = Masks() + triangle;
+  better = inside & (range > 0.0) &
+    ((range < rays.Range) | ((range == rays.Range) & (id < rays.Triangle)));
+  rays.Range = better ? range : rays.Range;
+  rays.Triangle = better ? id : rays.Triangle;
+}
+
+} // namespace helios
+
+#endif

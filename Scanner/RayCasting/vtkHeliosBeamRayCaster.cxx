@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosBeamRayCaster.h"
+
+#include "heliosBeamTree.h"
+
+#include <vtkObjectFactory.h>
+
+class vtkHeliosBeamRayCaster::Internals : public helios::BeamTree
+{
+};
+
+vtkStandardNewMacro(vtkHeliosBeamRayCaster);
+
+vtkHeliosBeamRayCaster::vtkHeliosBeamRayCaster()
+  : Tree(new Internals)
+{
+}
+
+vtkHeliosBeamRayCaster::~vtkHeliosBeamRayCaster() = default;
+
+void vtkHeliosBeamRayCaster::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+
+bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
+{
+  this->Tree->Build(mesh);
+  return true;
+}
+
+const helios::BeamTree* vtkHeliosBeamRayCaster::GetBeamTree() const
+{
+  return this->Tree.get();
+}
+
+void vtkHeliosBeamRayCaster::Intersect(
+  const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const
+{
+  this->Tree->Intersect(rays, hits, 1, count);
+}
+
+void vtkHeliosBeamRayCaster::IntersectBeams(
+  const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
+{
+  this->Tree->Intersect(rays, hits, raysPerBeam, beams);
+}
+
+void vtkHeliosBeamRayCaster::Occluded(
+  const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    occluded[i] = this->Tree->IsOccluded(rays[i]);
+  }
+}
+
+std::size_t vtkHeliosBeamRayCaster::GetAcceleratorSize() const
+{
+  return this->Tree->GetMemorySize();
+}

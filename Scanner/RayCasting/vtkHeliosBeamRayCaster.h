@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosBeamRayCaster
+ * @brief   the ray caster for pulses: bundles of rays go through the scene once
+ *
+ * A hierarchy of boxes, eight a node, that all rays of a beam go through as one
+ * (interval arithmetic on their origins and directions); triangles are tested
+ * in double. Boxes are float in a frame local to the scene, rounded outwards;
+ * the few triangles that reach far out of a scene, if there are any, are kept
+ * in a tree of doubles. Intersect() takes each ray as a beam of its own.
+ *
+ * @sa
+ * vtkHeliosRayCaster
+ */
+
+#ifndef vtkHeliosBeamRayCaster_h
+#define vtkHeliosBeamRayCaster_h
+
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScannerRayCastingModule.h" // For export macro
+
+class VTKHELIOSSCANNERRAYCASTING_EXPORT vtkHeliosBeamRayCaster : public vtkHeliosRayCaster
+{
+public:
+  static vtkHeliosBeamRayCaster* New();
+  vtkTypeMacro(vtkHeliosBeamRayCaster, vtkHeliosRayCaster);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  using vtkHeliosRayCaster::Intersect;
+  void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const override;
+  void IntersectBeams(
+    const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const override;
+  void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override;
+  const char* GetName() const override { return "beam"; }
+  std::size_t GetAcceleratorSize() const override;
+
+protected:
+  vtkHeliosBeamRayCaster();
+  ~vtkHeliosBeamRayCaster() override;
+
+  bool BuildAccelerator(const helios::TriangleMesh& mesh) override;
+  const helios::BeamTree* GetBeamTree() const override;
+
+private:
+  vtkHeliosBeamRayCaster(const vtkHeliosBeamRayCaster&) = delete;
+  void operator=(const vtkHeliosBeamRayCaster&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Tree;
+};
+
+#endif
