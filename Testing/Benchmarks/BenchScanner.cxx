@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How much of the ray caster's rate the whole scanner keeps: pulses with 19 sub-rays to echoes in
-// memory, against the bare rays of the same pulses in one batch. Usage: BenchScanner [repetitions]
+// memory, against the bare rays of the same pulses in one batch; and the same pulses by tolerance
+// (1 mm and 1 %). Usage: BenchScanner [repetitions]
 
 #include "heliosBenchScenes.h"
 
@@ -79,6 +80,8 @@ struct Survey
     this->Scanner->SetInputData(0, scene);
     this->Scanner->SetInputConnection(1, this->Platform->GetOutputPort());
     this->Scanner->SetBeamDeflector(this->Mirror);
+    this->Scanner->SetSamplingToFixed();
+    this->Scanner->GetBeamSampler()->SetPatternToCircles();
   }
 
   vtkPolyData* Run()
@@ -179,7 +182,7 @@ bool Measure(Survey& survey, int repetitions)
   {
     return false;
   }
-  std::vector<double> bare, one, ratio, wallOne, wallTwo;
+  std::vector<double> bare, one, ratio, wallOne, wallTwo, byTolerance;
   for (int i = 0; i < repetitions; ++i)
   {
     vtkSMPTools::Initialize(1);
@@ -196,11 +199,17 @@ bool Measure(Survey& survey, int repetitions)
     wall = WallSeconds();
     survey.Run();
     wallTwo.push_back(WallSeconds() - wall);
+    survey.Scanner->SetSamplingToTolerance();
+    wall = WallSeconds();
+    survey.Run();
+    byTolerance.push_back(WallSeconds() - wall);
+    survey.Scanner->SetSamplingToFixed();
   }
   const double million = 1e-6 * static_cast<double>(count);
-  std::printf("%-18s %7.2f %9.2f %12.3f %10.2f %13.2f %14.3f\n", survey.Name.c_str(),
+  std::printf("%-18s %7.2f %9.2f %12.3f %10.2f %13.2f %10.3f %12.3f\n", survey.Name.c_str(),
     million / Median(bare), million / Median(one), million / 19 / Median(one), Median(ratio),
-    Median(wallOne) / Median(wallTwo), million / 19 / Median(wallTwo));
+    Median(wallOne) / Median(wallTwo), million / 19 / Median(wallTwo),
+    million / 19 / Median(byTolerance));
   return true;
 }
 
@@ -242,10 +251,10 @@ int main(int argc, char* argv[])
   SetUpAircraft(d, 6);
 
   std::printf("19 sub-rays a pulse, echoes in memory; medians of %d\n", repetitions);
-  std::printf("%-18s %7s %9s %12s %10s %13s %14s\n", "", "bare", "scanner", "scanner", "scanner /",
-    "2 threads /", "2 threads");
-  std::printf("%-18s %7s %9s %12s %10s %13s %14s\n", "", "Mray/s", "Mray/s", "Mpulse/s", "bare",
-    "1 thread", "Mpulse/s");
+  std::printf("%-18s %7s %9s %12s %10s %13s %10s %12s\n", "", "bare", "scanner", "scanner",
+    "scanner /", "2 threads /", "2 threads", "by tolerance");
+  std::printf("%-18s %7s %9s %12s %10s %13s %10s %12s\n", "", "Mray/s", "Mray/s", "Mpulse/s",
+    "bare", "1 thread", "Mpulse/s", "Mpulse/s");
   bool right = true;
   for (Survey* survey : { &a, &b, &c, &d })
   {

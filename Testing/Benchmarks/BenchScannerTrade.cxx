@@ -1,0 +1,460 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What each way to sample a beam costs and buys: processor time a pulse against missed and extra
+// echoes, range and amplitude errors, over six scenes; one thing changed at a time. Prints a table,
+// writes it as CSV (plot_scanner_trade.py draws it), and prints what sampling by tolerance is worth.
+//
+// The reference has 4096 sub-rays a pulse and bins of 0.1 ns; its own error is its distance from one of
+// 8192. It must agree with closed forms on plane, step and sphere, or no table is written.
+//
+// Usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]
+
+#include "heliosTradeErrors.h"
+#include "heliosTradeScenes.h"
+
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosScanner.h"
+#include "vtkHeliosStaticPlatform.h"
+#ifdef HELIOS_HAS_DETECTORS
+#include "vtkHeliosGaussianDecomposition.h"
+#endif
+
+#include <vtkSMPTools.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include <time.h>
+
+namespace
+{
+
+using namespace helios::bench;
+using helios::Vec3;
+
+constexpr double PulseLength = 4.0;                                                  // [ns]
+constexpr double Separation = helios::SpeedOfLight * PulseLength / 2.35482004503095; // c sigma [m]
+
+double CpuSeconds()
+{
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double WallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A way to sample a beam and to find its echoes.
+struct Way
+{
+  std::string Pattern; // "GL", "circles", "Vogel", "tolerance"
+  int Size = 0;        // rings, circles or sub-rays
+  double BinSize = 0.25;
+  std::string Detector = "peaks";
+  double RangeTolerance = 0.0;
+
+  bool IsByTolerance() const { return this->Pattern == "tolerance"; }
+};
+
+Way ByTolerance(double range, const char* detector = "peaks")
+{
+  return { "tolerance", 0, 0.25, detector, range };
+}
+
+const Way Reference{ "Vogel", 4096, 0.1 };
+const Way Doubled{ "Vogel", 8192, 0.1 };
+const double Tolerances[] = { 1e-2, 3e-3, 1e-3, 3e-4, 1e-4 };
+
+std::vector<Way> GetWays()
+{
+  std::vector<Way> ways;
+  for (const int rings : { 2, 4, 8 })
+  {
+    ways.push_back({ "GL", rings });
+  }
+  for (const int circles : { 1, 2, 3, 4 })
+  {
+    ways.push_back({ "circles", circles });
+  }
+  for (const int subRays : { 64, 256, 1024 })
+  {
+    ways.push_back({ "Vogel", subRays });
+  }
+  for (const double bin : { 0.1, 0.5, 1.0 })
+  {
+    ways.push_back({ "Vogel", 256, bin });
+  }
+  for (const double tolerance : Tolerances)
+  {
+    ways.push_back(ByTolerance(tolerance));
+  }
+#ifdef HELIOS_HAS_DETECTORS
+  ways.push_back({ "Vogel", 256, 0.25, "gaussians" });
+  ways.push_back(ByTolerance(1e-3, "gaussians"));
+#endif
+  return ways;
+}
+
+/// What a way costs and how wrong it is.
+struct Row
+{
+  Way How;
+  double SubRays = 0.0;  // a pulse
+  double Seconds = 0.0;  // a pulse, one thread
+  double Seconds2 = 0.0; // a pulse, two threads, on the wall
+  double OnPlane = 0.0;  // pulses in closed form [%]
+  double NoBins = 0.0;   // pulses by Newton's method [%]
+  TradeErrors Errors;
+};
+
+/// A scanner over one of the scenes.
+class Bench
+{
+public:
+  Bench(const TradeScene& scene, int side)
+    : Pulses(side * side)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    points->InsertNextPoint((scene.From + scene.Offset).GetData());
+    vtkNew<vtkPolyData> waypoint;
+    waypoint->SetPoints(points);
+    this->Tripod->SetInputData(waypoint);
+    this->Aim->Side = side;
+    this->Aim->From = scene.From;
+    this->Aim->Corner = scene.Corner;
+    this->Aim->U = scene.U;
+    this->Aim->V = scene.V;
+    this->Scanner->SetInputData(0, scene.Mesh);
+    this->Scanner->SetInputConnection(1, this->Tripod->GetOutputPort());
+    this->Scanner->SetBeamDeflector(this->Aim);
+    this->Scanner->SetPulseLength(PulseLength);
+    this->Scanner->SetAtmosphericExtinction(0.0);
+    this->Scanner->GetBeamSampler()->SetBeamDivergence(scene.Divergence);
+    this->Scanner->GetBeamSampler()->SetTruncation(Truncation);
+    const Vec3 middle = scene.Corner + 0.5 * scene.U + 0.5 * scene.V;
+    this->Threshold = 0.02 * this->GetFullAmplitude((middle - scene.From).Norm());
+  }
+
+  /// What a plane across the whole beam returns [W].
+  double GetFullAmplitude(double range)
+  {
+    const double d = this->Scanner->GetReceiverDiameter();
+    return this->Scanner->GetAveragePower() * 0.5 * this->Scanner->GetOpticalEfficiency() * d * d /
+      (4.0 * range * range);
+  }
+
+  void Set(const Way& way)
+  {
+    vtkHeliosBeamSampler* sampler = this->Scanner->GetBeamSampler();
+    sampler->SetPattern(way.Pattern == "GL" ? vtkHeliosBeamSampler::GAUSS_LEGENDRE
+        : way.Pattern == "circles"          ? vtkHeliosBeamSampler::CIRCLES
+                                            : vtkHeliosBeamSampler::VOGEL);
+    sampler->SetNumberOfRings(way.Size);
+    sampler->SetNumberOfCircles(way.Size);
+    sampler->SetNumberOfSubRays(way.Size);
+    this->Scanner->SetSampling(
+      way.IsByTolerance() ? vtkHeliosScanner::TOLERANCE : vtkHeliosScanner::FIXED);
+    if (way.IsByTolerance())
+    {
+      sampler->SetPatternToGaussLegendre();
+      this->Scanner->SetRangeTolerance(way.RangeTolerance);
+      this->Scanner->SetEnergyTolerance(10.0 * way.RangeTolerance);
+    }
+    this->Scanner->SetBinSize(way.BinSize);
+    vtkSmartPointer<vtkHeliosEchoDetector> detector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
+#ifdef HELIOS_HAS_DETECTORS
+    if (way.Detector == "gaussians")
+    {
+      detector = vtkSmartPointer<vtkHeliosGaussianDecomposition>::New();
+    }
+#endif
+    detector->SetDetectionThreshold(this->Threshold);
+    this->Scanner->SetEchoDetector(detector);
+  }
+
+  void Fire(int pulses)
+  {
+    this->Scanner->SetDuration((pulses - 0.5) / this->Aim->GetPulseFrequency());
+    this->Scanner->Modified();
+    this->Scanner->Update();
+  }
+
+  RunEchoes Run(const Way& way)
+  {
+    this->Set(way);
+    this->Fire(this->Pulses);
+    return GetEchoes(this->Scanner->GetOutput(), this->Pulses);
+  }
+
+  /// Time, sub-rays and paths of the way that is set: the median of some runs, less an empty one.
+  void Measure(Row& row, double atLeast)
+  {
+    std::vector<double> cpu, wall;
+    double sum = 0.0;
+    while (cpu.size() < 3 || sum < atLeast)
+    {
+      vtkSMPTools::Initialize(1);
+      double start = CpuSeconds();
+      this->Fire(1);
+      const double empty = CpuSeconds() - start;
+      start = CpuSeconds();
+      this->Fire(this->Pulses);
+      cpu.push_back(CpuSeconds() - start - empty);
+      vtkSMPTools::Initialize(2);
+      start = WallSeconds();
+      this->Fire(this->Pulses);
+      wall.push_back(WallSeconds() - start - empty);
+      sum += cpu.back() + 2.0 * wall.back();
+    }
+    const double fired = this->Pulses;
+    std::sort(cpu.begin(), cpu.end());
+    std::sort(wall.begin(), wall.end());
+    row.Seconds = cpu[cpu.size() / 2] / fired;
+    row.Seconds2 = wall[wall.size() / 2] / fired;
+    row.SubRays = static_cast<double>(this->Scanner->GetNumberOfSubRays()) / fired;
+    row.OnPlane = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesOnPlane()) / fired;
+    row.NoBins = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesWithoutBins()) / fired;
+  }
+
+  vtkNew<vtkHeliosScanner> Scanner;
+  vtkNew<AreaDeflector> Aim;
+  vtkNew<vtkHeliosStaticPlatform> Tripod;
+  int Pulses;
+  double Threshold;
+};
+
+/// Whether the reference is right where that is known in closed form.
+bool CheckReference(Bench& bench, const TradeScene& scene, const RunEchoes& reference)
+{
+  double range = 0.0, share = 0.0;
+  int known = 0, lost = 0;
+  for (int i = 0; scene.Truth && i < bench.Pulses; ++i)
+  {
+    double d[3];
+    bench.Aim->GetDirection(i, d);
+    const ClosedForm truth = scene.Truth(Vec3(d));
+    const auto& echoes = reference[static_cast<std::size_t>(i)];
+    if (std::isnan(truth.Range))
+    {
+      continue;
+    }
+    ++known;
+    if (echoes.empty())
+    {
+      ++lost;
+      continue;
+    }
+    range = std::max(range, std::abs(echoes[0].Range - truth.Range));
+    if (!std::isnan(truth.Share))
+    {
+      const double full = bench.GetFullAmplitude(truth.Range);
+      share = std::max(share, std::abs(echoes[0].Amplitude / full - truth.Share));
+    }
+  }
+  const bool isRight = lost == 0 && range < 2.5e-3 && share < 3e-3;
+  if (scene.Truth)
+  {
+    std::printf("%s: the reference is within %.1e m and %.1e of the energy of closed forms, "
+                "%d pulses%s\n",
+      scene.Name.c_str(), range, share, known, isRight ? "" : ": WRONG");
+  }
+  return isRight;
+}
+
+class Table
+{
+public:
+  explicit Table(const std::string& path)
+    : File(path.empty() ? nullptr : std::fopen(path.c_str(), "w"))
+  {
+    this->Write("scene,pattern,size,sub_rays,bin_ns,detector,range_tolerance_m,us_per_pulse,"
+                "pulses_per_s,pulses_per_s_2_threads,plane_pct,newton_pct,missed_pct,extra_pct,"
+                "range_bias_m,range_rms_m,range_p99_m,amplitude_rms\n");
+  }
+  ~Table()
+  {
+    if (this->File)
+    {
+      std::fclose(this->File);
+    }
+  }
+  Table(const Table&) = delete;
+  void operator=(const Table&) = delete;
+
+  void Add(const std::string& scene, const Row& r)
+  {
+    const TradeErrors& e = r.Errors;
+    std::printf("%-8s %-9s %5d %7.1f rays %4.2f ns %-9s %7.0e m %9.3f us %5.1f%% plane %5.1f%% "
+                "Newton %6.2f%% missed %6.2f%% extra %8.1e m %8.1e m %8.1e\n",
+      scene.c_str(), r.How.Pattern.c_str(), r.How.Size, r.SubRays, r.How.BinSize,
+      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.Seconds, r.OnPlane, r.NoBins, e.Missed,
+      e.Extra, e.RangeRms, e.RangeP99, e.AmplitudeRms);
+    std::fflush(stdout);
+    char line[512];
+    std::snprintf(line, sizeof line,
+      "%s,%s,%d,%.2f,%.2f,%s,%g,%.4g,%.4g,%.4g,%.1f,%.1f,%.3f,%.3f,%.3g,%.3g,%.3g,%.3g\n",
+      scene.c_str(), r.How.Pattern.c_str(), r.How.Size, r.SubRays, r.How.BinSize,
+      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.Seconds,
+      r.Seconds > 0 ? 1 / r.Seconds : 0.0, r.Seconds2 > 0 ? 1 / r.Seconds2 : 0.0, r.OnPlane,
+      r.NoBins, e.Missed, e.Extra, e.RangeBias, e.RangeRms, e.RangeP99, e.AmplitudeRms);
+    this->Write(line);
+  }
+
+private:
+  void Write(const char* line) const
+  {
+    if (this->File)
+    {
+      std::fputs(line, this->File);
+    }
+  }
+  std::FILE* File;
+};
+
+/// The fastest sampling by tolerance that is no worse than a fixed one.
+const Row* FindFastest(const std::vector<Row>& rows, const Row& fixed, const TradeErrors& floor)
+{
+  const Row* best = nullptr;
+  for (const Row& row : rows)
+  {
+    if (row.How.IsByTolerance() && row.How.Detector == "peaks" &&
+      row.Errors.IsNoWorse(fixed.Errors, floor) && (!best || row.Seconds < best->Seconds))
+    {
+      best = &row;
+    }
+  }
+  return best;
+}
+
+/// What sampling by tolerance is worth, to the last micrometre and where only more than a tenth of the noise counts.
+void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErrors& self)
+{
+  TradeErrors noise = self; // a tenth of that of a signal 50 times the noise
+  noise.RangeRms = std::max(self.RangeRms, 0.1 * 0.2075 / 50);
+  noise.AmplitudeRms = std::max(self.AmplitudeRms, 0.1 / 50);
+  const std::string name = fixed.How.Pattern + " " + std::to_string(std::lround(fixed.SubRays));
+  std::printf("  %-11s", name.c_str());
+  for (const TradeErrors& floor : { self, noise })
+  {
+    const Row* best = FindFastest(rows, fixed, floor);
+    if (best)
+    {
+      std::printf(
+        " %8.2f x (tolerance %g m)", fixed.Seconds / best->Seconds, best->How.RangeTolerance);
+    }
+    else
+    {
+      std::printf("   no tolerance is as good");
+    }
+  }
+  std::printf("\n");
+}
+
+/// False where the reference is wrong.
+bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
+{
+  Bench bench(scene, isQuick ? 25 : 80);
+  const RunEchoes reference = bench.Run(Reference);
+  if (!CheckReference(bench, scene, reference))
+  {
+    return false;
+  }
+  Row self;
+  self.How = Reference;
+  self.SubRays = Reference.Size;
+  self.Errors = Compare(reference, bench.Run(Doubled), Separation);
+  table.Add(scene.Name, self);
+  std::vector<Row> rows;
+  for (const Way& way : GetWays())
+  {
+    Row row;
+    row.How = way;
+    row.Errors = Compare(bench.Run(way), reference, Separation);
+    bench.Measure(row, isQuick ? 0.0 : 0.5);
+    table.Add(scene.Name, row);
+    rows.push_back(row);
+  }
+  std::printf("%s: fixed / by tolerance, time at no worse error; the same, errors below a tenth of "
+              "the noise left out\n",
+    scene.Name.c_str());
+  for (const Row& row : rows)
+  {
+    const bool isNamed = row.SubRays == 256 || row.SubRays == 64 || row.SubRays == 19;
+    if (isNamed && row.How.BinSize == 0.25 && row.How.Detector == "peaks")
+    {
+      PrintRatios(rows, row, self.Errors);
+    }
+    if (row.SubRays == 19)
+    {
+      std::printf("  19 sub-rays, two threads: %.2f Mpulse/s\n", 1e-6 / row.Seconds2);
+    }
+  }
+  return true;
+}
+
+/// What the command line asks for.
+struct Options
+{
+  bool IsQuick = false;
+  std::string Scene; // empty: all
+  std::string Path;
+
+  /// False where it makes no sense.
+  bool Read(int argc, char** argv)
+  {
+    for (int i = 1; i < argc; ++i)
+    {
+      const std::string word = argv[i];
+      const bool isScene = word == "--scene" && i + 1 < argc;
+      const bool isPath = !word.empty() && word[0] != '-' && this->Path.empty();
+      if (!isPath && !isScene && word != "--quick")
+      {
+        return false;
+      }
+      this->IsQuick |= word == "--quick";
+      this->Scene = isScene ? argv[++i] : this->Scene;
+      this->Path = isPath ? word : this->Path;
+    }
+    return true;
+  }
+};
+
+bool Run(const Options& options)
+{
+  Table table(options.Path);
+  bool isRight = true;
+  for (TradeScene (*make)() : { MakePlaneScene, MakeStepScene, MakeSphereScene, MakePyramidScene,
+         MakeCanopyScene, MakeTerrainScene })
+  {
+    const TradeScene scene = make();
+    if (options.Scene.empty() || options.Scene == scene.Name)
+    {
+      isRight &= RunScene(scene, options.IsQuick, table);
+    }
+  }
+  return isRight;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Options options;
+  if (!options.Read(argc, argv))
+  {
+    std::fprintf(stderr, "usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]\n");
+    return EXIT_FAILURE;
+  }
+  const bool isRight = Run(options);
+  if (!isRight && !options.Path.empty())
+  {
+    std::remove(options.Path.c_str());
+  }
+  return isRight ? EXIT_SUCCESS : EXIT_FAILURE;
+}

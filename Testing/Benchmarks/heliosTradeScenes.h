@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The scenes of BenchScannerTrade, what is aimed at in each, and what closed forms say of three.
+
+#ifndef heliosTradeScenes_h
+#define heliosTradeScenes_h
+
+#include "heliosBenchScenes.h"
+#include "heliosRadiometry.h"
+#include "heliosRandom.h"
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosSyntheticScene.h"
+
+#include <vtkMath.h>
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace helios::bench
+{
+
+/// Aims pulse i of side * side at its square of an area, line by line, at a random place within it.
+class AreaDeflector : public vtkHeliosBeamDeflector
+{
+public:
+  static AreaDeflector* New();
+  vtkTypeMacro(AreaDeflector, vtkHeliosBeamDeflector);
+
+  bool GetDirection(vtkIdType pulse, double direction[3]) const override
+  {
+    const auto jitter = Uniform4(3, RandomStream::Scene, static_cast<std::uint64_t>(pulse), 9);
+    const double u = (static_cast<double>(pulse % this->Side) + jitter[0]) / this->Side;
+    const double v = (static_cast<double>(pulse / this->Side) + jitter[1]) / this->Side;
+    const Vec3 d = (this->Corner + u * this->U + v * this->V - this->From).Normalized();
+    std::copy_n(d.GetData(), 3, direction);
+    return true;
+  }
+
+  int Side = 1;
+  Vec3 From, Corner, U, V;
+};
+vtkStandardNewMacro(AreaDeflector);
+
+/// What is known of the echoes of a pulse, for the first of them: NaN where nothing is.
+struct ClosedForm
+{
+  double Range = vtkMath::Nan();
+  double Share = vtkMath::Nan(); // of the amplitude of a plane across the beam at Range
+};
+
+/// A scene and a beam that leaves From for the parallelogram at Corner, all in the scene's frame.
+struct TradeScene
+{
+  std::string Name;
+  vtkSmartPointer<vtkPolyData> Mesh;
+  Vec3 Offset; // of the mesh
+  Vec3 From, Corner, U, V;
+  double Divergence;
+  std::function<ClosedForm(const Vec3& direction)> Truth;
+};
+
+constexpr double Truncation = 1.5;
+
+/// E[r^2] / w^2 of a beam cut at K.
+inline double MeanSquare()
+{
+  const double e = std::exp(-2 * Truncation * Truncation);
+  return (0.5 - e * (Truncation * Truncation + 0.5)) / (1 - e);
+}
+
+/// The energy of a cut beam beyond a line at s w from its axis: 1 / (pi E) int exp(-2 (s / cos a)^2) - e da.
+inline double ShareBeyond(double s)
+{
+  if (s < 0)
+  {
+    return 1 - ShareBeyond(-s);
+  }
+  const double e = std::exp(-2 * Truncation * Truncation);
+  const double end = std::acos(std::min(1.0, s / Truncation));
+  double sum = 0;
+  constexpr int steps = 200;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double r = s / std::cos(end * (i + 0.5) / steps);
+    sum += std::exp(-2 * r * r) - e;
+  }
+  return sum * end / steps / ((1 - e) * vtkMath::Pi());
+}
+
+/// The bare triangles of a synthetic scene.
+template <typename SetUp>
+vtkSmartPointer<vtkPolyData> MakeMesh(SetUp setUp)
+{
+  vtkNew<vtkHeliosSyntheticScene> maker;
+  setUp(maker.Get());
+  maker->Update();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(maker->GetOutput()->GetPoints());
+  mesh->SetPolys(maker->GetOutput()->GetPolys());
+  return mesh;
+}
+
+/// A plane from 100 m above: incidences of 3 to 75 degrees, footprints of 0.1 to 0.4 m across.
+inline TradeScene MakePlaneScene()
+{
+  const auto mesh = MakeMesh(
+    [](vtkHeliosSyntheticScene* maker)
+    {
+      maker->SetKindToPlane();
+      maker->SetSize(2000);
+    });
+  const double divergence = 1e-3;
+  const auto truth = [divergence](const Vec3& d)
+  {
+    const double variance = 0.5 * MeanSquare() * 0.25 * divergence * divergence;
+    const double range = 100 / -d[2];
+    const double tan2 = 1 / (d[2] * d[2]) - 1;
+    const double sigma = 0.5 * SpeedOfLight * 4 / 2.35482004503095; // [m]
+    const double widening = range * range * tan2 * variance / (sigma * sigma);
+    ClosedForm form; // to the first order of the widening: for narrow footprints only
+    if (widening < 0.01)
+    {
+      form.Range = range * (1 + variance * (1 - 2 * tan2));
+      form.Share = -d[2] / std::sqrt(1 + widening);
+    }
+    return form;
+  };
+  return { "plane", mesh, {}, { 0, 0, 100 }, { 5, -20, 0 }, { 365, 0, 0 }, { 0, 40, 0 }, divergence,
+    truth };
+}
+
+/// The edge of a step of 10 m, from 150 m above it.
+inline TradeScene MakeStepScene()
+{
+  const auto mesh = MakeMesh([](vtkHeliosSyntheticScene* maker) { maker->SetKindToStep(); });
+  const Vec3 from(0.3, 0, 150);
+  const double divergence = 1e-3;
+  const auto truth = [from, divergence](const Vec3& d)
+  {
+    const Vec3 toEdge = Vec3(0, 0, 10) - from;
+    const Vec3 normal = toEdge.Cross(Vec3(0, 1, 0)).Normalized(); // of the plane of eye and edge
+    const double s = std::asin(normal.Dot(d)) / (0.5 * divergence);
+    const double upper = ShareBeyond(normal[0] > 0 ? -s : s);
+    ClosedForm form;
+    if (upper > 0.05)
+    {
+      form.Range = (from[2] - 10) / -d[2];
+      form.Share = upper * -d[2];
+    }
+    return form;
+  };
+  return { "step", mesh, {}, from, { -0.6, -20, 10 }, { 1.2, 0, 0 }, { 0, 40, 0 }, divergence,
+    truth };
+}
+
+/// A sphere of 5 m radius, 20,480 triangles, from 50 m, past its rim.
+inline TradeScene MakeSphereScene()
+{
+  const auto mesh = MakeMesh([](vtkHeliosSyntheticScene* maker) { maker->SetKindToSphere(); });
+  const Vec3 from(0, -50, 0);
+  const auto truth = [from](const Vec3& d)
+  {
+    const double across = (from - from.Dot(d) * d).Norm();
+    ClosedForm form;
+    if (across < 3.5)
+    {
+      form.Range = -from.Dot(d) - std::sqrt(25 - across * across);
+    }
+    return form;
+  };
+  return { "sphere", mesh, {}, from, { -5.2, 0, -5.2 }, { 10.4, 0, 0 }, { 0, 0, 10.4 }, 1e-3,
+    truth };
+}
+
+/// A pyramid of 10 m, faces of 10^2 triangles each, from 60 m and half above.
+inline TradeScene MakePyramidScene()
+{
+  const auto mesh = MakeMesh(
+    [](vtkHeliosSyntheticScene* maker)
+    {
+      maker->SetKindToPyramid();
+      maker->SetResolution(10);
+    });
+  return { "pyramid", mesh, {}, { 20, -50, 30 }, { -6, 0, -0.5 }, { 12, 0, 0 }, { 0, 0, 11 }, 1e-3,
+    {} };
+}
+
+/// The canopy from an aircraft: footprints of 0.24 m across on leaves of 5 to 10 cm.
+inline TradeScene MakeCanopyScene()
+{
+  return { "canopy", MakeBenchCanopy(), BenchOffset, { 100, 55, 800 }, { 80, 60, 0 }, { 40, 0, 0 },
+    { 0, 40, 0 }, 0.3e-3, {} };
+}
+
+/// Hills from an aircraft: footprints of 0.18 m across on triangles of 1 m.
+inline TradeScene MakeTerrainScene()
+{
+  return { "terrain", MakeBenchTerrain(), BenchOffset, { 500, 450, 600 }, { 350, 430, 0 },
+    { 300, 0, 0 }, { 0, 40, 0 }, 0.3e-3, {} };
+}
+
+} // namespace helios::bench
+
+#endif
