@@ -84,6 +84,11 @@ bool WaveformParser::ReadLine(std::string_view line)
   }
   std::int64_t pulse = 0;
   Head head;
+  if (this->File->GetLineStart() + static_cast<std::int64_t>(line.size()) >= this->File->GetSize())
+  {
+    return this->Fail("the line has no end: the file was cut off here; take the line out, or end "
+                      "it where it is whole");
+  }
   const vtkIdType first = this->Samples.GetSize();
   vtkIdType count = 0;
   double binSize = 0.0;

@@ -22,10 +22,11 @@
  * equal stretches of the bytes: the pieces in order are the whole, each with its
  * own Samples.
  *
- * Errors end the reading without output: a line too short, a word that is no
- * number, NaN and infinities, a direction that is no unit vector, times that do
- * not fit the samples, a file that cannot be read or, read in one piece, has no
- * waveforms. Messages start with file:line.
+ * Errors end the reading without output: a line too short, a last line without
+ * its end (a run that was cut off), a word that is no number, NaN and
+ * infinities, a direction that is no unit vector, times that do not fit the
+ * samples, a file that cannot be read or, read in one piece, has no waveforms.
+ * Messages start with file:line.
  *
  * @sa
  * vtkHeliosWaveformTextWriter vtkHeliosWaveformXMLReader

@@ -42,6 +42,10 @@ LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any tes
         (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
         (["run", "s.xml", "--format", "las"], "unknown 'las': known: xyz, vtp"),
+        (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
+        (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
+        (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
+        (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),
     ],
 )
 def test_wrong_usage(arguments, message, capsys):
@@ -49,6 +53,11 @@ def test_wrong_usage(arguments, message, capsys):
         main(arguments)
     assert stopped.value.code == 2
     assert message in capsys.readouterr().err
+
+
+def test_sub_rays_or_a_tolerance(capsys):
+    assert main(["run", "s.xml", "--sub-rays", "7", "--range-tolerance", "0.01"]) == 2
+    assert "--sub-rays is always that many" in capsys.readouterr().err
 
 
 def test_no_command_shows_help(capsys):
@@ -64,7 +73,7 @@ def test_version(command_line):
 def test_help_teaches(command_line):
     done = command_line("run", "--help")
     assert done.returncode == 0
-    for word in ("examples:", "exit codes:", "[nW]", "--assets DIR", "default: 0"):
+    for word in ("examples:", "exit codes:", "[nW]", "--assets DIR", "default: 0", "how the beam"):
         assert word in done.stdout
 
 
@@ -179,6 +188,19 @@ def test_waveforms(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--output", tmp_path / "out", "--waveforms")
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "out/plane/leg000_fullwave.txt").stat().st_size > 0
+
+
+def test_sampling(command_line, make_survey, tmp_path):
+    def run(*arguments):
+        output = tmp_path / "out"
+        done = command_line("run", make_survey(), "--output", output, "--overwrite", *arguments)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ on one plane", run("--range-tolerance", "0.001"))
+    fixed = run("--sub-rays", "7")
+    assert "sub-rays 7 sub-rays a pulse, always" in fixed
+    assert re.search(r"[\d,]+ binned.*; 7\.0 rays a pulse", fixed)
 
 
 def test_vtp(command_line, make_survey, tmp_path):

@@ -23,7 +23,7 @@ const std::string Head = "7 1 2 3 0.6 0 -0.8 ";
 TEST_CASE("WaveformTextReader: a line", "[WaveformTextReader]")
 {
   WaveformReading reading("# a run\n\n" + Head + "667.1282 667.6282 0.25 1 2.5e3 -0.125\r\n" +
-    "\t8 1 2 3\t0 0 1 10 10.2 1e5 4 5 # behind it\n9 0 0 0 1 0 0 -3 -2 0 6 7 8 9 10");
+    "\t8 1 2 3\t0 0 1 10 10.2 1e5 4 5 # behind it\n9 0 0 0 1 0 0 -3 -2 0 6 7 8 9 10\n");
   REQUIRE(reading.Read());
   REQUIRE(reading.CountWaveforms() == 3);
   CHECK(reading.Get(names::PulseIds, 0) == 7);
@@ -161,6 +161,8 @@ TEST_CASE("WaveformTextReader: what is wrong is said with its line", "[WaveformT
   CHECK(fails(Head + "5 5 0 1 2", "the 2 samples last from 5.000000 to 5.000000 ns"));
   CHECK(fails(Head + "5 6 0 1", "the 1 samples last from 5.000000 to 6.000000 ns"));
   CHECK(fails(Head + "5 5 0 1", "the waveform has one sample and no bin size; set BinSize"));
+  CHECK(
+    reading.FailsWith(good + Head + "5 5.25 0 1 2", "a.txt:2: the line has no end: the file was"));
   CHECK(reading.FailsWith("# nothing\n", "a.txt: has no waveforms; give a file of a run with"));
   CHECK(reading.FailsWith("", "a.txt: has no waveforms"));
 
