@@ -7,6 +7,7 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -49,6 +50,22 @@ TEST_CASE("ConicMirror: circle, range and spacing by accuracy A5", "[ConicMirror
     REQUIRE(radius == Approx(363.970234266).epsilon(1e-9));
     REQUIRE(radius * turn == Approx(1.143446214).epsilon(1e-9)); // turns one way, from z to x
   }
+}
+
+TEST_CASE("ConicMirror: mean density at 60 m/s by accuracy A5", "[ConicMirror]")
+{
+  vtkNew<vtkHeliosConicMirror> mirror;
+  SetUp(mirror);
+  double least = 0.0;
+  double most = 0.0;
+  for (vtkIdType i = 0; i < 2000; ++i) // a turn
+  {
+    double p[2];
+    Hit(mirror, i, p);
+    least = std::min(least, p[1]);
+    most = std::max(most, p[1]);
+  }
+  CHECK(200000.0 / 60.0 / (most - least) == Approx(4.579129032).epsilon(1e-9));
 }
 
 TEST_CASE("ConicMirror: the spacing follows the frequency that is set", "[ConicMirror]")

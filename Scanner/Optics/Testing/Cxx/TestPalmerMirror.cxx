@@ -7,8 +7,12 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace
 {
@@ -86,6 +90,45 @@ TEST_CASE("PalmerMirror: cross axis by accuracy A5, an egg", "[PalmerMirror]")
       REQUIRE(std::abs(x) <= egg[1] * (1.0 + 1e-9));
     }
   }
+}
+
+TEST_CASE("PalmerMirror: no ellipse fits, by accuracy A5", "[PalmerMirror]")
+{
+  // A x^2 + B x z + C z^2 + D x + E z = 1 by least squares leaves up to 3.5e-2.
+  vtkNew<vtkHeliosPalmerMirror> mirror;
+  mirror->SetPulseFrequency(50.0 * 3600.0);
+  std::vector<std::array<double, 5>> rows;
+  double normal[5][6] = {};
+  for (vtkIdType i = 0; i < 3600; ++i)
+  {
+    double x;
+    double z;
+    Hit(mirror, i, x, z);
+    rows.push_back({ x * x, x * z, z * z, x, z });
+    for (std::size_t j = 0; j < 5; ++j)
+    {
+      for (std::size_t k = 0; k < 5; ++k)
+      {
+        normal[j][k] += rows.back()[j] * rows.back()[k];
+      }
+      normal[j][5] += rows.back()[j];
+    }
+  }
+  double* lines[5];
+  double fit[5];
+  for (int j = 0; j < 5; ++j)
+  {
+    lines[j] = normal[j];
+    fit[j] = normal[j][5];
+  }
+  REQUIRE(vtkMath::SolveLinearSystem(lines, fit, 5));
+  double largest = 0.0;
+  for (const auto& row : rows)
+  {
+    const double value = std::inner_product(row.begin(), row.end(), fit, 0.0);
+    largest = std::max(largest, std::abs(value - 1.0));
+  }
+  CHECK(largest == Approx(3.5e-2).epsilon(0.01));
 }
 
 TEST_CASE("PalmerMirror: the mirror is tilted by the wobble and turns evenly", "[PalmerMirror]")

@@ -58,8 +58,8 @@ TEST_CASE("RotatingMirror: pulse 0 leaves along y, unit vectors after it", "[Rot
   }
 }
 
-TEST_CASE("RotatingMirror: across spacing of 100 lines/s at 200 kHz over 60 degrees",
-  "[RotatingMirror]")
+TEST_CASE(
+  "RotatingMirror: across spacing of 100 lines/s at 200 kHz over 60 degrees", "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(200000.0);
@@ -90,6 +90,27 @@ TEST_CASE("RotatingMirror: across spacing by accuracy A5", "[RotatingMirror]")
     CHECK(mirror->GetScanAngle(i) == Approx(10.0 * k).margin(1e-12));
     CHECK(Across(mirror, i + 3) - Across(mirror, i - 3) == Approx(expected[k]).margin(6e-10));
   }
+}
+
+TEST_CASE("RotatingMirror: lines lie askew by accuracy A5", "[RotatingMirror]")
+{
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetPulseFrequency(200000.0);
+  mirror->SetScanFrequency(100.0);
+  mirror->SetMirrorAngle(30.0);
+  vtkIdType begin = 0;
+  while (mirror->GetScanAngle(begin) < mirror->GetScanAngle(begin + 1))
+  {
+    ++begin;
+  }
+  vtkIdType end = ++begin; // the first pulse of a line
+  while (mirror->GetScanAngle(end) < mirror->GetScanAngle(end + 1))
+  {
+    ++end;
+  }
+  const double perPulse = 60.0 / 200000.0; // m, at 60 m/s
+  CHECK(static_cast<double>(end - begin) * perPulse == Approx(0.5997).epsilon(1e-9));
+  CHECK(static_cast<double>(end + 1 - begin) * perPulse == Approx(0.6).epsilon(1e-9));
 }
 
 TEST_CASE("RotatingMirror: a line rate that does not divide the pulses keeps its rate for a day",
