@@ -115,6 +115,14 @@ TEST_CASE("WaveformTextReader: bins that are no round numbers are within the rou
   CHECK(reading.Get(names::BinSize, 0) == Approx(1.0471 / 3).epsilon(0).margin(1e-4 / 3));
 }
 
+TEST_CASE("WaveformTextReader: directions become unit vectors", "[WaveformTextReader]")
+{
+  WaveformReading reading("7 0 0 0 0.5774 -0.5774 0.5774 5 5.25 0 1 2\n"); // 4 decimals
+  REQUIRE(reading.Read());
+  CHECK(reading.Get(names::Direction, 0, 0) == Approx(std::sqrt(1.0 / 3)).epsilon(1e-15));
+  CHECK(reading.Get(names::Direction, 0, 1) == Approx(-std::sqrt(1.0 / 3)).epsilon(1e-15));
+}
+
 TEST_CASE("WaveformTextReader: one-way times count twice", "[WaveformTextReader]")
 {
   WaveformReading reading(Head + "333.5641 333.8141 0 1 2\n");
