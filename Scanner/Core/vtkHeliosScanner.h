@@ -6,33 +6,42 @@
  *
  * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds, PartIds
  * and Normals, which incidence is then measured from, and the material columns
- * in its field data are optional). Port 1: the trajectory (vtkPolyData with GpsTime and Orientation, as platforms make it).
+ * in its field data are optional). Port 1: the trajectory (vtkPolyData with
+ * GpsTime and Orientation, as platforms make it).
  *
  * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
- * ChannelIds. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
+ * ChannelIds; Deviation where the detector gives it; TruePoint and Normal with
+ * GenerateTruth. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
  * a pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
- * data). Output 2, with GeneratePulses: every pulse, an origin with Direction,
- * GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit. Output 3, with
- * GenerateSubRays: every hit of a sub-ray with PulseIds, Weight, Range,
- * CellIds, IncidenceAngle.
+ * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
+ * origin with Direction, GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit.
+ * Output 3, with GenerateSubRays: every hit of a sub-ray with PulseIds, Weight,
+ * Range, CellIds, IncidenceAngle.
  *
  * Pulse i leaves at StartTime + i / PulseFrequency, where the deflector lets it
- * out; its id is FirstPulseId + i. Sub-ray k of the beam that meets a surface of
- * reflectance rho at range R and incidence theta returns
- * - P = AveragePower W rho cos(theta) D^2 / (4 R^2) eta exp(-2 alpha R)
+ * out; its id is FirstPulseId + i. What a sub-ray returns is the lidar equation
+ * of vtkHeliosInstrument, and it returns after 2 R / c. An echo lies on the axis of
+ * the beam at its own range; surface ids are those of the sub-ray nearest in
+ * range.
  *
- * with its weight W, the ReceiverDiameter D, the OpticalEfficiency eta, and the
- * extinction alpha of Kruse at Wavelength and AtmosphericVisibility (Wagner et
- * al. 2006, ISPRS J. 60, 100-112). It comes back after 2 R / c as a Gaussian
- * of full width PulseLength and peak P. The echoes are the maxima of the sum,
- * found by the EchoDetector in bins of BinSize; where the sub-ray ranges of a
- * pulse spread over no more than c sigma, so that the sum has exactly one
- * maximum, that is found by Newton's method without bins. An echo lies on the
- * axis of the beam at its own range; surface ids are those of the sub-ray
- * nearest in range.
+ * With FIXED sampling every pulse is all the sub-rays of the BeamSampler, its
+ * waveform is summed in bins of BinSize, and the EchoDetector finds the echoes in
+ * the float samples: what GenerateWaveforms stores, so that the same detector
+ * finds the same echoes there again. With TOLERANCE a pulse takes the cheapest of
+ * the ways that are exact enough:
+ * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
+ *   known in closed form
+ * - else sub-rays are cast at the corners of cells of the beam's cross-section,
+ *   and cells that hold an edge are parted
+ * - returns within c sigma of each other have one maximum, found by Newton's
+ *   method; others are binned as finely as needed
+ *
+ * Detectors that find more than maxima, pulses that are no Gaussians, and noise
+ * or sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
+ * DescribeSampling() says what the tolerances come to.
  *
  * The pulses of a piece are a contiguous range; pieces and threads do not
  * change a byte.
