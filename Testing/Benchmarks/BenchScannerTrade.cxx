@@ -359,7 +359,7 @@ void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErro
 /// False where the reference is wrong.
 bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
 {
-  Bench bench(scene, isQuick ? 25 : 80);
+  Bench bench(scene, isQuick ? 25 : 50);
   const RunEchoes reference = bench.Run(Reference);
   if (!CheckReference(bench, scene, reference))
   {
@@ -376,7 +376,7 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
     Row row;
     row.How = way;
     row.Errors = Compare(bench.Run(way), reference, Separation);
-    bench.Measure(row, isQuick ? 0.0 : 0.5);
+    bench.Measure(row, isQuick ? 0.0 : 0.3);
     table.Add(scene.Name, row);
     rows.push_back(row);
   }
