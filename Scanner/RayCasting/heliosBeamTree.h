@@ -9,12 +9,24 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace helios
 {
 
 class TriangleMesh;
+
+/// A float that is not above a number, or not below it.
+inline float RoundDown(double x)
+{
+  return static_cast<float>(std::max(x - std::abs(x) * 0x1p-23, -1e30));
+}
+inline float RoundUp(double x)
+{
+  return static_cast<float>(std::min(x + std::abs(x) * 0x1p-23, 1e30));
+}
 
 /**
  * What a bundle's rays have in common: they lie in a frustum about one of the axes, Z. At a
@@ -74,33 +86,50 @@ public:
   bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
     const double slopeLow[2], const double slopeHigh[2]) const;
 
+  /// Where a place along an axis is in the frame of the tree.
+  double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
+
   static constexpr int Width = 8;
+  static constexpr int LeafSize = 4;
+
+  /// Up to four triangles, and their corners in the frame of the tree, rounded.
+  struct Leaf
+  {
+    int Count;
+    const vtkTypeInt32* Triangles;
+
+    /// Where floats start: a coordinate of the triangles, and more that is to be ignored.
+    const vtkTypeInt32* GetCorners(int corner, int axis) const
+    {
+      return this->Triangles + (1 + 3 * corner + axis) * this->Count;
+    }
+  };
 
 private:
   friend class BeamWalk;
-  class Bundle;
+  struct Share;
+  class Collapse;
 
-  /// Child i covers Low[axis][i] to High[axis][i]: Count triangles of the order from First, or
-  /// with a Count of zero the node First.
-  struct alignas(32) Node
+  /// Child i covers Low[axis][i] to High[axis][i]: a node or, with the highest bit set, a leaf.
+  struct alignas(64) Node
   {
     float Low[3][Width];
     float High[3][Width];
-    vtkTypeUInt32 First[Width];
-    unsigned char Count[Width];
+    vtkTypeUInt32 Children[Width];
   };
+  static constexpr vtkTypeUInt32 LeafBit = 0x80000000u;
 
-  vtkTypeUInt32 MakeNode(const Bvh& binary, vtkTypeInt32 index);
-  void SetChild(vtkTypeUInt32 node, int child, const Bvh& binary, vtkTypeInt32 parent, int side);
-  void TraceBundle(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count) const;
+  vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
+  vtkTypeUInt32 MakeNode(const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index);
+  void Prefetch(vtkTypeUInt32 child) const;
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
 
   const TriangleMesh* Mesh = nullptr;
   double Centre[3] = { 0, 0, 0 };
   double Half[3] = { 0, 0, 0 }; ///< of the box
   double Scale = 0.0;           ///< a power of two, into [-1, 1]; zero for an empty tree
-  std::vector<vtkTypeInt32> Order;
   std::vector<Node> Nodes;
+  std::vector<vtkTypeInt32> Leaves; ///< of each the count, the triangles and their corners
   bool HasOutliers = false;
   Bvh Outliers;
 };
@@ -111,15 +140,14 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
 public:
   BeamWalk(const BeamTree& tree, const Frustum& frustum);
 
-  /// The next leaf that the frustum enters at or before a limit; the triangles of it, or none.
-  int GetNext(float limit, const vtkTypeInt32*& triangles);
+  /// The next leaf that the frustum enters at or before a limit; false where there is none.
+  bool GetNext(float limit, BeamTree::Leaf& leaf);
 
 private:
   struct Entry
   {
     float Near;
-    vtkTypeUInt32 First;
-    vtkTypeUInt32 Count;
+    vtkTypeUInt32 Child;
   };
   /// A side of the frustum: a child is beyond it for s below or above (plane - origin) * inverse.
   struct Side
@@ -128,6 +156,8 @@ private:
     float Inverse;
     bool IsEntry;
   };
+  void Push(const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears);
+
   static constexpr int StackSize = 8 + 90 * (BeamTree::Width - 1);
 
   const BeamTree& Tree;

@@ -138,12 +138,12 @@ vtkHeliosConeHit ConeProbe::Run(const BeamTree& tree)
   const double w = std::abs(this->Frame[2][hull.Axes.Z]);
   const double stretch = (w + this->Tangent * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + Margin);
   BeamWalk walk(tree, hull);
-  const vtkTypeInt32* triangles;
-  while (const int count = walk.GetNext(hull.GetLimit(this->Farthest * stretch), triangles))
+  BeamTree::Leaf leaf;
+  while (walk.GetNext(hull.GetLimit(this->Farthest * stretch), leaf))
   {
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < leaf.Count; ++i)
     {
-      if (!this->Add(tree.GetMesh(), triangles[i]))
+      if (!this->Add(tree.GetMesh(), leaf.Triangles[i]))
       {
         return Unknown;
       }

@@ -78,13 +78,26 @@ struct LazyPlane
   }
 };
 
+/// Keeps the hits with a triangle that are better; which lanes have one.
+template <typename PlaceT>
+HELIOS_INLINE void KeepBetter(RayLanes& rays, const Masks& inside, long long triangle,
+  const TrianglePlane& plane, const RangeTerms<PlaceT>& terms, Masks& better)
+{
+  const Doubles range = GetRange(rays, plane, terms);
+  const Masks id = Masks() + triangle;
+  better = inside & (range > 0.0) &
+    ((range < rays.Range) | ((range == rays.Range) & (id < rays.Triangle)));
+  rays.Range = better ? range : rays.Range;
+  rays.Triangle = better ? id : rays.Triangle;
+}
+
 /// Tests four rays of the same axes, and keeps better hits; which lanes have one.
 HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& isValid,
   long long triangle, const double* const points[3], LazyPlane& plane, Masks& better)
 {
   Doubles corners[3][3], sheared[3][2], edges[3];
-  Relate<Doubles>(rays, points, corners);
-  GetEdgeFunctions<Doubles>(rays, axes, corners, sheared, edges);
+  Relate<Doubles>(rays.Origin, points, corners);
+  GetEdgeFunctions(rays, axes, corners, sheared, edges);
   Masks inside;
   GetInside(isValid, sheared, edges, inside);
   better = inside;
@@ -92,12 +105,9 @@ HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& i
   {
     return;
   }
-  const Doubles range = GetRange<Doubles>(rays, plane.Get(points), corners);
-  const Masks id = Masks() + triangle;
-  better = inside & (range > 0.0) &
-    ((range < rays.Range) | ((range == rays.Range) & (id < rays.Triangle)));
-  rays.Range = better ? range : rays.Range;
-  rays.Triangle = better ? id : rays.Triangle;
+  RangeTerms<Doubles> terms;
+  terms.Set(plane.Get(points), corners);
+  KeepBetter(rays, inside, triangle, plane.Plane, terms, better);
 }
 
 } // namespace helios

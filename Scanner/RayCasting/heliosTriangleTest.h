@@ -139,27 +139,27 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
 }
 
 /// The corners relative to the ray's origin.
-template <typename Real>
+template <typename PlaceT>
 HELIOS_INLINE void Relate(
-  const RayTerms<Real>& ray, const double* const points[3], Real corners[3][3])
+  const PlaceT origin[3], const double* const points[3], PlaceT corners[3][3])
 {
   for (int corner = 0; corner < 3; ++corner)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      corners[corner][axis] = points[corner][axis] - ray.Origin[axis];
+      corners[corner][axis] = points[corner][axis] - origin[axis];
     }
   }
 }
 
 /// Shears the corners into the plane across the ray, and takes the edge functions there.
-template <typename Real>
+template <typename Real, typename PlaceT>
 HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray, const RayAxes& axes,
-  const Real corners[3][3], Real sheared[3][2], Real edges[3])
+  const PlaceT corners[3][3], Real sheared[3][2], Real edges[3])
 {
   for (int corner = 0; corner < 3; ++corner)
   {
-    const Real* p = corners[corner];
+    const PlaceT* p = corners[corner];
     sheared[corner][0] = p[axes.X] - ray.Shear[0] * p[axes.Z];
     sheared[corner][1] = p[axes.Y] - ray.Shear[1] * p[axes.Z];
   }
@@ -229,40 +229,77 @@ HELIOS_INLINE TrianglePlane GetPlane(const double* const points[3])
   return plane;
 }
 
-/// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
-template <typename Real, typename InverseT>
-HELIOS_INLINE void GetBoxRange(
-  const Real low[3], const Real high[3], const InverseT inverse[3], Real& entry, Real& exit)
+/// Widens a box given relative to the origin by the test's rounding.
+template <typename PlaceT>
+HELIOS_INLINE void Widen(PlaceT low[3], PlaceT high[3])
 {
-  const Real reach =
-    Max(Max(Max<Real>(-low[0], high[0]), Max<Real>(-low[1], high[1])), Max<Real>(-low[2], high[2]));
-  const Real slack = BoxSlack * reach;
+  const PlaceT reach = Max(Max(Max<PlaceT>(-low[0], high[0]), Max<PlaceT>(-low[1], high[1])),
+    Max<PlaceT>(-low[2], high[2]));
+  const PlaceT slack = BoxSlack * reach;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const Real t0 = (low[axis] - slack) * inverse[axis];
-    const Real t1 = (high[axis] + slack) * inverse[axis];
+    low[axis] = low[axis] - slack;
+    high[axis] = high[axis] + slack;
+  }
+}
+
+/// The interval of ranges within a box.
+template <typename Real, typename PlaceT, typename InverseT>
+HELIOS_INLINE void GetInterval(
+  const PlaceT low[3], const PlaceT high[3], const InverseT inverse[3], Real& entry, Real& exit)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Real t0 = low[axis] * inverse[axis];
+    const Real t1 = high[axis] * inverse[axis];
     entry = axis == 0 ? Min(t0, t1) : Max<Real>(entry, Min(t0, t1));
     exit = axis == 0 ? Max(t0, t1) : Min<Real>(exit, Max(t0, t1));
   }
 }
 
+/// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
+template <typename Real, typename InverseT>
+HELIOS_INLINE void GetBoxRange(
+  const Real low[3], const Real high[3], const InverseT inverse[3], Real& entry, Real& exit)
+{
+  Real wideLow[3] = { low[0], low[1], low[2] };
+  Real wideHigh[3] = { high[0], high[1], high[2] };
+  Widen(wideLow, wideHigh);
+  GetInterval(wideLow, wideHigh, inverse, entry, exit);
+}
+
+/// What the range of a hit needs of a triangle, as seen from an origin.
+template <typename PlaceT>
+struct RangeTerms
+{
+  PlaceT Distance; ///< of the plane, times the length of its normal
+  PlaceT Low[3];   ///< the box, widened
+  PlaceT High[3];
+
+  HELIOS_INLINE void Set(const TrianglePlane& plane, const PlaceT corners[3][3])
+  {
+    const double* n = plane.Normal;
+    const PlaceT* p = corners[plane.Pivot];
+    this->Distance = n[0] * p[0] + n[1] * p[1] + n[2] * p[2];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = Min(Min(corners[0][axis], corners[1][axis]), corners[2][axis]);
+      this->High[axis] = Max(Max(corners[0][axis], corners[1][axis]), corners[2][axis]);
+    }
+    Widen(this->Low, this->High);
+  }
+};
+
 /// The range at which the ray meets a triangle it hits.
-template <typename Real>
+template <typename Real, typename PlaceT>
 HELIOS_INLINE Real GetRange(
-  const RayTerms<Real>& ray, const TrianglePlane& plane, const Real corners[3][3])
+  const RayTerms<Real>& ray, const TrianglePlane& plane, const RangeTerms<PlaceT>& terms)
 {
   const double* n = plane.Normal;
-  const Real* p = corners[plane.Pivot];
   const Real* d = ray.Direction;
-  Real range =
-    (n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / (n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
-  Real low[3], high[3], entry, exit;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low[axis] = Min(Min(corners[0][axis], corners[1][axis]), corners[2][axis]);
-    high[axis] = Max(Max(corners[0][axis], corners[1][axis]), corners[2][axis]);
-  }
-  GetBoxRange(low, high, ray.Inverse, entry, exit);
+  Real range = terms.Distance / (n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
+  Real entry, exit;
+  GetInterval(terms.Low, terms.High, ray.Inverse, entry, exit);
   range = exit < range ? exit : range;
   return range > entry ? range : entry; // also for 0 / 0, exactly edge-on
 }
@@ -285,13 +322,16 @@ bool TestRay::Set(const vtkHeliosRay& ray)
 inline double TestTriangle(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3], sheared[3][2], edges[3];
-  Relate<double>(ray, points, corners);
-  GetEdgeFunctions<double>(ray, ray.Axes, corners, sheared, edges);
+  Relate<double>(ray.Origin, points, corners);
+  GetEdgeFunctions(ray, ray.Axes, corners, sheared, edges);
   if (!IsInside(sheared, edges))
   {
     return NoHit;
   }
-  const double range = GetRange<double>(ray, GetPlane(points), corners);
+  const TrianglePlane plane = GetPlane(points);
+  RangeTerms<double> terms;
+  terms.Set(plane, corners);
+  const double range = GetRange(ray, plane, terms);
   return range > 0.0 && range <= ray.MaximumRange ? range : NoHit;
 }
 

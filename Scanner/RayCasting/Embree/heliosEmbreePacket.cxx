@@ -199,13 +199,16 @@ bool RayQuad::TestLane(int lane, const TrianglePair& pair, float& far)
   for (int i = 0; i < pair.Count; ++i)
   {
     double corners[3][3], sheared[3][2], edges[3];
-    Relate<double>(ray, pair.Points[i], corners);
-    GetEdgeFunctions<double>(ray, this->Axes[lane], corners, sheared, edges);
+    Relate<double>(ray.Origin, pair.Points[i], corners);
+    GetEdgeFunctions(ray, this->Axes[lane], corners, sheared, edges);
     if (!IsInside(sheared, edges))
     {
       continue;
     }
-    const double range = GetRange<double>(ray, GetPlane(pair.Points[i]), corners);
+    const TrianglePlane plane = GetPlane(pair.Points[i]);
+    RangeTerms<double> terms;
+    terms.Set(plane, corners);
+    const double range = GetRange(ray, plane, terms);
     const double best = this->Range[lane];
     if (range > 0.0 && (range < best || (range == best && pair.First + i < this->Triangle[lane])))
     {

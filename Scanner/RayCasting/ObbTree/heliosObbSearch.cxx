@@ -37,8 +37,11 @@ vtkSmartPointer<vtkPoints> MakeLocalPoints(const TriangleMesh& mesh, const doubl
 double GetPlaneRange(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3];
-  Relate<double>(ray, points, corners);
-  return GetRange<double>(ray, GetPlane(points), corners);
+  Relate<double>(ray.Origin, points, corners);
+  const TrianglePlane plane = GetPlane(points);
+  RangeTerms<double> terms;
+  terms.Set(plane, corners);
+  return GetRange(ray, plane, terms);
 }
 
 } // namespace

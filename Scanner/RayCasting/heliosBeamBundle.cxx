@@ -1,0 +1,419 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
+#include "heliosBeamBundle.h"
+
+#include "heliosRayVectors.h"
+#include "heliosTriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr int GroupWidth = 8; // rays that the filter takes at a time
+typedef float Group __attribute__((vector_size(4 * GroupWidth)));
+typedef int GroupMasks __attribute__((vector_size(4 * GroupWidth)));
+
+constexpr double PlaceError = 0x1p-20; // of what floats round in a place, relative to the scene
+constexpr float EdgeError = 0x1p-19f;  // in an edge function, relative to its terms
+
+HELIOS_INLINE double GetLeast(const Doubles& v)
+{
+  return Min(Min(v[0], v[1]), Min(v[2], v[3]));
+}
+
+HELIOS_INLINE double GetMost(const Doubles& v)
+{
+  return Max(Max(v[0], v[1]), Max(v[2], v[3]));
+}
+
+HELIOS_INLINE bool IsAny(const GroupMasks& masks)
+{
+  Masks halves;
+  std::memcpy(&halves, &masks, sizeof(halves));
+  return Any(halves);
+}
+
+/// Which lanes have the same sign at all edges: for sure, or as far as the error allows.
+HELIOS_INLINE void GetInside(
+  const Group e[3], const Group& error, GroupMasks& possible, GroupMasks& certain)
+{
+  possible = ((e[0] >= -error) & (e[1] >= -error) & (e[2] >= -error)) |
+    ((e[0] <= error) & (e[1] <= error) & (e[2] <= error));
+  certain = ((e[0] > error) & (e[1] > error) & (e[2] > error)) |
+    ((e[0] < -error) & (e[1] < -error) & (e[2] < -error));
+}
+
+} // namespace
+
+/// The edge functions of four triangles, and what they are off at most.
+struct BeamBundle::Edges
+{
+  float Terms[3][3][BeamTree::LeafSize]; ///< edge, factor of the slopes along X and Y, and of 1
+  float Error[BeamTree::LeafSize];
+  int IsAlive[BeamTree::LeafSize];
+};
+
+void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
+{
+  if (!this->Take(rays, count))
+  {
+    this->TraceParts(rays, hits, count);
+    return;
+  }
+  if (this->SetFrame())
+  {
+    BeamWalk walk(this->Tree, this->Hull);
+    float limit = this->Hull.GetLimit(this->GetFarthest());
+    BeamTree::Leaf leaf;
+    while (walk.GetNext(limit, leaf))
+    {
+      if (this->Test(leaf, limit))
+      {
+        limit = this->Hull.GetLimit(this->GetFarthest());
+      }
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    hits[i] = this->Lanes[i / QuadWidth].GetHit(i % QuadWidth);
+  }
+}
+
+/// Traces those rays together that run along the same axis.
+void BeamBundle::TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
+{
+  int keys[MaximumRays]; // the axis a ray runs along; negative for none
+  for (int i = 0; i < count; ++i)
+  {
+    TestRay ray;
+    const bool isUsable = ray.Set(rays[i]);
+    keys[i] = isUsable ? 2 * ray.Axes.Z + (ray.Largest > 0.0 ? 1 : 0) : -1;
+    hits[i] = { NoHit, -1 };
+  }
+  for (int key = 0; key < 6; ++key)
+  {
+    vtkHeliosRay part[MaximumRays];
+    vtkHeliosHit partHits[MaximumRays];
+    int size = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      if (keys[i] == key)
+      {
+        part[size++] = rays[i];
+      }
+    }
+    if (size > 0)
+    {
+      this->Trace(part, partHits, size);
+    }
+    for (int i = count - 1; i >= 0; --i)
+    {
+      if (keys[i] == key)
+      {
+        hits[i] = partHits[--size];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Fills the lanes; false where not all rays are usable and run along the same axis.
+HELIOS_CLONES
+bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
+{
+  this->Count = count;
+  this->Quads = (count + QuadWidth - 1) / QuadWidth;
+  Masks isX, isY, isFine;
+  Masks areFine = Masks() - 1;
+  for (int quad = 0; quad < this->Quads; ++quad)
+  {
+    RayLanes& lanes = this->Lanes[quad];
+    const vtkHeliosRay* r[QuadWidth];
+    for (int lane = 0; lane < QuadWidth; ++lane)
+    {
+      r[lane] = rays + std::min(QuadWidth * quad + lane, count - 1);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lanes.Origin[axis] =
+        Doubles{ r[0]->Origin[axis], r[1]->Origin[axis], r[2]->Origin[axis], r[3]->Origin[axis] };
+      lanes.Direction[axis] = Doubles{ r[0]->Direction[axis], r[1]->Direction[axis],
+        r[2]->Direction[axis], r[3]->Direction[axis] };
+    }
+    lanes.Range =
+      Doubles{ r[0]->MaximumRange, r[1]->MaximumRange, r[2]->MaximumRange, r[3]->MaximumRange };
+    lanes.Triangle = Masks() + RayLanes::NoTriangle;
+    const Masks left = Masks{ 0, 1, 2, 3 } + QuadWidth * quad;
+    this->Valid[quad] = left < count;
+    SetTerms<Doubles, Masks>(lanes, isFine, isX, isY);
+    if (quad == 0)
+    {
+      this->Axes = RayAxes(isX[0] ? 0 : (isY[0] ? 1 : 2));
+      this->IsForward = lanes.Largest[0] > 0.0;
+    }
+    const Masks isSame = this->Axes.Z == 0 ? isX : (this->Axes.Z == 1 ? ~isX & isY : ~isX & ~isY);
+    const Masks isForward = lanes.Largest > 0.0;
+    areFine =
+      areFine & isFine & isSame & (this->IsForward ? isForward : ~isForward) & (lanes.Range > 0.0);
+  }
+  return areFine[0] && areFine[1] && areFine[2] && areFine[3];
+}
+
+/// Sets the frustum and the filter; false where the frustum misses the tree.
+HELIOS_CLONES
+bool BeamBundle::SetFrame()
+{
+  const int axes[3] = { this->Axes.X, this->Axes.Y, this->Axes.Z };
+  const double sign = this->IsForward ? 1.0 : -1.0;
+  double low[3], high[3], slopeLow[2], slopeHigh[2];
+  for (int i = 0; i < 3; ++i)
+  {
+    Doubles least = this->Lanes[0].Origin[axes[i]];
+    Doubles most = least;
+    for (int quad = 1; quad < this->Quads; ++quad)
+    {
+      least = Min(least, this->Lanes[quad].Origin[axes[i]]);
+      most = Max(most, this->Lanes[quad].Origin[axes[i]]);
+    }
+    low[i] = GetLeast(least);
+    high[i] = GetMost(most);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    Doubles least = this->Lanes[0].Shear[i] * sign;
+    Doubles most = least;
+    for (int quad = 1; quad < this->Quads; ++quad)
+    {
+      least = Min<Doubles>(least, this->Lanes[quad].Shear[i] * sign);
+      most = Max<Doubles>(most, this->Lanes[quad].Shear[i] * sign);
+    }
+    slopeLow[i] = GetLeast(least);
+    slopeHigh[i] = GetMost(most);
+  }
+  this->Hull.Axes = this->Axes;
+  this->Hull.IsForward = this->IsForward;
+  if (!this->Tree.SetFrustum(this->Hull, low, high, slopeLow, slopeHigh))
+  {
+    return false;
+  }
+  this->HaveSameOrigin = low[0] == high[0] && low[1] == high[1] && low[2] == high[2];
+  const double scale = this->Hull.Scale;
+  const double width = Max(slopeHigh[0] - slopeLow[0], slopeHigh[1] - slopeLow[1]);
+  const int widest = slopeHigh[0] - slopeLow[0] == width ? 0 : 1;
+  const double apart = high[widest] - low[widest];
+  const double before = width * 1e6 > apart * scale ? apart / width : 0.0; // to where they cross
+  const double depth = (this->Hull.Start + before) * scale;
+  const double start = this->Tree.GetLocal(low[2], axes[2]) + sign * this->Hull.Start * scale;
+  double rest = 0.0;
+  double largest = Max(start, -start);
+  for (int i = 0; i < 2; ++i)
+  {
+    this->Slope[i] = static_cast<float>(0.5 * (slopeLow[i] + slopeHigh[i]));
+    const double slope = this->Slope[i];
+    const double middle = this->Tree.GetLocal(0.5 * low[i] + 0.5 * high[i], axes[i]);
+    const double place = middle + slope * this->Hull.Start * scale;
+    Doubles most = Doubles();
+    for (int quad = 0; quad < this->Quads; ++quad)
+    {
+      const RayLanes& lanes = this->Lanes[quad];
+      const Doubles own = lanes.Shear[i] * sign;
+      const Floats shortSlope = __builtin_convertvector(own - slope, Floats);
+      Store(&this->Slopes[i][QuadWidth * quad], shortSlope);
+      if (!this->HaveSameOrigin)
+      {
+        const Doubles ahead = this->Hull.Start + (low[2] - lanes.Origin[axes[2]]) * sign;
+        const Doubles x = lanes.Origin[axes[i]] - (0.5 * low[i] + 0.5 * high[i]) + own * ahead -
+          slope * this->Hull.Start;
+        const Doubles off = x * scale - (own - slope) * depth;
+        most = Max(most, Max<Doubles>(off, -off));
+      }
+    }
+    rest = Max(rest, GetMost(most));
+    this->Spread[i] =
+      static_cast<float>(Max(slopeHigh[i] - slope, slope - slopeLow[i]) * (1 + 0x1p-20));
+    this->Place[i] = static_cast<float>(place);
+    largest = Max(largest, Max(place, -place));
+  }
+  if (this->Quads % 2 == 1) // the last group is full
+  {
+    Store(&this->Slopes[0][QuadWidth * this->Quads], Floats());
+    Store(&this->Slopes[1][QuadWidth * this->Quads], Floats());
+  }
+  this->Place[2] = static_cast<float>(start);
+  this->Depth = static_cast<float>(depth);
+  this->Error =
+    static_cast<float>(PlaceError * (1.0 + largest) + 2 * (rest + 4 * this->Hull.Slack * scale));
+  if (!(largest + depth < 1e6)) // from very far all that floats can say is: possible
+  {
+    std::fill_n(this->Place, 3, 0.0f);
+    std::fill_n(this->Slope, 2, 0.0f);
+    std::fill_n(this->Spread, 2, 0.0f);
+    std::fill_n(this->Slopes[0], MaximumRays, 0.0f);
+    std::fill_n(this->Slopes[1], MaximumRays, 0.0f);
+    this->Depth = 0.0f;
+    this->Error = 1e6f;
+  }
+  return true;
+}
+
+/// The distance along Z beyond which no ray can meet anything better.
+HELIOS_CLONES
+double BeamBundle::GetFarthest() const
+{
+  Doubles farthest = Doubles();
+  for (int quad = 0; quad < this->Quads; ++quad)
+  {
+    const RayLanes& lanes = this->Lanes[quad];
+    farthest = Max<Doubles>(farthest, lanes.Range * Max<Doubles>(lanes.Largest, -lanes.Largest));
+  }
+  return GetMost(farthest);
+}
+
+//------------------------------------------------------------------------------
+/// Sets the edge functions of a leaf, and which triangles the bundle may hit before a limit.
+HELIOS_INLINE void BeamBundle::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
+{
+  Floats x[3], y[3], z[3];
+  Floats size = Floats(), far = Floats(), least = Floats() + 1e30f;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Floats px = Load<Floats>(leaf.GetCorners(k, this->Axes.X));
+    const Floats py = Load<Floats>(leaf.GetCorners(k, this->Axes.Y));
+    const Floats pz = Load<Floats>(leaf.GetCorners(k, this->Axes.Z));
+    const Floats s = this->IsForward ? pz - this->Place[2] : this->Place[2] - pz;
+    x[k] = px - this->Place[0] - this->Slope[0] * s;
+    y[k] = py - this->Place[1] - this->Slope[1] * s;
+    z[k] = s + this->Depth;
+    size = Max<Floats>(size, Max<Floats>(x[k], -x[k]) + Max<Floats>(y[k], -y[k]));
+    far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
+    least = Min(least, s);
+  }
+  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]);
+  const Floats error =
+    reach * (4 * this->Error + EdgeError * reach) + 2 * this->Error * this->Error;
+  const float uncertain = this->Error + (this->Hull.High[2] - this->Hull.Low[2]);
+  ShortMasks positive = (least - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
+  ShortMasks negative = positive;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    const Floats a = y[i] * z[j] - z[i] * y[j];
+    const Floats b = z[i] * x[j] - x[i] * z[j];
+    const Floats c = x[i] * y[j] - y[i] * x[j];
+    const Floats spread =
+      Max<Floats>(a, -a) * this->Spread[0] + Max<Floats>(b, -b) * this->Spread[1] + error;
+    positive = positive & (c + spread >= 0.0f);
+    negative = negative & (c - spread <= 0.0f);
+    Store(edges.Terms[k][0], a);
+    Store(edges.Terms[k][1], b);
+    Store(edges.Terms[k][2], c);
+  }
+  Store(edges.Error, error);
+  Store(edges.IsAlive, positive | negative);
+}
+
+/// Tests in double; whether any ray has a better hit.
+HELIOS_INLINE bool BeamBundle::TestTriangle(
+  vtkTypeInt32 triangle, const int* possible, const int* certain)
+{
+  const TriangleMesh& mesh = this->Tree.GetMesh();
+  const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
+    mesh.GetCorner(triangle, 2) };
+  LazyPlane plane;
+  RangeTerms<double> terms;
+  double corners[3][3];
+  if (this->HaveSameOrigin)
+  {
+    const double origin[3] = { this->Lanes[0].Origin[0][0], this->Lanes[0].Origin[1][0],
+      this->Lanes[0].Origin[2][0] };
+    Relate<double>(origin, points, corners);
+  }
+  Masks better = Masks();
+  for (int quad = 0; quad < this->Quads; ++quad)
+  {
+    RayLanes& lanes = this->Lanes[quad];
+    const Masks isPossible =
+      __builtin_convertvector(Load<ShortMasks>(possible + QuadWidth * quad), Masks) &
+      this->Valid[quad];
+    if (!Any(isPossible))
+    {
+      continue;
+    }
+    Masks isBetter;
+    if (!this->HaveSameOrigin)
+    {
+      TestLanes(lanes, this->Axes, isPossible, triangle, points, plane, isBetter);
+      better = better | isBetter;
+      continue;
+    }
+    Masks inside =
+      isPossible & __builtin_convertvector(Load<ShortMasks>(certain + QuadWidth * quad), Masks);
+    if (Any(isPossible & ~inside))
+    {
+      Doubles sheared[3][2], edges[3];
+      GetEdgeFunctions(lanes, this->Axes, corners, sheared, edges);
+      helios::GetInside(isPossible, sheared, edges, inside);
+      if (!Any(inside))
+      {
+        continue;
+      }
+    }
+    if (!plane.Has)
+    {
+      terms.Set(plane.Get(points), corners);
+    }
+    KeepBetter(lanes, inside, triangle, plane.Plane, terms, isBetter);
+    better = better | isBetter;
+  }
+  return Any(better);
+}
+
+/// Tests the triangles of a leaf; whether any ray has a better hit.
+HELIOS_CLONES
+bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
+{
+  Edges edges;
+  this->SetEdges(leaf, limit, edges);
+  bool isBetter = false;
+  const int groups = (this->Quads + 1) / 2;
+  for (int i = 0; i < leaf.Count; ++i)
+  {
+    if (!edges.IsAlive[i])
+    {
+      continue;
+    }
+    alignas(64) int possible[MaximumRays];
+    alignas(64) int certain[MaximumRays];
+    GroupMasks any = GroupMasks();
+    for (int group = 0; group < groups; ++group)
+    {
+      const Group dx = Load<Group>(this->Slopes[0] + GroupWidth * group);
+      const Group dy = Load<Group>(this->Slopes[1] + GroupWidth * group);
+      Group e[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto& terms = edges.Terms[k];
+        e[k] = dx * terms[0][i] + dy * terms[1][i] + terms[2][i];
+      }
+      GroupMasks isPossible, isCertain;
+      GetInside(e, Group() + edges.Error[i], isPossible, isCertain);
+      any = any | isPossible;
+      Store(possible + GroupWidth * group, isPossible);
+      Store(certain + GroupWidth * group, isCertain);
+    }
+    if (IsAny(any))
+    {
+      isBetter = this->TestTriangle(leaf.Triangles[i], possible, certain) || isBetter;
+    }
+  }
+  return isBetter;
+}
+
+} // namespace helios
