@@ -78,11 +78,14 @@ void BeamTracer::Visit(const Cell& cell, int level)
   int corners[4];
   this->GetCorners(cell, level, corners);
   const BeamCell& share = this->Model.Lattice->GetCell(level, cell.X, cell.Y);
-  if (this->IsSmooth(corners))
+  const double spread = this->GetSpread(corners);
+  const bool isContinuous = this->IsContinuous(corners);
+  const bool isLast = level == this->Model.Plan.Levels;
+  if (isContinuous && (isLast || spread <= this->Model.Plan.CellSpread * this->SigmaRange))
   {
-    this->ReturnFromCell(share, corners[0], this->GetSpread(corners));
+    this->ReturnFromCell(share, corners[0], spread);
   }
-  else if (level == this->Model.Lattice->GetLevels())
+  else if (!isContinuous && (isLast || this->IsFineEnough(spread, level)))
   {
     this->ReturnFromCorners(corners, share.Energy);
   }
@@ -175,23 +178,34 @@ double BeamTracer::GetPower(int corner)
 }
 
 //------------------------------------------------------------------------------
-/// Between the nearest and the farthest corner [m].
+/// Between the nearest and the farthest hit of the corners [m].
 double BeamTracer::GetSpread(const int corners[4]) const
 {
   double nearest = VTK_DOUBLE_MAX;
-  double farthest = 0.0;
+  double farthest = -VTK_DOUBLE_MAX;
   for (int i = 0; i < 4; ++i)
   {
-    const double range = this->Corners[static_cast<std::size_t>(corners[i])].Range;
-    nearest = std::min(nearest, range);
-    farthest = std::max(farthest, range);
+    const Corner& c = this->Corners[static_cast<std::size_t>(corners[i])];
+    if (c.CellId >= 0)
+    {
+      nearest = std::min(nearest, c.Range);
+      farthest = std::max(farthest, c.Range);
+    }
   }
-  return farthest - nearest;
+  return std::max(0.0, farthest - nearest);
 }
 
 //------------------------------------------------------------------------------
-/// Whether the corners of a cell meet nothing, or one smooth surface, not too much aslant.
-bool BeamTracer::IsSmooth(const int corners[4])
+/// Whether a cell that holds an edge may return from its corners, which spread over a range [m].
+bool BeamTracer::IsFineEnough(double spread, int level) const
+{
+  const SamplingPlan& plan = this->Model.Plan;
+  return plan.BaseCells << level >= plan.GetNeededCells(spread);
+}
+
+//------------------------------------------------------------------------------
+/// Whether the corners of a cell meet nothing, or one smooth surface.
+bool BeamTracer::IsContinuous(const int corners[4])
 {
   const Corner& first = this->Corners[static_cast<std::size_t>(corners[0])];
   for (int i = 1; i < 4; ++i)
@@ -202,13 +216,9 @@ bool BeamTracer::IsSmooth(const int corners[4])
       return false;
     }
   }
-  if (first.CellId < 0 || first.IsSilent)
-  {
-    return true;
-  }
-  return this->GetSpread(corners) <= this->Model.Plan.CellSpread * this->SigmaRange &&
-    this->AreAlike(corners[0], corners[1]) && this->AreAlike(corners[0], corners[2]) &&
-    this->AreAlike(corners[0], corners[3]);
+  return first.CellId < 0 || first.IsSilent ||
+    (this->AreAlike(corners[0], corners[1]) && this->AreAlike(corners[0], corners[2]) &&
+      this->AreAlike(corners[0], corners[3]));
 }
 
 //------------------------------------------------------------------------------

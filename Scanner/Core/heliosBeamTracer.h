@@ -59,7 +59,8 @@ private:
   void CastRays();
   void Visit(const Cell& cell, int level);
   double GetSpread(const int corners[4]) const;
-  bool IsSmooth(const int corners[4]);
+  bool IsContinuous(const int corners[4]);
+  bool IsFineEnough(double spread, int level) const;
   bool AreAlike(int a, int b);
   Vec3 GetOrigin(const Vec3& local) const;
   double GetPower(int corner);

@@ -45,7 +45,9 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
   {
     return false;
   }
-  const double elapsed = PulseTime(0.0, index, this->PulseFrequency);
+  const double elapsed =
+    PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  pulse.Channel = this->Deflector->GetChannel(index);
   pulse.Time = this->StartTime + elapsed;
 
   Rotation platform;

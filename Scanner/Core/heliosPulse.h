@@ -24,6 +24,7 @@ struct Pulse
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world
   Vec3 Reported; // the direction that the instrument believes in
+  int Channel;   // of the deflector
 
   Vec3 GetDirection() const
   {

@@ -33,10 +33,9 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
     { return std::abs(a.Range - range) < std::abs(b.Range - range); });
 }
 
-bool IsNearer(const SubReturn& a, const SubReturn& b)
-{
-  return a.Range < b.Range || (a.Range == b.Range && a.SubRay < b.SubRay);
-}
+/// The order of range, and of the sub-rays at the same range.
+constexpr auto IsNearer = [](const SubReturn& a, const SubReturn& b)
+{ return a.Range < b.Range || (a.Range == b.Range && a.SubRay < b.SubRay); };
 
 /// exp(-y) for y >= 0: near 0, where most sub-rays are, by its series to the last bit.
 double ExpMinus(double y)

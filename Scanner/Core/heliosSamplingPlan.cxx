@@ -13,8 +13,6 @@ namespace helios
 namespace
 {
 
-constexpr double EdgeEnergyLaw = 0.06;
-constexpr double EdgeRangeLaw = 0.2;
 constexpr double BinRangeLaw = 0.02;
 constexpr int MostLevels = 4;
 
@@ -25,8 +23,11 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   SamplingPlan plan;
   plan.BaseCells = energyTolerance >= 0.05 ? 4 : energyTolerance >= 0.002 ? 6 : 8;
+  plan.EnergyTolerance = energyTolerance;
+  plan.RangeTolerance = rangeTolerance;
+  plan.LongestEcho = 4.0 * sigmaRange;
   const double cells =
-    std::max(EdgeEnergyLaw / energyTolerance, EdgeRangeLaw * sigmaRange / rangeTolerance);
+    std::max(plan.GetNeededCells(1e300), plan.GetNeededCells(0.99 * plan.LongestEcho));
   const double levels = std::ceil(std::log2(cells / plan.BaseCells) - 0.1);
   plan.Levels = static_cast<int>(std::clamp(levels, 0.0, static_cast<double>(MostLevels)));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
@@ -46,7 +47,7 @@ std::string SamplingPlan::Describe() const
   const int corners = (this->BaseCells + 1) * (this->BaseCells + 1);
   std::ostringstream text;
   text << "none where a beam meets one plane or nothing, else " << corners
-       << " sub-rays, and more at edges down to 1/" << this->GetNumberOfCells()
+       << " sub-rays, and more at edges, down to 1/" << this->GetNumberOfCells()
        << " of the beam; bins of " << this->DetectionBin
        << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();

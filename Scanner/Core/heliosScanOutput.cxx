@@ -127,7 +127,8 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
   double* incidences = columns.Add<vtkDoubleArray>(names::IncidenceAngle);
   auto* waveforms = columns.Add<vtkTypeInt64Array>(names::WaveformIds);
   columns.AddConstant(names::LegIds, ids.Leg);
-  columns.AddConstant(names::ChannelIds, ids.Channel);
+  int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
+  const int firstChannel = ids.Channel;
   const bool hasWaveforms = ids.HasWaveforms;
   ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
     [=](const EchoRecord& e, vtkIdType row)
@@ -135,6 +136,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
       Put(points, row, e.Point);
       times[row] = e.Time;
       pulses[row] = e.PulseId;
+      channels[row] = firstChannel + e.Channel;
       numbers[row] = e.ReturnNumber;
       totals[row] = e.NumberOfReturns;
       ranges[row] = e.Range;
@@ -183,7 +185,8 @@ void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
   double* angles = columns.Add<vtkDoubleArray>(names::ScanAngle);
   unsigned char* hits = columns.Add<vtkUnsignedCharArray>(names::Hit);
   columns.AddConstant(names::LegIds, ids.Leg);
-  columns.AddConstant(names::ChannelIds, ids.Channel);
+  int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
+  const int firstChannel = ids.Channel;
   ForEachRecord(chunks, &ChunkResult::Pulses, offsets,
     [=](const PulseRecord& p, vtkIdType row)
     {
@@ -192,6 +195,7 @@ void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
       times[row] = p.Time;
       pulses[row] = p.PulseId;
       angles[row] = p.ScanAngle;
+      channels[row] = firstChannel + p.Channel;
       hits[row] = p.Hit ? 1 : 0;
     });
 }
@@ -227,7 +231,8 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
   Columns columns(output->GetRowData(), count);
   auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
   columns.AddConstant(names::LegIds, ids.Leg);
-  columns.AddConstant(names::ChannelIds, ids.Channel);
+  int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
+  const int firstChannel = ids.Channel;
   double* origins = columns.Add<vtkDoubleArray>(names::Origin, 3);
   double* directions = columns.Add<vtkDoubleArray>(names::Direction, 3);
   double* times = columns.Add<vtkDoubleArray>(names::GpsTime);
@@ -245,6 +250,7 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
       starts[row] = w.StartTime;
       bins[row] = binSize;
       counts[row] = w.Count;
+      channels[row] = firstChannel + w.Channel;
     });
   vtkIdType total = 0;
   for (vtkIdType row = 0; row < count; ++row)

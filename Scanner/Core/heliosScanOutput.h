@@ -19,7 +19,7 @@ namespace helios
 struct ScanIds
 {
   int Leg;
-  int Channel;
+  int Channel; // of the deflector's channel 0
   bool HasWaveforms;
   bool HasDeviations;
 };

@@ -27,6 +27,7 @@ struct EchoRecord
   double Deviation;
   double ScanAngle;
   double Incidence; // [deg]
+  int Channel;
   int MaterialId;
   int PartId;
   int Classification;
@@ -48,6 +49,7 @@ struct PulseRecord
   double Time;
   vtkIdType PulseId;
   double ScanAngle;
+  int Channel;
   bool Hit;
 };
 
@@ -69,6 +71,7 @@ struct WaveformRecord
   vtkIdType PulseId;
   double StartTime; // [ns]
   vtkIdType Count;  // samples
+  int Channel;
 };
 
 /// What a chunk of pulses gives, in the order of the pulses.

@@ -9,6 +9,7 @@
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosLinearPathPlatform.h"
 #include "vtkHeliosRotatingMirror.h"
+#include "vtkHeliosSpinningChannels.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -357,4 +358,37 @@ TEST_CASE("Scanner: only what changed runs again", "[Scanner]")
   CHECK(bench.Scanner->GetOutput()->GetMTime() == before);
   bench.Deflector->SetPulseFrequency(50000);
   CHECK(bench.Run()->GetNumberOfPoints() == 500);
+}
+
+TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(10, 100) });
+  Bench bench(scene);
+  vtkNew<vtkHeliosSpinningChannels> head;
+  head->SetNumberOfChannels(4);
+  for (int c = 0; c < 4; ++c)
+  {
+    head->SetElevation(c, 2.0 * c - 3.0);
+    head->SetFiringTime(c, 1e-6 * c);
+  }
+  head->SetPulseFrequency(40000); // a cycle of four a 10 kHz
+  head->SetScanFrequency(0);
+  bench.Scanner->SetBeamDeflector(head);
+  bench.Scanner->SetChannelId(10);
+  bench.Scanner->GeneratePulsesOn();
+  bench.Scanner->GenerateWaveformsOn();
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 400);
+  auto* table = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
+  for (const vtkIdType i : { 0, 1, 2, 3, 399 })
+  {
+    const auto channel = static_cast<double>(i % 4);
+    CHECK(Value(echoes, names::ChannelIds, i) == 10 + channel);
+    CHECK(Value(bench.Scanner->GetOutput(2), names::ChannelIds, i) == 10 + channel);
+    CHECK(table->GetValueByName(i, names::ChannelIds).ToInt() == 10 + i % 4);
+    CHECK(Value(echoes, names::GpsTime, i) ==
+      Approx(static_cast<double>(i / 4) / 10000 + 1e-6 * channel).epsilon(1e-12));
+    CHECK(echoes->GetPoint(i)[2] / echoes->GetPoint(i)[1] ==
+      Approx(std::tan((2 * channel - 3) * 0.017453292519943295)).epsilon(1e-12));
+  }
 }

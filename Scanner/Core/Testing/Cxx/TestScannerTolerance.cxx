@@ -247,7 +247,7 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find("49 sub-rays") != std::string::npos);
-  CHECK(bench.Scanner->DescribeSampling().find("1/48 of the beam") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("1/96 of the beam") != std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
 }
