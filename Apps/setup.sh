@@ -12,7 +12,7 @@ helios_packages=(
   git g++ cmake ninja-build ccache
   # libraries
   libvtk9-dev libembree-dev libpugixml-dev librandom123-dev
-  libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev
+  libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich
   # to test

@@ -6,6 +6,7 @@
 #define heliosWaveformTable_h
 
 #include "heliosColumn.h"
+#include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <string>
 
@@ -16,7 +17,7 @@ namespace helios
 {
 
 /// One row a waveform; its samples are Count values of Samples from Offset on.
-struct WaveformTable
+struct VTKHELIOSFILTERSIO_EXPORT WaveformTable
 {
   Column PulseIds, Origin, Direction, GpsTime, StartTime, BinSize, Offset, Count;
   Column Samples; ///< all of the table, one behind the other

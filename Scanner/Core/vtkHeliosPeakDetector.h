@@ -7,7 +7,11 @@
  * Each maximum that reaches DetectionThreshold is one echo, a plateau too. Time
  * and amplitude are those of the parabola through the logarithms of the largest
  * sample and its neighbours, which is exact for a Gaussian; the width is that
- * of the Gaussian with this curvature.
+ * of the Gaussian with this curvature. An echo of one sample between zeros lies
+ * there and has the width of the pulse.
+ *
+ * In noise three samples are few, and fewer the finer the bins; and each echo has
+ * many maxima. Give a FitWindow and a MinimumSeparation then.
  *
  * @sa
  * vtkHeliosEchoDetector
@@ -26,7 +30,29 @@ public:
   vtkTypeMacro(vtkHeliosPeakDetector, vtkHeliosEchoDetector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  bool FindsMaxima() const override { return true; }
+  ///@{
+  /**
+   * Set/Get how far from the maximum samples are fitted, weighted by the square of
+   * their amplitude [sigma of the pulse]; 0: the largest and its neighbours.
+   * Valid range: [0, 3]. Default: 0.
+   */
+  vtkSetClampMacro(FitWindow, double, 0.0, 3.0);
+  vtkGetMacro(FitWindow, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how near to a larger maximum one does not count [ns]; 0: all count.
+   * Valid range: [0, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
+  vtkGetMacro(MinimumSeparation, double);
+  ///@}
+
+  bool FindsMaxima() const override
+  {
+    return this->FitWindow == 0.0 && this->MinimumSeparation == 0.0;
+  }
 
   void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
@@ -38,6 +64,9 @@ protected:
 private:
   vtkHeliosPeakDetector(const vtkHeliosPeakDetector&) = delete;
   void operator=(const vtkHeliosPeakDetector&) = delete;
+
+  double FitWindow = 0.0;
+  double MinimumSeparation = 0.0;
 };
 
 #endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the discriminators share: a waveform as a function of time.
+
+#ifndef heliosDiscriminator_h
+#define heliosDiscriminator_h
+
+#include "vtkHeliosEchoDetector.h"
+
+#include <cmath>
+
+namespace helios
+{
+
+/// A sample; 0 where there is none, or no finite number.
+inline double GetSample(const vtkHeliosWaveform& w, vtkIdType i)
+{
+  const double sample = i >= 0 && i < w.Count ? w.Samples[i] : 0.0;
+  return std::isfinite(sample) ? sample : 0.0;
+}
+
+/// The waveform at a time [ns], linear between the samples and 0 outside.
+inline double Interpolate(const vtkHeliosWaveform& w, double time)
+{
+  const double bin = std::floor(time / w.BinSize);
+  const double share = time / w.BinSize - bin;
+  const auto i = static_cast<vtkIdType>(bin);
+  return (1.0 - share) * GetSample(w, i) + share * GetSample(w, i + 1);
+}
+
+/// The largest of the samples [first, last] that exist; the first of equal ones, -1 where none is.
+inline vtkIdType FindLargest(const vtkHeliosWaveform& w, vtkIdType first, vtkIdType last)
+{
+  vtkIdType largest = -1;
+  for (vtkIdType i = first < 0 ? 0 : first; i <= last && i < w.Count; ++i)
+  {
+    if (largest < 0 || GetSample(w, i) > GetSample(w, largest))
+    {
+      largest = i;
+    }
+  }
+  return largest;
+}
+
+/// Bins from sample i, going by step, to where the waveform falls to a level below the sample.
+inline double GetDistanceTo(const vtkHeliosWaveform& w, vtkIdType i, int step, double level)
+{
+  vtkIdType end = i + step;
+  while (GetSample(w, end) > level)
+  {
+    end += step;
+  }
+  const double above = GetSample(w, end - step);
+  const double rest = (above - level) / (above - GetSample(w, end));
+  return static_cast<double>(std::abs(end - step - i)) + rest;
+}
+
+/// The full width at half the amplitude of a positive sample [ns].
+inline double GetFullWidth(const vtkHeliosWaveform& w, vtkIdType i)
+{
+  const double half = 0.5 * GetSample(w, i);
+  return w.BinSize * (GetDistanceTo(w, i, -1, half) + GetDistanceTo(w, i, 1, half));
+}
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosExpression.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace helios
+{
+namespace
+{
+
+using Parser = vtkSmartPointer<vtkExprTkFunctionParser>;
+
+const std::set<std::string> Variables = { "t", "THETA", "pi", "e" };
+const std::set<std::string> Functions = { "exp", "ln", "sqrt", "abs", "cos", "sin", "tan", "acos",
+  "asin", "atan", "cosh", "sinh", "tanh", "atan2" };
+
+Parser MakeParser(const std::string& text)
+{
+  auto parser = Parser::New();
+  parser->SetScalarVariableValue("t", 0.0);
+  parser->SetScalarVariableValue("THETA", 0.0);
+  parser->SetScalarVariableValue("pi", vtkMath::Pi());
+  parser->SetScalarVariableValue("e", std::exp(1.0));
+  parser->ReplaceInvalidValuesOn();
+  parser->SetReplacementValue(vtkMath::Nan());
+  parser->SetFunction(text.c_str());
+  return parser;
+}
+
+/// Reads the words of an expression one behind the other; VTK's parser knows more than it may.
+class Reader
+{
+public:
+  explicit Reader(const std::string& text)
+    : Text(text)
+  {
+  }
+
+  std::string FindFault()
+  {
+    std::string fault;
+    while (fault.empty() && this->Position < this->Text.size())
+    {
+      const char c = this->Text[this->Position];
+      if (std::isspace(static_cast<unsigned char>(c)))
+      {
+        ++this->Position;
+      }
+      else if (std::isdigit(static_cast<unsigned char>(c)) || c == '.')
+      {
+        fault = this->ReadNumber();
+      }
+      else if (std::isalpha(static_cast<unsigned char>(c)))
+      {
+        fault = this->ReadName();
+      }
+      else
+      {
+        fault = this->ReadSign(c);
+      }
+    }
+    if (fault.empty() && !this->Brackets.empty())
+    {
+      fault = "a bracket is not closed; add )" + this->At(this->Position);
+    }
+    return fault;
+  }
+
+private:
+  const std::string& Text;
+  std::size_t Position = 0;
+  bool IsAfterAtan2 = false;
+  std::vector<int> Brackets; // the commas that each may still hold
+
+  std::string At(std::size_t position) const
+  {
+    return " (character " + std::to_string(position + 1) + ")";
+  }
+
+  std::string ReadNumber()
+  {
+    double value = 0.0;
+    const char* begin = this->Text.data() + this->Position;
+    const char* all = this->Text.data() + this->Text.size();
+    const auto [end, status] = std::from_chars(begin, all, value);
+    const std::size_t start = this->Position;
+    this->Position += static_cast<std::size_t>(end - begin);
+    return status == std::errc() && std::isfinite(value)
+      ? std::string()
+      : "a number that cannot be read; write one such as 0.001" + this->At(start);
+  }
+
+  std::string ReadName()
+  {
+    const std::size_t start = this->Position;
+    while (this->Position < this->Text.size() &&
+      std::isalnum(static_cast<unsigned char>(this->Text[this->Position])))
+    {
+      ++this->Position;
+    }
+    const std::string name = this->Text.substr(start, this->Position - start);
+    this->IsAfterAtan2 = name == "atan2";
+    const std::size_t next = this->Text.find_first_not_of(" \t\r\n", this->Position);
+    const bool isCalled = next != std::string::npos && this->Text[next] == '(';
+    if (Functions.count(name) > 0)
+    {
+      return isCalled ? std::string()
+                      : name + " has no argument; write " + name + "(t)" + this->At(start);
+    }
+    if (Variables.count(name) > 0)
+    {
+      return isCalled ? name + " is no function; write an operator behind it" + this->At(start)
+                      : std::string();
+    }
+    return name +
+      " is not known; use t or THETA, pi, e, exp, ln, sqrt, abs, cos, sin, tan, acos, asin, atan, "
+      "cosh, sinh, tanh, atan2" +
+      this->At(start);
+  }
+
+  std::string ReadSign(char c)
+  {
+    const std::size_t start = this->Position++;
+    if (c == '(')
+    {
+      this->Brackets.push_back(this->IsAfterAtan2 ? 1 : 0);
+      this->IsAfterAtan2 = false;
+      return {};
+    }
+    if (c == ')' && !this->Brackets.empty())
+    {
+      const int commas = this->Brackets.back();
+      this->Brackets.pop_back();
+      return commas == 0 ? std::string() : "atan2 has one argument; give two" + this->At(start);
+    }
+    if (c == ',' && !this->Brackets.empty() && this->Brackets.back() > 0)
+    {
+      --this->Brackets.back();
+      return {};
+    }
+    if (c == ',')
+    {
+      return "a comma outside atan2(a, b); write decimals with a point" + this->At(start);
+    }
+    return std::string("+-*/^").find(c) != std::string::npos
+      ? std::string()
+      : std::string("'") + c + "' is not expected; take it out" + this->At(start);
+  }
+};
+
+/// What VTK's parser says about a text, without the place in its source; nothing: it is sound.
+std::string Parse(const std::string& text)
+{
+  std::string said;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&said);
+  listener->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* data)
+    {
+      auto& log = *static_cast<std::string*>(client);
+      const char* message = static_cast<const char*>(data);
+      log = log.empty() && message ? message : log;
+    });
+  const Parser parser = MakeParser(text);
+  parser->AddObserver(vtkCommand::ErrorEvent, listener);
+  if (parser->IsScalarResult() && said.empty())
+  {
+    return {};
+  }
+  const std::size_t from = said.find(" - ");
+  const std::size_t to = said.find("\tExpression");
+  const std::string core =
+    from == std::string::npos ? "it has no value" : said.substr(from + 3, to - from - 3);
+  return core + "; write a term between operators, such as 0.001 * sin(t)";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string Expression::FindFault(const std::string& text)
+{
+  if (text.empty())
+  {
+    return {};
+  }
+  const std::string fault = Reader(text).FindFault();
+  return fault.empty() ? Parse(text) : fault;
+}
+
+//------------------------------------------------------------------------------
+Expression::Expression(const std::string& text)
+  : Text(text)
+{
+}
+
+//------------------------------------------------------------------------------
+double Expression::Evaluate(double variable, double fallback)
+{
+  const Parser parser = this->TakeParser();
+  parser->SetScalarVariableValue(0, variable);
+  parser->SetScalarVariableValue(1, variable);
+  const double value = parser->GetScalarResult();
+  this->ReturnParser(parser);
+  return std::isfinite(value) ? value : fallback;
+}
+
+//------------------------------------------------------------------------------
+Expression::Parser Expression::TakeParser()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (!this->Idle.empty())
+    {
+      Parser parser = std::move(this->Idle.back());
+      this->Idle.pop_back();
+      return parser;
+    }
+  }
+  return MakeParser(this->Text);
+}
+
+//------------------------------------------------------------------------------
+void Expression::ReturnParser(Parser parser)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Idle.push_back(std::move(parser));
+}
+
+} // namespace helios

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosEchoDetection.h"
+
+#include "heliosPose.h"
+#include "heliosReturnSelection.h"
+#include "heliosWaveformTable.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPeakDetector.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosEchoDetection);
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+// Waveforms handed to a thread at a time, and between two looks at progress and abort.
+constexpr vtkIdType RowsPerChunk = 256;
+constexpr vtkIdType ChunksPerBatch = 256;
+
+struct Record
+{
+  vtkHeliosDetectedEcho Echo;
+  double Range;
+  vtkIdType Row;
+  unsigned char ReturnNumber;
+  unsigned char NumberOfReturns;
+};
+
+helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
+{
+  return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
+}
+
+/// What is wrong with the numbers of a row; nothing: they can be used.
+std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
+{
+  const auto tell = [row](const char* name, const char* cure)
+  { return std::string(name) + " of row " + std::to_string(row) + " is " + cure; };
+  if (!(table.BinSize.GetNumber(row) > 0.0) || !std::isfinite(table.BinSize.GetNumber(row)))
+  {
+    return tell(names::BinSize, "not a positive number of ns");
+  }
+  const std::pair<const char*, const helios::Column*> scalars[] = {
+    { names::StartTime, &table.StartTime }, { names::GpsTime, &table.GpsTime }
+  };
+  for (const auto& [name, column] : scalars)
+  {
+    if (!std::isfinite(column->GetNumber(row)))
+    {
+      return tell(name, "not a finite number");
+    }
+  }
+  const std::pair<const char*, const helios::Column*> vectors[] = {
+    { names::Origin, &table.Origin }, { names::Direction, &table.Direction }
+  };
+  for (const auto& [name, column] : vectors)
+  {
+    const helios::Vec3 v = GetVector(*column, row);
+    if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+    {
+      return tell(name, "not a finite vector");
+    }
+  }
+  const double length = GetVector(table.Direction, row).Norm();
+  if (!(std::abs(length - 1.0) < 1e-3))
+  {
+    return tell(names::Direction, "no unit vector");
+  }
+  return {};
+}
+
+/// The first row with a sample that is no finite number; -1: none.
+vtkIdType FindBadSamples(const helios::WaveformTable& table)
+{
+  for (vtkIdType row = 0; row < table.NumberOfRows; ++row)
+  {
+    const vtkIdType first = table.Offset.GetInteger(row);
+    const vtkIdType last = first + table.Count.GetInteger(row);
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      if (!std::isfinite(table.Samples.GetNumber(i)))
+      {
+        return row;
+      }
+    }
+  }
+  return -1;
+}
+
+/// Adds an array of a type to the points' data.
+template <typename ArrayT>
+typename ArrayT::ValueType* AddColumn(vtkPolyData* output, const char* name, vtkIdType count)
+{
+  vtkNew<ArrayT> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  output->GetPointData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+} // namespace
+
+/// A run over a table: what it needs, and what it gives.
+struct vtkHeliosEchoDetection::Run
+{
+  const vtkHeliosEchoDetector* Detector = nullptr;
+  helios::WaveformTable Table;
+  const float* Samples = nullptr;
+  std::vector<float> Converted; // where the table's are of another type
+  double PulseLength = 0.0;
+  int Selection = 0;
+  int Maximum = 0;
+  std::vector<std::vector<Record>> Chunks;
+
+  void TakeSamples(vtkDataArray* array);
+  void DetectRow(vtkIdType row, std::vector<vtkHeliosDetectedEcho>& echoes,
+    std::vector<std::size_t>& kept, std::vector<Record>& records) const;
+  void DetectChunks(vtkIdType begin, vtkIdType end);
+  void Fill(vtkPolyData* output) const;
+  void FillIds(vtkTable* table, vtkPolyData* output) const;
+};
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::Run::TakeSamples(vtkDataArray* array)
+{
+  if (auto* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    this->Samples = floats->GetPointer(0);
+    return;
+  }
+  this->Converted.resize(static_cast<std::size_t>(this->Table.NumberOfSamples));
+  for (std::size_t i = 0; i < this->Converted.size(); ++i)
+  {
+    this->Converted[i] =
+      static_cast<float>(this->Table.Samples.GetNumber(static_cast<vtkIdType>(i)));
+  }
+  this->Samples = this->Converted.data();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::Run::DetectRow(vtkIdType row,
+  std::vector<vtkHeliosDetectedEcho>& echoes, std::vector<std::size_t>& kept,
+  std::vector<Record>& records) const
+{
+  echoes.clear();
+  this->Detector->Detect(
+    { this->Samples + this->Table.Offset.GetInteger(row), this->Table.Count.GetInteger(row),
+      this->Table.BinSize.GetNumber(row), this->PulseLength },
+    echoes);
+  helios::SelectReturns(echoes, this->Selection, this->Maximum, kept);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    const vtkHeliosDetectedEcho& echo = echoes[kept[i]];
+    records.push_back({ echo, helios::GetRange(this->Table.StartTime.GetNumber(row), echo.Time),
+      row, static_cast<unsigned char>(i + 1), static_cast<unsigned char>(kept.size()) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::Run::DetectChunks(vtkIdType begin, vtkIdType end)
+{
+  std::vector<vtkHeliosDetectedEcho> echoes;
+  std::vector<std::size_t> kept;
+  for (vtkIdType chunk = begin; chunk < end; ++chunk)
+  {
+    const vtkIdType last = std::min(this->Table.NumberOfRows, (chunk + 1) * RowsPerChunk);
+    for (vtkIdType row = chunk * RowsPerChunk; row < last; ++row)
+    {
+      this->DetectRow(row, echoes, kept, this->Chunks[static_cast<std::size_t>(chunk)]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::Run::Fill(vtkPolyData* output) const
+{
+  vtkIdType count = 0;
+  for (const auto& chunk : this->Chunks)
+  {
+    count += static_cast<vtkIdType>(chunk.size());
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  output->SetPoints(points);
+  double* times = AddColumn<vtkDoubleArray>(output, names::GpsTime, count);
+  auto* pulses = AddColumn<vtkTypeInt64Array>(output, names::PulseIds, count);
+  unsigned char* numbers = AddColumn<vtkUnsignedCharArray>(output, names::ReturnNumber, count);
+  unsigned char* totals = AddColumn<vtkUnsignedCharArray>(output, names::NumberOfReturns, count);
+  double* ranges = AddColumn<vtkDoubleArray>(output, names::Range, count);
+  double* amplitudes = AddColumn<vtkDoubleArray>(output, names::Amplitude, count);
+  double* widths = AddColumn<vtkDoubleArray>(output, names::EchoWidth, count);
+  auto* waveforms = AddColumn<vtkTypeInt64Array>(output, names::WaveformIds, count);
+  double* deviations = this->Detector->GivesDeviation()
+    ? AddColumn<vtkDoubleArray>(output, names::Deviation, count)
+    : nullptr;
+  vtkIdType i = 0;
+  for (const auto& chunk : this->Chunks)
+  {
+    for (const Record& r : chunk)
+    {
+      const helios::Vec3 point =
+        GetVector(this->Table.Origin, r.Row) + r.Range * GetVector(this->Table.Direction, r.Row);
+      points->SetPoint(i, point.GetData());
+      times[i] = this->Table.GpsTime.GetNumber(r.Row);
+      pulses[i] = waveforms[i] = this->Table.PulseIds.GetInteger(r.Row);
+      numbers[i] = r.ReturnNumber;
+      totals[i] = r.NumberOfReturns;
+      ranges[i] = r.Range;
+      amplitudes[i] = r.Echo.Amplitude;
+      widths[i] = r.Echo.Width;
+      if (deviations)
+      {
+        deviations[i] = r.Echo.Deviation;
+      }
+      ++i;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The ids that a table may have.
+void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) const
+{
+  for (const char* name : { names::LegIds, names::ChannelIds })
+  {
+    vtkDataArray* source = table->GetRowData()->GetArray(name);
+    if (!source)
+    {
+      continue;
+    }
+    const helios::Column column(source);
+    int* target = AddColumn<vtkIntArray>(output, name, output->GetNumberOfPoints());
+    for (const auto& chunk : this->Chunks)
+    {
+      for (const Record& r : chunk)
+      {
+        *target++ = static_cast<int>(column.GetNumber(r.Row));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosEchoDetection::vtkHeliosEchoDetection()
+  : EchoDetector(vtkSmartPointer<vtkHeliosPeakDetector>::New())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosEchoDetection::~vtkHeliosEchoDetection() = default;
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent
+     << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector->GetClassName() : "(none)")
+     << "\n"
+     << indent << "PulseLength: " << this->PulseLength << " ns\n"
+     << indent << "ReturnSelection: " << this->ReturnSelection << "\n"
+     << indent << "MaximumNumberOfReturns: " << this->MaximumNumberOfReturns << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosEchoDetection::SetEchoDetector(vtkHeliosEchoDetector* detector)
+{
+  if (this->EchoDetector != detector)
+  {
+    this->EchoDetector = detector;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosEchoDetector* vtkHeliosEchoDetection::GetEchoDetector() const
+{
+  return this->EchoDetector;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHeliosEchoDetection::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->EchoDetector ? std::max(own, this->EchoDetector->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosEchoDetection::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkTable");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
+{
+  if (!this->EchoDetector)
+  {
+    vtkErrorMacro(<< "EchoDetector was set to nothing; give one, e.g. a vtkHeliosPeakDetector");
+    return false;
+  }
+  run.Detector = this->EchoDetector;
+  run.Selection = this->ReturnSelection;
+  run.Maximum = this->MaximumNumberOfReturns;
+  std::string fault = run.Table.Take(table);
+  for (vtkIdType row = 0; fault.empty() && row < run.Table.NumberOfRows; ++row)
+  {
+    fault = FindFault(run.Table, row);
+    fault = fault.empty() ? fault : "is wrong: " + fault;
+  }
+  const vtkIdType bad = fault.empty() ? FindBadSamples(run.Table) : -1;
+  if (bad >= 0)
+  {
+    fault = "is wrong: " + std::string(names::Samples) + " of row " + std::to_string(bad) +
+      " hold what is no finite number";
+  }
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "the input " << fault
+                  << "; connect the waveforms of vtkHeliosScanner (output port 1), or of a reader");
+    return false;
+  }
+  run.PulseLength = this->PulseLength;
+  vtkDataArray* length = table->GetFieldData()->GetArray(names::PulseLength);
+  if (!(run.PulseLength > 0.0) && length && length->GetNumberOfTuples() > 0)
+  {
+    run.PulseLength = length->GetComponent(0, 0);
+  }
+  if (run.Table.NumberOfRows > 0 && !(run.PulseLength > 0.0 && std::isfinite(run.PulseLength)))
+  {
+    vtkErrorMacro(<< "the input has no " << names::PulseLength
+                  << " in its field data, or one that is no positive number of ns; set the "
+                     "property PulseLength");
+    return false;
+  }
+  if (run.Table.NumberOfRows > 0)
+  {
+    run.TakeSamples(table->GetFieldData()->GetArray(names::Samples));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosEchoDetection::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkTable* table = vtkTable::GetData(inputs[0]);
+  Run run;
+  if (!this->Prepare(table, run))
+  {
+    return 0;
+  }
+  const vtkIdType chunks = (run.Table.NumberOfRows + RowsPerChunk - 1) / RowsPerChunk;
+  run.Chunks.resize(static_cast<std::size_t>(chunks));
+  for (vtkIdType chunk = 0; chunk < chunks && !this->GetAbortExecute(); chunk += ChunksPerBatch)
+  {
+    const vtkIdType end = std::min(chunks, chunk + ChunksPerBatch);
+    vtkSMPTools::For(
+      chunk, end, 1, [&run](vtkIdType from, vtkIdType to) { run.DetectChunks(from, to); });
+    this->UpdateProgress(static_cast<double>(end) / static_cast<double>(chunks));
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  run.Fill(output);
+  run.FillIds(table, output);
+  return 1;
+}

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosGaussianDecomposition.h"
+
+#include "heliosGaussianFit.h"
+#include "heliosPeaks.h"
+#include "heliosRadiometry.h"
+
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkHeliosGaussianDecomposition);
+
+namespace
+{
+
+using helios::GaussianComponent;
+using Components = std::vector<GaussianComponent>;
+
+// In sigma of a component: how far its samples are fitted, and how far the fit is judged.
+constexpr double FitReach = 4.0;
+constexpr double DeviationReach = 2.0;
+
+// In sigma of the pulse: the samples that a first guess is made of, and the widest one.
+constexpr double GuessReach = 1.0;
+constexpr double WidestGuess = 20.0;
+
+// An echo is wider than the pulse where this much evidence says so (Bayesian information criterion:
+// Raftery 1995, Sociological Methodology 25, 111-163: very strong).
+constexpr double StrongEvidence = 10.0;
+
+// Samples are stored as float: residuals below this share of the largest are rounding.
+constexpr double Rounding = 6e-8;
+
+/// What a thread keeps from one waveform to the next.
+struct Scratch
+{
+  std::vector<helios::Peak> Peaks;
+  std::vector<vtkHeliosDetectedEcho> Guesses;
+  helios::GaussianData Data;
+  helios::GaussianFit Fit;
+  Components Start, Best, Trial;
+};
+
+/// Fits the echoes of one waveform; x is time over the pulse's sigma, y over the largest sample.
+class Decomposition
+{
+public:
+  Decomposition(const vtkHeliosWaveform& waveform, Scratch& scratch)
+    : Waveform(waveform)
+    , Work(scratch)
+    , Sigma(waveform.PulseLength / helios::FwhmPerSigma)
+  {
+  }
+
+  bool ResolveHidden = false;
+  bool FitBackground = false;
+  int MostEvaluations = 0;
+
+  void Run(std::vector<vtkHeliosDetectedEcho>& echoes)
+  {
+    this->MakeGuesses();
+    const std::size_t count = this->Work.Peaks.size();
+    for (std::size_t first = 0; first < count;)
+    {
+      std::size_t last = first + 1;
+      while (last < count && this->GetStart(last) < this->GetEnd(first, last))
+      {
+        ++last;
+      }
+      this->RunGroup(first, last, echoes);
+      first = last;
+    }
+  }
+
+private:
+  const vtkHeliosWaveform& Waveform;
+  Scratch& Work;
+  double Sigma;       // of the pulse [ns]
+  double Largest = 0; // sample of a group [W]
+
+  /// The Gaussians of the maxima; of neighbours that overlap no wider than they are apart.
+  void MakeGuesses()
+  {
+    const auto& peaks = this->Work.Peaks;
+    auto& guesses = this->Work.Guesses;
+    guesses.clear();
+    for (const helios::Peak& peak : peaks)
+    {
+      guesses.push_back(helios::FitPeak(this->Waveform, peak, GuessReach * this->Sigma));
+    }
+    for (std::size_t i = 0; i < guesses.size(); ++i)
+    {
+      double widest = WidestGuess * this->Sigma;
+      for (const std::size_t other : { i - 1, i + 1 }) // 0 - 1 is out of range, too
+      {
+        if (other < guesses.size())
+        {
+          widest = std::min(widest, 0.5 * std::abs(guesses[other].Time - guesses[i].Time));
+        }
+      }
+      const double sigma = guesses[i].Width / helios::FwhmPerSigma;
+      this->Sigmas.resize(guesses.size());
+      this->Sigmas[i] = std::max(this->Sigma, std::min(sigma, widest));
+    }
+  }
+
+  double GetStart(std::size_t i) const
+  {
+    return this->Work.Guesses[i].Time - FitReach * this->Sigmas[i];
+  }
+
+  /// The last end of the windows of [first, last).
+  double GetEnd(std::size_t first, std::size_t last) const
+  {
+    double end = 0.0;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      end = std::max(end, this->Work.Guesses[i].Time + FitReach * this->Sigmas[i]);
+    }
+    return end;
+  }
+
+  void TakeSamples(std::size_t first, std::size_t last)
+  {
+    const double bin = this->Waveform.BinSize;
+    double start = this->GetStart(first);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      start = std::min(start, this->GetStart(i));
+    }
+    const auto begin = static_cast<vtkIdType>(std::max(0.0, std::ceil(start / bin)));
+    const auto end = static_cast<vtkIdType>(std::min(static_cast<double>(this->Waveform.Count),
+      std::floor(this->GetEnd(first, last) / bin) + 1.0));
+    this->Largest = 0.0;
+    for (std::size_t i = first; i < last; ++i)
+    {
+      this->Largest =
+        std::max<double>(this->Largest, this->Waveform.Samples[this->Work.Peaks[i].First]);
+    }
+    helios::GaussianData& data = this->Work.Data;
+    data.X.clear();
+    data.Y.clear();
+    data.HasBackground = this->FitBackground;
+    data.Background = 0.0;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const double sample = this->Waveform.Samples[i] / this->Largest;
+      if (std::isfinite(sample))
+      {
+        data.X.push_back(static_cast<double>(i) * bin / this->Sigma);
+        data.Y.push_back(sample);
+      }
+    }
+  }
+
+  void RunGroup(std::size_t first, std::size_t last, std::vector<vtkHeliosDetectedEcho>& echoes)
+  {
+    this->TakeSamples(first, last);
+    Components& best = this->Work.Best;
+    best.clear();
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const vtkHeliosDetectedEcho& guess = this->Work.Guesses[i];
+      best.push_back({ guess.Amplitude / this->Largest, guess.Time / this->Sigma,
+        this->Sigmas[i] / this->Sigma });
+    }
+    this->Work.Start = best;
+    const bool converged = this->Work.Fit.Run(this->Work.Data, best, this->MostEvaluations);
+    for (std::size_t i = 0; converged && this->ResolveHidden && i < last - first; ++i)
+    {
+      this->Resolve(i);
+    }
+    for (std::size_t i = 0; i < best.size(); ++i)
+    {
+      const bool isPeak = i < last - first; // what was hidden stands behind
+      const bool isSound = converged && (!isPeak || this->IsSound(i));
+      echoes.push_back(isSound ? this->MakeEcho(best[i])
+                               : helios::FitPeak(this->Waveform, this->Work.Peaks[first + i]));
+    }
+  }
+
+  /// Whether a component lies within its bounds, not on them.
+  bool IsSound(std::size_t i) const
+  {
+    const GaussianComponent& g = this->Work.Best[i];
+    const GaussianComponent& from = this->Work.Start[i];
+    return g.Amplitude > 1e-3 * from.Amplitude && g.Amplitude < 1e3 * from.Amplitude &&
+      std::abs(g.Centre - from.Centre) < 0.99 * helios::GaussianFit::Reach &&
+      g.Sigma > 1.02 * helios::GaussianFit::SmallestSigma && g.Sigma < 2.0 * WidestGuess;
+  }
+
+  vtkHeliosDetectedEcho MakeEcho(const GaussianComponent& g) const
+  {
+    const helios::GaussianData& data = this->Work.Data;
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < data.X.size(); ++i)
+    {
+      if (std::abs(data.X[i] - g.Centre) <= DeviationReach * g.Sigma)
+      {
+        const double rest = data.Y[i] - helios::EvaluateGaussians(data, this->Work.Best, data.X[i]);
+        sum += rest * rest;
+        ++count;
+      }
+    }
+    return { g.Centre * this->Sigma, g.Amplitude * this->Largest,
+      helios::FwhmPerSigma * g.Sigma * this->Sigma, std::sqrt(sum / count) / g.Amplitude };
+  }
+
+  /// The sum of squares of a trial fit, no less than rounding makes; infinite where it failed.
+  double FitTrial()
+  {
+    helios::GaussianData& data = this->Work.Data;
+    if (!this->Work.Fit.Run(data, this->Work.Trial, this->MostEvaluations))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    return this->Floor(helios::SumSquares(data, this->Work.Trial));
+  }
+
+  double Floor(double sumSquares) const
+  {
+    return std::max(
+      sumSquares, static_cast<double>(this->Work.Data.X.size()) * Rounding * Rounding);
+  }
+
+  /**
+   * Replaces a component by two of the pulse's width if it is wider than the pulse beyond doubt and
+   * the two leave no more than it does, but for chance.
+   */
+  void Resolve(std::size_t i)
+  {
+    const auto count = static_cast<double>(this->Work.Data.X.size());
+    const double background = this->Work.Data.Background;
+    const Components one = this->Work.Best;
+    const double left = this->Floor(helios::SumSquares(this->Work.Data, one));
+
+    this->Work.Trial = one;
+    this->Work.Trial[i].Sigma = 1.0;
+    this->Work.Trial[i].IsSigmaFixed = true;
+    const Components narrow = this->Work.Trial;
+    const double leftNarrow = this->FitTrial();
+    const Components fitted = this->Work.Trial;
+    if (one[i].Sigma > 1.0 &&
+      count * std::log(leftNarrow / left) - std::log(count) > StrongEvidence)
+    {
+      const double spread = std::sqrt(std::max(0.1, one[i].Sigma * one[i].Sigma - 1.0));
+      double least = left * (1.0 + 2.0 / count);
+      for (const bool isAtRest : { false, true })
+      {
+        this->Work.Data.Background = background;
+        this->Work.Trial = isAtRest ? fitted : narrow;
+        isAtRest ? this->AddAtRest(i) : this->Split(i, spread);
+        const double leftTwo = this->FitTrial();
+        if (leftTwo < least)
+        {
+          least = leftTwo;
+          this->Work.Best = this->Work.Trial;
+          this->BestBackground = this->Work.Data.Background;
+        }
+      }
+    }
+    this->Work.Data.Background =
+      this->Work.Best.size() > one.size() ? this->BestBackground : background;
+  }
+
+  /// Two halves of a component, a spread to either side.
+  void Split(std::size_t i, double spread)
+  {
+    GaussianComponent half = this->Work.Trial[i];
+    half.Amplitude *= 0.6;
+    half.Centre += spread;
+    this->Work.Trial[i].Amplitude = half.Amplitude;
+    this->Work.Trial[i].Centre -= spread;
+    this->Work.Trial.push_back(half);
+  }
+
+  /// A second one where the trial leaves most, within reach of component i.
+  void AddAtRest(std::size_t i)
+  {
+    const helios::GaussianData& data = this->Work.Data;
+    GaussianComponent second = this->Work.Trial[i];
+    double most = 0.0;
+    for (std::size_t k = 0; k < data.X.size(); ++k)
+    {
+      const double rest = data.Y[k] - helios::EvaluateGaussians(data, this->Work.Trial, data.X[k]);
+      if (std::abs(data.X[k] - this->Work.Trial[i].Centre) < FitReach && rest > most)
+      {
+        most = rest;
+        second.Centre = data.X[k];
+      }
+    }
+    second.Amplitude = std::max(most, 1e-3 * second.Amplitude);
+    this->Work.Trial.push_back(second);
+  }
+
+  std::vector<double> Sigmas; // of the guesses [ns]
+  double BestBackground = 0.0;
+};
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkHeliosGaussianDecomposition::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MinimumSeparation: " << this->MinimumSeparation << " ns\n"
+     << indent << "ResolveHidden: " << this->ResolveHidden << "\n"
+     << indent << "FitBackground: " << this->FitBackground << "\n"
+     << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosGaussianDecomposition::Detect(
+  const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const
+{
+  static thread_local Scratch scratch;
+  helios::FindPeaks(waveform, this->DetectionThreshold, this->MinimumSeparation, scratch.Peaks);
+  const std::size_t before = echoes.size();
+  Decomposition decomposition(waveform, scratch);
+  decomposition.ResolveHidden = this->ResolveHidden;
+  decomposition.FitBackground = this->FitBackground;
+  decomposition.MostEvaluations = this->MaximumNumberOfIterations;
+  decomposition.Run(echoes);
+  std::stable_sort(echoes.begin() + static_cast<std::ptrdiff_t>(before), echoes.end(),
+    [](const vtkHeliosDetectedEcho& a, const vtkHeliosDetectedEcho& b) { return a.Time < b.Time; });
+}

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosGaussianDecomposition
+ * @brief   the echoes are Gaussians whose sum is the waveform
+ *
+ * Starts from the maxima of the waveform, as vtkHeliosPeakDetector finds them,
+ * and fits the sum of
+ * - A exp(-(t - c)^2 / (2 s^2))
+ *
+ * to the samples within 4 sigma of them, those together that overlap (Levenberg
+ * and Marquardt's method; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has
+ * the Amplitude A, the Time c, the Width 2.3548 s (s is the standard deviation in
+ * time, its full width at half maximum is exported), and as Deviation the root
+ * mean square of what the fit leaves within 2 sigma of it, over A. Under white
+ * noise times reach the bound of Cramer and Rao, std(c) = (sigma_n / A) sqrt(2 s
+ * dt / sqrt(pi)).
+ *
+ * The range is that of a component's centre, not of a maximum of the waveform:
+ * where echoes overlap the two differ, up to 2 s.
+ *
+ * A is positive, s above half the pulse's, c within 2.5 sigma of the pulse from
+ * its maximum. A fit that does not converge, or ends on these bounds, leaves an
+ * echo as the maximum's own Gaussian says, with no number for Deviation; no
+ * echo is lost.
+ *
+ * @sa
+ * vtkHeliosPeakDetector vtkHeliosEchoDetection
+ */
+
+#ifndef vtkHeliosGaussianDecomposition_h
+#define vtkHeliosGaussianDecomposition_h
+
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosScannerDetectorsModule.h" // For export macro
+
+class VTKHELIOSSCANNERDETECTORS_EXPORT vtkHeliosGaussianDecomposition : public vtkHeliosEchoDetector
+{
+public:
+  static vtkHeliosGaussianDecomposition* New();
+  vtkTypeMacro(vtkHeliosGaussianDecomposition, vtkHeliosEchoDetector);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how near to a larger maximum one is no start of an echo [ns]; 0: all
+   * are. Noise has many maxima: give the length of the pulse then. Valid range:
+   * [0, 1e6]. Default: 0.
+   */
+  vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
+  vtkGetMacro(MinimumSeparation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether an echo wider than the pulse is read as two of the pulse's
+   * width, where these fit as well: below the separation at which a waveform has
+   * two maxima. A slope widens echoes, too. Default: off.
+   */
+  vtkSetMacro(ResolveHidden, bool);
+  vtkGetMacro(ResolveHidden, bool);
+  vtkBooleanMacro(ResolveHidden, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether a constant under overlapping echoes is fitted with them, such
+   * as sunlight. Default: off.
+   */
+  vtkSetMacro(FitBackground, bool);
+  vtkGetMacro(FitBackground, bool);
+  vtkBooleanMacro(FitBackground, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how often a fit may evaluate its model. Valid range: [1, 10000].
+   * Default: 100.
+   */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 10000);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  bool GivesDeviation() const override { return true; }
+
+  void Detect(
+    const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const override;
+
+protected:
+  vtkHeliosGaussianDecomposition() = default;
+  ~vtkHeliosGaussianDecomposition() override = default;
+
+private:
+  vtkHeliosGaussianDecomposition(const vtkHeliosGaussianDecomposition&) = delete;
+  void operator=(const vtkHeliosGaussianDecomposition&) = delete;
+
+  double MinimumSeparation = 0.0;
+  bool ResolveHidden = false;
+  bool FitBackground = false;
+  int MaximumNumberOfIterations = 100;
+};
+
+#endif
