@@ -161,10 +161,15 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
     return true;
   }
   vtkDataArray* samples = waveforms->GetFieldData()->GetArray(names::Samples);
-  const auto shift = static_cast<double>(samples->GetNumberOfTuples());
+  vtkDataArray* more = piece->GetFieldData()->GetArray(names::Samples);
+  const vtkIdType shift = samples->GetNumberOfTuples();
   const vtkIdType firstRow = waveforms->GetNumberOfRows();
-  if (!AppendArrays(piece->GetRowData(), waveforms->GetRowData()) ||
-    !AppendArrays(piece->GetFieldData(), waveforms->GetFieldData()))
+  if (piece->GetNumberOfRows() == 0)
+  {
+    return true;
+  }
+  samples->InsertTuples(shift, more->GetNumberOfTuples(), 0, more);
+  if (!AppendArrays(piece->GetRowData(), waveforms->GetRowData()))
   {
     vtkErrorMacro(<< name << ": the piece has other columns than " << this->Pieces.front()
                   << "; are they of one run?");
@@ -173,7 +178,7 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
   vtkDataArray* offsets = waveforms->GetRowData()->GetArray(names::Offset);
   for (vtkIdType row = firstRow; row < waveforms->GetNumberOfRows(); ++row)
   {
-    offsets->SetComponent(row, 0, offsets->GetComponent(row, 0) + shift);
+    offsets->SetComponent(row, 0, offsets->GetComponent(row, 0) + static_cast<double>(shift));
   }
   return true;
 }

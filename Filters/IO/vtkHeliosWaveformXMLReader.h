@@ -10,7 +10,8 @@
  * Output 0: a vtkTable as vtkHeliosScanner gives it. Piece i of n
  * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file: the pieces in
  * order are the whole, each with its own Samples. Where several pieces of the
- * file become one table, Offset counts in the Samples of all of them.
+ * file become one table, Offset counts in the Samples of all of them; other
+ * field data are those of the first.
  *
  * Errors: a file that cannot be read or is none of these, a piece that is
  * missing, has no waveforms or other columns than the first.
