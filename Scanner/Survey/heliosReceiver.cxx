@@ -4,9 +4,15 @@
 
 #include "heliosSurveyData.h"
 #include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosConstantFractionDetector.h"
+#include "vtkHeliosExpressionErrorModel.h"
+#include "vtkHeliosGaussianDecomposition.h"
+#include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosScanner.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 namespace helios
 {
@@ -112,6 +118,46 @@ void SetUpNoise(const ScannerData& data, bool hasNoise, vtkHeliosScanner* scanne
   scanner->SetDetectorNoise(factor * receiver.DetectorNoise);
 }
 
+template <typename DetectorT>
+vtkSmartPointer<vtkHeliosEchoDetector> MakePeakDetector(double window)
+{
+  auto detector = vtkSmartPointer<DetectorT>::New();
+  detector->SetMinimumSeparation(window);
+  return detector;
+}
+
+/// Of a name, or of none: the default; window: how far from a higher peak the next may be [ns].
+vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, double window)
+{
+  if (name == "gaussian")
+  {
+    return MakePeakDetector<vtkHeliosGaussianDecomposition>(window);
+  }
+  if (name == "cfd")
+  {
+    return vtkSmartPointer<vtkHeliosConstantFractionDetector>::New();
+  }
+  if (name == "leadingEdge")
+  {
+    return vtkSmartPointer<vtkHeliosLeadingEdgeDetector>::New();
+  }
+  return MakePeakDetector<vtkHeliosPeakDetector>(window);
+}
+
+void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
+{
+  if (!errors.IsEmpty())
+  {
+    vtkNew<vtkHeliosExpressionErrorModel> model;
+    model->SetRangeErrorExpression(errors.Range);
+    model->SetDeflectionErrorExpression(errors.Deflection);
+    model->SetHeadErrorExpression(errors.Head);
+    model->SetZeroSinThreshold(errors.HeadZeroSinThreshold);
+    model->SetRangeNoiseFactorExpression(errors.RangeNoiseFactor);
+    scanner->SetErrorModel(model);
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -131,7 +177,12 @@ void SetUpReceiver(const ScannerData& data, const ReceiverChoice& choice, vtkHel
   SetUpWaveforms(data.Receiver, scanner);
   SetUpReturns(data, scanner);
   SetUpNoise(data, choice.Noise, scanner);
-  scanner->GetEchoDetector()->SetDetectionThreshold(data.DetectionThreshold);
+  SetUpErrors(data.Receiver.Errors, scanner);
+  const std::string& name =
+    choice.EchoDetector.empty() ? data.Receiver.EchoDetector : choice.EchoDetector;
+  const auto detector = MakeDetector(name, data.Receiver.PeakWindow);
+  detector->SetDetectionThreshold(data.DetectionThreshold);
+  scanner->SetEchoDetector(detector);
 }
 
 } // namespace helios

@@ -13,7 +13,6 @@ namespace helios
 /// Errors as expressions of an angle [rad] or, the noise factor, of a range [m]; empty: none.
 struct ErrorExpressions
 {
-  std::string Where;
   std::string Range;                 ///< [m]
   std::string Deflection;            ///< [rad]
   std::string Head;                  ///< [rad]

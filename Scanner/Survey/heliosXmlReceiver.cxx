@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosReceiver.h"
+#include "vtkHeliosExpressionErrorModel.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -162,6 +163,16 @@ void ReadNoise(const XmlElement& scanner, ReceiverData& receiver)
   scanner.Read("angleAccuracy_rad", receiver.AngleAccuracy);
 }
 
+/// An error where an attribute is no expression; an empty text is one.
+void CheckExpression(const XmlElement& element, const char* name, const std::string& text)
+{
+  const std::string fault = vtkHeliosExpressionErrorModel::FindFault(text);
+  if (!fault.empty())
+  {
+    element.GetMessages().Error(element.Where() + ": " + name + "=\"" + text + "\": " + fault);
+  }
+}
+
 void ReadExpression(const XmlElement& scanner, const char* tag, std::string& target)
 {
   const XmlElement element = scanner.GetChild(tag);
@@ -175,11 +186,11 @@ void ReadExpression(const XmlElement& scanner, const char* tag, std::string& tar
     element.GetMessages().Error(element.Where() + ": <" + tag +
       "> has no expr; add one, such as expr=\"0.001 * sin(THETA)\"");
   }
+  CheckExpression(element, "expr", target);
 }
 
 void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)
 {
-  errors.Where = scanner.Where();
   ReadExpression(scanner, "rangeError", errors.Range);
   ReadExpression(scanner, "deflectionError", errors.Deflection);
   ReadExpression(scanner, "headError", errors.Head);
@@ -199,7 +210,7 @@ void ReadDetectorSettings(const XmlElement& element, ScannerData& data)
     element.Read("rangeMax_m", data.RangeMax);
     if (element.Read("distanceMeasurementError", data.Receiver.Errors.RangeNoiseFactor))
     {
-      data.Receiver.Errors.Where = element.Where();
+      CheckExpression(element, "distanceMeasurementError", data.Receiver.Errors.RangeNoiseFactor);
     }
   }
 }

@@ -5,12 +5,14 @@
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosErrorModel.h"
+#include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosScanner.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -191,6 +193,29 @@ TEST_CASE("SurveyReceiver: waveforms, returns and the pulse", "[SurveyReceiver]"
   CHECK(std::string(scanner->GetPulseFileName()) == sampled.Folder / "shot.txt");
 }
 
+TEST_CASE("SurveyReceiver: detectors", "[SurveyReceiver]")
+{
+  const std::vector<std::pair<std::string, std::string>> detectors = { { "",
+                                                                         "vtkHeliosPeakDetector" },
+    { "peak", "vtkHeliosPeakDetector" }, { "gaussian", "vtkHeliosGaussianDecomposition" },
+    { "cfd", "vtkHeliosConstantFractionDetector" },
+    { "leadingEdge", "vtkHeliosLeadingEdgeDetector" } };
+  for (const auto& [name, type] : detectors)
+  {
+    const std::string given = name.empty() ? "" : "echoDetector=\"" + name + "\"";
+    CHECK(Bench(given).SetUp()->GetEchoDetector()->GetClassName() == type);
+    helios::ReceiverChoice choice;
+    choice.EchoDetector = name;
+    const auto scanner = Bench(name.empty() ? "" : "echoDetector=\"cfd\"").SetUp(choice);
+    CHECK(scanner->GetEchoDetector()->GetClassName() == type);
+    CHECK(scanner->GetEchoDetector()->GetDetectionThreshold() == Approx(0.002e-9));
+  }
+  const auto scanner = Bench("winSize_ns=\"1.5\"").SetUp();
+  auto* peak = vtkHeliosPeakDetector::SafeDownCast(scanner->GetEchoDetector());
+  REQUIRE(peak);
+  CHECK(peak->GetMinimumSeparation() == 1.5);
+}
+
 TEST_CASE("SurveyReceiver: noise, air and sunlight", "[SurveyReceiver]")
 {
   const Bench bench("",
@@ -256,6 +281,19 @@ TEST_CASE("SurveyReceiver: error expressions", "[SurveyReceiver]")
   CHECK(errors.HeadZeroSinThreshold == 2.0);
   CHECK(errors.RangeNoiseFactor == "1 + t / 100");
   CHECK(Bench().Receiver().Errors.IsEmpty());
+  CHECK(Bench().SetUp()->GetErrorModel() == nullptr);
+  const vtkHeliosErrorModel* model = nullptr;
+  const auto scanner = bench.SetUp();
+  model = scanner->GetErrorModel();
+  REQUIRE(model);
+  CHECK(model->GetRangeError(0.5) == Approx(0.0005));
+  CHECK(model->GetDeflectionError(0.5) == Approx(0.0001 * std::sin(0.5)));
+  CHECK(model->GetHeadError(0.5) == Approx(0.0002));
+  CHECK(model->GetRangeNoiseFactor(50.0) == Approx(1.5));
+  Bench("", "", "", "", "<rangeError expr=\"0.001 * sinn(THETA)\"/>")
+    .CheckRefused({ "assets.xml:8: expr=\"0.001 * sinn(THETA)\": ", "is not known; use t or" });
+  Bench("", "", "", "<detectorSettings distanceMeasurementError=\"1 +\"/>")
+    .CheckRefused({ "distanceMeasurementError=\"1 +\": " });
   Bench("", "", "", "", "<rangeError/>").CheckRefused({ "assets.xml:8: <rangeError> has no expr" });
   Bench("", "", "", "", "<headError expr=\"\"/>")
     .CheckRefused({ "<headError> has no expr; add one" });
