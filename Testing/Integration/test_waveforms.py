@@ -161,3 +161,92 @@ def test_a_run_cut_off_leaves_waveforms_that_read(run, tmp_path):
     cut.write_bytes(path.read_bytes()[:100_000])
     with pytest.raises(vtkhelios.PipelineError, match=r"cut\.txt:\d+: "):
         read(vtkhelios.vtkHeliosWaveformTextReader(), cut)
+
+
+# Echoes of stored waveforms.
+
+
+def detect(tmp_path, *arguments):
+    return subprocess.run(
+        [sys.executable, "-P", "-m", "vtkhelios", "detect", *map(str, arguments)],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(PACKAGE_DIR)},
+        timeout=300,
+    )
+
+
+def test_detect_gives_the_echoes_of_a_fixed_run_again(run, tmp_path):
+    folder = run("--waveforms", "--format", "vtp", "--no-noise", "--sub-rays", "19")
+    done = detect(
+        tmp_path, folder / "leg000_fullwave.pvtt", "-o", tmp_path / "again.pvtp", "--threshold", "0.05"
+    )
+    assert done.returncode == 0, done.stderr
+    was = read(vtkXMLPPolyDataReader(), folder / "leg000_points.pvtp")
+    again = read(vtkXMLPPolyDataReader(), tmp_path / "again.pvtp")
+    for name in ("PulseIds", "ReturnNumber", "NumberOfReturns", "Range", "Amplitude", "EchoWidth", "points"):
+        np.testing.assert_array_equal(again[name], was[name])
+    assert f"points   {len(was['Range']):,} by peak" in done.stdout
+
+
+def test_detect_in_text_by_a_decomposition(run, tmp_path):
+    folder = run("--waveforms", "--no-noise")
+    done = detect(
+        tmp_path,
+        folder / "leg000_fullwave.txt",
+        "--detector",
+        "gaussian",
+        "--pulse-length",
+        "4",
+        "-o",
+        "gaussian.xyz",
+    )
+    assert done.returncode == 0, done.stderr
+    rows = np.loadtxt(tmp_path / "gaussian.xyz")
+    was = np.loadtxt(folder / "leg000_points.xyz", usecols=(0, 1, 2, 3, 4, 5, 6, 7, 9, 10))
+    assert rows.shape[1] == 11 and (rows[:, 8] == -1).all() and (rows[:, 9] == 0).all()
+    single = np.isin(rows[:, 7], was[was[:, 6] == 1, 7]) & (rows[:, 6] == 1)
+    assert single.sum() > 1000
+    order = np.searchsorted(was[:, 7], rows[single, 7])
+    distance = np.linalg.norm(rows[single, :3] - was[order, :3], axis=1)
+    assert np.median(distance) < 1e-3 and np.quantile(distance, 0.9) < 0.05
+
+
+def test_detect_keeps_the_returns_asked_for(run, tmp_path):
+    folder = run("--waveforms", "--format", "vtp")
+    name = folder / "leg000_fullwave.pvtt"
+
+    def pulses(*options):
+        done = detect(tmp_path, name, "-o", "some.pvtp", *options)
+        assert done.returncode == 0, done.stderr
+        return read(vtkXMLPPolyDataReader(), tmp_path / "some.pvtp")["PulseIds"]
+
+    last = pulses("--returns", "last")
+    assert len(last) == len(set(last)) < len(pulses())
+    np.testing.assert_array_equal(pulses("--max-returns", "1"), last)
+
+
+WRONG_DETECTIONS = {
+    "no file": (["nowhere.pvtt", "-o", "a.xyz"], 1, "nowhere.pvtt: there is no such file"),
+    "no text": (["nowhere.txt", "-o", "a.xyz"], 1, "nowhere.txt: cannot be read"),
+    "no form": (["a.pvtt", "-o", "a.las"], 2, "'a.las' ends neither in .xyz (text) nor in .pvtp"),
+    "no output": (["a.pvtt"], 2, "required: -o/--output"),
+    "no detector": (["a.pvtt", "-o", "a.xyz", "--detector", "pek"], 2, "did you mean peak?"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG_DETECTIONS)
+def test_detect_says_what_is_wrong(case, tmp_path):
+    arguments, code, message = WRONG_DETECTIONS[case]
+    done = detect(tmp_path, *arguments)
+    assert done.returncode == code
+    assert message in done.stderr and "Traceback" not in done.stderr
+    assert not (tmp_path / "a.xyz").exists()
+
+
+def test_detect_without_an_echo_says_so(run, tmp_path):
+    folder = run("--waveforms", "--format", "vtp")
+    done = detect(tmp_path, folder / "leg000_fullwave.pvtt", "-o", "a.xyz", "--threshold", "1e9")
+    assert done.returncode == 1
+    assert "no echo reaches 1e+09 nW; give a lower --threshold" in done.stderr

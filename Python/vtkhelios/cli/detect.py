@@ -1,0 +1,206 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios detect: finds the echoes in stored waveforms anew."""
+
+import argparse
+import os
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+import vtkhelios
+
+from ._messages import Messages
+from .run import DETECTORS, number, whole_number
+
+SUMMARY = "find the echoes in stored waveforms, with another detector or threshold"
+
+EPILOG = """\
+what it reads: legNNN_fullwave.pvtt or .txt as vtkhelios run --waveforms writes them, or with
+--one-way the legNNN_fullwave.txt of HELIOS++, whose times are those of the way out alone.
+
+what it writes: the same columns as a run. Waveforms do not know what the light came from: in
+text the object is -1 and the class 0.
+
+A run always with the same sub-rays (beamSampleQuality, --sub-rays) gives the same echoes again
+with the same detector; a run by tolerance the same within its tolerances.
+
+examples:
+  vtkhelios detect leg000_fullwave.pvtt --detector gaussian -o leg000_gaussian.xyz
+  vtkhelios detect leg000_fullwave.txt --threshold 0.2 --returns last -o last.pvtp --pulse-length 3
+
+exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
+"""
+
+PIECE_SIZE = 64_000_000  # bytes of text that are in memory at a time
+SELECTIONS = ["all", "first", "last", "strongest", "firstAndLast"]
+
+
+def output_name(text):
+    """An argparse type: a file whose ending says its form."""
+    if pathlib.Path(text).suffix not in (".xyz", ".pvtp"):
+        raise argparse.ArgumentTypeError(f"{text!r} ends neither in .xyz (text) nor in .pvtp (VTK)")
+    return text
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("waveforms", metavar="FULLWAVE", help="the waveforms: .pvtt, .vtt or text")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        type=output_name,
+        required=True,
+        help="where the echoes go: .xyz, text columns, or .pvtp, VTK XML; an older one is replaced",
+    )
+    parser.add_argument(
+        "--detector",
+        metavar="NAME",
+        choices=DETECTORS,
+        default="peak",
+        help="peak, gaussian, cfd or leadingEdge (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--pulse-length",
+        metavar="NS",
+        type=number(1e-3, 1e6),
+        default=0.0,
+        help="of the transmitted pulse, full width at half maximum [ns] "
+        "(default: as a .pvtt says; text does not say it)",
+    )
+    parser.add_argument(
+        "--threshold",
+        metavar="NW",
+        type=number(0, 1e15),
+        default=1e-4,
+        help="the smallest amplitude of an echo [nW] (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--returns",
+        metavar="WHICH",
+        choices=SELECTIONS,
+        default="all",
+        help="all, first, last, strongest or firstAndLast of a pulse (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--max-returns",
+        metavar="N",
+        type=whole_number(255),
+        default=0,
+        help="how many of these are kept, the nearest first; 0: all (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--one-way",
+        action="store_true",
+        help="the times of a text file are those of the way out alone (HELIOS++)",
+    )
+    parser.add_argument(
+        "--threads",
+        metavar="N",
+        type=whole_number(4096),
+        default=0,
+        help="how many processor cores to use; 0: all (default: %(default)s)",
+    )
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def run(arguments):
+    with Messages(quiet=arguments.quiet) as messages:
+        vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
+        reader = make_reader(arguments)
+        messages.watch(reader)
+        pieces = count_pieces(reader, arguments.waveforms)
+        detection = make_detection(arguments, reader)
+        messages.watch(detection)
+        writer = make_writer(arguments.output)
+        messages.watch(writer)
+        if messages.errors or not writer.Open():
+            return 1
+        for piece in range(pieces):
+            detection.UpdatePiece(piece, pieces, 0)
+            if messages.errors or not writer.Write(complete(detection.GetOutput())):
+                writer.Abandon()
+                return 1
+        return conclude(arguments, writer, messages)
+
+
+def is_xml(path):
+    return any(suffix in (".pvtt", ".vtt") for suffix in pathlib.Path(path).suffixes)
+
+
+def make_reader(arguments):
+    if is_xml(arguments.waveforms):
+        reader = vtkhelios.vtkHeliosWaveformXMLReader()
+    else:
+        reader = vtkhelios.vtkHeliosWaveformTextReader()
+        reader.SetOneWayTimes(arguments.one_way)
+    reader.SetFileName(arguments.waveforms)
+    return reader
+
+
+def count_pieces(reader, path):
+    """In how many pieces the waveforms are read, so that memory does not grow with the file."""
+    reader.UpdateInformation()
+    if reader.IsA("vtkHeliosWaveformXMLReader"):
+        return max(1, reader.GetNumberOfPieces())
+    size = pathlib.Path(path).stat().st_size if pathlib.Path(path).is_file() else 0
+    return 1 + size // PIECE_SIZE
+
+
+def make_detector(name):
+    """A detector by the name that surveys and options give it."""
+    classes = {
+        "peak": "vtkHeliosPeakDetector",
+        "gaussian": "vtkHeliosGaussianDecomposition",
+        "cfd": "vtkHeliosConstantFractionDetector",
+        "leadingEdge": "vtkHeliosLeadingEdgeDetector",
+    }
+    return getattr(vtkhelios, classes[name])()
+
+
+def make_detection(arguments, reader):
+    detector = make_detector(arguments.detector)
+    detector.SetDetectionThreshold(1e-9 * arguments.threshold)
+    detection = vtkhelios.vtkHeliosEchoDetection()
+    detection.SetInputConnection(reader.GetOutputPort())
+    detection.SetEchoDetector(detector)
+    detection.SetPulseLength(arguments.pulse_length)
+    detection.SetReturnSelection(SELECTIONS.index(arguments.returns))
+    detection.SetMaximumNumberOfReturns(arguments.max_returns)
+    return detection
+
+
+def make_writer(path):
+    kind = "XML" if pathlib.Path(path).suffix == ".pvtp" else "Text"
+    writer = getattr(vtkhelios, f"vtkHeliosPoint{kind}Writer")()
+    writer.SetFileName(path)
+    return writer
+
+
+def complete(echoes):
+    """The echoes with the columns that only a scene could fill."""
+    data = echoes.GetPointData()
+    for name, value in (("PartIds", -1), ("ClassificationIds", 0)):
+        if not data.HasArray(name):
+            values = numpy_to_vtk(np.full(echoes.GetNumberOfPoints(), value, np.int32), deep=True)
+            values.SetName(name)
+            data.AddArray(values)
+    return echoes
+
+
+def conclude(arguments, writer, messages):
+    count = writer.GetNumberOfRecords()
+    if count == 0:
+        writer.Abandon()
+        messages.error(
+            f"{arguments.waveforms}: no echo reaches {arguments.threshold:g} nW; "
+            "give a lower --threshold"
+        )
+        return 1
+    if not writer.Close():
+        return 1
+    messages.info(f"points   {count:,} by {arguments.detector} in {arguments.output}")
+    return 0
