@@ -197,7 +197,8 @@ def test_sampling(command_line, make_survey, tmp_path):
         assert done.returncode == 0, done.stderr
         return done.stdout
 
-    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ on one plane", run("--range-tolerance", "0.001"))
+    tolerant = run("--range-tolerance", "0.001")
+    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ on one plane", tolerant)
     fixed = run("--sub-rays", "7")
     assert "sub-rays 7 sub-rays a pulse, always" in fixed
     assert re.search(r"[\d,]+ binned.*; 7\.0 rays a pulse", fixed)

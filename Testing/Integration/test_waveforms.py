@@ -180,12 +180,25 @@ def detect(tmp_path, *arguments):
 def test_detect_gives_the_echoes_of_a_fixed_run_again(run, tmp_path):
     folder = run("--waveforms", "--format", "vtp", "--no-noise", "--sub-rays", "19")
     done = detect(
-        tmp_path, folder / "leg000_fullwave.pvtt", "-o", tmp_path / "again.pvtp", "--threshold", "0.05"
+        tmp_path,
+        folder / "leg000_fullwave.pvtt",
+        "-o",
+        tmp_path / "again.pvtp",
+        "--threshold",
+        "0.05",
     )
     assert done.returncode == 0, done.stderr
     was = read(vtkXMLPPolyDataReader(), folder / "leg000_points.pvtp")
     again = read(vtkXMLPPolyDataReader(), tmp_path / "again.pvtp")
-    for name in ("PulseIds", "ReturnNumber", "NumberOfReturns", "Range", "Amplitude", "EchoWidth", "points"):
+    for name in (
+        "PulseIds",
+        "ReturnNumber",
+        "NumberOfReturns",
+        "Range",
+        "Amplitude",
+        "EchoWidth",
+        "points",
+    ):
         np.testing.assert_array_equal(again[name], was[name])
     assert f"points   {len(was['Range']):,} by peak" in done.stdout
 
