@@ -379,8 +379,20 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
 HELIOS_CLONES
 bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
 {
+  const TriangleMesh& mesh = this->Tree.GetMesh();
+  for (int i = 0; i < leaf.Count; ++i)
+  {
+    __builtin_prefetch(mesh.GetCorners() + 3 * static_cast<vtkIdType>(leaf.Triangles[i]));
+  }
   Edges edges;
   this->SetEdges(leaf, limit, edges);
+  for (int i = 0; i < leaf.Count; ++i)
+  {
+    for (int corner = 0; corner < 3 && edges.IsAlive[i]; ++corner)
+    {
+      __builtin_prefetch(mesh.GetCorner(leaf.Triangles[i], corner));
+    }
+  }
   bool isBetter = false;
   const int groups = (this->Quads + 1) / 2;
   for (int i = 0; i < leaf.Count; ++i)

@@ -195,6 +195,11 @@ void BeamTree::Intersect(
     for (int first = 0; first < raysPerBeam; first += BeamBundle::MaximumRays)
     {
       const int count = std::min(BeamBundle::MaximumRays, raysPerBeam - first);
+      if (count == 1)
+      {
+        hits[first] = this->Intersect(rays[first]);
+        continue;
+      }
       bundle.Trace(rays + first, hits + first, count);
     }
     for (int i = 0; i < raysPerBeam && this->HasOutliers; ++i)
@@ -221,6 +226,50 @@ vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& 
   return other.CellId >= 0 && isBetter ? other : hit;
 }
 
+/// The frustum of one ray; false where it misses the tree.
+bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
+{
+  const RayAxes& a = ray.Axes;
+  frustum.Axes = a;
+  frustum.IsForward = ray.Largest > 0.0;
+  const double sign = frustum.IsForward ? 1.0 : -1.0;
+  const double origin[3] = { ray.Origin[a.X], ray.Origin[a.Y], ray.Origin[a.Z] };
+  const double slopes[2] = { sign * ray.Shear[0], sign * ray.Shear[1] };
+  return this->SetFrustum(frustum, origin, origin, slopes, slopes);
+}
+
+vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
+{
+  vtkHeliosHit hit{ NoHit, -1 };
+  TestRay rest; // its MaximumRange shrinks to the best hit so far
+  Frustum hull;
+  if (!rest.Set(ray) || !this->SetFrustum(hull, rest))
+  {
+    return hit;
+  }
+  const double speed = std::abs(rest.Largest);
+  BeamWalk walk(*this, hull);
+  float limit = hull.GetLimit(rest.MaximumRange * speed);
+  Leaf leaf;
+  while (walk.GetNext(limit, leaf))
+  {
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      const vtkTypeInt32 triangle = leaf.Triangles[i];
+      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
+      const double range = TestTriangle(rest, points);
+      if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
+      {
+        hit = { range, triangle };
+        rest.MaximumRange = range;
+        limit = hull.GetLimit(range * speed);
+      }
+    }
+  }
+  return hit;
+}
+
 bool BeamTree::IsOccluded(const vtkHeliosRay& ray) const
 {
   TestRay test;
@@ -229,16 +278,10 @@ bool BeamTree::IsOccluded(const vtkHeliosRay& ray) const
     return false;
   }
   Frustum hull;
-  hull.Axes = test.Axes;
-  hull.IsForward = test.Largest > 0.0;
-  const RayAxes& a = test.Axes;
-  const double origin[3] = { test.Origin[a.X], test.Origin[a.Y], test.Origin[a.Z] };
-  const double sign = hull.IsForward ? 1.0 : -1.0;
-  const double slopes[2] = { sign * test.Shear[0], sign * test.Shear[1] };
-  if (this->SetFrustum(hull, origin, origin, slopes, slopes))
+  if (this->SetFrustum(hull, test))
   {
     BeamWalk walk(*this, hull);
-    const float limit = hull.GetLimit(test.MaximumRange * sign * test.Largest);
+    const float limit = hull.GetLimit(test.MaximumRange * std::abs(test.Largest));
     Leaf leaf;
     while (walk.GetNext(limit, leaf))
     {

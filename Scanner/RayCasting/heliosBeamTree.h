@@ -122,6 +122,8 @@ private:
   vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
   vtkTypeUInt32 MakeNode(const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index);
   void Prefetch(vtkTypeUInt32 child) const;
+  bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
+  vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
 
   const TriangleMesh* Mesh = nullptr;

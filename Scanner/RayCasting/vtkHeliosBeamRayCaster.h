@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBeamRayCaster
- * @brief   the ray caster for pulses: bundles of rays go through the scene once
+ * @brief   the default ray caster: bundles of rays go through the scene once
  *
  * A hierarchy of boxes, eight a node, that all rays of a beam go through as one
  * (interval arithmetic on their origins and directions); triangles are tested

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBvhRayCaster
- * @brief   the ray caster that needs no library
+ * @brief   the ray caster that others are checked against
  *
  * A binary bounding volume hierarchy in double precision, built with a binned
- * surface area heuristic. The fallback where Embree is not built, and the
- * reference that every other backend must equal bit for bit.
+ * surface area heuristic. The reference that every other backend must equal bit for bit.
  *
  * @sa
  * vtkHeliosRayCaster

@@ -30,8 +30,8 @@ struct Backend
 std::vector<Backend>& GetBackends()
 {
   static std::vector<Backend> backends = {
-    { "bvh", 2, []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } },
-    { "beam", 1, []() -> vtkHeliosRayCaster* { return vtkHeliosBeamRayCaster::New(); } }
+    { "beam", 4, []() -> vtkHeliosRayCaster* { return vtkHeliosBeamRayCaster::New(); } },
+    { "bvh", 2, []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } }
   };
   return backends;
 }

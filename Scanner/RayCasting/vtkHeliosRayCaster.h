@@ -13,8 +13,8 @@
  * which is there for cross-checks, this holds only nearly.)
  *
  * @sa
- * vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster vtkHeliosCgalRayCaster
- * vtkHeliosObbTreeRayCaster vtkHeliosScanner
+ * vtkHeliosBeamRayCaster vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster
+ * vtkHeliosCgalRayCaster vtkHeliosObbTreeRayCaster vtkHeliosScanner
  */
 
 #ifndef vtkHeliosRayCaster_h
@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * The names of the backends in this process, the default one first: "embree",
-   * "bvh", "cgal", "obbtree" where all are built. Valid range of an index:
+   * The names of the backends in this process, the default one first: "beam",
+   * "embree", "bvh", "cgal", "obbtree" where all are built. Valid range of an index:
    * [0, number - 1].
    */
   static int GetNumberOfBackends();
@@ -143,7 +143,7 @@ public:
     vtkIdTypeArray* cellIds);
 
   /**
-   * The name of the backend: "embree", "bvh", "cgal", "obbtree".
+   * The name of the backend: "beam", "embree", "bvh", "cgal", "obbtree".
    */
   virtual const char* GetName() const = 0;
 

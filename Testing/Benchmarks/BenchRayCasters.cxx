@@ -12,6 +12,7 @@
 
 #include "heliosBareCasters.h"
 #include "heliosBenchScenes.h"
+#include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosEmbreeRayCaster.h"
 
@@ -51,7 +52,7 @@ Differences Compare(const Hits& truth, const Hits& hits)
 double GetRate(const Contender& contender, const Rays& rays, Hits& hits)
 {
   // In runs of whole bundles, so that neighbours stay neighbours.
-  const std::size_t run = contender.Share == 1 ? rays.size() : 19 * 16;
+  const std::size_t run = contender.Share == 1 ? rays.size() : 19 * 217;
   std::size_t count = 0;
   const double start = GetThreadTime();
   for (std::size_t i = 0; i < rays.size(); i += run * contender.Share)
@@ -91,7 +92,7 @@ void Race(const std::vector<Contender>& contenders, const Rays& rays, int repeat
 /// Casts every second run of rays; returns the thread's CPU time for it.
 double CastEverySecond(const Contender& contender, const Rays& rays, Hits& hits, std::size_t first)
 {
-  const std::size_t run = 19 * 16 * 16;
+  const std::size_t run = 19 * 217;
   const double start = GetThreadTime();
   for (std::size_t i = first * run; i < rays.size(); i += 2 * run)
   {
@@ -125,12 +126,16 @@ bool RunSet(
 {
   Hits truth(rays.size());
   Hits hits(rays.size());
-  contenders[2].Cast(rays, truth, 0, rays.size());
+  contenders[3].Cast(rays, truth, 0, rays.size());
   const auto hitCount = std::count_if(
     truth.begin(), truth.end(), [](const vtkHeliosHit& hit) { return hit.CellId >= 0; });
   contenders[0].Cast(rays, hits, 0, rays.size());
-  const Differences ours = Compare(truth, hits);
+  Differences ours = Compare(truth, hits);
   contenders[1].Cast(rays, hits, 0, rays.size());
+  const Differences others = Compare(truth, hits);
+  ours.Triangles += others.Triangles;
+  ours.Ranges += others.Ranges;
+  contenders[2].Cast(rays, hits, 0, rays.size());
   const Differences bare = Compare(truth, hits);
   std::printf(
     "  %-6s %zu rays, %td hits; ours: %zu other triangles, %zu other ranges; bare Embree: "
@@ -144,32 +149,85 @@ bool RunSet(
   return ours.Triangles == 0 && ours.Ranges == 0;
 }
 
+/// Whether a cone's answer is true of the 19 rays in it, the first of which is its axis.
+bool IsTrue(const helios::TriangleMesh& mesh, const vtkHeliosConeHit& cone, double tolerance,
+  const vtkHeliosRay* rays, const vtkHeliosHit* hits)
+{
+  bool isTrue = cone.Kind != vtkHeliosConeHit::OnePlane ||
+    (hits[0].CellId == cone.CellId && hits[0].Range == cone.Range);
+  for (int i = 0; i < 19 && cone.Kind != vtkHeliosConeHit::Mixed; ++i)
+  {
+    isTrue = isTrue && (hits[i].CellId >= 0) == (cone.Kind == vtkHeliosConeHit::OnePlane);
+    isTrue = isTrue &&
+      (hits[i].CellId < 0 ||
+        std::abs(Refine(mesh, rays[i], cone.CellId) - hits[i].Range) <= 1.001 * tolerance + 1e-9);
+  }
+  return isTrue;
+}
+
+/// Checks and times ProbeCone for the cones about bundles of 19 rays.
+bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
+{
+  const double tolerance = 2.5e-4;
+  Hits hits(rays.size());
+  caster->Intersect(rays.data(), hits.data(), static_cast<vtkIdType>(rays.size()));
+  const auto probe = [caster, tolerance](const vtkHeliosRay& ray)
+  { return caster->ProbeCone(ray.Origin, ray.Direction, 0.3e-3 * (1 + 1e-9), tolerance); };
+  double counts[3] = { 0, 0, 0 };
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < rays.size(); i += 19)
+  {
+    const vtkHeliosConeHit cone = probe(rays[i]);
+    ++counts[cone.Kind];
+    wrong += !IsTrue(caster->GetMesh(), cone, tolerance, &rays[i], &hits[i]);
+  }
+  const double cones = static_cast<double>(rays.size() / 19);
+  std::vector<double> rates;
+  for (int repeat = 0; repeat < repeats; ++repeat)
+  {
+    const double start = GetThreadTime();
+    for (std::size_t i = 0; i < rays.size(); i += 19)
+    {
+      probe(rays[i]);
+    }
+    rates.push_back(1e-6 * cones / (GetThreadTime() - start));
+  }
+  std::printf(
+    "          ProbeCone %.2f M/s: %.1f %% empty, %.1f %% one plane to %g mm, %zu wrong\n",
+    GetMedian(rates), 100 * counts[vtkHeliosConeHit::Empty] / cones,
+    100 * counts[vtkHeliosConeHit::OnePlane] / cones, 1e3 * tolerance, wrong);
+  return wrong == 0;
+}
+
 /// The bytes a triangle of a scene and of each accelerator.
-void PrintSizes(const char* name, const helios::TriangleMesh& mesh, std::size_t embree,
-  std::size_t bvh, std::size_t bare)
+void PrintSizes(const char* name, const helios::TriangleMesh& mesh, std::size_t beam,
+  std::size_t embree, std::size_t bvh, std::size_t bare)
 {
   const double triangles = static_cast<double>(mesh.GetNumberOfTriangles());
   const double points = static_cast<double>(mesh.GetNumberOfPoints());
   std::printf(
-    "%s: %.0f triangles; bytes a triangle: scene %.0f, ours on Embree %.0f, our bvh %.0f, "
-    "bare Embree %.0f\n",
-    name, triangles, 12 + 24 * points / triangles, static_cast<double>(embree) / triangles,
-    static_cast<double>(bvh) / triangles, static_cast<double>(bare) / triangles);
+    "%s: %.0f triangles; bytes a triangle: scene %.0f, our beam %.0f, ours on Embree %.0f, "
+    "our bvh %.0f, bare Embree %.0f\n",
+    name, triangles, 12 + 24 * points / triangles, static_cast<double>(beam) / triangles,
+    static_cast<double>(embree) / triangles, static_cast<double>(bvh) / triangles,
+    static_cast<double>(bare) / triangles);
 }
 
 bool Run(const char* name, vtkPolyData* scene, double width, double height, int repeats, int pulses)
 {
+  vtkNew<vtkHeliosBeamRayCaster> beam;
   vtkNew<vtkHeliosEmbreeRayCaster> embree;
   vtkNew<vtkHeliosBvhRayCaster> bvh;
-  if (!embree->Build(scene) || !bvh->Build(scene))
+  if (!beam->Build(scene) || !embree->Build(scene) || !bvh->Build(scene))
   {
     return false;
   }
+  beam->PrepareConeProbe();
   const helios::TriangleMesh& mesh = bvh->GetMesh();
   const BareEmbree bareEmbree(mesh);
   const BareCgal bareCgal(mesh);
-  PrintSizes(name, mesh, embree->GetAcceleratorSize(), bvh->GetAcceleratorSize(),
-    static_cast<std::size_t>(bareEmbree.Bytes));
+  PrintSizes(name, mesh, beam->GetAcceleratorSize(), embree->GetAcceleratorSize(),
+    bvh->GetAcceleratorSize(), static_cast<std::size_t>(bareEmbree.Bytes));
 
   const auto cast = [](const vtkHeliosRayCaster* caster)
   {
@@ -181,16 +239,33 @@ bool Run(const char* name, vtkPolyData* scene, double width, double height, int 
     return [&caster](const Rays& rays, Hits& hits, std::size_t first, std::size_t last)
     { caster.Cast(rays, hits, first, last); };
   };
-  const std::vector<Contender> contenders = { { "ours", cast(embree) },
+  const auto castBeams = [&beam](int size)
+  {
+    return [&beam, size](const Rays& rays, Hits& hits, std::size_t first, std::size_t last)
+    {
+      const auto beams = static_cast<vtkIdType>(last - first) / size;
+      beam->IntersectBeams(&rays[first], &hits[first], size, beams);
+    };
+  };
+  std::vector<Contender> contenders = { { "beam", cast(beam) }, { "on Embree", cast(embree) },
     { "bare Embree", castBare(bareEmbree) }, { "bvh", cast(bvh), 4 },
     { "bare CGAL", castBare(bareCgal), 16 } };
   const int singles = 4 * pulses;
   bool isRight = RunSet("TLS", contenders, helios::MakeTripodRays(width, singles, 1), repeats);
   isRight &=
     RunSet("ALS", contenders, helios::MakeAirborneRays(width, height, singles, 1), repeats);
-  isRight &= RunSet("TLSx19", contenders, helios::MakeTripodRays(width, pulses, 3), repeats);
-  isRight &=
-    RunSet("ALSx19", contenders, helios::MakeAirborneRays(width, height, pulses, 3), repeats);
+  for (int rings : { 3, 9 })
+  {
+    const int size = 1 + 3 * rings * (rings - 1); // 19 and 217 rays
+    contenders[0].Cast = castBeams(size);
+    const int count = rings == 3 ? pulses : pulses / 8;
+    const Rays tripod = helios::MakeTripodRays(width, count, rings);
+    const Rays aircraft = helios::MakeAirborneRays(width, height, count, rings);
+    isRight &= RunSet(rings == 3 ? "TLSx19" : "TLSx217", contenders, tripod, repeats);
+    isRight &= rings != 3 || RunProbe(beam, tripod, repeats);
+    isRight &= RunSet(rings == 3 ? "ALSx19" : "ALSx217", contenders, aircraft, repeats);
+    isRight &= rings != 3 || RunProbe(beam, aircraft, repeats);
+  }
   return isRight;
 }
 
@@ -205,9 +280,10 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "usage: BenchRayCasters [repeats >= 1 [pulses >= 100]]\n");
     return EXIT_FAILURE;
   }
-  std::printf("Mray/s of one thread, medians of %d repeats; (x...): how much faster ours is.\n"
-              "Goals: bundles x1.4 bare Embree and x6 bare CGAL, single rays x0.9 bare Embree, "
-              "2 threads x1.9.\n",
+  std::printf(
+    "Mray/s of one thread, medians of %d repeats; (x...): how much faster our beams are.\n"
+    "Goals: bundles x1.4 bare Embree and x6 bare CGAL, single rays x0.9 bare Embree, "
+    "2 threads x1.9.\n",
     repeats);
   bool isRight = Run("canopy", helios::MakeBenchCanopy(), 200.0, 600.0, repeats, pulses);
   isRight &= Run("terrain", helios::MakeBenchTerrain(), 1000.0, 800.0, repeats, pulses);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosEmbreeRayCaster
- * @brief   the default ray caster: Embree traversal, double-precision triangles
+ * @brief   the ray caster for single rays: Embree traversal, double-precision triangles
  *
  * Embree 3 user geometry: it traverses padded float boxes in a frame local to
  * the scene, with the ray's origin advanced to the scene in double; every

@@ -30,15 +30,15 @@ TEST_CASE("RayCaster: backends by their names", "[RayCaster]")
 {
   // This program is linked with no backend of another library.
   REQUIRE(vtkHeliosRayCaster::GetNumberOfBackends() == 2);
-  CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("bvh"));
+  CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("beam"));
+  CHECK(vtkHeliosRayCaster::GetBackendName(1) == std::string("bvh"));
   CHECK(vtkHeliosRayCaster::GetBackendName(2) == nullptr);
   CHECK(vtkHeliosRayCaster::GetBackendName(-1) == nullptr);
-  for (const char* name : { "bvh", "", static_cast<const char*>(nullptr) })
+  for (const char* name : { "beam", "", static_cast<const char*>(nullptr) })
   {
-    const auto caster =
-      vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name));
+    const auto caster = vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name));
     REQUIRE(caster);
-    CHECK(caster->GetName() == std::string("bvh"));
+    CHECK(caster->GetName() == std::string("beam"));
     CHECK(caster->GetReferenceCount() == 1);
   }
 }
@@ -51,7 +51,7 @@ TEST_CASE("RayCaster: a backend that is not there", "[RayCaster]")
   vtkHeliosRayCaster* caster = vtkHeliosRayCaster::Create("embre");
   vtkOutputWindow::SetInstance(before);
   CHECK(caster == nullptr);
-  CHECK(texts->All.find("There is no ray caster \"embre\" in this build; give one of bvh") !=
+  CHECK(texts->All.find("There is no ray caster \"embre\" in this build; give one of beam, bvh") !=
     std::string::npos);
 }
 
@@ -61,6 +61,7 @@ TEST_CASE("RayCaster: backends are listed by priority", "[RayCaster]")
   REQUIRE(vtkHeliosRayCaster::Register("slow", -1, make));
   REQUIRE(vtkHeliosRayCaster::Register("fast", 9, make));
   CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("fast"));
-  CHECK(vtkHeliosRayCaster::GetBackendName(1) == std::string("bvh"));
+  CHECK(vtkHeliosRayCaster::GetBackendName(1) == std::string("beam"));
+  CHECK(vtkHeliosRayCaster::GetBackendName(2) == std::string("bvh"));
   CHECK(vtkHeliosRayCaster::GetBackendName(3) == std::string("slow"));
 }
