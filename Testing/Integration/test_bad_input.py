@@ -90,6 +90,26 @@ REFUSED = {
         [('headRotatePerSec_deg="30"', 'headRotatePerSec_deg="-30"')],
         ["survey.xml:5", "headRotatePerSec_deg"],
     ),
+    "bins wider than the pulse": (
+        [("<leg>", '<FWFSettings binSize_ns="50"/><leg>')],
+        ["survey.xml:4", 'binSize_ns="50" is wider than half of pulseLength_ns'],
+    ),
+    "waveforms shorter than the pulse": (
+        [("<leg>", '<FWFSettings maxFullwaveRange_ns="0.5"/><leg>')],
+        ["survey.xml:4", "waveforms of 0.5 ns (maxFullwaveRange_ns) are shorter"],
+    ),
+    "a misspelt detector": (
+        [("<leg>", '<FWFSettings echoDetector="gausian"/><leg>')],
+        ["survey.xml:4", 'echoDetector="gausian"', "did you mean gaussian?"],
+    ),
+    "a tolerance of nothing": (
+        [('name="bad"', 'name="bad" rangeTolerance_m="0"')],
+        ["survey.xml:3", 'rangeTolerance_m="0" is out of range'],
+    ),
+    "half an expression": (
+        [("<leg>", '<detectorSettings distanceMeasurementError="1 +"/><leg>')],
+        ["survey.xml:4", 'distanceMeasurementError="1 +"'],
+    ),
     "nothing in sight": ([('z="2"', 'z="-2000"')], ["No points", "none of", "hit the scene"]),
 }
 
