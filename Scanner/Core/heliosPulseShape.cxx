@@ -49,6 +49,45 @@ __attribute__((target_clones("avx2", "default"))) void AddGeometric(
   }
 }
 
+/// sum[i] += shape[i] start rho^i c(u + i du), c a polynomial of degree 5.
+__attribute__((target_clones("avx2", "default"))) void AddPolynomial(double* __restrict sum,
+  const double* __restrict shape, double start, double rho, double u, double du, const double c[6],
+  vtkIdType count)
+{
+  double factor[Lanes];
+  double at[Lanes];
+  factor[0] = start;
+  for (vtkIdType l = 1; l < Lanes; ++l)
+  {
+    factor[l] = factor[l - 1] * rho;
+  }
+  for (vtkIdType l = 0; l < Lanes; ++l)
+  {
+    at[l] = u + static_cast<double>(l) * du;
+  }
+  const double rho2 = rho * rho;
+  const double rho4 = rho2 * rho2;
+  const double rho8 = rho4 * rho4;
+  const double step = static_cast<double>(Lanes) * du;
+  double value[Lanes];
+  for (vtkIdType i = 0; i < count; i += Lanes) // the shape has room for the last lanes
+  {
+    for (vtkIdType l = 0; l < Lanes; ++l)
+    {
+      const double x = at[l];
+      const double poly = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
+      value[l] = shape[i + l] * factor[l] * poly;
+      factor[l] *= rho8;
+      at[l] += step;
+    }
+    const vtkIdType lanes = std::min(Lanes, count - i);
+    for (vtkIdType l = 0; l < lanes; ++l)
+    {
+      sum[i + l] += value[l];
+    }
+  }
+}
+
 /// Where a polyline crosses a level between two samples.
 double GetCrossing(double t0, double p0, double t1, double p1, double level)
 {
@@ -117,7 +156,7 @@ void PulseShape::SetBinSize(double binSize)
     return;
   }
   this->Reach = static_cast<vtkIdType>(std::ceil(this->End / binSize));
-  const vtkIdType count = (2 * this->Reach + Lanes) / Lanes * Lanes;
+  const vtkIdType count = 2 * this->Reach + 1 + Lanes; // lanes may reach behind the end
   this->Shape.assign(static_cast<std::size_t>(count), 0.0);
   for (vtkIdType i = 0; i <= 2 * this->Reach; ++i)
   {
@@ -147,26 +186,53 @@ void PulseShape::Deposit(double time, double power, double* sum, vtkIdType count
 /**
  * With the nearest bin m and delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2 sigma^2)) =
  * shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no exponential a bin.
+ * False: all of it is behind a window that was cut.
  */
-void PulseShape::DepositGaussian(double time, double power, double* sum, vtkIdType count) const
+bool PulseShape::GetWindow(double time, vtkIdType count, Window& window) const
 {
   const double position = std::round(time / this->BinSize);
   if (position - static_cast<double>(this->Reach) >= static_cast<double>(count))
   {
-    return; // behind a window that was cut
+    return false;
   }
   const vtkIdType middle = static_cast<vtkIdType>(position);
   const double sigma = this->GetSigma();
   const double delta = time - position * this->BinSize;
   const double exponent = this->BinSize * delta / (sigma * sigma);
   const double u = delta / sigma;
+  window.From = std::max<vtkIdType>(0, middle - this->Reach);
+  window.To = std::min(count, middle + this->Reach + 1);
+  window.Shape = this->Shape.data() + (window.From - middle + this->Reach);
+  window.Start = std::exp(-0.5 * u * u + exponent * static_cast<double>(window.From - middle));
+  window.Ratio = std::exp(exponent);
+  return true;
+}
 
-  const vtkIdType from = std::max<vtkIdType>(0, middle - this->Reach);
-  const vtkIdType to = std::min(count, middle + this->Reach + 1);
-  const double* shape = this->Shape.data() + (from - middle + this->Reach);
-  const double start =
-    power * std::exp(-0.5 * u * u + exponent * static_cast<double>(from - middle));
-  AddGeometric(sum + from, shape, start, std::exp(exponent), to - from);
+//------------------------------------------------------------------------------
+void PulseShape::DepositGaussian(double time, double power, double* sum, vtkIdType count) const
+{
+  Window w;
+  if (this->GetWindow(time, count, w))
+  {
+    AddGeometric(sum + w.From, w.Shape, power * w.Start, w.Ratio, w.To - w.From);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PulseShape::Deposit(const PulseCluster& cluster, double* sum, vtkIdType count) const
+{
+  Window w;
+  if (!this->GetWindow(cluster.Time, count, w))
+  {
+    return;
+  }
+  const double* m = cluster.Sums;
+  const double a[6] = { m[0], m[1], m[2] / 2.0, m[3] / 6.0, m[4] / 24.0, m[5] / 120.0 };
+  const double c[6] = { a[0] - a[2] + 3.0 * a[4], a[1] - 3.0 * a[3] + 15.0 * a[5],
+    a[2] - 6.0 * a[4], a[3] - 10.0 * a[5], a[4], a[5] };
+  const double du = this->BinSize / this->GetSigma();
+  const double u = (static_cast<double>(w.From) * this->BinSize - cluster.Time) / this->GetSigma();
+  AddPolynomial(sum + w.From, w.Shape, w.Start, w.Ratio, u, du, c, w.To - w.From);
 }
 
 //------------------------------------------------------------------------------

@@ -164,11 +164,11 @@ void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>&
 //------------------------------------------------------------------------------
 bool Receiver::Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId)
 {
-  const SubReturn* begin = returns.data();
-  const SubReturn* end = begin + returns.size();
-  const auto limits = std::minmax_element(begin, end, IsNearer);
-  const bool cut =
-    this->OpenWindow(limits.first->Range, limits.second->Range, 1.0, this->Settings.BinSize);
+  this->Sorted = returns;
+  std::sort(this->Sorted.begin(), this->Sorted.end(), IsNearer);
+  const SubReturn* begin = this->Sorted.data();
+  const SubReturn* end = begin + this->Sorted.size();
+  const bool cut = this->OpenWindow(begin->Range, (end - 1)->Range, 1.0, this->Settings.BinSize);
   this->AddReturns(begin, end, this->Settings.Shape);
   this->AddNoise(background, pulseId);
   this->CloseWindow();
@@ -212,14 +212,50 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
 }
 
 //------------------------------------------------------------------------------
+/// When a return comes, in the window [ns].
+double Receiver::GetTime(const SubReturn& r) const
+{
+  return TwoWayTime(r.Range - this->Nearest) + this->Margin;
+}
+
+//------------------------------------------------------------------------------
+/// Adds returns in the order of range; those of a Gaussian that come nearly at once, together.
 void Receiver::AddReturns(Iterator begin, Iterator end, const PulseShape& shape)
 {
   const auto count = static_cast<vtkIdType>(this->Sum.size());
-  for (Iterator r = begin; r != end; ++r)
+  for (Iterator r = begin; r != end;)
   {
-    const double time = TwoWayTime(r->Range - this->Nearest) + this->Margin;
-    shape.Deposit(time, r->Power, this->Sum.data(), count);
+    if (shape.IsGaussian() && end - r > 2)
+    {
+      r = this->AddCluster(r, end, shape);
+    }
+    else
+    {
+      shape.Deposit(this->GetTime(*r), r->Power, this->Sum.data(), count);
+      ++r;
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Adds the returns that come within a cluster's reach of the first; returns where the rest begins.
+const SubReturn* Receiver::AddCluster(Iterator begin, Iterator end, const PulseShape& shape)
+{
+  const double first = this->GetTime(*begin);
+  const double last = first + 2.0 * PulseCluster::Reach * this->Sigma;
+  PulseCluster cluster{ 0.5 * (first + last), {} };
+  Iterator r = begin;
+  for (; r != end; ++r)
+  {
+    const double time = this->GetTime(*r);
+    if (time > last)
+    {
+      break;
+    }
+    cluster.Add((time - cluster.Time) / this->Sigma, r->Power);
+  }
+  shape.Deposit(cluster, this->Sum.data(), static_cast<vtkIdType>(this->Sum.size()));
+  return r;
 }
 
 //------------------------------------------------------------------------------

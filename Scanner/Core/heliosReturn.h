@@ -106,6 +106,8 @@ private:
   void FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   void AddReturns(Iterator begin, Iterator end, const PulseShape& shape);
+  Iterator AddCluster(Iterator begin, Iterator end, const PulseShape& shape);
+  double GetTime(const SubReturn& r) const;
   void CloseWindow();
   void AddNoise(double background, vtkIdType pulseId);
   void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
@@ -117,6 +119,7 @@ private:
   double Nearest = 0.0;
   double Margin = 0.0; // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum;
+  std::vector<SubReturn> Sorted;
   Waveform Wave;
   std::vector<vtkHeliosDetectedEcho> Detected;
 };
