@@ -134,7 +134,7 @@ void BeamTree::Build(const TriangleMesh& mesh)
 {
   *this = BeamTree();
   this->Mesh = &mesh;
-  if (mesh.GetNumberOfTriangles() == 0)
+  if (mesh.GetNumberOfTriangles() == 0 || mesh.GetNumberOfTriangles() > MaximumTriangles)
   {
     return;
   }

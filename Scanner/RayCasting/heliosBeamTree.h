@@ -60,7 +60,11 @@ struct Frustum
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
 {
 public:
-  /// Over the triangles of a mesh that have an area; the mesh must outlive it.
+  /// How many triangles there may be: leaves are numbered by their place in 32-bit words.
+  static constexpr vtkIdType MaximumTriangles = 200000000;
+
+  /// Over the triangles of a mesh that have an area; the mesh must outlive it. Empty if there are
+  /// too many.
   void Build(const TriangleMesh& mesh);
 
   /// The first hits of beams, each of so many rays.

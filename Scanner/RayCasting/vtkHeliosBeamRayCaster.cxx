@@ -3,6 +3,7 @@
 #include "vtkHeliosBeamRayCaster.h"
 
 #include "heliosBeamTree.h"
+#include "heliosTriangleMesh.h"
 
 #include <vtkObjectFactory.h>
 
@@ -26,6 +27,14 @@ void vtkHeliosBeamRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 {
+  const vtkIdType count = mesh.GetNumberOfTriangles();
+  if (count > helios::BeamTree::MaximumTriangles)
+  {
+    vtkErrorMacro(<< "Build: the scene has " << count << " triangles and the ray caster \"beam\" "
+                  << "takes " << helios::BeamTree::MaximumTriangles
+                  << "; use \"embree\" or \"bvh\", or a part of the scene.");
+    return false;
+  }
   this->Tree->Build(mesh);
   return true;
 }

@@ -8,7 +8,11 @@
  * (interval arithmetic on their origins and directions); triangles are tested
  * in double. Boxes are float in a frame local to the scene, rounded outwards;
  * the few triangles that reach far out of a scene, if there are any, are kept
- * in a tree of doubles. Intersect() takes each ray as a beam of its own.
+ * in a tree of doubles. Intersect() takes each ray as a beam of its own; for
+ * single rays vtkHeliosEmbreeRayCaster is faster.
+ *
+ * @warning
+ * For scenes of up to 2e8 triangles.
  *
  * @sa
  * vtkHeliosRayCaster

@@ -5,7 +5,8 @@
  * @brief   the ray caster that others are checked against
  *
  * A binary bounding volume hierarchy in double precision, built with a binned
- * surface area heuristic. The reference that every other backend must equal bit for bit.
+ * surface area heuristic. The reference that every other backend must equal
+ * bit for bit.
  *
  * @sa
  * vtkHeliosRayCaster

@@ -172,7 +172,8 @@ void vtkHeliosRayCaster::PrepareConeProbe()
   if (!this->ConeTree && this->BuiltScene)
   {
     this->ConeTree = this->GetBeamTree();
-    if (!this->ConeTree)
+    const vtkIdType count = this->Mesh->GetNumberOfTriangles();
+    if (!this->ConeTree && count <= helios::BeamTree::MaximumTriangles)
     {
       this->OwnConeTree.reset(new helios::BeamTree);
       this->OwnConeTree->Build(*this->Mesh);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ray casters against bare loops of Embree's own triangles and of CGAL's AABB tree, on the same
-// rays: a tripod (TLS) and an aircraft (ALS), single rays and bundles of 19 within 0.3 mrad, over a
-// canopy of 984 k and a terrain of 2 M triangles in UTM coordinates. Answers are checked before
+// rays: a tripod (TLS) and an aircraft (ALS), single rays and bundles of 19 and 217 within 0.3 mrad, over
+// a canopy of 984 k and a terrain of 2 M triangles in UTM coordinates. Answers are checked before
 // times are printed; repeats of all casters take turns, rates are medians by thread CPU time.
 //
 // CGAL's AABB tree is under the GPL, and so is this program once built: it is for measuring, and is
