@@ -228,8 +228,8 @@ private:
   }
 
   /**
-   * Replaces a component by two of the pulse's width if it is wider than the pulse beyond doubt and
-   * the two leave no more than it does, but for chance.
+   * Replaces a component by two of the pulse's width where these leave no more than it does, but for
+   * chance, and it is wider than the pulse beyond doubt; or where they leave less beyond doubt.
    */
   void Resolve(std::size_t i)
   {
@@ -237,6 +237,8 @@ private:
     const double background = this->Work.Data.Background;
     const Components one = this->Work.Best;
     const double left = this->Floor(helios::SumSquares(this->Work.Data, one));
+    const auto isBetter = [count](double less, double more)
+    { return count * std::log(more / less) - std::log(count) > StrongEvidence; };
 
     this->Work.Trial = one;
     this->Work.Trial[i].Sigma = 1.0;
@@ -244,27 +246,24 @@ private:
     const Components narrow = this->Work.Trial;
     const double leftNarrow = this->FitTrial();
     const Components fitted = this->Work.Trial;
-    if (one[i].Sigma > 1.0 &&
-      count * std::log(leftNarrow / left) - std::log(count) > StrongEvidence)
+    const bool isWide = one[i].Sigma > 1.0 && isBetter(left, leftNarrow);
+    const double spread = std::sqrt(std::max(0.1, one[i].Sigma * one[i].Sigma - 1.0));
+    double least = left * (1.0 + 2.0 / count);
+    double bestBackground = background;
+    for (const bool isAtRest : { false, true })
     {
-      const double spread = std::sqrt(std::max(0.1, one[i].Sigma * one[i].Sigma - 1.0));
-      double least = left * (1.0 + 2.0 / count);
-      for (const bool isAtRest : { false, true })
+      this->Work.Data.Background = background;
+      this->Work.Trial = isAtRest ? fitted : narrow;
+      isAtRest ? this->AddAtRest(i) : this->Split(i, spread);
+      const double leftTwo = this->FitTrial();
+      if (leftTwo < least && (isWide || isBetter(leftTwo, left)))
       {
-        this->Work.Data.Background = background;
-        this->Work.Trial = isAtRest ? fitted : narrow;
-        isAtRest ? this->AddAtRest(i) : this->Split(i, spread);
-        const double leftTwo = this->FitTrial();
-        if (leftTwo < least)
-        {
-          least = leftTwo;
-          this->Work.Best = this->Work.Trial;
-          this->BestBackground = this->Work.Data.Background;
-        }
+        least = leftTwo;
+        this->Work.Best = this->Work.Trial;
+        bestBackground = this->Work.Data.Background;
       }
     }
-    this->Work.Data.Background =
-      this->Work.Best.size() > one.size() ? this->BestBackground : background;
+    this->Work.Data.Background = bestBackground;
   }
 
   /// Two halves of a component, a spread to either side.
@@ -298,7 +297,6 @@ private:
   }
 
   std::vector<double> Sigmas; // of the guesses [ns]
-  double BestBackground = 0.0;
 };
 
 } // namespace
