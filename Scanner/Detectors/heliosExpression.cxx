@@ -49,6 +49,11 @@ public:
   std::string FindFault()
   {
     std::string fault;
+    if (this->Text.find_first_not_of(" \t\r\n") == std::string::npos)
+    {
+      fault =
+        "it is blank; write one such as 0.001 * sin(t), or nothing"; // VTK's parser would crash
+    }
     while (fault.empty() && this->Position < this->Text.size())
     {
       const char c = this->Text[this->Position];

@@ -23,6 +23,9 @@ using Components = std::vector<GaussianComponent>;
 constexpr double FitReach = 4.0;
 constexpr double DeviationReach = 2.0;
 
+// The most echoes fitted together: the work grows with the cube.
+constexpr std::size_t MostTogether = 12;
+
 // In sigma of the pulse: the samples that a first guess is made of, and the widest one.
 constexpr double GuessReach = 1.0;
 constexpr double WidestGuess = 20.0;
@@ -66,7 +69,8 @@ public:
     for (std::size_t first = 0; first < count;)
     {
       std::size_t last = first + 1;
-      while (last < count && this->GetStart(last) < this->GetEnd(first, last))
+      while (last < count && last - first < MostTogether &&
+        this->GetStart(last) < this->GetEnd(first, last))
       {
         ++last;
       }
@@ -248,7 +252,7 @@ private:
     const Components fitted = this->Work.Trial;
     const bool isWide = one[i].Sigma > 1.0 && isBetter(left, leftNarrow);
     const double spread = std::sqrt(std::max(0.1, one[i].Sigma * one[i].Sigma - 1.0));
-    double least = left * (1.0 + 2.0 / count);
+    double least = left * (1.0 + 4.0 / count);
     double bestBackground = background;
     for (const bool isAtRest : { false, true })
     {

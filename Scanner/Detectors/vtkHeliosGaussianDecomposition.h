@@ -8,8 +8,8 @@
  * and fits the sum of
  * - A exp(-(t - c)^2 / (2 s^2))
  *
- * to the samples within 4 sigma of them, those together that overlap (Levenberg
- * and Marquardt's method; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has
+ * to the samples within 4 sigma of them, those together that overlap, up to 12
+ * (Levenberg and Marquardt's method; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has
  * the Amplitude A, the Time c, the Width 2.3548 s (s is the standard deviation in
  * time, its full width at half maximum is exported), and as Deviation the root
  * mean square of what the fit leaves within 2 sigma of it, over A. Under white

@@ -169,26 +169,30 @@ TEST_CASE("GaussianDecomposition: the separation of hidden echoes reaches its bo
   detector->SetDetectionThreshold(0.5);
   constexpr double bin = 1.0;
   constexpr int pulses = 600;
-  // Range bounds at SNR 50, sigma known (accuracy.md A3).
-  const std::pair<double, double> bounds[] = { { 1.0, 8.85e-3 }, { 2.0, 5.43e-3 } };
-  for (const auto& [separation, bound] : bounds)
+  // Range bounds at SNR 50, sigma known (accuracy.md A3). Nearer than sigma the best estimate has a bias
+  // that falls with the square of the SNR: the bound is that of better ones.
+  struct Case
   {
-    CAPTURE(separation);
+    double Separation, Snr, Bound;
+  };
+  for (const Case& c : { Case{ 1.0, 200.0, 8.85e-3 / 4 }, Case{ 2.0, 50.0, 5.43e-3 } })
+  {
+    CAPTURE(c.Separation);
     ErrorSums sums;
     for (int i = 0; i < pulses; ++i)
     {
       const double first = 30.0 + bin * i / pulses;
-      const auto samples = MakeSamples(
-        { { 1.0, first }, { 1.0, first + separation * PulseSigma } }, bin, 60.0, 0.02, i);
-      const auto echoes = Detect(detector, samples, bin);
+      const std::vector<Gaussian> truth = { { 1.0, first },
+        { 1.0, first + c.Separation * PulseSigma } };
+      const auto echoes = Detect(detector, MakeSamples(truth, bin, 60.0, 1.0 / c.Snr, i), bin);
       if (echoes.size() == 2)
       {
-        const double error = echoes[1].Time - echoes[0].Time - separation * PulseSigma;
+        const double error = echoes[1].Time - echoes[0].Time - c.Separation * PulseSigma;
         sums.Add(0.5 * helios::SpeedOfLight * error);
       }
     }
-    CHECK(sums.Count > 0.9 * pulses);
-    CHECK(sums.GetRms() < 1.15 * bound);
+    CHECK(sums.Count > 0.95 * pulses);
+    CHECK(sums.GetRms() < 1.1 * c.Bound);
   }
 }
 
