@@ -108,7 +108,9 @@ struct BeamLattice::Map
 
 //------------------------------------------------------------------------------
 BeamLattice::BeamLattice(double divergence, double truncation, int baseCells, int levels)
-  : BaseCells(baseCells)
+  : Divergence(divergence)
+  , Truncation(truncation)
+  , BaseCells(baseCells)
   , Levels(levels)
 {
   const Map map{ 0.5 * divergence, -std::expm1(-truncation * truncation) };

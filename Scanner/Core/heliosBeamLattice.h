@@ -35,6 +35,12 @@ public:
   /// For a beam of a full angle [rad].
   BeamLattice(double divergence, double truncation, int baseCells, int levels);
 
+  bool IsFor(double divergence, double truncation, int baseCells, int levels) const
+  {
+    return this->Divergence == divergence && this->Truncation == truncation &&
+      this->BaseCells == baseCells && this->Levels == levels;
+  }
+
   int GetBaseCells() const { return this->BaseCells; }
   int GetLevels() const { return this->Levels; }
 
@@ -58,6 +64,8 @@ public:
 private:
   struct Map;
 
+  double Divergence;
+  double Truncation;
   int BaseCells;
   int Levels;
   std::vector<Vec3> Corners;

@@ -30,15 +30,25 @@ void BeamTracer::Trace(const Pulse& pulse, std::vector<SubReturn>& returns,
   for (int level = 0; !this->Cells.empty(); ++level)
   {
     this->Finer.clear();
-    int corners[4];
-    for (const Cell& cell : this->Cells)
-    {
-      this->GetCorners(cell, level, corners);
-    }
     this->CastRays();
+    bool hasEdge = false;
+    for (Cell& cell : this->Cells)
+    {
+      const double energy = this->Model.Lattice->GetCell(level, cell.X, cell.Y).Energy;
+      cell.Kind = this->GetKind(cell.Corners, energy);
+      hasEdge = hasEdge || cell.Kind == Edge;
+    }
+    const bool splitsAll = level == 0 && hasEdge && this->Model.Plan.Levels > 0;
     for (const Cell& cell : this->Cells)
     {
-      this->Visit(cell, level);
+      if (splitsAll)
+      {
+        this->Split(cell, level);
+      }
+      else
+      {
+        this->Visit(cell, level);
+      }
     }
     this->Cells.swap(this->Finer);
   }
@@ -64,10 +74,20 @@ void BeamTracer::Start(const Pulse& pulse)
   this->Rays.clear();
   this->Corners.clear();
   this->Cells.clear();
-  const int n = this->Model.Lattice->GetBaseCells();
-  for (int i = 0; i < n * n; ++i)
+  const int n = this->Model.Plan.BaseCells;
+  const int size = 1 << this->Model.Plan.Levels;
+  for (int i = 0; i < (n + 1) * (n + 1); ++i)
   {
-    this->Cells.push_back({ i % n, i / n });
+    this->GetCorner(size * (i % (n + 1)), size * (i / (n + 1)));
+  }
+  for (int y = 0; y < n; ++y)
+  {
+    for (int x = 0; x < n; ++x)
+    {
+      const int corner = y * (n + 1) + x;
+      this->Cells.push_back(
+        { x, y, { corner, corner + 1, corner + n + 2, corner + n + 1 }, Smooth });
+    }
   }
 }
 
@@ -75,27 +95,43 @@ void BeamTracer::Start(const Pulse& pulse)
 /// Lets a cell return what it gets, or leaves that to its four parts.
 void BeamTracer::Visit(const Cell& cell, int level)
 {
-  int corners[4];
-  this->GetCorners(cell, level, corners);
   const BeamCell& share = this->Model.Lattice->GetCell(level, cell.X, cell.Y);
-  const double spread = this->GetSpread(corners);
-  const bool isContinuous = this->IsContinuous(corners);
+  const double spread = this->GetSpread(cell.Corners);
   const bool isLast = level == this->Model.Plan.Levels;
-  if (isContinuous && (isLast || spread <= this->Model.Plan.CellSpread * this->SigmaRange))
+  const bool isSteep = spread > this->Model.Plan.CellSpread * this->SigmaRange;
+  if (cell.Kind == Smooth && (isLast || !isSteep))
   {
-    this->ReturnFromCell(share, corners[0], spread);
+    this->ReturnFromCell(share, cell.Corners[0], spread);
   }
-  else if (!isContinuous && (isLast || this->IsFineEnough(spread, level)))
+  else if ((cell.Kind == Bent && !isSteep) ||
+    (cell.Kind != Smooth && (isLast || this->IsFineEnough(spread, level))))
   {
-    this->ReturnFromCorners(corners, share.Energy);
+    this->ReturnFromCorners(cell.Corners, share.Energy);
   }
   else
   {
-    const int x = 2 * cell.X;
-    const int y = 2 * cell.Y;
-    this->Finer.insert(
-      this->Finer.end(), { { x, y }, { x + 1, y }, { x, y + 1 }, { x + 1, y + 1 } });
+    this->Split(cell, level);
   }
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::Split(const Cell& cell, int level)
+{
+  const int half = 1 << (this->Model.Plan.Levels - level - 1);
+  const int left = 2 * half * cell.X;
+  const int low = 2 * half * cell.Y;
+  const int bottom = this->GetCorner(left + half, low);
+  const int right = this->GetCorner(left + 2 * half, low + half);
+  const int top = this->GetCorner(left + half, low + 2 * half);
+  const int side = this->GetCorner(left, low + half);
+  const int middle = this->GetCorner(left + half, low + half);
+  const int* c = cell.Corners;
+  const int x = 2 * cell.X;
+  const int y = 2 * cell.Y;
+  this->Finer.push_back({ x, y, { c[0], bottom, middle, side }, Smooth });
+  this->Finer.push_back({ x + 1, y, { bottom, c[1], right, middle }, Smooth });
+  this->Finer.push_back({ x, y + 1, { side, middle, top, c[3] }, Smooth });
+  this->Finer.push_back({ x + 1, y + 1, { middle, right, c[2], top }, Smooth });
 }
 
 //------------------------------------------------------------------------------
@@ -128,20 +164,6 @@ int BeamTracer::GetCorner(int x, int y)
     this->Rays.push_back(ray);
   }
   return slot;
-}
-
-//------------------------------------------------------------------------------
-void BeamTracer::GetCorners(const Cell& cell, int level, int corners[4])
-{
-  const int shift = this->Model.Lattice->GetLevels() - level;
-  const int x0 = cell.X << shift;
-  const int y0 = cell.Y << shift;
-  const int x1 = (cell.X + 1) << shift;
-  const int y1 = (cell.Y + 1) << shift;
-  corners[0] = this->GetCorner(x0, y0);
-  corners[1] = this->GetCorner(x1, y0);
-  corners[2] = this->GetCorner(x1, y1);
-  corners[3] = this->GetCorner(x0, y1);
 }
 
 //------------------------------------------------------------------------------
@@ -204,8 +226,8 @@ bool BeamTracer::IsFineEnough(double spread, int level) const
 }
 
 //------------------------------------------------------------------------------
-/// Whether the corners of a cell meet nothing, or one smooth surface.
-bool BeamTracer::IsContinuous(const int corners[4])
+/// What the corners of a cell with a share of the energy meet.
+BeamTracer::Kinds BeamTracer::GetKind(const int corners[4], double energy)
 {
   const Corner& first = this->Corners[static_cast<std::size_t>(corners[0])];
   for (int i = 1; i < 4; ++i)
@@ -213,37 +235,51 @@ bool BeamTracer::IsContinuous(const int corners[4])
     const Corner& c = this->Corners[static_cast<std::size_t>(corners[i])];
     if ((c.CellId >= 0) != (first.CellId >= 0) || c.IsSilent != first.IsSilent)
     {
-      return false;
+      return Edge;
     }
   }
-  return first.CellId < 0 || first.IsSilent ||
-    (this->AreAlike(corners[0], corners[1]) && this->AreAlike(corners[0], corners[2]) &&
-      this->AreAlike(corners[0], corners[3]));
+  if (first.CellId < 0 || first.IsSilent)
+  {
+    return Smooth;
+  }
+  Kinds kind = Smooth;
+  for (int i = 1; i < 4 && kind != Edge; ++i)
+  {
+    kind = std::max(kind, this->Compare(corners[0], corners[i], energy));
+  }
+  return kind;
 }
 
 //------------------------------------------------------------------------------
-/// Whether b lies on the plane of a and returns as much.
-bool BeamTracer::AreAlike(int a, int b)
+/// Whether b lies on the plane of a, and returns as much.
+BeamTracer::Kinds BeamTracer::Compare(int a, int b, double energy)
 {
   const Corner& ca = this->Corners[static_cast<std::size_t>(a)];
   const Corner& cb = this->Corners[static_cast<std::size_t>(b)];
   if (ca.CellId == cb.CellId)
   {
-    return true;
+    return Smooth;
   }
   const vtkHeliosRay& rayA = this->Rays[static_cast<std::size_t>(a)];
   const vtkHeliosRay& rayB = this->Rays[static_cast<std::size_t>(b)];
   const Vec3& normal = this->Response.GetPlaneNormal(ca.CellId);
-  const Vec3 shift = Vec3(rayA.Origin) - Vec3(rayB.Origin);
-  const double toPlane = normal.Dot(shift) + ca.Range * normal.Dot(Vec3(rayA.Direction));
-  const double residual = toPlane / normal.Dot(Vec3(rayB.Direction)) - cb.Range;
-  if (!(std::abs(residual) <= this->Model.Plan.PlaneTolerance))
+  double toPlane = ca.Range * normal.Dot(Vec3(rayA.Direction));
+  if (this->Model.Setback > 0.0)
   {
-    return false;
+    toPlane += normal.Dot(Vec3(rayA.Origin) - Vec3(rayB.Origin));
+  }
+  const double residual = std::abs(toPlane / normal.Dot(Vec3(rayB.Direction)) - cb.Range);
+  const SamplingPlan& plan = this->Model.Plan;
+  if (!(residual <= plan.GetEdgeTolerance()))
+  {
+    return Edge;
   }
   const double powerA = this->GetPower(a);
   const double powerB = this->GetPower(b);
-  return std::abs(powerA - powerB) <= this->Model.Plan.PowerTolerance * std::max(powerA, powerB);
+  const double change = std::abs(powerA - powerB) / std::max(powerA, powerB);
+  const bool isSmooth =
+    residual <= plan.GetPlaneTolerance(energy) && change <= plan.GetPowerTolerance(energy);
+  return isSmooth ? Smooth : change <= 0.5 ? Bent : Edge;
 }
 
 //------------------------------------------------------------------------------

@@ -22,9 +22,11 @@ struct CastSubRay
 
 /**
  * The cross-section of the beam is parted into cells (heliosBeamLattice.h), with a sub-ray at every
- * corner. A cell whose corners meet one smooth surface returns from its own points, which are put onto
- * the plane of a corner without casting a ray; any other is parted into four, as often as the plan
- * says, and at last returns from its corners, a quarter of its energy each. One a thread.
+ * corner. A cell whose corners meet one plane returns from its own points, which are put onto the plane
+ * without casting a ray; one on a bent surface returns from its corners, a quarter of its energy each.
+ * A cell that holds an edge is parted into four, as often as the plan says, and at last returns from its
+ * corners, too. Once a cell of level 0 holds an edge all cells are parted: there may be more. One a
+ * thread.
  */
 class BeamTracer
 {
@@ -36,10 +38,19 @@ public:
     ScanCounts& counts);
 
 private:
-  /// A place of the lattice, in cells of the level at work.
+  /// What the corners of a cell meet.
+  enum Kinds
+  {
+    Smooth, // nothing, or one plane
+    Bent,   // one surface
+    Edge
+  };
+  /// A cell by its place, in cells of the level at work, and its corners in turn.
   struct Cell
   {
     int X, Y;
+    int Corners[4];
+    Kinds Kind;
   };
   /// A corner with its hit; the power is that of a sub-ray of weight 1.
   struct Corner
@@ -55,13 +66,13 @@ private:
 
   void Start(const Pulse& pulse);
   int GetCorner(int x, int y);
-  void GetCorners(const Cell& cell, int level, int corners[4]);
   void CastRays();
   void Visit(const Cell& cell, int level);
+  void Split(const Cell& cell, int level);
   double GetSpread(const int corners[4]) const;
-  bool IsContinuous(const int corners[4]);
+  Kinds GetKind(const int corners[4], double energy);
+  Kinds Compare(int a, int b, double energy);
   bool IsFineEnough(double spread, int level) const;
-  bool AreAlike(int a, int b);
   Vec3 GetOrigin(const Vec3& local) const;
   double GetPower(int corner);
   void ReturnFromCell(const BeamCell& cell, int corner, double spread);

@@ -147,7 +147,7 @@ void PulseKernel::RunByTolerance(std::size_t slot)
   const Vec3 axis = pulse.GetDirection();
   const Vec3 apex = pulse.Origin - this->Model.Setback * axis;
   vtkHeliosConeHit hit = this->Model.Caster->ProbeCone(
-    apex.GetData(), axis.GetData(), this->Model.ConeTangent, this->Model.Plan.PlaneTolerance);
+    apex.GetData(), axis.GetData(), this->Model.ConeTangent, 2.0 * this->Model.Plan.RangeTolerance);
   hit.Range -= this->Model.Setback;
   if (hit.Kind == vtkHeliosConeHit::Empty ||
     (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
@@ -172,7 +172,7 @@ bool PulseKernel::TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
   const double tangent = std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane;
   const double reach = std::hypot(hit.Range, m.Setback); // the footprint grows with it
   const bool isGaussian = m.Receiver.Shape.IsGaussian();
-  const double widest = isGaussian ? m.Plan.LargestWidening : 0.1 * m.Plan.PowerTolerance;
+  const double widest = isGaussian ? m.Plan.LargestWidening : m.Plan.EnergyTolerance;
   const double rim = 2.0 * reach * m.ConeTangent * tangent; // in range
   if (!(m.Plane.GetWidening(reach, tangent) <= widest &&
         m.Plane.GetShift(reach, tangent) <= m.Plan.LargestShift &&
@@ -227,13 +227,13 @@ void PulseKernel::FindEchoes()
     return;
   }
   const bool needsWaveform = this->Model.NeedsWaveform();
+  const bool isBinned = needsWaveform || !this->Signal.FindEchoes(this->Returns, this->Echoes);
   if (this->Model.WantsWaveforms || needsWaveform)
   {
     const bool cut = this->Signal.Fill(this->Returns, this->GetBackground(), this->PulseId);
     this->Counts.CutWaveforms += cut ? 1 : 0;
     this->HasWaveform = true;
   }
-  const bool isBinned = needsWaveform || !this->Signal.FindEchoes(this->Returns, this->Echoes);
   if (needsWaveform)
   {
     this->DetectEchoes();

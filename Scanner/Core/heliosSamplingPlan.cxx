@@ -22,7 +22,7 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
 {
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   SamplingPlan plan;
-  plan.BaseCells = energyTolerance >= 0.05 ? 4 : energyTolerance >= 0.002 ? 6 : 8;
+  plan.BaseCells = energyTolerance >= 0.002 ? 4 : 8;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
   plan.LongestEcho = 4.0 * sigmaRange;
@@ -32,8 +32,6 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   plan.Levels = static_cast<int>(std::clamp(levels, 0.0, static_cast<double>(MostLevels)));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.6);
-  plan.PlaneTolerance = 2.0 * rangeTolerance;
-  plan.PowerTolerance = std::min(0.5, 10.0 * energyTolerance);
   // Of even ranges over h sigma, one point misses h^2 / 24 of the amplitude, two miss h^4 / 1440.
   plan.PointSpread = std::sqrt(6.0 * energyTolerance);
   plan.CellSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
@@ -47,7 +45,7 @@ std::string SamplingPlan::Describe() const
   const int corners = (this->BaseCells + 1) * (this->BaseCells + 1);
   std::ostringstream text;
   text << "none where a beam meets one plane or nothing, else " << corners
-       << " sub-rays, and more at edges, down to 1/" << this->GetNumberOfCells()
+       << " sub-rays, and more where there are edges, down to 1/" << this->GetNumberOfCells()
        << " of the beam; bins of " << this->DetectionBin
        << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();

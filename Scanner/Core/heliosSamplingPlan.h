@@ -20,15 +20,14 @@ namespace helios
  * - a straight edge through m^2 cells: RMS of the energy on a side 0.06 / m
  * - so of the range, where the two sides are one echo and lie d apart: 0.06 d / m
  * - bins of h sigma with the parabola through the logarithms: RMS of the range 0.02 h^2 sigma_R
- * A beam may hold more than one edge: each gets twice the cells.
+ * Where sides are echoes of their own the share of a small one counts: there the cells are 2.5 times as
+ * many. Once a cell holds an edge all of the beam is looked at twice as closely.
  */
 struct SamplingPlan
 {
-  int BaseCells = 6;
-  int Levels = 3;
+  int BaseCells = 4;
+  int Levels = 4;
   double DetectionBin = 0.25;   ///< [ns]
-  double PlaneTolerance = 0.0;  ///< [m]: corners of a cell nearer than this to a plane are on it
-  double PowerTolerance = 0.0;  ///< relative: corners of a cell that differ by less are alike
   double PointSpread = 0.0;     ///< of the ranges in a cell that one point stands for, in sigma_R
   double CellSpread = 0.0;      ///< of the ranges in a cell that four points stand for, in sigma_R
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
@@ -38,17 +37,34 @@ struct SamplingPlan
   double RangeTolerance = 1e-3; ///< [m]
   double LongestEcho = 1.0;     ///< [m]: sides farther apart than this are echoes of their own
 
+  /// How far corners of a cell with a share of the energy may lie off one plane [m].
+  double GetPlaneTolerance(double energy) const
+  {
+    return std::min(CellLaw * this->RangeTolerance / energy, 0.1 * this->LongestEcho);
+  }
+
+  /// How much less one may return than another, relative.
+  double GetPowerTolerance(double energy) const
+  {
+    return std::min(CellLaw * this->EnergyTolerance / energy, 0.5);
+  }
+
+  /// Corners farther than this from the plane of another are those of an edge, not of a bend [m].
+  double GetEdgeTolerance() const { return 20.0 * this->RangeTolerance; }
+
   int GetNumberOfCells() const { return this->BaseCells << this->Levels; }
 
   /// How many cells a side an edge needs whose sides lie so far apart [m].
   double GetNeededCells(double apart) const
   {
-    const double byEnergy = EdgeLaw / this->EnergyTolerance;
+    const double byEnergy = 2.5 * EdgeLaw / this->EnergyTolerance;
     return apart < this->LongestEcho ? std::max(byEnergy, EdgeLaw * apart / this->RangeTolerance)
                                      : byEnergy;
   }
 
-  static constexpr double EdgeLaw = 2.0 * 0.06;
+  static constexpr double EdgeLaw = 0.06;
+  static constexpr double CellLaw =
+    0.4; ///< half a cell is wrong, of about as many as cross the beam
 
   /// In words, for a run's summary.
   std::string Describe() const;

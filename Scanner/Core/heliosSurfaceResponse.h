@@ -9,12 +9,13 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRayCaster.h"
 
+#include <array>
 #include <cmath>
 
 namespace helios
 {
 
-/// One a thread: it remembers the surface and the range it saw last.
+/// One a thread: it remembers surfaces, and the range it saw last.
 class SurfaceResponse
 {
 public:
@@ -27,32 +28,23 @@ public:
   /// The power that a sub-ray of weight 1 along a unit vector returns from a cell [W].
   double GetPower(vtkIdType cell, double range, const Vec3& direction, double& cosIncidence)
   {
-    this->Visit(cell);
-    cosIncidence = std::abs(this->Normal.Dot(direction));
+    const Surface& surface = this->Visit(cell);
+    cosIncidence = std::abs(surface.Normal.Dot(direction));
     const LidarEquation& equation = this->Model.Equation;
     return this->Model.Power * equation.GetGain(range, this->Transmission(range)) *
-      GetBackscatter(*this->Reflection, cosIncidence);
+      GetBackscatter(*surface.Reflection, cosIncidence);
   }
 
   /// The unit normal of a cell's plane.
-  const Vec3& GetPlaneNormal(vtkIdType cell)
-  {
-    this->Visit(cell);
-    return this->PlaneNormal;
-  }
+  const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }
 
   /// The unit normal that incidence is measured from.
-  const Vec3& GetNormal(vtkIdType cell)
-  {
-    this->Visit(cell);
-    return this->Normal;
-  }
+  const Vec3& GetNormal(vtkIdType cell) { return this->Visit(cell).Normal; }
 
   /// The sunlight that a sub-ray of weight 1 finds on a cell [W].
   double GetBackground(vtkIdType cell, double range)
   {
-    this->Visit(cell);
-    return this->Model.Background * this->Reflection->Reflectance *
+    return this->Model.Background * this->Visit(cell).Reflection->Reflectance *
       std::sqrt(this->Transmission(range));
   }
 
@@ -60,26 +52,33 @@ public:
   void StartPulse() { this->Transmission = NearbyTransmission(this->Model.Equation); }
 
 private:
-  void Visit(vtkIdType cell)
+  struct Surface
   {
-    if (cell == this->Cell)
+    vtkIdType Cell = -1;
+    Vec3 PlaneNormal;
+    Vec3 Normal;
+    const SurfaceReflection* Reflection = nullptr;
+  };
+
+  /// What is known of a cell: beams meet the same few again and again.
+  const Surface& Visit(vtkIdType cell)
+  {
+    Surface& surface = this->Known[static_cast<std::size_t>(cell) % this->Known.size()];
+    if (surface.Cell != cell)
     {
-      return;
+      surface.Cell = cell;
+      surface.PlaneNormal = this->Model.Caster->GetMesh().GetNormal(cell);
+      surface.Normal = surface.PlaneNormal;
+      this->Model.Surfaces.GetNormal(cell, surface.Normal);
+      surface.Reflection =
+        &this->Model.Surfaces.GetReflection(this->Model.Surfaces.GetMaterialId(cell));
     }
-    this->Cell = cell;
-    const SceneSurfaces& surfaces = this->Model.Surfaces;
-    this->PlaneNormal = this->Model.Caster->GetMesh().GetNormal(cell);
-    this->Normal = this->PlaneNormal;
-    surfaces.GetNormal(cell, this->Normal);
-    this->Reflection = &surfaces.GetReflection(surfaces.GetMaterialId(cell));
+    return surface;
   }
 
   const ScanModel& Model;
   NearbyTransmission Transmission;
-  vtkIdType Cell = -1;
-  Vec3 PlaneNormal;
-  Vec3 Normal;
-  const SurfaceReflection* Reflection = nullptr;
+  std::array<Surface, 64> Known;
 };
 
 } // namespace helios

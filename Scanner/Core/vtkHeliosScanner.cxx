@@ -392,8 +392,13 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     const double truncation = sampler->GetTruncation();
     m.Plan = helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, sigma);
     m.Receiver.DetectionBin = m.Plan.DetectionBin;
-    m.Lattice = std::make_shared<helios::BeamLattice>(
-      divergence, truncation, m.Plan.BaseCells, m.Plan.Levels);
+    const int cells = m.Plan.BaseCells;
+    const int levels = m.Plan.Levels;
+    if (!this->Lattice || !this->Lattice->IsFor(divergence, truncation, cells, levels))
+    {
+      this->Lattice = std::make_shared<helios::BeamLattice>(divergence, truncation, cells, levels);
+    }
+    m.Lattice = this->Lattice;
     m.Plane = { helios::BeamMoments(divergence, truncation), sigma };
     m.ConeTangent = std::tan(0.5 * divergence * truncation);
     const double w = 0.5 * divergence;

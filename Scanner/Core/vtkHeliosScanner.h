@@ -58,6 +58,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the strategies
 
+#include <memory> // For what is kept from run to run
 #include <string> // For what is said in words
 
 class vtkHeliosBeamDeflector;
@@ -68,6 +69,7 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
+class BeamLattice;
 struct ScanCounts;
 }
 
@@ -97,7 +99,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the sub-rays of a pulse. Default: a vtkHeliosBeamSampler, 19
+   * Set/Get the sub-rays of a pulse. Default: a vtkHeliosBeamSampler, 16
    * sub-rays over a divergence of 0.3 mrad.
    */
   void SetBeamSampler(vtkHeliosBeamSampler* sampler);
@@ -335,6 +337,7 @@ private:
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
   vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
+  std::shared_ptr<const helios::BeamLattice> Lattice; // kept from run to run
 
   int Sampling = TOLERANCE;
   double RangeTolerance = 1e-3;

@@ -160,7 +160,7 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
   CHECK(
     edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
-  CHECK(edge.Scanner->GetNumberOfSubRays() > 49 * 1000);
+  CHECK(edge.Scanner->GetNumberOfSubRays() > 81 * 1000);
 }
 
 TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tolerance]")
@@ -246,8 +246,8 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
-  CHECK(bench.Scanner->DescribeSampling().find("49 sub-rays") != std::string::npos);
-  CHECK(bench.Scanner->DescribeSampling().find("1/96 of the beam") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("25 sub-rays") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("1/64 of the beam") != std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
 }
