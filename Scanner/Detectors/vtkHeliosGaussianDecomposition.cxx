@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkHeliosGaussianDecomposition);
 
@@ -43,6 +44,7 @@ struct Scratch
   std::vector<helios::Peak> Peaks;
   std::vector<vtkHeliosDetectedEcho> Guesses;
   helios::GaussianData Data;
+  helios::GaussianData Near; // to one component
   helios::GaussianFit Fit;
   Components Start, Best, Trial;
 };
@@ -217,18 +219,51 @@ private:
   /// The sum of squares of a trial fit, no less than rounding makes; infinite where it failed.
   double FitTrial()
   {
-    helios::GaussianData& data = this->Work.Data;
-    if (!this->Work.Fit.Run(data, this->Work.Trial, this->MostEvaluations))
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    return this->Floor(helios::SumSquares(data, this->Work.Trial));
+    return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MostEvaluations)
+      ? this->GetRest(this->Work.Trial)
+      : std::numeric_limits<double>::infinity();
   }
 
-  double Floor(double sumSquares) const
+  double GetRest(const Components& components) const
   {
-    return std::max(
-      sumSquares, static_cast<double>(this->Work.Data.X.size()) * Rounding * Rounding);
+    const helios::GaussianData& data = this->Work.Near;
+    return std::max(helios::SumSquares(data, components),
+      static_cast<double>(data.X.size()) * Rounding * Rounding);
+  }
+
+  /// What a component has to explain: the samples near it without the others and the background.
+  void TakeNear(std::size_t i)
+  {
+    const helios::GaussianData& data = this->Work.Data;
+    Components others = this->Work.Best;
+    const GaussianComponent g = others[i];
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    helios::GaussianData& near = this->Work.Near;
+    near.X.clear();
+    near.Y.clear();
+    for (std::size_t k = 0; k < data.X.size(); ++k)
+    {
+      if (std::abs(data.X[k] - g.Centre) <= FitReach * std::max(1.0, g.Sigma))
+      {
+        near.X.push_back(data.X[k]);
+        near.Y.push_back(data.Y[k] - helios::EvaluateGaussians(data, others, data.X[k]));
+      }
+    }
+  }
+
+  /// The least that any smooth curve could leave of what a component leaves: half the squared
+  /// differences of neighbours, as noise has them (von Neumann 1941, Ann. Math. Stat. 12, 367-395).
+  double GetRough(const Components& one) const
+  {
+    const helios::GaussianData& data = this->Work.Near;
+    double sum = 0.0, before = 0.0;
+    for (std::size_t k = 0; k < data.X.size(); ++k)
+    {
+      const double rest = data.Y[k] - helios::EvaluateGaussians(data, one, data.X[k]);
+      sum += k > 0 ? 0.5 * (rest - before) * (rest - before) : 0.0;
+      before = rest;
+    }
+    return sum;
   }
 
   /**
@@ -237,66 +272,87 @@ private:
    */
   void Resolve(std::size_t i)
   {
-    const auto count = static_cast<double>(this->Work.Data.X.size());
-    const double background = this->Work.Data.Background;
-    const Components one = this->Work.Best;
-    const double left = this->Floor(helios::SumSquares(this->Work.Data, one));
+    this->TakeNear(i);
+    const Components one = { this->Work.Best[i] };
+    const auto count = static_cast<double>(this->Work.Near.X.size());
+    const double left = this->GetRest(one);
+    if (left <= count * 100.0 * Rounding * Rounding)
+    {
+      return; // there is nothing to explain
+    }
     const auto isBetter = [count](double less, double more)
     { return count * std::log(more / less) - std::log(count) > StrongEvidence; };
-
     this->Work.Trial = one;
-    this->Work.Trial[i].Sigma = 1.0;
-    this->Work.Trial[i].IsSigmaFixed = true;
+    this->Work.Trial[0].Sigma = 1.0;
+    this->Work.Trial[0].IsSigmaFixed = true;
     const Components narrow = this->Work.Trial;
     const double leftNarrow = this->FitTrial();
     const Components fitted = this->Work.Trial;
-    const bool isWide = one[i].Sigma > 1.0 && isBetter(left, leftNarrow);
-    const double spread = std::sqrt(std::max(0.1, one[i].Sigma * one[i].Sigma - 1.0));
+    const bool isWide = one[0].Sigma > 1.0 && isBetter(left, leftNarrow);
+    if (!isWide && !isBetter(0.8 * this->GetRough(one), left))
+    {
+      return;
+    }
+    const double spread = std::sqrt(std::max(0.1, one[0].Sigma * one[0].Sigma - 1.0));
     double least = left * (1.0 + 4.0 / count);
-    double bestBackground = background;
+    Components two;
     for (const bool isAtRest : { false, true })
     {
-      this->Work.Data.Background = background;
       this->Work.Trial = isAtRest ? fitted : narrow;
-      isAtRest ? this->AddAtRest(i) : this->Split(i, spread);
+      isAtRest ? this->AddAtRest() : this->Split(spread);
       const double leftTwo = this->FitTrial();
       if (leftTwo < least && (isWide || isBetter(leftTwo, left)))
       {
         least = leftTwo;
-        this->Work.Best = this->Work.Trial;
-        bestBackground = this->Work.Data.Background;
+        two = this->Work.Trial;
       }
     }
-    this->Work.Data.Background = bestBackground;
+    if (!two.empty())
+    {
+      this->Accept(i, two);
+    }
   }
 
-  /// Two halves of a component, a spread to either side.
-  void Split(std::size_t i, double spread)
+  /// Puts two components in the place of one, and fits all once more.
+  void Accept(std::size_t i, const Components& two)
   {
-    GaussianComponent half = this->Work.Trial[i];
+    this->Work.Trial = this->Work.Best;
+    this->Work.Trial[i] = two[0];
+    this->Work.Trial.push_back(two[1]);
+    this->Work.Best = this->Work.Trial;
+    if (this->Work.Fit.Run(this->Work.Data, this->Work.Trial, this->MostEvaluations))
+    {
+      this->Work.Best = this->Work.Trial;
+    }
+  }
+
+  /// Two halves of the trial's component, a spread to either side.
+  void Split(double spread)
+  {
+    GaussianComponent half = this->Work.Trial[0];
     half.Amplitude *= 0.6;
     half.Centre += spread;
-    this->Work.Trial[i].Amplitude = half.Amplitude;
-    this->Work.Trial[i].Centre -= spread;
+    this->Work.Trial[0].Amplitude = half.Amplitude;
+    this->Work.Trial[0].Centre -= spread;
     this->Work.Trial.push_back(half);
   }
 
-  /// A second one where the trial leaves most, within reach of component i.
-  void AddAtRest(std::size_t i)
+  /// A second one where the trial leaves most.
+  void AddAtRest()
   {
-    const helios::GaussianData& data = this->Work.Data;
-    GaussianComponent second = this->Work.Trial[i];
-    double most = 0.0;
+    const helios::GaussianData& data = this->Work.Near;
+    GaussianComponent second = this->Work.Trial[0];
+    double most = 1e-3 * second.Amplitude;
     for (std::size_t k = 0; k < data.X.size(); ++k)
     {
       const double rest = data.Y[k] - helios::EvaluateGaussians(data, this->Work.Trial, data.X[k]);
-      if (std::abs(data.X[k] - this->Work.Trial[i].Centre) < FitReach && rest > most)
+      if (rest > most)
       {
         most = rest;
         second.Centre = data.X[k];
       }
     }
-    second.Amplitude = std::max(most, 1e-3 * second.Amplitude);
+    second.Amplitude = most;
     this->Work.Trial.push_back(second);
   }
 
