@@ -26,34 +26,19 @@ void BeamTracer::Trace(const Pulse& pulse, std::vector<SubReturn>& returns,
 {
   this->Returns = &returns;
   this->SubRays = &subRays;
-  this->Start(pulse);
-  for (int level = 0; !this->Cells.empty(); ++level)
-  {
-    this->Finer.clear();
-    this->CastRays();
-    bool hasEdge = false;
-    for (Cell& cell : this->Cells)
-    {
-      const double energy = this->Model.Lattice->GetCell(level, cell.X, cell.Y).Energy;
-      cell.Kind = this->GetKind(cell.Corners, energy);
-      hasEdge = hasEdge || cell.Kind == Edge;
-    }
-    const bool splitsAll = level == 0 && hasEdge && this->Model.Plan.Levels > 0;
-    for (const Cell& cell : this->Cells)
-    {
-      if (splitsAll)
-      {
-        this->Split(cell, level);
-      }
-      else
-      {
-        this->Visit(cell, level);
-      }
-    }
-    this->Cells.swap(this->Finer);
-  }
-  this->ReturnFromWeights();
+  this->Beam = pulse;
+  this->Returns->clear();
+  this->SubRays->clear();
+  this->Clear();
+  const bool isDone = this->TraceProbes();
   counts.SubRays += static_cast<vtkIdType>(this->Corners.size());
+  if (!isDone)
+  {
+    this->Clear();
+    this->TraceCells();
+    this->ReturnFromWeights();
+    counts.SubRays += static_cast<vtkIdType>(this->Corners.size());
+  }
   for (const Corner& corner : this->Corners)
   {
     counts.HitsOutOfRange += corner.IsSilent ? 1 : 0;
@@ -61,11 +46,8 @@ void BeamTracer::Trace(const Pulse& pulse, std::vector<SubReturn>& returns,
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Start(const Pulse& pulse)
+void BeamTracer::Clear()
 {
-  this->Beam = pulse;
-  this->Returns->clear();
-  this->SubRays->clear();
   for (const std::size_t slot : this->Used)
   {
     this->Slots[slot] = -1;
@@ -74,6 +56,63 @@ void BeamTracer::Start(const Pulse& pulse)
   this->Rays.clear();
   this->Corners.clear();
   this->Cells.clear();
+}
+
+//------------------------------------------------------------------------------
+/// Takes the returns of the probes; false where they meet an edge or a surface too much aslant.
+bool BeamTracer::TraceProbes()
+{
+  const std::vector<SubRay>& probes = this->Model.Probes;
+  for (const SubRay& probe : probes)
+  {
+    this->AddRay(
+      this->Beam.Beam * probe.Direction, this->Beam.Origin + this->Beam.Beam * probe.Offset);
+  }
+  this->CastRays();
+  const double share = 1.0 / static_cast<double>(probes.size());
+  for (const auto& [a, b] : this->Model.ProbePairs)
+  {
+    if (this->Compare(a, b, share) == Edge)
+    {
+      return false;
+    }
+  }
+  const auto isNearer = [](const Corner& a, const Corner& b) { return a.Range < b.Range; };
+  const auto limits = std::minmax_element(this->Corners.begin(), this->Corners.end(), isNearer);
+  if (limits.second->CellId >= 0 &&
+    limits.second->Range - limits.first->Range > this->Model.Plan.CellSpread * this->SigmaRange)
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < probes.size(); ++i)
+  {
+    this->Corners[i].Weight = probes[i].Weight;
+  }
+  this->ReturnFromWeights();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::TraceCells()
+{
+  this->StartCells();
+  for (int level = 0; !this->Cells.empty(); ++level)
+  {
+    this->Finer.clear();
+    this->CastRays();
+    for (Cell& cell : this->Cells)
+    {
+      const double energy = this->Model.Lattice->GetCell(level, cell.X, cell.Y).Energy;
+      cell.Kind = this->GetKind(cell.Corners, energy);
+      this->Visit(cell, level);
+    }
+    this->Cells.swap(this->Finer);
+  }
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::StartCells()
+{
   const int n = this->Model.Plan.BaseCells;
   const int size = 1 << this->Model.Plan.Levels;
   for (int i = 0; i < (n + 1) * (n + 1); ++i)
@@ -145,6 +184,15 @@ Vec3 BeamTracer::GetOrigin(const Vec3& local) const
 }
 
 //------------------------------------------------------------------------------
+void BeamTracer::AddRay(const Vec3& direction, const Vec3& origin)
+{
+  vtkHeliosRay ray;
+  std::copy_n(origin.GetData(), 3, ray.Origin);
+  std::copy_n(direction.GetData(), 3, ray.Direction);
+  this->Rays.push_back(ray);
+}
+
+//------------------------------------------------------------------------------
 /// The corner at a place counted in cells of the finest level; a new one gets a ray.
 int BeamTracer::GetCorner(int x, int y)
 {
@@ -156,12 +204,7 @@ int BeamTracer::GetCorner(int x, int y)
     slot = static_cast<int>(this->Rays.size());
     this->Used.push_back(id);
     const Vec3& local = lattice.GetCorner(id);
-    const Vec3 direction = this->Beam.Beam * local;
-    const Vec3 origin = this->GetOrigin(local);
-    vtkHeliosRay ray;
-    std::copy_n(origin.GetData(), 3, ray.Origin);
-    std::copy_n(direction.GetData(), 3, ray.Direction);
-    this->Rays.push_back(ray);
+    this->AddRay(this->Beam.Beam * local, this->GetOrigin(local));
   }
   return slot;
 }
@@ -229,19 +272,6 @@ bool BeamTracer::IsFineEnough(double spread, int level) const
 /// What the corners of a cell with a share of the energy meet.
 BeamTracer::Kinds BeamTracer::GetKind(const int corners[4], double energy)
 {
-  const Corner& first = this->Corners[static_cast<std::size_t>(corners[0])];
-  for (int i = 1; i < 4; ++i)
-  {
-    const Corner& c = this->Corners[static_cast<std::size_t>(corners[i])];
-    if ((c.CellId >= 0) != (first.CellId >= 0) || c.IsSilent != first.IsSilent)
-    {
-      return Edge;
-    }
-  }
-  if (first.CellId < 0 || first.IsSilent)
-  {
-    return Smooth;
-  }
   Kinds kind = Smooth;
   for (int i = 1; i < 4 && kind != Edge; ++i)
   {
@@ -251,15 +281,23 @@ BeamTracer::Kinds BeamTracer::GetKind(const int corners[4], double energy)
 }
 
 //------------------------------------------------------------------------------
-/// Whether b lies on the plane of a, and returns as much.
 BeamTracer::Kinds BeamTracer::Compare(int a, int b, double energy)
 {
   const Corner& ca = this->Corners[static_cast<std::size_t>(a)];
   const Corner& cb = this->Corners[static_cast<std::size_t>(b)];
-  if (ca.CellId == cb.CellId)
+  if ((ca.CellId >= 0) != (cb.CellId >= 0) || ca.IsSilent != cb.IsSilent)
   {
-    return Smooth;
+    return Edge;
   }
+  return ca.CellId == cb.CellId || ca.IsSilent ? Smooth : this->CompareSurfaces(a, b, energy);
+}
+
+//------------------------------------------------------------------------------
+/// Whether b lies on the plane of a, and returns as much.
+BeamTracer::Kinds BeamTracer::CompareSurfaces(int a, int b, double energy)
+{
+  const Corner& ca = this->Corners[static_cast<std::size_t>(a)];
+  const Corner& cb = this->Corners[static_cast<std::size_t>(b)];
   const vtkHeliosRay& rayA = this->Rays[static_cast<std::size_t>(a)];
   const vtkHeliosRay& rayB = this->Rays[static_cast<std::size_t>(b)];
   const Vec3& normal = this->Response.GetPlaneNormal(ca.CellId);

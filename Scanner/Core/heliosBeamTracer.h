@@ -21,12 +21,12 @@ struct CastSubRay
 };
 
 /**
- * The cross-section of the beam is parted into cells (heliosBeamLattice.h), with a sub-ray at every
- * corner. A cell whose corners meet one plane returns from its own points, which are put onto the plane
- * without casting a ray; one on a bent surface returns from its corners, a quarter of its energy each.
- * A cell that holds an edge is parted into four, as often as the plan says, and at last returns from its
- * corners, too. Once a cell of level 0 holds an edge all cells are parted: there may be more. One a
- * thread.
+ * Gauss-Legendre rings of sub-rays look at the beam: where neighbours among them meet one surface they
+ * are its returns. Else the cross-section is parted into cells (heliosBeamLattice.h), with a sub-ray at
+ * every corner. A cell whose corners meet one plane returns from its own points, which are put onto the
+ * plane without casting a ray; one on a bent surface returns from its corners, a quarter of its energy
+ * each. A cell that holds an edge is parted into four, as often as the plan says, and at last returns
+ * from its corners, too. One a thread.
  */
 class BeamTracer
 {
@@ -64,7 +64,11 @@ private:
     bool HasPower;
   };
 
-  void Start(const Pulse& pulse);
+  void Clear();
+  bool TraceProbes();
+  void TraceCells();
+  void StartCells();
+  void AddRay(const Vec3& direction, const Vec3& origin);
   int GetCorner(int x, int y);
   void CastRays();
   void Visit(const Cell& cell, int level);
@@ -72,6 +76,7 @@ private:
   double GetSpread(const int corners[4]) const;
   Kinds GetKind(const int corners[4], double energy);
   Kinds Compare(int a, int b, double energy);
+  Kinds CompareSurfaces(int a, int b, double energy);
   bool IsFineEnough(double spread, int level) const;
   Vec3 GetOrigin(const Vec3& local) const;
   double GetPower(int corner);

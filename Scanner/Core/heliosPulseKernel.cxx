@@ -144,15 +144,14 @@ void PulseKernel::RunFixed(std::size_t slot)
 void PulseKernel::RunByTolerance(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const Vec3 axis = pulse.GetDirection();
-  const Vec3 apex = pulse.Origin - this->Model.Setback * axis;
-  vtkHeliosConeHit hit = this->Model.Caster->ProbeCone(
-    apex.GetData(), axis.GetData(), this->Model.ConeTangent, 2.0 * this->Model.Plan.RangeTolerance);
-  hit.Range -= this->Model.Setback;
-  if (hit.Kind == vtkHeliosConeHit::Empty ||
-    (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
+  if (this->Model.ProbesCones)
   {
-    return;
+    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
+    if (hit.Kind == vtkHeliosConeHit::Empty ||
+      (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
+    {
+      return;
+    }
   }
   this->Tracer.Trace(pulse, this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();

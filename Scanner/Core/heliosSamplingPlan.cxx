@@ -22,7 +22,7 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
 {
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   SamplingPlan plan;
-  plan.BaseCells = energyTolerance >= 0.002 ? 4 : 8;
+  plan.ProbeRings = energyTolerance >= 0.002 ? 2 : 4;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
   plan.LongestEcho = 4.0 * sigmaRange;
@@ -42,12 +42,11 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
 
 std::string SamplingPlan::Describe() const
 {
-  const int corners = (this->BaseCells + 1) * (this->BaseCells + 1);
   std::ostringstream text;
-  text << "none where a beam meets one plane or nothing, else " << corners
-       << " sub-rays, and more where there are edges, down to 1/" << this->GetNumberOfCells()
-       << " of the beam; bins of " << this->DetectionBin
-       << " ns where the returns of a pulse spread over more than c sigma";
+  text << 4 * this->ProbeRings * this->ProbeRings + 8
+       << " sub-rays where a beam meets one surface, more where it meets edges, down to 1/"
+       << this->GetNumberOfCells() << " of the beam, and none where one plane is proved; bins of "
+       << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }
 

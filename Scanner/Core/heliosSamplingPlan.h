@@ -14,19 +14,21 @@ namespace helios
 {
 
 /**
- * A cross-section of the beam is parted into BaseCells^2 cells, and a cell that holds an edge into four
- * until there are as many as the edge needs, at most Levels times. The measured laws behind it
+ * A few rings of sub-rays look at a beam; where they find no edge they are its returns. Else its
+ * cross-section is parted into BaseCells^2 cells, and a cell that holds an edge into four until there are
+ * as many as the edge needs, at most Levels times. The measured laws behind it
  * (Docs/scanner-trade.md):
  * - a straight edge through m^2 cells: RMS of the energy on a side 0.06 / m
  * - so of the range, where the two sides are one echo and lie d apart: 0.06 d / m
  * - bins of h sigma with the parabola through the logarithms: RMS of the range 0.02 h^2 sigma_R
  * Where sides are echoes of their own the share of a small one counts: there the cells are 2.5 times as
- * many. Once a cell holds an edge all of the beam is looked at twice as closely.
+ * many.
  */
 struct SamplingPlan
 {
-  int BaseCells = 4;
-  int Levels = 4;
+  int ProbeRings = 2; ///< q of the Gauss-Legendre rings that look at a beam first
+  int BaseCells = 8;
+  int Levels = 3;
   double DetectionBin = 0.25;   ///< [ns]
   double PointSpread = 0.0;     ///< of the ranges in a cell that one point stands for, in sigma_R
   double CellSpread = 0.0;      ///< of the ranges in a cell that four points stand for, in sigma_R

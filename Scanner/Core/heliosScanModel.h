@@ -12,11 +12,11 @@
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
 #include "heliosSceneSurfaces.h"
+#include "vtkHeliosRayCaster.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
-
-class vtkHeliosRayCaster;
 
 namespace helios
 {
@@ -58,7 +58,10 @@ struct ScanModel
   bool IsFixed = false;
   std::vector<SubRay> SubRays; // of fixed sampling, or of a beam without width
   bool HasOffsets = false;
-  SamplingPlan Plan; // of sampling by tolerance
+  SamplingPlan Plan;                           // of sampling by tolerance
+  std::vector<SubRay> Probes;                  // that look at a beam first
+  std::vector<std::pair<int, int>> ProbePairs; // of neighbours
+  bool ProbesCones = false;                    // whether to ask for one plane before
   std::shared_ptr<const BeamLattice> Lattice;
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
@@ -80,6 +83,17 @@ struct ScanModel
   bool WantsPulses = false;
   bool WantsSubRays = false;
   bool WantsTruth = false;
+
+  /// What all of a pulse's beam meets; the range is from the pulse's origin.
+  vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
+  {
+    const Vec3 axis = pulse.GetDirection();
+    const Vec3 apex = pulse.Origin - this->Setback * axis;
+    vtkHeliosConeHit hit = this->Caster->ProbeCone(
+      apex.GetData(), axis.GetData(), this->ConeTangent, 2.0 * this->Plan.RangeTolerance);
+    hit.Range -= this->Setback;
+    return hit;
+  }
 
   /// Whether echoes cannot be found but in a waveform.
   bool NeedsWaveform() const

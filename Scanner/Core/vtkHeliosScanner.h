@@ -33,7 +33,8 @@
  * finds the same echoes there again. With TOLERANCE a pulse takes the cheapest of
  * the ways that are exact enough:
  * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
- *   known in closed form
+ *   known in closed form (not asked in scans where it is rarely so)
+ * - a few rings of sub-rays find no edge: they are its returns
  * - else sub-rays are cast at the corners of cells of the beam's cross-section,
  *   and cells that hold an edge are parted
  * - returns within c sigma of each other have one maximum, found by Newton's
@@ -325,6 +326,7 @@ private:
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
+  void PrepareTolerance(Scan& scan);
   void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
   void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
 

@@ -246,7 +246,7 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
-  CHECK(bench.Scanner->DescribeSampling().find("25 sub-rays") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("24 sub-rays") != std::string::npos);
   CHECK(bench.Scanner->DescribeSampling().find("1/64 of the beam") != std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
