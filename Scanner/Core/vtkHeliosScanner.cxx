@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanner.h"
 
+#include "heliosBeamProbes.h"
 #include "heliosPulseKernel.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosScanOutput.h"
@@ -27,10 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
-#include <set>
 #include <string>
-#include <utility>
 
 vtkStandardNewMacro(vtkHeliosScanner);
 
@@ -57,83 +55,6 @@ helios::Pose ToPose(const double position[3], const double q[4])
   helios::Pose pose{ helios::Vec3(position), helios::Quaternion(q[0], q[1], q[2], q[3]) };
   pose.Orientation.Normalize();
   return pose;
-}
-
-std::vector<helios::SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
-{
-  std::vector<helios::SubRay> subRays;
-  for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
-  {
-    double direction[3], offset[3];
-    sampler->GetDirection(k, direction);
-    sampler->GetOffset(k, offset);
-    subRays.push_back({ helios::Vec3(direction), sampler->GetWeight(k), helios::Vec3(offset) });
-  }
-  return subRays;
-}
-
-/// Adds eight sub-rays without weight near the rim of a beam cut at an angle [rad]: to see edges there.
-void AddRim(double angle, double setback, std::vector<helios::SubRay>& subRays)
-{
-  const double polar = 0.85 * angle;
-  for (int i = 0; i < 8; ++i)
-  {
-    const double azimuth = 0.25 * vtkMath::Pi() * (i + 0.25);
-    const helios::Vec3 direction(
-      std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth));
-    const helios::Vec3 offset(setback * direction[2], 0.0, -setback * direction[0]);
-    subRays.push_back({ direction, 0.0, offset });
-  }
-}
-
-/// Each sub-ray with the three nearest to it.
-std::vector<std::pair<int, int>> PairNeighbours(const std::vector<helios::SubRay>& subRays)
-{
-  std::set<std::pair<int, int>> pairs;
-  const int count = static_cast<int>(subRays.size());
-  for (int i = 0; i < count; ++i)
-  {
-    const auto away = [&subRays, i](int k)
-    {
-      return (subRays[static_cast<std::size_t>(k)].Direction -
-        subRays[static_cast<std::size_t>(i)].Direction)
-        .SquaredNorm();
-    };
-    std::vector<int> others(subRays.size());
-    std::iota(others.begin(), others.end(), 0);
-    const int wanted = std::min(4, count); // the first is itself
-    std::partial_sort(others.begin(), others.begin() + wanted, others.end(),
-      [&away](int a, int b) { return std::make_pair(away(a), a) < std::make_pair(away(b), b); });
-    for (int n = 1; n < wanted; ++n)
-    {
-      const int k = others[static_cast<std::size_t>(n)];
-      pairs.emplace(std::min(i, k), std::max(i, k));
-    }
-  }
-  return { pairs.begin(), pairs.end() };
-}
-
-/**
- * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast: it costs as
- * much as the first sixteen. Asked of pulses spread over all of the scan, so that every piece of it gets
- * the same answer.
- */
-bool FindsPlanes(const helios::ScanModel& model, vtkIdType numberOfPulses)
-{
-  const vtkIdType samples = std::min<vtkIdType>(numberOfPulses, 256);
-  helios::Trajectory::Cursor cursor;
-  helios::Pulse pulse;
-  int asked = 0;
-  int answered = 0;
-  for (vtkIdType i = 0; i < samples; ++i)
-  {
-    if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
-    {
-      ++asked;
-      answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
-    }
-  }
-  return 2 * answered >= asked;
 }
 
 /// Runs chunks of pulses, each thread with its own kernel.
@@ -474,7 +395,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   }
   else if (m.IsFixed)
   {
-    m.SubRays = GetSubRays(sampler);
+    m.SubRays = helios::GetSubRays(sampler);
   }
   else
   {
@@ -509,18 +430,10 @@ void vtkHeliosScanner::PrepareTolerance(Scan& scan)
   m.Setback =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
 
-  vtkNew<vtkHeliosBeamSampler> probes;
-  probes->SetBeamDivergence(divergence);
-  probes->SetTruncation(truncation);
-  probes->SetBeamQualityFactor(sampler->GetBeamQualityFactor());
-  probes->SetWavelength(sampler->GetWavelength());
-  probes->SetPatternToGaussLegendre();
-  probes->SetNumberOfRings(m.Plan.ProbeRings);
-  m.Probes = GetSubRays(probes);
-  AddRim(0.5 * divergence * truncation, m.Setback, m.Probes);
-  m.ProbePairs = PairNeighbours(m.Probes);
+  m.Probes = helios::MakeProbes(sampler, m.Plan.ProbeRings, m.Setback);
+  m.ProbePairs = helios::PairNeighbours(m.Probes);
   this->RayCaster->PrepareConeProbe();
-  m.ProbesCones = FindsPlanes(scan.Model, scan.NumberOfPulses);
+  m.ProbesCones = helios::FindsPlanes(m, scan.NumberOfPulses);
 }
 
 //------------------------------------------------------------------------------
