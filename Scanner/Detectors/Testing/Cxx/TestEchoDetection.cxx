@@ -203,7 +203,8 @@ TEST_CASE("EchoDetection: with Fixed sampling the bytes of the scanner's echoes"
       vtkPolyData* truth = bench.Scanner->GetOutput();
       REQUIRE(truth->GetNumberOfPoints() > 500);
       REQUIRE(echoes->GetNumberOfPoints() == truth->GetNumberOfPoints());
-      CHECK(Bytes(echoes) == CommonBytes(truth, echoes));
+      const bool areSame = Bytes(echoes) == CommonBytes(truth, echoes);
+      CHECK(areSame);
       CHECK(detection.Log->Errors.empty());
     }
   }
@@ -261,7 +262,8 @@ TEST_CASE("EchoDetection: threads and pieces change no byte", "[EchoDetection]")
   {
     vtkSMPTools::Initialize(threads);
     detection.Filter->Modified();
-    CHECK(Bytes(detection.Run()) == whole);
+    const bool isSame = Bytes(detection.Run()) == whole;
+    CHECK(isSame);
   }
   std::vector<double> ranges, ofPieces;
   vtkPolyData* output = detection.Filter->GetOutput();
@@ -300,7 +302,8 @@ TEST_CASE("EchoDetection: samples of another type", "[EchoDetection]")
   doubles->SetName(names::Samples);
   other->GetFieldData()->AddArray(doubles);
   Detection detection(other);
-  CHECK(Bytes(detection.Run()) == expected);
+  const bool isSame = Bytes(detection.Run()) == expected;
+  CHECK(isSame);
 }
 
 TEST_CASE("EchoDetection: a table without rows has no echoes", "[EchoDetection]")
