@@ -32,8 +32,8 @@ While a run writes, files end in .part; they hold whole lines at any moment.
 how the beam is sampled:
   A survey that gives beamSampleQuality has that many circles of sub-rays, always. Without it
   the run takes as few rays as the tolerances allow (1 mm in range, 1 % in amplitude, as root
-  mean squares): a beam on one plane is written down in closed form, edges and leaves are
-  resolved, and bins are made only where echoes overlap. --range-tolerance and
+  mean squares): few where a beam meets one surface, more where it meets edges, and bins only
+  where echoes overlap. Leaves between all rays of a beam are not seen. --range-tolerance and
   --energy-tolerance, or --sub-rays, win over the survey. The end of a run says what it came to.
   Docs/instrument.md has the whole of it.
 
