@@ -4,6 +4,8 @@
 
 import importlib.util
 import math
+import os
+import pathlib
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -14,6 +16,7 @@ import pytest
 import vtkhelios
 
 DATA = vtkhelios.data_directory()
+PACKAGE_DIR = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
 PROGRAM = DATA / "Scenes" / "make_village.py"
 
 
@@ -106,7 +109,10 @@ def test_surveys_name_what_exists(survey):
 def test_a_folder_that_cannot_be_made_is_named(tmp_path):
     (tmp_path / "file").touch()
     run = subprocess.run(
-        [sys.executable, str(PROGRAM), str(tmp_path / "file" / "x")], capture_output=True, text=True
+        [sys.executable, str(PROGRAM), str(tmp_path / "file" / "x")],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(PACKAGE_DIR)},
     )
     assert run.returncode == 1
     assert "Not a directory" in run.stderr and "Traceback" not in run.stderr
