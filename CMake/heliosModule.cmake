@@ -11,7 +11,8 @@ function(helios_add_module name)
     CLASSES ${arg_CLASSES}
     SOURCES ${arg_SOURCES}
     NOWRAP_HEADERS ${arg_HEADERS})
-  vtk_module_compile_options(vtkHelios::${name} PRIVATE ${vtkhelios_warnings} -ffp-contract=off)
+  vtk_module_compile_options(vtkHelios::${name} PRIVATE ${vtkhelios_warnings} -ffp-contract=off
+    -fno-semantic-interposition)
   if(arg_LINK)
     vtk_module_link(vtkHelios::${name} PRIVATE ${arg_LINK})
   endif()

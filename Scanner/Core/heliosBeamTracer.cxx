@@ -235,7 +235,7 @@ double BeamTracer::GetPower(int corner)
   Corner& c = this->Corners[static_cast<std::size_t>(corner)];
   if (!c.HasPower)
   {
-    const Vec3 direction(this->Rays[static_cast<std::size_t>(corner)].Direction);
+    const double* direction = this->Rays[static_cast<std::size_t>(corner)].Direction;
     c.Power = this->Response.GetPower(c.CellId, c.Range, direction, c.CosIncidence);
     c.HasPower = true;
   }
@@ -356,7 +356,8 @@ void BeamTracer::ReturnFromPlane(int corner, const Vec3& local, double weight)
   // Nearly in its plane, a triangle says nothing of where the point is.
   const bool isClose = std::abs(range - at.Range) <= 2.0 * this->SigmaRange;
   Corner point{ isClose ? range : at.Range, at.CellId, 0.0, 0.0, weight, false, true };
-  point.Power = this->Response.GetPower(at.CellId, point.Range, direction, point.CosIncidence);
+  point.Power =
+    this->Response.GetPower(at.CellId, point.Range, direction.GetData(), point.CosIncidence);
   this->AddReturn(point, direction, weight);
 }
 
@@ -388,7 +389,7 @@ void BeamTracer::AddReturn(const Corner& from, const Vec3& direction, double wei
 {
   const int index = static_cast<int>(this->Returns->size());
   this->Returns->push_back(
-    { from.Range, weight * from.Power, from.CellId, index, from.CosIncidence });
+    { from.Range, weight * from.Power, from.CosIncidence, from.CellId, index });
   if (this->Model.WantsSubRays)
   {
     this->SubRays->push_back({ direction, weight });

@@ -46,6 +46,28 @@ bool IsOutdone(
   return false;
 }
 
+/// The maxima in a range of bins that count as if there was nothing beside them.
+void AddPeaks(const vtkHeliosWaveform& waveform, double threshold, const BinRange& bins,
+  std::vector<Peak>& peaks)
+{
+  const float* samples = waveform.Samples;
+  for (vtkIdType i = bins.First; i < bins.Last;)
+  {
+    vtkIdType last = i;
+    while (last + 1 < bins.Last && samples[last + 1] == samples[i])
+    {
+      ++last;
+    }
+    const bool rises = i == bins.First ? samples[i] > 0.0f : samples[i - 1] < samples[i];
+    const bool falls = last + 1 == bins.Last || samples[last + 1] < samples[last];
+    if (rises && falls && samples[i] > 0.0f && samples[i] >= threshold && std::isfinite(samples[i]))
+    {
+      peaks.push_back({ i, last });
+    }
+    i = last + 1;
+  }
+}
+
 /// A parabola c[0] + c[1] x + c[2] x^2.
 struct Parabola
 {
@@ -98,21 +120,7 @@ void FindPeaks(
 {
   const float* samples = waveform.Samples;
   peaks.clear();
-  for (vtkIdType i = 0; i < waveform.Count;)
-  {
-    vtkIdType last = i;
-    while (last + 1 < waveform.Count && samples[last + 1] == samples[i])
-    {
-      ++last;
-    }
-    const bool rises = i == 0 ? samples[i] > 0.0f : samples[i - 1] < samples[i];
-    const bool falls = last + 1 == waveform.Count || samples[last + 1] < samples[last];
-    if (rises && falls && samples[i] > 0.0f && samples[i] >= threshold && std::isfinite(samples[i]))
-    {
-      peaks.push_back({ i, last });
-    }
-    i = last + 1;
-  }
+  AddPeaks(waveform, threshold, { 0, waveform.Count }, peaks);
   if (separation > 0.0 && peaks.size() > 1)
   {
     static thread_local std::vector<Peak> all;
@@ -126,6 +134,21 @@ void FindPeaks(
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold, const BinRange& bins,
+  std::vector<Peak>& peaks)
+{
+  const float* samples = waveform.Samples;
+  peaks.clear();
+  if (!(bins.Last - bins.First > 2 && samples[bins.First] < samples[bins.First + 1] &&
+        samples[bins.Last - 2] > samples[bins.Last - 1]))
+  {
+    return false;
+  }
+  AddPeaks(waveform, threshold, bins, peaks);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosPeaks_h
 #define heliosPeaks_h
 
+#include "heliosPulseShape.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosScannerCoreModule.h"
 
@@ -27,6 +28,13 @@ struct Peak
  */
 VTKHELIOSSCANNERCORE_EXPORT void FindPeaks(
   const vtkHeliosWaveform& waveform, double threshold, double separation, std::vector<Peak>& peaks);
+
+/**
+ * All maxima that reach a threshold [W] in a range of bins at whose ends the waveform rises and falls.
+ * False where it does not, or is level there.
+ */
+VTKHELIOSSCANNERCORE_EXPORT bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold,
+  const BinRange& bins, std::vector<Peak>& peaks);
 
 /// The Gaussian through the ends of a maximum and the samples beside them; where one of these is not
 /// positive, the maximum itself with the width of the pulse.

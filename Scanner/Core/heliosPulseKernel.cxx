@@ -108,28 +108,39 @@ void PulseKernel::CastRays()
 //------------------------------------------------------------------------------
 void PulseKernel::CollectReturns(std::size_t slot)
 {
-  const std::vector<SubRay>& subRays = this->Model.SubRays;
-  for (std::size_t k = 0; k < subRays.size(); ++k)
+  const std::size_t count = this->Model.SubRays.size();
+  const SubRay* subRays = this->Model.SubRays.data();
+  const vtkHeliosRay* rays = this->Rays.data() + slot * count;
+  const vtkHeliosHit* hits = this->Hits.data() + slot * count;
+  const double nearest = this->Model.RangeMin;
+  const double farthest = this->Model.RangeMax;
+  this->Returns.resize(count);
+  SubReturn* to = this->Returns.data();
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const vtkHeliosHit& hit = this->Hits[slot * subRays.size() + k];
-    const Vec3 direction(this->Rays[slot * subRays.size() + k].Direction);
-    if (this->Model.WantsSubRays)
-    {
-      this->SubRays.push_back({ direction, subRays[k].Weight });
-    }
+    const vtkHeliosHit hit = hits[k];
     if (hit.CellId < 0)
     {
       continue;
     }
-    if (hit.Range < this->Model.RangeMin || hit.Range > this->Model.RangeMax)
+    if (hit.Range < nearest || hit.Range > farthest)
     {
       ++this->Counts.HitsOutOfRange;
       continue;
     }
     double cosIncidence;
-    const double power = this->Response.GetPower(hit.CellId, hit.Range, direction, cosIncidence);
-    this->Returns.push_back(
-      { hit.Range, subRays[k].Weight * power, hit.CellId, static_cast<int>(k), cosIncidence });
+    to->Power = subRays[k].Weight *
+      this->Response.GetPower(hit.CellId, hit.Range, rays[k].Direction, cosIncidence);
+    to->Range = hit.Range;
+    to->CellId = hit.CellId;
+    to->SubRay = static_cast<int>(k);
+    to->CosIncidence = cosIncidence;
+    ++to;
+  }
+  this->Returns.resize(static_cast<std::size_t>(to - this->Returns.data()));
+  for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
+  {
+    this->SubRays.push_back({ Vec3(rays[k].Direction), subRays[k].Weight });
   }
 }
 
@@ -186,9 +197,9 @@ bool PulseKernel::TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
     return true;
   }
   double cosIncidence;
-  const double power = this->Response.GetPower(hit.CellId, hit.Range, axis, cosIncidence);
+  const double power = this->Response.GetPower(hit.CellId, hit.Range, axis.GetData(), cosIncidence);
   const PlaneEcho echo = m.Plane.GetEcho(hit.Range, reach, tangent, power);
-  this->Returns.push_back({ echo.Range, echo.Power, hit.CellId, 0, cosIncidence });
+  this->Returns.push_back({ echo.Range, echo.Power, cosIncidence, hit.CellId, 0 });
   if (m.WantsSubRays)
   {
     this->SubRays.push_back({ axis, 1.0 });
@@ -225,8 +236,11 @@ void PulseKernel::FindEchoes()
   {
     return;
   }
-  const bool needsWaveform = this->Model.NeedsWaveform();
-  const bool isBinned = needsWaveform || !this->Signal.FindEchoes(this->Returns, this->Echoes);
+  const bool hasEchoes =
+    this->Model.FindsEchoesInBins() && this->Signal.FindEchoesInBins(this->Returns, this->Echoes);
+  const bool needsWaveform = this->Model.NeedsWaveform() && !hasEchoes;
+  const bool isBinned =
+    this->Model.NeedsWaveform() || !this->Signal.FindEchoes(this->Returns, this->Echoes);
   if (this->Model.WantsWaveforms || needsWaveform)
   {
     const bool cut = this->Signal.Fill(this->Returns, this->GetBackground(), this->PulseId);

@@ -4,6 +4,7 @@
 
 #include "heliosRadiometry.h"
 #include "heliosTextFile.h"
+#include "heliosVectorLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,70 +22,99 @@ constexpr double HeliosEndInTau = 27.0;
 // Bins handled together, so that the compiler can use vector instructions.
 constexpr vtkIdType Lanes = 8;
 
-/// sum[i] += shape[i] start rho^i. Compiled for wider registers too; the bytes stay the same.
-__attribute__((target_clones("avx2", "default"))) void AddGeometric(
-  double* __restrict sum, const double* __restrict shape, double start, double rho, vtkIdType count)
+/**
+ * A run of bins: bin i, from 0 on, gets Start Ratio^i Shape[i]. The first Skip of them, a multiple of
+ * Lanes, are left as they are.
+ */
+struct Run
 {
-  double factor[Lanes];
-  factor[0] = start;
+  double* Sum;
+  const double* Shape; // with room for the last lanes
+  double Start, Ratio;
+  vtkIdType Skip, Count;
+};
+
+/// Start Ratio^i of the first lanes behind what is skipped; returns the factor to the next ones.
+HELIOS_INLINE double StartLanes(const Run& run, double factor[Lanes])
+{
+  factor[0] = run.Start;
   for (vtkIdType l = 1; l < Lanes; ++l)
   {
-    factor[l] = factor[l - 1] * rho;
+    factor[l] = factor[l - 1] * run.Ratio;
   }
-  const double rho2 = rho * rho;
+  const double rho2 = run.Ratio * run.Ratio;
   const double rho4 = rho2 * rho2;
   const double rho8 = rho4 * rho4;
-  vtkIdType i = 0;
-  for (; i + Lanes <= count; i += Lanes)
+  for (vtkIdType i = 0; i < run.Skip; i += Lanes)
   {
     for (vtkIdType l = 0; l < Lanes; ++l)
     {
-      sum[i + l] += shape[i + l] * factor[l];
       factor[l] *= rho8;
     }
   }
-  for (vtkIdType l = 0; i < count; ++i, ++l)
+  return rho8;
+}
+
+/// Adds the values of Lanes bins from bin i on, of those that are in the run.
+HELIOS_INLINE void AddLanes(const Run& run, vtkIdType i, const double value[Lanes])
+{
+  if (i + Lanes <= run.Count)
   {
-    sum[i] += shape[i] * factor[l];
+    for (vtkIdType l = 0; l < Lanes; ++l)
+    {
+      run.Sum[i + l] += value[l];
+    }
+    return;
+  }
+  for (vtkIdType l = 0; i + l < run.Count; ++l)
+  {
+    run.Sum[i + l] += value[l];
   }
 }
 
-/// sum[i] += shape[i] start rho^i c(u + i du), c a polynomial of degree 5.
-__attribute__((target_clones("avx2", "default"))) void AddPolynomial(double* __restrict sum,
-  const double* __restrict shape, double start, double rho, double u, double du, const double c[6],
-  vtkIdType count)
+/// Adds a run.
+HELIOS_CLONES void AddGeometric(const Run& run)
 {
   double factor[Lanes];
-  double at[Lanes];
-  factor[0] = start;
-  for (vtkIdType l = 1; l < Lanes; ++l)
-  {
-    factor[l] = factor[l - 1] * rho;
-  }
-  for (vtkIdType l = 0; l < Lanes; ++l)
-  {
-    at[l] = u + static_cast<double>(l) * du;
-  }
-  const double rho2 = rho * rho;
-  const double rho4 = rho2 * rho2;
-  const double rho8 = rho4 * rho4;
-  const double step = static_cast<double>(Lanes) * du;
+  const double ratio = StartLanes(run, factor);
   double value[Lanes];
-  for (vtkIdType i = 0; i < count; i += Lanes) // the shape has room for the last lanes
+  for (vtkIdType i = run.Skip; i < run.Count; i += Lanes)
   {
     for (vtkIdType l = 0; l < Lanes; ++l)
     {
-      const double x = at[l];
-      const double poly = c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5]))));
-      value[l] = shape[i + l] * factor[l] * poly;
-      factor[l] *= rho8;
-      at[l] += step;
+      value[l] = run.Shape[i + l] * factor[l];
+      factor[l] *= ratio;
     }
-    const vtkIdType lanes = std::min(Lanes, count - i);
-    for (vtkIdType l = 0; l < lanes; ++l)
+    AddLanes(run, i, value);
+  }
+}
+
+/// Adds a run times c(u + i du) at bin i, c a polynomial.
+HELIOS_CLONES void AddPolynomial(
+  const Run& run, double u, double du, const double c[PulseCluster::Order])
+{
+  double factor[Lanes];
+  const double ratio = StartLanes(run, factor);
+  double at[Lanes];
+  for (vtkIdType l = 0; l < Lanes; ++l)
+  {
+    at[l] = static_cast<double>(l);
+  }
+  double value[Lanes];
+  for (vtkIdType i = run.Skip; i < run.Count; i += Lanes)
+  {
+    for (vtkIdType l = 0; l < Lanes; ++l)
     {
-      sum[i + l] += value[l];
+      const double x = u + (static_cast<double>(i) + at[l]) * du;
+      double poly = c[PulseCluster::Order - 1];
+      for (int k = PulseCluster::Order - 2; k >= 0; --k)
+      {
+        poly = c[k] + x * poly;
+      }
+      value[l] = run.Shape[i + l] * factor[l] * poly;
+      factor[l] *= ratio;
     }
+    AddLanes(run, i, value);
   }
 }
 
@@ -166,32 +196,47 @@ void PulseShape::SetBinSize(double binSize)
 }
 
 //------------------------------------------------------------------------------
-void PulseShape::Deposit(double time, double power, double* sum, vtkIdType count) const
+void PulseShape::Deposit(double time, double power, double* sum, const BinRange& bins) const
 {
   if (this->Kind == Gaussian)
   {
-    this->DepositGaussian(time, power, sum, count);
+    this->DepositGaussian(time, power, sum, bins);
     return;
   }
-  const double first = std::max(0.0, std::ceil((time + this->Start) / this->BinSize));
+  const double first =
+    std::max(static_cast<double>(bins.First), std::ceil((time + this->Start) / this->BinSize));
   const double last =
-    std::min(static_cast<double>(count) - 1.0, std::floor((time + this->End) / this->BinSize));
+    std::min(static_cast<double>(bins.Last) - 1.0, std::floor((time + this->End) / this->BinSize));
   for (double bin = first; bin <= last; bin += 1.0)
   {
     sum[static_cast<vtkIdType>(bin)] += power * (*this)(bin * this->BinSize - time);
   }
 }
 
+/// Where a Gaussian lands: bin From + i gets Start Ratio^i Shape[i].
+struct PulseShape::Window
+{
+  vtkIdType From, Skip, Count; // Skip: lanes before the bins that are filled
+  const double* Shape;
+  double Start, Ratio;
+
+  Run GetRun(double* sum, double power) const
+  {
+    return { sum + this->From, this->Shape, power * this->Start, this->Ratio, this->Skip,
+      this->Count };
+  }
+};
+
 //------------------------------------------------------------------------------
 /**
  * With the nearest bin m and delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2 sigma^2)) =
  * shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no exponential a bin.
- * False: all of it is behind a window that was cut.
+ * False: no bin is reached.
  */
-bool PulseShape::GetWindow(double time, vtkIdType count, Window& window) const
+bool PulseShape::GetWindow(double time, const BinRange& bins, Window& window) const
 {
   const double position = std::round(time / this->BinSize);
-  if (position - static_cast<double>(this->Reach) >= static_cast<double>(count))
+  if (position - static_cast<double>(this->Reach) >= static_cast<double>(bins.Last))
   {
     return false;
   }
@@ -201,7 +246,8 @@ bool PulseShape::GetWindow(double time, vtkIdType count, Window& window) const
   const double exponent = this->BinSize * delta / (sigma * sigma);
   const double u = delta / sigma;
   window.From = std::max<vtkIdType>(0, middle - this->Reach);
-  window.To = std::min(count, middle + this->Reach + 1);
+  window.Skip = std::max<vtkIdType>(0, (bins.First - window.From) / Lanes * Lanes);
+  window.Count = std::min(bins.Last, middle + this->Reach + 1) - window.From;
   window.Shape = this->Shape.data() + (window.From - middle + this->Reach);
   window.Start = std::exp(-0.5 * u * u + exponent * static_cast<double>(window.From - middle));
   window.Ratio = std::exp(exponent);
@@ -209,30 +255,36 @@ bool PulseShape::GetWindow(double time, vtkIdType count, Window& window) const
 }
 
 //------------------------------------------------------------------------------
-void PulseShape::DepositGaussian(double time, double power, double* sum, vtkIdType count) const
+void PulseShape::DepositGaussian(double time, double power, double* sum, const BinRange& bins) const
 {
   Window w;
-  if (this->GetWindow(time, count, w))
+  if (this->GetWindow(time, bins, w))
   {
-    AddGeometric(sum + w.From, w.Shape, power * w.Start, w.Ratio, w.To - w.From);
+    AddGeometric(w.GetRun(sum, power));
   }
 }
 
 //------------------------------------------------------------------------------
-void PulseShape::Deposit(const PulseCluster& cluster, double* sum, vtkIdType count) const
+void PulseShape::Deposit(const PulseCluster& cluster, double* sum, const BinRange& bins) const
 {
   Window w;
-  if (!this->GetWindow(cluster.Time, count, w))
+  if (!this->GetWindow(cluster.Time, bins, w))
   {
     return;
   }
-  const double* m = cluster.Sums;
-  const double a[6] = { m[0], m[1], m[2] / 2.0, m[3] / 6.0, m[4] / 24.0, m[5] / 120.0 };
-  const double c[6] = { a[0] - a[2] + 3.0 * a[4], a[1] - 3.0 * a[3] + 15.0 * a[5],
-    a[2] - 6.0 * a[4], a[3] - 10.0 * a[5], a[4], a[5] };
+  double a[PulseCluster::Order];
+  double factorial = 1.0;
+  for (int n = 0; n < PulseCluster::Order; ++n)
+  {
+    a[n] = cluster.Sums[n] / factorial;
+    factorial *= n + 1.0;
+  }
+  const double c[PulseCluster::Order] = { a[0] - a[2] + 3.0 * a[4] - 15.0 * a[6],
+    a[1] - 3.0 * a[3] + 15.0 * a[5] - 105.0 * a[7], a[2] - 6.0 * a[4] + 45.0 * a[6],
+    a[3] - 10.0 * a[5] + 105.0 * a[7], a[4] - 15.0 * a[6], a[5] - 21.0 * a[7], a[6], a[7] };
   const double du = this->BinSize / this->GetSigma();
   const double u = (static_cast<double>(w.From) * this->BinSize - cluster.Time) / this->GetSigma();
-  AddPolynomial(sum + w.From, w.Shape, w.Start, w.Ratio, u, du, c, w.To - w.From);
+  AddPolynomial(w.GetRun(sum, 1.0), u, du, c);
 }
 
 //------------------------------------------------------------------------------

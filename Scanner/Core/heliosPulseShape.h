@@ -9,6 +9,7 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -18,20 +19,36 @@ namespace helios
 /// Returns that come nearly at once: the sums of their powers times the powers of their times.
 struct PulseCluster
 {
-  static constexpr int Order = 6;
-  static constexpr double Reach = 0.05; ///< of a time from the middle, in sigma
+  static constexpr int Order = 8;
+  static constexpr double Reach = 0.15; ///< of a time from the middle, in sigma
 
-  double Time;             ///< the middle [ns]
+  vtkIdType Slot; ///< which of the clusters next to each other it is
+  double Time;    ///< the middle [ns]
+  double First;   ///< the earliest and latest time in it [ns]
+  double Last;
   double Sums[Order] = {}; ///< with the times from the middle in sigma
 
-  void Add(double away, double power)
+  /// Adds a return at a time [ns], that far from the middle.
+  void Add(double time, double away, double power)
   {
-    for (double& sum : this->Sums)
+    this->First = std::min(this->First, time);
+    this->Last = std::max(this->Last, time);
+    const double away2 = away * away;
+    const double away4 = away2 * away2;
+    const double powers[4] = { power, power * away, power * away2, power * away2 * away };
+    for (int n = 0; n < 4; ++n)
     {
-      sum += power;
-      power *= away;
+      this->Sums[n] += powers[n];
+      this->Sums[n + 4] += powers[n] * away4;
     }
   }
+};
+
+/// The bins [First, Last) of a window that are filled.
+struct BinRange
+{
+  vtkIdType First;
+  vtkIdType Last;
 };
 
 class VTKHELIOSSCANNERCORE_EXPORT PulseShape
@@ -61,27 +78,24 @@ public:
   /// Makes it ready for bins of a size [ns].
   void SetBinSize(double binSize);
 
+  /// Bins that a Gaussian reaches to either side.
+  vtkIdType GetReach() const { return this->Reach; }
+
   /**
-   * Adds a pulse with its peak at a time [ns] after the first of count bins. Every bin gets the
-   * pulse's value at the bin's own time, without rounding to bins.
+   * Adds a pulse with its peak at a time [ns] after bin 0. Every bin gets the pulse's value at the
+   * bin's own time, without rounding to bins; the same bytes whichever others are filled.
    */
-  void Deposit(double time, double power, double* sum, vtkIdType count) const;
+  void Deposit(double time, double power, double* sum, const BinRange& bins) const;
 
   /**
    * Adds the Gaussians of a cluster at once: exp(-(u - d)^2 / 2) = exp(-u^2 / 2) sum He_n(u) d^n / n!
-   * with Hermite's polynomials, to 3e-10 of the peak.
+   * with Hermite's polynomials, to 1e-9 of the peak.
    */
-  void Deposit(const PulseCluster& cluster, double* sum, vtkIdType count) const;
+  void Deposit(const PulseCluster& cluster, double* sum, const BinRange& bins) const;
 
 private:
-  /// The bins that a Gaussian reaches, and its factors there.
-  struct Window
-  {
-    vtkIdType From, To;
-    const double* Shape;
-    double Start, Ratio; // the factor of the first bin, and from one to the next
-  };
-  bool GetWindow(double time, vtkIdType count, Window& window) const;
+  struct Window;
+  bool GetWindow(double time, const BinRange& bins, Window& window) const;
 
   enum Kinds
   {
@@ -90,7 +104,7 @@ private:
     Sampled
   };
 
-  void DepositGaussian(double time, double power, double* sum, vtkIdType count) const;
+  void DepositGaussian(double time, double power, double* sum, const BinRange& bins) const;
   void SetSamples(const std::vector<double>& times, const std::vector<double>& powers);
 
   Kinds Kind = Gaussian;

@@ -97,24 +97,24 @@ class NearbyTransmission
 {
 public:
   explicit NearbyTransmission(const LidarEquation& equation)
-    : Equation(&equation)
+    : Extinction(equation.Extinction)
   {
   }
 
   double operator()(double range)
   {
-    const double x = -2.0 * this->Equation->Extinction * (range - this->Range);
+    const double x = -2.0 * this->Extinction * (range - this->Range);
     if (!(std::abs(x) < 1e-3))
     {
       this->Range = range;
-      this->Transmission = this->Equation->GetTransmission(range);
+      this->Transmission = this->Extinction > 0.0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
       return this->Transmission;
     }
     return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
   }
 
 private:
-  const LidarEquation* Equation;
+  double Extinction;
   double Range = std::numeric_limits<double>::quiet_NaN();
   double Transmission = 1.0;
 };

@@ -28,9 +28,15 @@ double TwoWayTime(double range)
 /// The return nearest in range; of two equally near the first.
 const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, double range)
 {
-  return std::min_element(begin, end,
-    [range](const SubReturn& a, const SubReturn& b)
-    { return std::abs(a.Range - range) < std::abs(b.Range - range); });
+  const SubReturn* nearest = begin;
+  double least = std::abs(begin->Range - range);
+  for (const SubReturn* r = begin + 1; r != end; ++r)
+  {
+    const double away = std::abs(r->Range - range);
+    nearest = away < least ? r : nearest;
+    least = std::min(least, away);
+  }
+  return nearest;
 }
 
 /// The order of range, and of the sub-rays at the same range.
@@ -155,23 +161,57 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
 //------------------------------------------------------------------------------
 void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes)
 {
-  this->OpenWindow(begin->Range, (end - 1)->Range, 1.0, this->Settings.DetectionBin);
-  this->AddReturns(begin, end, this->DetectionShape);
-  this->CloseWindow();
+  this->OpenWindow(begin, end, this->Settings.DetectionBin);
+  this->FillAll(begin, end, this->DetectionShape);
+  this->SetSamples(this->GetWindow());
   this->Detect(begin, end, this->Settings.DetectionBin, echoes);
+}
+
+//------------------------------------------------------------------------------
+bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+{
+  const SubReturn* begin = returns.data();
+  const SubReturn* end = begin + returns.size();
+  const double binSize = this->Settings.BinSize;
+  bool isGood = !this->OpenWindow(begin, end, binSize);
+  const double threshold = this->Settings.Detector->GetDetectionThreshold();
+  const double gap = 2.0 * binSize * static_cast<double>(this->Settings.Shape.GetReach() + 1);
+  this->MakeClusters(begin, end);
+  const std::size_t count = this->Clusters.size();
+  for (std::size_t first = 0, last = 0; first < count && isGood; first = last)
+  {
+    do
+    {
+      ++last;
+    } while (last < count && this->Clusters[last].First - this->Clusters[last - 1].Last <= gap);
+    const BinRange bins =
+      this->GetBinsOfMaxima(this->Clusters[first], this->Clusters[last - 1], binSize);
+    this->FillGroup(first, last, bins);
+    this->SetSamples(bins);
+    const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, binSize,
+      this->Settings.Shape.GetLength() };
+    isGood = FindPeaks(wave, threshold, bins, this->Peaks);
+    for (const Peak& peak : this->Peaks)
+    {
+      this->AddEcho(FitPeak(wave, peak), begin, end, echoes);
+    }
+  }
+  if (!isGood)
+  {
+    echoes.clear();
+  }
+  return isGood;
 }
 
 //------------------------------------------------------------------------------
 bool Receiver::Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId)
 {
-  this->Sorted = returns;
-  std::sort(this->Sorted.begin(), this->Sorted.end(), IsNearer);
-  const SubReturn* begin = this->Sorted.data();
-  const SubReturn* end = begin + this->Sorted.size();
-  const bool cut = this->OpenWindow(begin->Range, (end - 1)->Range, 1.0, this->Settings.BinSize);
-  this->AddReturns(begin, end, this->Settings.Shape);
+  const SubReturn* begin = returns.data();
+  const SubReturn* end = begin + returns.size();
+  const bool cut = this->OpenWindow(begin, end, this->Settings.BinSize);
+  this->FillAll(begin, end, this->Settings.Shape);
   this->AddNoise(background, pulseId);
-  this->CloseWindow();
+  this->SetSamples(this->GetWindow());
   return cut;
 }
 
@@ -181,14 +221,28 @@ bool Receiver::Fill(const PlaneEcho& echo, double background, vtkIdType pulseId)
   const PulseShape& shape = this->Settings.Shape;
   const double widening = shape.IsGaussian() ? echo.Sigma / this->Sigma : 1.0;
   const bool cut = this->OpenWindow(echo.Range, echo.Range, widening, this->Settings.BinSize);
-  for (std::size_t i = 0; i < this->Sum.size(); ++i)
+  for (std::size_t i = 0; i < this->Wave.Samples.size(); ++i)
   {
     const double time = static_cast<double>(i) * this->Settings.BinSize - this->Margin;
     this->Sum[i] = echo.Power * shape(time / widening);
   }
   this->AddNoise(background, pulseId);
-  this->CloseWindow();
+  this->SetSamples(this->GetWindow());
   return cut;
+}
+
+//------------------------------------------------------------------------------
+/// Makes room for the pulses of returns; true: less than they need.
+bool Receiver::OpenWindow(Iterator begin, Iterator end, double binSize)
+{
+  double nearest = begin->Range;
+  double farthest = begin->Range;
+  for (Iterator r = begin + 1; r != end; ++r)
+  {
+    nearest = std::min(nearest, r->Range);
+    farthest = std::max(farthest, r->Range);
+  }
+  return this->OpenWindow(nearest, farthest, 1.0, binSize);
 }
 
 //------------------------------------------------------------------------------
@@ -205,10 +259,24 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
   const double length = before + TwoWayTime(farthest - nearest) + after;
   const double wanted = std::ceil(length / binSize) + 1.0;
   const bool cut = wanted > static_cast<double>(this->Settings.MaximumCount);
-  this->Sum.assign(
-    cut ? static_cast<std::size_t>(this->Settings.MaximumCount) : static_cast<std::size_t>(wanted),
-    0.0);
+  const auto count =
+    static_cast<std::size_t>(cut ? static_cast<double>(this->Settings.MaximumCount) : wanted);
+  this->Wave.Samples.resize(count);
+  this->Sum.resize(std::max(this->Sum.size(), count));
   return cut;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Where the sum of the Gaussians of returns may have its maxima, and the samples beside these: it
+ * rises up to the first return and falls from the last on.
+ */
+BinRange Receiver::GetBinsOfMaxima(
+  const PulseCluster& first, const PulseCluster& last, double binSize) const
+{
+  const auto from = static_cast<vtkIdType>(first.First / binSize) - 2;
+  const auto to = static_cast<vtkIdType>(last.Last / binSize) + 4;
+  return { std::max<vtkIdType>(0, from), std::min(to, this->GetWindow().Last) };
 }
 
 //------------------------------------------------------------------------------
@@ -219,43 +287,75 @@ double Receiver::GetTime(const SubReturn& r) const
 }
 
 //------------------------------------------------------------------------------
-/// Adds returns in the order of range; those of a Gaussian that come nearly at once, together.
-void Receiver::AddReturns(Iterator begin, Iterator end, const PulseShape& shape)
+/// Puts returns that come nearly at once together, in the order of time.
+void Receiver::MakeClusters(Iterator begin, Iterator end)
 {
-  const auto count = static_cast<vtkIdType>(this->Sum.size());
-  for (Iterator r = begin; r != end;)
+  const double scale = 1.0 / this->Sigma;
+  const double slotsPerTime = 0.5 * scale / PulseCluster::Reach;
+  const double margin = this->Margin;
+  this->Clusters.clear();
+  PulseCluster* cluster = nullptr; // the next sub-ray often comes when the last one did
+  for (Iterator r = begin; r != end; ++r)
   {
-    if (shape.IsGaussian() && end - r > 2)
+    const double time = this->GetTime(*r);
+    const auto slot = static_cast<vtkIdType>((time - margin) * slotsPerTime);
+    if (!cluster || cluster->Slot != slot)
     {
-      r = this->AddCluster(r, end, shape);
+      cluster = &this->GetCluster(slot);
     }
-    else
+    cluster->Add(time, (time - cluster->Time) * scale, r->Power);
+  }
+  std::sort(this->Clusters.begin(), this->Clusters.end(),
+    [](const PulseCluster& a, const PulseCluster& b) { return a.Slot < b.Slot; });
+}
+
+//------------------------------------------------------------------------------
+/// The cluster of a slot.
+PulseCluster& Receiver::GetCluster(vtkIdType slot)
+{
+  for (PulseCluster& cluster : this->Clusters)
+  {
+    if (cluster.Slot == slot)
     {
-      shape.Deposit(this->GetTime(*r), r->Power, this->Sum.data(), count);
-      ++r;
+      return cluster;
     }
+  }
+  const double width = 2.0 * PulseCluster::Reach * this->Sigma;
+  const double middle = this->Margin + (static_cast<double>(slot) + 0.5) * width;
+  this->Clusters.push_back({ slot, middle, VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX });
+  return this->Clusters.back();
+}
+
+//------------------------------------------------------------------------------
+/// Fills a window with what some of the clusters bring.
+void Receiver::FillGroup(std::size_t first, std::size_t last, const BinRange& bins)
+{
+  std::fill(this->Sum.begin() + bins.First, this->Sum.begin() + bins.Last, 0.0);
+  for (std::size_t i = first; i < last; ++i)
+  {
+    this->Settings.Shape.Deposit(this->Clusters[i], this->Sum.data(), bins);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Adds the returns that come within a cluster's reach of the first; returns where the rest begins.
-const SubReturn* Receiver::AddCluster(Iterator begin, Iterator end, const PulseShape& shape)
+/// Fills the window that is open with returns; those of a Gaussian that come nearly at once, together.
+void Receiver::FillAll(Iterator begin, Iterator end, const PulseShape& shape)
 {
-  const double first = this->GetTime(*begin);
-  const double last = first + 2.0 * PulseCluster::Reach * this->Sigma;
-  PulseCluster cluster{ 0.5 * (first + last), {} };
-  Iterator r = begin;
-  for (; r != end; ++r)
+  const BinRange bins = this->GetWindow();
+  std::fill_n(this->Sum.begin(), bins.Last, 0.0);
+  if (shape.IsGaussian())
   {
-    const double time = this->GetTime(*r);
-    if (time > last)
+    this->MakeClusters(begin, end);
+    for (const PulseCluster& cluster : this->Clusters)
     {
-      break;
+      shape.Deposit(cluster, this->Sum.data(), bins);
     }
-    cluster.Add((time - cluster.Time) / this->Sigma, r->Power);
+    return;
   }
-  shape.Deposit(cluster, this->Sum.data(), static_cast<vtkIdType>(this->Sum.size()));
-  return r;
+  for (Iterator r = begin; r != end; ++r)
+  {
+    shape.Deposit(this->GetTime(*r), r->Power, this->Sum.data(), bins);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -263,17 +363,16 @@ void Receiver::AddNoise(double background, vtkIdType pulseId)
 {
   if (background != 0.0)
   {
-    for (double& sample : this->Sum)
-    {
-      sample += background;
-    }
+    std::for_each(this->Sum.begin(), this->Sum.begin() + this->GetWindow().Last,
+      [background](double& sample) { sample += background; });
   }
-  for (std::size_t i = 0; this->Settings.Noise > 0.0 && i < this->Sum.size(); i += 2)
+  const std::size_t count = this->Wave.Samples.size();
+  for (std::size_t i = 0; this->Settings.Noise > 0.0 && i < count; i += 2)
   {
     const auto noise = NormalPair(this->Settings.Seed, RandomStream::DetectorNoise,
       static_cast<std::uint64_t>(pulseId), static_cast<std::uint32_t>(i / 2));
     this->Sum[i] += this->Settings.Noise * noise[0];
-    if (i + 1 < this->Sum.size())
+    if (i + 1 < count)
     {
       this->Sum[i + 1] += this->Settings.Noise * noise[1];
     }
@@ -281,10 +380,10 @@ void Receiver::AddNoise(double background, vtkIdType pulseId)
 }
 
 //------------------------------------------------------------------------------
-void Receiver::CloseWindow()
+void Receiver::SetSamples(const BinRange& bins)
 {
-  this->Wave.Samples.resize(this->Sum.size());
-  std::transform(this->Sum.begin(), this->Sum.end(), this->Wave.Samples.begin(),
+  std::transform(this->Sum.begin() + bins.First, this->Sum.begin() + bins.Last,
+    this->Wave.Samples.begin() + bins.First,
     [](double value) { return static_cast<float>(value); });
 }
 
@@ -304,10 +403,17 @@ void Receiver::Detect(Iterator begin, Iterator end, double binSize, std::vector<
     this->Detected);
   for (const vtkHeliosDetectedEcho& echo : this->Detected)
   {
-    const double range = GetRange(this->Wave.StartTime, echo.Time);
-    echoes.push_back(
-      { range, echo.Amplitude, echo.Width, FindNearest(begin, end, range), echo.Deviation });
+    this->AddEcho(echo, begin, end, echoes);
   }
+}
+
+//------------------------------------------------------------------------------
+void Receiver::AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, Iterator end,
+  std::vector<Echo>& echoes) const
+{
+  const double range = GetRange(this->Wave.StartTime, detected.Time);
+  echoes.push_back({ range, detected.Amplitude, detected.Width, FindNearest(begin, end, range),
+    detected.Deviation });
 }
 
 } // namespace helios

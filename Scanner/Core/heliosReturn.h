@@ -5,6 +5,7 @@
 #ifndef heliosReturn_h
 #define heliosReturn_h
 
+#include "heliosPeaks.h"
 #include "heliosPulseShape.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosScannerCoreModule.h"
@@ -23,9 +24,9 @@ struct SubReturn
 {
   double Range; // [m]
   double Power; // [W]
+  double CosIncidence;
   vtkIdType CellId;
   int SubRay;
-  double CosIncidence;
 };
 
 /// An echo at its range, and the sub-ray nearest to it.
@@ -85,6 +86,13 @@ public:
    */
   bool FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
+  /**
+   * The echoes that DetectEchoes() finds in the waveform of the returns, without noise, to the byte:
+   * only bins where a maximum may be are filled. False: nothing was found out, for the waveform was
+   * cut or has no single maxima. For Gaussian pulses and detectors that find maxima.
+   */
+  bool FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
+
   ///@{
   /**
    * Fills the waveform of a pulse, over a background [W]; its id is the key of the noise. True: it was
@@ -104,23 +112,32 @@ private:
 
   void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
   void FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes);
+  bool OpenWindow(Iterator begin, Iterator end, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
-  void AddReturns(Iterator begin, Iterator end, const PulseShape& shape);
-  Iterator AddCluster(Iterator begin, Iterator end, const PulseShape& shape);
+  BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
+  void MakeClusters(Iterator begin, Iterator end);
+  PulseCluster& GetCluster(vtkIdType slot);
+  BinRange GetBinsOfMaxima(
+    const PulseCluster& first, const PulseCluster& last, double binSize) const;
+  void FillAll(Iterator begin, Iterator end, const PulseShape& shape);
+  void FillGroup(std::size_t first, std::size_t last, const BinRange& bins);
   double GetTime(const SubReturn& r) const;
-  void CloseWindow();
+  void SetSamples(const BinRange& bins);
   void AddNoise(double background, vtkIdType pulseId);
   void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
+  void AddEcho(const vtkHeliosDetectedEcho& detected, Iterator begin, Iterator end,
+    std::vector<Echo>& echoes) const;
 
   ReceiverSettings Settings;
   PulseShape DetectionShape;
   double Sigma;      // [ns]
   double SigmaRange; // [m]
   double Nearest = 0.0;
-  double Margin = 0.0; // from the start of the window to the peak of the nearest return [ns]
-  std::vector<double> Sum;
-  std::vector<SubReturn> Sorted;
+  double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
+  std::vector<double> Sum; // of the samples of the waveform, those that are filled
+  std::vector<PulseCluster> Clusters;
   Waveform Wave;
+  std::vector<Peak> Peaks;
   std::vector<vtkHeliosDetectedEcho> Detected;
 };
 

@@ -96,10 +96,19 @@ struct ScanModel
   }
 
   /// Whether echoes cannot be found but in a waveform.
-  bool NeedsWaveform() const
+  bool NeedsWaveform() const { return this->IsFixed || !this->HasPlainMaxima(); }
+
+  /// Whether echoes are those of a waveform that nobody asked for, and of its maxima alone.
+  bool FindsEchoesInBins() const
   {
-    return this->IsFixed || this->Receiver.Noise > 0.0 || this->Background > 0.0 ||
-      !this->Receiver.Shape.IsGaussian() || !this->Receiver.Detector->FindsMaxima();
+    return this->IsFixed && !this->WantsWaveforms && this->HasPlainMaxima();
+  }
+
+  /// Whether echoes are the maxima of a sum of Gaussians.
+  bool HasPlainMaxima() const
+  {
+    return !(this->Receiver.Noise > 0.0) && !(this->Background > 0.0) &&
+      this->Receiver.Shape.IsGaussian() && this->Receiver.Detector->FindsMaxima();
   }
 };
 

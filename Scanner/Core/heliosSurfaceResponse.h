@@ -21,17 +21,18 @@ class SurfaceResponse
 public:
   explicit SurfaceResponse(const ScanModel& model)
     : Model(model)
+    , Gain(model.Power * model.Equation.GetGain(1.0, 1.0))
     , Transmission(model.Equation)
   {
   }
 
   /// The power that a sub-ray of weight 1 along a unit vector returns from a cell [W].
-  double GetPower(vtkIdType cell, double range, const Vec3& direction, double& cosIncidence)
+  double GetPower(vtkIdType cell, double range, const double direction[3], double& cosIncidence)
   {
     const Surface& surface = this->Visit(cell);
-    cosIncidence = std::abs(surface.Normal.Dot(direction));
-    const LidarEquation& equation = this->Model.Equation;
-    return this->Model.Power * equation.GetGain(range, this->Transmission(range)) *
+    const Vec3& n = surface.Normal;
+    cosIncidence = std::abs(n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2]);
+    return this->Gain * this->Transmission(range) / (range * range) *
       GetBackscatter(*surface.Reflection, cosIncidence);
   }
 
@@ -77,6 +78,7 @@ private:
   }
 
   const ScanModel& Model;
+  const double Gain; // of a white surface at 1 m, without air before it [W]
   NearbyTransmission Transmission;
   std::array<Surface, 64> Known;
 };

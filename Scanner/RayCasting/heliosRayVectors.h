@@ -7,16 +7,9 @@
 #define heliosRayVectors_h
 
 #include "heliosRayLanes.h"
+#include "heliosVectorLoops.h"
 
 #include <cstring>
-
-// The same operations with wider vectors where the machine has them; without FMA, so the same bytes.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-  !defined(__SANITIZE_ADDRESS__)
-#define HELIOS_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define HELIOS_CLONES
-#endif
 
 namespace helios
 {

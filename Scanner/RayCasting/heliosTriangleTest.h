@@ -22,16 +22,11 @@
 #ifndef heliosTriangleTest_h
 #define heliosTriangleTest_h
 
+#include "heliosVectorLoops.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScannerRayCastingModule.h"
 
 #include <limits>
-
-#if defined(__GNUC__)
-#define HELIOS_INLINE inline __attribute__((always_inline))
-#else
-#define HELIOS_INLINE inline
-#endif
 
 namespace helios
 {

@@ -21,7 +21,7 @@ double GetArea(PulseShape& shape, double bin, double shift = 0.0)
   shape.SetBinSize(bin);
   const double before = 1.0 - shape.GetStart() + shift;
   std::vector<double> sum(static_cast<std::size_t>((before + shape.GetEnd()) / bin) + 3, 0.0);
-  shape.Deposit(before, 1.0, sum.data(), static_cast<vtkIdType>(sum.size()));
+  shape.Deposit(before, 1.0, sum.data(), { 0, static_cast<vtkIdType>(sum.size()) });
   double area = 0.0;
   for (const double value : sum)
   {
@@ -98,7 +98,7 @@ TEST_CASE("PulseShape: deposits take the exact time, not that of a bin", "[Pulse
     shape.SetBinSize(bin);
     std::vector<double> sum(200, 0.0);
     const double time = 30.137;
-    shape.Deposit(time, 3.0, sum.data(), 200);
+    shape.Deposit(time, 3.0, sum.data(), { 0, 200 });
     for (int i = 0; i < 200; ++i)
     {
       CHECK(sum[static_cast<std::size_t>(i)] ==

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <random>
 
 using helios::Echo;
 using helios::Receiver;
@@ -26,7 +27,7 @@ std::vector<SubReturn> MakeReturns(std::initializer_list<std::pair<double, doubl
   std::vector<SubReturn> returns;
   for (const auto& [range, power] : rangesAndPowers)
   {
-    returns.push_back({ range, power, 0, static_cast<int>(returns.size()), 1.0 });
+    returns.push_back({ range, power, 1.0, 0, static_cast<int>(returns.size()) });
   }
   return returns;
 }
@@ -74,7 +75,7 @@ double TrueMaximum(const std::vector<SubReturn>& returns, double from, double to
 
 TEST_CASE("Receiver: equal ranges add up", "[Receiver]")
 {
-  std::vector<SubReturn> returns(19, { 100.0, 1e-8, 0, 0, 1.0 });
+  std::vector<SubReturn> returns(19, { 100.0, 1e-8, 1.0, 0, 0 });
   const auto echoes = Find(returns);
   REQUIRE(echoes.size() == 1);
   CHECK(echoes[0].Range == 100.0);
@@ -182,4 +183,61 @@ TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receive
   Receiver cut(settings);
   CHECK(cut.Fill(returns, 0.0, 0));
   CHECK(cut.GetWaveform().Samples.size() == 10);
+}
+
+TEST_CASE("Receiver: the bins about the maxima tell the same as all of the waveform", "[Receiver]")
+{
+  vtkNew<vtkHeliosPeakDetector> detector;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Echo> few, all;
+  std::size_t found = 0;
+  for (const double binSize : { 0.05, 0.25, 1.0 })
+  {
+    Receiver receiver(MakeSettings(detector, binSize));
+    for (int pulse = 0; pulse < 3000; ++pulse)
+    {
+      std::vector<SubReturn> returns;
+      const double spread = std::pow(10.0, 4.0 * unit(random) - 2.5); // 3 mm to 30 m
+      const int surfaces = 1 + pulse % 5;
+      for (int i = 0; i < 1 + pulse % 40; ++i)
+      {
+        const double range = 500.0 + spread * (i % surfaces) + 0.05 * unit(random);
+        returns.push_back({ range, 1e-9 * std::pow(unit(random), 3), 1.0, 0, i });
+      }
+      few.clear();
+      all.clear();
+      REQUIRE(receiver.FindEchoesInBins(returns, few));
+      receiver.Fill(returns, 0.0, 0);
+      receiver.DetectEchoes(returns, all);
+      CAPTURE(binSize, pulse, spread);
+      REQUIRE(few.size() == all.size());
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        REQUIRE(few[i].Range == all[i].Range);
+        REQUIRE(few[i].Amplitude == all[i].Amplitude);
+        REQUIRE(few[i].Width == all[i].Width);
+        REQUIRE(few[i].Nearest == all[i].Nearest);
+      }
+      found += all.size();
+    }
+  }
+  CHECK(found > 15000);
+}
+
+TEST_CASE(
+  "Receiver: a waveform that is cut, or has no single maxima, is searched whole", "[Receiver]")
+{
+  vtkNew<vtkHeliosPeakDetector> detector;
+  helios::ReceiverSettings settings = MakeSettings(detector, 0.25);
+  settings.MaximumCount = 100;
+  std::vector<Echo> echoes;
+  CHECK_FALSE(
+    Receiver(settings).FindEchoesInBins(MakeReturns({ { 100, 1e-9 }, { 110, 1e-9 } }), echoes));
+  CHECK_FALSE(
+    Receiver(MakeSettings(detector, 0.25)).FindEchoesInBins(MakeReturns({ { 100, 0.0 } }), echoes));
+  // Bins so small that floats are level over some of them.
+  CHECK_FALSE(Receiver(MakeSettings(detector, 1e-4))
+                .FindEchoesInBins(MakeReturns({ { 100, 1e-9 } }), echoes));
+  CHECK(echoes.empty());
 }

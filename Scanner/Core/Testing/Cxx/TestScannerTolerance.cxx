@@ -193,6 +193,24 @@ TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tole
   CHECK(sum > 0.9 * sweep.Scanner->GetNumberOfPulsesHit());
 }
 
+TEST_CASE("Fixed: the echoes do not depend on the outputs asked for", "[Tolerance]")
+{
+  Sweep sweep(MakeSteps());
+  sweep.Scanner->GetBeamSampler()->SetNumberOfRings(3);
+  const auto getBytes = [&sweep]()
+  {
+    vtkNew<vtkPolyData> echoes;
+    echoes->DeepCopy(sweep.Run());
+    echoes->GetPointData()->RemoveArray(names::WaveformIds);
+    return Bytes(echoes);
+  };
+  const std::string alone = getBytes();
+  REQUIRE(alone.size() > 100000);
+  sweep.Scanner->GenerateWaveformsOn();
+  const bool isSame = getBytes() == alone;
+  CHECK(isSame);
+}
+
 TEST_CASE("Tolerance: same bytes for any number of threads, pieces, and caster", "[Tolerance]")
 {
   const auto scene = MakeSteps();
