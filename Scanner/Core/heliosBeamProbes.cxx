@@ -9,13 +9,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
 
 namespace helios
 {
 namespace
 {
+
+/// All but the pattern.
+void CopyBeam(vtkHeliosBeamSampler* from, vtkHeliosBeamSampler* to)
+{
+  to->SetBeamDivergence(from->GetBeamDivergence());
+  to->SetTruncation(from->GetTruncation());
+  to->SetBeamQualityFactor(from->GetBeamQualityFactor());
+  to->SetWavelength(from->GetWavelength());
+}
 
 /// Adds eight sub-rays without weight near the rim of a beam cut at an angle [rad]: to see edges there.
 void AddRim(double angle, double setback, std::vector<SubRay>& subRays)
@@ -48,45 +55,62 @@ std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
 }
 
 //------------------------------------------------------------------------------
-std::vector<SubRay> MakeProbes(vtkHeliosBeamSampler* beam, int rings, double setback)
+std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* beam, int count)
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
-  sampler->SetBeamDivergence(beam->GetBeamDivergence());
-  sampler->SetTruncation(beam->GetTruncation());
-  sampler->SetBeamQualityFactor(beam->GetBeamQualityFactor());
-  sampler->SetWavelength(beam->GetWavelength());
+  CopyBeam(beam, sampler);
+  sampler->SetPatternToVogel();
+  sampler->SetNumberOfSubRays(count);
+  return GetSubRays(sampler);
+}
+
+//------------------------------------------------------------------------------
+std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* beam, int rings)
+{
+  vtkNew<vtkHeliosBeamSampler> sampler;
+  CopyBeam(beam, sampler);
   sampler->SetPatternToGaussLegendre();
   sampler->SetNumberOfRings(rings);
-  std::vector<SubRay> probes = GetSubRays(sampler);
+  return GetSubRays(sampler);
+}
+
+//------------------------------------------------------------------------------
+std::vector<SubRay> MakeProbes(vtkHeliosBeamSampler* beam, int rings, double setback)
+{
+  std::vector<SubRay> probes = MakeRings(beam, rings);
   AddRim(0.5 * beam->GetBeamDivergence() * beam->GetTruncation(), setback, probes);
   return probes;
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::pair<int, int>> PairNeighbours(const std::vector<SubRay>& subRays)
+/// By Prim's algorithm.
+std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays)
 {
-  std::set<std::pair<int, int>> pairs;
-  const int count = static_cast<int>(subRays.size());
-  for (int i = 0; i < count; ++i)
+  const std::size_t count = subRays.size();
+  const auto getDistance = [&subRays](std::size_t a, std::size_t b)
+  { return (subRays[a].Direction - subRays[b].Direction).SquaredNorm(); };
+  std::vector<std::pair<std::size_t, std::size_t>> tree;
+  std::vector<std::size_t> nearest(count, 0); // of those in the tree
+  std::vector<bool> isIn(count, false);
+  isIn[0] = true;
+  while (tree.size() + 1 < count)
   {
-    const auto away = [&subRays, i](int k)
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < count; ++i)
     {
-      return (subRays[static_cast<std::size_t>(k)].Direction -
-        subRays[static_cast<std::size_t>(i)].Direction)
-        .SquaredNorm();
-    };
-    std::vector<int> others(subRays.size());
-    std::iota(others.begin(), others.end(), 0);
-    const int wanted = std::min(4, count); // the first is itself
-    std::partial_sort(others.begin(), others.begin() + wanted, others.end(),
-      [&away](int a, int b) { return std::make_pair(away(a), a) < std::make_pair(away(b), b); });
-    for (int n = 1; n < wanted; ++n)
+      if (!isIn[i] && (next == 0 || getDistance(i, nearest[i]) < getDistance(next, nearest[next])))
+      {
+        next = i;
+      }
+    }
+    isIn[next] = true;
+    tree.emplace_back(nearest[next], next);
+    for (std::size_t i = 1; i < count; ++i)
     {
-      const int k = others[static_cast<std::size_t>(n)];
-      pairs.emplace(std::min(i, k), std::max(i, k));
+      nearest[i] = getDistance(i, next) < getDistance(i, nearest[i]) ? next : nearest[i];
     }
   }
-  return { pairs.begin(), pairs.end() };
+  return tree;
 }
 
 //------------------------------------------------------------------------------

@@ -18,11 +18,17 @@ namespace helios
 /// All sub-rays of a sampler.
 std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler);
 
-/// Gauss-Legendre rings of a beam, and eight sub-rays without weight near its rim, to see edges there.
+/// Vogel's spiral of a beam: no pattern of fixed sub-rays does better where surfaces have edges.
+std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* beam, int count);
+
+/// Gauss-Legendre rings of a beam: nothing does better on a smooth surface.
+std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* beam, int rings);
+
+/// Such rings, and eight sub-rays without weight near its rim, to see edges there.
 std::vector<SubRay> MakeProbes(vtkHeliosBeamSampler* beam, int rings, double setback);
 
-/// Each sub-ray with the three nearest to it.
-std::vector<std::pair<int, int>> PairNeighbours(const std::vector<SubRay>& subRays);
+/// The pairs of neighbours that join all sub-rays in the shortest way.
+std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays);
 
 /**
  * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast: it costs as

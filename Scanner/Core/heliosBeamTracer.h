@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The returns of a beam to a tolerance: few sub-rays where a surface is smooth, many along its edges.
+// From a beam to what its sub-rays return.
 
 #ifndef heliosBeamTracer_h
 #define heliosBeamTracer_h
 
+#include "heliosPulse.h"
+#include "heliosScanModel.h"
 #include "heliosScanRecords.h"
 #include "heliosSurfaceResponse.h"
 
@@ -20,85 +22,49 @@ struct CastSubRay
   double Weight;
 };
 
-/**
- * Gauss-Legendre rings of sub-rays look at the beam: where neighbours among them meet one surface they
- * are its returns. Else the cross-section is parted into cells (heliosBeamLattice.h), with a sub-ray at
- * every corner. A cell whose corners meet one plane returns from its own points, which are put onto the
- * plane without casting a ray; one on a bent surface returns from its corners, a quarter of its energy
- * each. A cell that holds an edge is parted into four, as often as the plan says, and at last returns
- * from its corners, too. One a thread.
- */
+/// Casts the sub-rays of pulses, and collects what they return. One a thread.
 class BeamTracer
 {
 public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Replaces returns, and their sub-rays, by those of a pulse; adds to the counts.
-  void Trace(const Pulse& pulse, std::vector<SubReturn>& returns, std::vector<CastSubRay>& subRays,
+  /// Casts the same sub-rays for each of some pulses.
+  void Cast(
+    const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count, ScanCounts& counts);
+
+  /**
+   * Casts sub-rays by tolerance: probes look at the beam first, and where neighbours among them meet
+   * one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in rings
+   * where one surface runs away steeply.
+   */
+  void CastByTolerance(const Pulse& pulse, ScanCounts& counts);
+
+  /// Replaces returns, and their sub-rays where these are wanted, by those of a pulse cast last.
+  void Collect(std::size_t slot, std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast,
     ScanCounts& counts);
 
 private:
-  /// What the corners of a cell meet.
-  enum Kinds
+  /// What a sub-ray of weight 1 returns.
+  struct Reply
   {
-    Smooth, // nothing, or one plane
-    Bent,   // one surface
-    Edge
-  };
-  /// A cell by its place, in cells of the level at work, and its corners in turn.
-  struct Cell
-  {
-    int X, Y;
-    int Corners[4];
-    Kinds Kind;
-  };
-  /// A corner with its hit; the power is that of a sub-ray of weight 1.
-  struct Corner
-  {
-    double Range;
-    vtkIdType CellId;
     double Power;
     double CosIncidence;
-    double Weight;
-    bool IsSilent; // outside the measured ranges
-    bool HasPower;
   };
-
-  void Clear();
-  bool TraceProbes();
-  void TraceCells();
-  void StartCells();
-  void AddRay(const Vec3& direction, const Vec3& origin);
-  int GetCorner(int x, int y);
-  void CastRays();
-  void Visit(const Cell& cell, int level);
-  void Split(const Cell& cell, int level);
-  double GetSpread(const int corners[4]) const;
-  Kinds GetKind(const int corners[4], double energy);
-  Kinds Compare(int a, int b, double energy);
-  Kinds CompareSurfaces(int a, int b, double energy);
-  bool IsFineEnough(double spread, int level) const;
-  Vec3 GetOrigin(const Vec3& local) const;
-  double GetPower(int corner);
-  void ReturnFromCell(const BeamCell& cell, int corner, double spread);
-  void ReturnFromPlane(int corner, const Vec3& local, double weight);
-  void ReturnFromCorners(const int corners[4], double weight);
-  void ReturnFromWeights();
-  void AddReturn(const Corner& from, const Vec3& direction, double weight);
+  Reply GetReply(std::size_t ray);
+  void AskProbes();
+  bool SeeEdge();
+  bool IsEdgeBetween(std::size_t a, std::size_t b);
+  bool IsSteep() const;
+  bool IsSilent(const vtkHeliosHit& hit) const;
 
   const ScanModel& Model;
   SurfaceResponse& Response;
   double SigmaRange;
-  Pulse Beam;
-  std::vector<int> Slots;        // of the lattice: the corner there, or -1
-  std::vector<std::size_t> Used; // of the slots
+  const std::vector<SubRay>* SubRays = nullptr; // those cast last
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
-  std::vector<Corner> Corners;
-  std::vector<Cell> Cells;
-  std::vector<Cell> Finer;
-  std::vector<SubReturn>* Returns = nullptr;
-  std::vector<CastSubRay>* SubRays = nullptr;
+  bool AreProbes = false;
+  std::vector<Reply> Replies; // of the probes, if these were cast last
 };
 
 } // namespace helios

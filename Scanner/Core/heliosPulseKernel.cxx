@@ -41,7 +41,12 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
   for (vtkIdType begin = first; begin < last; begin += PulsesTogether)
   {
     this->AimPulses(begin, std::min(last, begin + PulsesTogether));
-    this->CastRays();
+    const bool byTolerance = !this->Model.Probes.empty();
+    if (!byTolerance)
+    {
+      this->Tracer.Cast(
+        this->Model.SubRays, this->Pulses.data(), this->Pulses.size(), this->Counts);
+    }
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.FirstPulseId + this->Indices[slot];
@@ -50,13 +55,14 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
       this->Echoes.clear();
       this->HasWaveform = false;
       this->Response.StartPulse();
-      if (this->Model.Lattice)
+      if (byTolerance)
       {
-        this->RunByTolerance(slot);
+        this->RunByTolerance(this->Pulses[slot]);
       }
       else
       {
-        this->RunFixed(slot);
+        this->Tracer.Collect(slot, this->Returns, this->SubRays, this->Counts);
+        this->FindEchoes();
       }
       this->StorePulse(slot, result);
     }
@@ -81,80 +87,8 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 }
 
 //------------------------------------------------------------------------------
-/// The rays of fixed sampling.
-void PulseKernel::CastRays()
+void PulseKernel::RunByTolerance(const Pulse& pulse)
 {
-  const std::vector<SubRay>& subRays = this->Model.SubRays;
-  this->Rays.resize(this->Pulses.size() * subRays.size());
-  this->Hits.resize(this->Rays.size());
-  vtkHeliosRay* ray = this->Rays.data();
-  for (const Pulse& pulse : this->Pulses)
-  {
-    for (const SubRay& subRay : subRays)
-    {
-      const Vec3 direction = pulse.Beam * subRay.Direction;
-      const Vec3 origin =
-        this->Model.HasOffsets ? pulse.Origin + pulse.Beam * subRay.Offset : pulse.Origin;
-      std::copy_n(origin.GetData(), 3, ray->Origin);
-      std::copy_n(direction.GetData(), 3, ray->Direction);
-      ++ray;
-    }
-  }
-  this->Model.Caster->IntersectBeams(this->Rays.data(), this->Hits.data(),
-    static_cast<int>(subRays.size()), static_cast<vtkIdType>(this->Pulses.size()));
-  this->Counts.SubRays += static_cast<vtkIdType>(this->Rays.size());
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::CollectReturns(std::size_t slot)
-{
-  const std::size_t count = this->Model.SubRays.size();
-  const SubRay* subRays = this->Model.SubRays.data();
-  const vtkHeliosRay* rays = this->Rays.data() + slot * count;
-  const vtkHeliosHit* hits = this->Hits.data() + slot * count;
-  const double nearest = this->Model.RangeMin;
-  const double farthest = this->Model.RangeMax;
-  this->Returns.resize(count);
-  SubReturn* to = this->Returns.data();
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const vtkHeliosHit hit = hits[k];
-    if (hit.CellId < 0)
-    {
-      continue;
-    }
-    if (hit.Range < nearest || hit.Range > farthest)
-    {
-      ++this->Counts.HitsOutOfRange;
-      continue;
-    }
-    double cosIncidence;
-    to->Power = subRays[k].Weight *
-      this->Response.GetPower(hit.CellId, hit.Range, rays[k].Direction, cosIncidence);
-    to->Range = hit.Range;
-    to->CellId = hit.CellId;
-    to->SubRay = static_cast<int>(k);
-    to->CosIncidence = cosIncidence;
-    ++to;
-  }
-  this->Returns.resize(static_cast<std::size_t>(to - this->Returns.data()));
-  for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
-  {
-    this->SubRays.push_back({ Vec3(rays[k].Direction), subRays[k].Weight });
-  }
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::RunFixed(std::size_t slot)
-{
-  this->CollectReturns(slot);
-  this->FindEchoes();
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::RunByTolerance(std::size_t slot)
-{
-  const Pulse& pulse = this->Pulses[slot];
   if (this->Model.ProbesCones)
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
@@ -164,7 +98,8 @@ void PulseKernel::RunByTolerance(std::size_t slot)
       return;
     }
   }
-  this->Tracer.Trace(pulse, this->Returns, this->SubRays, this->Counts);
+  this->Tracer.CastByTolerance(pulse, this->Counts);
+  this->Tracer.Collect(0, this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();
 }
 

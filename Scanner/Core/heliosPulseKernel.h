@@ -29,10 +29,7 @@ public:
 
 private:
   void AimPulses(vtkIdType first, vtkIdType last);
-  void CastRays();
-  void CollectReturns(std::size_t slot);
-  void RunFixed(std::size_t slot);
-  void RunByTolerance(std::size_t slot);
+  void RunByTolerance(const Pulse& pulse);
   bool TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
   void FinishPlane(const PlaneEcho& echo);
   void FindEchoes();
@@ -56,8 +53,6 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
-  std::vector<vtkHeliosRay> Rays;
-  std::vector<vtkHeliosHit> Hits;
 
   // Of the pulse at work.
   vtkIdType PulseId = 0;

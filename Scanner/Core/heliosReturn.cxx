@@ -14,10 +14,8 @@ namespace helios
 namespace
 {
 
-// Returns farther apart than twice this do not touch: a pulse has fallen to 2e-10 of its peak ...
-constexpr double ReachInSigma = 6.7;
-// ... and the window of a Gaussian opens this long before the first return: no maximum lies outside
-// the returns.
+// The window of a Gaussian opens this long before the first return: no maximum lies outside the
+// returns.
 constexpr double MarginInSigma = 5.0;
 
 double TwoWayTime(double range)
@@ -38,10 +36,6 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
   }
   return nearest;
 }
-
-/// The order of range, and of the sub-rays at the same range.
-constexpr auto IsNearer = [](const SubReturn& a, const SubReturn& b)
-{ return a.Range < b.Range || (a.Range == b.Range && a.SubRay < b.SubRay); };
 
 /// exp(-y) for y >= 0: near 0, where most sub-rays are, by its series to the last bit.
 double ExpMinus(double y)
@@ -65,38 +59,26 @@ Receiver::Receiver(const ReceiverSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-bool Receiver::FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  const SubReturn* end = returns.data() + returns.size();
-  const auto limits = std::minmax_element(returns.begin(), returns.end(), IsNearer);
-  const double most = 2.0 * this->SigmaRange;
-  if (limits.second->Range - limits.first->Range <= most)
+  const SubReturn* begin = returns.data();
+  const SubReturn* end = begin + returns.size();
+  const auto limits = std::minmax_element(
+    begin, end, [](const SubReturn& a, const SubReturn& b) { return a.Range < b.Range; });
+  if (limits.second->Range - limits.first->Range <= 2.0 * this->SigmaRange)
   {
-    this->FindSingleEcho(returns.data(), end, echoes);
+    this->FindSingleEcho(begin, end, echoes);
     return true;
   }
-  std::sort(returns.begin(), returns.end(), IsNearer);
-  const double gap = 2.0 * ReachInSigma * this->SigmaRange;
-  bool isWithoutBins = true;
-  for (const SubReturn* first = returns.data(); first != end;)
+  const Bins bins{ this->DetectionShape, this->Settings.DetectionBin };
+  if (!this->FindMaxima(returns, bins, echoes))
   {
-    const SubReturn* last = first + 1;
-    while (last != end && last->Range - (last - 1)->Range <= gap)
-    {
-      ++last;
-    }
-    if ((last - 1)->Range - first->Range <= most)
-    {
-      this->FindSingleEcho(first, last, echoes);
-    }
-    else
-    {
-      this->FindBinnedEchoes(first, last, echoes);
-      isWithoutBins = false;
-    }
-    first = last;
+    this->OpenWindow(begin, end, bins.Size);
+    this->FillAll(begin, end, bins.Shape);
+    this->SetSamples(this->GetWindow());
+    this->Detect(begin, end, bins.Size, echoes);
   }
-  return isWithoutBins;
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -159,23 +141,21 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
 }
 
 //------------------------------------------------------------------------------
-void Receiver::FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes)
+bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  this->OpenWindow(begin, end, this->Settings.DetectionBin);
-  this->FillAll(begin, end, this->DetectionShape);
-  this->SetSamples(this->GetWindow());
-  this->Detect(begin, end, this->Settings.DetectionBin, echoes);
+  return this->FindMaxima(returns, { this->Settings.Shape, this->Settings.BinSize }, echoes);
 }
 
 //------------------------------------------------------------------------------
-bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+/// Groups of returns that do not touch are treated by themselves.
+bool Receiver::FindMaxima(
+  const std::vector<SubReturn>& returns, const Bins& of, std::vector<Echo>& echoes)
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
-  const double binSize = this->Settings.BinSize;
-  bool isGood = !this->OpenWindow(begin, end, binSize);
+  bool isGood = !this->OpenWindow(begin, end, of.Size);
   const double threshold = this->Settings.Detector->GetDetectionThreshold();
-  const double gap = 2.0 * binSize * static_cast<double>(this->Settings.Shape.GetReach() + 1);
+  const double gap = 2.0 * of.Size * static_cast<double>(of.Shape.GetReach() + 1);
   this->MakeClusters(begin, end);
   const std::size_t count = this->Clusters.size();
   for (std::size_t first = 0, last = 0; first < count && isGood; first = last)
@@ -185,11 +165,11 @@ bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vect
       ++last;
     } while (last < count && this->Clusters[last].First - this->Clusters[last - 1].Last <= gap);
     const BinRange bins =
-      this->GetBinsOfMaxima(this->Clusters[first], this->Clusters[last - 1], binSize);
-    this->FillGroup(first, last, bins);
+      this->GetBinsOfMaxima(this->Clusters[first], this->Clusters[last - 1], of.Size);
+    this->FillGroup(first, last, of.Shape, bins);
     this->SetSamples(bins);
-    const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, binSize,
-      this->Settings.Shape.GetLength() };
+    const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, of.Size,
+      of.Shape.GetLength() };
     isGood = FindPeaks(wave, threshold, bins, this->Peaks);
     for (const Peak& peak : this->Peaks)
     {
@@ -328,12 +308,13 @@ PulseCluster& Receiver::GetCluster(vtkIdType slot)
 
 //------------------------------------------------------------------------------
 /// Fills a window with what some of the clusters bring.
-void Receiver::FillGroup(std::size_t first, std::size_t last, const BinRange& bins)
+void Receiver::FillGroup(
+  std::size_t first, std::size_t last, const PulseShape& shape, const BinRange& bins)
 {
   std::fill(this->Sum.begin() + bins.First, this->Sum.begin() + bins.Last, 0.0);
   for (std::size_t i = first; i < last; ++i)
   {
-    this->Settings.Shape.Deposit(this->Clusters[i], this->Sum.data(), bins);
+    shape.Deposit(this->Clusters[i], this->Sum.data(), bins);
   }
 }
 

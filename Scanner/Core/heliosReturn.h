@@ -79,12 +79,11 @@ public:
   double GetSigmaRange() const { return this->SigmaRange; }
 
   /**
-   * The echoes of a pulse in the order of range; it may reorder the returns. Returns too far apart
-   * to touch are treated by themselves; where a group spreads over no more than c sigma its sum has
-   * exactly one maximum, found by Newton's method, else bins are filled and searched. True: all
-   * groups went without bins. For Gaussian pulses and detectors that find maxima.
+   * The echoes of a pulse in the order of range. Returns that spread over no more than c sigma have a
+   * sum with exactly one maximum, found by Newton's method, else bins are filled where maxima may be.
+   * True: it went without bins. For Gaussian pulses and detectors that find maxima.
    */
-  bool FindEchoes(std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
+  bool FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
   /**
    * The echoes that DetectEchoes() finds in the waveform of the returns, without noise, to the byte:
@@ -111,7 +110,12 @@ private:
   using Iterator = const SubReturn*;
 
   void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
-  void FindBinnedEchoes(Iterator begin, Iterator end, std::vector<Echo>& echoes);
+  struct Bins
+  {
+    const PulseShape& Shape; // ready for their size
+    double Size;             // [ns]
+  };
+  bool FindMaxima(const std::vector<SubReturn>& returns, const Bins& of, std::vector<Echo>& echoes);
   bool OpenWindow(Iterator begin, Iterator end, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
@@ -120,7 +124,8 @@ private:
   BinRange GetBinsOfMaxima(
     const PulseCluster& first, const PulseCluster& last, double binSize) const;
   void FillAll(Iterator begin, Iterator end, const PulseShape& shape);
-  void FillGroup(std::size_t first, std::size_t last, const BinRange& bins);
+  void FillGroup(
+    std::size_t first, std::size_t last, const PulseShape& shape, const BinRange& bins);
   double GetTime(const SubReturn& r) const;
   void SetSamples(const BinRange& bins);
   void AddNoise(double background, vtkIdType pulseId);

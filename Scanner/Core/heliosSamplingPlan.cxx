@@ -14,27 +14,34 @@ namespace
 {
 
 constexpr double BinRangeLaw = 0.02;
-constexpr int MostLevels = 4;
+constexpr int FewestSubRays = 64;
+constexpr int MostSubRays = 4096;
+
+/// So many that an edge is off by no more than a share of the energy.
+int GetNumberOfSubRays(double share)
+{
+  const double count = 2416.0 * std::pow(1e-3 / share, 4.0 / 3.0);
+  const double full =
+    4.0 * std::ceil(0.25 * std::min(count, 1.0 * MostSubRays)); // 4-fold symmetric
+  return std::max(FewestSubRays, static_cast<int>(full));
+}
 
 } // namespace
 
 SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double sigma)
 {
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
+  const double longestEcho = 4.0 * sigmaRange; // sides farther apart are echoes of their own
   SamplingPlan plan;
   plan.ProbeRings = energyTolerance >= 0.002 ? 2 : 4;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
-  plan.LongestEcho = 4.0 * sigmaRange;
-  const double cells =
-    std::max(plan.GetNeededCells(1e300), plan.GetNeededCells(0.99 * plan.LongestEcho));
-  const double levels = std::ceil(std::log2(cells / plan.BaseCells) - 0.1);
-  plan.Levels = static_cast<int>(std::clamp(levels, 0.0, static_cast<double>(MostLevels)));
+  // Half of what is allowed for the amplitude, for small shares are off by more of their own.
+  plan.NumberOfSubRays =
+    GetNumberOfSubRays(std::min(0.55 * energyTolerance, 5.5 * rangeTolerance / longestEcho));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.6);
-  // Of even ranges over h sigma, one point misses h^2 / 24 of the amplitude, two miss h^4 / 1440.
-  plan.PointSpread = std::sqrt(6.0 * energyTolerance);
-  plan.CellSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
+  plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
   return plan;
@@ -44,8 +51,8 @@ std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
   text << 4 * this->ProbeRings * this->ProbeRings + 8
-       << " sub-rays where a beam meets one surface, more where it meets edges, down to 1/"
-       << this->GetNumberOfCells() << " of the beam, and none where one plane is proved; bins of "
+       << " sub-rays where a beam meets one surface, " << this->NumberOfSubRays
+       << " more where it meets edges, and none where one plane is proved; bins of "
        << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }

@@ -5,7 +5,6 @@
 #ifndef heliosScanModel_h
 #define heliosScanModel_h
 
-#include "heliosBeamLattice.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
 #include "heliosRadiometry.h"
@@ -56,17 +55,17 @@ struct ScanModel
   ReceiverSettings Receiver;
 
   bool IsFixed = false;
-  std::vector<SubRay> SubRays; // of fixed sampling, or of a beam without width
+  std::vector<SubRay> SubRays; // of fixed sampling; by tolerance, of a beam that meets edges
   bool HasOffsets = false;
-  SamplingPlan Plan;                           // of sampling by tolerance
-  std::vector<SubRay> Probes;                  // that look at a beam first
-  std::vector<std::pair<int, int>> ProbePairs; // of neighbours
-  bool ProbesCones = false;                    // whether to ask for one plane before
-  std::shared_ptr<const BeamLattice> Lattice;
+  SamplingPlan Plan;                                           // of sampling by tolerance
+  std::vector<SubRay> Rings;                                   // the same, of one steep surface
+  std::vector<SubRay> Probes;                                  // that look at a beam first
+  std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
+  bool ProbesCones = false; // whether to ask for one plane before
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
-  double Setback =
-    0.0; // [m], Rayleigh length of the waist: from the origin back to the cone's apex
+  /// Rayleigh length of the waist [m]: from the origin back to the cone's apex.
+  double Setback = 0.0;
 
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };

@@ -417,21 +417,17 @@ void vtkHeliosScanner::PrepareTolerance(Scan& scan)
   const double sigma = m.Receiver.Shape.GetSigma();
   m.Plan = helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, sigma);
   m.Receiver.DetectionBin = m.Plan.DetectionBin;
-  const int cells = m.Plan.BaseCells;
-  const int levels = m.Plan.Levels;
-  if (!this->Lattice || !this->Lattice->IsFor(divergence, truncation, cells, levels))
-  {
-    this->Lattice = std::make_shared<helios::BeamLattice>(divergence, truncation, cells, levels);
-  }
-  m.Lattice = this->Lattice;
   m.Plane = { helios::BeamMoments(divergence, truncation), sigma };
   m.ConeTangent = std::tan(0.5 * divergence * truncation);
   const double w = 0.5 * divergence;
   m.Setback =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
 
+  m.SubRays = helios::MakeSpiral(sampler, m.Plan.NumberOfSubRays);
+  m.Rings = helios::MakeRings(
+    sampler, static_cast<int>(std::lround(0.5 * std::sqrt(m.Plan.NumberOfSubRays))));
   m.Probes = helios::MakeProbes(sampler, m.Plan.ProbeRings, m.Setback);
-  m.ProbePairs = helios::PairNeighbours(m.Probes);
+  m.ProbePairs = helios::JoinNeighbours(m.Probes);
   this->RayCaster->PrepareConeProbe();
   m.ProbesCones = helios::FindsPlanes(m, scan.NumberOfPulses);
 }

@@ -35,8 +35,7 @@
  * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
  *   known in closed form (not asked in scans where it is rarely so)
  * - a few rings of sub-rays find no edge: they are its returns
- * - else sub-rays are cast at the corners of cells of the beam's cross-section,
- *   and cells that hold an edge are parted
+ * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
@@ -59,7 +58,6 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the strategies
 
-#include <memory> // For what is kept from run to run
 #include <string> // For what is said in words
 
 class vtkHeliosBeamDeflector;
@@ -70,7 +68,6 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
-class BeamLattice;
 struct ScanCounts;
 }
 
@@ -339,7 +336,6 @@ private:
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
   vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
-  std::shared_ptr<const helios::BeamLattice> Lattice; // kept from run to run
 
   int Sampling = TOLERANCE;
   double RangeTolerance = 1e-3;
