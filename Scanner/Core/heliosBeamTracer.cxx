@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBeamTracer.h"
 
+#include "heliosVectorLoops.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -63,7 +65,7 @@ bool BeamTracer::IsSilent(const vtkHeliosHit& hit) const
 }
 
 //------------------------------------------------------------------------------
-BeamTracer::Reply BeamTracer::GetReply(std::size_t ray)
+HELIOS_INLINE BeamTracer::Reply BeamTracer::GetReply(std::size_t ray)
 {
   const vtkHeliosHit& hit = this->Hits[ray];
   Reply reply;
