@@ -24,6 +24,18 @@ void CopyBeam(vtkHeliosBeamSampler* from, vtkHeliosBeamSampler* to)
   to->SetWavelength(from->GetWavelength());
 }
 
+/// A number in [-1, 1] in ten bits, each followed by a free one.
+unsigned SpreadBits(double x)
+{
+  const auto number = static_cast<unsigned>(511.999 * (x + 1.0));
+  unsigned bits = 0;
+  for (unsigned bit = 0; bit < 10; ++bit)
+  {
+    bits |= (number >> bit & 1u) << 2 * bit;
+  }
+  return bits;
+}
+
 /// Adds eight sub-rays without weight near the rim of a beam cut at an angle [rad]: to see edges there.
 void AddRim(double angle, double setback, std::vector<SubRay>& subRays)
 {
@@ -80,6 +92,24 @@ std::vector<SubRay> MakeProbes(vtkHeliosBeamSampler* beam, int rings, double set
   std::vector<SubRay> probes = MakeRings(beam, rings);
   AddRim(0.5 * beam->GetBeamDivergence() * beam->GetTruncation(), setback, probes);
   return probes;
+}
+
+//------------------------------------------------------------------------------
+void SortInSpace(std::vector<SubRay>& subRays)
+{
+  double reach = 0.0;
+  for (const SubRay& ray : subRays)
+  {
+    reach = std::max({ reach, std::abs(ray.Direction[0]), std::abs(ray.Direction[2]) });
+  }
+  if (!(reach > 0.0))
+  {
+    return;
+  }
+  const auto getKey = [reach](const SubRay& ray)
+  { return 2 * SpreadBits(ray.Direction[0] / reach) + SpreadBits(ray.Direction[2] / reach); };
+  std::stable_sort(subRays.begin(), subRays.end(),
+    [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
 }
 
 //------------------------------------------------------------------------------

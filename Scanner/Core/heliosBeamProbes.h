@@ -27,6 +27,9 @@ std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* beam, int rings);
 /// Such rings, and eight sub-rays without weight near its rim, to see edges there.
 std::vector<SubRay> MakeProbes(vtkHeliosBeamSampler* beam, int rings, double setback);
 
+/// Puts neighbours next to each other (Morton's order): rays that are tested together meet the same.
+void SortInSpace(std::vector<SubRay>& subRays);
+
 /// The pairs of neighbours that join all sub-rays in the shortest way.
 std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays);
 

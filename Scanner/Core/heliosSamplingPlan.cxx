@@ -36,9 +36,9 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   plan.ProbeRings = energyTolerance >= 0.002 ? 2 : 4;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
-  // Half of what is allowed for the amplitude, for small shares are off by more of their own.
+  // Less than half of what is allowed for the amplitude, for small shares are off by more of their own.
   plan.NumberOfSubRays =
-    GetNumberOfSubRays(std::min(0.55 * energyTolerance, 5.5 * rangeTolerance / longestEcho));
+    GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // as fine as 0.25 ns of 4 ns at least
   plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));

@@ -24,7 +24,7 @@ namespace helios
 struct SamplingPlan
 {
   int ProbeRings = 2;           ///< q of the Gauss-Legendre rings that look at a beam first
-  int NumberOfSubRays = 256;    ///< of a beam that meets edges
+  int NumberOfSubRays = 336;    ///< of a beam that meets edges
   double DetectionBin = 0.25;   ///< [ns]
   double LargestSpread = 0.0;   ///< of the ranges that probes may stand for, in sigma_R
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1

@@ -401,6 +401,8 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   {
     m.SubRays = { { helios::Vec3(0.0, 1.0, 0.0), 1.0, helios::Vec3(0.0, 0.0, 0.0) } };
   }
+  helios::SortInSpace(m.SubRays);
+  helios::SortInSpace(m.Rings);
   for (const helios::SubRay& ray : m.SubRays)
   {
     m.HasOffsets = m.HasOffsets || ray.Offset.Norm() > 0.0;

@@ -160,7 +160,7 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
   CHECK(
     edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
-  CHECK(edge.Scanner->GetNumberOfSubRays() == (24 + 256) * 1000);
+  CHECK(edge.Scanner->GetNumberOfSubRays() == (24 + 336) * 1000);
 }
 
 TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tolerance]")
@@ -265,7 +265,7 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find("24 sub-rays") != std::string::npos);
-  CHECK(bench.Scanner->DescribeSampling().find("256 more where it meets edges") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("336 more where it meets edges") != std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
 }
