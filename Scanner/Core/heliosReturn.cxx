@@ -70,15 +70,16 @@ bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Ech
     this->FindSingleEcho(begin, end, echoes);
     return true;
   }
-  const Bins bins{ this->DetectionShape, this->Settings.DetectionBin };
-  if (!this->FindMaxima(returns, bins, echoes))
+  const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
+  bool isBinned = false;
+  if (!this->FindMaxima(returns, search, echoes, isBinned))
   {
-    this->OpenWindow(begin, end, bins.Size);
-    this->FillAll(begin, end, bins.Shape);
+    this->OpenWindow(begin, end, search.BinSize);
+    this->FillAll(begin, end, search.Shape);
     this->SetSamples(this->GetWindow());
-    this->Detect(begin, end, bins.Size, echoes);
+    this->Detect(begin, end, search.BinSize, echoes);
   }
-  return false;
+  return !isBinned;
 }
 
 //------------------------------------------------------------------------------
@@ -143,19 +144,21 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
 //------------------------------------------------------------------------------
 bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
-  return this->FindMaxima(returns, { this->Settings.Shape, this->Settings.BinSize }, echoes);
+  bool isBinned;
+  return this->FindMaxima(
+    returns, { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
 }
 
 //------------------------------------------------------------------------------
-/// Groups of returns that do not touch are treated by themselves.
-bool Receiver::FindMaxima(
-  const std::vector<SubReturn>& returns, const Bins& of, std::vector<Echo>& echoes)
+/// Groups of returns that do not touch are treated by themselves; sets whether one was binned.
+bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Search& search,
+  std::vector<Echo>& echoes, bool& isBinned)
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
-  bool isGood = !this->OpenWindow(begin, end, of.Size);
-  const double threshold = this->Settings.Detector->GetDetectionThreshold();
-  const double gap = 2.0 * of.Size * static_cast<double>(of.Shape.GetReach() + 1);
+  bool isGood = !this->OpenWindow(begin, end, search.BinSize);
+  const double gap = 2.0 * search.BinSize * static_cast<double>(search.Shape.GetReach() + 1);
+  isBinned = false;
   this->MakeClusters(begin, end);
   const std::size_t count = this->Clusters.size();
   for (std::size_t first = 0, last = 0; first < count && isGood; first = last)
@@ -164,21 +167,61 @@ bool Receiver::FindMaxima(
     {
       ++last;
     } while (last < count && this->Clusters[last].First - this->Clusters[last - 1].Last <= gap);
-    const BinRange bins =
-      this->GetBinsOfMaxima(this->Clusters[first], this->Clusters[last - 1], of.Size);
-    this->FillGroup(first, last, of.Shape, bins);
-    this->SetSamples(bins);
-    const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, of.Size,
-      of.Shape.GetLength() };
-    isGood = FindPeaks(wave, threshold, bins, this->Peaks);
-    for (const Peak& peak : this->Peaks)
+    const PulseCluster& nearest = this->Clusters[first];
+    const PulseCluster& farthest = this->Clusters[last - 1];
+    if (search.KnowsSingles && farthest.Last - nearest.First <= 2.0 * this->Sigma)
     {
-      this->AddEcho(FitPeak(wave, peak), begin, end, echoes);
+      this->FindSingleEcho(returns, nearest.First, farthest.Last, echoes);
+      continue;
     }
+    isBinned = true;
+    const BinRange bins = this->GetBinsOfMaxima(nearest, farthest, search.BinSize);
+    this->FillGroup(first, last, search.Shape, bins);
+    this->SetSamples(bins);
+    isGood = this->FindPeaksIn(bins, search, begin, end, echoes);
   }
   if (!isGood)
   {
     echoes.clear();
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// The echo of those of the returns that come between two times in the window.
+void Receiver::FindSingleEcho(const std::vector<SubReturn>& returns, double from, double to,
+  std::vector<Echo>& echoes)
+{
+  this->Group.clear();
+  for (const SubReturn& r : returns)
+  {
+    const double time = this->GetTime(r);
+    if (time >= from && time <= to)
+    {
+      this->Group.push_back(r);
+    }
+  }
+  const std::size_t before = echoes.size();
+  this->FindSingleEcho(this->Group.data(), this->Group.data() + this->Group.size(), echoes);
+  if (echoes.size() > before)
+  {
+    const SubReturn* begin = returns.data();
+    echoes.back().Nearest = FindNearest(begin, begin + returns.size(), echoes.back().Range);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The echoes at the maxima in bins that are filled; false where the bins end in one.
+bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin,
+  Iterator end, std::vector<Echo>& echoes)
+{
+  const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, search.BinSize,
+    search.Shape.GetLength() };
+  const double threshold = this->Settings.Detector->GetDetectionThreshold();
+  const bool isGood = FindPeaks(wave, threshold, bins, this->Peaks);
+  for (const Peak& peak : this->Peaks)
+  {
+    this->AddEcho(FitPeak(wave, peak), begin, end, echoes);
   }
   return isGood;
 }

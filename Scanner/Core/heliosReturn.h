@@ -79,9 +79,10 @@ public:
   double GetSigmaRange() const { return this->SigmaRange; }
 
   /**
-   * The echoes of a pulse in the order of range. Returns that spread over no more than c sigma have a
-   * sum with exactly one maximum, found by Newton's method, else bins are filled where maxima may be.
-   * True: it went without bins. For Gaussian pulses and detectors that find maxima.
+   * The echoes of a pulse in the order of range. Returns too far apart to touch are treated by
+   * themselves; where a group spreads over no more than c sigma its sum has exactly one maximum, found
+   * by Newton's method, else bins are filled where maxima may be. True: all groups went without bins.
+   * For Gaussian pulses and detectors that find maxima.
    */
   bool FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
@@ -109,13 +110,19 @@ public:
 private:
   using Iterator = const SubReturn*;
 
-  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
-  struct Bins
+  struct Search
   {
-    const PulseShape& Shape; // ready for their size
-    double Size;             // [ns]
+    const PulseShape& Shape; // ready for the bins
+    double BinSize;          // [ns]
+    bool KnowsSingles;       // whether groups with one maximum go without bins
   };
-  bool FindMaxima(const std::vector<SubReturn>& returns, const Bins& of, std::vector<Echo>& echoes);
+  bool FindMaxima(const std::vector<SubReturn>& returns, const Search& search,
+    std::vector<Echo>& echoes, bool& isBinned);
+  bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
+    std::vector<Echo>& echoes);
+  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
+  void FindSingleEcho(const std::vector<SubReturn>& returns, double from, double to,
+    std::vector<Echo>& echoes);
   bool OpenWindow(Iterator begin, Iterator end, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
@@ -141,6 +148,7 @@ private:
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum; // of the samples of the waveform, those that are filled
   std::vector<PulseCluster> Clusters;
+  std::vector<SubReturn> Group; // of returns that touch
   Waveform Wave;
   std::vector<Peak> Peaks;
   std::vector<vtkHeliosDetectedEcho> Detected;

@@ -156,7 +156,7 @@ TEST_CASE("BeamRayCaster: beams are rays, at any width and skewness", "[BeamRayC
         {
           INFO("offset " << offset[0] << ", height " << height << ", spread " << spread << ", skew "
                          << skew);
-          const int count = spread < 0.01 && skew < 1.0 ? 40 : 1;
+          const int count = spread < 0.01 && skew < 1.0 ? 100 : 2;
           CHECK(CountDifferences(soup, MakeBeams(from, low, high, spread, skew, count), 19) == 0);
         }
       }
