@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanner.h"
 
-#include "heliosBeamProbes.h"
-#include "heliosPulseKernel.h"
+#include "heliosBeamPreparation.h"
 #include "heliosRayCasterBackends.h"
+#include "heliosScanModel.h"
 #include "heliosScanOutput.h"
+#include "heliosScanRun.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
@@ -16,18 +17,14 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSMPThreadLocal.h>
-#include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 
 vtkStandardNewMacro(vtkHeliosScanner);
@@ -36,10 +33,6 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
-
-// Pulses handed to a thread at a time, and between two looks at progress and abort.
-constexpr vtkIdType PulsesPerChunk = 1024;
-constexpr vtkIdType ChunksPerBatch = 256;
 
 /// The number of i >= 0 with i / rate < duration; a last pulse lost to rounding is not counted.
 vtkIdType CountPulses(double duration, double rate)
@@ -56,31 +49,6 @@ helios::Pose ToPose(const double position[3], const double q[4])
   pose.Orientation.Normalize();
   return pose;
 }
-
-/// Runs chunks of pulses, each thread with its own kernel.
-struct ChunkFunctor
-{
-  const helios::ScanModel& Model;
-  vtkIdType First;
-  vtkIdType Last;
-  std::vector<helios::ChunkResult>& Results;
-  vtkSMPThreadLocal<std::shared_ptr<helios::PulseKernel>> Kernels;
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    auto& kernel = this->Kernels.Local();
-    if (!kernel)
-    {
-      kernel = std::make_shared<helios::PulseKernel>(this->Model);
-    }
-    for (vtkIdType c = begin; c < end; ++c)
-    {
-      const vtkIdType from = this->First + c * PulsesPerChunk;
-      kernel->Run(from, std::min(this->Last, from + PulsesPerChunk),
-        this->Results[static_cast<std::size_t>(c)]);
-    }
-  }
-};
 
 } // namespace
 
@@ -386,52 +354,15 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
 void vtkHeliosScanner::PrepareBeam(Scan& scan)
 {
   helios::ScanModel& m = scan.Model;
-  vtkHeliosBeamSampler* sampler = this->BeamSampler;
-  const double divergence = sampler->GetBeamDivergence();
-  m.IsFixed = this->Sampling == FIXED && divergence > 0.0; // one ideal ray needs no bins
-  if (divergence > 0.0 && !m.IsFixed)
+  if (this->Sampling == FIXED || !(this->BeamSampler->GetBeamDivergence() > 0.0))
   {
-    this->PrepareTolerance(scan);
+    helios::PrepareFixedBeam(this->BeamSampler, m);
+    return;
   }
-  else if (m.IsFixed)
-  {
-    m.SubRays = helios::GetSubRays(sampler);
-  }
-  else
-  {
-    m.SubRays = { { helios::Vec3(0.0, 1.0, 0.0), 1.0, helios::Vec3(0.0, 0.0, 0.0) } };
-  }
-  helios::SortInSpace(m.SubRays);
-  helios::SortInSpace(m.Rings);
-  for (const helios::SubRay& ray : m.SubRays)
-  {
-    m.HasOffsets = m.HasOffsets || ray.Offset.Norm() > 0.0;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkHeliosScanner::PrepareTolerance(Scan& scan)
-{
-  helios::ScanModel& m = scan.Model;
-  vtkHeliosBeamSampler* sampler = this->BeamSampler;
-  const double divergence = sampler->GetBeamDivergence();
-  const double truncation = sampler->GetTruncation();
-  const double sigma = m.Receiver.Shape.GetSigma();
-  m.Plan = helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, sigma);
-  m.Receiver.DetectionBin = m.Plan.DetectionBin;
-  m.Plane = { helios::BeamMoments(divergence, truncation), sigma };
-  m.ConeTangent = std::tan(0.5 * divergence * truncation);
-  const double w = 0.5 * divergence;
-  m.Setback =
-    sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
-
-  m.SubRays = helios::MakeSpiral(sampler, m.Plan.NumberOfSubRays);
-  m.Rings = helios::MakeRings(
-    sampler, static_cast<int>(std::lround(0.5 * std::sqrt(m.Plan.NumberOfSubRays))));
-  m.Probes = helios::MakeProbes(sampler, m.Plan.ProbeRings, m.Setback);
-  m.ProbePairs = helios::JoinNeighbours(m.Probes);
+  m.Plan =
+    helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
   this->RayCaster->PrepareConeProbe();
-  m.ProbesCones = helios::FindsPlanes(m, scan.NumberOfPulses);
+  helios::PrepareBeamByTolerance(this->BeamSampler, scan.NumberOfPulses, m);
 }
 
 //------------------------------------------------------------------------------
@@ -490,21 +421,13 @@ int vtkHeliosScanner::RequestData(
 void vtkHeliosScanner::RunPulses(
   const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
-  const vtkIdType chunks = (last - first + PulsesPerChunk - 1) / PulsesPerChunk;
-  std::vector<helios::ChunkResult> results(static_cast<std::size_t>(chunks));
-  ChunkFunctor functor{ scan.Model, first, last, results, {} };
-  for (vtkIdType chunk = 0; chunk < chunks && !this->GetAbortExecute(); chunk += ChunksPerBatch)
+  std::vector<helios::ChunkResult> results;
+  const auto goesOn = [this](double share)
   {
-    vtkSMPTools::For(chunk, std::min(chunks, chunk + ChunksPerBatch), 1, functor);
-    this->UpdateProgress(
-      std::min(1.0, static_cast<double>(chunk + ChunksPerBatch) / static_cast<double>(chunks)));
-  }
-
-  helios::ScanCounts sum;
-  for (auto& kernel : functor.Kernels)
-  {
-    sum.Add(kernel->GetCounts());
-  }
+    this->UpdateProgress(share);
+    return !this->GetAbortExecute();
+  };
+  const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, results);
   this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last);
 
   const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms,

@@ -323,7 +323,6 @@ private:
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
-  void PrepareTolerance(Scan& scan);
   void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
   void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
 

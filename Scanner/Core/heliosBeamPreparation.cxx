@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosBeamPreparation.h"
+
+#include "heliosScanModel.h"
+#include "vtkHeliosBeamSampler.h"
+
+#include <vtkMath.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+namespace
+{
+
+/// All sub-rays of a sampler.
+std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
+{
+  std::vector<SubRay> subRays;
+  for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
+  {
+    double direction[3], offset[3];
+    sampler->GetDirection(k, direction);
+    sampler->GetOffset(k, offset);
+    subRays.push_back({ Vec3(direction), sampler->GetWeight(k), Vec3(offset) });
+  }
+  return subRays;
+}
+
+/// A sampler of the same beam, to be given a pattern.
+vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
+{
+  auto to = vtkSmartPointer<vtkHeliosBeamSampler>::New();
+  to->SetBeamDivergence(from->GetBeamDivergence());
+  to->SetTruncation(from->GetTruncation());
+  to->SetBeamQualityFactor(from->GetBeamQualityFactor());
+  to->SetWavelength(from->GetWavelength());
+  return to;
+}
+
+/// Vogel's spiral: no pattern of fixed sub-rays does better where surfaces have edges.
+std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* beam, int count)
+{
+  auto sampler = CopyBeam(beam);
+  sampler->SetPatternToVogel();
+  sampler->SetNumberOfSubRays(count);
+  return GetSubRays(sampler);
+}
+
+/// Gauss-Legendre rings: nothing does better on a smooth surface.
+std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* beam, int rings)
+{
+  auto sampler = CopyBeam(beam);
+  sampler->SetPatternToGaussLegendre();
+  sampler->SetNumberOfRings(rings);
+  return GetSubRays(sampler);
+}
+
+/// Adds eight sub-rays without weight near the rim of a beam cut at an angle [rad]: to see edges there.
+void AddRim(double angle, double setback, std::vector<SubRay>& subRays)
+{
+  const double polar = 0.85 * angle;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double azimuth = 0.25 * vtkMath::Pi() * (i + 0.25);
+    const Vec3 direction(
+      std::sin(polar) * std::sin(azimuth), std::cos(polar), std::sin(polar) * std::cos(azimuth));
+    const Vec3 offset(setback * direction[2], 0.0, -setback * direction[0]);
+    subRays.push_back({ direction, 0.0, offset });
+  }
+}
+
+/// A number in [-1, 1] in ten bits, each followed by a free one.
+unsigned SpreadBits(double x)
+{
+  const auto number = static_cast<unsigned>(511.999 * (x + 1.0));
+  unsigned bits = 0;
+  for (unsigned bit = 0; bit < 10; ++bit)
+  {
+    bits |= (number >> bit & 1u) << 2 * bit;
+  }
+  return bits;
+}
+
+/// Puts neighbours next to each other (Morton's order): rays that are tested together meet the same.
+void SortInSpace(std::vector<SubRay>& subRays)
+{
+  double reach = 0.0;
+  for (const SubRay& ray : subRays)
+  {
+    reach = std::max({ reach, std::abs(ray.Direction[0]), std::abs(ray.Direction[2]) });
+  }
+  if (!(reach > 0.0))
+  {
+    return;
+  }
+  const auto getKey = [reach](const SubRay& ray)
+  { return 2 * SpreadBits(ray.Direction[0] / reach) + SpreadBits(ray.Direction[2] / reach); };
+  std::stable_sort(subRays.begin(), subRays.end(),
+    [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
+}
+
+/// The pairs of neighbours that join all sub-rays in the shortest way, by Prim's algorithm.
+std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays)
+{
+  const std::size_t count = subRays.size();
+  const auto getDistance = [&subRays](std::size_t a, std::size_t b)
+  { return (subRays[a].Direction - subRays[b].Direction).SquaredNorm(); };
+  std::vector<std::pair<std::size_t, std::size_t>> tree;
+  std::vector<std::size_t> nearest(count, 0); // of those in the tree
+  std::vector<bool> isIn(count, false);
+  isIn[0] = true;
+  while (tree.size() + 1 < count)
+  {
+    std::size_t next = 0;
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      if (!isIn[i] && (next == 0 || getDistance(i, nearest[i]) < getDistance(next, nearest[next])))
+      {
+        next = i;
+      }
+    }
+    isIn[next] = true;
+    tree.emplace_back(nearest[next], next);
+    for (std::size_t i = 1; i < count; ++i)
+    {
+      nearest[i] = getDistance(i, next) < getDistance(i, nearest[i]) ? next : nearest[i];
+    }
+  }
+  return tree;
+}
+
+/**
+ * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast: it costs as
+ * much as the first sixteen. Asked of pulses spread over all of the scan, so that every piece of it gets
+ * the same answer.
+ */
+bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
+{
+  const vtkIdType samples = std::min<vtkIdType>(numberOfPulses, 256);
+  Trajectory::Cursor cursor;
+  Pulse pulse;
+  int asked = 0;
+  int answered = 0;
+  for (vtkIdType i = 0; i < samples; ++i)
+  {
+    if (model.Source.GetPulse(numberOfPulses / samples * i, cursor, pulse))
+    {
+      ++asked;
+      answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
+    }
+  }
+  return 2 * answered >= asked;
+}
+
+/// What follows from the sub-rays.
+void FinishBeam(ScanModel& model)
+{
+  SortInSpace(model.SubRays);
+  SortInSpace(model.Rings);
+  for (const SubRay& ray : model.SubRays)
+  {
+    model.HasOffsets = model.HasOffsets || ray.Offset.Norm() > 0.0;
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
+{
+  model.IsFixed = sampler->GetBeamDivergence() > 0.0;
+  model.SubRays = model.IsFixed
+    ? GetSubRays(sampler)
+    : std::vector<SubRay>{ { Vec3(0.0, 1.0, 0.0), 1.0, Vec3(0.0, 0.0, 0.0) } };
+  FinishBeam(model);
+}
+
+//------------------------------------------------------------------------------
+void PrepareBeamByTolerance(
+  vtkHeliosBeamSampler* sampler, vtkIdType numberOfPulses, ScanModel& model)
+{
+  const double w = 0.5 * sampler->GetBeamDivergence();
+  const double angle = w * sampler->GetTruncation();
+  model.Receiver.DetectionBin = model.Plan.DetectionBin;
+  model.Plane = { BeamMoments(2.0 * w, sampler->GetTruncation()), model.Receiver.Shape.GetSigma() };
+  model.ConeTangent = std::tan(angle);
+  model.Setback =
+    sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
+
+  const int count = model.Plan.NumberOfSubRays;
+  model.SubRays = MakeSpiral(sampler, count);
+  model.Rings = MakeRings(sampler, static_cast<int>(std::lround(0.5 * std::sqrt(count))));
+  model.Probes = MakeRings(sampler, model.Plan.ProbeRings);
+  AddRim(angle, model.Setback, model.Probes);
+  model.ProbePairs = JoinNeighbours(model.Probes);
+  FinishBeam(model);
+  model.ProbesCones = FindsPlanes(model, numberOfPulses);
+}
+
+} // namespace helios
