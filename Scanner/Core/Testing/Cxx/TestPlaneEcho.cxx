@@ -93,9 +93,9 @@ TEST_CASE("PlaneEcho: by tolerance the scanner agrees with ten thousand sub-rays
     bench.Scanner->SetDuration(1e-5);
     vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
     sampler->SetBeamDivergence(1e-3);
-    sampler->SetPatternToVogel();
-    sampler->SetNumberOfSubRays(10000);
-    bench.Scanner->SetBinSize(0.05);
+    // Rings have converged by far; in finer bins the width is lost in the rounding of the samples.
+    sampler->SetPatternToGaussLegendre();
+    sampler->SetNumberOfRings(50);
     vtkPolyData* echoes = bench.Run();
     REQUIRE(echoes->GetNumberOfPoints() == 1);
     const double range = Value(echoes, names::Range, 0);
