@@ -349,7 +349,31 @@ void LegResolver::Warning(const Sentence& text)
   }
 }
 
+/// A scanner that can do all that a leg asks of it.
+ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
+{
+  const double least = std::numeric_limits<double>::min();
+  ScannerData scanner;
+  scanner.Type = type;
+  scanner.PulseFrequencies = { std::isnan(leg.PulseFrequency) ? 1.0 : leg.PulseFrequency };
+  scanner.ScanAngleMax = 360.0;
+  scanner.ScanAngleEffectiveMax = 360.0;
+  scanner.HeadRotateSpeedMax = std::max(std::abs(leg.Leg.HeadRotateSpeed), least);
+  scanner.ScanProduct = std::numeric_limits<double>::infinity();
+  return scanner;
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void CheckLegAlone(
+  const LegSettings& settings, bool isLast, const SurveyData& survey, Messages& log)
+{
+  SurveyData able;
+  able.Scanner = MakeAbleScanner(settings, survey.Scanner.Type);
+  able.Platform = survey.Platform;
+  AddLeg(settings, isLast, able, log);
+}
 
 //------------------------------------------------------------------------------
 void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log)

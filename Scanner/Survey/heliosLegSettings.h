@@ -37,6 +37,11 @@ struct LegSettings
  */
 void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log);
 
+/// Checks a leg whose scanner is not known, since it has errors of its own: what is wrong whatever
+/// the scanner can do.
+void CheckLegAlone(
+  const LegSettings& settings, bool isLast, const SurveyData& survey, Messages& log);
+
 } // namespace helios
 
 #endif

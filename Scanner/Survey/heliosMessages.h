@@ -46,6 +46,9 @@ public:
 
   bool HasError() const { return this->NumberOfErrors > 0; }
 
+  /// So far, those that were told before counted again: what has failed since shows by it.
+  int GetNumberOfErrors() const { return this->NumberOfErrors; }
+
   /// The last error; empty: none.
   const std::string& GetLastError() const { return this->LastError; }
 

@@ -5,6 +5,7 @@
 #include "heliosAssets.h"
 #include "heliosLegSettings.h"
 #include "heliosMessages.h"
+#include "heliosXmlCheck.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 
@@ -41,6 +42,9 @@ public:
 
   void Read(const XmlElement& survey, SurveyData& data);
 
+  /// Reads the templates of a document, for their errors.
+  void ReadTemplates(const XmlElement& root);
+
 private:
   void ReadName(const XmlElement& survey, SurveyData& data);
   void ReadReferences(const XmlElement& survey, SurveyData& data);
@@ -53,6 +57,8 @@ private:
 
   Assets& Files;
   Messages& Log;
+  bool KnowsScanner = false; // it is there, and read without an error
+  bool KnowsPlatform = false;
 };
 
 //------------------------------------------------------------------------------
@@ -81,12 +87,19 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
 //------------------------------------------------------------------------------
 void SurveyReader::ReadReferences(const XmlElement& survey, SurveyData& data)
 {
+  int before = this->Log.GetNumberOfErrors();
   const XmlElement scanner = this->FindRequired(survey, "scanner");
   if (scanner)
   {
     data.Scanner = ReadScanner(scanner);
   }
   OverrideScanner(survey, data.Scanner);
+  if (this->Log.GetNumberOfErrors() == before)
+  {
+    CheckScanner(data.Scanner, this->Log);
+  }
+  this->KnowsScanner = this->Log.GetNumberOfErrors() == before;
+  before = this->Log.GetNumberOfErrors();
   if (survey.GetText("platform") == "interpolated")
   {
     this->Log.Error(survey.Where() + ": platform=\"interpolated\" comes with a later version; " +
@@ -96,6 +109,7 @@ void SurveyReader::ReadReferences(const XmlElement& survey, SurveyData& data)
   {
     data.Platform = ReadPlatform(platform);
   }
+  this->KnowsPlatform = this->Log.GetNumberOfErrors() == before;
   const XmlElement scene = this->FindRequired(survey, "scene");
   if (scene)
   {
@@ -118,10 +132,22 @@ XmlElement SurveyReader::FindRequired(const XmlElement& survey, const char* tag)
 //------------------------------------------------------------------------------
 void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
 {
-  std::vector<LegSettings> legs;
-  for (const XmlElement& leg : survey.GetChildren("leg"))
+  const std::vector<XmlElement> legs = survey.GetChildren("leg");
+  for (std::size_t i = 0; i < legs.size(); ++i)
   {
-    legs.push_back(this->ReadLeg(leg));
+    const int before = this->Log.GetNumberOfErrors();
+    const LegSettings settings = this->ReadLeg(legs[i]);
+    const bool isLast = i + 1 == legs.size();
+    // What follows from an error is none of its own.
+    const bool isGood = this->KnowsPlatform && this->Log.GetNumberOfErrors() == before;
+    if (isGood && this->KnowsScanner)
+    {
+      AddLeg(settings, isLast, data, this->Log);
+    }
+    else if (isGood)
+    {
+      CheckLegAlone(settings, isLast, data, this->Log);
+    }
   }
   const std::size_t least = data.IsMoving() ? 2 : 1;
   if (legs.size() < least)
@@ -130,14 +156,20 @@ void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
       std::to_string(legs.size()) + " <leg>; " +
       (data.IsMoving() ? "a moving platform needs two, from where to where" : "add one"));
   }
-  if (this->Log.HasError())
+}
+
+//------------------------------------------------------------------------------
+void SurveyReader::ReadTemplates(const XmlElement& root)
+{
+  for (const XmlElement& settings : root.GetChildren("platformSettings"))
   {
-    return; // What follows from an error is none of its own.
+    LegSettings scratch;
+    this->ReadPlatformSettings(settings, scratch, 0);
   }
-  CheckScanner(data.Scanner, this->Log);
-  for (std::size_t i = 0; i < legs.size() && !this->Log.HasError(); ++i)
+  for (const XmlElement& settings : root.GetChildren("scannerSettings"))
   {
-    AddLeg(legs[i], i + 1 == legs.size(), data, this->Log);
+    LegSettings scratch;
+    this->ReadScannerSettings(settings, scratch, 0);
   }
 }
 
@@ -248,6 +280,27 @@ SurveyData ReadSurvey(
   }
   SurveyReader(assets, log).Read(surveys.front(), data);
   return data;
+}
+
+//------------------------------------------------------------------------------
+void CheckFile(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
+{
+  Assets assets(log, assetDirectories);
+  const XmlDocument* document = assets.Load(fileName);
+  if (!document)
+  {
+    return;
+  }
+  const XmlElement root = document->GetRoot();
+  for (const XmlElement& survey : root.GetChildren("survey"))
+  {
+    SurveyData data;
+    SurveyReader(assets, log).Read(survey, data);
+    CheckSurveyNames(data, survey.Where(), log);
+  }
+  SurveyReader(assets, log).ReadTemplates(root);
+  CheckAssets(root, assets, log);
 }
 
 } // namespace helios
