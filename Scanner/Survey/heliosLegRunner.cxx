@@ -265,8 +265,10 @@ std::string LegRunner::DescribeSampling()
 std::string LegRunner::ExplainNoEchoes() const
 {
   const ScannerData& scanner = this->Survey.Scanner;
+  const std::string& where =
+    this->Survey.Legs[this->Plans.empty() ? 0 : this->Plans.front().Leg].Where;
   Sentence text;
-  text << "No points: ";
+  text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (this->NumberOfPulses == 0)
   {
     text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "

@@ -61,6 +61,7 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
 vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
 {
   const bool isPoints = part.Type == Loader::Xyz;
+  this->Where = part.Where;
   Filter last = isPoints ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
   last = this->AddMeshCare(part, this->AddMaterial(part.Material, last));
   const Quaternion& q = part.Rotation;
@@ -94,7 +95,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
     return this->GetReader(part, part.Files.front());
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
-  this->Log.Listen(composer);
+  this->Log.Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
     composer->AddInputConnection(this->GetReader(part, file)->GetOutputPort());
@@ -112,7 +113,7 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   voxelizer->SetSnapNeighborNormal(part.Voxels.SnapNeighborNormal);
   voxelizer->SetDefaultNormal(normal.GetData());
   const auto reader = MakePointReader(part);
-  this->Log.Listen(reader);
+  this->Log.Listen(reader, this->Where);
   this->Readers.emplace_back(part.Files.front(), voxelizer);
   return this->Connect(voxelizer, this->AddCrs(part, reader)); // cells lie along the target's axes
 }
@@ -124,7 +125,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   if (!reader)
   {
     reader = part.Type == Loader::GeoTiff ? MakeGeoTiffReader(file) : MakeObjReader(part, file);
-    this->Log.Listen(reader);
+    this->Log.Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
   return reader;
@@ -184,7 +185,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
 PartPipelines::Filter PartPipelines::Connect(Filter filter, const Filter& before)
 {
   filter->SetInputConnection(before->GetOutputPort());
-  this->Log.Listen(filter);
+  this->Log.Listen(filter, this->Where);
   return filter;
 }
 

@@ -53,6 +53,7 @@ private:
   Filter Connect(Filter filter, const Filter& before);
 
   Messages& Log;
+  std::string Where; // the part at hand
   std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
   std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
 };
