@@ -171,17 +171,19 @@ LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan)
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const BlockCallback& onBlock)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
   vtkNew<vtkHeliosTrajectoryTextWriter> writer;
   this->Open(writer, plan, "_trajectory.txt");
-  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
+  bool goesOn = true;
+  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && goesOn && !this->Log.HasError();
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
+    goesOn = onBlock(this->Counts);
   }
-  if (this->Log.HasError())
+  if (this->Log.HasError() || !goesOn)
   {
     writer->Abandon();
     return false;
@@ -194,7 +196,7 @@ bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
 {
   this->SetUpLeg(plan);
   const Writers writers = this->OpenWriters(plan);
-  bool good = !this->Log.HasError() && this->WriteTrajectory(plan) &&
+  bool good = !this->Log.HasError() && this->WriteTrajectory(plan, onBlock) &&
     this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
   for (const auto& writer : writers)
   {

@@ -91,7 +91,7 @@ private:
   void SetUpLeg(const LegPlan& plan);
   Writers OpenWriters(const LegPlan& plan);
   void Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending);
-  bool WriteTrajectory(const LegPlan& plan);
+  bool WriteTrajectory(const LegPlan& plan, const BlockCallback& onBlock);
   bool RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock);
   void CountBlock(vtkIdType pulses);
 

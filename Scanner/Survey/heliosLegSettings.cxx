@@ -41,6 +41,7 @@ private:
   void ResolveScanProduct();
   void ResolveHead();
   void ResolveWarmUp();
+  void ResolveTrajectory();
   void CheckUnused();
   void CheckWindow();
   void CheckScanFrequency();
@@ -78,6 +79,7 @@ LegData LegResolver::Resolve()
   this->ResolveScanProduct();
   this->ResolveHead();
   this->ResolveWarmUp();
+  this->ResolveTrajectory();
   this->CheckUnused();
   this->CheckSpeed();
   return this->Leg;
@@ -293,6 +295,21 @@ void LegResolver::ResolveWarmUp()
   }
   // On a platform that moves, only where the head looks counts, not how it got there.
   this->Leg.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
+}
+
+//------------------------------------------------------------------------------
+void LegResolver::ResolveTrajectory()
+{
+  const double asked = this->Leg.TrajectoryTimeInterval;
+  const double least = 1.0 / this->Leg.PulseFrequency;
+  if (asked > 0.0 && asked < least)
+  {
+    this->Leg.TrajectoryTimeInterval = least;
+    Sentence text;
+    text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than from pulse to pulse; "
+         << least << " s is used";
+    this->Warning(text);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -137,7 +137,7 @@ struct Play
   /// Whether an error says in which file, and where in it.
   bool NamesPlace() const
   {
-    static const std::regex place("[.](xml|obj|xyz|mtl)(:[0-9]+)?: ");
+    static const std::regex place("[.](xml|obj|xyz|mtl)(:[0-9]+|: )");
     return std::regex_search(this->Errors, place);
   }
 
