@@ -4,6 +4,7 @@
 
 #include "heliosLegOptics.h"
 #include "heliosMessages.h"
+#include "heliosRunJournal.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
@@ -22,8 +23,10 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 namespace helios
 {
@@ -53,6 +56,15 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
   return count;
 }
 
+vtkSmartPointer<vtkHeliosStreamWriter> MakePointWriter(bool isXml)
+{
+  if (isXml)
+  {
+    return vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  return vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+}
+
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
 {
   if (isXml)
@@ -60,6 +72,18 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
     return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
   return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+}
+
+/// How far the file of a writer is.
+FileProgress GetProgress(vtkHeliosStreamWriter* writer)
+{
+  return { std::filesystem::path(writer->GetFileName()).filename().string(), writer->GetFileSize(),
+    writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
+}
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 void SetPose(const Pose& pose, double position[3], double orientation[4])
@@ -140,42 +164,57 @@ bool LegRunner::Plan()
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending)
+vtkHeliosScanner* LegRunner::Prepare(const LegPlan& plan)
 {
-  this->Log.Listen(writer);
-  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, ending).c_str());
-  writer->Open();
+  this->SetUpLeg(plan);
+  return this->Scanner;
 }
 
 //------------------------------------------------------------------------------
-LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
+LegRunner::Writers LegRunner::MakeWriters(const LegPlan& plan) const
 {
-  Writers writers(1);
   const bool isXml = this->Settings.Format == "vtp";
-  if (isXml)
-  {
-    writers[0] = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-    this->Open(writers[0], plan, "_points.pvtp");
-  }
-  else
-  {
-    writers[0] = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-    this->Open(writers[0], plan, "_points.xyz");
-  }
+  Writers writers{ MakePointWriter(isXml) };
+  const auto name = [this, &plan](const char* ending)
+  { return MakeFileName(this->Settings.Folder, plan.Leg, ending); };
+  writers[0]->SetFileName(name(isXml ? "_points.pvtp" : "_points.xyz").c_str());
   if (this->Settings.Waveforms)
   {
     writers.push_back(MakeWaveformWriter(isXml));
-    this->Open(writers[1], plan, isXml ? "_fullwave.pvtt" : "_fullwave.txt");
+    writers[1]->SetFileName(name(isXml ? "_fullwave.pvtt" : "_fullwave.txt").c_str());
   }
   return writers;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan)
+vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
+{
+  auto writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
+  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, "_trajectory.txt").c_str());
+  return writer;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::OpenWriters(const Writers& writers, const LegProgress& before)
+{
+  bool good = true;
+  for (const auto& writer : writers)
+  {
+    this->Listen(writer);
+    const FileProgress* file = before.FindFile(GetProgress(writer).Name);
+    good = good &&
+      (file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open());
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteTrajectory(const LegPlan& plan, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
-  vtkNew<vtkHeliosTrajectoryTextWriter> writer;
-  this->Open(writer, plan, "_trajectory.txt");
+  const auto writer = this->MakeTrajectoryWriter(plan);
+  this->Listen(writer);
+  writer->Open();
   for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
        first += SamplesPerBlock)
   {
@@ -186,31 +225,55 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan)
     writer->Abandon();
     return false;
   }
-  return writer->Close();
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
-{
-  this->SetUpLeg(plan);
-  const Writers writers = this->OpenWriters(plan);
-  bool good = !this->Log.HasError() && this->WriteTrajectory(plan) &&
-    this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
-  for (const auto& writer : writers)
-  {
-    good = (good ? writer->Close() : writer->Abandon()) && good;
-  }
+  const bool good = writer->Close();
+  written = GetProgress(writer);
   return good;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock)
+bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock)
+{
+  const LegProgress before = journal.GetLeg(plan.Leg);
+  if (before.IsDone)
+  {
+    this->Counts = before.Counts;
+    return this->CheckFiles(before);
+  }
+  this->SetUpLeg(plan);
+  const Writers writers = this->MakeWriters(plan);
+  FileProgress trajectory;
+  bool good = this->OpenWriters(writers, before) && this->WriteTrajectory(plan, trajectory) &&
+    this->RunBlocks(plan, writers, journal, onBlock) && !this->Log.HasError();
+  for (const auto& writer : writers)
+  {
+    good = (good ? writer->Close() : writer->Abandon()) && good;
+  }
+  if (!good)
+  {
+    return false;
+  }
+  LegProgress done = journal.GetLeg(plan.Leg);
+  done.IsDone = true;
+  std::transform(writers.begin(), writers.end(), done.Files.begin(),
+    [](const auto& writer) { return GetProgress(writer); }); // an index has its end now
+  done.Files.push_back(trajectory);
+  return this->Note(plan, done, journal);
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::RunBlocks(
+  const LegPlan& plan, const Writers& writers, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
   const int blocks =
     static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
-  const vtkIdType before = this->Counts.Pulses;
-  for (int block = 0; block < blocks; ++block)
+  LegProgress progress = journal.GetLeg(plan.Leg);
+  if (progress.Blocks > 0)
+  {
+    this->Counts = progress.Counts;
+  }
+  const double start = Now() - progress.Seconds;
+  for (int block = progress.Blocks; block < blocks; ++block)
   {
     this->Scanner->UpdatePiece(block, blocks, 0);
     if (this->Log.HasError())
@@ -219,18 +282,68 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
     }
     const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->CountBlock(before + done);
-    for (std::size_t port = 0; port < writers.size(); ++port)
+    this->CountBlock(plan.FirstPulse + done);
+    if (!this->WriteBlock(writers))
     {
-      vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
-      if (!writers[port]->Write(data))
-      {
-        return false;
-      }
-      data->ReleaseData();
+      return false;
     }
-    if (!onBlock(this->Counts))
+    progress.Blocks = block + 1;
+    progress.Counts = this->Counts;
+    progress.Seconds = Now() - start;
+    progress.Files.clear();
+    std::transform(writers.begin(), writers.end(), std::back_inserter(progress.Files),
+      [](const auto& writer) { return GetProgress(writer); });
+    if (!this->Note(plan, progress, journal) || !onBlock(this->Counts))
     {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteBlock(const Writers& writers)
+{
+  for (std::size_t port = 0; port < writers.size(); ++port)
+  {
+    vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
+    if (!writers[port]->Write(data))
+    {
+      return false;
+    }
+    data->ReleaseData();
+  }
+  // The journal may say only what is safe.
+  return std::all_of(
+    writers.begin(), writers.end(), [](const auto& writer) { return writer->Flush(); });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal)
+{
+  const std::string problem = journal.Append(plan.Leg, progress);
+  if (!problem.empty())
+  {
+    this->Log.Error(problem + "; make room, or see that the output folder stays, and go on with "
+                              "Resume (--resume), or run again");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::CheckFiles(const LegProgress& progress)
+{
+  for (const FileProgress& file : progress.Files)
+  {
+    const auto path = std::filesystem::path(this->Settings.Folder) / file.Name;
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error || size != static_cast<std::uintmax_t>(file.Size))
+    {
+      this->Log.Error(path.string() + ": was finished with " + std::to_string(file.Size) +
+        " bytes and " +
+        (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
+        "; set Overwrite (--overwrite) to run anew");
       return false;
     }
   }
@@ -259,6 +372,24 @@ void LegRunner::CountBlock(vtkIdType pulses)
 std::string LegRunner::DescribeSampling()
 {
   return this->Scanner->DescribeSampling();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::HasError() const
+{
+  return this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Listen(vtkHeliosStreamWriter* writer)
+{
+  this->Log.Listen(writer);
+}
+
+//------------------------------------------------------------------------------
+std::string LegRunner::GetRayCasterName() const
+{
+  return this->Scanner->GetRayCaster()->GetName();
 }
 
 //------------------------------------------------------------------------------

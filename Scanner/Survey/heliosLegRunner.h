@@ -6,7 +6,8 @@
 #define heliosLegRunner_h
 
 #include "heliosLegPlan.h"
-#include "heliosReceiver.h"
+#include "heliosRunCounts.h"
+#include "heliosRunSettings.h"
 #include "heliosSurveyData.h"
 
 #include <vtkNew.h>
@@ -25,34 +26,9 @@ namespace helios
 {
 
 class Messages;
-
-/// How a survey is run.
-struct RunSettings
-{
-  std::string Folder; ///< of the files
-  std::string Format; ///< xyz, vtp
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
-  bool Waveforms = false;
-  vtkIdType PulsesPerBlock = 262144;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
-};
-
-/// What a run has done so far.
-struct RunCounts
-{
-  vtkIdType Pulses = 0; ///< of the legs' pulse times
-  vtkIdType Echoes = 0;
-  vtkIdType FirstReturns = 0;
-  vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         ///< a surface in the ranges that are measured
-  vtkIdType PulsesOnPlane = 0;     ///< their beam met one plane: in closed form
-  vtkIdType PulsesWithoutBins = 0; ///< their maxima were found without bins
-  vtkIdType PulsesBinned = 0;
-  vtkIdType SubRays = 0;         ///< traced
-  vtkIdType HitsOutOfRange = 0;  ///< of sub-rays
-  double LargestAmplitude = 0.0; ///< [W], detected or not
-};
+class RunJournal;
+struct FileProgress;
+struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const RunCounts&)>;
@@ -70,13 +46,30 @@ public:
   const std::vector<LegPlan>& GetPlans() const { return this->Plans; }
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   const RunCounts& GetCounts() const { return this->Counts; }
+  const SurveyData& GetSurvey() const { return this->Survey; }
 
-  /// Runs one leg and writes its files; false after an error or where the callback ends it. What is
-  /// written then is valid and called .part.
-  bool Run(const LegPlan& plan, const BlockCallback& onBlock);
+  /// Whether anything has failed, of what is listened to, too.
+  bool HasError() const;
+  void Listen(vtkHeliosStreamWriter* writer);
+
+  /// Runs one leg, or what the journal says is left of it, and writes its files; the journal then says
+  /// how far it is. False after an error or where the callback ends it. What is written then is valid
+  /// and called .part.
+  bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
+
+  /// The scanner, set up for a leg.
+  vtkHeliosScanner* Prepare(const LegPlan& plan);
+
+  /// The writers of a leg, not open yet: one for each output of the scanner, the first for points.
+  std::vector<vtkSmartPointer<vtkHeliosStreamWriter>> MakeWriters(const LegPlan& plan) const;
+
+  /// The writer of the leg's trajectory, not open yet.
+  vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
   /// What sub-rays and bins the settings come to, in words.
   std::string DescribeSampling();
+
+  std::string GetRayCasterName() const;
 
   /// Why a run has no echo, and what to do about it.
   std::string ExplainNoEchoes() const;
@@ -89,10 +82,13 @@ private:
 
   void SetUpInstrument();
   void SetUpLeg(const LegPlan& plan);
-  Writers OpenWriters(const LegPlan& plan);
-  void Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending);
-  bool WriteTrajectory(const LegPlan& plan);
-  bool RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock);
+  bool OpenWriters(const Writers& writers, const LegProgress& before);
+  bool WriteTrajectory(const LegPlan& plan, FileProgress& written);
+  bool RunBlocks(const LegPlan& plan, const Writers& writers, RunJournal& journal,
+    const BlockCallback& onBlock);
+  bool WriteBlock(const Writers& writers);
+  bool Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal);
+  bool CheckFiles(const LegProgress& progress);
   void CountBlock(vtkIdType pulses);
 
   const SurveyData& Survey;

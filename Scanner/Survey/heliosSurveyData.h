@@ -184,7 +184,8 @@ struct SurveyData
 {
   std::string Name; ///< fit for the name of a folder
   std::string FileName;
-  std::string RayCaster; ///< its name; empty: the default
+  std::vector<std::string> Documents; ///< all files that the survey was read from
+  std::string RayCaster;              ///< its name; empty: the default
   ScannerData Scanner;
   PlatformData Platform;
   SceneData Scene;

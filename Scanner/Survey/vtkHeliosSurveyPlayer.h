@@ -19,7 +19,12 @@
  *   start and end of the leg
  * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
  *
- * While a leg runs its files end in .part and are valid up to the last block.
+ * While a leg runs its files end in .part and are valid up to the last block;
+ * run.journal says what is safe on the disk. A run that ended early for whatever
+ * reason goes on with Resume, to the same bytes as an unbroken one. When all
+ * legs are whole, run_summary.json takes the place of the journal: versions,
+ * inputs with their SHA-256, options, counts and files of every leg, and apart
+ * from these what the host adds, the timings.
  *
  * Events: StartEvent, ProgressEvent (while loading and after every block; the
  * data is the progress as a double), EndEvent. Errors and warnings of all
@@ -155,6 +160,18 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the earlier run in the folder is gone on with after its last
+   * block: with the inputs and settings that it had, else it is an error that
+   * says what has changed. Where it was finished nothing is done. Excludes
+   * Overwrite. Default: off.
+   */
+  vtkSetMacro(Resume, bool);
+  vtkGetMacro(Resume, bool);
+  vtkBooleanMacro(Resume, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the pulses between two writes. Valid range: [1, 2^24]. Default:
    * 262144.
    */
@@ -167,6 +184,13 @@ public:
    * ends without a point; GetMessage() says why, and what is kept.
    */
   bool Run();
+
+  /**
+   * Loads the survey, runs samples of all its legs and reckons from them what
+   * Run() would take and give; GetReport() has it. Writes nothing. Returns false
+   * after an error and after Abort().
+   */
+  bool Estimate();
 
   /**
    * Ends the run after the block at work; may be called from any thread and from
@@ -184,6 +208,17 @@ public:
   int GetNumberOfLegs() const;
   std::string GetMessage() const { return this->Message; }
   ///@}
+
+  /**
+   * What the last Run() wrote to run_summary.json, or what the last Estimate()
+   * came to: JSON. Empty before, and after a failure.
+   */
+  std::string GetReport() const { return this->Report; }
+
+  /**
+   * Whether Run() has found a run that was finished already, and done nothing.
+   */
+  vtkGetMacro(WasFinished, bool);
 
   ///@{
   /**
@@ -235,6 +270,8 @@ private:
   bool Noise = true;
   bool WriteWaveforms = false;
   bool Overwrite = false;
+  bool Resume = false;
+  bool WasFinished = false;
   vtkIdType PulsesPerBlock = 262144;
 
   std::atomic<bool> AbortRequested{ false };
@@ -251,6 +288,10 @@ private:
   vtkIdType NumberOfSubRaysTraced = 0;
   std::string Sampling;
   std::string Message;
+  std::string Report;
+
+  void Reset();
+  bool Attempt(bool (Internals::*work)());
 };
 
 #endif
