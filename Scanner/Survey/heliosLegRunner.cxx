@@ -2,70 +2,89 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
-#include "heliosLegOptics.h"
 #include "heliosMessages.h"
-#include "vtkHeliosArrayNames.h"
-#include "vtkHeliosBeamDeflector.h"
-#include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosEchoDetector.h"
+#include "heliosRunJournal.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
-#include "vtkHeliosRayCaster.h"
-#include "vtkHeliosScanner.h"
+#include "vtkHeliosPulseTextWriter.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
 
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <chrono>
 #include <filesystem>
+#include <iterator>
+#include <limits>
 
 namespace helios
 {
-namespace names = vtkHeliosArrayNames;
-
 namespace
 {
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// "legNNN" and what follows.
-std::string MakeFileName(const std::string& folder, std::size_t leg, const char* ending)
+// Of vtkHeliosScanner.
+constexpr int EchoPort = 0;
+constexpr int WaveformPort = 1;
+constexpr int PulsePort = 2;
+
+/// A word of at least three characters, with zeros before it.
+std::string Pad(const std::string& word)
 {
-  char name[32];
-  std::snprintf(name, sizeof(name), "leg%03zu", leg);
-  return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
+  return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
 }
 
-vtkIdType CountFirstReturns(vtkPolyData* echoes)
+/// The writer of a port of the scanner.
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
 {
-  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
+  vtkSmartPointer<vtkHeliosStreamWriter> writer;
+  if (port == WaveformPort && isXml)
   {
-    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
+    writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
-  return count;
-}
-
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
-{
-  if (isXml)
+  else if (port == WaveformPort)
   {
-    return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
+    writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
   }
-  return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+  else if (isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  else if (port == PulsePort)
+  {
+    writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+  }
+  return writer;
 }
 
-void SetPose(const Pose& pose, double position[3], double orientation[4])
+/// How far the file of a writer is.
+FileProgress GetProgress(vtkHeliosStreamWriter* writer)
 {
-  std::copy_n(pose.Position.GetData(), 3, position);
-  std::copy_n(pose.Orientation.GetData(), 4, orientation);
+  return { std::filesystem::path(writer->GetFileName()).filename().string(), writer->GetFileSize(),
+    writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
+}
+
+std::vector<FileProgress> GetProgress(const LegRunner::Outputs& outputs)
+{
+  std::vector<FileProgress> files;
+  for (const LegOutput& output : outputs)
+  {
+    files.push_back(GetProgress(output.Writer));
+  }
+  return files;
+}
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 } // namespace
@@ -77,105 +96,155 @@ LegRunner::LegRunner(
   , Settings(settings)
   , Log(log)
   , Scene(scene)
+  , Scanner(survey, scene, settings, log)
 {
-  this->Log.Listen(this->Scanner.Get());
-  this->SetUpInstrument();
 }
 
 //------------------------------------------------------------------------------
 LegRunner::~LegRunner() = default;
 
 //------------------------------------------------------------------------------
-void LegRunner::SetUpInstrument()
-{
-  const ScannerData& data = this->Survey.Scanner;
-  this->Scanner->SetInputDataObject(0, this->Scene);
-  if (this->Settings.RayCaster)
-  {
-    this->Scanner->SetRayCaster(this->Settings.RayCaster);
-  }
-  SetUpReceiver(data, this->Settings.Receiver, this->Scanner);
-  double position[3];
-  double orientation[4];
-  SetPose(this->Survey.Platform.Mount, position, orientation);
-  this->Scanner->SetMountPosition(position);
-  this->Scanner->SetMountOrientation(orientation);
-  SetPose(data.Beam, position, orientation);
-  this->Scanner->SetBeamOrigin(position);
-  this->Scanner->SetBeamOrientation(orientation);
-  Vec3 axis = data.HeadRotateAxis;
-  this->Scanner->SetHeadRotateAxis(axis.GetData());
-  this->Scanner->SetSeed(this->Settings.Seed);
-  this->Scanner->SetGenerateWaveforms(this->Settings.Waveforms);
-}
-
-//------------------------------------------------------------------------------
-void LegRunner::SetUpLeg(const LegPlan& plan)
-{
-  const LegData& leg = this->Survey.Legs[plan.Leg];
-  this->Scanner->SetBeamDeflector(MakeDeflector(this->Survey.Scanner, leg));
-  this->Scanner->GetBeamSampler()->SetBeamDivergence(leg.BeamDivergence);
-  this->Scanner->SetHeadRotateStart(leg.HeadRotateStart);
-  this->Scanner->SetHeadRotateStop(leg.HeadRotateStop);
-  this->Scanner->SetHeadRotateSpeed(leg.HeadRotateSpeed);
-  this->Scanner->SetInputConnection(1, plan.Platform->GetOutputPort());
-  this->Scanner->SetStartTime(plan.StartTime);
-  this->Scanner->SetDuration(plan.Duration);
-  this->Scanner->SetFirstPulseId(plan.FirstPulse);
-  this->Scanner->SetLegId(static_cast<int>(plan.Leg));
-}
-
-//------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  this->Plans = PlanLegs(this->Survey, this->Scene, this->Log);
+  const LegChance chance = { this->Settings.Receiver.Noise, this->Settings.Seed };
+  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   for (LegPlan& plan : this->Plans)
   {
-    this->SetUpLeg(plan);
+    this->Scanner.SetUp(plan);
     plan.FirstPulse = this->NumberOfPulses;
-    plan.NumberOfPulses = std::max<vtkIdType>(0, this->Scanner->GetNumberOfPulses());
+    plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
   }
   return !this->Log.HasError();
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending)
+LegScanner& LegRunner::Prepare(const LegPlan& plan)
 {
-  this->Log.Listen(writer);
-  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, ending).c_str());
-  writer->Open();
+  this->Scanner.SetUp(plan);
+  return this->Scanner;
 }
 
 //------------------------------------------------------------------------------
-LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
+/// "legNNN", or "stripNNN" of its strip, and what follows.
+std::string LegRunner::MakeFileName(const LegPlan& plan, const std::string& ending) const
 {
-  Writers writers(1);
-  const bool isXml = this->Settings.Format == "vtp";
-  if (isXml)
-  {
-    writers[0] = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-    this->Open(writers[0], plan, "_points.pvtp");
-  }
-  else
-  {
-    writers[0] = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-    this->Open(writers[0], plan, "_points.xyz");
-  }
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  const std::string stem =
+    strip.empty() ? "leg" + Pad(std::to_string(plan.Leg)) : "strip" + Pad(strip);
+  return (std::filesystem::path(this->Settings.Folder) / (stem + ending)).string();
+}
+
+//------------------------------------------------------------------------------
+LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
+{
+  Outputs outputs;
+  this->AddOutputs(plan, EchoPort, "_points", outputs);
   if (this->Settings.Waveforms)
   {
-    writers.push_back(MakeWaveformWriter(isXml));
-    this->Open(writers[1], plan, isXml ? "_fullwave.pvtt" : "_fullwave.txt");
+    this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
   }
-  return writers;
+  if (this->Settings.Pulses)
+  {
+    this->AddOutputs(plan, PulsePort, "_pulse", outputs);
+  }
+  return outputs;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan, const BlockCallback& onBlock)
+/// One file of a port, or one a channel.
+void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
+{
+  const bool isXml = this->Settings.Format == "vtp";
+  const std::string suffix =
+    isXml ? (port == WaveformPort ? ".pvtt" : ".pvtp") : (port == EchoPort ? ".xyz" : ".txt");
+  const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
+  const std::size_t channels = scanner.GetNumberOfChannels();
+  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
+  for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
+  {
+    const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
+    LegOutput output{ MakeWriter(port, isXml), port, isSplit ? k : LegOutput::AllChannels };
+    output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
+    outputs.push_back(output);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
+{
+  auto writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
+  writer->SetFileName(this->MakeFileName(plan, "_trajectory.txt").c_str());
+  return writer;
+}
+
+//------------------------------------------------------------------------------
+/// The nearest leg before or after one whose records go to the same files; null: none.
+const LegPlan* LegRunner::FindStripLeg(const LegPlan& plan, bool isBefore) const
+{
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  const LegPlan* found = nullptr;
+  for (const LegPlan& other : this->Plans)
+  {
+    const bool isOfStrip = !strip.empty() && this->Survey.Legs[other.Leg].Strip == strip;
+    if (isOfStrip && (isBefore ? other.Leg < plan.Leg : other.Leg > plan.Leg && !found))
+    {
+      found = &other;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::EndsFiles(const LegPlan& plan) const
+{
+  return !this->FindStripLeg(plan, false);
+}
+
+//------------------------------------------------------------------------------
+/// How far a leg is, with the files that a leg before it has begun.
+LegProgress LegRunner::FindProgress(const LegPlan& plan, const RunJournal& journal) const
+{
+  LegProgress progress = journal.GetLeg(plan.Leg);
+  if (const LegPlan* before = this->FindStripLeg(plan, true))
+  {
+    for (const FileProgress& file : journal.GetLeg(before->Leg).Files)
+    {
+      if (!progress.FindFile(file.Name))
+      {
+        progress.Files.push_back(file);
+      }
+    }
+  }
+  return progress;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Open(vtkHeliosStreamWriter* writer, const LegProgress& before)
+{
+  this->Listen(writer);
+  const FileProgress* file = before.FindFile(GetProgress(writer).Name);
+  return file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::OpenAll(const Outputs& outputs, const LegProgress& before)
+{
+  bool good = true;
+  for (const LegOutput& output : outputs)
+  {
+    good = good && this->Open(output.Writer, before);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
+  const BlockCallback& onBlock, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
-  vtkNew<vtkHeliosTrajectoryTextWriter> writer;
-  this->Open(writer, plan, "_trajectory.txt");
+  const auto writer = this->MakeTrajectoryWriter(plan);
+  this->Open(writer, before);
   bool goesOn = true;
   for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && goesOn && !this->Log.HasError();
        first += SamplesPerBlock)
@@ -188,50 +257,80 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const BlockCallback& onBloc
     writer->Abandon();
     return false;
   }
-  return writer->Close();
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
-{
-  this->SetUpLeg(plan);
-  const Writers writers = this->OpenWriters(plan);
-  bool good = !this->Log.HasError() && this->WriteTrajectory(plan, onBlock) &&
-    this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
-  for (const auto& writer : writers)
-  {
-    good = (good ? writer->Close() : writer->Abandon()) && good;
-  }
+  const bool good = this->EndsFiles(plan) ? writer->Close() : writer->Flush() && writer->Abandon();
+  written = GetProgress(writer);
   return good;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock)
+bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock)
+{
+  const LegProgress before = this->FindProgress(plan, journal);
+  if (before.IsDone)
+  {
+    this->Counts = before.Counts;
+    return !this->EndsFiles(plan) || this->CheckFiles(before);
+  }
+  this->Scanner.SetUp(plan);
+  const Outputs outputs = this->MakeOutputs(plan);
+  FileProgress trajectory;
+  bool good = this->OpenAll(outputs, before) &&
+    this->WriteTrajectory(plan, before, onBlock, trajectory) &&
+    this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
+  const bool isWhole = good && this->EndsFiles(plan);
+  for (const LegOutput& output : outputs)
+  {
+    good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
+  }
+  if (!good)
+  {
+    return false;
+  }
+  LegProgress done = journal.GetLeg(plan.Leg);
+  done.IsDone = true;
+  done.Files = GetProgress(outputs); // an index has its end now
+  done.Files.push_back(trajectory);
+  return this->Note(plan, done, journal);
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::RunBlocks(
+  const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
-  const int blocks =
-    static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
-  const vtkIdType before = this->Counts.Pulses;
-  for (int block = 0; block < blocks; ++block)
+  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
+  if (count > std::numeric_limits<int>::max())
   {
-    this->Scanner->UpdatePiece(block, blocks, 0);
-    if (this->Log.HasError())
+    this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
+      " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
+    return false;
+  }
+  const int blocks = static_cast<int>(count);
+  LegProgress progress = journal.GetLeg(plan.Leg);
+  if (progress.Blocks > 0)
+  {
+    this->Counts = progress.Counts;
+  }
+  const double start = Now() - progress.Seconds;
+  for (int block = progress.Blocks; block < blocks; ++block)
+  {
+    if (!this->Scanner.Update(block, blocks))
     {
       return false;
     }
     const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->CountBlock(before + done);
-    for (std::size_t port = 0; port < writers.size(); ++port)
+    this->Counts.Pulses = plan.FirstPulse + done;
+    this->Scanner.Count(this->Counts);
+    if (!this->WriteBlock(outputs))
     {
-      vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
-      if (!writers[port]->Write(data))
-      {
-        return false;
-      }
-      data->ReleaseData();
+      return false;
     }
-    if (!onBlock(this->Counts))
+    progress.Blocks = block + 1;
+    progress.Counts = this->Counts;
+    progress.Seconds = Now() - start;
+    progress.Files = GetProgress(outputs);
+    if (!this->Note(plan, progress, journal) || !onBlock(this->Counts))
     {
       return false;
     }
@@ -240,35 +339,91 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::CountBlock(vtkIdType pulses)
+bool LegRunner::Write(const Outputs& outputs) const
 {
-  vtkPolyData* echoes = this->Scanner->GetOutput();
-  this->Counts.Pulses = pulses;
-  this->Counts.Echoes += echoes->GetNumberOfPoints();
-  this->Counts.FirstReturns += CountFirstReturns(echoes);
-  this->Counts.PulsesFired += this->Scanner->GetNumberOfPulsesFired();
-  this->Counts.PulsesHit += this->Scanner->GetNumberOfPulsesHit();
-  this->Counts.PulsesOnPlane += this->Scanner->GetNumberOfPulsesOnPlane();
-  this->Counts.PulsesWithoutBins += this->Scanner->GetNumberOfPulsesWithoutBins();
-  this->Counts.PulsesBinned += this->Scanner->GetNumberOfPulsesBinned();
-  this->Counts.SubRays += this->Scanner->GetNumberOfSubRays();
-  this->Counts.HitsOutOfRange += this->Scanner->GetNumberOfHitsOutOfRange();
-  this->Counts.LargestAmplitude =
-    std::max(this->Counts.LargestAmplitude, this->Scanner->GetLargestAmplitude());
+  return std::all_of(outputs.begin(), outputs.end(),
+    [this](const LegOutput& output)
+    {
+      return output.Writer->Write(output.Channel == LegOutput::AllChannels
+          ? this->Scanner.GetOutput(output.Port).Get()
+          : this->Scanner.GetOutput(output.Port, output.Channel));
+    });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteBlock(const Outputs& outputs)
+{
+  const bool isWritten = this->Write(outputs);
+  this->Scanner.ReleaseOutput();
+  // The journal may say only what is safe.
+  return isWritten &&
+    std::all_of(outputs.begin(), outputs.end(),
+      [](const LegOutput& output) { return output.Writer->Flush(); });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal)
+{
+  const std::string problem = journal.Append(plan.Leg, progress);
+  if (!problem.empty())
+  {
+    this->Log.Error(problem +
+      "; make room, or see that the output folder stays, and go on with "
+      "Resume (--resume), or run again");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::CheckFiles(const LegProgress& progress)
+{
+  for (const FileProgress& file : progress.Files)
+  {
+    const auto path = std::filesystem::path(this->Settings.Folder) / file.Name;
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error || size != static_cast<std::uintmax_t>(file.Size))
+    {
+      this->Log.Error(path.string() + ": was finished with " + std::to_string(file.Size) +
+        " bytes and " +
+        (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
+        "; set Overwrite (--overwrite) to run anew");
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
 std::string LegRunner::DescribeSampling()
 {
-  return this->Scanner->DescribeSampling();
+  return this->Scanner.DescribeSampling();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::HasError() const
+{
+  return this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Listen(vtkHeliosStreamWriter* writer)
+{
+  this->Log.Listen(writer);
+}
+
+//------------------------------------------------------------------------------
+std::string LegRunner::GetRayCasterName() const
+{
+  return this->Scanner.GetRayCasterName();
 }
 
 //------------------------------------------------------------------------------
 std::string LegRunner::ExplainNoEchoes() const
 {
-  const ScannerData& scanner = this->Survey.Scanner;
-  const std::string& where =
-    this->Survey.Legs[this->Plans.empty() ? 0 : this->Plans.front().Leg].Where;
+  const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
+  const ScannerData& scanner = this->Survey.GetScanner(leg);
+  const std::string& where = this->Survey.Legs[leg].Where;
   Sentence text;
   text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (this->NumberOfPulses == 0)
@@ -320,7 +475,7 @@ std::string LegRunner::ExplainNoEchoes() const
 //------------------------------------------------------------------------------
 const char* LegRunner::GetFilePattern()
 {
-  return "leg[0-9]{3,}_(points|trajectory|fullwave|pulse).*";
+  return "(leg[0-9]{3,}|strip.{3,})_(points|trajectory|fullwave|pulse).*";
 }
 
 } // namespace helios

@@ -4,6 +4,7 @@
 
 #include "heliosCoordinateSystem.h"
 #include "heliosMessages.h"
+#include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 #include "vtkHeliosRayCaster.h"

@@ -42,8 +42,8 @@ const XmlNote Notes[] = {
   { "survey", "", "what is scanned, with what, from where. Of several in a file the first is run" },
   { "survey", "name", "names the folder of the output, too", "the name of the file" },
   { "survey", "id", "surveys are not referred to" },
-  { "survey", "scanner", "the instrument, file.xml#id, #id or id", Required },
-  { "survey", "platform", "what carries it; interpolated: a trajectory from files", Required },
+  { "survey", "scanner", "the instrument, file.xml#id, #id or id", "the legs' own" },
+  { "survey", "platform", "what carries it; interpolated: a trajectory from files", "the legs' own" },
   { "survey", "scene", "what is scanned", Required },
   { "survey", "rayCaster", "beam, embree, bvh, cgal or obbtree, as far as built", "beam" },
   { "survey", "numRuns", "how often is the caller's to say: vtkhelios run runs once" },
@@ -51,7 +51,7 @@ const XmlNote Notes[] = {
   { "survey", "defaultScannerSettings", "no program reads it; name templates in the legs" },
   { "survey", "basePlatform", "of platform=\"interpolated\": the platform whose mount and noise are taken" },
   { "survey", "rotationSpec", "the angle convention of trajectory files", "ARINC 705", "ARINC 705|CANONICAL" },
-  { "survey", "seed", "key of the random numbers; --seed is used" },
+  { "survey", "seed", "key of the random numbers: a whole number, YYYY-MM-DD hh:mm:ss or AUTO; --seed wins", "AUTO" },
   { "survey", "legRandomOffset", "whether positions of legs are shifted at random, once", "false" },
   { "survey", "legRandomOffsetMean", "mean of that shift", "0" },
   { "survey", "legRandomOffsetStdev", "standard deviation of that shift", "0.1" },
@@ -60,9 +60,21 @@ const XmlNote Notes[] = {
   { "leg", "id", "legs are numbered 0, 1, 2 ... in the order of the file" },
   { "leg", "maxDuration_s", "ends the leg after this time; negative: never; wins over scannerSettings", "-1" },
   { "leg", "stripId", "legs of one strip write one file" },
+  { "leg", "x", "position, of the Java program's scan", "0" },
+  { "leg", "y", "position, of the Java program's scan", "0" },
+  { "leg", "z", "position, of the Java program's scan", "0" },
   { "leg", "platform", "the platform of this leg", "the survey's" },
   { "leg", "scanner", "the scanner of this leg", "the survey's" },
   { "maxDuration_s", "", "the attribute of this name, as a child" },
+  { "scan", "", "legs with a platform and a scanner of their own, as the planner of the Java program writes them" },
+  { "scan", "id", "scans are not referred to" },
+  { "scan", "platform", "the platform of its legs", "the survey's" },
+  { "scan", "scanner", "the scanner of its legs", "the survey's" },
+  { "scannerRotation", "", "the turn of the head on each leg, as fast as it can" },
+  { "scannerRotation", "axis", "the head turns about its own axis" },
+  { "scannerRotation", "angle", "start and end say it" },
+  { "scannerRotation", "start", "the head's angle when a leg starts", "0" },
+  { "scannerRotation", "end", "and when it ends", "0" },
 
   { "platformSettings", "", "where a leg starts; at the top level, a template" },
   { "platformSettings", "name", "templates are named by id" },
@@ -195,6 +207,8 @@ const XmlNote Notes[] = {
 
   { "channels", "", "the channels of an instrument that has several" },
   { "channel", "", "an emitter and its receiver; what it does not say is its scanner's" },
+  { "channel", "id", "names files where channels are split", "its number" },
+  { "incidentBeam", "", "risley: direction into the first prism", "0 1 0" },
 
   { "platform", "", "what carries the scanner" },
   { "platform", "type", "how it moves", "static", "static dummy linearpath groundvehicle multicopter" },
@@ -202,8 +216,8 @@ const XmlNote Notes[] = {
   { "platform", "visModel", "a picture" },
   { "platform", "drag", "groundvehicle, multicopter: what speed is lost", "1" },
   { "platform", "engine_max_force", "multicopter: horizontal force at most", "0.1" },
-  { "platform", "speedup_magnitude", "multicopter: rate of speeding up [1/s]", "2" },
-  { "platform", "slowdown_magnitude", "multicopter: rate of braking [1/s]", "2" },
+  { "platform", "speedup_magnitude", "multicopter: rate of speeding up", "2" },
+  { "platform", "slowdown_magnitude", "multicopter: rate of braking", "2" },
   { "platform", "slowdown_distance", "multicopter: braking distance", "5" },
   { "platform", "base_pitch_deg", "multicopter: pitch in cruise", "-5" },
   { "platform", "roll_speed_deg", "multicopter: rate of roll", "28.65" },
@@ -218,7 +232,7 @@ const XmlNote Notes[] = {
   { "attitudeXNoise", "", "noise of the platform's attitude about x [rad]" },
   { "attitudeYNoise", "", "noise of the platform's attitude about y [rad]" },
   { "attitudeZNoise", "", "noise of the platform's attitude about z [rad]" },
-  { "", "type", "how values are distributed", "NORMAL", "NORMAL UNIFORM" },
+  { "", "type", "how values are distributed", "NORMAL", "~NORMAL UNIFORM" },
   { "", "mean", "of NORMAL", "0" },
   { "", "stdev", "of NORMAL", "1" },
   { "", "min", "of UNIFORM", "0" },
@@ -318,6 +332,29 @@ const XmlNote Notes[] = {
 };
 // clang-format on
 
+/// The notes of a scanner's attributes, for channels, which inherit them.
+std::vector<XmlNote> MakeChannelNotes()
+{
+  std::vector<XmlNote> notes;
+  for (const XmlNote& note : Notes)
+  {
+    if (std::string(note.Element) == "scanner")
+    {
+      notes.push_back(note);
+      notes.back().Default = "the scanner's";
+    }
+  }
+  return notes;
+}
+
+const XmlNote* FindOfChannel(const std::string& name)
+{
+  static const std::vector<XmlNote> notes = MakeChannelNotes();
+  const auto found = std::find_if(
+    notes.begin(), notes.end(), [&name](const XmlNote& note) { return name == note.Name; });
+  return found != notes.end() && !name.empty() ? &*found : nullptr;
+}
+
 const XmlNote* FindExactly(const std::string& element, const std::string& name)
 {
   const auto* const found = std::find_if(std::begin(Notes), std::end(Notes),
@@ -334,7 +371,7 @@ const XmlNote& FindXmlNote(const std::string& element, const std::string& name)
   const XmlNote* note = FindExactly(element, name);
   if (!note && element == "channel")
   {
-    note = FindExactly("scanner", name);
+    note = FindOfChannel(name);
   }
   if (!note && !name.empty())
   {
