@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosTrajectoryReader.h"
 
+#include "heliosPathCell.h"
 #include "heliosTrajectoryShape.h"
 #include "vtkHeliosArrayNames.h"
 
-#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -21,22 +21,6 @@
 vtkStandardNewMacro(vtkHeliosTrajectoryReader);
 
 namespace names = vtkHeliosArrayNames;
-
-namespace
-{
-
-/// One polyline through all points, or a vertex.
-void AddCell(vtkPolyData* trajectory)
-{
-  const vtkIdType count = trajectory->GetNumberOfPoints();
-  std::vector<vtkIdType> ids(static_cast<std::size_t>(count));
-  std::iota(ids.begin(), ids.end(), vtkIdType(0));
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(count, ids.data());
-  count == 1 ? trajectory->SetVerts(cells) : trajectory->SetLines(cells);
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 vtkHeliosTrajectoryReader::vtkHeliosTrajectoryReader()
@@ -162,7 +146,7 @@ void vtkHeliosTrajectoryReader::Fill(
   trajectory->SetPoints(points);
   trajectory->GetPointData()->AddArray(times);
   trajectory->GetPointData()->AddArray(orientations);
-  AddCell(trajectory);
+  helios::AddPathCell(trajectory);
 }
 
 //------------------------------------------------------------------------------
