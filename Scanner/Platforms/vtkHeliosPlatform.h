@@ -11,9 +11,10 @@
  * Output: the trajectory (vtkPolyData), one polyline with the point arrays
  * GpsTime [s] from StartTime on, never decreasing; Orientation (unit quaternion
  * w, x, y, z, body to world; body x right, y forward, z up), Velocity [m/s],
- * LegIds. Between two samples the position is linear in time and the
- * orientation turns at a constant rate; two samples at the same time are a
- * sudden turn. A single sample is a vertex and holds at all times. The field
+ * LegIds. Between two samples the position is the cubic polynomial of time
+ * through both positions with both velocities (a trajectory without Velocity is
+ * linear), and the orientation turns at a constant rate; two samples at the same
+ * time are a sudden turn. A single sample is a vertex and holds at all times. The field
  * data of the waypoints (CRS, GpsEpoch) passes.
  *
  * Errors: no waypoints, waypoints that are not finite, LegIds that are not one

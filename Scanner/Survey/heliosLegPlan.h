@@ -6,6 +6,7 @@
 #define heliosLegPlan_h
 
 #include "heliosSurveyData.h"
+#include "heliosTrajectory.h"
 
 #include <vtkSmartPointer.h>
 
@@ -50,17 +51,9 @@ public:
   vtkSmartPointer<vtkPolyData> GetSamples(vtkIdType first, vtkIdType count) const;
 
 private:
-  struct State
-  {
-    double Time;
-    Vec3 Position;
-    Quaternion Orientation;
-  };
-
-  State GetState(double time) const;
   double GetTime(vtkIdType sample) const;
 
-  std::vector<State> Path;
+  Trajectory Path;
   double StartTime;
   double EndTime;
   double Interval;
