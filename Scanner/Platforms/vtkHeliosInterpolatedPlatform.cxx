@@ -287,7 +287,7 @@ std::vector<vtkHeliosInterpolatedPlatform::Span> vtkHeliosInterpolatedPlatform::
     {
       append(NoLeg, before, legs[i].Start, legs[i].Teleports);
     }
-    append(static_cast<int>(i), legs[i].Start, legs[i].End, false);
+    append(this->FirstLegId + static_cast<int>(i), legs[i].Start, legs[i].End, false);
   }
   return spans;
 }
@@ -336,7 +336,8 @@ void vtkHeliosInterpolatedPlatform::Fill(
 void vtkHeliosInterpolatedPlatform::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "KeepFileTimes: " << this->KeepFileTimes << "\n"
+  os << indent << "FirstLegId: " << this->FirstLegId << "\n"
+     << indent << "KeepFileTimes: " << this->KeepFileTimes << "\n"
      << indent << "Interpolation: " << (this->Interpolation == CUBIC ? "Cubic" : "Linear") << "\n";
   for (const Leg& leg : this->Legs)
   {

@@ -60,12 +60,20 @@ public:
   /**
    * Add a leg that flies [start, end] of the recorded times [s], NaN: from their
    * first, or to their last; remove all, get their number. A leg that teleports
-   * is not flown to from the end of the leg before. Its LegIds are 0, 1, 2 ...
-   * Default: none, all is one leg.
+   * is not flown to from the end of the leg before. Its LegIds are FirstLegId and
+   * those after it. Default: none, all is one leg.
    */
   void AddLeg(double start, double end, bool teleportToStart);
   void RemoveAllLegs();
   int GetNumberOfLegs() const { return static_cast<int>(this->Legs.size()); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the LegIds of the first leg. Valid range: [0, 1e9]. Default: 0.
+   */
+  vtkSetClampMacro(FirstLegId, int, 0, 1000000000);
+  vtkGetMacro(FirstLegId, int);
   ///@}
 
   ///@{
@@ -127,6 +135,7 @@ private:
     const helios::SampledPath& path, const std::vector<Span>& spans, vtkPolyData* output) const;
 
   std::vector<Leg> Legs;
+  int FirstLegId = 0;
   bool KeepFileTimes = false;
   int Interpolation = LINEAR;
 };

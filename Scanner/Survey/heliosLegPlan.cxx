@@ -6,7 +6,6 @@
 #include "heliosMessages.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPlatform.h"
-#include "vtkHeliosStaticPlatform.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -113,8 +112,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
   const double duration = GetStandingTime(this->Survey.Legs[leg]);
   if (this->Survey.Fires(leg))
   {
-    auto platform = vtkSmartPointer<vtkHeliosStaticPlatform>::New();
-    platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, leg, leg + 1));
+    const auto platform = MakePlatform(this->Survey, this->Positions, leg, leg + 1, this->Log);
     platform->SetStartTime(this->Time);
     this->Log.Listen(platform);
     this->Plans.push_back({ leg, platform, this->Time, duration });
@@ -125,8 +123,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
 //------------------------------------------------------------------------------
 bool Planner::PlanJourney(std::size_t first, std::size_t last)
 {
-  const vtkSmartPointer<vtkHeliosPlatform> platform = MakePlatform(this->Survey, first);
-  platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, first, last));
+  const auto platform = MakePlatform(this->Survey, this->Positions, first, last, this->Log);
   platform->SetStartTime(this->Time);
   this->Log.Listen(platform);
   platform->Update();
@@ -151,6 +148,10 @@ void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std
   vtkIdType sample = 0;
   for (std::size_t leg = first; leg < last; ++leg)
   {
+    while (sample < count && legs->GetTuple1(sample) < 0.0) // between two legs
+    {
+      ++sample;
+    }
     const vtkIdType begin = sample;
     while (sample < count && legs->GetTuple1(sample) == static_cast<double>(leg))
     {
