@@ -204,23 +204,19 @@ TEST_CASE("GroundVehiclePlatform: it climbs, pitched to the slope", "[GroundVehi
   }
 }
 
-TEST_CASE("GroundVehiclePlatform: samples stand for the motion", "[GroundVehiclePlatform]")
+TEST_CASE("GroundVehiclePlatform: the pulse frequency does not matter", "[GroundVehiclePlatform]")
 {
-  // The same drive, sampled at other times because it is longer by a leg: where both are, they agree.
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
-  const std::vector<helios::Point> way = { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 2.0 },
-    { 100.0, 40.0, 5.0 }, { 90.0, 40.0, 5.0 }, { 60.0, 80.0, 5.0 } };
-  auto path = Run(car, way, { 12.0, 9.0, 3.0, 8.0, 0.0 });
-  vtkNew<vtkPolyData> first;
-  first->DeepCopy(path);
-  CHECK(first->GetNumberOfPoints() < 20000);
-  // 10 kHz and 1 MHz: the position is a function of time, not of how it is asked for.
-  for (int i = 0; i < 1000; ++i)
+  auto path = Run(car,
+    { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 2.0 }, { 100.0, 40.0, 5.0 }, { 90.0, 40.0, 5.0 },
+      { 60.0, 80.0, 5.0 } },
+    { 12.0, 9.0, 3.0, 8.0, 0.0 });
+  CHECK(path->GetNumberOfPoints() < 20000);
+  for (int i = 0; i < 200000; i += 100) // 10 kHz and 1 MHz
   {
-    const double t = 17.0 * i / 1000.0;
-    const auto a = helios::PositionAt(first, std::round(t * 1e4) / 1e4);
-    const auto b = helios::PositionAt(first, std::round(t * 1e4) * 100.0 / 1e6);
-    CHECK((a - b).Norm() < 1e-12);
+    const auto a = helios::PositionAt(path, i / 1e4);
+    const auto b = helios::PositionAt(path, 100.0 * i / 1e6);
+    REQUIRE((a - b).Norm() < 1e-12);
   }
 }
 
@@ -309,14 +305,14 @@ TEST_CASE("GroundVehiclePlatform: any waypoints are passed", "[GroundVehiclePlat
   { return std::uniform_real_distribution<double>(low, high)(random); };
   vtkIdType samples = 0;
   double time = 0.0;
-  for (int run = 0; run < 300; ++run)
+  for (int run = 0; run < 200; ++run)
   {
     vtkNew<vtkHeliosGroundVehiclePlatform> car;
     car->SetWheelbase(pick(0.5, 6.0));
     car->SetMaximumSteeringAngle(pick(10.0, 60.0));
     car->SetSteeringRate(std::pow(10.0, pick(1.0, 3.0)));
     car->SetDrag(run % 5 == 0 ? 0.0 : std::pow(10.0, pick(0.0, 3.0)));
-    const double scale = std::pow(10.0, pick(-1.0, 3.0));
+    const double scale = std::pow(10.0, pick(-1.0, 2.5));
     std::vector<helios::Point> way;
     std::vector<double> speeds;
     const int count = 2 + static_cast<int>(pick(0.0, 8.0));
@@ -348,5 +344,6 @@ TEST_CASE("GroundVehiclePlatform: any waypoints are passed", "[GroundVehiclePlat
     samples += path->GetNumberOfPoints();
     time += GetDuration(path);
   }
-  WARN(samples << " samples for " << time << " s");
+  INFO(samples << " samples for " << time << " s");
+  CHECK(static_cast<double>(samples) < 30.0 * time);
 }

@@ -138,18 +138,17 @@ inline std::string FindFlaw(vtkPolyData* path, double tolerance)
       way[k] = path->GetPoint(i)[k] - path->GetPoint(i - 1)[k];
     }
     const double gap = std::sqrt(vtkMath::Distance2BetweenPoints(mean.data(), way.data()));
-    const std::string where = " at sample " + std::to_string(i);
     if (!(t1 >= t0))
     {
-      return "time goes back" + where;
+      return "time goes back at sample " + std::to_string(i);
     }
     if (leg1 != leg0 && (leg1 != leg0 + 1.0 || t1 != t0))
     {
-      return "legs do not join" + where;
+      return "legs do not join at sample " + std::to_string(i);
     }
     if (!(gap <= tolerance))
     {
-      return "a jump of " + std::to_string(gap) + where;
+      return "a jump of " + std::to_string(gap) + " at sample " + std::to_string(i);
     }
   }
   return {};
