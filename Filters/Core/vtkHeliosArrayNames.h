@@ -49,6 +49,9 @@ inline constexpr const char* PartName = "Part.Name";
 /** Waypoints: point data. */
 inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
 inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below
+inline constexpr const char* StopAndTurn = "StopAndTurn"; // 1: a multicopter rests and turns there
+inline constexpr const char* SmoothTurn = "SmoothTurn";   // 1: it cuts the corner there
+inline constexpr const char* YawAtDeparture = "YawAtDeparture"; // [deg], NaN: not given
 ///@}
 
 ///@{

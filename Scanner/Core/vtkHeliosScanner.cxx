@@ -12,6 +12,7 @@
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosPlatformNoise.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
@@ -91,6 +92,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "ErrorModel: " << (this->ErrorModel ? this->ErrorModel->GetClassName() : "(none)")
      << "\n"
+     << indent << "PlatformNoise: " << (this->PlatformNoise ? "on" : "(none)") << "\n"
      << indent << "Sampling: " << (this->Sampling == FIXED ? "Fixed" : "Tolerance") << "\n"
      << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
      << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
@@ -130,6 +132,7 @@ HELIOS_STRATEGY(BeamDeflector)
 HELIOS_STRATEGY(BeamSampler)
 HELIOS_STRATEGY(EchoDetector)
 HELIOS_STRATEGY(ErrorModel)
+HELIOS_STRATEGY(PlatformNoise)
 #undef HELIOS_STRATEGY
 
 //------------------------------------------------------------------------------
@@ -140,7 +143,8 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
   for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
          static_cast<vtkObject*>(this->BeamSampler.Get()),
          static_cast<vtkObject*>(this->EchoDetector.Get()),
-         static_cast<vtkObject*>(this->ErrorModel.Get()) })
+         static_cast<vtkObject*>(this->ErrorModel.Get()),
+         static_cast<vtkObject*>(this->PlatformNoise.Get()) })
   {
     time = strategy ? std::max(time, strategy->GetMTime()) : time;
   }
@@ -249,6 +253,8 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
   source.Errors = this->ErrorModel;
+  const bool shakes = this->PlatformNoise && this->PlatformNoise->IsOn();
+  source.Noise = shakes ? this->PlatformNoise.Get() : nullptr;
   source.AngleAccuracy = this->AngleAccuracy;
   source.Seed = static_cast<std::uint64_t>(this->Seed);
   source.Ids = { this->FirstPulseId, this->PulseIdStride };

@@ -64,6 +64,7 @@ class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
 class vtkHeliosEchoDetector;
 class vtkHeliosErrorModel;
+class vtkHeliosPlatformNoise;
 class vtkHeliosRayCaster;
 
 namespace helios
@@ -119,6 +120,14 @@ public:
    */
   void SetErrorModel(vtkHeliosErrorModel* model);
   vtkHeliosErrorModel* GetErrorModel() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the platform shakes about its trajectory. Default: none.
+   */
+  void SetPlatformNoise(vtkHeliosPlatformNoise* noise);
+  vtkHeliosPlatformNoise* GetPlatformNoise() const;
   ///@}
 
   /// How the beam is sampled.
@@ -345,6 +354,7 @@ private:
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
   vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
+  vtkSmartPointer<vtkHeliosPlatformNoise> PlatformNoise;
 
   int Sampling = TOLERANCE;
   double RangeTolerance = 1e-3;

@@ -4,6 +4,7 @@
 
 #include "heliosChannelMerge.h"
 #include "heliosLegOptics.h"
+#include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosRunCounts.h"
 #include "vtkHeliosArrayNames.h"
@@ -11,6 +12,7 @@
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
+#include "vtkHeliosPlatformNoise.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScanner.h"
 
@@ -135,6 +137,11 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetBeamOrientation(orientation);
   Vec3 axis = data.HeadRotateAxis;
   channel->SetHeadRotateAxis(axis.GetData());
+  if (this->Settings.Receiver.Noise)
+  {
+    const std::size_t channels = this->Survey.Scanners[this->Scanner].GetNumberOfChannels();
+    channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
+  }
   channel->SetSeed(this->Settings.Seed);
   channel->SetGenerateWaveforms(this->Settings.Waveforms);
   channel->SetGeneratePulses(this->Settings.Pulses);
