@@ -27,7 +27,7 @@ const char* const Flight = R"(<document>
 <platformSettings id="place" x="-10" y="2" z="60" movePerSec_m="20"/>
 <scannerSettings id="base" pulseFreq_hz="2000" scanFreq_hz="50" scanAngle_deg="5"/>
 <scannerSettings id="slow" template="base" scanFreq_hz="20"/>
-<survey name="test" scene="scene.xml#s" platform="assets.xml#plane" scanner="assets.xml#SCANNER">
+<survey name="test" scene="scene.xml#s" platform="assets.xml#PLATFORM" scanner="assets.xml#SCANNER">
 <FWFSettings binSize_ns="0.25" winSize_ns="1" beamSampleQuality="2"/>
 <detectorSettings accuracy_m="0.01" rangeMax_m="500"/>
 <leg><platformSettings template="place"/><scannerSettings template="base" active="true"/></leg>
@@ -38,13 +38,47 @@ const char* const Flight = R"(<document>
 )";
 
 const char* const Stand = R"(<document>
-<survey name="test" scene="scene.xml#s" platform="assets.xml#tripod" scanner="assets.xml#SCANNER">
+<survey name="test" scene="scene.xml#s" platform="assets.xml#PLATFORM" scanner="assets.xml#SCANNER">
 <leg maxDuration_s="1"><platformSettings x="1" y="2" onGround="true"/><scannerSettings
  pulseFreq_hz="2000" scanFreq_hz="50" headRotatePerSec_deg="10" headRotateStart_deg="-10"
  headRotateStop_deg="10" trajectoryTimeInterval_s="0.5"/></leg>
 <leg><platformSettings x="5" y="-2" z="3"/><scannerSettings pulseFreq_hz="2000" scanFreq_hz="50"
  headRotatePerSec_deg="20" headRotateStop_deg="10"/></leg>
 </survey></document>
+)";
+
+const char* const Drive = R"(<document>
+<scannerSettings id="base" pulseFreq_hz="500" scanFreq_hz="50" scanAngle_deg="5"/>
+<survey name="test" scene="scene.xml#s" platform="assets.xml#PLATFORM" scanner="assets.xml#SCANNER" seed="7"
+ legRandomOffset="true" legRandomOffsetMean="0" legRandomOffsetStdev="0.01">
+<origin x="1" y="2" z="0"/><positionZNoise type="UNIFORM" min="-0.01" max="0.01" fixedLifespan="5"/>
+<leg stripId="a"><platformSettings x="-10" z="5" movePerSec_m="8" stopAndTurn="false" smoothTurn="true"/>
+<scannerSettings template="base"/></leg>
+<leg stripId="a"><platformSettings x="0" y="8" z="5" movePerSec_m="8" yawAtDeparture_deg="30"
+ slowdownEnabled="true"/><scannerSettings template="base"/></leg>
+<leg><platformSettings x="5" y="8" z="5"/><scannerSettings template="base" active="false"/></leg>
+</survey></document>
+)";
+
+const char* const Recorded = R"(<document>
+<survey name="test" scene="scene.xml#s" platform="interpolated" basePlatform="assets.xml#PLATFORM"
+ scanner="assets.xml#SCANNER" rotationSpec="ARINC 705"><scannerMount z="1"><rot axis="x" angle_deg="-90"/>
+</scannerMount>
+<leg><platformSettings trajectory="path.csv" trajectory_separator="," tIndex="0" rollIndex="1"
+ pitchIndex="2" yawIndex="3" xIndex="4" yIndex="5" zIndex="6" toRadians="true" tStart="0" tEnd="1"
+ interpolationDomain="position_and_attitude" slopeFilterThreshold="0"/>
+<scannerSettings pulseFreq_hz="1000" scanFreq_hz="50" scanAngle_deg="5"/></leg>
+<leg><platformSettings tStart="1.5" tEnd="2" teleportToStart="true" syncGPSTime="false"/>
+<scannerSettings pulseFreq_hz="1000" scanFreq_hz="50" scanAngle_deg="5"/></leg>
+</survey></document>
+)";
+
+const char* const Path = R"(#HEADER: "t", "roll", "pitch", "yaw", "x", "y", "z"
+0,0,0,350,-10,0,60
+0.5,1,2,355,-5,1,61
+1,2,1,1,0,2,60
+1.5,0,0,5,5,3,59
+2,0,0,9,10,4,60
 )";
 
 const char* const Scene = R"(<document><scene id="s" name="all" crs="EPSG:32632">
@@ -73,6 +107,17 @@ const char* const Instruments = R"(
  atmosphericVisibility_km="10" wavelength_nm="905" headRotatePerSecMax_deg="60" rangeMin_m="0.5" rangeMax_m="400">
 <beamOrigin z="0.1"><rot axis="y" angle_deg="3"/></beamOrigin>
 <headRotateAxis x="0" y="0" z="1"/></scanner>
+<scanner id="pair" optics="rotating" pulseFreqs_Hz="500" scanAngleMax_deg="60" scanFreqMax_Hz="90">
+<channels><channel id="a"><beamOrigin><rot axis="z" angle_deg="2"/></beamOrigin></channel>
+<channel id="b" wavelength_nm="532" beamDivergence_rad="0.001" optics="line" scanAngleMax_deg="9"
+ numFibers="3"><FWFSettings binSize_ns="0.5"/></channel></channels></scanner>
+<platform id="car" type="groundvehicle" drag="0.001"><scannerMount z="2"><rot axis="x" angle_deg="-90"/>
+</scannerMount><attitudeXNoise type="NORMAL" mean="0" stdev="0.001" clipEnabled="true" clipMin="-0.01"
+ clipMax="0.01"/></platform>
+<platform id="copter" type="multicopter" drag="0.01" engine_max_force="0.1" speedup_magnitude="2"
+ slowdown_magnitude="2" slowdown_distance="5" base_pitch_deg="-5" yaw_speed_deg="85" roll_speed_deg="28"
+ pitch_speed_deg="85" roll_offset_deg="25" pitch_offset_deg="35"><scannerMount z="-0.2">
+<rot axis="x" angle_deg="-90"/></scannerMount><positionXNoise stdev="0.01"/></platform>
 </document>)";
 
 /// Ends the process, with the case at hand in the report, where one takes this long [s].
@@ -137,7 +182,7 @@ struct Play
   /// Whether an error says in which file, and where in it.
   bool NamesPlace() const
   {
-    static const std::regex place("[.](xml|obj|xyz|mtl)(:[0-9]+|: )");
+    static const std::regex place("[.](xml|obj|xyz|mtl|csv)(:[0-9]+|: )");
     return std::regex_search(this->Errors, place);
   }
 
@@ -165,14 +210,17 @@ std::string MakeAssets(const helios::test::Files& files)
 struct Pair
 {
   const char* Survey;
+  const char* Platform;
   const char* Scanner;
 };
-const Pair Pairs[] = { { Flight, "als" }, { Stand, "tls" }, { Flight, "zigzag" },
-  { Stand, "prisms" }, { Flight, "fibres" }, { Flight, "prisms" } };
+const Pair Pairs[] = { { Flight, "plane", "als" }, { Stand, "tripod", "tls" },
+  { Drive, "copter", "zigzag" }, { Stand, "tripod", "prisms" }, { Recorded, "plane", "als" },
+  { Flight, "plane", "fibres" }, { Drive, "car", "pair" } };
 
 std::string MakeSurvey(const Pair& pair)
 {
   std::string survey = pair.Survey;
+  survey.replace(survey.find("PLATFORM"), 8, pair.Platform);
   return survey.replace(survey.find("SCANNER"), 7, pair.Scanner);
 }
 
@@ -181,6 +229,7 @@ void WriteAll(const helios::test::Files& files, const Pair& pair, const std::str
 {
   files.Write("survey.xml", MakeSurvey(pair));
   files.Write("scene.xml", Scene);
+  files.Write("path.csv", Path);
   files.Write("assets.xml", assets);
 }
 
@@ -216,17 +265,19 @@ TEST_CASE(
   }
 
   helios::XmlMutator mutate(815);
+  helios::Mutator mutateBytes(816);
   std::array<int, 4> count{}; // refused, without points, stopped, with points
   std::signal(SIGALRM, Hang);
   for (int i = 0; i < 2 * helios::GetNumberOfMutations(); ++i)
   {
     const Pair& pair = Pairs[static_cast<std::size_t>(i) % std::size(Pairs)];
     WriteAll(files, pair, assets);
-    const char* const names[] = { "survey.xml", "scene.xml", "assets.xml", "survey.xml" };
-    const std::string texts[] = { MakeSurvey(pair), Scene, assets, MakeSurvey(pair) };
-    const std::string text = mutate(texts[i / 2 % 4]);
-    files.Write(names[i / 2 % 4], text);
-    INFO("case " << i << ", " << names[i / 2 % 4] << ", scanner " << pair.Scanner << "\n" << text);
+    const char* const names[] = { "survey.xml", "scene.xml", "assets.xml", "path.csv" };
+    const std::string texts[] = { MakeSurvey(pair), Scene, assets, Path };
+    const int k = pair.Survey == Recorded ? 3 * (i / 7 % 2) : i / 2 % 3;
+    const std::string text = k < 3 ? mutate(texts[k]) : mutateBytes(texts[k]);
+    files.Write(names[k], text);
+    INFO("case " << i << ", " << names[k] << ", scanner " << pair.Scanner << "\n" << text);
     ::alarm(LongestCase);
     const Play play(files);
     ::alarm(0);
