@@ -88,7 +88,7 @@ void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, cons
 void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) const
 {
   double values[6];
-  this->Noise->GetValues(static_cast<vtkIdType>(this->Seed), this->FirstPulseId + index, values);
+  this->Noise->GetValues(static_cast<vtkIdType>(this->Seed), this->Ids.Get(index), values);
   position = position + Vec3(values);
   if (values[3] != 0.0 || values[4] != 0.0 || values[5] != 0.0)
   {
