@@ -60,6 +60,7 @@ inline constexpr const char* GpsTime = "GpsTime";         // [s] since GpsEpoch
 inline constexpr const char* Orientation = "Orientation"; // unit quaternion w x y z, body to world
 inline constexpr const char* Velocity = "Velocity";       // [m/s]
 inline constexpr const char* LegIds = "LegIds";
+inline constexpr const char* Clearance = "Clearance"; // [m] from the scene, see vtkHeliosClearance
 ///@}
 
 /** Trajectory and clouds: field data, the time that GpsTime counts from. */

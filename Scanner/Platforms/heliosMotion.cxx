@@ -61,9 +61,9 @@ private:
     const double s = (truth.Time - a.Time) / (b.Time - a.Time);
     const Vec3& p = truth.State.Position;
     const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * p.Norm();
-    return (segment(s) - p).Norm() <= 0.5 * this->Tolerance + rounding &&
+    return (segment(s) - p).Norm() <= 0.8 * this->Tolerance + rounding &&
       GetAngle(a.State.Orientation.Slerp(s, b.State.Orientation).Normalized(),
-        truth.State.Orientation) <= 0.5 * this->Tolerance;
+        truth.State.Orientation) <= 0.8 * this->Tolerance;
   }
 
   const MotionPiece& Piece;

@@ -24,6 +24,7 @@
  *
  * @sa
  * vtkHeliosStaticPlatform vtkHeliosLinearPathPlatform
+ * vtkHeliosGroundVehiclePlatform vtkHeliosMulticopterPlatform
  */
 
 #ifndef vtkHeliosPlatform_h

@@ -65,6 +65,7 @@ public:
 private:
   void PlanStandingLeg(std::size_t leg);
   bool PlanJourney(std::size_t first, std::size_t last);
+  void ExplainFailure(std::size_t first);
   void PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last);
   std::size_t FindEnd(std::size_t first) const;
 
@@ -129,12 +130,23 @@ bool Planner::PlanJourney(std::size_t first, std::size_t last)
   platform->Update();
   if (this->Log.HasError())
   {
-    this->Log.Error("platform " + this->Survey.GetPlatform(first).Id +
-      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+    this->ExplainFailure(first);
     return false;
   }
   this->PlanMovingLegs(platform, first, last);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// What a file of a trajectory has wrong names its place; else the journey's is told.
+void Planner::ExplainFailure(std::size_t first)
+{
+  const std::string& file = this->Survey.Legs[first].Trajectory.File;
+  if (file.empty() || this->Log.GetLastError().find(file) == std::string::npos)
+  {
+    this->Log.Error("platform " + this->Survey.GetPlatform(first).Name +
+      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -126,8 +126,8 @@ vtkSmartPointer<vtkHeliosPlatform> MakeVehicle(
 }
 
 /// Files count attitudes in radians.
-void SetComponent(int component, const NoiseData& data, std::size_t channels,
-  vtkHeliosPlatformNoise* noise)
+void SetComponent(
+  int component, const NoiseData& data, std::size_t channels, vtkHeliosPlatformNoise* noise)
 {
   const double unit =
     component >= vtkHeliosPlatformNoise::ATTITUDE_X ? vtkMath::DegreesFromRadians(1.0) : 1.0;

@@ -172,7 +172,7 @@ struct Play
   {
     auto* play = static_cast<Play*>(self);
     const auto spent = std::chrono::steady_clock::now() - play->Start;
-    if (play->Player->GetNumberOfPulsesDone() > 5000 || spent > std::chrono::seconds(2))
+    if (play->Player->GetNumberOfPulsesDone() > 12000 || spent > std::chrono::seconds(2))
     {
       play->Stopped = true;
       play->Player->Abort();
