@@ -20,7 +20,10 @@ enum class RandomStream : std::uint32_t
   Scene = 2,
   Platform = 3,
   AngleNoise = 4,
-  DetectorNoise = 5
+  DetectorNoise = 5,
+  VoxelShift = 20,
+  TurbidMedium = 21,
+  RandomMaterial = 22
 };
 
 /**

@@ -15,12 +15,14 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -65,7 +67,7 @@ struct vtkHeliosScanner::Scan
 //------------------------------------------------------------------------------
 vtkHeliosScanner::vtkHeliosScanner()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(4);
   this->RayCaster = helios::MakeDefaultRayCaster();
   this->BeamSampler = vtkSmartPointer<vtkHeliosBeamSampler>::New();
@@ -147,9 +149,14 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosScanner::FillInputPortInformation(int, vtkInformation* info)
+int vtkHeliosScanner::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkImageData" : "vtkPolyData");
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -176,12 +183,17 @@ int vtkHeliosScanner::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  for (int port : { 0, 1 })
   {
     vtkInformation* info = inputs[port]->GetInformationObject(0);
     info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // scene and trajectory are always whole
     info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  for (int i = 0; i < inputs[2]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputs[2]->GetInformationObject(i);
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }
@@ -290,7 +302,7 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
+bool vtkHeliosScanner::BuildRayCaster(vtkPolyData* scene)
 {
   std::string reason;
   vtkNew<vtkCallbackCommand> listener;
@@ -303,11 +315,30 @@ bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
   if (!built)
   {
     vtkErrorMacro(<< "the scene cannot be searched: " << reason);
+  }
+  return built;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
+{
+  helios::ScanModel& m = scan.Model;
+  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
+  const int grids = inputs[2]->GetNumberOfInformationObjects();
+  const bool hasSurfaces = grids == 0 || scene->GetNumberOfCells() > 0;
+  if (hasSurfaces && !this->BuildRayCaster(scene))
+  {
     return false;
   }
-  helios::ScanModel& m = scan.Model;
-  m.Caster = this->RayCaster;
-  const std::string fault = m.Surfaces.Set(scene);
+  m.Caster = hasSurfaces ? this->RayCaster.Get() : nullptr;
+  std::string fault = m.Surfaces.Set(scene);
+  for (int i = 0; fault.empty() && i < grids; ++i)
+  {
+    vtkImageData* grid = vtkImageData::GetData(inputs[2], i);
+    vtkIdType firstCell = 0;
+    fault = m.Surfaces.AddGrid(grid, firstCell);
+    fault = fault.empty() ? m.Medium.Add(grid, firstCell) : fault;
+  }
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
@@ -361,7 +392,10 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   }
   m.Plan =
     helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
-  this->RayCaster->PrepareConeProbe();
+  if (m.Caster)
+  {
+    this->RayCaster->PrepareConeProbe();
+  }
   helios::PrepareBeamByTolerance(this->BeamSampler, scan.NumberOfPulses, m);
 }
 
@@ -388,8 +422,7 @@ int vtkHeliosScanner::RequestData(
 {
   Scan scan;
   if (!this->CheckSettings() || !this->PrepareSources(vtkPolyData::GetData(inputs[1]), scan) ||
-    !this->PreparePulses(scan) || !this->PrepareScene(vtkPolyData::GetData(inputs[0]), scan) ||
-    !this->PrepareReceiver(scan))
+    !this->PreparePulses(scan) || !this->PrepareScene(inputs, scan) || !this->PrepareReceiver(scan))
   {
     return 0;
   }
@@ -406,10 +439,12 @@ int vtkHeliosScanner::RequestData(
   this->RunPulses(
     scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
 
-  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
-  for (const char* name : { names::PartName, names::CRS })
+  vtkFieldData* from = vtkPolyData::GetData(inputs[0])->GetFieldData();
+  const vtkSmartPointer<vtkStringArray> parts = scan.Model.Surfaces.MakePartNames();
+  for (vtkAbstractArray* array :
+    { static_cast<vtkAbstractArray*>(parts), from->GetAbstractArray(names::CRS) })
   {
-    if (vtkAbstractArray* array = scene->GetFieldData()->GetAbstractArray(name))
+    if (array)
     {
       vtkPolyData::GetData(outputs, 0)->GetFieldData()->AddArray(array);
     }
