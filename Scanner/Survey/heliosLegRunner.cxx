@@ -2,23 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
-#include "heliosLegOptics.h"
 #include "heliosMessages.h"
-#include "vtkHeliosArrayNames.h"
-#include "vtkHeliosBeamDeflector.h"
-#include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
-#include "vtkHeliosRayCaster.h"
-#include "vtkHeliosScanner.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
 
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -27,8 +18,6 @@
 
 namespace helios
 {
-namespace names = vtkHeliosArrayNames;
-
 namespace
 {
 
@@ -42,17 +31,6 @@ std::string MakeFileName(const std::string& folder, std::size_t leg, const char*
   return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
 }
 
-vtkIdType CountFirstReturns(vtkPolyData* echoes)
-{
-  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
-  {
-    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
-  }
-  return count;
-}
-
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
 {
   if (isXml)
@@ -60,12 +38,6 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
     return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
   return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
-}
-
-void SetPose(const Pose& pose, double position[3], double orientation[4])
-{
-  std::copy_n(pose.Position.GetData(), 3, position);
-  std::copy_n(pose.Orientation.GetData(), 4, orientation);
 }
 
 } // namespace
@@ -77,63 +49,23 @@ LegRunner::LegRunner(
   , Settings(settings)
   , Log(log)
   , Scene(scene)
+  , Scanner(survey, scene, settings.Scan, log)
 {
-  this->Log.Listen(this->Scanner.Get());
-  this->SetUpInstrument();
 }
 
 //------------------------------------------------------------------------------
 LegRunner::~LegRunner() = default;
 
 //------------------------------------------------------------------------------
-void LegRunner::SetUpInstrument()
-{
-  const ScannerData& data = this->Survey.Scanner;
-  this->Scanner->SetInputDataObject(0, this->Scene);
-  if (this->Settings.RayCaster)
-  {
-    this->Scanner->SetRayCaster(this->Settings.RayCaster);
-  }
-  SetUpReceiver(data, this->Settings.Receiver, this->Scanner);
-  double position[3];
-  double orientation[4];
-  SetPose(this->Survey.Platform.Mount, position, orientation);
-  this->Scanner->SetMountPosition(position);
-  this->Scanner->SetMountOrientation(orientation);
-  SetPose(data.Beam, position, orientation);
-  this->Scanner->SetBeamOrigin(position);
-  this->Scanner->SetBeamOrientation(orientation);
-  Vec3 axis = data.HeadRotateAxis;
-  this->Scanner->SetHeadRotateAxis(axis.GetData());
-  this->Scanner->SetSeed(this->Settings.Seed);
-  this->Scanner->SetGenerateWaveforms(this->Settings.Waveforms);
-}
-
-//------------------------------------------------------------------------------
-void LegRunner::SetUpLeg(const LegPlan& plan)
-{
-  const LegData& leg = this->Survey.Legs[plan.Leg];
-  this->Scanner->SetBeamDeflector(MakeDeflector(this->Survey.Scanner, leg));
-  this->Scanner->GetBeamSampler()->SetBeamDivergence(leg.BeamDivergence);
-  this->Scanner->SetHeadRotateStart(leg.HeadRotateStart);
-  this->Scanner->SetHeadRotateStop(leg.HeadRotateStop);
-  this->Scanner->SetHeadRotateSpeed(leg.HeadRotateSpeed);
-  this->Scanner->SetInputConnection(1, plan.Platform->GetOutputPort());
-  this->Scanner->SetStartTime(plan.StartTime);
-  this->Scanner->SetDuration(plan.Duration);
-  this->Scanner->SetFirstPulseId(plan.FirstPulse);
-  this->Scanner->SetLegId(static_cast<int>(plan.Leg));
-}
-
-//------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  this->Plans = PlanLegs(this->Survey, this->Scene, this->Log);
+  const LegChance chance = { this->Settings.Scan.Receiver.Noise, this->Settings.Scan.Seed };
+  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   for (LegPlan& plan : this->Plans)
   {
-    this->SetUpLeg(plan);
+    this->Scanner.SetUp(plan);
     plan.FirstPulse = this->NumberOfPulses;
-    plan.NumberOfPulses = std::max<vtkIdType>(0, this->Scanner->GetNumberOfPulses());
+    plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
   }
   return !this->Log.HasError();
@@ -162,7 +94,7 @@ LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
     writers[0] = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
     this->Open(writers[0], plan, "_points.xyz");
   }
-  if (this->Settings.Waveforms)
+  if (this->Settings.Scan.Waveforms)
   {
     writers.push_back(MakeWaveformWriter(isXml));
     this->Open(writers[1], plan, isXml ? "_fullwave.pvtt" : "_fullwave.txt");
@@ -192,7 +124,7 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan)
 //------------------------------------------------------------------------------
 bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
 {
-  this->SetUpLeg(plan);
+  this->Scanner.SetUp(plan);
   const Writers writers = this->OpenWriters(plan);
   bool good = !this->Log.HasError() && this->WriteTrajectory(plan) &&
     this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
@@ -212,23 +144,22 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
   const vtkIdType before = this->Counts.Pulses;
   for (int block = 0; block < blocks; ++block)
   {
-    this->Scanner->UpdatePiece(block, blocks, 0);
-    if (this->Log.HasError())
+    if (!this->Scanner.Update(block, blocks))
     {
       return false;
     }
     const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->CountBlock(before + done);
+    this->Counts.Pulses = before + done;
+    this->Scanner.Count(this->Counts);
     for (std::size_t port = 0; port < writers.size(); ++port)
     {
-      vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
-      if (!writers[port]->Write(data))
+      if (!writers[port]->Write(this->Scanner.GetOutput(static_cast<int>(port))))
       {
         return false;
       }
-      data->ReleaseData();
     }
+    this->Scanner.ReleaseOutput();
     if (!onBlock(this->Counts))
     {
       return false;
@@ -238,33 +169,16 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::CountBlock(vtkIdType pulses)
-{
-  vtkPolyData* echoes = this->Scanner->GetOutput();
-  this->Counts.Pulses = pulses;
-  this->Counts.Echoes += echoes->GetNumberOfPoints();
-  this->Counts.FirstReturns += CountFirstReturns(echoes);
-  this->Counts.PulsesFired += this->Scanner->GetNumberOfPulsesFired();
-  this->Counts.PulsesHit += this->Scanner->GetNumberOfPulsesHit();
-  this->Counts.PulsesOnPlane += this->Scanner->GetNumberOfPulsesOnPlane();
-  this->Counts.PulsesWithoutBins += this->Scanner->GetNumberOfPulsesWithoutBins();
-  this->Counts.PulsesBinned += this->Scanner->GetNumberOfPulsesBinned();
-  this->Counts.SubRays += this->Scanner->GetNumberOfSubRays();
-  this->Counts.HitsOutOfRange += this->Scanner->GetNumberOfHitsOutOfRange();
-  this->Counts.LargestAmplitude =
-    std::max(this->Counts.LargestAmplitude, this->Scanner->GetLargestAmplitude());
-}
-
-//------------------------------------------------------------------------------
 std::string LegRunner::DescribeSampling()
 {
-  return this->Scanner->DescribeSampling();
+  return this->Scanner.DescribeSampling();
 }
 
 //------------------------------------------------------------------------------
 std::string LegRunner::ExplainNoEchoes() const
 {
-  const ScannerData& scanner = this->Survey.Scanner;
+  const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
+  const ScannerData& scanner = this->Survey.GetScanner(leg);
   Sentence text;
   text << "No points: ";
   if (this->NumberOfPulses == 0)

@@ -1,23 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the legs of a survey: one scanner, block by block, into files.
+// Runs the legs of a survey, block by block, into files.
 
 #ifndef heliosLegRunner_h
 #define heliosLegRunner_h
 
 #include "heliosLegPlan.h"
-#include "heliosReceiver.h"
+#include "heliosLegScanner.h"
 #include "heliosSurveyData.h"
 
-#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-class vtkHeliosRayCaster;
-class vtkHeliosScanner;
 class vtkHeliosStreamWriter;
 class vtkPolyData;
 
@@ -31,11 +28,8 @@ struct RunSettings
 {
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, vtp
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
-  bool Waveforms = false;
+  ScanOptions Scan;
   vtkIdType PulsesPerBlock = 262144;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
 };
 
 /// What a run has done so far.
@@ -87,19 +81,16 @@ public:
 private:
   using Writers = std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>;
 
-  void SetUpInstrument();
-  void SetUpLeg(const LegPlan& plan);
   Writers OpenWriters(const LegPlan& plan);
   void Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending);
   bool WriteTrajectory(const LegPlan& plan);
   bool RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock);
-  void CountBlock(vtkIdType pulses);
 
   const SurveyData& Survey;
   RunSettings Settings;
   Messages& Log;
   vtkSmartPointer<vtkPolyData> Scene;
-  vtkNew<vtkHeliosScanner> Scanner;
+  LegScanner Scanner;
   std::vector<LegPlan> Plans;
   vtkIdType NumberOfPulses = 0;
   RunCounts Counts;

@@ -106,9 +106,9 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
   const std::string output = player->OutputDirectory ? player->OutputDirectory : "";
   this->Settings.Folder = (fs::path(output) / player->Survey->GetName()).string();
   this->Settings.Format = format;
-  this->Settings.Seed = player->Seed;
-  this->Settings.Receiver.Noise = player->Noise;
-  this->Settings.Waveforms = player->WriteWaveforms;
+  this->Settings.Scan.Seed = player->Seed;
+  this->Settings.Scan.Receiver.Noise = player->Noise;
+  this->Settings.Scan.Waveforms = player->WriteWaveforms;
   this->Settings.PulsesPerBlock = player->PulsesPerBlock;
   return this->ChooseReceiver() && this->ChooseRayCaster();
 }
@@ -144,10 +144,10 @@ bool vtkHeliosSurveyPlayer::Internals::ChooseReceiver()
   {
     return this->Fail(fault.str());
   }
-  this->Settings.Receiver.RangeTolerance = player->RangeTolerance;
-  this->Settings.Receiver.EnergyTolerance = player->EnergyTolerance;
-  this->Settings.Receiver.NumberOfSubRays = player->NumberOfSubRays;
-  this->Settings.Receiver.EchoDetector = detector;
+  this->Settings.Scan.Receiver.RangeTolerance = player->RangeTolerance;
+  this->Settings.Scan.Receiver.EnergyTolerance = player->EnergyTolerance;
+  this->Settings.Scan.Receiver.NumberOfSubRays = player->NumberOfSubRays;
+  this->Settings.Scan.Receiver.EchoDetector = detector;
   return true;
 }
 
@@ -171,7 +171,7 @@ bool vtkHeliosSurveyPlayer::Internals::ChooseRayCaster()
     return this->Fail((given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" +
       name + "\" is not in this build; give one of " + helios::Enumerate(names));
   }
-  this->Settings.RayCaster =
+  this->Settings.Scan.RayCaster =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
   return true;
 }
@@ -235,7 +235,7 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
   const helios::SurveyData& survey = this->Player->Survey->GetData();
   helios::SceneBuilder builder(survey.Scene, this->Log);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
-  this->Scene = builder.Build(survey.Scanner.Wavelength, onStep);
+  this->Scene = builder.Build(onStep);
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
