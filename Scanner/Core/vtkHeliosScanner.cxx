@@ -7,13 +7,13 @@
 #include "heliosScanModel.h"
 #include "heliosScanOutput.h"
 #include "heliosScanRun.h"
+#include "heliosScenePreparation.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -303,49 +303,20 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosScanner::BuildRayCaster(vtkPolyData* scene)
-{
-  std::string reason;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&reason);
-  listener->SetCallback([](vtkObject*, unsigned long, void* into, void* text)
-    { *static_cast<std::string*>(into) += static_cast<const char*>(text); });
-  const unsigned long tag = this->RayCaster->AddObserver(vtkCommand::ErrorEvent, listener);
-  const bool built = this->RayCaster->Build(scene);
-  this->RayCaster->RemoveObserver(tag);
-  if (!built)
-  {
-    vtkErrorMacro(<< "the scene cannot be searched: " << reason);
-  }
-  return built;
-}
-
-//------------------------------------------------------------------------------
 bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
 {
-  helios::ScanModel& m = scan.Model;
-  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
-  const int grids = inputs[2]->GetNumberOfInformationObjects();
-  const bool hasSurfaces = grids == 0 || scene->GetNumberOfCells() > 0;
-  if (hasSurfaces && !this->BuildRayCaster(scene))
+  std::vector<vtkImageData*> grids;
+  for (int i = 0; i < inputs[2]->GetNumberOfInformationObjects(); ++i)
   {
-    return false;
+    grids.push_back(vtkImageData::GetData(inputs[2], i));
   }
-  m.Caster = hasSurfaces ? this->RayCaster.Get() : nullptr;
-  std::string fault = m.Surfaces.Set(scene);
-  for (int i = 0; fault.empty() && i < grids; ++i)
-  {
-    vtkImageData* grid = vtkImageData::GetData(inputs[2], i);
-    vtkIdType firstCell = 0;
-    fault = m.Surfaces.AddGrid(grid, firstCell);
-    fault = fault.empty() ? m.Medium.Add(grid, firstCell) : fault;
-  }
+  const std::string fault =
+    helios::PrepareScene(vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, scan.Model);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
-    return false;
   }
-  return true;
+  return fault.empty();
 }
 
 //------------------------------------------------------------------------------

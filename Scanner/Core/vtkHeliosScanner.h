@@ -340,7 +340,6 @@ private:
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
-  bool BuildRayCaster(vtkPolyData* scene);
   bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);

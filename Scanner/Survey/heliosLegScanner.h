@@ -18,6 +18,7 @@
 class vtkDataObject;
 class vtkHeliosRayCaster;
 class vtkHeliosScanner;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -33,7 +34,8 @@ struct ScanOptions
   ReceiverChoice Receiver;
   bool Waveforms = false;
   bool Pulses = false;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels
 };
 
 class LegScanner
@@ -76,6 +78,7 @@ private:
   ScanOptions Options;
   Messages& Log;
   SpectralScenes Scenes;
+  std::vector<SpectralScenes> Grids;
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;

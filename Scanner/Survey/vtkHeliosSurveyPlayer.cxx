@@ -10,6 +10,7 @@
 
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -233,9 +234,11 @@ bool vtkHeliosSurveyPlayer::Internals::ClearFolder()
 bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log);
+  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Scan.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
+  this->Settings.Scan.Grids =
+    this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
