@@ -17,6 +17,7 @@
 
 class vtkDataObject;
 class vtkHeliosScanner;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -73,6 +74,7 @@ private:
   RunSettings Settings;
   Messages& Log;
   SpectralScenes Scenes;
+  std::vector<SpectralScenes> Grids;
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;

@@ -14,6 +14,7 @@
 
 #include <vtkCommand.h>
 #include <vtkObjectFactory.h>
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 
 #include <chrono>
@@ -158,9 +159,11 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
   const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log);
+  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
+  this->Settings.Grids =
+    this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
