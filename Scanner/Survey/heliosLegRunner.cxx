@@ -18,6 +18,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 
 namespace helios
 {
@@ -238,18 +239,20 @@ bool LegRunner::OpenAll(const Outputs& outputs, const LegProgress& before)
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(
-  const LegPlan& plan, const LegProgress& before, FileProgress& written)
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
+  const BlockCallback& onBlock, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
   const auto writer = this->MakeTrajectoryWriter(plan);
   this->Open(writer, before);
-  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
+  bool goesOn = true;
+  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && goesOn && !this->Log.HasError();
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
+    goesOn = onBlock(this->Counts);
   }
-  if (this->Log.HasError())
+  if (this->Log.HasError() || !goesOn)
   {
     writer->Abandon();
     return false;
@@ -271,7 +274,8 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
-  bool good = this->OpenAll(outputs, before) && this->WriteTrajectory(plan, before, trajectory) &&
+  bool good = this->OpenAll(outputs, before) &&
+    this->WriteTrajectory(plan, before, onBlock, trajectory) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
@@ -294,8 +298,14 @@ bool LegRunner::RunBlocks(
   const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
-  const int blocks =
-    static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
+  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
+  if (count > std::numeric_limits<int>::max())
+  {
+    this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
+      " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
+    return false;
+  }
+  const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
   if (progress.Blocks > 0)
   {
@@ -413,8 +423,9 @@ std::string LegRunner::ExplainNoEchoes() const
 {
   const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
   const ScannerData& scanner = this->Survey.GetScanner(leg);
+  const std::string& where = this->Survey.Legs[leg].Where;
   Sentence text;
-  text << "No points: ";
+  text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (this->NumberOfPulses == 0)
   {
     text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "

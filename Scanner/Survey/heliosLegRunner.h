@@ -98,7 +98,8 @@ private:
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const LegProgress& before);
   bool OpenAll(const Outputs& outputs, const LegProgress& before);
-  bool WriteTrajectory(const LegPlan& plan, const LegProgress& before, FileProgress& written);
+  bool WriteTrajectory(const LegPlan& plan, const LegProgress& before, const BlockCallback& onBlock,
+    FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
   bool WriteBlock(const Outputs& outputs);

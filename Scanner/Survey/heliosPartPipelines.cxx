@@ -111,6 +111,7 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
 vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
 {
   const bool isPoints = part.Type == Loader::Xyz;
+  this->Where = part.Where;
   Filter last = isPoints ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
   last = this->AddMeshCare(part, this->AddMaterial(part.Material, last));
   const Quaternion& q = part.Rotation;
@@ -173,7 +174,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
     return this->GetReader(part, part.Files.front());
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
-  this->Log.Listen(composer);
+  this->Log.Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
     composer->AddInputConnection(this->GetReader(part, file)->GetOutputPort());
@@ -192,7 +193,7 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   voxelizer->SetDefaultNormal(normal.GetData());
   voxelizer->SetNumberOfMaterials(part.Material.Count);
   const auto reader = MakePointReader(part);
-  this->Log.Listen(reader);
+  this->Log.Listen(reader, this->Where);
   this->Readers.emplace_back(part.Files.front(), voxelizer);
   return this->Connect(voxelizer, this->AddCrs(part, reader)); // cells lie along the target's axes
 }
@@ -208,7 +209,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   if (!reader)
   {
     reader = part.Type == Loader::GeoTiff ? MakeGeoTiffReader(file) : MakeObjReader(part, file);
-    this->Log.Listen(reader);
+    this->Log.Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
   return reader;
@@ -293,7 +294,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
 PartPipelines::Filter PartPipelines::Connect(Filter filter, const Filter& before)
 {
   filter->SetInputConnection(before->GetOutputPort());
-  this->Log.Listen(filter);
+  this->Log.Listen(filter, this->Where);
   return filter;
 }
 

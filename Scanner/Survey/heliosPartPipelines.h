@@ -62,6 +62,7 @@ private:
   Messages& Log;
   vtkIdType Seed;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
+  std::string Where; // the part at hand
   std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
   std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
 };

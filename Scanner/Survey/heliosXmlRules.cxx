@@ -517,6 +517,12 @@ const XmlElementRule* FindXmlRule(const std::string& element)
 }
 
 //------------------------------------------------------------------------------
+const std::vector<XmlElementRule>& GetXmlRules()
+{
+  return Rules;
+}
+
+//------------------------------------------------------------------------------
 std::string FindNearestName(const std::string& name, const std::vector<std::string>& names)
 {
   const std::string wanted = ToLower(name);
