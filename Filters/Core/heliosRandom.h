@@ -20,7 +20,8 @@ enum class RandomStream : std::uint32_t
   Scene = 2,
   Platform = 3,
   AngleNoise = 4,
-  DetectorNoise = 5
+  DetectorNoise = 5,
+  LegOffset = 16
 };
 
 /**

@@ -166,12 +166,8 @@ bool vtkHeliosXMLPieceWriter::Reopen(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosXMLPieceWriter::Flush()
+std::string vtkHeliosXMLPieceWriter::Sync()
 {
-  if (!this->CheckOpen())
-  {
-    return false;
-  }
   std::string problem;
   for (; !this->CountOnly && problem.empty() && this->NumberOfPiecesOnDisk < this->NumberOfPieces;
        ++this->NumberOfPiecesOnDisk)
@@ -180,7 +176,7 @@ bool vtkHeliosXMLPieceWriter::Flush()
     problem = helios::SyncFile(name);
     problem = problem.empty() ? helios::SyncFolderOf(name) : problem;
   }
-  return problem.empty() ? this->Superclass::Flush() : this->FailFile(problem);
+  return problem.empty() ? this->Superclass::Sync() : problem;
 }
 
 //------------------------------------------------------------------------------

@@ -82,7 +82,7 @@ void PulseSource::TurnBeam(
   }
   if (this->AngleAccuracy > 0.0)
   {
-    const auto id = static_cast<std::uint64_t>(this->FirstPulseId + index);
+    const auto id = static_cast<std::uint64_t>(this->Ids.Get(index));
     const auto noise = NormalPair(this->Seed, RandomStream::AngleNoise, id, 0);
     Vec3 axis(this->AngleAccuracy * noise[0], 1.0, this->AngleAccuracy * noise[1]);
     axis.Normalize();

@@ -32,6 +32,15 @@ struct Pulse
   }
 };
 
+/// The ids of the pulses 0, 1, 2 ...
+struct PulseIds
+{
+  vtkIdType First = 0;
+  vtkIdType Stride = 1;
+
+  vtkIdType Get(vtkIdType index) const { return this->First + index * this->Stride; }
+};
+
 /**
  * What carries the beam, from the platform to the deflector:
  * A = A_platform A_mount R_head A_beam, and the lever arms turn with the attitude,
@@ -52,7 +61,7 @@ struct PulseSource
   const vtkHeliosErrorModel* Errors = nullptr;
   double AngleAccuracy = 0.0; // [rad]
   std::uint64_t Seed = 0;
-  vtkIdType FirstPulseId = 0;
+  PulseIds Ids;
 
   /// Pulse number index; false where the deflector lets none out.
   bool GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const;

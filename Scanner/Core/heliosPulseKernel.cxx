@@ -49,7 +49,7 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
     }
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
-      this->PulseId = this->Model.FirstPulseId + this->Indices[slot];
+      this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
       this->Returns.clear();
       this->SubRays.clear();
       this->Echoes.clear();

@@ -76,7 +76,6 @@ struct ScanModel
   int ReturnSelection = 0;
   int MaximumNumberOfReturns = 0; // 0: all
   std::uint64_t Seed = 0;
-  vtkIdType FirstPulseId = 0;
 
   bool WantsWaveforms = false;
   bool WantsPulses = false;

@@ -101,6 +101,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Duration: " << this->Duration << " s\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "FirstPulseId: " << this->FirstPulseId << "\n"
+     << indent << "PulseIdStride: " << this->PulseIdStride << "\n"
      << indent << "LegId: " << this->LegId << "\n"
      << indent << "ChannelId: " << this->ChannelId << "\n"
      << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
@@ -250,7 +251,7 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.Errors = this->ErrorModel;
   source.AngleAccuracy = this->AngleAccuracy;
   source.Seed = static_cast<std::uint64_t>(this->Seed);
-  source.FirstPulseId = this->FirstPulseId;
+  source.Ids = { this->FirstPulseId, this->PulseIdStride };
   return true;
 }
 
@@ -342,7 +343,6 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.ReturnSelection = this->ReturnSelection;
   m.MaximumNumberOfReturns = this->MaximumNumberOfReturns;
   m.Seed = static_cast<std::uint64_t>(this->Seed);
-  m.FirstPulseId = this->FirstPulseId;
   m.WantsWaveforms = this->GenerateWaveforms;
   m.WantsPulses = this->GeneratePulses;
   m.WantsSubRays = this->GenerateSubRays;

@@ -22,7 +22,7 @@
  * Range, CellIds, IncidenceAngle.
  *
  * Pulse i leaves at StartTime + i / PulseFrequency, where the deflector lets it
- * out; its id is FirstPulseId + i. What a sub-ray returns is the lidar equation
+ * out; its id is FirstPulseId + i PulseIdStride. What a sub-ray returns is the lidar equation
  * of vtkHeliosInstrument, and it returns after 2 R / c. An echo lies on the axis of
  * the beam at its own range; surface ids are those of the sub-ray nearest in
  * range.
@@ -248,6 +248,16 @@ public:
 
   ///@{
   /**
+   * Set/Get by how much the ids of two pulses in a row differ: the number of
+   * scanners that fire at once and share their ids, each with a FirstPulseId of
+   * its own. Valid range: [1, 65536]. Default: 1.
+   */
+  vtkSetClampMacro(PulseIdStride, vtkIdType, 1, 65536);
+  vtkGetMacro(PulseIdStride, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get which outputs are computed beside the echoes. Default: off.
    */
   vtkSetMacro(GenerateWaveforms, bool);
@@ -352,6 +362,7 @@ private:
   double TimeWindow[2] = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
   vtkIdType Seed = 0;
   vtkIdType FirstPulseId = 0;
+  vtkIdType PulseIdStride = 1;
   int LegId = 0;
   int ChannelId = 0;
   bool GenerateWaveforms = false;

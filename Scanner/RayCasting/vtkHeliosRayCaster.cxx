@@ -8,8 +8,10 @@
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
 
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -92,7 +94,7 @@ void vtkHeliosRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
 {
-  if (scene && scene == this->BuiltScene && scene->GetMTime() <= this->BuiltTime)
+  if (this->IsBuilt(scene))
   {
     return true;
   }
@@ -113,8 +115,25 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
     return false;
   }
   this->BuiltScene = scene;
+  this->BuiltPoints = scene->GetPoints();
+  this->BuiltPolys = scene->GetPolys();
   this->BuiltTime = scene->GetMTime();
   return true;
+}
+
+bool vtkHeliosRayCaster::IsBuilt(vtkPolyData* scene) const
+{
+  if (!scene || !this->BuiltScene)
+  {
+    return false;
+  }
+  if (scene == this->BuiltScene)
+  {
+    return scene->GetMTime() <= this->BuiltTime;
+  }
+  return scene->GetPoints() == this->BuiltPoints && scene->GetPolys() == this->BuiltPolys &&
+    scene->GetNumberOfStrips() == 0 && this->BuiltScene->GetNumberOfStrips() == 0 &&
+    std::max(this->BuiltPoints->GetMTime(), this->BuiltPolys->GetMTime()) <= this->BuiltTime;
 }
 
 bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions,

@@ -27,8 +27,10 @@
 #include <limits> // For an endless ray
 #include <memory> // For the private mesh
 
+class vtkCellArray;
 class vtkDoubleArray;
 class vtkIdTypeArray;
+class vtkPoints;
 class vtkPolyData;
 
 namespace helios
@@ -182,10 +184,15 @@ private:
   vtkHeliosRayCaster(const vtkHeliosRayCaster&) = delete;
   void operator=(const vtkHeliosRayCaster&) = delete;
 
+  /// Whether the accelerator is that of a scene, or of another one with the same triangles.
+  bool IsBuilt(vtkPolyData* scene) const;
+
   std::unique_ptr<helios::TriangleMesh> Mesh;
   std::unique_ptr<helios::BeamTree> OwnConeTree;
   const helios::BeamTree* ConeTree = nullptr; ///< once it is prepared
   vtkWeakPointer<vtkPolyData> BuiltScene;
+  vtkPoints* BuiltPoints = nullptr;  ///< of the scene, held by it
+  vtkCellArray* BuiltPolys = nullptr; ///< of the scene, held by it
   vtkMTimeType BuiltTime = 0;
 };
 

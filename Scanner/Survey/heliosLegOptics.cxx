@@ -19,52 +19,53 @@ namespace
 {
 
 template <typename DeflectorT>
-vtkSmartPointer<DeflectorT> MakeMirror(const LegData& leg)
+vtkSmartPointer<DeflectorT> MakeMirror(const ScanData& scan)
 {
   auto mirror = vtkSmartPointer<DeflectorT>::New();
-  mirror->SetScanFrequency(leg.ScanFrequency);
+  mirror->SetScanFrequency(scan.ScanFrequency);
   return mirror;
 }
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakeRotating(const ScannerData& scanner, const LegData& leg)
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeRotating(
+  const ScannerData& scanner, const ScanData& scan)
 {
-  auto mirror = MakeMirror<vtkHeliosRotatingMirror>(leg);
+  auto mirror = MakeMirror<vtkHeliosRotatingMirror>(scan);
   mirror->SetMirrorAngle(scanner.ScanAngleMax);
-  mirror->SetVerticalAngleMin(leg.VerticalAngleMin);
-  mirror->SetVerticalAngleMax(leg.VerticalAngleMax);
+  mirror->SetVerticalAngleMin(scan.VerticalAngleMin);
+  mirror->SetVerticalAngleMax(scan.VerticalAngleMax);
   return mirror;
 }
 
 vtkSmartPointer<vtkHeliosBeamDeflector> MakeOscillating(
-  const ScannerData& scanner, const LegData& leg)
+  const ScannerData& scanner, const ScanData& scan)
 {
-  auto mirror = MakeMirror<vtkHeliosOscillatingMirror>(leg);
-  mirror->SetScanAngle(leg.ScanAngle);
+  auto mirror = MakeMirror<vtkHeliosOscillatingMirror>(scan);
+  mirror->SetScanAngle(scan.ScanAngle);
   mirror->SetPattern(scanner.IsSinusoidal ? vtkHeliosOscillatingMirror::SINUSOIDAL
                                           : vtkHeliosOscillatingMirror::TRIANGULAR);
   mirror->SetTurningPulses(scanner.TurningPulses);
   return mirror;
 }
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakeFibers(const ScannerData& scanner, const LegData& leg)
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeFibers(const ScannerData& scanner, const ScanData& scan)
 {
   auto fibers = vtkSmartPointer<vtkHeliosFiberArray>::New();
   fibers->SetNumberOfFibers(scanner.NumberOfFibers);
-  fibers->SetScanAngle(leg.ScanAngle);
+  fibers->SetScanAngle(scan.ScanAngle);
   return fibers;
 }
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakeConic(const LegData& leg)
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeConic(const ScanData& scan)
 {
-  auto mirror = MakeMirror<vtkHeliosConicMirror>(leg);
-  mirror->SetScanAngle(leg.ScanAngle);
+  auto mirror = MakeMirror<vtkHeliosConicMirror>(scan);
+  mirror->SetScanAngle(scan.ScanAngle);
   return mirror;
 }
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakePalmer(const LegData& leg)
+vtkSmartPointer<vtkHeliosBeamDeflector> MakePalmer(const ScanData& scan)
 {
-  auto mirror = MakeMirror<vtkHeliosPalmerMirror>(leg);
-  mirror->SetWobbleAngle(0.5 * leg.ScanAngle);
+  auto mirror = MakeMirror<vtkHeliosPalmerMirror>(scan);
+  mirror->SetWobbleAngle(0.5 * scan.ScanAngle);
   return mirror;
 }
 
@@ -72,6 +73,7 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakePrisms(const ScannerData& scanner)
 {
   auto prisms = vtkSmartPointer<vtkHeliosRisleyPrisms>::New();
   prisms->SetAirRefractiveIndex(scanner.AirRefractiveIndex);
+  prisms->SetIncidentBeam(scanner.IncidentBeam.GetData());
   for (int k = 0; k < vtkHeliosRisleyPrisms::MaximumNumberOfPrisms; ++k)
   {
     prisms->SetWedgeAngle(k, scanner.Prisms[k].WedgeAngle);
@@ -81,24 +83,24 @@ vtkSmartPointer<vtkHeliosBeamDeflector> MakePrisms(const ScannerData& scanner)
   return prisms;
 }
 
-vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, const LegData& leg)
+vtkSmartPointer<vtkHeliosBeamDeflector> MakeType(const ScannerData& scanner, const ScanData& scan)
 {
   switch (scanner.Type)
   {
     case Optics::OscillatingMirror:
-      return MakeOscillating(scanner, leg);
+      return MakeOscillating(scanner, scan);
     case Optics::FiberArray:
-      return MakeFibers(scanner, leg);
+      return MakeFibers(scanner, scan);
     case Optics::ConicMirror:
-      return MakeConic(leg);
+      return MakeConic(scan);
     case Optics::PalmerMirror:
-      return MakePalmer(leg);
+      return MakePalmer(scan);
     case Optics::RisleyPrisms:
       return MakePrisms(scanner);
     case Optics::RotatingMirror:
       break;
   }
-  return MakeRotating(scanner, leg);
+  return MakeRotating(scanner, scan);
 }
 
 } // namespace
@@ -113,11 +115,11 @@ const char* GetOpticsName(Optics type)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
-  const ScannerData& scanner, const LegData& leg)
+  const ScannerData& scanner, const ScanData& scan)
 {
-  const auto deflector = MakeType(scanner, leg);
-  deflector->SetPulseFrequency(leg.PulseFrequency);
-  deflector->SetWarmUpTime(leg.WarmUpTime);
+  const auto deflector = MakeType(scanner, scan);
+  deflector->SetPulseFrequency(scan.PulseFrequency);
+  deflector->SetWarmUpTime(scan.WarmUpTime);
   return deflector;
 }
 

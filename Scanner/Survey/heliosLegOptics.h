@@ -30,7 +30,7 @@ constexpr OpticsName OpticsNames[] = { { "rotating", Optics::RotatingMirror },
 const char* GetOpticsName(Optics type);
 
 VTKHELIOSSCANNERSURVEY_EXPORT vtkSmartPointer<vtkHeliosBeamDeflector> MakeDeflector(
-  const ScannerData& scanner, const LegData& leg);
+  const ScannerData& scanner, const ScanData& scan);
 
 } // namespace helios
 

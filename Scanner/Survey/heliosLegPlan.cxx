@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegPlan.h"
 
+#include "heliosMakePlatform.h"
 #include "heliosMessages.h"
-#include "heliosSurveyCrs.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosGroundSnap.h"
-#include "vtkHeliosLinearPathPlatform.h"
+#include "vtkHeliosPlatform.h"
 #include "vtkHeliosStaticPlatform.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -38,77 +36,6 @@ ArrayT* AddArray(vtkPolyData* data, const char* name, int components = 1)
   return array;
 }
 
-/// The legs [first, last) as waypoints.
-vtkSmartPointer<vtkPolyData> MakeWaypoints(
-  const SurveyData& survey, const std::vector<Vec3>& positions, std::size_t first, std::size_t last)
-{
-  auto waypoints = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(last - first));
-  waypoints->SetPoints(points);
-  auto* speed = AddArray<vtkDoubleArray>(waypoints, names::Speed);
-  auto* ids = AddArray<vtkIntArray>(waypoints, names::LegIds);
-  for (std::size_t leg = first; leg < last; ++leg)
-  {
-    const auto i = static_cast<vtkIdType>(leg - first);
-    points->SetPoint(i, positions[leg].GetData());
-    speed->SetValue(i, survey.Legs[leg].Speed);
-    ids->SetValue(i, static_cast<int>(leg));
-  }
-  return waypoints;
-}
-
-/// The positions of all legs in the scene's system; false after an error.
-bool FindPositions(
-  const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
-{
-  for (const LegData& leg : survey.Legs)
-  {
-    positions.emplace_back();
-    if (!TransformPosition(leg, scene, log, positions.back()))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Puts the positions of legs that are on the ground there; false after an error.
-bool PutOnGround(
-  const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
-{
-  const auto isOnGround = [](const LegData& leg) { return leg.OnGround; };
-  if (std::none_of(survey.Legs.begin(), survey.Legs.end(), isOnGround))
-  {
-    return true;
-  }
-  const auto legs = MakeWaypoints(survey, positions, 0, positions.size());
-  auto* onGround = AddArray<vtkIntArray>(legs, names::OnGround);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    onGround->SetValue(static_cast<vtkIdType>(i), survey.Legs[i].OnGround ? 1 : 0);
-  }
-  vtkNew<vtkHeliosGroundSnap> snap;
-  log.Listen(snap);
-  snap->SetInputDataObject(0, legs);
-  snap->SetInputDataObject(1, scene);
-  snap->Update();
-  if (log.HasError())
-  {
-    log.Error(survey.FileName +
-      ": legs with onGround need ground below them; point 0, 1 ... are the "
-      "legs, the first at " +
-      survey.Legs.front().Where);
-    return false;
-  }
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    positions[i] = Vec3(snap->GetOutput()->GetPoint(static_cast<vtkIdType>(i)));
-  }
-  return true;
-}
-
 /// What is left of a duration where a leg has a longest one.
 double LimitDuration(const LegData& leg, double duration)
 {
@@ -119,76 +46,139 @@ double LimitDuration(const LegData& leg, double duration)
 double GetStandingTime(const LegData& leg)
 {
   const double head = leg.GetHeadTime();
-  const bool turns = leg.HeadRotateSpeed != 0.0 && head >= 0.0;
+  const bool turns = head > 0.0;
   return turns ? LimitDuration(leg, head) : std::max(0.0, leg.MaximumDuration);
 }
 
-std::vector<LegPlan> PlanStandingLegs(
-  const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
+/// Plans the legs of a survey in order, on one clock.
+class Planner
 {
-  std::vector<LegPlan> plans;
-  double time = 0.0;
-  for (std::size_t leg = 0; leg < positions.size(); ++leg)
+public:
+  Planner(const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
+    : Survey(survey)
+    , Positions(positions)
+    , Log(log)
   {
-    const double duration = GetStandingTime(survey.Legs[leg]);
-    if (survey.Fires(leg))
-    {
-      auto platform = vtkSmartPointer<vtkHeliosStaticPlatform>::New();
-      platform->SetInputData(MakeWaypoints(survey, positions, leg, leg + 1));
-      platform->SetStartTime(time);
-      log.Listen(platform);
-      plans.push_back({ leg, platform, time, duration });
-    }
-    time += duration;
   }
-  return plans;
+
+  std::vector<LegPlan> Plan();
+
+private:
+  void PlanStandingLeg(std::size_t leg);
+  bool PlanJourney(std::size_t first, std::size_t last);
+  void PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last);
+  std::size_t FindEnd(std::size_t first) const;
+
+  const SurveyData& Survey;
+  const std::vector<Vec3>& Positions;
+  Messages& Log;
+  std::vector<LegPlan> Plans;
+  double Time = 0.0;
+};
+
+//------------------------------------------------------------------------------
+std::vector<LegPlan> Planner::Plan()
+{
+  for (std::size_t leg = 0; leg < this->Survey.Legs.size();)
+  {
+    const std::size_t end = this->Survey.IsMoving(leg) ? this->FindEnd(leg) : leg + 1;
+    if (!this->Survey.IsMoving(leg))
+    {
+      this->PlanStandingLeg(leg);
+    }
+    else if (!this->PlanJourney(leg, end))
+    {
+      return {};
+    }
+    leg = end;
+  }
+  return this->Plans;
 }
 
-std::vector<LegPlan> PlanMovingLegs(
-  const SurveyData& survey, const std::vector<Vec3>& positions, Messages& log)
+//------------------------------------------------------------------------------
+/// One behind the last leg of the journey that a leg is on.
+std::size_t Planner::FindEnd(std::size_t first) const
 {
-  std::vector<LegPlan> plans;
-  auto platform = vtkSmartPointer<vtkHeliosLinearPathPlatform>::New();
-  platform->SetInputData(MakeWaypoints(survey, positions, 0, positions.size()));
-  log.Listen(platform);
+  std::size_t leg = first;
+  while (!this->Survey.EndsJourney(leg))
+  {
+    ++leg;
+  }
+  return leg + 1;
+}
+
+//------------------------------------------------------------------------------
+void Planner::PlanStandingLeg(std::size_t leg)
+{
+  const double duration = GetStandingTime(this->Survey.Legs[leg]);
+  if (this->Survey.Fires(leg))
+  {
+    auto platform = vtkSmartPointer<vtkHeliosStaticPlatform>::New();
+    platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, leg, leg + 1));
+    platform->SetStartTime(this->Time);
+    this->Log.Listen(platform);
+    this->Plans.push_back({ leg, platform, this->Time, duration });
+  }
+  this->Time += duration;
+}
+
+//------------------------------------------------------------------------------
+bool Planner::PlanJourney(std::size_t first, std::size_t last)
+{
+  const vtkSmartPointer<vtkHeliosPlatform> platform = MakePlatform(this->Survey, first);
+  platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, first, last));
+  platform->SetStartTime(this->Time);
+  this->Log.Listen(platform);
   platform->Update();
+  if (this->Log.HasError())
+  {
+    this->Log.Error("platform " + this->Survey.GetPlatform(first).Id +
+      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+    return false;
+  }
+  this->PlanMovingLegs(platform, first, last);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The times of legs are those of their samples.
+void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last)
+{
   vtkPointData* samples = platform->GetOutput()->GetPointData();
   vtkDataArray* times = samples->GetArray(names::GpsTime);
   vtkDataArray* legs = samples->GetArray(names::LegIds);
-  if (log.HasError() || !times || !legs)
-  {
-    return plans;
-  }
-  vtkIdType sample = 0;
   const vtkIdType count = times->GetNumberOfTuples();
-  for (std::size_t leg = 0; leg < survey.Legs.size(); ++leg)
+  vtkIdType sample = 0;
+  for (std::size_t leg = first; leg < last; ++leg)
   {
-    const vtkIdType first = sample;
-    for (; sample < count && legs->GetTuple1(sample) == static_cast<double>(leg); ++sample)
+    const vtkIdType begin = sample;
+    while (sample < count && legs->GetTuple1(sample) == static_cast<double>(leg))
     {
+      ++sample;
     }
-    if (survey.Fires(leg) && sample > first)
+    if (this->Survey.Fires(leg) && sample > begin)
     {
-      const double start = times->GetTuple1(first);
+      const double start = times->GetTuple1(begin);
       const double duration = times->GetTuple1(sample - 1) - start;
-      plans.push_back({ leg, platform, start, LimitDuration(survey.Legs[leg], duration) });
+      this->Plans.push_back(
+        { leg, platform, start, LimitDuration(this->Survey.Legs[leg], duration) });
     }
   }
-  return plans;
+  this->Time = times->GetTuple1(count - 1);
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, Messages& log)
+std::vector<LegPlan> PlanLegs(
+  const SurveyData& survey, vtkPolyData* scene, const LegChance& chance, Messages& log)
 {
   std::vector<Vec3> positions;
-  if (!FindPositions(survey, scene, log, positions) || !PutOnGround(survey, scene, log, positions))
+  if (!FindPositions(survey, scene, chance, log, positions))
   {
     return {};
   }
-  return survey.IsMoving() ? PlanMovingLegs(survey, positions, log)
-                           : PlanStandingLegs(survey, positions, log);
+  return Planner(survey, positions, log).Plan();
 }
 
 //------------------------------------------------------------------------------

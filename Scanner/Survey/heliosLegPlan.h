@@ -5,7 +5,7 @@
 #ifndef heliosLegPlan_h
 #define heliosLegPlan_h
 
-#include "heliosSurveyData.h"
+#include "heliosWaypoints.h"
 
 #include <vtkSmartPointer.h>
 
@@ -31,10 +31,11 @@ struct LegPlan
 };
 
 /**
- * The legs of a survey that fire pulses, with their platforms run and their times set. Positions
- * that are on the ground are put onto that of the scene. None after an error.
+ * The legs of a survey that fire pulses, with their platforms run and their times set: each platform
+ * starts when the one before it has ended. None after an error.
  */
-std::vector<LegPlan> PlanLegs(const SurveyData& survey, vtkPolyData* scene, Messages& log);
+std::vector<LegPlan> PlanLegs(
+  const SurveyData& survey, vtkPolyData* scene, const LegChance& chance, Messages& log);
 
 /**
  * Samples of the trajectory of a leg at its start, every interval [s] after that, and its end; with

@@ -2,35 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLegRunner.h"
 
-#include "heliosLegOptics.h"
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
-#include "vtkHeliosArrayNames.h"
-#include "vtkHeliosBeamDeflector.h"
-#include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
-#include "vtkHeliosRayCaster.h"
-#include "vtkHeliosScanner.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
 
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <iterator>
 
 namespace helios
 {
-namespace names = vtkHeliosArrayNames;
 
 namespace
 {
@@ -43,17 +34,6 @@ std::string MakeFileName(const std::string& folder, std::size_t leg, const char*
   char name[32];
   std::snprintf(name, sizeof(name), "leg%03zu", leg);
   return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
-}
-
-vtkIdType CountFirstReturns(vtkPolyData* echoes)
-{
-  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
-  {
-    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
-  }
-  return count;
 }
 
 vtkSmartPointer<vtkHeliosStreamWriter> MakePointWriter(bool isXml)
@@ -81,15 +61,33 @@ FileProgress GetProgress(vtkHeliosStreamWriter* writer)
     writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
 }
 
+std::vector<FileProgress> GetProgress(
+  const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers)
+{
+  std::vector<FileProgress> files;
+  std::transform(writers.begin(), writers.end(), std::back_inserter(files),
+    [](const auto& writer) { return GetProgress(writer.Get()); });
+  return files;
+}
+
+/// Notes what is written when the disk has it; says what went wrong, or returns an empty text.
+std::string Note(const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers,
+  RunJournal& journal, std::size_t leg, const LegProgress& progress)
+{
+  for (const auto& writer : writers)
+  {
+    const std::string problem = writer->Sync();
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return journal.Append(leg, progress);
+}
+
 double Now()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-void SetPose(const Pose& pose, double position[3], double orientation[4])
-{
-  std::copy_n(pose.Position.GetData(), 3, position);
-  std::copy_n(pose.Orientation.GetData(), 4, orientation);
 }
 
 } // namespace
@@ -101,72 +99,32 @@ LegRunner::LegRunner(
   , Settings(settings)
   , Log(log)
   , Scene(scene)
+  , Scanner(survey, scene, settings.Scan, log)
 {
-  this->Log.Listen(this->Scanner.Get());
-  this->SetUpInstrument();
 }
 
 //------------------------------------------------------------------------------
 LegRunner::~LegRunner() = default;
 
 //------------------------------------------------------------------------------
-void LegRunner::SetUpInstrument()
-{
-  const ScannerData& data = this->Survey.Scanner;
-  this->Scanner->SetInputDataObject(0, this->Scene);
-  if (this->Settings.RayCaster)
-  {
-    this->Scanner->SetRayCaster(this->Settings.RayCaster);
-  }
-  SetUpReceiver(data, this->Settings.Receiver, this->Scanner);
-  double position[3];
-  double orientation[4];
-  SetPose(this->Survey.Platform.Mount, position, orientation);
-  this->Scanner->SetMountPosition(position);
-  this->Scanner->SetMountOrientation(orientation);
-  SetPose(data.Beam, position, orientation);
-  this->Scanner->SetBeamOrigin(position);
-  this->Scanner->SetBeamOrientation(orientation);
-  Vec3 axis = data.HeadRotateAxis;
-  this->Scanner->SetHeadRotateAxis(axis.GetData());
-  this->Scanner->SetSeed(this->Settings.Seed);
-  this->Scanner->SetGenerateWaveforms(this->Settings.Waveforms);
-}
-
-//------------------------------------------------------------------------------
-void LegRunner::SetUpLeg(const LegPlan& plan)
-{
-  const LegData& leg = this->Survey.Legs[plan.Leg];
-  this->Scanner->SetBeamDeflector(MakeDeflector(this->Survey.Scanner, leg));
-  this->Scanner->GetBeamSampler()->SetBeamDivergence(leg.BeamDivergence);
-  this->Scanner->SetHeadRotateStart(leg.HeadRotateStart);
-  this->Scanner->SetHeadRotateStop(leg.HeadRotateStop);
-  this->Scanner->SetHeadRotateSpeed(leg.HeadRotateSpeed);
-  this->Scanner->SetInputConnection(1, plan.Platform->GetOutputPort());
-  this->Scanner->SetStartTime(plan.StartTime);
-  this->Scanner->SetDuration(plan.Duration);
-  this->Scanner->SetFirstPulseId(plan.FirstPulse);
-  this->Scanner->SetLegId(static_cast<int>(plan.Leg));
-}
-
-//------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  this->Plans = PlanLegs(this->Survey, this->Scene, this->Log);
+  const LegChance chance = { this->Settings.Scan.Receiver.Noise, this->Settings.Scan.Seed };
+  this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   for (LegPlan& plan : this->Plans)
   {
-    this->SetUpLeg(plan);
+    this->Scanner.SetUp(plan);
     plan.FirstPulse = this->NumberOfPulses;
-    plan.NumberOfPulses = std::max<vtkIdType>(0, this->Scanner->GetNumberOfPulses());
+    plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
   }
   return !this->Log.HasError();
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosScanner* LegRunner::Prepare(const LegPlan& plan)
+LegScanner& LegRunner::Prepare(const LegPlan& plan)
 {
-  this->SetUpLeg(plan);
+  this->Scanner.SetUp(plan);
   return this->Scanner;
 }
 
@@ -178,7 +136,7 @@ LegRunner::Writers LegRunner::MakeWriters(const LegPlan& plan) const
   const auto name = [this, &plan](const char* ending)
   { return MakeFileName(this->Settings.Folder, plan.Leg, ending); };
   writers[0]->SetFileName(name(isXml ? "_points.pvtp" : "_points.xyz").c_str());
-  if (this->Settings.Waveforms)
+  if (this->Settings.Scan.Waveforms)
   {
     writers.push_back(MakeWaveformWriter(isXml));
     writers[1]->SetFileName(name(isXml ? "_fullwave.pvtt" : "_fullwave.txt").c_str());
@@ -195,13 +153,13 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::OpenWriters(const Writers& writers, const LegProgress& before)
+bool LegRunner::OpenWriters(const Writers& writers, const RunJournal& journal)
 {
   bool good = true;
   for (const auto& writer : writers)
   {
     this->Listen(writer);
-    const FileProgress* file = before.FindFile(GetProgress(writer).Name);
+    const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
     good = good &&
       (file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open());
   }
@@ -237,12 +195,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   if (before.IsDone)
   {
     this->Counts = before.Counts;
-    return this->CheckFiles(before);
+    return this->CheckFiles(before, journal);
   }
-  this->SetUpLeg(plan);
+  this->Scanner.SetUp(plan);
   const Writers writers = this->MakeWriters(plan);
   FileProgress trajectory;
-  bool good = this->OpenWriters(writers, before) && this->WriteTrajectory(plan, trajectory) &&
+  bool good = this->OpenWriters(writers, journal) && this->WriteTrajectory(plan, trajectory) &&
     this->RunBlocks(plan, writers, journal, onBlock) && !this->Log.HasError();
   for (const auto& writer : writers)
   {
@@ -254,10 +212,9 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   }
   LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
-  std::transform(writers.begin(), writers.end(), done.Files.begin(),
-    [](const auto& writer) { return GetProgress(writer); }); // an index has its end now
+  done.Files = GetProgress(writers); // an index has its end now
   done.Files.push_back(trajectory);
-  return this->Note(plan, done, journal);
+  return this->Check(journal.Append(plan.Leg, done));
 }
 
 //------------------------------------------------------------------------------
@@ -268,32 +225,44 @@ bool LegRunner::RunBlocks(
   const int blocks =
     static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
   LegProgress progress = journal.GetLeg(plan.Leg);
-  if (progress.Blocks > 0)
-  {
-    this->Counts = progress.Counts;
-  }
+  this->Counts = progress.Blocks > 0 ? progress.Counts : this->Counts;
   const double start = Now() - progress.Seconds;
+  // The disk takes a block while the next one is computed; nobody writes meanwhile.
+  std::future<std::string> noted;
+  const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
   for (int block = progress.Blocks; block < blocks; ++block)
   {
-    this->Scanner->UpdatePiece(block, blocks, 0);
-    if (this->Log.HasError())
+    const bool isComputed = this->Scanner.Update(block, blocks);
+    if (!isNoted() || !isComputed || !this->WriteBlock(writers))
     {
       return false;
     }
     const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->CountBlock(plan.FirstPulse + done);
-    if (!this->WriteBlock(writers))
-    {
-      return false;
-    }
+    this->Counts.Pulses = plan.FirstPulse + done;
+    this->Scanner.Count(this->Counts);
+    this->Scanner.ReleaseOutput();
     progress.Blocks = block + 1;
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
-    progress.Files.clear();
-    std::transform(writers.begin(), writers.end(), std::back_inserter(progress.Files),
-      [](const auto& writer) { return GetProgress(writer); });
-    if (!this->Note(plan, progress, journal) || !onBlock(this->Counts))
+    progress.Files = GetProgress(writers);
+    noted = std::async(std::launch::async,
+      [&writers, &journal, &plan, progress] { return Note(writers, journal, plan.Leg, progress); });
+    if (!onBlock(this->Counts))
+    {
+      isNoted();
+      return false;
+    }
+  }
+  return isNoted();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteBlock(const Writers& writers)
+{
+  for (std::size_t port = 0; port < writers.size(); ++port)
+  {
+    if (!writers[port]->Write(this->Scanner.GetOutput(static_cast<int>(port))))
     {
       return false;
     }
@@ -302,46 +271,30 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteBlock(const Writers& writers)
+bool LegRunner::Check(const std::string& problem)
 {
-  for (std::size_t port = 0; port < writers.size(); ++port)
-  {
-    vtkDataObject* data = this->Scanner->GetOutputDataObject(static_cast<int>(port));
-    if (!writers[port]->Write(data))
-    {
-      return false;
-    }
-    data->ReleaseData();
-  }
-  // The journal may say only what is safe.
-  return std::all_of(
-    writers.begin(), writers.end(), [](const auto& writer) { return writer->Flush(); });
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal)
-{
-  const std::string problem = journal.Append(plan.Leg, progress);
   if (!problem.empty())
   {
-    this->Log.Error(problem + "; make room, or see that the output folder stays, and go on with "
-                              "Resume (--resume), or run again");
+    this->Log.Error(problem +
+      "; see that the output folder stays and has room, and go on with Resume (--resume), or run "
+      "again");
   }
   return problem.empty();
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::CheckFiles(const LegProgress& progress)
+bool LegRunner::CheckFiles(const LegProgress& progress, const RunJournal& journal)
 {
   for (const FileProgress& file : progress.Files)
   {
-    const auto path = std::filesystem::path(this->Settings.Folder) / file.Name;
+    const std::string path =
+      (std::filesystem::path(this->Settings.Folder) / file.Name).string();
+    const FileProgress* last = journal.FindFile(file.Name);
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
-    if (error || size != static_cast<std::uintmax_t>(file.Size))
+    if (error || size != static_cast<std::uintmax_t>(last->Size))
     {
-      this->Log.Error(path.string() + ": was finished with " + std::to_string(file.Size) +
-        " bytes and " +
+      this->Log.Error(path + ": was finished with " + std::to_string(last->Size) + " bytes and " +
         (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
         "; set Overwrite (--overwrite) to run anew");
       return false;
@@ -351,27 +304,9 @@ bool LegRunner::CheckFiles(const LegProgress& progress)
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::CountBlock(vtkIdType pulses)
-{
-  vtkPolyData* echoes = this->Scanner->GetOutput();
-  this->Counts.Pulses = pulses;
-  this->Counts.Echoes += echoes->GetNumberOfPoints();
-  this->Counts.FirstReturns += CountFirstReturns(echoes);
-  this->Counts.PulsesFired += this->Scanner->GetNumberOfPulsesFired();
-  this->Counts.PulsesHit += this->Scanner->GetNumberOfPulsesHit();
-  this->Counts.PulsesOnPlane += this->Scanner->GetNumberOfPulsesOnPlane();
-  this->Counts.PulsesWithoutBins += this->Scanner->GetNumberOfPulsesWithoutBins();
-  this->Counts.PulsesBinned += this->Scanner->GetNumberOfPulsesBinned();
-  this->Counts.SubRays += this->Scanner->GetNumberOfSubRays();
-  this->Counts.HitsOutOfRange += this->Scanner->GetNumberOfHitsOutOfRange();
-  this->Counts.LargestAmplitude =
-    std::max(this->Counts.LargestAmplitude, this->Scanner->GetLargestAmplitude());
-}
-
-//------------------------------------------------------------------------------
 std::string LegRunner::DescribeSampling()
 {
-  return this->Scanner->DescribeSampling();
+  return this->Scanner.DescribeSampling();
 }
 
 //------------------------------------------------------------------------------
@@ -389,13 +324,14 @@ void LegRunner::Listen(vtkHeliosStreamWriter* writer)
 //------------------------------------------------------------------------------
 std::string LegRunner::GetRayCasterName() const
 {
-  return this->Scanner->GetRayCaster()->GetName();
+  return this->Scanner.GetRayCasterName();
 }
 
 //------------------------------------------------------------------------------
 std::string LegRunner::ExplainNoEchoes() const
 {
-  const ScannerData& scanner = this->Survey.Scanner;
+  const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
+  const ScannerData& scanner = this->Survey.GetScanner(leg);
   Sentence text;
   text << "No points: ";
   if (this->NumberOfPulses == 0)

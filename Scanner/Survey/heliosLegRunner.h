@@ -1,24 +1,22 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the legs of a survey: one scanner, block by block, into files.
+// Runs the legs of a survey, block by block, into files.
 
 #ifndef heliosLegRunner_h
 #define heliosLegRunner_h
 
 #include "heliosLegPlan.h"
+#include "heliosLegScanner.h"
 #include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
 #include "heliosSurveyData.h"
 
-#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
-class vtkHeliosRayCaster;
-class vtkHeliosScanner;
 class vtkHeliosStreamWriter;
 class vtkPolyData;
 
@@ -58,7 +56,7 @@ public:
   bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
 
   /// The scanner, set up for a leg.
-  vtkHeliosScanner* Prepare(const LegPlan& plan);
+  LegScanner& Prepare(const LegPlan& plan);
 
   /// The writers of a leg, not open yet: one for each output of the scanner, the first for points.
   std::vector<vtkSmartPointer<vtkHeliosStreamWriter>> MakeWriters(const LegPlan& plan) const;
@@ -80,22 +78,19 @@ public:
 private:
   using Writers = std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>;
 
-  void SetUpInstrument();
-  void SetUpLeg(const LegPlan& plan);
-  bool OpenWriters(const Writers& writers, const LegProgress& before);
+  bool OpenWriters(const Writers& writers, const RunJournal& journal);
   bool WriteTrajectory(const LegPlan& plan, FileProgress& written);
   bool RunBlocks(const LegPlan& plan, const Writers& writers, RunJournal& journal,
     const BlockCallback& onBlock);
   bool WriteBlock(const Writers& writers);
-  bool Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal);
-  bool CheckFiles(const LegProgress& progress);
-  void CountBlock(vtkIdType pulses);
+  bool Check(const std::string& problem);
+  bool CheckFiles(const LegProgress& progress, const RunJournal& journal);
 
   const SurveyData& Survey;
   RunSettings Settings;
   Messages& Log;
   vtkSmartPointer<vtkPolyData> Scene;
-  vtkNew<vtkHeliosScanner> Scanner;
+  LegScanner Scanner;
   std::vector<LegPlan> Plans;
   vtkIdType NumberOfPulses = 0;
   RunCounts Counts;

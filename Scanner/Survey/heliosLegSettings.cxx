@@ -17,22 +17,22 @@ namespace
 /// The longest leg [s]: beyond it a head practically never stops.
 constexpr double LongestLeg = 1e9;
 
-/// Resolves one leg, step by step; a step that fails has reported why.
-class LegResolver
+/// Resolves what one channel does on a leg, step by step; a step that fails has reported why.
+class ScanResolver
 {
 public:
-  LegResolver(const LegSettings& settings, const SurveyData& survey, bool isLast, Messages& log)
+  ScanResolver(const LegSettings& settings, const ScannerData& scanner, const SurveyData& survey,
+    std::size_t leg, Messages& log)
     : Given(settings)
-    , Scanner(survey.Scanner)
-    , IsMoving(survey.IsMoving())
-    , Fires(settings.Leg.Active && !(survey.IsMoving() && isLast))
-    , IsLast(isLast)
+    , Scanner(scanner)
+    , IsMoving(survey.IsMoving(leg))
+    , Fires(survey.Fires(leg))
     , Log(log)
-    , Leg(settings.Leg)
+    , Scan(settings.Scan)
   {
   }
 
-  LegData Resolve();
+  ScanData Resolve();
 
 private:
   void ResolvePulses();
@@ -45,7 +45,6 @@ private:
   void CheckWindow();
   void CheckScanFrequency();
   void CheckHead();
-  void CheckSpeed();
 
   bool Has(Optics type) const { return this->Scanner.Type == type; }
 
@@ -62,16 +61,15 @@ private:
   const ScannerData& Scanner;
   bool IsMoving;
   bool Fires;
-  bool IsLast;
   Messages& Log;
-  LegData Leg;
+  ScanData Scan;
 };
 
 //------------------------------------------------------------------------------
-LegData LegResolver::Resolve()
+ScanData ScanResolver::Resolve()
 {
-  this->Leg.BeamDivergence = std::isnan(this->Given.BeamDivergence) ? this->Scanner.BeamDivergence
-                                                                    : this->Given.BeamDivergence;
+  this->Scan.BeamDivergence = std::isnan(this->Given.BeamDivergence) ? this->Scanner.BeamDivergence
+                                                                     : this->Given.BeamDivergence;
   this->ResolvePulses();
   this->ResolveScanAngles();
   this->ResolveFrequencies();
@@ -79,26 +77,25 @@ LegData LegResolver::Resolve()
   this->ResolveHead();
   this->ResolveWarmUp();
   this->CheckUnused();
-  this->CheckSpeed();
-  return this->Leg;
+  return this->Scan;
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolvePulses()
+void ScanResolver::ResolvePulses()
 {
   const std::vector<double>& offered = this->Scanner.PulseFrequencies;
-  this->Leg.PulseFrequency = this->Given.PulseFrequency;
+  this->Scan.PulseFrequency = this->Given.PulseFrequency;
   Sentence text;
   if (std::isnan(this->Given.PulseFrequency) && offered.empty())
   {
     text << "no pulse frequency: give pulseFreq_hz here, or pulseFreqs_Hz for scanner "
          << this->Scanner.Id;
-    this->Leg.PulseFrequency = 1.0;
+    this->Scan.PulseFrequency = 1.0;
     this->Error(text);
   }
   else if (std::isnan(this->Given.PulseFrequency))
   {
-    this->Leg.PulseFrequency = offered.front();
+    this->Scan.PulseFrequency = offered.front();
   }
   else if (!offered.empty() &&
     std::find(offered.begin(), offered.end(), this->Given.PulseFrequency) == offered.end())
@@ -114,12 +111,12 @@ void LegResolver::ResolvePulses()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolveScanAngles()
+void ScanResolver::ResolveScanAngles()
 {
   const bool isGiven = this->Given.ScanAngle > 0.0; // false for NaN
   const bool isLimited = this->Scanner.ScanAngleMax > 0.0;
   const double most = isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
-  this->Leg.ScanAngle = isGiven ? std::min(this->Given.ScanAngle, most) : most;
+  this->Scan.ScanAngle = isGiven ? std::min(this->Given.ScanAngle, most) : most;
   if (isGiven && this->Given.ScanAngle > most)
   {
     Sentence text;
@@ -136,22 +133,22 @@ void LegResolver::ResolveScanAngles()
   }
   const double effective =
     this->Scanner.ScanAngleEffectiveMax > 0.0 ? this->Scanner.ScanAngleEffectiveMax : most;
-  const double half = std::min(effective, this->Leg.ScanAngle);
+  const double half = std::min(effective, this->Scan.ScanAngle);
   const double low = this->Given.VerticalAngleMin;
   const double high = this->Given.VerticalAngleMax;
-  this->Leg.VerticalAngleMin = std::isnan(low) ? -half : low;
-  this->Leg.VerticalAngleMax = std::isnan(high) ? half : high;
+  this->Scan.VerticalAngleMin = std::isnan(low) ? -half : low;
+  this->Scan.VerticalAngleMax = std::isnan(high) ? half : high;
   this->CheckWindow();
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::CheckWindow()
+void ScanResolver::CheckWindow()
 {
   const double effective = this->Scanner.ScanAngleEffectiveMax > 0.0
     ? this->Scanner.ScanAngleEffectiveMax
     : this->Scanner.ScanAngleMax;
-  const double low = this->Leg.VerticalAngleMin;
-  const double high = this->Leg.VerticalAngleMax;
+  const double low = this->Scan.VerticalAngleMin;
+  const double high = this->Scan.VerticalAngleMax;
   Sentence text;
   text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\" ";
   if (this->Has(Optics::RotatingMirror) && !(low < high))
@@ -168,14 +165,15 @@ void LegResolver::CheckWindow()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolveFrequencies()
+void ScanResolver::ResolveFrequencies()
 {
-  this->Leg.ScanFrequency = this->Given.ScanFrequency;
+  this->Scan.ScanFrequency =
+    std::isnan(this->Given.ScanFrequency) ? 0.0 : this->Given.ScanFrequency;
   if (this->HasResolution() && this->Has(Optics::RotatingMirror))
   {
-    this->Leg.ScanFrequency = this->Leg.PulseFrequency * this->Given.VerticalResolution /
+    this->Scan.ScanFrequency = this->Scan.PulseFrequency * this->Given.VerticalResolution /
       (2.0 * this->Scanner.ScanAngleMax);
-    this->Leg.HeadRotateSpeed = this->Given.HorizontalResolution * this->Leg.ScanFrequency;
+    this->Scan.HeadRotateSpeed = this->Given.HorizontalResolution * this->Scan.ScanFrequency;
     if (this->Given.VerticalResolution == 0.0)
     {
       Sentence text;
@@ -191,26 +189,26 @@ void LegResolver::ResolveFrequencies()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolveScanProduct()
+void ScanResolver::ResolveScanProduct()
 {
-  const double frequency = this->Leg.ScanFrequency;
-  const double asked = this->Leg.ScanAngle;
+  const double frequency = this->Scan.ScanFrequency;
+  const double asked = this->Scan.ScanAngle;
   if (!this->Has(Optics::OscillatingMirror) || !(asked * frequency > this->Scanner.ScanProduct))
   {
     return;
   }
-  this->Leg.ScanAngle = this->Scanner.ScanProduct / frequency;
+  this->Scan.ScanAngle = this->Scanner.ScanProduct / frequency;
   Sentence text;
-  text << "a scan angle of " << asked << " deg is clipped to " << this->Leg.ScanAngle
+  text << "a scan angle of " << asked << " deg is clipped to " << this->Scan.ScanAngle
        << " deg, since scanProduct=\"" << this->Scanner.ScanProduct << "\" of scanner "
        << this->Scanner.Id << " allows no more at scanFreq_hz=\"" << frequency << "\"";
   this->Warning(text);
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::CheckScanFrequency()
+void ScanResolver::CheckScanFrequency()
 {
-  const double frequency = this->Leg.ScanFrequency;
+  const double frequency = this->Scan.ScanFrequency;
   const double least = this->Scanner.ScanFrequencyMin;
   const double most = this->Scanner.ScanFrequencyMax;
   const bool isLow = frequency < least;
@@ -236,15 +234,15 @@ void LegResolver::CheckScanFrequency()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolveHead()
+void ScanResolver::ResolveHead()
 {
   const double most = this->Scanner.HeadRotateSpeedMax;
-  const double asked = this->Leg.HeadRotateSpeed;
-  this->Leg.HeadRotateSpeed = std::clamp(asked, -most, most);
-  if (this->Leg.HeadRotateSpeed != asked)
+  const double asked = this->Scan.HeadRotateSpeed;
+  this->Scan.HeadRotateSpeed = std::clamp(asked, -most, most);
+  if (this->Scan.HeadRotateSpeed != asked)
   {
     Sentence text;
-    text << "headRotatePerSec_deg=\"" << asked << "\" is clipped to " << this->Leg.HeadRotateSpeed
+    text << "headRotatePerSec_deg=\"" << asked << "\" is clipped to " << this->Scan.HeadRotateSpeed
          << ", from headRotatePerSecMax_deg=\"" << most << "\" of scanner " << this->Scanner.Id;
     this->Warning(text);
   }
@@ -252,21 +250,21 @@ void LegResolver::ResolveHead()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::CheckHead()
+void ScanResolver::CheckHead()
 {
-  const double time = this->Leg.GetHeadTime();
-  const bool turns = this->Leg.HeadRotateSpeed != 0.0;
+  const double time = this->Scan.GetHeadTime();
+  const bool turns = this->Scan.HeadRotateSpeed != 0.0;
   const bool isEndless = !turns || std::abs(time) > LongestLeg;
   Sentence text;
-  text << "the head turns from headRotateStart_deg=\"" << this->Leg.HeadRotateStart
-       << "\" to headRotateStop_deg=\"" << this->Leg.HeadRotateStop
-       << "\" with headRotatePerSec_deg=\"" << this->Leg.HeadRotateSpeed << "\" ";
+  text << "the head turns from headRotateStart_deg=\"" << this->Scan.HeadRotateStart
+       << "\" to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
+       << "\" with headRotatePerSec_deg=\"" << this->Scan.HeadRotateSpeed << "\" ";
   if (turns && time < 0.0)
   {
     text << "and never gets there; exchange start and stop, or the sign of the speed";
     this->Error(text);
   }
-  else if (!this->IsMoving && isEndless && this->Leg.MaximumDuration < 0.0)
+  else if (!this->IsMoving && isEndless && this->Given.Leg.MaximumDuration < 0.0)
   {
     text << "on a platform that stands: the leg never ends; give a speed, or maxDuration_s";
     this->Error(text);
@@ -279,24 +277,24 @@ void LegResolver::CheckHead()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::ResolveWarmUp()
+void ScanResolver::ResolveWarmUp()
 {
-  const double before = this->Leg.GetHeadTime();
-  const double turn = this->Leg.HeadRotateSpeed * this->Leg.WarmUpTime;
-  if (!this->IsMoving && before > 0.0 && this->Leg.WarmUpTime >= before)
+  const double before = this->Scan.GetHeadTime();
+  const double turn = this->Scan.HeadRotateSpeed * this->Scan.WarmUpTime;
+  if (!this->IsMoving && before > 0.0 && this->Scan.WarmUpTime >= before)
   {
     Sentence text;
-    text << "opticsWarmupPhase_s=\"" << this->Leg.WarmUpTime << "\" turns the head by " << turn
-         << " deg, to headRotateStop_deg=\"" << this->Leg.HeadRotateStop
+    text << "opticsWarmupPhase_s=\"" << this->Scan.WarmUpTime << "\" turns the head by " << turn
+         << " deg, to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
          << "\" and beyond, before a pulse leaves; give less than " << before << " s";
     this->Error(text);
   }
   // On a platform that moves, only where the head looks counts, not how it got there.
-  this->Leg.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
+  this->Scan.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::CheckUnused()
+void ScanResolver::CheckUnused()
 {
   const bool isRotating = this->Has(Optics::RotatingMirror);
   const bool hasPrisms = this->Has(Optics::RisleyPrisms);
@@ -320,41 +318,49 @@ void LegResolver::CheckUnused()
 }
 
 //------------------------------------------------------------------------------
-void LegResolver::CheckSpeed()
+void ScanResolver::Error(const Sentence& text)
 {
-  if (this->IsMoving && !this->IsLast && !(this->Leg.Speed > 0.0))
+  if (this->Fires)
+  {
+    this->Log.Error(this->Given.Leg.Where + ": " + text.str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void ScanResolver::Warning(const Sentence& text)
+{
+  if (this->Fires)
+  {
+    this->Log.WarnOnce(text.str(), this->Given.Leg.Where + ": " + text.str());
+  }
+}
+
+void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
+{
+  const LegData& data = survey.Legs[leg];
+  const bool flies = survey.IsMoving(leg) && !survey.EndsJourney(leg) &&
+    survey.GetPlatform(leg).Type != PlatformType::Interpolated;
+  if (flies && !(data.Speed > 0.0))
   {
     Sentence text;
-    text << this->Leg.Where << ": movePerSec_m=\"" << this->Leg.Speed
+    text << data.Where << ": movePerSec_m=\"" << data.Speed
          << "\": the platform never reaches the next leg; give a speed above 0 [m/s]";
-    this->Log.Error(text.str());
-  }
-}
-
-//------------------------------------------------------------------------------
-void LegResolver::Error(const Sentence& text)
-{
-  if (this->Fires)
-  {
-    this->Log.Error(this->Leg.Where + ": " + text.str());
-  }
-}
-
-//------------------------------------------------------------------------------
-void LegResolver::Warning(const Sentence& text)
-{
-  if (this->Fires)
-  {
-    this->Log.WarnOnce(text.str(), this->Leg.Where + ": " + text.str());
+    log.Error(text.str());
   }
 }
 
 } // namespace
 
 //------------------------------------------------------------------------------
-void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log)
+void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log)
 {
-  survey.Legs.push_back(LegResolver(settings, survey, isLast, log).Resolve());
+  const ScannerData& scanner = survey.GetScanner(leg);
+  for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
+  {
+    ScanResolver resolver(settings, scanner.GetChannel(k), survey, leg, log);
+    survey.Legs[leg].Scans.push_back(resolver.Resolve());
+  }
+  CheckSpeed(survey, leg, log);
 }
 
 } // namespace helios

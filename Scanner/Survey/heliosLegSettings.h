@@ -19,9 +19,10 @@ struct LegSettings
 {
   static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-  LegData Leg; ///< with everything that is taken as it is
+  LegData Leg;   ///< with everything that is taken as it is
+  ScanData Scan; ///< so is its head, and its warm-up
   double PulseFrequency = NotGiven;
-  double ScanFrequency = 0.0;
+  double ScanFrequency = NotGiven;
   double ScanAngle = NotGiven;
   double VerticalAngleMin = NotGiven;
   double VerticalAngleMax = NotGiven;
@@ -31,11 +32,11 @@ struct LegSettings
 };
 
 /**
- * Adds a leg to a survey whose scanner and platform are known. Angles and speeds beyond those of
- * the scanner are clipped with a warning; what cannot run is an error. A leg that fires no pulse is
- * not checked.
+ * Makes of what a leg of a survey asks for what each channel of its scanner does. The survey has its
+ * scanners, platforms and all legs but for these. Angles and speeds beyond those of the scanner are
+ * clipped with a warning; what cannot run is an error. A leg that fires no pulse is not checked.
  */
-void AddLeg(const LegSettings& settings, bool isLast, SurveyData& survey, Messages& log);
+void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log);
 
 } // namespace helios
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunEstimate.h"
 
-#include "vtkHeliosScanner.h"
 #include "vtkHeliosStreamWriter.h"
 
 #include <vtkDataObject.h>
@@ -78,7 +77,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
     return {};
   }
   const double frequency = pulses / plan.Duration;
-  const double lines = this->Runner.GetSurvey().Legs[plan.Leg].ScanFrequency;
+  const double lines = this->Runner.GetSurvey().Legs[plan.Leg].Scans.front().ScanFrequency;
   // Whole lines: some of a line's pulses may not leave.
   const double length = lines > 0.0
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
@@ -105,7 +104,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
 //------------------------------------------------------------------------------
 bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
 {
-  vtkHeliosScanner* scanner = this->Runner.Prepare(plan);
+  LegScanner& scanner = this->Runner.Prepare(plan);
   const auto writers = this->Runner.MakeWriters(plan);
   bool good = true;
   for (const auto& writer : writers)
@@ -126,7 +125,6 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
   {
     good = this->SampleWindow(windows[i], scanner, writers, sums);
   }
-  scanner->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   for (const auto& writer : writers)
   {
     good = good && writer->Close();
@@ -138,26 +136,26 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
 }
 
 //------------------------------------------------------------------------------
-bool RunEstimate::SampleWindow(const std::pair<double, double>& window, vtkHeliosScanner* scanner,
+bool RunEstimate::SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
   const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers, Sums& sums)
 {
   const double start = Now();
-  scanner->SetTimeWindow(window.first, window.second);
-  scanner->Update();
-  for (std::size_t port = 0; port < writers.size(); ++port)
+  scanner.SetTimeWindow(window.first, window.second);
+  bool good = scanner.Update(0, 1);
+  for (std::size_t port = 0; port < writers.size() && good; ++port)
   {
-    vtkDataObject* output = scanner->GetOutputDataObject(static_cast<int>(port));
+    const auto output = scanner.GetOutput(static_cast<int>(port));
     sums.Memory += BytesPerKibibyte * static_cast<double>(output->GetActualMemorySize());
-    if (!writers[port]->Write(output))
-    {
-      return false;
-    }
+    good = writers[port]->Write(output);
   }
   sums.Seconds += Now() - start;
-  sums.Pulses += static_cast<double>(std::max<vtkIdType>(0, scanner->GetNumberOfPulses()));
-  sums.Fired += static_cast<double>(scanner->GetNumberOfPulsesFired());
-  sums.Echoes += static_cast<double>(scanner->GetOutput()->GetNumberOfPoints());
-  return !this->Runner.HasError();
+  RunCounts counts;
+  scanner.Count(counts);
+  scanner.ReleaseOutput();
+  sums.Pulses += static_cast<double>(scanner.CountPulses());
+  sums.Fired += static_cast<double>(counts.PulsesFired);
+  sums.Echoes += static_cast<double>(counts.Echoes);
+  return good && !this->Runner.HasError();
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ private:
 
   Windows ChooseWindows(const LegPlan& plan) const;
   bool Sample(const LegPlan& plan, const Windows& windows);
-  bool SampleWindow(const std::pair<double, double>& window, vtkHeliosScanner* scanner,
+  bool SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
     const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers, Sums& sums);
   double CountTrajectoryBytes(const LegPlan& plan) const;
   Sums Scale(const LegPlan& plan, const Sums& sampled) const;

@@ -37,8 +37,18 @@ std::set<std::string> GetInputFiles(const SurveyData& survey)
     files.insert(part.Files.begin(), part.Files.end());
     files.insert(part.Material.File);
   }
+  for (const ScannerData& scanner : survey.Scanners)
+  {
+    for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
+    {
+      files.insert(scanner.GetChannel(k).Receiver.PulseFile);
+    }
+  }
+  for (const LegData& leg : survey.Legs)
+  {
+    files.insert(leg.Trajectory.File);
+  }
   files.insert(survey.FileName);
-  files.insert(survey.Scanner.Receiver.PulseFile);
   files.erase("");
   return files;
 }
@@ -61,16 +71,16 @@ Json::Value DescribeInputs(const SurveyData& survey)
 Json::Value DescribeOptions(const RunSettings& settings)
 {
   Json::Value options;
-  options["seed"] = Json::Int64(settings.Seed);
+  options["seed"] = Json::Int64(settings.Scan.Seed);
   options["format"] = settings.Format;
-  options["waveforms"] = settings.Waveforms;
-  options["noise"] = settings.Receiver.Noise;
-  options["rangeTolerance_m"] = settings.Receiver.RangeTolerance;
-  options["energyTolerance"] = settings.Receiver.EnergyTolerance;
-  options["subRays"] = settings.Receiver.NumberOfSubRays;
-  options["detector"] = settings.Receiver.EchoDetector;
+  options["waveforms"] = settings.Scan.Waveforms;
+  options["noise"] = settings.Scan.Receiver.Noise;
+  options["rangeTolerance_m"] = settings.Scan.Receiver.RangeTolerance;
+  options["energyTolerance"] = settings.Scan.Receiver.EnergyTolerance;
+  options["subRays"] = settings.Scan.Receiver.NumberOfSubRays;
+  options["detector"] = settings.Scan.Receiver.EchoDetector;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
-  options["rayCaster"] = settings.RayCaster ? settings.RayCaster->GetName() : "";
+  options["rayCaster"] = settings.Scan.RayCaster ? settings.Scan.RayCaster->GetName() : "";
   return options;
 }
 

@@ -81,7 +81,7 @@ std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
     return (given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
       "\" is not in this build; give one of " + Enumerate(names);
   }
-  settings.RayCaster =
+  settings.Scan.RayCaster =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
   return {};
 }
@@ -98,10 +98,10 @@ std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
   }
   const std::string output = TextOf(player->GetOutputDirectory());
   settings.Folder = (std::filesystem::path(output) / player->GetSurvey()->GetName()).string();
-  settings.Seed = player->GetSeed();
-  settings.Waveforms = player->GetWriteWaveforms();
+  settings.Scan.Seed = player->GetSeed();
+  settings.Scan.Waveforms = player->GetWriteWaveforms();
   settings.PulsesPerBlock = player->GetPulsesPerBlock();
-  const std::string fault = TakeReceiver(player, settings.Receiver);
+  const std::string fault = TakeReceiver(player, settings.Scan.Receiver);
   return fault.empty() ? TakeRayCaster(player, settings) : fault;
 }
 

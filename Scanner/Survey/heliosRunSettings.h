@@ -5,14 +5,12 @@
 #ifndef heliosRunSettings_h
 #define heliosRunSettings_h
 
-#include "heliosReceiver.h"
+#include "heliosLegScanner.h"
 
-#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <string>
 
-class vtkHeliosRayCaster;
 class vtkHeliosSurveyPlayer;
 
 namespace helios
@@ -22,11 +20,8 @@ struct RunSettings
 {
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, vtp
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
-  bool Waveforms = false;
+  ScanOptions Scan;
   vtkIdType PulsesPerBlock = 262144;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
 };
 
 /// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns

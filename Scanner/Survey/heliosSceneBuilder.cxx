@@ -3,7 +3,6 @@
 #include "heliosSceneBuilder.h"
 
 #include "heliosMessages.h"
-#include "heliosSpectrum.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGroundSnap.h"
@@ -54,7 +53,7 @@ SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log)
 SceneBuilder::~SceneBuilder() = default;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SceneBuilder::Build(double wavelength, const StepCallback& onStep)
+vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
 {
   for (const PartData& part : this->Scene.Parts)
   {
@@ -65,12 +64,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(double wavelength, const StepCa
   {
     return nullptr;
   }
-  vtkSmartPointer<vtkPolyData> scene = this->Compose(true);
-  if (scene)
-  {
-    ResolveSpectra(scene, this->Scene.SpectraFolders, wavelength, this->Log);
-  }
-  return scene;
+  return this->Compose(true);
 }
 
 //------------------------------------------------------------------------------

@@ -27,9 +27,9 @@ public:
   SceneBuilder(const SceneData& scene, Messages& log);
   ~SceneBuilder();
 
-  /// All parts as one mesh, what is on the ground put there, spectra resolved at a wavelength [nm];
-  /// null after an error, or where a step was stopped.
-  vtkSmartPointer<vtkPolyData> Build(double wavelength, const StepCallback& onStep);
+  /// All parts as one mesh, what is on the ground put there; null after an error, or where a step was
+  /// stopped.
+  vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep);
 
 private:
   bool PutOnGround();

@@ -5,12 +5,15 @@
 #include "heliosMaterialTable.h"
 #include "heliosMessages.h"
 
+#include <vtkPolyData.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <utility>
 
 namespace helios
 {
@@ -61,9 +64,7 @@ std::string FindSpectrum(const std::string& name, const std::vector<std::string>
 }
 
 /// The reflectance of one spectrum at a wavelength; NaN, after a warning, where it has none.
-double LookUp(const std::string& name,
-  const std::vector<std::string>& folders,
-  double wavelength,
+double LookUp(const std::string& name, const std::vector<std::string>& folders, double wavelength,
   Messages& log)
 {
   const std::string path = FindSpectrum(name, folders);
@@ -84,6 +85,27 @@ double LookUp(const std::string& name,
   text << "Spectrum " << name << " " << problem << "; its materials reflect " << DefaultReflectance;
   log.Warning(text.str());
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool NeedsSpectrum(const Material& material)
+{
+  return std::isnan(material.Reflectance) && !material.Spectrum.empty();
+}
+
+/// The reflectances of all spectra that materials need, by name.
+std::map<std::string, double> LookUpAll(const MaterialTable& materials,
+  const std::vector<std::string>& folders, double wavelength, Messages& log)
+{
+  std::map<std::string, double> reflectances;
+  for (const Material& material : materials)
+  {
+    const std::string& name = material.Spectrum;
+    if (NeedsSpectrum(material) && reflectances.count(name) == 0)
+    {
+      reflectances[name] = LookUp(name, folders, wavelength, log);
+    }
+  }
+  return reflectances;
 }
 
 } // namespace
@@ -137,29 +159,39 @@ double Spectrum::GetReflectance(double wavelength) const
 }
 
 //------------------------------------------------------------------------------
-void ResolveSpectra(vtkPolyData* scene,
-  const std::vector<std::string>& folders,
-  double wavelength,
-  Messages& log)
+SpectralScenes::SpectralScenes(vtkPolyData* scene, std::vector<std::string> folders, Messages& log)
+  : Scene(scene)
+  , Folders(std::move(folders))
+  , Log(log)
 {
-  MaterialTable materials = GetMaterials(scene);
-  std::map<std::string, double> reflectances;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* SpectralScenes::Get(double wavelength)
+{
+  vtkSmartPointer<vtkPolyData>& scene = this->Scenes[wavelength];
+  if (scene)
+  {
+    return scene;
+  }
+  MaterialTable materials = GetMaterials(this->Scene);
+  const std::map<std::string, double> reflectances =
+    LookUpAll(materials, this->Folders, wavelength, this->Log);
+  if (reflectances.empty())
+  {
+    return scene = this->Scene;
+  }
   for (Material& material : materials)
   {
-    if (!std::isnan(material.Reflectance) || material.Spectrum.empty())
+    if (NeedsSpectrum(material))
     {
-      continue;
+      material.Reflectance = reflectances.at(material.Spectrum);
     }
-    const std::string& name = material.Spectrum;
-    const auto known = reflectances.find(name);
-    material.Reflectance =
-      known != reflectances.end() ? known->second : LookUp(name, folders, wavelength, log);
-    reflectances[name] = material.Reflectance;
   }
-  if (!reflectances.empty())
-  {
-    SetMaterials(scene, materials);
-  }
+  scene = vtkSmartPointer<vtkPolyData>::New();
+  scene->ShallowCopy(this->Scene);
+  SetMaterials(scene, materials);
+  return scene;
 }
 
 } // namespace helios

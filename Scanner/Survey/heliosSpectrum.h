@@ -5,6 +5,9 @@
 #ifndef heliosSpectrum_h
 #define heliosSpectrum_h
 
+#include <vtkSmartPointer.h>
+
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,14 +36,25 @@ private:
 };
 
 /**
- * Gives the materials of a scene that have a spectrum and no reflectance the one at the wavelength
- * [nm]. A spectrum is the file <name>.txt of the first folder that has it; one that is missing is
- * warned of once, and its materials keep the default.
+ * A scene as light of several wavelengths sees it: materials that have a spectrum and no reflectance
+ * get the one at the wavelength. A spectrum is the file <name>.txt of the first folder that has it;
+ * one that is missing is warned of once, and its materials keep the default. All scenes have the same
+ * points and triangles.
  */
-void ResolveSpectra(vtkPolyData* scene,
-  const std::vector<std::string>& folders,
-  double wavelength,
-  Messages& log);
+class SpectralScenes
+{
+public:
+  SpectralScenes(vtkPolyData* scene, std::vector<std::string> folders, Messages& log);
+
+  /// The scene at a wavelength [nm].
+  vtkPolyData* Get(double wavelength);
+
+private:
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<std::string> Folders;
+  Messages& Log;
+  std::map<double, vtkSmartPointer<vtkPolyData>> Scenes;
+};
 
 } // namespace helios
 

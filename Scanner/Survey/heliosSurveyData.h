@@ -11,6 +11,8 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -38,15 +40,19 @@ struct PrismData
 enum class PlatformType
 {
   Static,
-  LinearPath
+  LinearPath,
+  GroundVehicle,
+  Multicopter,
+  Interpolated
 };
 
-/// An instrument and its detector.
+/// An instrument and its detector: one channel, or the first of several.
 struct ScannerData
 {
   std::string Id;
   std::string Name;
   std::string Where;
+  std::string Channel; ///< id; empty: there is one only
   Optics Type = Optics::RotatingMirror;
   std::vector<double> PulseFrequencies; ///< [Hz], that it offers; the first is the default
   double PulseLength = 4.0;             ///< [ns], full width at half maximum
@@ -71,18 +77,60 @@ struct ScannerData
   bool IsSinusoidal = false;            ///< oscillating; else triangular
   int NumberOfFibers = 1;
   PrismData Prisms[3];
-  double AirRefractiveIndex = 1.0; ///< around the prisms
+  double AirRefractiveIndex = 1.0;    ///< around the prisms
+  Vec3 IncidentBeam{ 0.0, 1.0, 0.0 }; ///< into the first prism
   ReceiverData Receiver;
-  Pose Beam;                       ///< in the frame of the head
+  Pose Beam; ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };
+  std::vector<ScannerData> OtherChannels; ///< beside this one; each has none
+
+  std::size_t GetNumberOfChannels() const { return 1 + this->OtherChannels.size(); }
+  const ScannerData& GetChannel(std::size_t channel) const
+  {
+    return channel == 0 ? *this : this->OtherChannels[channel - 1];
+  }
+};
+
+/// How one number of a platform is off by chance.
+struct NoiseData
+{
+  bool IsUniform = false; ///< between Low and High; else normal
+  double Mean = 0.0;
+  double Deviation = 1.0;
+  double Low = 0.0;
+  double High = 1.0;
+  bool IsClipped = false; ///< to ClipLow and ClipHigh
+  double ClipLow = 0.0;
+  double ClipHigh = 1.0;
+  int Lifespan = 1; ///< pulses that a value lasts; 0: all
+};
+
+/// What vehicles are like, as files say it.
+struct VehicleData
+{
+  double Drag = 1.0; ///< as files count it
+  double EngineForce = 0.1;
+  double SpeedUp = 2.0;          ///< [1/s]
+  double SlowDown = 2.0;         ///< [1/s]
+  double SlowDownDistance = 5.0; ///< [m]
+  double BasePitch = -5.0;       ///< [deg]
+  double RollSpeed = 28.65;      ///< [deg/s]
+  double PitchSpeed = 85.94;     ///< [deg/s]
+  double YawSpeed = 85.94;       ///< [deg/s]
+  double RollOffset = 25.0;      ///< [deg]
+  double PitchOffset = 35.0;     ///< [deg]
 };
 
 struct PlatformData
 {
   std::string Id;
   std::string Name;
+  std::string Where;
   PlatformType Type = PlatformType::Static;
   Pose Mount; ///< of the scanner
+  VehicleData Vehicle;
+  bool HasNoise[6] = {}; ///< of position x, y, z, attitude x, y, z
+  NoiseData Noise[6];    ///< [m], [rad]
 };
 
 enum class Loader
@@ -149,27 +197,19 @@ struct SceneData
   std::vector<std::string> SpectraFolders; ///< that a spectrum is looked for in, in this order
 };
 
-/// A leg with the settings it runs with: nothing is left to inherit or to clip.
-struct LegData
+/// What one channel does on a leg: nothing is left to inherit or to clip.
+struct ScanData
 {
-  std::string Where;
-  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or what Crs counts in
-  std::string Crs;                ///< of the position; empty: the scene's
-  bool OnGround = false;
-  double Speed = 70.0; ///< [m/s], to the next leg's position
-  bool Active = true;
-  double PulseFrequency = 0.0;         ///< [Hz]
-  double ScanFrequency = 0.0;          ///< [Hz]
-  double ScanAngle = 0.0;              ///< [deg], half
-  double VerticalAngleMin = 0.0;       ///< [deg]
-  double VerticalAngleMax = 0.0;       ///< [deg]
-  double HeadRotateSpeed = 0.0;        ///< [deg/s]
-  double HeadRotateStart = 0.0;        ///< [deg]
-  double HeadRotateStop = 0.0;         ///< [deg]
-  double BeamDivergence = 0.0;         ///< [rad]
-  double TrajectoryTimeInterval = 0.0; ///< [s], 0: start and end of the leg only
-  double MaximumDuration = -1.0;       ///< [s], negative: no limit
-  double WarmUpTime = 0.0;             ///< [s], that the optics have moved before the leg
+  double PulseFrequency = 0.0;   ///< [Hz]
+  double ScanFrequency = 0.0;    ///< [Hz]
+  double ScanAngle = 0.0;        ///< [deg], half
+  double VerticalAngleMin = 0.0; ///< [deg]
+  double VerticalAngleMax = 0.0; ///< [deg]
+  double HeadRotateSpeed = 0.0;  ///< [deg/s]
+  double HeadRotateStart = 0.0;  ///< [deg]
+  double HeadRotateStop = 0.0;   ///< [deg]
+  double BeamDivergence = 0.0;   ///< [rad]
+  double WarmUpTime = 0.0;       ///< [s], that the optics have moved before the leg
 
   /// How long the head turns [s]; 0 where it does not.
   double GetHeadTime() const
@@ -180,23 +220,106 @@ struct LegData
   }
 };
 
+/// A trajectory in a file, and the part of it that a leg flies.
+struct TrajectoryFileData
+{
+  static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
+
+  std::string Where;
+  std::string File;
+  std::string Separator = ",";
+  int Columns[7] = { -1, -1, -1, -1, -1, -1, -1 }; ///< t, roll, pitch, yaw, x, y, z; -1: not given
+  bool IsInRadians = false;
+  bool HasAttitude = true;
+  bool KeepsTime = false;      ///< else the clock starts at 0
+  double SlopeThreshold = 0.0; ///< 0: every sample is kept
+  double StartTime = NotGiven; ///< [s]
+  double EndTime = NotGiven;   ///< [s]
+  bool TeleportsToStart = false;
+};
+
+/// A leg and what its platform does.
+struct LegData
+{
+  std::string Where;
+  std::size_t Platform = 0;       ///< of the survey
+  std::size_t Scanner = 0;        ///< of the survey
+  bool StartsJourney = false;     ///< the platform does not come here from the leg before
+  std::string Strip;              ///< whose files its points go to; empty: it has its own
+  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or what Crs counts in
+  std::string Crs;                ///< of the position; empty: the scene's
+  bool OnGround = false;
+  double Speed = 70.0; ///< [m/s], to the next leg's position
+  bool StopAndTurn = true;
+  bool SmoothTurn = false;
+  bool SlowsDown = true;
+  double YawAtDeparture = TrajectoryFileData::NotGiven; ///< [deg]
+  TrajectoryFileData Trajectory;
+  bool Active = true;
+  double TrajectoryTimeInterval = 0.0; ///< [s], 0: start and end of the leg only
+  double MaximumDuration = -1.0;       ///< [s], negative: no limit
+  std::vector<ScanData> Scans;         ///< one a channel of its scanner
+
+  /// How long the heads turn [s].
+  double GetHeadTime() const
+  {
+    double time = 0.0;
+    for (const ScanData& scan : this->Scans)
+    {
+      time = std::max(time, scan.GetHeadTime());
+    }
+    return time;
+  }
+};
+
+/// Chance that moves the position of every leg once.
+struct LegOffsetData
+{
+  bool IsOn = false;
+  double Mean = 0.0;      ///< [m]
+  double Deviation = 0.1; ///< [m]
+};
+
 struct SurveyData
 {
   std::string Name; ///< fit for the name of a folder
   std::string FileName;
   std::vector<std::string> Documents; ///< all files that the survey was read from
-  std::string RayCaster;              ///< its name; empty: the default
-  ScannerData Scanner;
-  PlatformData Platform;
+  std::string RayCaster;    ///< its name; empty: the default
+  vtkIdType Seed = -1;      ///< negative: not given
+  bool IsCanonical = false; ///< how attitudes in files count; else as ARINC 705 has it
+  LegOffsetData LegOffset;
+  std::vector<ScannerData> Scanners;
+  std::vector<PlatformData> Platforms;
   SceneData Scene;
   std::vector<LegData> Legs;
 
-  bool IsMoving() const { return this->Platform.Type != PlatformType::Static; }
+  const PlatformData& GetPlatform(std::size_t leg) const
+  {
+    return this->Platforms[this->Legs[leg].Platform];
+  }
+  const ScannerData& GetScanner(std::size_t leg) const
+  {
+    return this->Scanners[this->Legs[leg].Scanner];
+  }
+  bool IsMoving(std::size_t leg) const
+  {
+    return this->GetPlatform(leg).Type != PlatformType::Static;
+  }
 
-  /// Whether pulses leave on a leg: the last of a moving platform is only an end point.
+  /// Whether a leg ends where it is: the last one that a platform goes through.
+  bool EndsJourney(std::size_t leg) const
+  {
+    return leg + 1 == this->Legs.size() || this->Legs[leg + 1].StartsJourney;
+  }
+
+  /// Whether pulses leave on a leg: that which ends the way of a moving platform is only an end point,
+  /// unless its way comes from a file.
   bool Fires(std::size_t leg) const
   {
-    return this->Legs[leg].Active && !(this->IsMoving() && leg + 1 == this->Legs.size());
+    const bool isEndPoint = this->IsMoving(leg) && this->EndsJourney(leg) &&
+      this->GetPlatform(leg).Type != PlatformType::Interpolated;
+    return this->Legs[leg].Active && !isEndPoint;
   }
 };
 

@@ -54,6 +54,20 @@ std::string XmlElement::Where() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<XmlElement> XmlElement::GetChildren() const
+{
+  std::vector<XmlElement> children;
+  for (const pugi::xml_node child : this->Node.children())
+  {
+    if (child.type() == pugi::node_element)
+    {
+      children.emplace_back(this->Document, child);
+    }
+  }
+  return children;
+}
+
+//------------------------------------------------------------------------------
 std::vector<XmlElement> XmlElement::GetChildren(const char* tag) const
 {
   std::vector<XmlElement> children;
@@ -113,6 +127,14 @@ bool XmlElement::Read(const char* name, std::vector<double>& target) const
   XmlValue value;
   return this->FindValue(name, value) &&
     ParseRealList(value, this->GetRule(name), this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
+bool XmlElement::ReadAsWritten(const char* name, std::string& target) const
+{
+  const pugi::xml_attribute attribute = this->Node.attribute(name);
+  target = attribute.empty() ? target : attribute.value();
+  return !attribute.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -85,7 +85,8 @@ public:
   const XmlDocument& GetDocument() const { return *this->Document; }
   Messages& GetMessages() const { return this->Document->GetMessages(); }
 
-  /// Children with a tag, in order; the first of them, or none.
+  /// Children, all or with a tag, in order; the first of them, or none.
+  std::vector<XmlElement> GetChildren() const;
   std::vector<XmlElement> GetChildren(const char* tag) const;
   XmlElement GetChild(const char* tag) const { return { this->Document, this->Node.child(tag) }; }
 
@@ -103,6 +104,9 @@ public:
   bool Read(const char* name, int& target) const;
   bool Read(const char* name, bool& target) const;
   bool Read(const char* name, std::vector<double>& target) const;
+
+  /// Reads an attribute with its blanks and tabs.
+  bool ReadAsWritten(const char* name, std::string& target) const;
 
   /// The attributes x, y, z; a missing one stays as before.
   void ReadVector(Vec3& target) const;

@@ -16,7 +16,11 @@ namespace
 
 void ReadType(const XmlElement& element, ScannerData& scanner)
 {
-  const std::string optics = element.GetText("optics");
+  std::string optics;
+  if (!element.Read("optics", optics))
+  {
+    return;
+  }
   for (const OpticsName& name : OpticsNames)
   {
     if (optics == name.Name)
@@ -31,9 +35,13 @@ void ReadType(const XmlElement& element, ScannerData& scanner)
 
 void ReadPattern(const XmlElement& element, ScannerData& scanner)
 {
-  const std::string pattern = element.GetText("scanPattern");
+  std::string pattern;
+  if (!element.Read("scanPattern", pattern))
+  {
+    return;
+  }
   scanner.IsSinusoidal = pattern == "sinusoidal";
-  if (!pattern.empty() && pattern != "triangular" && !scanner.IsSinusoidal)
+  if (pattern != "triangular" && !scanner.IsSinusoidal)
   {
     element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": scanPattern=\"" +
       pattern + "\" is none; give triangular or sinusoidal");
@@ -56,6 +64,25 @@ void ReadPrisms(const XmlElement& element, ScannerData& scanner)
     element.Read(Numbered("refrIndex", k).c_str(), prism.RefractiveIndex);
     element.Read(Numbered("rotorFreq", k, "_Hz").c_str(), prism.RotorFrequency);
   }
+}
+
+void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
+{
+  const XmlElement beam = element.GetChild("incidentBeam");
+  if (!beam)
+  {
+    return;
+  }
+  beam.CheckNames();
+  Vec3 direction(0.0, 0.0, 0.0);
+  beam.ReadVector(direction);
+  if (!(direction[1] > 0.0))
+  {
+    beam.GetMessages().Error(beam.Where() + ": <incidentBeam> does not go to the prisms; give a " +
+      "direction with y above 0");
+    return;
+  }
+  scanner.IncidentBeam = direction;
 }
 
 /// A prism that bends the beam.
@@ -92,9 +119,27 @@ void ReadOptics(const XmlElement& element, ScannerData& scanner)
   ReadType(element, scanner);
   ReadPattern(element, scanner);
   ReadPrisms(element, scanner);
+  ReadIncidentBeam(element, scanner);
   element.Read("scanProduct", scanner.ScanProduct);
   element.Read("turningPulses", scanner.TurningPulses);
   element.Read("numFibers", scanner.NumberOfFibers);
+}
+
+//------------------------------------------------------------------------------
+void ForgetOptics(ScannerData& scanner)
+{
+  const ScannerData fresh;
+  scanner.ScanProduct = fresh.ScanProduct;
+  scanner.TurningPulses = fresh.TurningPulses;
+  scanner.IsSinusoidal = fresh.IsSinusoidal;
+  scanner.NumberOfFibers = fresh.NumberOfFibers;
+  scanner.ScanAngleMax = fresh.ScanAngleMax;
+  scanner.ScanAngleEffectiveMax = fresh.ScanAngleEffectiveMax;
+  scanner.ScanFrequencyMin = fresh.ScanFrequencyMin;
+  scanner.ScanFrequencyMax = fresh.ScanFrequencyMax;
+  std::copy(std::begin(fresh.Prisms), std::end(fresh.Prisms), scanner.Prisms);
+  scanner.AirRefractiveIndex = fresh.AirRefractiveIndex;
+  scanner.IncidentBeam = fresh.IncidentBeam;
 }
 
 //------------------------------------------------------------------------------

@@ -13,7 +13,11 @@ namespace helios
 
 class Messages;
 
+/// What an element does not say stays.
 void ReadOptics(const XmlElement& element, ScannerData& scanner);
+
+/// Everything that ReadOptics() reads as it is in a new scanner, but for the type.
+void ForgetOptics(ScannerData& scanner);
 
 /// What only shows once all is read: optics that deflect nothing.
 void CheckOptics(const ScannerData& scanner, Messages& log);

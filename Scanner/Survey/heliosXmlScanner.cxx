@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosXmlOptics.h"
+#include "heliosXmlPlatform.h"
 #include "heliosXmlReceiver.h"
 
 namespace helios
@@ -14,18 +15,6 @@ namespace
 
 /// Catalogues count the detection threshold in nanowatts whatever its name says.
 constexpr double WattsPerUnit = 1e-9;
-
-Pose ReadPose(const XmlElement& element)
-{
-  Pose pose;
-  if (element)
-  {
-    element.CheckNames();
-    element.ReadVector(pose.Position);
-    pose.Orientation = element.ReadRotation();
-  }
-  return pose;
-}
 
 void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
 {
@@ -44,16 +33,6 @@ void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
   }
   element.GetMessages().Warning(element.Where() +
     ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
-}
-
-void CheckChannels(const XmlElement& scanner)
-{
-  const XmlElement channels = scanner.GetChild("channels");
-  if (channels)
-  {
-    scanner.GetMessages().Error(channels.Where() + ": scanner " + scanner.GetText("id") +
-      ": <channels> come with a later version; use a scanner with a single channel");
-  }
 }
 
 /// The numbers that are taken over as they are.
@@ -78,6 +57,71 @@ void ReadNumbers(const XmlElement& element, ScannerData& scanner)
   element.Read("headRotatePerSecMax_deg", scanner.HeadRotateSpeedMax);
 }
 
+/// What an element says about a scanner, or about a channel of it; what it does not say stays.
+void ReadInstrument(const XmlElement& element, ScannerData& scanner)
+{
+  element.CheckNames();
+  ReadOptics(element, scanner);
+  ReadNumbers(element, scanner);
+  double threshold = scanner.DetectionThreshold / WattsPerUnit;
+  element.Read("receivedEnergyMin_W", threshold);
+  scanner.DetectionThreshold = threshold * WattsPerUnit;
+  ReadReceiver(element, scanner);
+  ReadPose(element.GetChild("beamOrigin"), scanner.Beam);
+  ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);
+}
+
+/// A copy of the scanner, but for what the channel says. Other optics start from scratch.
+ScannerData ReadChannel(const XmlElement& channel, ScannerData scanner, std::size_t index)
+{
+  const ScannerData whole = scanner;
+  scanner.Where = channel.Where();
+  scanner.Channel = channel.Has("id") ? channel.GetText("id") : std::to_string(index);
+  scanner.Id += ", channel " + scanner.Channel;
+  ReadInstrument(channel, scanner);
+  if (scanner.Type != whole.Type)
+  {
+    ForgetOptics(scanner);
+    ReadInstrument(channel, scanner);
+  }
+  return scanner;
+}
+
+/// The channels of a scanner in place of it; the scanner itself where it names none.
+ScannerData ReadChannels(const XmlElement& element, const ScannerData& scanner)
+{
+  std::vector<ScannerData> channels;
+  for (const XmlElement& list : element.GetChildren("channels"))
+  {
+    list.CheckNames();
+    for (const XmlElement& channel : list.GetChildren("channel"))
+    {
+      channels.push_back(ReadChannel(channel, scanner, channels.size()));
+    }
+  }
+  if (channels.empty())
+  {
+    return scanner;
+  }
+  ScannerData first = channels.front();
+  first.OtherChannels.assign(channels.begin() + 1, channels.end());
+  return first;
+}
+
+void CheckChannel(const ScannerData& scanner, Messages& log)
+{
+  CheckOptics(scanner, log);
+  CheckReceiver(scanner, log);
+  if (!(scanner.RangeMin < scanner.RangeMax))
+  {
+    Sentence text;
+    text << scanner.Where << ": scanner " << scanner.Id << ": rangeMin_m=\"" << scanner.RangeMin
+         << "\" is not below rangeMax_m=\"" << scanner.RangeMax
+         << "\"; no range is measured. Correct one of them";
+    log.Error(text.str());
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -87,66 +131,31 @@ ScannerData ReadScanner(const XmlElement& element)
   scanner.Where = element.Where();
   scanner.Id = element.GetText("id");
   scanner.Name = element.Has("name") ? element.GetText("name") : scanner.Id;
-  element.CheckNames();
-  ReadOptics(element, scanner);
-  CheckChannels(element);
-  ReadNumbers(element, scanner);
-  double threshold = scanner.DetectionThreshold / WattsPerUnit;
-  element.Read("receivedEnergyMin_W", threshold);
-  scanner.DetectionThreshold = threshold * WattsPerUnit;
-  ReadReceiver(element, scanner);
-  scanner.Beam = ReadPose(element.GetChild("beamOrigin"));
-  ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);
-  return scanner;
-}
-
-//------------------------------------------------------------------------------
-PlatformData ReadPlatform(const XmlElement& element)
-{
-  PlatformData platform;
-  platform.Id = element.GetText("id");
-  platform.Name = element.Has("name") ? element.GetText("name") : platform.Id;
-  std::string type = "static";
-  element.Read("type", type);
-  if (type == "linearpath")
+  if (!element.Has("optics"))
   {
-    platform.Type = PlatformType::LinearPath;
+    element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id +
+      " has no optics; give rotating, oscillating, line, conic, palmer or risley");
   }
-  else if (type == "groundvehicle" || type == "multicopter")
-  {
-    element.GetMessages().Error(element.Where() + ": platform " + platform.Id + ": type=\"" + type +
-      "\" comes with a later version; those that exist now are static and linearpath");
-  }
-  else if (type != "static" && type != "dummy")
-  {
-    element.GetMessages().Error(element.Where() + ": platform " + platform.Id + ": type=\"" + type +
-      "\" is none; give static or linearpath");
-  }
-  element.CheckNames();
-  platform.Mount = ReadPose(element.GetChild("scannerMount"));
-  return platform;
+  ReadInstrument(element, scanner);
+  return ReadChannels(element, scanner);
 }
 
 //------------------------------------------------------------------------------
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner)
 {
   OverrideReceiver(survey, scanner);
+  for (ScannerData& channel : scanner.OtherChannels)
+  {
+    OverrideReceiver(survey, channel);
+  }
 }
 
 //------------------------------------------------------------------------------
 void CheckScanner(const ScannerData& scanner, Messages& log)
 {
-  CheckOptics(scanner, log);
-  CheckReceiver(scanner, log);
-  Sentence text;
-  if (!(scanner.RangeMin < scanner.RangeMax))
+  for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
   {
-    text << "rangeMin_m=\"" << scanner.RangeMin << "\" is not below rangeMax_m=\""
-         << scanner.RangeMax << "\"; no range is measured. Correct one of them";
-  }
-  if (!text.str().empty())
-  {
-    log.Error(scanner.Where + ": scanner " + scanner.Id + ": " + text.str());
+    CheckChannel(scanner.GetChannel(k), log);
   }
 }
 

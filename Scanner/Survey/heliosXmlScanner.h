@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scanners and platforms from their elements. Errors go to the messages of the document.
+// Scanners from their elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlScanner_h
 #define heliosXmlScanner_h
@@ -12,9 +12,8 @@ namespace helios
 {
 
 ScannerData ReadScanner(const XmlElement& element);
-PlatformData ReadPlatform(const XmlElement& element);
 
-/// What a survey's own <FWFSettings> and <detectorSettings> change in its scanner.
+/// What a survey's own <FWFSettings> and <detectorSettings> change in a scanner, all its channels.
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner);
 
 /// What only shows once all is read: bins too wide for the pulse, ranges that hold nothing.

@@ -5,11 +5,15 @@
 #include "heliosAssets.h"
 #include "heliosLegSettings.h"
 #include "heliosMessages.h"
+#include "heliosXmlLeg.h"
+#include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <map>
 
 namespace helios
 {
@@ -17,8 +21,7 @@ namespace helios
 namespace
 {
 
-/// How deep templates of templates may go: deeper they go round in circles.
-constexpr int DeepestTemplate = 32;
+constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
 
 /// A name that is fit for a folder.
 std::string MakeFolderName(std::string name)
@@ -27,6 +30,23 @@ std::string MakeFolderName(std::string name)
   { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20; };
   std::replace_if(name.begin(), name.end(), isUnfit, '_');
   return name == "." || name == ".." ? "survey" : name;
+}
+
+/// The number of a seed: of a date the digits, of a decimal number its whole part; negative: none.
+vtkIdType ParseSeed(std::string text)
+{
+  const bool isDate = text.find_first_of("-:") != std::string::npos && text.size() == 19;
+  const auto isNoDigit = [](char c) { return c < '0' || c > '9'; };
+  if (isDate)
+  {
+    text.erase(std::remove_if(text.begin(), text.end(), isNoDigit), text.end());
+  }
+  vtkIdType seed = -1;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, seed);
+  const bool isWhole = parsed.ec == std::errc() &&
+    (parsed.ptr == end || (*parsed.ptr == '.' && std::none_of(parsed.ptr + 1, end, isNoDigit)));
+  return isWhole && seed <= HighestSeed && (!isDate || text.size() == 14) ? seed : -1;
 }
 
 /// Reads one <survey>.
@@ -43,25 +63,43 @@ public:
 
 private:
   void ReadName(const XmlElement& survey, SurveyData& data);
-  void ReadReferences(const XmlElement& survey, SurveyData& data);
-  XmlElement FindRequired(const XmlElement& survey, const char* tag);
+  void ReadSeed(const XmlElement& survey, SurveyData& data);
+  void ReadAttitude(const XmlElement& survey, SurveyData& data);
+  void ReadScene(const XmlElement& survey, SurveyData& data);
   void ReadLegs(const XmlElement& survey, SurveyData& data);
-  LegSettings ReadLeg(const XmlElement& leg);
-  void ReadPlatformSettings(const XmlElement& element, LegSettings& settings, int depth);
-  void ReadScannerSettings(const XmlElement& element, LegSettings& settings, int depth);
-  XmlElement FindTemplate(const XmlElement& element, int depth);
+  void ReadLeg(const XmlElement& leg, SurveyData& data);
+  void ReadScan(const XmlElement& scan, SurveyData& data);
+  void AddLeg(const LegSettings& settings, const XmlElement& from, SurveyData& data);
+  std::size_t FindScanner(const XmlElement& from, SurveyData& data);
+  std::size_t FindPlatform(const XmlElement& from, SurveyData& data);
+  XmlElement FindRequired(const XmlElement& from, const char* tag);
+  PlatformData MakeInterpolated();
+  void CheckJourneys(const SurveyData& data);
+  void Resolve(SurveyData& data);
 
   Assets& Files;
   Messages& Log;
+  XmlElement Survey;
+  std::vector<LegSettings> Settings;           // of the legs so far
+  std::map<std::string, std::size_t> Scanners; // by where they stand
+  std::map<std::string, std::size_t> Platforms;
+  Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the legs that follow
+  bool StartsScan = false;
 };
 
 //------------------------------------------------------------------------------
 void SurveyReader::Read(const XmlElement& survey, SurveyData& data)
 {
+  this->Survey = survey;
   survey.CheckNames();
   this->ReadName(survey, data);
+  this->ReadSeed(survey, data);
+  this->ReadAttitude(survey, data);
   data.RayCaster = survey.GetText("rayCaster");
-  this->ReadReferences(survey, data);
+  survey.Read("legRandomOffset", data.LegOffset.IsOn);
+  survey.Read("legRandomOffsetMean", data.LegOffset.Mean);
+  survey.Read("legRandomOffsetStdev", data.LegOffset.Deviation);
+  this->ReadScene(survey, data);
   this->ReadLegs(survey, data);
 }
 
@@ -79,147 +117,215 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-void SurveyReader::ReadReferences(const XmlElement& survey, SurveyData& data)
+void SurveyReader::ReadSeed(const XmlElement& survey, SurveyData& data)
 {
-  const XmlElement scanner = this->FindRequired(survey, "scanner");
-  if (scanner)
+  const std::string text = survey.GetText("seed");
+  if (text.empty() || ToLower(text) == "auto")
   {
-    data.Scanner = ReadScanner(scanner);
+    return;
   }
-  OverrideScanner(survey, data.Scanner);
-  if (survey.GetText("platform") == "interpolated")
+  data.Seed = ParseSeed(text);
+  if (data.Seed < 0)
   {
-    this->Log.Error(survey.Where() + ": platform=\"interpolated\" comes with a later version; " +
-      "platforms that exist now are of type static or linearpath");
-  }
-  else if (const XmlElement platform = this->FindRequired(survey, "platform"))
-  {
-    data.Platform = ReadPlatform(platform);
-  }
-  const XmlElement scene = this->FindRequired(survey, "scene");
-  if (scene)
-  {
-    data.Scene = ReadScene(scene, this->Files);
+    this->Log.Error(survey.Where() + ": seed=\"" + text +
+      "\" is none; give a whole number from 0 to 2^62, YYYY-MM-DD hh:mm:ss, or AUTO");
   }
 }
 
 //------------------------------------------------------------------------------
-XmlElement SurveyReader::FindRequired(const XmlElement& survey, const char* tag)
+void SurveyReader::ReadAttitude(const XmlElement& survey, SurveyData& data)
 {
-  if (survey.Has(tag))
+  std::string convention = "ARINC 705";
+  survey.Read("rotationSpec", convention);
+  data.IsCanonical = convention == "CANONICAL";
+  if (!data.IsCanonical && convention != "ARINC 705")
   {
-    return this->Files.FindElement(tag, survey, tag);
+    this->Log.Error(survey.Where() + ": rotationSpec=\"" + convention +
+      "\" is none; give ARINC 705 or CANONICAL");
   }
-  this->Log.Error(
-    survey.Where() + ": <survey> has no attribute " + tag + "; add " + tag + "=\"file.xml#id\"");
+}
+
+//------------------------------------------------------------------------------
+void SurveyReader::ReadScene(const XmlElement& survey, SurveyData& data)
+{
+  if (const XmlElement scene = this->FindRequired(survey, "scene"))
+  {
+    data.Scene = helios::ReadScene(scene, this->Files);
+  }
+}
+
+//------------------------------------------------------------------------------
+XmlElement SurveyReader::FindRequired(const XmlElement& from, const char* tag)
+{
+  if (from.Has(tag))
+  {
+    return this->Files.FindElement(tag, from, tag);
+  }
+  this->Log.Error(from.Where() + ": <" + from.GetTag() + "> has no attribute " + tag + "; add " +
+    tag + "=\"file.xml#id\"");
   return {};
+}
+
+//------------------------------------------------------------------------------
+std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
+{
+  const XmlElement element = this->FindRequired(from, "scanner");
+  const std::string where = element ? element.Where() : "";
+  const auto known = this->Scanners.find(where);
+  if (known != this->Scanners.end())
+  {
+    return known->second;
+  }
+  ScannerData scanner = element ? ReadScanner(element) : ScannerData();
+  OverrideScanner(this->Survey, scanner);
+  data.Scanners.push_back(scanner);
+  return this->Scanners[where] = data.Scanners.size() - 1;
+}
+
+//------------------------------------------------------------------------------
+std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
+{
+  const bool isInterpolated = from.GetText("platform") == "interpolated";
+  const XmlElement element = isInterpolated ? XmlElement() : this->FindRequired(from, "platform");
+  const std::string where = isInterpolated ? "interpolated" : element ? element.Where() : "";
+  const auto known = this->Platforms.find(where);
+  if (known != this->Platforms.end())
+  {
+    return known->second;
+  }
+  PlatformData platform = isInterpolated ? this->MakeInterpolated()
+    : element                            ? ReadPlatform(element)
+                                         : PlatformData();
+  OverridePlatform(this->Survey, platform);
+  data.Platforms.push_back(platform);
+  return this->Platforms[where] = data.Platforms.size() - 1;
+}
+
+//------------------------------------------------------------------------------
+/// The platform that plays trajectories from files: mount and noise are those of another.
+PlatformData SurveyReader::MakeInterpolated()
+{
+  PlatformData platform;
+  if (this->Survey.Has("basePlatform"))
+  {
+    const XmlElement base = this->Files.FindElement("platform", this->Survey, "basePlatform");
+    platform = base ? ReadPlatform(base) : platform;
+  }
+  platform.Type = PlatformType::Interpolated;
+  platform.Where = this->Survey.Where();
+  platform.Name = platform.Name.empty() ? "interpolated" : platform.Name;
+  return platform;
 }
 
 //------------------------------------------------------------------------------
 void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
 {
-  std::vector<LegSettings> legs;
-  for (const XmlElement& leg : survey.GetChildren("leg"))
+  for (const XmlElement& child : survey.GetChildren())
   {
-    legs.push_back(this->ReadLeg(leg));
+    if (child.GetTag() == "origin")
+    {
+      child.CheckNames();
+      this->Origin = Vec3(0.0, 0.0, 0.0);
+      child.ReadVector(this->Origin);
+    }
+    else if (child.GetTag() == "scan")
+    {
+      this->ReadScan(child, data);
+    }
+    else if (child.GetTag() == "leg")
+    {
+      this->ReadLeg(child, data);
+    }
   }
-  const std::size_t least = data.IsMoving() ? 2 : 1;
-  if (legs.size() < least)
+  if (data.Legs.empty())
   {
-    this->Log.Error(survey.Where() + ": survey " + data.Name + " has " +
-      std::to_string(legs.size()) + " <leg>; " +
-      (data.IsMoving() ? "a moving platform needs two, from where to where" : "add one"));
+    this->Log.Error(survey.Where() + ": survey " + data.Name + " has 0 <leg>; add one");
+    this->FindScanner(survey, data); // which may be wrong, too
+    this->FindPlatform(survey, data);
   }
-  if (this->Log.HasError())
+  if (!this->Log.HasError())
   {
-    return; // What follows from an error is none of its own.
-  }
-  CheckScanner(data.Scanner, this->Log);
-  for (std::size_t i = 0; i < legs.size() && !this->Log.HasError(); ++i)
-  {
-    AddLeg(legs[i], i + 1 == legs.size(), data, this->Log);
+    this->CheckJourneys(data);
+    this->Resolve(data); // What follows from an error is none of its own.
   }
 }
 
 //------------------------------------------------------------------------------
-LegSettings SurveyReader::ReadLeg(const XmlElement& leg)
+void SurveyReader::ReadLeg(const XmlElement& leg, SurveyData& data)
 {
+  this->AddLeg(helios::ReadLeg(leg, {}, this->Files), leg, data);
+}
+
+//------------------------------------------------------------------------------
+/// The form that the planner of the Java program writes: a platform and a scanner with legs of their own.
+void SurveyReader::ReadScan(const XmlElement& scan, SurveyData& data)
+{
+  scan.CheckNames();
+  this->StartsScan = true;
   LegSettings settings;
-  settings.Leg.Where = leg.Where();
-  leg.CheckNames();
-  const XmlElement platform = leg.GetChild("platformSettings");
-  if (platform)
+  if (const XmlElement turn = scan.GetChild("scannerRotation"))
   {
-    this->ReadPlatformSettings(platform, settings, 0);
+    turn.CheckNames();
+    turn.Read("start", settings.Scan.HeadRotateStart);
+    turn.Read("end", settings.Scan.HeadRotateStop);
   }
-  const XmlElement scanner = leg.GetChild("scannerSettings");
-  if (scanner)
+  const std::size_t scanner = this->FindScanner(scan, data);
+  settings.ScanFrequency = data.Scanners[scanner].ScanFrequencyMax;
+  settings.Scan.HeadRotateSpeed = std::copysign(data.Scanners[scanner].HeadRotateSpeedMax,
+    settings.Scan.HeadRotateStop - settings.Scan.HeadRotateStart);
+  for (const XmlElement& leg : scan.GetChildren("leg"))
   {
-    settings.Leg.Where = scanner.Where();
-    this->ReadScannerSettings(scanner, settings, 0);
+    this->AddLeg(helios::ReadLeg(leg, settings, this->Files), scan, data);
   }
-  leg.Read("maxDuration_s", settings.Leg.MaximumDuration);
-  return settings;
 }
 
 //------------------------------------------------------------------------------
-void SurveyReader::ReadPlatformSettings(const XmlElement& element, LegSettings& settings, int depth)
+/// A leg with the scanner and platform that it, or what it stands in, or the survey names.
+void SurveyReader::AddLeg(const LegSettings& settings, const XmlElement& from, SurveyData& data)
 {
-  element.CheckNames();
-  const XmlElement base = this->FindTemplate(element, depth);
-  if (base)
-  {
-    this->ReadPlatformSettings(base, settings, depth + 1);
-  }
-  LegData& leg = settings.Leg;
-  element.ReadVector(leg.Position);
-  element.Read("crs", leg.Crs);
-  element.Read("onGround", leg.OnGround);
-  element.Read("movePerSec_m", leg.Speed);
+  LegData leg = settings.Leg;
+  leg.Position += this->Origin;
+  leg.Scanner = this->FindScanner(from.Has("scanner") ? from : this->Survey, data);
+  leg.Platform = this->FindPlatform(from.Has("platform") ? from : this->Survey, data);
+  leg.StartsJourney =
+    data.Legs.empty() || this->StartsScan || data.Legs.back().Platform != leg.Platform;
+  this->StartsScan = false;
+  this->Settings.push_back(settings);
+  data.Legs.push_back(leg);
 }
 
 //------------------------------------------------------------------------------
-void SurveyReader::ReadScannerSettings(const XmlElement& element, LegSettings& settings, int depth)
+void SurveyReader::CheckJourneys(const SurveyData& data)
 {
-  element.CheckNames();
-  const XmlElement base = this->FindTemplate(element, depth);
-  if (base)
+  for (std::size_t leg = 0; leg < data.Legs.size(); ++leg)
   {
-    this->ReadScannerSettings(base, settings, depth + 1);
+    const bool isAlone = data.Legs[leg].StartsJourney && data.EndsJourney(leg);
+    const bool isFlown = data.GetPlatform(leg).Type == PlatformType::Interpolated;
+    if (isAlone && data.IsMoving(leg) && !isFlown)
+    {
+      this->Log.Error(data.Legs[leg].Where + ": platform " + data.GetPlatform(leg).Id +
+        " has 1 <leg>; a moving platform needs two, from where to where");
+    }
+    if (isFlown && data.Legs[leg].StartsJourney && data.Legs[leg].Trajectory.File.empty())
+    {
+      this->Log.Error(data.Legs[leg].Where +
+        ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
+        "<platformSettings>");
+    }
   }
-  LegData& leg = settings.Leg;
-  element.Read("active", leg.Active);
-  element.Read("pulseFreq_hz", settings.PulseFrequency);
-  element.Read("scanFreq_hz", settings.ScanFrequency);
-  element.Read("scanAngle_deg", settings.ScanAngle);
-  element.Read("verticalAngleMin_deg", settings.VerticalAngleMin);
-  element.Read("verticalAngleMax_deg", settings.VerticalAngleMax);
-  element.Read("headRotatePerSec_deg", leg.HeadRotateSpeed);
-  element.Read("headRotateStart_deg", leg.HeadRotateStart);
-  element.Read("headRotateStop_deg", leg.HeadRotateStop);
-  element.Read("beamDivergenceRad", settings.BeamDivergence);
-  element.Read("beamDivergence_rad", settings.BeamDivergence);
-  element.Read("trajectoryTimeInterval_s", leg.TrajectoryTimeInterval);
-  element.Read("maxDuration_s", leg.MaximumDuration);
-  element.Read("verticalResolution_deg", settings.VerticalResolution);
-  element.Read("horizontalResolution_deg", settings.HorizontalResolution);
-  element.Read("opticsWarmupPhase_s", leg.WarmUpTime);
 }
 
 //------------------------------------------------------------------------------
-XmlElement SurveyReader::FindTemplate(const XmlElement& element, int depth)
+void SurveyReader::Resolve(SurveyData& data)
 {
-  if (!element.Has("template"))
+  for (const ScannerData& scanner : data.Scanners)
   {
-    return {};
+    CheckScanner(scanner, this->Log);
   }
-  if (depth < DeepestTemplate)
+  for (std::size_t leg = 0; leg < data.Legs.size() && !this->Log.HasError(); ++leg)
   {
-    return this->Files.FindElement(element.GetTag().c_str(), element, "template");
+    ResolveLeg(this->Settings[leg], leg, data, this->Log);
   }
-  this->Log.Error(element.Where() + ": template=\"" + element.GetText("template") +
-    "\" goes round in circles; let the last template have none");
-  return {};
 }
 
 } // namespace

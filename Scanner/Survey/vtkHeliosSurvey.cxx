@@ -10,6 +10,23 @@
 
 vtkStandardNewMacro(vtkHeliosSurvey);
 
+namespace
+{
+
+/// "a, b".
+template <typename DataT>
+std::string JoinNames(const std::vector<DataT>& all)
+{
+  std::string names;
+  for (const DataT& data : all)
+  {
+    names += (names.empty() ? "" : ", ") + data.Name;
+  }
+  return names;
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkHeliosSurvey::vtkHeliosSurvey()
   : Data(new helios::SurveyData)
@@ -28,13 +45,13 @@ std::string vtkHeliosSurvey::GetName() const
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetScannerName() const
 {
-  return this->Data->Scanner.Name;
+  return JoinNames(this->Data->Scanners);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPlatformName() const
 {
-  return this->Data->Platform.Name;
+  return JoinNames(this->Data->Platforms);
 }
 
 //------------------------------------------------------------------------------
@@ -46,7 +63,12 @@ std::string vtkHeliosSurvey::GetSceneName() const
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::IsMoving() const
 {
-  return this->Data->IsMoving();
+  bool isMoving = false;
+  for (std::size_t leg = 0; leg < this->Data->Legs.size(); ++leg)
+  {
+    isMoving = isMoving || this->Data->IsMoving(leg);
+  }
+  return isMoving;
 }
 
 //------------------------------------------------------------------------------
@@ -93,14 +115,14 @@ bool vtkHeliosSurvey::IsLegActive(int leg) const
 double vtkHeliosSurvey::GetLegPulseFrequency(int leg) const
 {
   const helios::LegData* data = this->FindLeg(leg);
-  return data ? data->PulseFrequency : 0.0;
+  return data && !data->Scans.empty() ? data->Scans.front().PulseFrequency : 0.0;
 }
 
 //------------------------------------------------------------------------------
 double vtkHeliosSurvey::GetLegScanFrequency(int leg) const
 {
   const helios::LegData* data = this->FindLeg(leg);
-  return data ? data->ScanFrequency : 0.0;
+  return data && !data->Scans.empty() ? data->Scans.front().ScanFrequency : 0.0;
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,8 @@ public:
 
   ///@{
   /**
-   * The names of what the survey uses.
+   * The names of what the survey uses; where there are several, with commas
+   * between them.
    */
   std::string GetScannerName() const;
   std::string GetPlatformName() const;
@@ -50,7 +51,7 @@ public:
   ///@}
 
   /**
-   * Whether the platform moves from leg to leg. The last leg is then an end
+   * Whether a platform moves from leg to leg. The last leg of one is then an end
    * point only.
    */
   bool IsMoving() const;

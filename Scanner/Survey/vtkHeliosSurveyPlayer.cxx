@@ -160,7 +160,7 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
   const helios::SurveyData& survey = this->Player->Survey->GetData();
   helios::SceneBuilder builder(survey.Scene, this->Log);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
-  this->Scene = builder.Build(survey.Scanner.Wavelength, onStep);
+  this->Scene = builder.Build(onStep);
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";

@@ -30,11 +30,11 @@ struct Bench
   {
   }
 
-  const helios::LegData& Leg() const { return this->Reading.Data().Legs.at(0); }
+  const helios::ScanData& Scan() const { return this->Reading.Data().Legs.at(0).Scans.at(0); }
 
   vtkSmartPointer<vtkHeliosBeamDeflector> Deflector() const
   {
-    return helios::MakeDeflector(this->Reading.Data().Scanner, this->Leg());
+    return helios::MakeDeflector(this->Reading.Data().Scanners.at(0), this->Scan());
   }
 
   void CheckRefused(const std::vector<std::string>& messages) const
@@ -119,19 +119,19 @@ TEST_CASE("SurveyOptics: how an oscillating mirror swings", "[SurveyOptics]")
 
 TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]")
 {
-  CHECK(Bench(Swinging, R"(scanFreq_hz="50")").Leg().ScanAngle == 25.0);
+  CHECK(Bench(Swinging, R"(scanFreq_hz="50")").Scan().ScanAngle == 25.0);
   const Bench clipped(Swinging, R"(scanFreq_hz="50" scanAngle_deg="30")");
   clipped.CheckWarned("scanAngle_deg=\"30\" is clipped to 25, scanAngleMax_deg of scanner own");
-  CHECK(clipped.Leg().ScanAngle == 25.0);
+  CHECK(clipped.Scan().ScanAngle == 25.0);
   // Catalogues may leave the limit to the scan product.
   const std::string product = R"(optics="oscillating" scanProduct="1000")";
   const Bench free(product, R"(scanFreq_hz="50" scanAngle_deg="20")");
   free.CheckQuiet();
-  CHECK(free.Leg().ScanAngle == 20.0);
+  CHECK(free.Scan().ScanAngle == 20.0);
   const Bench capped(product, R"(scanFreq_hz="50" scanAngle_deg="25")");
   capped.CheckWarned("survey.xml:5: a scan angle of 25 deg is clipped to 20 deg, since "
                      "scanProduct=\"1000\" of scanner own allows no more at scanFreq_hz=\"50\"");
-  CHECK(capped.Leg().ScanAngle == 20.0);
+  CHECK(capped.Scan().ScanAngle == 20.0);
   CHECK(capped.Deflector()->GetScanAngle(1000) == 20.0);
   Bench(product, R"(scanFreq_hz="50")")
     .CheckRefused({ "survey.xml:5", "no scan angle",
@@ -168,7 +168,7 @@ TEST_CASE("SurveyOptics: Risley prisms", "[SurveyOptics]")
 {
   const Bench bench(Prisms, "");
   bench.CheckQuiet();
-  const helios::ScannerData& scanner = bench.Reading.Data().Scanner;
+  const helios::ScannerData& scanner = bench.Reading.Data().Scanners.at(0);
   CHECK(scanner.Prisms[0].WedgeAngle == -18.0);
   CHECK(scanner.Prisms[1].RefractiveIndex == 1.52);
   CHECK(scanner.Prisms[1].RotorFrequency == 77.75);
@@ -229,9 +229,9 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
   const Bench warm(rotating, leg + R"( headRotateStop_deg="25" opticsWarmupPhase_s="0.503")");
   cold.CheckQuiet();
   warm.CheckQuiet();
-  CHECK(warm.Leg().WarmUpTime == 0.503);
-  CHECK(warm.Leg().HeadRotateStart == Approx(5.0 + 20.0 * 0.503).epsilon(1e-15));
-  CHECK(warm.Leg().GetHeadTime() == Approx(1.0 - 0.503).epsilon(1e-14));
+  CHECK(warm.Scan().WarmUpTime == 0.503);
+  CHECK(warm.Scan().HeadRotateStart == Approx(5.0 + 20.0 * 0.503).epsilon(1e-15));
+  CHECK(warm.Scan().GetHeadTime() == Approx(1.0 - 0.503).epsilon(1e-14));
   CHECK(cold.Deflector()->GetScanAngle(0) == 0.0);
   // 0.503 s are 25.15 turns
   CHECK(warm.Deflector()->GetScanAngle(0) == Approx(0.15 * 360.0).epsilon(1e-12));
@@ -248,7 +248,7 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
     rotating, leg + R"( headRotateStop_deg="25" opticsWarmupPhase_s="36")", Flight);
   INFO(moving.Reading.Log->Errors);
   REQUIRE(moving.Reading.Good);
-  CHECK(moving.Leg().HeadRotateStart == 5.0);
+  CHECK(moving.Scan().HeadRotateStart == 5.0);
 }
 
 TEST_CASE("SurveyOptics: all of them run", "[SurveyOptics]")

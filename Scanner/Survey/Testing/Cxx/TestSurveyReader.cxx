@@ -3,7 +3,7 @@
 // From files in the HELIOS dialect to plain data; what is wrong with a file is said with its line.
 #include "vtkHeliosSurveyReader.h"
 
-#include "heliosSurveyFiles.h"
+#include "heliosSurveyChanges.h"
 
 #include <catch2/catch.hpp>
 
@@ -14,61 +14,6 @@ using namespace helios::test;
 
 namespace
 {
-
-/// A change to a file of a good survey, and what messages must say then.
-struct Change
-{
-  std::string File;
-  std::string From;
-  std::string To;
-  std::vector<std::string> Messages;
-};
-
-void CheckRefused(const Files& files, const std::vector<std::string>& messages)
-{
-  const Reading reading(files);
-  INFO(reading.Log->Errors);
-  CHECK_FALSE(reading.Good);
-  CHECK(reading.Reader->GetSurvey() == nullptr);
-  for (const std::string& message : messages)
-  {
-    INFO("missing: " << message);
-    CHECK(reading.Log->HasError(message));
-  }
-}
-
-/// Each change alone makes the survey an error.
-void CheckAllRefused(const char* attributes, const char* legs, const std::vector<Change>& changes)
-{
-  for (const Change& change : changes)
-  {
-    const Files files;
-    REQUIRE(Reading(files, attributes, legs).Good);
-    INFO(change.From << " -> " << change.To);
-    files.Replace(change.File, change.From, change.To);
-    CheckRefused(files, change.Messages);
-  }
-}
-
-/// Each change alone is warned of, and read all the same.
-void CheckAllWarned(const char* attributes, const char* legs, const std::vector<Change>& changes)
-{
-  for (const Change& change : changes)
-  {
-    const Files files;
-    REQUIRE(Reading(files, attributes, legs).Good);
-    INFO(change.From << " -> " << change.To);
-    files.Replace(change.File, change.From, change.To);
-    const Reading reading(files);
-    INFO(reading.Log->Errors << reading.Log->Warnings);
-    CHECK(reading.Good);
-    for (const std::string& message : change.Messages)
-    {
-      INFO("missing: " << message);
-      CHECK(reading.Log->HasWarning(message));
-    }
-  }
-}
 
 std::size_t CountOf(const std::string& part, const std::string& text)
 {
@@ -96,20 +41,21 @@ TEST_CASE("SurveyReader: scanner, platform and units", "[SurveyReader]")
 <scannerSettings scanFreq_hz="100" headRotatePerSec_deg="30" headRotateStop_deg="90"/></leg>)");
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
-  const helios::ScannerData& scanner = reading.Data().Scanner;
+  const helios::ScannerData& scanner = reading.Data().Scanners.at(0);
   CHECK(scanner.PulseFrequencies == std::vector<double>{ 100000, 300000 });
   CHECK(scanner.PulseLength == 5.0);
   CHECK(scanner.Accuracy == 0.005);
   CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // counted in nanowatts
   CHECK(scanner.Receiver.NumberOfCircles == 2);
   CHECK(scanner.Beam.Position[2] == 0.2);
-  CHECK(reading.Data().Platform.Mount.Position[2] == 1.5);
+  CHECK(reading.Data().Platforms.at(0).Mount.Position[2] == 1.5);
   const helios::LegData& leg = reading.Data().Legs.at(0);
   CHECK(leg.Position[1] == 2.0);
-  CHECK(leg.PulseFrequency == 100000); // the scanner's first
-  CHECK(leg.BeamDivergence == 0.0004);
-  CHECK(leg.VerticalAngleMin == -50);
-  CHECK(leg.VerticalAngleMax == 50);
+  REQUIRE(leg.Scans.size() == 1);
+  CHECK(leg.Scans[0].PulseFrequency == 100000); // the scanner's first
+  CHECK(leg.Scans[0].BeamDivergence == 0.0004);
+  CHECK(leg.Scans[0].VerticalAngleMin == -50);
+  CHECK(leg.Scans[0].VerticalAngleMax == 50);
   CHECK(leg.GetHeadTime() == 3.0);
   CHECK(reading.Reader->GetSurvey()->GetName() == "test");
   CHECK(reading.Reader->GetSurvey()->GetNumberOfLegs() == 1);
@@ -122,9 +68,9 @@ TEST_CASE("SurveyReader: rotations of a mount, the last outermost", "[SurveyRead
 <leg><platformSettings x="10" z="100"/></leg>)");
   REQUIRE(reading.Good);
   // x -90 turns y down; z 90 leaves it there
-  const helios::Vec3 down = helios::Rotate(reading.Data().Platform.Mount.Orientation, { 0, 1, 0 });
+  const helios::Vec3 down = helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 });
   CHECK(down[2] == Approx(-1));
-  const helios::Vec3 side = helios::Rotate(reading.Data().Platform.Mount.Orientation, { 1, 0, 0 });
+  const helios::Vec3 side = helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 1, 0, 0 });
   CHECK(side[1] == Approx(1));
 }
 
@@ -144,13 +90,13 @@ TEST_CASE("SurveyReader: templates are inherited by presence", "[SurveyReader]")
   REQUIRE(legs.size() == 2);
   CHECK(legs[0].Position == helios::Vec3(5, 8, 7));
   CHECK_FALSE(legs[0].Active);
-  CHECK(legs[0].HeadRotateSpeed == 20);
-  CHECK(legs[0].ScanFrequency == 50);
-  CHECK(legs[0].BeamDivergence == 0.001);
+  CHECK(legs[0].Scans.at(0).HeadRotateSpeed == 20);
+  CHECK(legs[0].Scans.at(0).ScanFrequency == 50);
+  CHECK(legs[0].Scans.at(0).BeamDivergence == 0.001);
   CHECK(legs[1].Position == helios::Vec3(5, 6, 7));
-  CHECK(legs[1].HeadRotateSpeed == 10);
-  CHECK(legs[1].ScanFrequency == 60);
-  CHECK(legs[1].PulseFrequency == 300000);
+  CHECK(legs[1].Scans.at(0).HeadRotateSpeed == 10);
+  CHECK(legs[1].Scans.at(0).ScanFrequency == 60);
+  CHECK(legs[1].Scans.at(0).PulseFrequency == 300000);
 }
 
 TEST_CASE("SurveyReader: resolution in degrees sets line rate and head speed", "[SurveyReader]")
@@ -161,8 +107,8 @@ TEST_CASE("SurveyReader: resolution in degrees sets line rate and head speed", "
  verticalResolution_deg="0.12" horizontalResolution_deg="0.1" headRotateStop_deg="10"/></leg>)");
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
-  CHECK(reading.Data().Legs[0].ScanFrequency == Approx(50));
-  CHECK(reading.Data().Legs[0].HeadRotateSpeed == Approx(5));
+  CHECK(reading.Data().Legs[0].Scans.at(0).ScanFrequency == Approx(50));
+  CHECK(reading.Data().Legs[0].Scans.at(0).HeadRotateSpeed == Approx(5));
 }
 
 TEST_CASE("SurveyReader: asset folders come before the survey's own", "[SurveyReader]")
@@ -175,12 +121,12 @@ TEST_CASE("SurveyReader: asset folders come before the survey's own", "[SurveyRe
     "<leg><platformSettings/><scannerSettings scanFreq_hz=\"50\" "
     "headRotatePerSec_deg=\"10\" headRotateStop_deg=\"20\"/></leg>");
   REQUIRE(plain.Good);
-  CHECK(plain.Data().Scanner.PulseLength == 5);
+  CHECK(plain.Data().Scanners.at(0).PulseLength == 5);
   vtkNew<vtkHeliosSurveyReader> reader;
   reader->AddAssetDirectory((files / "extra").c_str());
   reader->SetFileName((files / "survey.xml").c_str());
   REQUIRE(reader->Read());
-  CHECK(reader->GetSurvey()->GetData().Scanner.PulseLength == 9);
+  CHECK(reader->GetSurvey()->GetData().Scanners.at(0).PulseLength == 9);
 }
 
 TEST_CASE("SurveyReader: scene filters go rotate, scale, translate; the last scale counts",
@@ -232,8 +178,8 @@ TEST_CASE("SurveyReader: rotations are global or local", "[SurveyReader]")
   REQUIRE(global.Good);
   REQUIRE(local.Good);
   // global: x by -90 first, so y ends down; local: z by 90 first, so y goes to -x and stays there
-  CHECK(helios::Rotate(global.Data().Platform.Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
-  CHECK(helios::Rotate(local.Data().Platform.Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
+  CHECK(helios::Rotate(global.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
+  CHECK(helios::Rotate(local.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
 }
 
 TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader]")
@@ -243,11 +189,11 @@ TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader
 <FWFSettings binSize_ns="0.5"/><detectorSettings accuracy_m="0.02" rangeMax_m="80"/>)");
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
-  CHECK(reading.Data().Scanner.Receiver.BinSize == 0.5);
-  CHECK(reading.Data().Scanner.Receiver.NumberOfCircles == 2); // the scanner's
-  CHECK(reading.Data().Scanner.Accuracy == 0.02);
-  CHECK(reading.Data().Scanner.RangeMin == 0.5);
-  CHECK(reading.Data().Scanner.RangeMax == 80.0);
+  CHECK(reading.Data().Scanners.at(0).Receiver.BinSize == 0.5);
+  CHECK(reading.Data().Scanners.at(0).Receiver.NumberOfCircles == 2); // the scanner's
+  CHECK(reading.Data().Scanners.at(0).Accuracy == 0.02);
+  CHECK(reading.Data().Scanners.at(0).RangeMin == 0.5);
+  CHECK(reading.Data().Scanners.at(0).RangeMax == 80.0);
 }
 
 TEST_CASE("SurveyReader: references and numbers as files in the wild write them", "[SurveyReader]")
@@ -272,13 +218,13 @@ TEST_CASE("SurveyReader: references and numbers as files in the wild write them"
   CHECK(log->Warnings.empty());
   const helios::SurveyData& data = reader->GetSurvey()->GetData();
   CHECK(data.Name == "survey"); // of the file
-  CHECK(data.Scanner.Id == "tls");
-  CHECK(data.Platform.Type == helios::PlatformType::Static);
+  CHECK(data.Scanners.at(0).Id == "tls");
+  CHECK(data.Platforms.at(0).Type == helios::PlatformType::Static);
   CHECK(data.Scene.Parts.at(0).Files.at(0) == files / "plane.obj");
   CHECK(data.Legs.at(0).Position == helios::Vec3(15, -0.5, 0));
   CHECK(data.Legs.at(0).MaximumDuration == 4.0);
   CHECK(data.Legs.at(1).MaximumDuration == 2.5);
-  CHECK(data.Legs.at(1).BeamDivergence == 0.0); // one ray
+  CHECK(data.Legs.at(1).Scans.at(0).BeamDivergence == 0.0); // one ray
 }
 
 TEST_CASE("SurveyReader: an expression for file names makes a part a file", "[SurveyReader]")
@@ -479,7 +425,7 @@ TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
       { "survey.xml", "scanner=\"assets.xml#tls\"", "",
         { "survey.xml:3", "<survey> has no attribute scanner", "scanner=\"file.xml#id\"" } },
       { "survey.xml", "assets.xml#tripod", "interpolated",
-        { "survey.xml:3", "interpolated", "later version" } },
+        { "survey.xml:5", "platform=\"interpolated\" needs a trajectory" } },
       { "survey.xml", "x=\"1\"", "template=\"none\"",
         { "survey.xml:4", "has no <platformSettings> of the id \"none\"" } },
       { "assets.xml", "</document>", "</docment>", { "assets.xml:11", "not XML" } },
@@ -501,7 +447,7 @@ TEST_CASE("SurveyReader: surveys without legs", "[SurveyReader]")
   const std::string legs = ThreeLegs;
   CheckAllRefused(Flight, ThreeLegs,
     { { "survey.xml", legs, legs.substr(0, legs.find("<leg", 1)),
-      { "survey.xml:3", "has 1 <leg>", "needs two" } } });
+      { "survey.xml:5", "platform plane has 1 <leg>", "needs two" } } });
 }
 
 TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
@@ -512,13 +458,10 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
       { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
         { "assets.xml:5", "scanner tls", "optics=\"turning\" are none",
           "give rotating, oscillating, line, conic, palmer or risley" } },
-      { "assets.xml", "<FWFSettings", "<channels/><FWFSettings",
-        { "assets.xml:8", "<channels>", "later version" } },
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
-        { "assets.xml:2", "platform tripod", "multicopter", "later version",
-          "static and linearpath" } },
+        { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",
-        { "assets.xml:2", "type=\"sttic\" is none", "static or linearpath" } },
+        { "assets.xml:2", "type=\"sttic\" is none", "static, linearpath, groundvehicle or multicopter" } },
       { "scene.xml", "\"objloader\"", "\"detailedvoxels\"",
         { "scene.xml:2", "detailedvoxels", "later version" } },
       { "scene.xml", "\"objloader\"", "\"objloder\"",
@@ -629,13 +572,9 @@ TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
         { "survey.xml:3", "element <survei> in <document> is unknown; did you mean <survey>?" } },
       { "survey.xml", "</leg>", "<weather/></leg>",
         { "survey.xml:5", "element <weather> in <leg> is unknown and not used" } },
-      { "survey.xml", "x=\"1\"", "stopAndTurn=\"true\"",
-        { "survey.xml:4", "attribute stopAndTurn of <platformSettings> is not used" } },
       { "survey.xml", "</survey>", "<FWFSettings peakEnergy=\"500\" numTimeBins=\"100\"/></survey>",
         { "survey.xml:6", "attribute peakEnergy of <FWFSettings> is not used",
           "attribute numTimeBins" } },
-      { "assets.xml", "<scannerMount", "<positionXNoise/><scannerMount",
-        { "assets.xml:2", "element <positionXNoise> in <platform> is not used" } },
       { "survey.xml", "</leg>", "<scannerSettings/></leg>",
         { "survey.xml:5", "a second <scannerSettings> in one <leg> is not used" } },
       { "scene.xml", "</filter>", "<param key=\"filepth\" value=\"\"/></filter>",

@@ -35,7 +35,7 @@ struct Bench
   {
   }
 
-  const helios::ScannerData& Scanner() const { return this->Reading.Data().Scanner; }
+  const helios::ScannerData& Scanner() const { return this->Reading.Data().Scanners.at(0); }
   const helios::ReceiverData& Receiver() const { return this->Scanner().Receiver; }
 
   void CheckRefused(const std::vector<std::string>& messages) const
@@ -257,7 +257,7 @@ TEST_CASE("SurveyReceiver: the names of the Java time", "[SurveyReceiver]")
   bench.CheckQuiet();
   CHECK(bench.Receiver().PeakWindow == 5.0);
   CHECK(bench.Scanner().PulseLength == 6.0);
-  CHECK(bench.Reading.Data().Legs.at(0).BeamDivergence == 0.001);
+  CHECK(bench.Reading.Data().Legs.at(0).Scans.at(0).BeamDivergence == 0.001);
   CHECK(bench.Scanner().OpticalEfficiency == 0.9);
   CHECK(bench.Scanner().AtmosphericVisibility == 5.0);
   CHECK(bench.Scanner().Wavelength == 1550.0);

@@ -85,10 +85,10 @@ bool IsValid(const helios::ScannerData& s)
     std::all_of(s.PulseFrequencies.begin(), s.PulseFrequencies.end(),
       [](double f) { return std::isfinite(f) && f > 0.0; });
   return pulses && IsPose(s.Beam) && IsFinite(s.HeadRotateAxis) && s.HeadRotateAxis.Norm() > 0.0 &&
-    s.PulseLength > 0.0 && s.Receiver.BinSize > 0.0 && s.BeamDivergence >= 0.0 && s.Wavelength > 0.0 &&
-    s.AveragePower > 0.0 && s.ReceiverDiameter > 0.0 && s.DetectionThreshold >= 0.0 &&
-    s.Accuracy >= 0.0 && s.RangeMin >= 0.0 && s.RangeMax > s.RangeMin &&
-    s.MaximumNumberOfReturns >= 0 && s.Receiver.NumberOfCircles >= 0 &&
+    s.PulseLength > 0.0 && s.Receiver.BinSize > 0.0 && s.BeamDivergence >= 0.0 &&
+    s.Wavelength > 0.0 && s.AveragePower > 0.0 && s.ReceiverDiameter > 0.0 &&
+    s.DetectionThreshold >= 0.0 && s.Accuracy >= 0.0 && s.RangeMin >= 0.0 &&
+    s.RangeMax > s.RangeMin && s.MaximumNumberOfReturns >= 0 && s.Receiver.NumberOfCircles >= 0 &&
     AreFinite({ s.PulseLength, s.BeamDivergence, s.Wavelength, s.AveragePower, s.OpticalEfficiency,
       s.ReceiverDiameter, s.AtmosphericVisibility, s.DetectionThreshold, s.Accuracy, s.RangeMin,
       s.RangeMax, s.ScanAngleMax, s.ScanAngleEffectiveMax, s.ScanFrequencyMin, s.ScanFrequencyMax,
@@ -96,15 +96,13 @@ bool IsValid(const helios::ScannerData& s)
       s.Receiver.RangeTolerance, s.Receiver.EnergyTolerance });
 }
 
-bool IsValid(const helios::LegData& leg)
+bool IsValid(const helios::ScanData& scan)
 {
-  return IsFinite(leg.Position) && leg.PulseFrequency > 0.0 && leg.ScanFrequency >= 0.0 &&
-    leg.Speed >= 0.0 && leg.BeamDivergence >= 0.0 && leg.GetHeadTime() >= 0.0 &&
-    leg.VerticalAngleMin <= leg.VerticalAngleMax && leg.TrajectoryTimeInterval >= 0.0 &&
-    AreFinite(
-      { leg.PulseFrequency, leg.ScanFrequency, leg.Speed, leg.ScanAngle, leg.VerticalAngleMin,
-        leg.VerticalAngleMax, leg.HeadRotateSpeed, leg.HeadRotateStart, leg.HeadRotateStop,
-        leg.BeamDivergence, leg.TrajectoryTimeInterval, leg.MaximumDuration, leg.GetHeadTime() });
+  return scan.PulseFrequency > 0.0 && scan.ScanFrequency >= 0.0 && scan.BeamDivergence >= 0.0 &&
+    scan.GetHeadTime() >= 0.0 && scan.VerticalAngleMin <= scan.VerticalAngleMax &&
+    AreFinite({ scan.PulseFrequency, scan.ScanFrequency, scan.ScanAngle, scan.VerticalAngleMin,
+      scan.VerticalAngleMax, scan.HeadRotateSpeed, scan.HeadRotateStart, scan.HeadRotateStop,
+      scan.BeamDivergence, scan.WarmUpTime, scan.GetHeadTime() });
 }
 
 bool IsValid(const helios::PartData& part)
@@ -120,6 +118,20 @@ bool IsValid(const helios::PartData& part)
       [](const helios::CrsData& crs) { return !crs.Target.empty(); });
 }
 
+bool IsValid(const helios::LegData& leg)
+{
+  return IsFinite(leg.Position) && leg.Speed >= 0.0 && leg.TrajectoryTimeInterval >= 0.0 &&
+    AreFinite({ leg.Speed, leg.TrajectoryTimeInterval, leg.MaximumDuration }) &&
+    !leg.Scans.empty() &&
+    std::all_of(leg.Scans.begin(), leg.Scans.end(),
+      [](const helios::ScanData& scan) { return IsValid(scan); });
+}
+
+bool IsValid(const helios::PlatformData& platform)
+{
+  return IsPose(platform.Mount);
+}
+
 template <typename T>
 bool AreValid(const std::vector<T>& all)
 {
@@ -128,7 +140,7 @@ bool AreValid(const std::vector<T>& all)
 
 bool IsValid(const helios::SurveyData& survey)
 {
-  return !survey.Name.empty() && IsValid(survey.Scanner) && IsPose(survey.Platform.Mount) &&
+  return !survey.Name.empty() && AreValid(survey.Scanners) && AreValid(survey.Platforms) &&
     AreValid(survey.Scene.Parts) && AreValid(survey.Legs);
 }
 

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A survey that is right, one change of it at a time, and what is said of it.
+
+#ifndef heliosSurveyChanges_h
+#define heliosSurveyChanges_h
+
+#include "heliosSurveyFiles.h"
+
+#include <string>
+#include <vector>
+
+namespace helios
+{
+namespace test
+{
+
+/// A change to a file of a good survey, and what messages must say then.
+struct Change
+{
+  std::string File;
+  std::string From;
+  std::string To;
+  std::vector<std::string> Messages;
+};
+
+inline void CheckRefused(const Files& files, const std::vector<std::string>& messages)
+{
+  const Reading reading(files);
+  INFO(reading.Log->Errors);
+  CHECK_FALSE(reading.Good);
+  CHECK(reading.Reader->GetSurvey() == nullptr);
+  for (const std::string& message : messages)
+  {
+    INFO("missing: " << message);
+    CHECK(reading.Log->HasError(message));
+  }
+}
+
+/// Each change alone makes the survey an error.
+inline void CheckAllRefused(
+  const char* attributes, const char* legs, const std::vector<Change>& changes)
+{
+  for (const Change& change : changes)
+  {
+    const Files files;
+    REQUIRE(Reading(files, attributes, legs).Good);
+    INFO(change.From << " -> " << change.To);
+    files.Replace(change.File, change.From, change.To);
+    CheckRefused(files, change.Messages);
+  }
+}
+
+/// Each change alone is warned of, and read all the same.
+inline void CheckAllWarned(
+  const char* attributes, const char* legs, const std::vector<Change>& changes)
+{
+  for (const Change& change : changes)
+  {
+    const Files files;
+    REQUIRE(Reading(files, attributes, legs).Good);
+    INFO(change.From << " -> " << change.To);
+    files.Replace(change.File, change.From, change.To);
+    const Reading reading(files);
+    INFO(reading.Log->Errors << reading.Log->Warnings);
+    CHECK(reading.Good);
+    for (const std::string& message : change.Messages)
+    {
+      INFO("missing: " << message);
+      CHECK(reading.Log->HasWarning(message));
+    }
+  }
+}
+
+} // namespace test
+} // namespace helios
+
+#endif

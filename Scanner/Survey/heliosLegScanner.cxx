@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLegScanner.h"
+
+#include "heliosChannelMerge.h"
+#include "heliosLegOptics.h"
+#include "heliosMessages.h"
+#include "heliosRunCounts.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBeamDeflector.h"
+#include "vtkHeliosBeamSampler.h"
+#include "vtkHeliosEchoDetector.h"
+#include "vtkHeliosPlatform.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScanner.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace helios
+{
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr auto None = static_cast<std::size_t>(-1);
+
+void SetPose(const Pose& pose, double position[3], double orientation[4])
+{
+  std::copy_n(pose.Position.GetData(), 3, position);
+  std::copy_n(pose.Orientation.GetData(), 4, orientation);
+}
+
+vtkIdType CountFirstReturns(vtkPolyData* echoes)
+{
+  vtkDataArray* numbers = echoes->GetPointData()->GetArray(names::ReturnNumber);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
+  {
+    count += numbers->GetComponent(i, 0) == 1.0 ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+LegScanner::LegScanner(
+  const SurveyData& survey, vtkPolyData* scene, const ScanOptions& options, Messages& log)
+  : Survey(survey)
+  , Options(options)
+  , Log(log)
+  , Scenes(scene, survey.Scene.SpectraFolders, log)
+  , Scanner(None)
+  , Platform(None)
+{
+}
+
+//------------------------------------------------------------------------------
+LegScanner::~LegScanner() = default;
+
+//------------------------------------------------------------------------------
+void LegScanner::SetUp(const LegPlan& plan)
+{
+  const LegData& leg = this->Survey.Legs[plan.Leg];
+  this->MakeChannels(plan);
+  const auto count = static_cast<vtkIdType>(this->Channels.size());
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    vtkHeliosScanner* channel = this->Channels[static_cast<std::size_t>(k)];
+    const auto index = static_cast<std::size_t>(k);
+    const ScanData& scan = leg.Scans[index];
+    channel->SetBeamDeflector(
+      MakeDeflector(this->Survey.GetScanner(plan.Leg).GetChannel(index), scan));
+    channel->GetBeamSampler()->SetBeamDivergence(scan.BeamDivergence);
+    channel->SetHeadRotateStart(scan.HeadRotateStart);
+    channel->SetHeadRotateStop(scan.HeadRotateStop);
+    channel->SetHeadRotateSpeed(scan.HeadRotateSpeed);
+    channel->SetInputConnection(1, plan.Platform->GetOutputPort());
+    channel->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+    channel->SetStartTime(plan.StartTime);
+    channel->SetDuration(plan.Duration);
+    channel->SetFirstPulseId(plan.FirstPulse + k);
+    channel->SetPulseIdStride(count);
+    channel->SetLegId(static_cast<int>(plan.Leg));
+    channel->SetChannelId(static_cast<int>(k));
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The channels of the leg's scanner on its platform, unless the leg before had the same.
+void LegScanner::MakeChannels(const LegPlan& plan)
+{
+  const LegData& leg = this->Survey.Legs[plan.Leg];
+  if (leg.Scanner == this->Scanner && leg.Platform == this->Platform)
+  {
+    return;
+  }
+  this->Scanner = leg.Scanner;
+  this->Platform = leg.Platform;
+  this->Channels.clear();
+  const ScannerData& scanner = this->Survey.Scanners[leg.Scanner];
+  for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
+  {
+    this->Channels.push_back(
+      this->MakeChannel(scanner.GetChannel(k), this->Survey.Platforms[leg.Platform]));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
+  const ScannerData& data, const PlatformData& platform)
+{
+  auto channel = vtkSmartPointer<vtkHeliosScanner>::New();
+  this->Log.Listen(channel);
+  channel->SetInputDataObject(0, this->Scenes.Get(data.Wavelength));
+  if (!this->Options.RayCaster)
+  {
+    this->Options.RayCaster = channel->GetRayCaster(); // of all, built once
+  }
+  channel->SetRayCaster(this->Options.RayCaster);
+  SetUpReceiver(data, this->Options.Receiver, channel);
+  double position[3];
+  double orientation[4];
+  SetPose(platform.Mount, position, orientation);
+  channel->SetMountPosition(position);
+  channel->SetMountOrientation(orientation);
+  SetPose(data.Beam, position, orientation);
+  channel->SetBeamOrigin(position);
+  channel->SetBeamOrientation(orientation);
+  Vec3 axis = data.HeadRotateAxis;
+  channel->SetHeadRotateAxis(axis.GetData());
+  channel->SetSeed(this->Options.Seed);
+  channel->SetGenerateWaveforms(this->Options.Waveforms);
+  channel->SetGeneratePulses(this->Options.Pulses);
+  return channel;
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::SetTimeWindow(double first, double last)
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    channel->SetTimeWindow(first, last);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType LegScanner::CountPulses()
+{
+  const auto channels = static_cast<vtkIdType>(this->Channels.size());
+  return channels * std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
+}
+
+//------------------------------------------------------------------------------
+bool LegScanner::Update(int piece, int pieces)
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    channel->UpdatePiece(piece, pieces, 0);
+    if (this->Log.HasError())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> LegScanner::GetOutput(int port) const
+{
+  std::vector<vtkDataObject*> outputs;
+  for (std::size_t k = 0; k < this->Channels.size(); ++k)
+  {
+    outputs.push_back(this->GetOutput(port, k));
+  }
+  return MergeChannels(outputs);
+}
+
+//------------------------------------------------------------------------------
+vtkDataObject* LegScanner::GetOutput(int port, std::size_t channel) const
+{
+  return this->Channels[channel]->GetOutputDataObject(port);
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::ReleaseOutput()
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
+    {
+      channel->GetOutputDataObject(port)->ReleaseData();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::Count(RunCounts& counts) const
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    counts.Echoes += channel->GetOutput()->GetNumberOfPoints();
+    counts.FirstReturns += CountFirstReturns(channel->GetOutput());
+    counts.PulsesFired += channel->GetNumberOfPulsesFired();
+    counts.PulsesHit += channel->GetNumberOfPulsesHit();
+    counts.PulsesOnPlane += channel->GetNumberOfPulsesOnPlane();
+    counts.PulsesWithoutBins += channel->GetNumberOfPulsesWithoutBins();
+    counts.PulsesBinned += channel->GetNumberOfPulsesBinned();
+    counts.SubRays += channel->GetNumberOfSubRays();
+    counts.HitsOutOfRange += channel->GetNumberOfHitsOutOfRange();
+    counts.LargestAmplitude = std::max(counts.LargestAmplitude, channel->GetLargestAmplitude());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string LegScanner::GetRayCasterName() const
+{
+  return this->Options.RayCaster ? this->Options.RayCaster->GetName() : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string LegScanner::DescribeSampling() const
+{
+  return this->Channels.empty() ? std::string() : this->Channels.front()->DescribeSampling();
+}
+
+} // namespace helios

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the legs of a survey are, in the scene's coordinate system.
+
+#ifndef heliosWaypoints_h
+#define heliosWaypoints_h
+
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+class Messages;
+
+/// Whether chance may move the legs of a survey that says so, and its key.
+struct LegChance
+{
+  bool IsOn = true;
+  vtkIdType Seed = 0;
+};
+
+/**
+ * The positions of all legs, moved by chance where the survey has it, and of those that are on the
+ * ground put onto that of the scene; false after an error.
+ */
+bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
+  Messages& log, std::vector<Vec3>& positions);
+
+/// The legs [first, last) as waypoints.
+vtkSmartPointer<vtkPolyData> MakeWaypoints(const SurveyData& survey,
+  const std::vector<Vec3>& positions, std::size_t first, std::size_t last);
+
+} // namespace helios
+
+#endif
