@@ -212,8 +212,12 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
       const std::string error = this->Log.GetLastError();
-      this->Player->Message =
-        (error.empty() ? "Stopped" : error + ". Ended") + this->DescribeKept();
+      const std::string kept = this->DescribeKept();
+      if (!error.empty())
+      {
+        this->Log.Error("Ended" + kept);
+      }
+      this->Player->Message = (error.empty() ? "Stopped" : error + ". Ended") + kept;
       return false;
     }
   }
