@@ -10,6 +10,7 @@
 #include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -31,7 +32,7 @@ struct LegProgress;
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const RunCounts&)>;
 
-class LegRunner
+class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
 {
 public:
   LegRunner(

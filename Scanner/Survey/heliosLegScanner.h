@@ -9,6 +9,7 @@
 #include "heliosReceiver.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -36,7 +37,7 @@ struct ScanOptions
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
 };
 
-class LegScanner
+class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
 {
 public:
   LegScanner(
