@@ -9,6 +9,7 @@
 #include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -26,7 +27,7 @@ namespace helios
 class Messages;
 struct RunCounts;
 
-class LegScanner
+class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
 {
 public:
   LegScanner(

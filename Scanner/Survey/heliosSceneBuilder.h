@@ -6,6 +6,7 @@
 #define heliosSceneBuilder_h
 
 #include "heliosPartPipelines.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -22,7 +23,7 @@ namespace helios
 class Messages;
 
 /// Builds one scene.
-class SceneBuilder
+class VTKHELIOSSCANNERSURVEY_EXPORT SceneBuilder
 {
 public:
   SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);

@@ -13,8 +13,8 @@
 #include "vtkHeliosSurvey.h"
 
 #include <vtkCommand.h>
-#include <vtkObjectFactory.h>
 #include <vtkImageData.h>
+#include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
 #include <chrono>
@@ -139,7 +139,8 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   problem = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
   if (!problem.empty())
   {
-    return this->Fail(problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
+    return this->Fail(
+      problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
   }
   player->Report = player->WasFinished ? helios::ToText(summary) : "";
   return this->CheckEarlierRun(player->WasFinished ? summary : this->Journal->GetFingerprint());
@@ -215,8 +216,12 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
       const std::string error = this->Log.GetLastError();
-      this->Player->Message =
-        (error.empty() ? "Stopped" : error + ". Ended") + this->DescribeKept();
+      const std::string kept = this->DescribeKept();
+      if (!error.empty())
+      {
+        this->Log.Error("Ended" + kept);
+      }
+      this->Player->Message = (error.empty() ? "Stopped" : error + ". Ended") + kept;
       return false;
     }
   }
@@ -254,8 +259,9 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   const std::string problem = this->Folder->WriteSummary(summary);
   if (!problem.empty())
   {
-    return this->Fail(problem + "; all points are written: make room, and end it with Resume "
-                                "(--resume)");
+    return this->Fail(problem +
+      "; all points are written: make room, and end it with Resume "
+      "(--resume)");
   }
   this->Journal->Remove();
   this->Player->Report = helios::ToText(summary);
