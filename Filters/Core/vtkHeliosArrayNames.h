@@ -46,6 +46,14 @@ inline constexpr const char* PartName = "Part.Name";
 ///@}
 
 ///@{
+/** Turbid voxels: cell data of an image, and its field data. */
+inline constexpr const char* PAD = "PAD"; // plant area density [m2/m3], NaN: not known
+inline constexpr const char* Transmittance = "Transmittance"; // [0..1], NaN: not known
+inline constexpr const char* MaximumPAD = "MaximumPAD";       // one value
+inline constexpr const char* LeafProjection = "LeafProjection"; // rows x y z G(direction)
+///@}
+
+///@{
 /** Waypoints: point data. */
 inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
 inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below

@@ -178,7 +178,14 @@ bool vtkHeliosStreamWriter::Reopen(
 //------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::Flush()
 {
-  return this->CheckOpen() && (this->File->Sync() || this->FailFile(this->File->GetProblem()));
+  const std::string problem = this->CheckOpen() ? this->Sync() : std::string();
+  return problem.empty() ? this->IsOpen() && !this->HasFailed : this->FailFile(problem);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosStreamWriter::Sync()
+{
+  return this->File->Sync() ? std::string() : this->File->GetProblem();
 }
 
 //------------------------------------------------------------------------------

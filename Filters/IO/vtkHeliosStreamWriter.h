@@ -94,7 +94,13 @@ public:
    * Returns when the disk has all blocks: then no power cut takes them away. An
    * error, too, where the file was removed meanwhile.
    */
-  virtual bool Flush();
+  bool Flush();
+
+  /**
+   * As Flush(), but says what went wrong instead of an error; empty: nothing. Any
+   * thread may call it while no other one uses the writer.
+   */
+  virtual std::string Sync();
 
   /**
    * Ends the file and gives it its final name. After a block that could not be

@@ -6,9 +6,15 @@
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleVectorKey.h>
+#include <vtkInformationInformationVectorKey.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkXMLWriter.h>
 
 #include <cstdio>
@@ -89,6 +95,34 @@ int CountPieces(const std::string& index)
   return count;
 }
 
+/// Forgets the ranges of an array. VTK keeps them when it has computed them, and then writes the array in
+/// another way: the bytes would tell what was written before.
+void EvenOut(vtkAbstractArray* array)
+{
+  vtkInformation* information = array->GetInformation();
+  information->Remove(vtkAbstractArray::PER_COMPONENT());
+  information->Remove(vtkAbstractArray::PER_FINITE_COMPONENT());
+  information->Remove(vtkDataArray::L2_NORM_RANGE());
+  information->Remove(vtkDataArray::L2_NORM_FINITE_RANGE());
+}
+
+void EvenOut(vtkDataObject* block)
+{
+  auto* points = vtkPointSet::SafeDownCast(block);
+  if (points && points->GetPoints())
+  {
+    EvenOut(points->GetPoints()->GetData());
+  }
+  for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    vtkFieldData* data = block->GetAttributesAsFieldData(type);
+    for (int i = 0; data && i < data->GetNumberOfArrays(); ++i)
+    {
+      EvenOut(data->GetAbstractArray(i));
+    }
+  }
+}
+
 /// Takes the messages of VTK's writer, so that there is one error and not two.
 class Silence : public vtkCommand
 {
@@ -166,12 +200,8 @@ bool vtkHeliosXMLPieceWriter::Reopen(
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosXMLPieceWriter::Flush()
+std::string vtkHeliosXMLPieceWriter::Sync()
 {
-  if (!this->CheckOpen())
-  {
-    return false;
-  }
   std::string problem;
   for (; !this->CountOnly && problem.empty() && this->NumberOfPiecesOnDisk < this->NumberOfPieces;
        ++this->NumberOfPiecesOnDisk)
@@ -180,7 +210,7 @@ bool vtkHeliosXMLPieceWriter::Flush()
     problem = helios::SyncFile(name);
     problem = problem.empty() ? helios::SyncFolderOf(name) : problem;
   }
-  return problem.empty() ? this->Superclass::Flush() : this->FailFile(problem);
+  return problem.empty() ? this->Superclass::Sync() : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -241,6 +271,7 @@ bool vtkHeliosXMLPieceWriter::WriteFoot()
 //------------------------------------------------------------------------------
 std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std::string& name)
 {
+  EvenOut(block);
   const vtkSmartPointer<vtkXMLWriter> writer = this->MakeWriter(block);
   const auto silence = vtkSmartPointer<Silence>::Take(Silence::New());
   writer->AddObserver(vtkCommand::ErrorEvent, silence);

@@ -57,9 +57,9 @@ public:
   bool Write(vtkDataObject* block) override;
 
   /**
-   * Returns when the disk has the pieces and the index.
+   * Returns when the disk has the pieces and the index, or says what went wrong.
    */
-  bool Flush() override;
+  std::string Sync() override;
 
   /**
    * Ends the index and gives it its final name.

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line: what it says, what it writes, how it exits."""
 
+import hashlib
+import json
 import os
+import pathlib
 import pty
 import re
 import signal
@@ -46,6 +49,15 @@ LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any tes
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
         (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),
+        (["run", "s.xml", "--resme"], "unknown option --resme: did you mean --resume?"),
+        (
+            ["run", "s.xml", "--resume", "--overwrite"],
+            "argument --overwrite: not allowed with argument --resume",
+        ),
+        (
+            ["run", "s.xml", "--pulses-per-block", "0"],
+            "'0' is not a whole number from 1 to 16777216",
+        ),
     ],
 )
 def test_wrong_usage(arguments, message, capsys):
@@ -73,7 +85,17 @@ def test_version(command_line):
 def test_help_teaches(command_line):
     done = command_line("run", "--help")
     assert done.returncode == 0
-    for word in ("examples:", "exit codes:", "[nW]", "--assets DIR", "default: 0", "how the beam"):
+    for word in (
+        "examples:",
+        "exit codes:",
+        "[nW]",
+        "--assets DIR",
+        "default: 0",
+        "how the beam",
+        "how a run survives",
+        "how long it will take",
+        "run_summary.json",
+    ):
         assert word in done.stdout
 
 
@@ -167,6 +189,72 @@ def test_run(command_line, make_survey, columns, tmp_path):
     assert not list((tmp_path / "out").rglob("*.part"))
 
 
+def test_dry_run(command_line, make_survey, tmp_path):
+    survey = make_survey(speed=10, stop=60)  # 600,000 pulse indices
+    before = sorted(tmp_path.rglob("*"))
+    done = command_line("run", survey, "--dry-run", "--output", tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    assert sorted(tmp_path.rglob("*")) == before
+    for line in (r"legs +leg +start", r"points   [\d,]+\n", r"files    [\d.]+ MB\n"):
+        assert re.search(line, done.stdout), done.stdout
+    assert re.search(r"memory   [\d.]+ [MG]B\ntime     \d+:\d\d \([\d.]+ minutes\)", done.stdout)
+    assert "nothing was written" in done.stdout
+
+    done = command_line("run", survey, "--dry-run", "--json", "--output", tmp_path / "out")
+    estimate = json.loads(done.stdout)
+    assert estimate["totals"]["pulsesSampled"] < 0.6 * estimate["totals"]["pulses"]
+    assert estimate["memory_bytes"] > 1e7 and estimate["run_s"] > 0 and estimate["load_s"] >= 0
+    assert command_line("run", survey, "--output", tmp_path / "out").returncode == 0
+    files = [path for path in (tmp_path / "out/plane").iterdir() if path.suffix != ".json"]
+    assert estimate["totals"]["bytes"] == pytest.approx(
+        sum(path.stat().st_size for path in files), rel=0.05
+    )
+    report = json.loads((tmp_path / "out/plane/run_summary.json").read_text())
+    assert estimate["totals"]["pulses"] == report["totals"]["pulses"] == 600_000
+    assert estimate["totals"]["points"] == pytest.approx(report["totals"]["points"], rel=0.05)
+
+
+def test_summary(command_line, make_survey, tmp_path):
+    survey = make_survey()
+    done = command_line("run", survey, "--output", tmp_path / "out", "--json", "--seed", 7)
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    folder = tmp_path / "out/plane"
+    assert report == json.loads((folder / "run_summary.json").read_text())
+    assert report["versions"]["vtkHelios"] == vtkhelios.__version__
+    digests = {pathlib.Path(entry["file"]).name: entry["sha256"] for entry in report["inputs"]}
+    for name in ("survey.xml", "scene.xml", "plane.obj"):
+        assert digests[name] == hashlib.sha256((tmp_path / name).read_bytes()).hexdigest()
+    assert {"scanners.xml", "platforms.xml"} <= digests.keys()
+    assert report["options"]["seed"] == 7 and report["options"]["noise"]
+    (leg,) = report["legs"]
+    assert leg["pulsesFired"] == report["totals"]["pulsesFired"] == PULSES
+    for file in leg["files"]:
+        assert (folder / file["name"]).stat().st_size == file["bytes"]
+    assert leg["files"][0]["records"] == leg["points"] == report["totals"]["points"]
+    assert report["timings"].keys() == {"load_s", "run_s", "legs_s", "threads"}
+    again = command_line(
+        "run", survey, "--output", tmp_path / "out", "--overwrite", "--seed", 7, "--threads", 1
+    )
+    assert "ray caster" in again.stdout and "run_summary.json" in again.stdout
+    timings = report.pop("timings")
+    other = json.loads((folder / "run_summary.json").read_text())
+    assert other.pop("timings")["threads"] == 1 and timings["run_s"] > 0
+    assert other == report
+
+
+def test_memory_does_not_grow_with_the_pulses(make_survey, tmp_path):
+    def peak(speed):
+        survey = make_survey(speed=speed, stop=60)
+        child = start(survey, tmp_path / f"out{speed}", more=["--pulses-per-block", "32768"])
+        _, code, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(code)
+        assert child.returncode == 0
+        return usage.ru_maxrss
+
+    assert peak(speed=2) < 1.05 * peak(speed=16)  # 8 times the pulses: 3 million indices
+
+
 def test_seed_and_threads(command_line, make_survey, tmp_path):
     survey = make_survey()
 
@@ -224,10 +312,10 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
 # A run that takes its time.
 
 
-def start(survey, output, **options):
+def start(survey, output, more=(), **options):
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
     return subprocess.Popen(
-        [sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output)],
+        [sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output), *more],
         env=environment,
         **options,
     )

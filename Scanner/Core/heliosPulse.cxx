@@ -48,6 +48,7 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
   }
   const double elapsed =
     PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  pulse.Id = this->Ids.Get(index);
   pulse.Channel = this->Deflector->GetChannel(index);
   pulse.Time = this->StartTime + elapsed;
 

@@ -21,6 +21,7 @@ namespace helios
 
 struct Pulse
 {
+  vtkIdType Id;
   double Time;
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world

@@ -89,7 +89,7 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 //------------------------------------------------------------------------------
 void PulseKernel::RunByTolerance(const Pulse& pulse)
 {
-  if (this->Model.ProbesCones)
+  if (this->Model.ProbesCones && !this->Model.MeetsMedium(pulse))
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
     if (hit.Kind == vtkHeliosConeHit::Empty ||

@@ -7,7 +7,10 @@
  * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds, PartIds
  * and Normals, which incidence is then measured from, and the material columns
  * in its field data are optional). Port 1: the trajectory (vtkPolyData with
- * GpsTime and Orientation, as platforms make it).
+ * GpsTime and Orientation, as platforms make it). Port 2, optional and repeatable:
+ * turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell array
+ * MaterialIds, field arrays LeafProjection and Part.Name and the material columns
+ * are optional), as vtkHeliosVoxelReader makes them.
  *
  * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
@@ -38,6 +41,14 @@
  * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
+ *
+ * In turbid voxels a sub-ray is stopped in ds with the probability PAD G ds, by a
+ * random number keyed by Seed, pulse and sub-ray; G is 0.5, or of the rows x y z G
+ * of LeafProjection that of its direction. It then returns what a surface of the
+ * cell's material returns that faces the beam (incidence 0, no normal). So a
+ * dense medium is a plane to it. Cell ids of voxels follow those of the triangles,
+ * grid by grid, materials and parts likewise. A beam that may meet voxels takes the
+ * spiral at once. The scene may then have no triangles.
  *
  * Detectors that find more than maxima, pulses that are no Gaussians, and noise
  * or sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
@@ -338,7 +349,7 @@ private:
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
-  bool PrepareScene(vtkPolyData* scene, Scan& scan);
+  bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <iterator>
 #include <limits>
 
@@ -80,6 +81,21 @@ std::vector<FileProgress> GetProgress(const LegRunner::Outputs& outputs)
     files.push_back(GetProgress(output.Writer));
   }
   return files;
+}
+
+/// Notes what is written when the disk has it; says what went wrong, or returns an empty text.
+std::string Note(const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg,
+  const LegProgress& progress)
+{
+  for (const LegOutput& output : outputs)
+  {
+    const std::string problem = output.Writer->Sync();
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return journal.Append(leg, progress);
 }
 
 double Now()
@@ -202,38 +218,20 @@ bool LegRunner::EndsFiles(const LegPlan& plan) const
 }
 
 //------------------------------------------------------------------------------
-/// How far a leg is, with the files that a leg before it has begun.
-LegProgress LegRunner::FindProgress(const LegPlan& plan, const RunJournal& journal) const
-{
-  LegProgress progress = journal.GetLeg(plan.Leg);
-  if (const LegPlan* before = this->FindStripLeg(plan, true))
-  {
-    for (const FileProgress& file : journal.GetLeg(before->Leg).Files)
-    {
-      if (!progress.FindFile(file.Name))
-      {
-        progress.Files.push_back(file);
-      }
-    }
-  }
-  return progress;
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Open(vtkHeliosStreamWriter* writer, const LegProgress& before)
+bool LegRunner::Open(vtkHeliosStreamWriter* writer, const RunJournal& journal)
 {
   this->Listen(writer);
-  const FileProgress* file = before.FindFile(GetProgress(writer).Name);
+  const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
   return file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open();
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::OpenAll(const Outputs& outputs, const LegProgress& before)
+bool LegRunner::OpenAll(const Outputs& outputs, const RunJournal& journal)
 {
   bool good = true;
   for (const LegOutput& output : outputs)
   {
-    good = good && this->Open(output.Writer, before);
+    good = good && this->Open(output.Writer, journal);
   }
   return good;
 }
@@ -244,7 +242,7 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
   const auto writer = this->MakeTrajectoryWriter(plan);
-  this->Open(writer, before);
+  this->Open(writer, journal);
   bool goesOn = true;
   for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && goesOn && !this->Log.HasError();
        first += SamplesPerBlock)
@@ -265,16 +263,16 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
 //------------------------------------------------------------------------------
 bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock)
 {
-  const LegProgress before = this->FindProgress(plan, journal);
+  const LegProgress before = journal.GetLeg(plan.Leg);
   if (before.IsDone)
   {
     this->Counts = before.Counts;
-    return !this->EndsFiles(plan) || this->CheckFiles(before);
+    return !this->EndsFiles(plan) || this->CheckFiles(before, journal);
   }
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
-  bool good = this->OpenAll(outputs, before) &&
+  bool good = this->OpenAll(outputs, journal) &&
     this->WriteTrajectory(plan, before, onBlock, trajectory) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
@@ -290,7 +288,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   done.IsDone = true;
   done.Files = GetProgress(outputs); // an index has its end now
   done.Files.push_back(trajectory);
-  return this->Note(plan, done, journal);
+  return this->Check(journal.Append(plan.Leg, done));
 }
 
 //------------------------------------------------------------------------------
@@ -307,14 +305,15 @@ bool LegRunner::RunBlocks(
   }
   const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
-  if (progress.Blocks > 0)
-  {
-    this->Counts = progress.Counts;
-  }
+  this->Counts = progress.Blocks > 0 ? progress.Counts : this->Counts;
   const double start = Now() - progress.Seconds;
+  // The disk takes a block while the next one is computed; nobody writes meanwhile.
+  std::future<std::string> noted;
+  const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
   for (int block = progress.Blocks; block < blocks; ++block)
   {
-    if (!this->Scanner.Update(block, blocks))
+    const bool isComputed = this->Scanner.Update(block, blocks);
+    if (!isNoted() || !isComputed || !this->Write(outputs))
     {
       return false;
     }
@@ -322,20 +321,20 @@ bool LegRunner::RunBlocks(
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
     this->Counts.Pulses = plan.FirstPulse + done;
     this->Scanner.Count(this->Counts);
-    if (!this->WriteBlock(outputs))
-    {
-      return false;
-    }
+    this->Scanner.ReleaseOutput();
     progress.Blocks = block + 1;
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
     progress.Files = GetProgress(outputs);
-    if (!this->Note(plan, progress, journal) || !onBlock(this->Counts))
+    noted = std::async(std::launch::async,
+      [&outputs, &journal, &plan, progress] { return Note(outputs, journal, plan.Leg, progress); });
+    if (!onBlock(this->Counts))
     {
+      isNoted();
       return false;
     }
   }
-  return true;
+  return isNoted();
 }
 
 //------------------------------------------------------------------------------
@@ -351,41 +350,29 @@ bool LegRunner::Write(const Outputs& outputs) const
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteBlock(const Outputs& outputs)
+bool LegRunner::Check(const std::string& problem)
 {
-  const bool isWritten = this->Write(outputs);
-  this->Scanner.ReleaseOutput();
-  // The journal may say only what is safe.
-  return isWritten &&
-    std::all_of(outputs.begin(), outputs.end(),
-      [](const LegOutput& output) { return output.Writer->Flush(); });
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal)
-{
-  const std::string problem = journal.Append(plan.Leg, progress);
   if (!problem.empty())
   {
     this->Log.Error(problem +
-      "; make room, or see that the output folder stays, and go on with "
-      "Resume (--resume), or run again");
+      "; see that the output folder stays and has room, and go on with Resume (--resume), or run "
+      "again");
   }
   return problem.empty();
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::CheckFiles(const LegProgress& progress)
+bool LegRunner::CheckFiles(const LegProgress& progress, const RunJournal& journal)
 {
   for (const FileProgress& file : progress.Files)
   {
-    const auto path = std::filesystem::path(this->Settings.Folder) / file.Name;
+    const std::string path = (std::filesystem::path(this->Settings.Folder) / file.Name).string();
+    const FileProgress* last = journal.FindFile(file.Name);
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);
-    if (error || size != static_cast<std::uintmax_t>(file.Size))
+    if (error || size != static_cast<std::uintmax_t>(last->Size))
     {
-      this->Log.Error(path.string() + ": was finished with " + std::to_string(file.Size) +
-        " bytes and " +
+      this->Log.Error(path + ": was finished with " + std::to_string(last->Size) + " bytes and " +
         (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
         "; set Overwrite (--overwrite) to run anew");
       return false;

@@ -10,6 +10,7 @@
 #include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -41,7 +42,7 @@ struct LegOutput
   std::size_t Channel = AllChannels;
 };
 
-class LegRunner
+class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
 {
 public:
   using Outputs = std::vector<LegOutput>;
@@ -94,17 +95,15 @@ private:
   std::string MakeFileName(const LegPlan& plan, const std::string& ending) const;
   void AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const;
   const LegPlan* FindStripLeg(const LegPlan& plan, bool isBefore) const;
-  LegProgress FindProgress(const LegPlan& plan, const RunJournal& journal) const;
   bool EndsFiles(const LegPlan& plan) const;
-  bool Open(vtkHeliosStreamWriter* writer, const LegProgress& before);
-  bool OpenAll(const Outputs& outputs, const LegProgress& before);
+  bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
+  bool OpenAll(const Outputs& outputs, const RunJournal& journal);
   bool WriteTrajectory(const LegPlan& plan, const LegProgress& before, const BlockCallback& onBlock,
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
-  bool WriteBlock(const Outputs& outputs);
-  bool Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal);
-  bool CheckFiles(const LegProgress& progress);
+  bool Check(const std::string& problem);
+  bool CheckFiles(const LegProgress& progress, const RunJournal& journal);
 
   const SurveyData& Survey;
   RunSettings Settings;

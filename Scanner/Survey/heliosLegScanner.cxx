@@ -17,6 +17,7 @@
 #include "vtkHeliosScanner.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -61,6 +62,10 @@ LegScanner::LegScanner(
   , Scanner(None)
   , Platform(None)
 {
+  for (const auto& grid : settings.Grids)
+  {
+    this->Grids.emplace_back(grid, survey.Scene.SpectraFolders, log);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +126,10 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   auto channel = vtkSmartPointer<vtkHeliosScanner>::New();
   this->Log.Listen(channel);
   channel->SetInputDataObject(0, this->Scenes.Get(data.Wavelength));
+  for (SpectralScenes& grid : this->Grids)
+  {
+    channel->AddInputDataObject(2, grid.Get(data.Wavelength));
+  }
   if (!this->Settings.RayCaster)
   {
     this->Settings.RayCaster = channel->GetRayCaster(); // of all, built once

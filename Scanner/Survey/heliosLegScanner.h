@@ -9,6 +9,7 @@
 #include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
 
@@ -17,6 +18,7 @@
 
 class vtkDataObject;
 class vtkHeliosScanner;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -25,7 +27,7 @@ namespace helios
 class Messages;
 struct RunCounts;
 
-class LegScanner
+class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
 {
 public:
   LegScanner(
@@ -73,6 +75,7 @@ private:
   RunSettings Settings;
   Messages& Log;
   SpectralScenes Scenes;
+  std::vector<SpectralScenes> Grids;
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;

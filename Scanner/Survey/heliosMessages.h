@@ -5,6 +5,8 @@
 #ifndef heliosMessages_h
 #define heliosMessages_h
 
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 
@@ -31,7 +33,7 @@ public:
 std::string Enumerate(const std::vector<std::string>& words);
 
 /// Reports through the owner's error and warning events; the same text only once.
-class Messages
+class VTKHELIOSSCANNERSURVEY_EXPORT Messages
 {
 public:
   explicit Messages(vtkObject* owner);

@@ -147,6 +147,7 @@ bool RunEstimate::SampleWindow(const std::pair<double, double>& window, LegScann
   scanner.Count(counts);
   sums.Seconds += Now() - start;
   sums.Memory += scanner.GetMemorySize();
+  scanner.ReleaseOutput();
   sums.Pulses += static_cast<double>(scanner.CountPulses());
   sums.Fired += static_cast<double>(counts.PulsesFired);
   sums.Echoes += static_cast<double>(counts.Echoes);

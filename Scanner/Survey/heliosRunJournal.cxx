@@ -5,7 +5,6 @@
 #include <json/reader.h>
 #include <json/writer.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -132,14 +131,6 @@ std::string WriteWhole(const std::string& path, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-const FileProgress* LegProgress::FindFile(const std::string& name) const
-{
-  const auto isNamed = [&name](const FileProgress& file) { return file.Name == name; };
-  const auto found = std::find_if(this->Files.begin(), this->Files.end(), isNamed);
-  return found != this->Files.end() ? &*found : nullptr;
-}
-
-//------------------------------------------------------------------------------
 RunJournal::RunJournal(const std::string& folder)
   : Path((std::filesystem::path(folder) / RunJournal::GetName()).string())
 {
@@ -157,6 +148,7 @@ std::string RunJournal::Create(const Json::Value& fingerprint)
 {
   this->Fingerprint = fingerprint;
   this->Legs.clear();
+  this->Files.clear();
   const std::string problem = WriteWhole(this->Path, ToLine(fingerprint) + "\n");
   return problem.empty() && !this->File.Open(this->Path) ? this->File.GetProblem() : problem;
 }
@@ -165,6 +157,7 @@ std::string RunJournal::Create(const Json::Value& fingerprint)
 std::string RunJournal::Read()
 {
   this->Legs.clear();
+  this->Files.clear();
   this->Size = 0;
   this->Fingerprint = Json::nullValue;
   std::ifstream file(this->Path, std::ios::binary);
@@ -197,13 +190,30 @@ bool RunJournal::Take(const std::string& line)
   }
   try
   {
-    this->Legs[value["leg"].asUInt()] = ProgressFromJson(value);
+    this->Take(value["leg"].asUInt(), ProgressFromJson(value));
   }
   catch (const Json::Exception&)
   {
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void RunJournal::Take(std::size_t leg, const LegProgress& progress)
+{
+  this->Legs[leg] = progress;
+  for (const FileProgress& file : progress.Files)
+  {
+    this->Files[file.Name] = file;
+  }
+}
+
+//------------------------------------------------------------------------------
+const FileProgress* RunJournal::FindFile(const std::string& name) const
+{
+  const auto found = this->Files.find(name);
+  return found != this->Files.end() ? &found->second : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -220,7 +230,7 @@ std::string RunJournal::Continue()
 //------------------------------------------------------------------------------
 std::string RunJournal::Append(std::size_t leg, const LegProgress& progress)
 {
-  this->Legs[leg] = progress;
+  this->Take(leg, progress);
   Json::Value line = ToJson(progress);
   line["leg"] = Json::UInt(leg);
   return this->File.Append(ToLine(line) + "\n") ? std::string() : this->File.GetProblem();

@@ -35,9 +35,6 @@ struct LegProgress
   std::vector<FileProgress> Files;
   RunCounts Counts;     ///< of the run, up to here
   double Seconds = 0.0; ///< of computing and writing, over all its attempts
-
-  /// The file of a name; null: none.
-  const FileProgress* FindFile(const std::string& name) const;
 };
 
 class RunJournal
@@ -60,7 +57,9 @@ public:
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
 
   const LegProgress& GetLeg(std::size_t leg) const;
-  const std::map<std::size_t, LegProgress>& GetLegs() const { return this->Legs; }
+
+  /// How far a file is that some leg has written to; null: it has nothing that is safe.
+  const FileProgress* FindFile(const std::string& name) const;
 
   /// After the run is whole.
   void Remove();
@@ -69,11 +68,13 @@ public:
 
 private:
   bool Take(const std::string& line);
+  void Take(std::size_t leg, const LegProgress& progress);
 
   std::string Path;
   LogFile File;
   Json::Value Fingerprint;
   std::map<std::size_t, LegProgress> Legs;
+  std::map<std::string, FileProgress> Files;
   std::uint64_t Size = 0; // of the lines that were read
 };
 

@@ -11,9 +11,11 @@
 #include <vtkType.h>
 
 #include <string>
+#include <vector>
 
 class vtkHeliosRayCaster;
 class vtkHeliosSurveyPlayer;
+class vtkImageData;
 
 namespace helios
 {
@@ -28,7 +30,8 @@ struct RunSettings
   bool Pulses = false;
   bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
 };
 
 /// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns

@@ -13,6 +13,7 @@
 #include "vtkHeliosSurvey.h"
 
 #include <vtkCommand.h>
+#include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -138,7 +139,8 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   problem = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
   if (!problem.empty())
   {
-    return this->Fail(problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
+    return this->Fail(
+      problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
   }
   player->Report = player->WasFinished ? helios::ToText(summary) : "";
   return this->CheckEarlierRun(player->WasFinished ? summary : this->Journal->GetFingerprint());
@@ -158,9 +160,11 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
   const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log);
+  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
+  this->Settings.Grids =
+    this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
@@ -212,8 +216,12 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
       !this->Runner->Run(plan, *this->Journal, onBlock))
     {
       const std::string error = this->Log.GetLastError();
-      this->Player->Message =
-        (error.empty() ? "Stopped" : error + ". Ended") + this->DescribeKept();
+      const std::string kept = this->DescribeKept();
+      if (!error.empty())
+      {
+        this->Log.Error("Ended" + kept);
+      }
+      this->Player->Message = (error.empty() ? "Stopped" : error + ". Ended") + kept;
       return false;
     }
   }
@@ -251,8 +259,9 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   const std::string problem = this->Folder->WriteSummary(summary);
   if (!problem.empty())
   {
-    return this->Fail(problem + "; all points are written: make room, and end it with Resume "
-                                "(--resume)");
+    return this->Fail(problem +
+      "; all points are written: make room, and end it with Resume "
+      "(--resume)");
   }
   this->Journal->Remove();
   this->Player->Report = helios::ToText(summary);

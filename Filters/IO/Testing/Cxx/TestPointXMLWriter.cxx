@@ -5,6 +5,7 @@
 #include "vtkHeliosPointXMLWriter.h"
 
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -149,6 +150,81 @@ TEST_CASE("PointXMLWriter: a piece has the names of the parts", "[PointXMLWriter
     vtkStringArray::SafeDownCast(piece->GetFieldData()->GetAbstractArray(names::PartName));
   REQUIRE(read);
   CHECK(read->GetValue(1) == "the ground");
+}
+
+TEST_CASE("PointXMLWriter: a piece has the same bytes whatever was written before", "[PointXMLWriter]")
+{
+  const helios::TempFolder folder;
+  const auto echoes = helios::MakeEchoes(100);
+  vtkNew<vtkDoubleArray> column; // as that of a scene: the same in all blocks
+  column->SetName("Column");
+  column->InsertNextValue(0.5);
+  echoes->GetFieldData()->AddArray(column);
+  vtkNew<vtkHeliosPointXMLWriter> writer;
+  writer->SetFileName((folder / "points.pvtp").c_str());
+  REQUIRE((writer->Open() && writer->Write(echoes) && writer->Write(echoes) && writer->Close()));
+  const std::string first = helios::ReadText(folder / "points_0000.vtp");
+  CHECK(first.size() > 1000);
+  CHECK(first == helios::ReadText(folder / "points_0001.vtp"));
+}
+
+TEST_CASE("PointXMLWriter: it goes on where it was", "[PointXMLWriter]")
+{
+  const helios::TempFolder folder;
+  vtkNew<vtkHeliosPointXMLWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  const auto run = [&writer, &folder](const std::string& name)
+  {
+    writer->SetFileName((folder / (name + "/points.pvtp")).c_str());
+    REQUIRE(writer->Open());
+    REQUIRE((writer->Write(helios::MakeEchoes(20)) && writer->Write(helios::MakeEchoes(30))));
+  };
+  run("whole");
+  const vtkIdType size = writer->GetFileSize();
+  const vtkIdType bytes = writer->GetNumberOfBytes();
+  REQUIRE((writer->Write(helios::MakeEchoes(40)) && writer->Close()));
+  run("broken");
+  SECTION("abandoned")
+  {
+    REQUIRE((writer->Write(helios::MakeEchoes(7)) && writer->Abandon()));
+  }
+  SECTION("closed")
+  {
+    REQUIRE(writer->Close());
+  }
+  SECTION("a piece is missing")
+  {
+    REQUIRE(writer->Abandon());
+    fs::remove(folder / "broken/points_0001.vtp");
+    CHECK_FALSE(writer->Reopen(size, 50, bytes));
+    CHECK(log->HasError("points_0001.vtp is not there whole, and cannot be gone on after"));
+    CHECK_FALSE(writer->IsOpen());
+    return;
+  }
+  REQUIRE(writer->Reopen(size, 50, bytes));
+  CHECK(writer->GetNumberOfPieces() == 2);
+  REQUIRE((writer->Write(helios::MakeEchoes(40)) && writer->Flush() && writer->Close()));
+  CHECK(writer->GetNumberOfRecords() == 90);
+  for (const char* name : { "points.pvtp", "points_0000.vtp", "points_0001.vtp", "points_0002.vtp" })
+  {
+    CHECK(helios::ReadText(folder / (std::string("whole/") + name)) == helios::ReadText(folder / (std::string("broken/") + name)));
+  }
+}
+
+TEST_CASE("PointXMLWriter: what is only counted is not written", "[PointXMLWriter]")
+{
+  const helios::TempFolder folder;
+  vtkNew<vtkHeliosPointXMLWriter> writer;
+  vtkIdType bytes[2];
+  for (const bool isCounted : { false, true })
+  {
+    writer->SetFileName((folder / (isCounted ? "counted/points.pvtp" : "points.pvtp")).c_str());
+    writer->SetCountOnly(isCounted);
+    REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(500)) && writer->Close()));
+    bytes[isCounted] = writer->GetNumberOfBytes() + writer->GetFileSize();
+  }
+  CHECK(bytes[0] == bytes[1]);
+  CHECK_FALSE(fs::exists(folder / "counted"));
 }
 
 TEST_CASE("PointXMLWriter: cells of a block stay", "[PointXMLWriter]")

@@ -337,6 +337,89 @@ TEST_CASE("StreamWriter: a full disk keeps whole blocks and says how many", "[St
   CHECK(CountLines(path) == 10);
 }
 
+TEST_CASE("StreamWriter: it goes on where it was", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "points.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(10))));
+  const vtkIdType size = writer->GetFileSize();
+  REQUIRE(writer->Write(helios::MakeEchoes(20)));
+  CHECK(writer->Flush());
+  SECTION("abandoned")
+  {
+    REQUIRE(writer->Abandon());
+  }
+  SECTION("closed: whole, but the journal does not say so yet")
+  {
+    REQUIRE(writer->Close());
+  }
+  SECTION("shorter than it was")
+  {
+    REQUIRE(writer->Abandon());
+    CHECK_FALSE(writer->Reopen(1000000, 10, 1000000));
+    CHECK(log->HasError(path + ".part cannot be gone on with: it has"));
+    CHECK(log->HasError("bytes of 1000000"));
+    CHECK_FALSE(writer->IsOpen());
+    fs::remove(path + ".part");
+    CHECK_FALSE(writer->Reopen(0, 0, 0));
+    CHECK(log->HasError("No such file or directory"));
+    return;
+  }
+  REQUIRE(writer->Reopen(size, 10, size));
+  CHECK_FALSE(fs::exists(path));
+  REQUIRE((writer->Write(helios::MakeEchoes(5)) && writer->Close()));
+  CHECK(CountLines(path) == 15);
+  CHECK(writer->GetNumberOfRecords() == 15);
+  CHECK(writer->GetNumberOfBytes() == static_cast<vtkIdType>(fs::file_size(path)));
+  CHECK(log->Errors.empty());
+}
+
+TEST_CASE("StreamWriter: a file that is removed meanwhile", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "new/points.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  CHECK_FALSE(writer->Flush());
+  CHECK(log->HasError("is not open"));
+  REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(10)) && writer->Flush()));
+  fs::remove_all(folder / "new");
+  REQUIRE(writer->Write(helios::MakeEchoes(10))); // the system still takes it
+  SECTION("found by Flush()")
+  {
+    CHECK_FALSE(writer->Flush());
+    CHECK(log->HasError(path + ".part was removed while it was written; see that"));
+    CHECK_FALSE(writer->Write(helios::MakeEchoes(10)));
+  }
+  SECTION("found by Close()")
+  {
+    CHECK_FALSE(writer->Close());
+    CHECK(log->HasError(path + ".part was removed while it was written"));
+  }
+}
+
+TEST_CASE("StreamWriter: what is only counted is not written", "[StreamWriter]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "new/points.xyz";
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  writer->SetFileName(path.c_str());
+  vtkIdType bytes[2];
+  for (const bool isCounted : { true, false })
+  {
+    writer->SetCountOnly(isCounted);
+    REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(100)) && writer->Close()));
+    bytes[isCounted] = writer->GetNumberOfBytes();
+    CHECK(fs::exists(path) == !isCounted);
+  }
+  CHECK(bytes[0] == bytes[1]);
+  CHECK(bytes[0] == static_cast<vtkIdType>(fs::file_size(path)));
+}
+
 TEST_CASE("StreamWriter: a disk that is full from the start", "[StreamWriter]")
 {
   const helios::TempFolder folder;

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs that end early and go on; what a run says about itself; what one would come to.
+#include "vtkHeliosSurveyPlayer.h"
+
+#include "heliosSurveyFiles.h"
+
+#include <vtkCommand.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <vector>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using namespace helios::test;
+
+namespace
+{
+
+/// Does something after every block.
+class OnBlock : public vtkCommand
+{
+public:
+  static OnBlock* New() { return new OnBlock; }
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
+    if (player->GetNumberOfPulsesDone() > 0)
+    {
+      this->Done.push_back(player->GetNumberOfPulsesDone());
+      this->Action(player);
+    }
+  }
+
+  std::vector<vtkIdType> Done;
+  std::function<void(vtkHeliosSurveyPlayer*)> Action = [](vtkHeliosSurveyPlayer*) {};
+};
+
+/// A player of 8 blocks in 2 legs, into a folder.
+struct Playing
+{
+  vtkNew<vtkHeliosSurveyPlayer> Player;
+  vtkNew<OnBlock> Blocks;
+  vtkSmartPointer<helios::ErrorObserver> Log = Observe(Player);
+
+  Playing(const Files& files, const Reading& reading, const std::string& folder = "out")
+  {
+    INFO(reading.Log->Errors);
+    REQUIRE(reading.Good);
+    this->Player->SetSurvey(reading.Reader->GetSurvey());
+    this->Player->SetOutputDirectory((files / folder).c_str());
+    this->Player->SetPulsesPerBlock(10000);
+    this->Player->SetWriteWaveforms(true);
+    this->Player->AddObserver(vtkCommand::ProgressEvent, this->Blocks);
+  }
+
+  void AbortAfter(vtkIdType pulses)
+  {
+    this->Blocks->Action = [pulses](vtkHeliosSurveyPlayer* player)
+    {
+      if (player->GetNumberOfPulsesDone() >= pulses)
+      {
+        player->Abort();
+      }
+    };
+  }
+
+  void CheckFails(const std::vector<std::string>& messages)
+  {
+    CHECK_FALSE(this->Player->Run());
+    INFO(this->Log->Errors);
+    for (const std::string& message : messages)
+    {
+      INFO("missing: " << message);
+      CHECK(this->Log->HasError(message));
+    }
+  }
+};
+
+/// Every file of a folder but the summary, which has timings.
+std::map<std::string, std::string> ReadAll(const std::string& folder)
+{
+  std::map<std::string, std::string> texts;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name != "run_summary.json")
+    {
+      texts[name] = ReadText(entry.path().string());
+    }
+  }
+  return texts;
+}
+
+void BreakOff(const Files& files, const Reading& reading, vtkIdType pulses = 50000)
+{
+  Playing broken(files, reading);
+  broken.AbortAfter(pulses);
+  CHECK_FALSE(broken.Player->Run());
+  CHECK(broken.Player->GetMessage().find("Resume (--resume) goes on") != std::string::npos);
+  REQUIRE(fs::exists(files / "out/test/run.journal"));
+}
+
+constexpr const char* Journal = "out/test/run.journal";
+
+} // namespace
+
+TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  const std::string format = GENERATE("xyz", "vtp");
+  const vtkIdType pulses = GENERATE(10000, 40000, 70000);
+  Playing whole(files, reading, "whole");
+  whole.Player->SetFormat(format.c_str());
+  REQUIRE(whole.Player->Run());
+  Playing broken(files, reading);
+  broken.Player->SetFormat(format.c_str());
+  broken.AbortAfter(pulses);
+  REQUIRE_FALSE(broken.Player->Run());
+  broken.Player->SetResume(true);
+  broken.Blocks->Done.clear();
+  broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
+  REQUIRE(broken.Player->Run());
+  CHECK_FALSE(broken.Player->GetWasFinished());
+  // no block is done again
+  CHECK(*std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) ==
+    pulses + 10000);
+  CHECK(broken.Player->GetNumberOfEchoes() == 80000);
+  const auto a = ReadAll(files / "whole/test");
+  const auto b = ReadAll(files / "out/test");
+  CHECK(a.size() >= 6);
+  CHECK((a == b)); // not printed
+}
+
+TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  BreakOff(files, reading);
+  const std::string text = ReadText(files / Journal);
+  Playing playing(files, reading);
+  playing.Player->SetResume(true);
+  SECTION("its last line is torn: the block is done again")
+  {
+    files.Write(Journal, text.substr(0, text.size() - 40));
+    CHECK(playing.Player->Run());
+    CHECK(playing.Blocks->Done.front() == 50000);
+    CHECK_FALSE(fs::exists(files / Journal));
+  }
+  SECTION("its last line lacks its end")
+  {
+    files.Write(Journal, text.substr(0, text.size() - 1));
+    CHECK(playing.Player->Run());
+    CHECK(playing.Blocks->Done.front() == 50000);
+  }
+  SECTION("zeros where the last line was")
+  {
+    files.Write(Journal, text.substr(0, text.size() - 40) + std::string(39, '\0') + "\n");
+    CHECK(playing.Player->Run());
+    CHECK(playing.Blocks->Done.front() == 50000);
+  }
+  SECTION("another line is damaged")
+  {
+    std::string damaged = text;
+    damaged[damaged.find("\"blocks\"")] = ' ';
+    files.Write(Journal, damaged);
+    playing.CheckFails({ "run.journal has a line that is damaged", "set Overwrite (--overwrite)" });
+  }
+  SECTION("it is empty")
+  {
+    files.Write(Journal, "");
+    playing.CheckFails({ "run.journal does not say which run it is of" });
+  }
+  SECTION("another process writes it")
+  {
+    const int other = ::open((files / Journal).c_str(), O_RDONLY);
+    REQUIRE(::flock(other, LOCK_EX) == 0);
+    playing.CheckFails({ "run.journal is being written by another process; let another run end" });
+    playing.Player->SetResume(false);
+    playing.Player->SetOverwrite(true);
+    playing.CheckFails({ "run.journal is being written by another process; let it end" });
+    CHECK(ReadText(files / Journal) == text);
+    ::close(other);
+  }
+}
+
+TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  BreakOff(files, reading);
+  Playing playing(files, reading);
+  vtkHeliosSurveyPlayer* player = playing.Player;
+  SECTION("neither asked for nor replaced")
+  {
+    playing.CheckFails({ "it is not finished: set Resume (--resume) to go on, set Overwrite" });
+  }
+  SECTION("both")
+  {
+    player->SetResume(true);
+    player->SetOverwrite(true);
+    playing.CheckFails({ "Resume and Overwrite are both on", "set one of them" });
+  }
+  player->SetResume(true);
+  SECTION("other settings")
+  {
+    player->SetSeed(7);
+    player->SetNoise(false);
+    player->SetPulsesPerBlock(20000);
+    playing.CheckFails({ "seed was 0 and is 7", "noise was true and is false",
+      "pulsesPerBlock was 10000 and is 20000", "run it with what it had" });
+  }
+  SECTION("another input")
+  {
+    files.Replace("plane.obj", "-50", "-51");
+    playing.CheckFails({ "plane.obj has changed or is new", "set Overwrite (--overwrite)" });
+  }
+  SECTION("another survey")
+  {
+    files.Replace("assets.xml", "200000", "200001");
+    playing.CheckFails({ "assets.xml has changed or is new" });
+  }
+  SECTION("a file that is done is not there any more, or not as it was")
+  {
+    files.Write("out/test/leg000_points.xyz", "short");
+    playing.CheckFails({ "leg000_points.xyz: was finished with", "has 5;", "to run anew" });
+    fs::remove(files / "out/test/leg000_points.xyz");
+    playing.CheckFails({ "leg000_points.xyz: was finished with", "cannot be read: No such file" });
+  }
+  SECTION("a file that is at work is shorter")
+  {
+    files.Write("out/test/leg001_points.xyz.part", "short");
+    playing.CheckFails({ "leg001_points.xyz.part cannot be gone on with: it has 5 bytes of" });
+  }
+}
+
+TEST_CASE("SurveyResume: the folder goes away while a run writes", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Blocks->Action = [&files](vtkHeliosSurveyPlayer*) { fs::remove_all(files / "out"); };
+  playing.CheckFails({ "was removed while it was written; see that the output folder stays",
+    "nothing is kept, since the folder", "out/test is gone." });
+  CHECK_FALSE(fs::exists(files / "out"));
+}
+
+TEST_CASE("SurveyResume: files where the run wants its own", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Player->SetOverwrite(true);
+  SECTION("a folder of the name of the journal appears")
+  {
+    files.Write("out/test/run.journal/mine", "");
+    playing.CheckFails({ "run.journal" });
+  }
+  SECTION("a folder of the name of the summary appears")
+  {
+    playing.Blocks->Action = [&files](vtkHeliosSurveyPlayer*)
+    { files.Write("out/test/run_summary.json/mine", ""); };
+    playing.CheckFails(
+      { "run_summary.json is a folder, not a file; all points are written", "Resume (--resume)" });
+    fs::remove_all(files / "out/test/run_summary.json");
+    playing.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
+    playing.Player->SetOverwrite(false);
+    playing.Player->SetResume(true);
+    playing.Blocks->Done.clear();
+    CHECK(playing.Player->Run());
+    CHECK(playing.Player->GetNumberOfEchoes() == 80000);
+  }
+}
+
+TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  CHECK_FALSE(fs::exists(files / Journal));
+  const std::string report = playing.Player->GetReport();
+  CHECK(report == ReadText(files / "out/test/run_summary.json"));
+  for (const char* part : { "\"vtkHelios\" : \"", "\"sha256\" : \"", "\"file\" : \"", "plane.obj",
+         "assets.xml", "survey.xml", "\"seed\" : 0", "\"points\" : 80000", "\"points\" : 40000",
+         "leg001_trajectory.txt", "\"threads\" : ", "\"rayCaster\" : \"beam\"" })
+  {
+    INFO(part);
+    CHECK(report.find(part) != std::string::npos);
+  }
+  playing.Player->SetResume(true);
+  playing.Blocks->Done.clear();
+  REQUIRE(playing.Player->Run());
+  CHECK(playing.Player->GetWasFinished());
+  CHECK(playing.Blocks->Done.empty());
+  CHECK(playing.Player->GetNumberOfEchoes() == 80000);
+  CHECK(playing.Player->GetReport() == report);
+  CHECK(playing.Player->GetMessage().find("Nothing is left to do: the run in") == 0);
+  playing.Player->SetSeed(2);
+  playing.CheckFails({ "seed was 0 and is 2" });
+  playing.Player->SetSeed(0);
+  files.Write("out/test/run_summary.json", "{ \"surv");
+  playing.CheckFails({ "run_summary.json is damaged" });
+  fs::remove(files / "out/test/run_summary.json");
+  playing.CheckFails({ "has no run.journal, and what it holds cannot be gone on with" });
+  fs::remove_all(files / "out");
+  playing.CheckFails({ "so there is nothing to resume; run it without Resume (--resume)" });
+}
+
+TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
+{
+  const Files files;
+  // 120 m of which the plane is 100 wide; a leg of it beside the plane
+  const Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="20"/>
+<scannerSettings id="c" pulseFreq_hz="200000" scanFreq_hz="50" scanAngle_deg="15"/>
+<leg><platformSettings template="p" x="-60"/><scannerSettings template="c"/></leg>
+<leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
+<leg><platformSettings template="p" x="70"/><scannerSettings template="c"/></leg>)");
+  Playing playing(files, reading);
+  const std::string format = GENERATE("xyz", "vtp");
+  playing.Player->SetFormat(format.c_str());
+  playing.Player->SetPulsesPerBlock(262144);
+  playing.Player->SetWriteWaveforms(false);
+  REQUIRE(playing.Player->Estimate());
+  CHECK_FALSE(fs::exists(files / "out"));
+  CHECK(playing.Player->GetMessage() == "Estimated; nothing was written.");
+  const auto number = [](const std::string& report, const char* name)
+  {
+    const std::size_t totals = report.find("\"totals\"");
+    const std::size_t at = report.find(std::string("\"") + name + "\" : ", totals);
+    REQUIRE(at != std::string::npos);
+    return std::stod(report.substr(report.find(':', at) + 1));
+  };
+  const std::string estimate = playing.Player->GetReport();
+  CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses")); // it did sample
+  REQUIRE(playing.Player->Run());
+  double bytes = 0.0;
+  for (const auto& file : ReadAll(files / "out/test"))
+  {
+    bytes += static_cast<double>(file.second.size());
+  }
+  CHECK(number(estimate, "pulses") == 1300000.0);
+  CHECK(number(estimate, "pulsesFired") == Approx(1300000.0));
+  CHECK(number(estimate, "points") ==
+    Approx(static_cast<double>(playing.Player->GetNumberOfEchoes())).epsilon(0.05));
+  CHECK(number(estimate, "bytes") == Approx(bytes).epsilon(0.05));
+}
+
+TEST_CASE("SurveyEstimate: short legs are run whole; it can be stopped", "[SurveyEstimate]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Estimate());
+  CHECK(playing.Player->GetReport().find("\"points\" : 80000") != std::string::npos);
+  playing.Player->RemoveAllObservers();
+  class Stop : public vtkCommand
+  {
+  public:
+    static Stop* New() { return new Stop; }
+    void Execute(vtkObject* caller, unsigned long, void*) override
+    {
+      static_cast<vtkHeliosSurveyPlayer*>(caller)->Abort();
+    }
+  };
+  vtkNew<Stop> stop;
+  playing.Player->AddObserver(vtkCommand::ProgressEvent, stop);
+  CHECK_FALSE(playing.Player->Estimate());
+  CHECK(playing.Player->GetReport().empty());
+  playing.Player->RemoveAllObservers();
+  files.Write("plane.obj", "");
+  CHECK_FALSE(playing.Player->Estimate());
+  CHECK_FALSE(playing.Player->GetMessage().empty());
+}

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What playing a survey costs beside its scanner: the player, with its journal on the disk, against the
+// bare scanner of the same legs and against that with the text writer and no journal. The bytes must be
+// the same. And the peak of memory for 1 and for 8 times the pulses. Usage: BenchPlayback [repetitions]
+
+#include "heliosBenchScenes.h"
+
+#include "heliosLegRunner.h"
+#include "heliosMessages.h"
+#include "heliosSceneBuilder.h"
+#include "vtkHeliosObjSceneWriter.h"
+#include "vtkHeliosStreamWriter.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveyPlayer.h"
+#include "vtkHeliosSurveyReader.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <sys/resource.h>
+#include <time.h>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+struct Seconds
+{
+  double Wall = 0.0;
+  double Cpu = 0.0;
+};
+
+/// Since the first call, of this process.
+Seconds Now()
+{
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+  return { std::chrono::duration<double>(wall).count(),
+    static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec) };
+}
+
+double GetPeakMemory()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e-3 * static_cast<double>(usage.ru_maxrss);
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+std::string ReadText(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+/// A folder that goes when the program ends.
+struct Folder
+{
+  fs::path Path = fs::temp_directory_path() / "vtkHeliosBenchPlayback";
+  Folder() { fs::create_directories(this->Path); }
+  ~Folder() { fs::remove_all(this->Path); }
+};
+
+/// A tripod on hills that turns by some degrees at 20 degrees a second, 300,000 pulses a second.
+void WriteSurvey(const fs::path& folder, double turn)
+{
+  const helios::Vec3 p =
+    helios::BenchOffset + helios::Vec3(250, 250, helios::GetHillHeight(250, 250) + 2);
+  std::ofstream survey(folder / "survey.xml");
+  survey.precision(12);
+  survey << "<document><scene id=\"s\"><part><filter type=\"objloader\"><param key=\"filepath\" "
+            "value=\"hills.obj\"/></filter></part></scene>\n"
+            "<platform id=\"tripod\" type=\"static\"/>\n"
+            "<scanner id=\"tls\" optics=\"rotating\" accuracy_m=\"0.005\" pulseFreqs_Hz=\"300000\" "
+            "beamDivergence_rad=\"0.0003\" scanAngleMax_deg=\"50\" scanAngleEffectiveMax_deg=\"50\" "
+            "scanFreqMax_Hz=\"120\" headRotatePerSecMax_deg=\"60\"/>\n"
+            "<survey name=\"bench\" scene=\"#s\" platform=\"#tripod\" scanner=\"#tls\"><leg>"
+            "<platformSettings x=\""
+         << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2]
+         << "\"/><scannerSettings pulseFreq_hz=\"300000\" scanFreq_hz=\"100\" "
+            "headRotatePerSec_deg=\"20\" headRotateStop_deg=\""
+         << turn << "\"/></leg></survey></document>\n";
+}
+
+void WriteScene(const fs::path& folder)
+{
+  helios::BenchScene scene;
+  scene.AddHills(500, 500.0);
+  vtkNew<vtkHeliosObjSceneWriter> writer;
+  writer->SetInputData(scene.Finish());
+  writer->SetFileName((folder / "hills.obj").c_str());
+  writer->Update();
+}
+
+/// The legs of a survey, ready to run without a player.
+struct Bare
+{
+  vtkNew<vtkHeliosSurveyPlayer> Owner; // of the messages
+  helios::Messages Log{ Owner };
+  helios::RunSettings Settings;
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::unique_ptr<helios::LegRunner> Runner;
+
+  Bare(vtkHeliosSurvey* survey, const fs::path& folder)
+  {
+    this->Settings.Folder = folder.string();
+    this->Settings.Format = "xyz";
+    helios::SceneBuilder builder(survey->GetData().Scene, this->Log);
+    this->Scene = builder.Build([](const std::string&) { return true; });
+    this->Runner = std::make_unique<helios::LegRunner>(
+      survey->GetData(), this->Scene, this->Settings, this->Log);
+    this->Runner->Plan();
+  }
+
+  /// Runs all blocks; with text or without.
+  helios::RunCounts Run(bool writes)
+  {
+    const helios::LegPlan& plan = this->Runner->GetPlans().front();
+    helios::LegScanner& scanner = this->Runner->Prepare(plan);
+    const auto writer = this->Runner->MakeWriters(plan).front();
+    const bool isOpen = writes && writer->Open();
+    const auto blocks = static_cast<int>(
+      (plan.NumberOfPulses + this->Settings.PulsesPerBlock - 1) / this->Settings.PulsesPerBlock);
+    helios::RunCounts counts;
+    for (int block = 0; block < blocks && scanner.Update(block, blocks); ++block)
+    {
+      scanner.Count(counts);
+      if (isOpen)
+      {
+        writer->Write(scanner.GetOutput(0));
+      }
+      scanner.ReleaseOutput();
+    }
+    if (isOpen)
+    {
+      writer->Abandon(); // without a wait for the disk
+    }
+    return counts;
+  }
+};
+
+template <typename WorkT>
+void Time(const WorkT& work, std::vector<double>& wall, std::vector<double>& cpu)
+{
+  const Seconds start = Now();
+  work();
+  const Seconds end = Now();
+  wall.push_back(end.Wall - start.Wall);
+  cpu.push_back(end.Cpu - start.Cpu);
+}
+
+/// "run_s" of a player's report.
+double GetRunSeconds(vtkHeliosSurveyPlayer* player)
+{
+  const std::string report = player->GetReport();
+  const std::size_t at = report.find("\"run_s\" : ");
+  return at == std::string::npos ? 0.0 : std::atof(report.c_str() + at + 10);
+}
+
+vtkSmartPointer<vtkHeliosSurveyPlayer> MakePlayer(vtkHeliosSurvey* survey, const fs::path& folder)
+{
+  auto player = vtkSmartPointer<vtkHeliosSurveyPlayer>::New();
+  player->SetSurvey(survey);
+  player->SetOutputDirectory(folder.c_str());
+  player->OverwriteOn();
+  return player;
+}
+
+vtkSmartPointer<vtkHeliosSurvey> ReadSurvey(const fs::path& folder, double turn)
+{
+  WriteSurvey(folder, turn);
+  vtkNew<vtkHeliosSurveyReader> reader;
+  reader->SetFileName((folder / "survey.xml").c_str());
+  return reader->Read() ? reader->GetSurvey() : nullptr;
+}
+
+bool Measure(vtkHeliosSurvey* survey, const fs::path& folder, int repetitions)
+{
+  Bare bare(survey, folder / "bare");
+  const auto player = MakePlayer(survey, folder / "out");
+  const helios::RunCounts counts = bare.Run(true);
+  if (!player->Run() || player->GetNumberOfEchoes() != counts.Echoes ||
+    ReadText(folder / "out/bench/leg000_points.xyz") !=
+      ReadText(folder / "bare/leg000_points.xyz.part"))
+  {
+    std::printf("the player writes other points than the scanner has\n");
+    return false;
+  }
+  std::vector<double> alone[2], text[2], played[2];
+  for (int i = 0; i < repetitions; ++i)
+  {
+    Time([&bare] { bare.Run(false); }, alone[0], alone[1]);
+    Time([&bare] { bare.Run(true); }, text[0], text[1]);
+    Time([&player] { player->Run(); }, played[0], played[1]);
+    // Loading the scene is no part of playing it.
+    const double load = played[0].back() - GetRunSeconds(player);
+    played[0].back() -= load;
+    played[1].back() -= load;
+  }
+  std::printf("%lld pulses, %lld points, %d threads, medians of %d\n",
+    static_cast<long long>(counts.PulsesFired), static_cast<long long>(counts.Echoes),
+    vtkSMPTools::GetEstimatedNumberOfThreads(), repetitions);
+  std::printf("%-6s %10s %10s %10s %16s %16s\n", "[s]", "scanner", "+ text", "player",
+    "player / scanner", "player / + text");
+  for (const int k : { 0, 1 })
+  {
+    const double a = Median(alone[k]), t = Median(text[k]), p = Median(played[k]);
+    std::printf("%-6s %10.3f %10.3f %10.3f %16.3f %16.3f\n", k == 0 ? "wall" : "CPU", a, t, p,
+      p / a, p / t);
+  }
+  const double a = Median(alone[0]), t = Median(text[0]), p = Median(played[0]);
+  std::printf("playing without the formatting of text costs %.1f %% of the scanner\n",
+    100.0 * (p - t) / a);
+  return true;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const int repetitions = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
+  const Folder folder;
+  WriteScene(folder.Path);
+  const auto survey = ReadSurvey(folder.Path, 90.0);
+  if (!survey || !Measure(survey, folder.Path, repetitions))
+  {
+    return EXIT_FAILURE;
+  }
+  for (const double turn : { 45.0, 360.0 })
+  {
+    const auto player = MakePlayer(ReadSurvey(folder.Path, turn), folder.Path / "out");
+    if (!player->Run())
+    {
+      return EXIT_FAILURE;
+    }
+    std::printf("%9lld pulse times: peak of memory so far %.1f MB\n",
+      static_cast<long long>(player->GetNumberOfPulses()), GetPeakMemory());
+  }
+  return EXIT_SUCCESS;
+}
