@@ -26,7 +26,8 @@ SURVEY = """\
   <scanner id="s" optics="rotating" pulseFreqs_Hz="1000, 2e3" maxNOR="3"><beamOrigin z="1">
     <rot axis="x" angle_deg="-90"/></beamOrigin></scanner>
   <platform id="p" type="static"/>
-  <scene id="c"><part><filter type="ObjLoader"><param key="filepath" value="a.obj"/></filter></part></scene>
+  <scene id="c"><part><filter type="ObjLoader"><param key="filepath" value="a.obj"/></filter></part>
+  </scene>
 </document>
 """
 
