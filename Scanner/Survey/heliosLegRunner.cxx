@@ -237,7 +237,7 @@ bool LegRunner::OpenAll(const Outputs& outputs, const RunJournal& journal)
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
   const BlockCallback& onBlock, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
@@ -273,7 +273,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
   bool good = this->OpenAll(outputs, journal) &&
-    this->WriteTrajectory(plan, before, onBlock, trajectory) &&
+    this->WriteTrajectory(plan, journal, onBlock, trajectory) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
