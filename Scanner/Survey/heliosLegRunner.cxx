@@ -248,7 +248,8 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
-    goesOn = onBlock(this->Counts);
+    const bool isLast = first + SamplesPerBlock >= sampler.GetNumberOfSamples();
+    goesOn = isLast || onBlock(this->Counts); // long ones can be stopped
   }
   if (this->Log.HasError() || !goesOn)
   {
