@@ -237,7 +237,7 @@ bool LegRunner::OpenAll(const Outputs& outputs, const RunJournal& journal)
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
   const BlockCallback& onBlock, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
@@ -248,7 +248,7 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const LegProgress& before,
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
-    goesOn = onBlock(this->Counts);
+    goesOn = first + SamplesPerBlock >= sampler.GetNumberOfSamples() || onBlock(this->Counts);
   }
   if (this->Log.HasError() || !goesOn)
   {
@@ -269,11 +269,12 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return !this->EndsFiles(plan) || this->CheckFiles(before, journal);
   }
+  this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
   bool good = this->OpenAll(outputs, journal) &&
-    this->WriteTrajectory(plan, before, onBlock, trajectory) &&
+    this->WriteTrajectory(plan, journal, onBlock, trajectory) &&
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   const bool isWhole = good && this->EndsFiles(plan);
   for (const LegOutput& output : outputs)
@@ -305,7 +306,6 @@ bool LegRunner::RunBlocks(
   }
   const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
-  this->Counts = progress.Blocks > 0 ? progress.Counts : this->Counts;
   const double start = Now() - progress.Seconds;
   // The disk takes a block while the next one is computed; nobody writes meanwhile.
   std::future<std::string> noted;

@@ -98,7 +98,7 @@ private:
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
   bool OpenAll(const Outputs& outputs, const RunJournal& journal);
-  bool WriteTrajectory(const LegPlan& plan, const LegProgress& before, const BlockCallback& onBlock,
+  bool WriteTrajectory(const LegPlan& plan, const RunJournal& journal, const BlockCallback& onBlock,
     FileProgress& written);
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
