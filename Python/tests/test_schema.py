@@ -26,7 +26,8 @@ SURVEY = """\
   <scanner id="s" optics="rotating" pulseFreqs_Hz="1000, 2e3" maxNOR="3"><beamOrigin z="1">
     <rot axis="x" angle_deg="-90"/></beamOrigin></scanner>
   <platform id="p" type="static"/>
-  <scene id="c"><part><filter type="ObjLoader"><param key="filepath" value="a.obj"/></filter></part></scene>
+  <scene id="c"><part><filter type="ObjLoader"><param key="filepath" value="a.obj"/></filter></part>
+  </scene>
 </document>
 """
 
@@ -102,7 +103,7 @@ def test_a_mix_is_valid(schema):
         ('onGround="True"', 'onGround="yes"', "attribute 'onGround'"),
         ('scanFreq_hz="5e1"', 'scanFreq_hz="-1"', "less than the minimum value allowed ('0')"),
         ('scanFreq_hz="5e1"', 'pulseFreq_hz="0"', "'pulseFreq_hz'"),
-        ('scanFreq_hz="5e1"', 'scanFreq_hz="1e7"', "greater than the maximum value allowed ('1000000')"),
+        ('scanFreq_hz="5e1"', 'scanFreq_hz="1e7"', "greater than the maximum value allowed"),
         ('optics="rotating"', 'optics="turning"', "'turning' is not an element of the set"),
         ('optics="rotating"', "", "attribute 'optics' is required"),
         ('scene="c.xml#c"', "", "attribute 'scene' is required"),

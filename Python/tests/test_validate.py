@@ -6,6 +6,8 @@ import json
 
 import pytest
 
+import vtkhelios
+
 from vtkhelios.cli import main
 
 WRONG = """\
@@ -56,7 +58,7 @@ def test_everything_is_told_at_once(validate):
     code, lines = validate(WRONG)
     assert code == 1
     expected = [
-        ("a.xml:2: error: scanFreq_hz=\"many\" is not a number", "[Hz]"),
+        ('a.xml:2: error: scanFreq_hz="many" is not a number', "[Hz]"),
         ("a.xml:3: warning: attribute simSped of <survey> is unknown", "did you mean simSpeed?"),
         ('a.xml:5: error: x="1,5" is not a number', "[m]"),
         ('a.xml:12: error: template="fats"', "did you mean fast?"),
@@ -100,7 +102,7 @@ def test_assets_that_no_survey_uses(validate):
         "a.xml:3: error: ",
         "a.xml:4: error: ",
     ]
-    assert "scanAngleMax_deg is missing" in lines[0] and "z=\"high\"" in lines[2]
+    assert "scanAngleMax_deg is missing" in lines[0] and 'z="high"' in lines[2]
 
 
 def test_a_ray_caster_that_is_not_built(validate):
@@ -157,21 +159,23 @@ def test_wrong_usage(validate, capsys):
     assert stopped.value.code == 2
 
 
+SWINGING = "<scanner id='a' optics='oscillating'>"
+
+
 @pytest.mark.parametrize(
     "name, place",
     [
         ("optics", '<scanner id="a" scanAngleMax_deg="9" optics="{}"/>'),
         ("scanPattern", '<scanner id="a" optics="oscillating" scanPattern="{}"/>'),
-        ("echoDetector", '<scanner id="a" optics="oscillating"><FWFSettings echoDetector="{}"/></scanner>'),
-        ("returnSelection", '<scanner id="a" optics="oscillating"><FWFSettings returnSelection="{}"/></scanner>'),
+        ("echoDetector", f"{SWINGING}<FWFSettings echoDetector='{{}}'/></scanner>"),
+        ("returnSelection", f"{SWINGING}<FWFSettings returnSelection='{{}}'/></scanner>"),
         ("rotations", '<platform id="p"><scannerMount rotations="{}"/></platform>'),
-        ("axis", '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount></platform>'),
+        ("axis", '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount>'
+        "</platform>"),
     ],
 )
 def test_the_schema_knows_the_words_that_the_reader_takes(name, place, validate):
     etree = pytest.importorskip("lxml.etree")
-    import vtkhelios
-
     schema = etree.fromstring(vtkhelios.vtkHeliosDialect.GetSchema().encode())
     space = {"xs": "http://www.w3.org/2001/XMLSchema"}
     found = schema.xpath(f"//xs:attribute[@name='{name}'][.//xs:enumeration]", namespaces=space)

@@ -32,7 +32,7 @@ INCLUDE = """\
 <?xml version="1.0" encoding="UTF-8"?>
 <!-- SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors -->
 <!-- SPDX-License-Identifier: BSD-3-Clause -->
-<!-- Made by vtkhelios schema: any file holds any mix of surveys, scenes, scanners and platforms. -->
+<!-- Made by vtkhelios schema: any file holds any mix of surveys, scenes, scanners, platforms. -->
 <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
   <xs:include schemaLocation="helios.xsd"/>
 </xs:schema>

@@ -93,7 +93,22 @@ const char* const Scene = R"(<document><scene id="s" name="all" crs="EPSG:32632"
 <param type="int" key="normalXIndex" value="3"/><param type="vec3" key="defaultNormal" value="0;0;1"/>
 </filter><filter type="translate"><param type="vec3" key="offset" value="1;2;3"/>
 <param type="integer" key="onGround" value="1"/></filter></part>
+<part id="crown"><filter type="detailedvoxels"><param type="string" key="filepath" value="crown.vox"/>
+<param type="string" key="intersectionMode" value="transmittive"/>
+<param type="double" key="intersectionArgument" value="0.5"/></filter></part>
 </scene></document>
+)";
+
+const char* const Crown = R"(VOXEL SPACE
+#min_corner: -4 -4 10
+#max_corner: 4 4 12
+#split: 2 2 1
+#res: 4 #max_pad: 1.6
+i j k PadBVTotal transmittance
+0 0 0 0.5 0.5
+1 0 0 1.6 0.1
+0 1 0 0 1
+1 1 0 0.2 0.8
 )";
 
 const char* const Instruments = R"(
@@ -121,7 +136,7 @@ const char* const Instruments = R"(
 </document>)";
 
 /// Ends the process, with the case at hand in the report, where one takes this long [s].
-constexpr unsigned LongestCase = 120;
+constexpr unsigned LongestCase = 300;
 
 void Hang(int)
 {
@@ -182,7 +197,7 @@ struct Play
   /// Whether an error says in which file, and where in it.
   bool NamesPlace() const
   {
-    static const std::regex place("[.](xml|obj|xyz|mtl|csv)(:[0-9]+|: )");
+    static const std::regex place("[.](xml|obj|xyz|mtl|csv|vox)(:[0-9]+|: )");
     return std::regex_search(this->Errors, place);
   }
 
@@ -230,6 +245,7 @@ void WriteAll(const helios::test::Files& files, const Pair& pair, const std::str
   files.Write("survey.xml", MakeSurvey(pair));
   files.Write("scene.xml", Scene);
   files.Write("path.csv", Path);
+  files.Write("crown.vox", Crown);
   files.Write("assets.xml", assets);
 }
 
