@@ -160,8 +160,7 @@ bool LegRunner::OpenWriters(const Writers& writers, const RunJournal& journal)
   {
     this->Listen(writer);
     const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
-    good = good &&
-      (file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open());
+    good = good && (file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open());
   }
   return good;
 }
@@ -287,8 +286,7 @@ bool LegRunner::CheckFiles(const LegProgress& progress, const RunJournal& journa
 {
   for (const FileProgress& file : progress.Files)
   {
-    const std::string path =
-      (std::filesystem::path(this->Settings.Folder) / file.Name).string();
+    const std::string path = (std::filesystem::path(this->Settings.Folder) / file.Name).string();
     const FileProgress* last = journal.FindFile(file.Name);
     std::error_code error;
     const auto size = std::filesystem::file_size(path, error);

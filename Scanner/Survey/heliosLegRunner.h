@@ -81,8 +81,8 @@ private:
 
   bool OpenWriters(const Writers& writers, const RunJournal& journal);
   bool WriteTrajectory(const LegPlan& plan, FileProgress& written);
-  bool RunBlocks(const LegPlan& plan, const Writers& writers, RunJournal& journal,
-    const BlockCallback& onBlock);
+  bool RunBlocks(
+    const LegPlan& plan, const Writers& writers, RunJournal& journal, const BlockCallback& onBlock);
   bool WriteBlock(const Writers& writers);
   bool Check(const std::string& problem);
   bool CheckFiles(const LegProgress& progress, const RunJournal& journal);

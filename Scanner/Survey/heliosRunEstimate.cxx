@@ -23,7 +23,7 @@ namespace
 constexpr double SampledShare = 0.1;
 constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
-constexpr double PulsesPerWindow = 16384.0;
+constexpr double PulsesPerWindow = 8192.0;
 constexpr double FewestWindows = 8.0; // of a leg
 constexpr double GoldenRatio = 0.6180339887498949;
 constexpr double BytesPerKibibyte = 1024.0;
@@ -82,8 +82,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
   const double length = lines > 0.0
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
     : PulsesPerWindow / frequency;
-  const double budget =
-    std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
+  const double budget = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
   const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
   const double stratum = plan.Duration / count;
   if (2.0 * length > stratum)
@@ -93,9 +92,10 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
   Windows windows;
   for (double i = 0.0; i < count; ++i)
   {
-    const double place = (i + 1.0) * GoldenRatio;
-    const double start =
-      plan.StartTime + i * stratum + (place - std::floor(place)) * (stratum - length);
+    // About the middle, but not in step with what the scene repeats.
+    const double turns = (i + 1.0) * GoldenRatio;
+    const double place = 0.25 + 0.5 * (turns - std::floor(turns));
+    const double start = plan.StartTime + i * stratum + place * (stratum - length);
     windows.emplace_back(start, start + length);
   }
   return windows;
@@ -194,8 +194,7 @@ double RunEstimate::GuessMemory(const Sums& totals) const
   // A block's outputs are there once in the parts of threads and once joined.
   vtksys::SystemInformation system;
   const double now = BytesPerKibibyte * static_cast<double>(system.GetProcMemoryUsed());
-  const double block =
-    std::min(static_cast<double>(this->Settings.PulsesPerBlock), totals.Pulses);
+  const double block = std::min(static_cast<double>(this->Settings.PulsesPerBlock), totals.Pulses);
   return now + 2.0 * block * totals.Memory / std::max(1.0, totals.Pulses);
 }
 

@@ -138,7 +138,8 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   problem = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
   if (!problem.empty())
   {
-    return this->Fail(problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
+    return this->Fail(
+      problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
   }
   player->Report = player->WasFinished ? helios::ToText(summary) : "";
   return this->CheckEarlierRun(player->WasFinished ? summary : this->Journal->GetFingerprint());
@@ -255,8 +256,9 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   const std::string problem = this->Folder->WriteSummary(summary);
   if (!problem.empty())
   {
-    return this->Fail(problem + "; all points are written: make room, and end it with Resume "
-                                "(--resume)");
+    return this->Fail(problem +
+      "; all points are written: make room, and end it with Resume "
+      "(--resume)");
   }
   this->Journal->Remove();
   this->Player->Report = helios::ToText(summary);
