@@ -195,26 +195,14 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
 }
 
 //------------------------------------------------------------------------------
-/// The nearest leg before or after one whose records go to the same files; null: none.
-const LegPlan* LegRunner::FindStripLeg(const LegPlan& plan, bool isBefore) const
-{
-  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
-  const LegPlan* found = nullptr;
-  for (const LegPlan& other : this->Plans)
-  {
-    const bool isOfStrip = !strip.empty() && this->Survey.Legs[other.Leg].Strip == strip;
-    if (isOfStrip && (isBefore ? other.Leg < plan.Leg : other.Leg > plan.Leg && !found))
-    {
-      found = &other;
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
+/// Whether no leg after this one writes to its files.
 bool LegRunner::EndsFiles(const LegPlan& plan) const
 {
-  return !this->FindStripLeg(plan, false);
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  return strip.empty() ||
+    std::none_of(this->Plans.begin(), this->Plans.end(),
+      [this, &plan, &strip](const LegPlan& other)
+      { return other.Leg > plan.Leg && this->Survey.Legs[other.Leg].Strip == strip; });
 }
 
 //------------------------------------------------------------------------------
