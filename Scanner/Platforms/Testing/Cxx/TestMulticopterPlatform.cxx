@@ -200,7 +200,7 @@ TEST_CASE("MulticopterPlatform: many waypoints", "[MulticopterPlatform]")
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> pick(-30.0, 30.0);
   std::vector<helios::Point> way;
-  for (int i = 0; i < 250; ++i)
+  for (int i = 0; i < 120; ++i)
   {
     way.push_back({ 10.0 * i + pick(random), pick(random), 0.5 * pick(random) });
   }
