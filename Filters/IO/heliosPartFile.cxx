@@ -10,10 +10,72 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace helios
 {
+
+namespace
+{
+
+/// Waits until the disk has a file; 0, or the error. What cannot be synced (a pipe) needs not be.
+int SyncDescriptor(int descriptor)
+{
+  while (::fsync(descriptor) != 0)
+  {
+    if (errno != EINTR)
+    {
+      return errno == EINVAL || errno == EROFS ? 0 : errno;
+    }
+  }
+  return 0;
+}
+
+/// As SyncDescriptor(), for a file or a folder by its name.
+int SyncPath(const std::string& path)
+{
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+  {
+    return errno;
+  }
+  const int error = SyncDescriptor(descriptor);
+  ::close(descriptor);
+  return error;
+}
+
+bool IsRemoved(int descriptor)
+{
+  struct stat status = {};
+  return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
+}
+
+/// Writes all bytes, and adds those that were written to a count; 0, or the error.
+int WriteAll(int descriptor, const char* bytes, std::size_t count, std::uint64_t& total)
+{
+  while (count > 0)
+  {
+    const ssize_t written = ::write(descriptor, bytes, count);
+    if (written < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (written <= 0)
+    {
+      return written < 0 ? errno : EIO;
+    }
+    total += static_cast<std::uint64_t>(written);
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return 0;
+}
+
+constexpr const char* WasRemoved = "was removed while it was written";
+
+} // namespace
 
 std::string MakeFoldersFor(const std::string& path)
 {
@@ -37,6 +99,18 @@ std::string RenameFile(const std::string& from, const std::string& to)
     return from + " cannot be renamed to " + to + ": " + std::strerror(errno);
   }
   return {};
+}
+
+std::string SyncFile(const std::string& path)
+{
+  const int error = SyncPath(path);
+  return error ? path + " cannot be brought to the disk: " + std::strerror(error) : std::string();
+}
+
+std::string SyncFolderOf(const std::string& path)
+{
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return SyncFile(folder.empty() ? "." : folder);
 }
 
 std::int64_t GetSizeOfWhole(const std::string& path, const std::string& ending)
@@ -70,6 +144,8 @@ bool PartFile::Open(const std::string& path)
   this->Abandon();
   this->Path = path;
   this->Size = 0;
+  this->IsNowhere = false;
+  this->IsInFolder = false;
   this->Problem = MakeFoldersFor(path);
   std::error_code error;
   if (this->Problem.empty() && std::filesystem::is_directory(path, error))
@@ -85,24 +161,48 @@ bool PartFile::Open(const std::string& path)
   return this->Descriptor >= 0 || this->Fail("opened", errno);
 }
 
+bool PartFile::Reopen(const std::string& path, std::uint64_t size)
+{
+  this->Abandon();
+  this->Path = path;
+  this->IsNowhere = false;
+  this->IsInFolder = false;
+  std::error_code error;
+  const std::string part = this->GetPartPath();
+  if (!std::filesystem::exists(part, error) && std::filesystem::exists(path, error))
+  {
+    this->Problem = RenameFile(path, part);
+    if (!this->Problem.empty())
+    {
+      return false;
+    }
+  }
+  const auto found = std::filesystem::file_size(part, error);
+  if (error || found < size)
+  {
+    this->Problem = part + " cannot be gone on with: " +
+      (error ? error.message()
+             : "it has " + std::to_string(found) + " bytes of " + std::to_string(size));
+    return false;
+  }
+  this->Descriptor = ::open(part.c_str(), O_WRONLY | O_CLOEXEC);
+  return this->Descriptor >= 0 ? this->Cut(size) : this->Fail("opened", errno);
+}
+
+bool PartFile::OpenNowhere(const std::string& path)
+{
+  this->Abandon();
+  this->Path = path;
+  this->Size = 0;
+  this->IsNowhere = true;
+  this->Descriptor = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  return this->Descriptor >= 0 || this->Fail("opened", errno);
+}
+
 bool PartFile::Append(const char* bytes, std::size_t count)
 {
-  while (count > 0)
-  {
-    const ssize_t written = ::write(this->Descriptor, bytes, count);
-    if (written < 0 && errno == EINTR)
-    {
-      continue;
-    }
-    if (written <= 0)
-    {
-      return this->Fail("written", written < 0 ? errno : EIO);
-    }
-    this->Size += static_cast<std::uint64_t>(written);
-    bytes += written;
-    count -= static_cast<std::size_t>(written);
-  }
-  return true;
+  const int error = WriteAll(this->Descriptor, bytes, count, this->Size);
+  return error == 0 || this->Fail("written", error);
 }
 
 bool PartFile::Cut(std::uint64_t size)
@@ -116,13 +216,38 @@ bool PartFile::Cut(std::uint64_t size)
   return true;
 }
 
+bool PartFile::Sync()
+{
+  if (this->IsNowhere)
+  {
+    return true;
+  }
+  if (IsRemoved(this->Descriptor))
+  {
+    this->Problem = this->GetPartPath() + " " + WasRemoved;
+    return false;
+  }
+  if (!this->IsInFolder)
+  {
+    this->Problem = SyncFolderOf(this->Path);
+    this->IsInFolder = this->Problem.empty();
+  }
+  const int error = SyncDescriptor(this->Descriptor);
+  return this->IsInFolder && (error == 0 || this->Fail("brought to the disk", error));
+}
+
 bool PartFile::Close()
 {
-  if (!this->Abandon())
+  const bool isKept = this->Sync();
+  if (!this->Abandon() || !isKept)
   {
     return false;
   }
-  this->Problem = RenameFile(this->GetPartPath(), this->Path);
+  if (!this->IsNowhere)
+  {
+    this->Problem = RenameFile(this->GetPartPath(), this->Path);
+    this->Problem = this->Problem.empty() ? SyncFolderOf(this->Path) : this->Problem;
+  }
   return this->Problem.empty();
 }
 
@@ -131,6 +256,56 @@ bool PartFile::Abandon()
   const int descriptor = this->Descriptor;
   this->Descriptor = -1;
   return descriptor < 0 || ::close(descriptor) == 0 || this->Fail("closed", errno);
+}
+
+bool LogFile::Fail(const std::string& what)
+{
+  this->Problem = this->Path + " " + what;
+  return false;
+}
+
+bool LogFile::Open(const std::string& path)
+{
+  this->Close();
+  this->Path = path;
+  this->Descriptor = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (this->Descriptor < 0)
+  {
+    return this->Fail(std::string("cannot be opened: ") + std::strerror(errno));
+  }
+  if (::flock(this->Descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    this->Close();
+    return this->Fail("is being written by another process");
+  }
+  return true;
+}
+
+bool LogFile::Cut(std::uint64_t size)
+{
+  return ::ftruncate(this->Descriptor, static_cast<off_t>(size)) == 0 ||
+    this->Fail(std::string("cannot be cut: ") + std::strerror(errno));
+}
+
+bool LogFile::Append(const std::string& text)
+{
+  std::uint64_t written = 0;
+  int error = WriteAll(this->Descriptor, text.data(), text.size(), written);
+  error = error ? error : SyncDescriptor(this->Descriptor);
+  if (error)
+  {
+    return this->Fail(std::string("cannot be written: ") + std::strerror(error));
+  }
+  return !IsRemoved(this->Descriptor) || this->Fail(WasRemoved);
+}
+
+void LogFile::Close()
+{
+  if (this->Descriptor >= 0)
+  {
+    ::close(this->Descriptor);
+  }
+  this->Descriptor = -1;
 }
 
 } // namespace helios

@@ -25,13 +25,23 @@ public:
   bool Open(const std::string& path);
   bool IsOpen() const { return this->Descriptor >= 0; }
 
+  /// Opens what an earlier run left at <path>.part, or at path where it was renamed already, cut to
+  /// a size.
+  bool Reopen(const std::string& path, std::uint64_t size);
+
+  /// Takes bytes and keeps none of them: they are counted.
+  bool OpenNowhere(const std::string& path);
+
   /// Appends bytes; where that fails, some of them may be in the file.
   bool Append(const char* bytes, std::size_t count);
 
   /// Takes back what was appended after a size.
   bool Cut(std::uint64_t size);
 
-  /// Ends the file and gives it its final name.
+  /// Returns when the disk has what was appended. A file that was removed meanwhile is a failure.
+  bool Sync();
+
+  /// Ends the file and gives it its final name, on the disk too.
   bool Close();
 
   /// Ends the file as <path>.part; the problem, if any, stays.
@@ -54,12 +64,46 @@ private:
   std::string Problem;
   int Descriptor = -1;
   std::uint64_t Size = 0;
+  bool IsNowhere = false;
+  bool IsInFolder = false; // on the disk
+};
+
+/// A file that is appended to, line by line, and that one process at a time may have open.
+class VTKHELIOSFILTERSIO_EXPORT LogFile
+{
+public:
+  LogFile() = default;
+  ~LogFile() { this->Close(); }
+  LogFile(const LogFile&) = delete;
+  void operator=(const LogFile&) = delete;
+
+  /// Opens a file that there is; false here and below: see GetProblem().
+  bool Open(const std::string& path);
+
+  /// Takes away what is beyond a size.
+  bool Cut(std::uint64_t size);
+
+  /// Appends a text, and returns when the disk has it.
+  bool Append(const std::string& text);
+
+  void Close();
+
+  const std::string& GetProblem() const { return this->Problem; }
+
+private:
+  bool Fail(const std::string& what);
+
+  std::string Path;
+  std::string Problem;
+  int Descriptor = -1;
 };
 
 ///@{
 /// Each says what went wrong, or returns an empty text.
 VTKHELIOSFILTERSIO_EXPORT std::string MakeFoldersFor(const std::string& path);
 VTKHELIOSFILTERSIO_EXPORT std::string RenameFile(const std::string& from, const std::string& to);
+VTKHELIOSFILTERSIO_EXPORT std::string SyncFile(const std::string& path);     ///< to the disk
+VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///< its names
 ///@}
 
 /// The size of a file [bytes] whose last bytes are an ending; -1 where they are not.

@@ -119,11 +119,12 @@ void vtkHeliosStreamWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
      << indent << "NumberOfRecords: " << this->NumberOfRecords << "\n"
-     << indent << "NumberOfBytes: " << this->NumberOfBytes << "\n";
+     << indent << "NumberOfBytes: " << this->NumberOfBytes << "\n"
+     << indent << "CountOnly: " << this->CountOnly << "\n";
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosStreamWriter::Open()
+bool vtkHeliosStreamWriter::PrepareOpen()
 {
   if (this->IsOpen())
   {
@@ -138,12 +139,54 @@ bool vtkHeliosStreamWriter::Open()
     vtkErrorMacro(<< "FileName is not set; set it before Open()");
     return false;
   }
-  if (!this->File->Open(this->FileName))
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::Open()
+{
+  if (!this->PrepareOpen())
+  {
+    return false;
+  }
+  if (!(this->CountOnly ? this->File->OpenNowhere(this->FileName)
+                        : this->File->Open(this->FileName)))
   {
     vtkErrorMacro(<< this->File->GetProblem() << "; choose another output folder");
     return false;
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::Reopen(
+  vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes)
+{
+  if (!this->PrepareOpen())
+  {
+    return false;
+  }
+  if (!this->File->Reopen(this->FileName, static_cast<std::uint64_t>(fileSize)))
+  {
+    return this->FailFile(this->File->GetProblem());
+  }
+  this->NumberOfRecords = numberOfRecords;
+  this->NumberOfBytes = numberOfBytes;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::Flush()
+{
+  return this->CheckOpen() && (this->File->Sync() || this->FailFile(this->File->GetProblem()));
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::FailFile(const std::string& problem)
+{
+  this->HasFailed = this->IsOpen();
+  vtkErrorMacro(<< problem << "; see that the output folder stays as it is, and run again");
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -69,9 +69,32 @@ public:
   virtual bool Open();
 
   /**
+   * Goes on with the file that an earlier run left, as .part or under its final
+   * name, cut to a size [bytes]; the numbers of records and bytes are what they
+   * were then. An error where it is shorter.
+   */
+  virtual bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes);
+
+  ///@{
+  /**
+   * Set/Get whether blocks are formatted and counted, and nothing is written: no
+   * file, no folder. As Open() takes it. Default: off.
+   */
+  vtkSetMacro(CountOnly, bool);
+  vtkGetMacro(CountOnly, bool);
+  vtkBooleanMacro(CountOnly, bool);
+  ///@}
+
+  /**
    * Appends a block.
    */
   virtual bool Write(vtkDataObject* block) = 0;
+
+  /**
+   * Returns when the disk has all blocks: then no power cut takes them away. An
+   * error, too, where the file was removed meanwhile.
+   */
+  virtual bool Flush();
 
   /**
    * Ends the file and gives it its final name. After a block that could not be
@@ -92,10 +115,12 @@ public:
 
   ///@{
   /**
-   * Get what whole blocks were written since Open(): records, and bytes.
+   * Get what whole blocks were written since Open(): records, bytes in all files,
+   * and the size of the file that is open [bytes].
    */
   vtkGetMacro(NumberOfRecords, vtkIdType);
   vtkGetMacro(NumberOfBytes, vtkIdType);
+  vtkIdType GetFileSize() const;
   ///@}
 
 protected:
@@ -134,22 +159,25 @@ protected:
   bool WriteRows(vtkIdType count, vtkIdType bytesPerRow,
     const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format);
 
+  /// An error about what was asked of the file. Returns false.
+  bool FailFile(const std::string& problem);
+
   /// Appends text that has no records.
   bool WriteText(const std::string& text);
 
   /// Takes back what was written beyond a size and takes no more blocks; an error. Returns false.
   bool FailBlock(std::string problem, vtkIdType size);
 
-  /// The bytes in the file that is open.
-  vtkIdType GetFileSize() const;
-
   char* FileName = nullptr;
   vtkIdType NumberOfRecords = 0;
   vtkIdType NumberOfBytes = 0;
+  bool CountOnly = false;
 
 private:
   vtkHeliosStreamWriter(const vtkHeliosStreamWriter&) = delete;
   void operator=(const vtkHeliosStreamWriter&) = delete;
+
+  bool PrepareOpen();
 
   std::unique_ptr<helios::PartFile> File;
   bool HasFailed = false; // since Open()

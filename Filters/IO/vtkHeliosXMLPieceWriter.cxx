@@ -14,12 +14,14 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 namespace
 {
 
 constexpr std::size_t CompressorBlockSize = 1 << 20;
+constexpr const char* PieceEnd = "</VTKFile>\n";
 
 /// The type's name in VTK's XML files.
 std::string GetTypeName(vtkDataArray* array)
@@ -75,6 +77,18 @@ std::string Explain(unsigned long error)
     : vtkErrorCode::GetStringFromErrorCode(error);
 }
 
+/// The pieces that an index lists.
+int CountPieces(const std::string& index)
+{
+  std::ifstream file(index);
+  int count = 0;
+  for (std::string line; std::getline(file, line);)
+  {
+    count += line.find("<Piece ") != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
 /// Takes the messages of VTK's writer, so that there is one error and not two.
 class Silence : public vtkCommand
 {
@@ -122,7 +136,51 @@ bool vtkHeliosXMLPieceWriter::Open()
   this->Arrays.clear();
   this->HasHead = false;
   this->NumberOfPieces = 0;
+  this->NumberOfPiecesOnDisk = 0;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosXMLPieceWriter::Reopen(
+  vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes)
+{
+  if (!this->Superclass::Reopen(fileSize, numberOfRecords, numberOfBytes))
+  {
+    return false;
+  }
+  this->Arrays.clear(); // those of the next block
+  this->HasHead = fileSize > 0;
+  this->NumberOfPieces = CountPieces(this->GetOpenName() + ".part");
+  this->NumberOfPiecesOnDisk = this->NumberOfPieces;
+  for (int piece = 0; piece < this->NumberOfPieces; ++piece)
+  {
+    const std::string name = this->GetPieceName(piece);
+    if (helios::GetSizeOfWhole(name, PieceEnd) < 0)
+    {
+      this->FailFile(name + " is not there whole, and cannot be gone on after");
+      this->Superclass::Abandon();
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosXMLPieceWriter::Flush()
+{
+  if (!this->CheckOpen())
+  {
+    return false;
+  }
+  std::string problem;
+  for (; !this->CountOnly && problem.empty() && this->NumberOfPiecesOnDisk < this->NumberOfPieces;
+       ++this->NumberOfPiecesOnDisk)
+  {
+    const std::string name = this->GetPieceName(this->NumberOfPiecesOnDisk);
+    problem = helios::SyncFile(name);
+    problem = problem.empty() ? helios::SyncFolderOf(name) : problem;
+  }
+  return problem.empty() ? this->Superclass::Flush() : this->FailFile(problem);
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +206,7 @@ bool vtkHeliosXMLPieceWriter::CheckArrays(vtkFieldData* data, vtkIdType records)
     }
     arrays += "      " + Declare(array, name) + "\n";
   }
-  if (this->NumberOfPieces > 0 && arrays != this->Arrays)
+  if (this->NumberOfPieces > 0 && !this->Arrays.empty() && arrays != this->Arrays)
   {
     vtkErrorMacro(<< this->GetOpenName() << ": a block has other arrays than those before, which "
                   << "had\n"
@@ -183,30 +241,44 @@ bool vtkHeliosXMLPieceWriter::WriteFoot()
 //------------------------------------------------------------------------------
 std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std::string& name)
 {
-  const std::string part = name + ".part";
   const vtkSmartPointer<vtkXMLWriter> writer = this->MakeWriter(block);
   const auto silence = vtkSmartPointer<Silence>::Take(Silence::New());
   writer->AddObserver(vtkCommand::ErrorEvent, silence);
   writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
-  writer->SetFileName(part.c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
   writer->SetIdTypeToInt64();
   writer->SetCompressorTypeToLZ4();
   writer->SetBlockSize(CompressorBlockSize);
-  writer->Write();
-  const std::int64_t size = helios::GetSizeOfWhole(part, "</VTKFile>\n");
-  const std::string problem = writer->GetErrorCode() != vtkErrorCode::NoError || size < 0
-    ? part + " cannot be written: " + Explain(writer->GetErrorCode())
-    : helios::RenameFile(part, name);
+  if (this->CountOnly)
+  {
+    writer->SetWriteToOutputString(true);
+    writer->Write();
+    return static_cast<std::int64_t>(writer->GetOutputString().size());
+  }
+  std::int64_t size = -1;
+  const std::string problem = this->WritePieceFile(writer, name, size);
   if (!problem.empty())
   {
-    helios::RemoveFile(part);
+    helios::RemoveFile(name + ".part");
     this->FailBlock(problem, this->GetFileSize());
     return -1;
   }
   return size;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosXMLPieceWriter::WritePieceFile(
+  vtkXMLWriter* writer, const std::string& name, std::int64_t& size)
+{
+  const std::string part = name + ".part";
+  writer->SetFileName(part.c_str());
+  writer->Write();
+  size = helios::GetSizeOfWhole(part, PieceEnd);
+  return writer->GetErrorCode() != vtkErrorCode::NoError || size < 0
+    ? part + " cannot be written: " + Explain(writer->GetErrorCode())
+    : helios::RenameFile(part, name);
 }
 
 //------------------------------------------------------------------------------

@@ -47,9 +47,19 @@ public:
   bool Open() override;
 
   /**
+   * Goes on after the pieces that the index lists in its first fileSize bytes.
+   */
+  bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
+
+  /**
    * Writes a block as a piece.
    */
   bool Write(vtkDataObject* block) override;
+
+  /**
+   * Returns when the disk has the pieces and the index.
+   */
+  bool Flush() override;
 
   /**
    * Ends the index and gives it its final name.
@@ -92,12 +102,14 @@ private:
   std::string GetPieceName(int piece) const;
   bool CheckArrays(vtkFieldData* data, vtkIdType records);
   std::int64_t WritePiece(vtkDataObject* block, const std::string& name); // its size; -1: an error
+  std::string WritePieceFile(vtkXMLWriter* writer, const std::string& name, std::int64_t& size);
   bool WriteHead();
   bool WriteFoot();
 
   std::string Arrays;   // as the index declares them
   bool HasHead = false; // the index
   int NumberOfPieces = 0;
+  int NumberOfPiecesOnDisk = 0;
 };
 
 #endif

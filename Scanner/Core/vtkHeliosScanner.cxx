@@ -13,6 +13,7 @@
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosPlatformNoise.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -93,6 +94,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "ErrorModel: " << (this->ErrorModel ? this->ErrorModel->GetClassName() : "(none)")
      << "\n"
+     << indent << "PlatformNoise: " << (this->PlatformNoise ? "on" : "(none)") << "\n"
      << indent << "Sampling: " << (this->Sampling == FIXED ? "Fixed" : "Tolerance") << "\n"
      << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
      << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
@@ -132,6 +134,7 @@ HELIOS_STRATEGY(BeamDeflector)
 HELIOS_STRATEGY(BeamSampler)
 HELIOS_STRATEGY(EchoDetector)
 HELIOS_STRATEGY(ErrorModel)
+HELIOS_STRATEGY(PlatformNoise)
 #undef HELIOS_STRATEGY
 
 //------------------------------------------------------------------------------
@@ -142,7 +145,8 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
   for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
          static_cast<vtkObject*>(this->BeamSampler.Get()),
          static_cast<vtkObject*>(this->EchoDetector.Get()),
-         static_cast<vtkObject*>(this->ErrorModel.Get()) })
+         static_cast<vtkObject*>(this->ErrorModel.Get()),
+         static_cast<vtkObject*>(this->PlatformNoise.Get()) })
   {
     time = strategy ? std::max(time, strategy->GetMTime()) : time;
   }
@@ -261,6 +265,8 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
   source.Errors = this->ErrorModel;
+  const bool shakes = this->PlatformNoise && this->PlatformNoise->IsOn();
+  source.Noise = shakes ? this->PlatformNoise.Get() : nullptr;
   source.AngleAccuracy = this->AngleAccuracy;
   source.Seed = static_cast<std::uint64_t>(this->Seed);
   source.Ids = { this->FirstPulseId, this->PulseIdStride };

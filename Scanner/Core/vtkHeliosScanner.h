@@ -75,6 +75,7 @@ class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
 class vtkHeliosEchoDetector;
 class vtkHeliosErrorModel;
+class vtkHeliosPlatformNoise;
 class vtkHeliosRayCaster;
 
 namespace helios
@@ -130,6 +131,14 @@ public:
    */
   void SetErrorModel(vtkHeliosErrorModel* model);
   vtkHeliosErrorModel* GetErrorModel() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the platform shakes about its trajectory. Default: none.
+   */
+  void SetPlatformNoise(vtkHeliosPlatformNoise* noise);
+  vtkHeliosPlatformNoise* GetPlatformNoise() const;
   ///@}
 
   /// How the beam is sampled.
@@ -356,6 +365,7 @@ private:
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
   vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
+  vtkSmartPointer<vtkHeliosPlatformNoise> PlatformNoise;
 
   int Sampling = TOLERANCE;
   double RangeTolerance = 1e-3;

@@ -97,6 +97,17 @@ const XmlDocument* Assets::Load(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::string> Assets::GetDocumentPaths() const
+{
+  std::vector<std::string> paths;
+  for (const auto& document : this->Documents)
+  {
+    paths.push_back(document.first);
+  }
+  return paths;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> Assets::GetFolders(const XmlDocument& from) const
 {
   std::vector<std::string> folders;

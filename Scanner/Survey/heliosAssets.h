@@ -29,6 +29,9 @@ public:
   /// The document of that very path; null after an error.
   const XmlDocument* Load(const std::string& path);
 
+  /// The paths of all documents that were loaded, in alphabetical order.
+  std::vector<std::string> GetDocumentPaths() const;
+
   /// The path of a file; empty, after an error that names the places, where there is none.
   std::string FindFile(const XmlValue& name, const XmlDocument& from);
 

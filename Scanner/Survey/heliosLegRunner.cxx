@@ -3,9 +3,11 @@
 #include "heliosLegRunner.h"
 
 #include "heliosMessages.h"
+#include "heliosRunJournal.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosPulseTextWriter.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
@@ -13,8 +15,9 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <chrono>
 #include <filesystem>
+#include <iterator>
 
 namespace helios
 {
@@ -23,21 +26,64 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// "legNNN" and what follows.
-std::string MakeFileName(const std::string& folder, std::size_t leg, const char* ending)
+// Of vtkHeliosScanner.
+constexpr int EchoPort = 0;
+constexpr int WaveformPort = 1;
+constexpr int PulsePort = 2;
+
+/// A word of at least three characters, with zeros before it.
+std::string Pad(const std::string& word)
 {
-  char name[32];
-  std::snprintf(name, sizeof(name), "leg%03zu", leg);
-  return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
+  return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
 }
 
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
+/// The writer of a port of the scanner.
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
 {
-  if (isXml)
+  vtkSmartPointer<vtkHeliosStreamWriter> writer;
+  if (port == WaveformPort && isXml)
   {
-    return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
+    writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
-  return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+  else if (port == WaveformPort)
+  {
+    writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+  }
+  else if (isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  else if (port == PulsePort)
+  {
+    writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+  }
+  return writer;
+}
+
+/// How far the file of a writer is.
+FileProgress GetProgress(vtkHeliosStreamWriter* writer)
+{
+  return { std::filesystem::path(writer->GetFileName()).filename().string(), writer->GetFileSize(),
+    writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
+}
+
+std::vector<FileProgress> GetProgress(const LegRunner::Outputs& outputs)
+{
+  std::vector<FileProgress> files;
+  for (const LegOutput& output : outputs)
+  {
+    files.push_back(GetProgress(output.Writer));
+  }
+  return files;
+}
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 } // namespace
@@ -49,7 +95,7 @@ LegRunner::LegRunner(
   , Settings(settings)
   , Log(log)
   , Scene(scene)
-  , Scanner(survey, scene, settings.Scan, log)
+  , Scanner(survey, scene, settings, log)
 {
 }
 
@@ -59,7 +105,7 @@ LegRunner::~LegRunner() = default;
 //------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  const LegChance chance = { this->Settings.Scan.Receiver.Noise, this->Settings.Scan.Seed };
+  const LegChance chance = { this->Settings.Receiver.Noise, this->Settings.Seed };
   this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   for (LegPlan& plan : this->Plans)
   {
@@ -72,42 +118,132 @@ bool LegRunner::Plan()
 }
 
 //------------------------------------------------------------------------------
-void LegRunner::Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending)
+LegScanner& LegRunner::Prepare(const LegPlan& plan)
 {
-  this->Log.Listen(writer);
-  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, ending).c_str());
-  writer->Open();
+  this->Scanner.SetUp(plan);
+  return this->Scanner;
 }
 
 //------------------------------------------------------------------------------
-LegRunner::Writers LegRunner::OpenWriters(const LegPlan& plan)
+/// "legNNN", or "stripNNN" of its strip, and what follows.
+std::string LegRunner::MakeFileName(const LegPlan& plan, const std::string& ending) const
 {
-  Writers writers(1);
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  const std::string stem =
+    strip.empty() ? "leg" + Pad(std::to_string(plan.Leg)) : "strip" + Pad(strip);
+  return (std::filesystem::path(this->Settings.Folder) / (stem + ending)).string();
+}
+
+//------------------------------------------------------------------------------
+LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
+{
+  Outputs outputs;
+  this->AddOutputs(plan, EchoPort, "_points", outputs);
+  if (this->Settings.Waveforms)
+  {
+    this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
+  }
+  if (this->Settings.Pulses)
+  {
+    this->AddOutputs(plan, PulsePort, "_pulse", outputs);
+  }
+  return outputs;
+}
+
+//------------------------------------------------------------------------------
+/// One file of a port, or one a channel.
+void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
+{
   const bool isXml = this->Settings.Format == "vtp";
-  if (isXml)
+  const std::string suffix =
+    isXml ? (port == WaveformPort ? ".pvtt" : ".pvtp") : (port == EchoPort ? ".xyz" : ".txt");
+  const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
+  const std::size_t channels = scanner.GetNumberOfChannels();
+  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
+  for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
-    writers[0] = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-    this->Open(writers[0], plan, "_points.pvtp");
+    const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
+    LegOutput output{ MakeWriter(port, isXml), port, isSplit ? k : LegOutput::AllChannels };
+    output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
+    outputs.push_back(output);
   }
-  else
-  {
-    writers[0] = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-    this->Open(writers[0], plan, "_points.xyz");
-  }
-  if (this->Settings.Scan.Waveforms)
-  {
-    writers.push_back(MakeWaveformWriter(isXml));
-    this->Open(writers[1], plan, isXml ? "_fullwave.pvtt" : "_fullwave.txt");
-  }
-  return writers;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan)
+vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
+{
+  auto writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
+  writer->SetFileName(this->MakeFileName(plan, "_trajectory.txt").c_str());
+  return writer;
+}
+
+//------------------------------------------------------------------------------
+/// The nearest leg before or after one whose records go to the same files; null: none.
+const LegPlan* LegRunner::FindStripLeg(const LegPlan& plan, bool isBefore) const
+{
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  const LegPlan* found = nullptr;
+  for (const LegPlan& other : this->Plans)
+  {
+    const bool isOfStrip = !strip.empty() && this->Survey.Legs[other.Leg].Strip == strip;
+    if (isOfStrip && (isBefore ? other.Leg < plan.Leg : other.Leg > plan.Leg && !found))
+    {
+      found = &other;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::EndsFiles(const LegPlan& plan) const
+{
+  return !this->FindStripLeg(plan, false);
+}
+
+//------------------------------------------------------------------------------
+/// How far a leg is, with the files that a leg before it has begun.
+LegProgress LegRunner::FindProgress(const LegPlan& plan, const RunJournal& journal) const
+{
+  LegProgress progress = journal.GetLeg(plan.Leg);
+  if (const LegPlan* before = this->FindStripLeg(plan, true))
+  {
+    for (const FileProgress& file : journal.GetLeg(before->Leg).Files)
+    {
+      if (!progress.FindFile(file.Name))
+      {
+        progress.Files.push_back(file);
+      }
+    }
+  }
+  return progress;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Open(vtkHeliosStreamWriter* writer, const LegProgress& before)
+{
+  this->Listen(writer);
+  const FileProgress* file = before.FindFile(GetProgress(writer).Name);
+  return file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::OpenAll(const Outputs& outputs, const LegProgress& before)
+{
+  bool good = true;
+  for (const LegOutput& output : outputs)
+  {
+    good = good && this->Open(output.Writer, before);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteTrajectory(
+  const LegPlan& plan, const LegProgress& before, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
-  vtkNew<vtkHeliosTrajectoryTextWriter> writer;
-  this->Open(writer, plan, "_trajectory.txt");
+  const auto writer = this->MakeTrajectoryWriter(plan);
+  this->Open(writer, before);
   for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
        first += SamplesPerBlock)
   {
@@ -118,31 +254,55 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan)
     writer->Abandon();
     return false;
   }
-  return writer->Close();
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::Run(const LegPlan& plan, const BlockCallback& onBlock)
-{
-  this->Scanner.SetUp(plan);
-  const Writers writers = this->OpenWriters(plan);
-  bool good = !this->Log.HasError() && this->WriteTrajectory(plan) &&
-    this->RunBlocks(plan, writers, onBlock) && !this->Log.HasError();
-  for (const auto& writer : writers)
-  {
-    good = (good ? writer->Close() : writer->Abandon()) && good;
-  }
+  const bool good = this->EndsFiles(plan) ? writer->Close() : writer->Flush() && writer->Abandon();
+  written = GetProgress(writer);
   return good;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock)
+bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock)
+{
+  const LegProgress before = this->FindProgress(plan, journal);
+  if (before.IsDone)
+  {
+    this->Counts = before.Counts;
+    return !this->EndsFiles(plan) || this->CheckFiles(before);
+  }
+  this->Scanner.SetUp(plan);
+  const Outputs outputs = this->MakeOutputs(plan);
+  FileProgress trajectory;
+  bool good = this->OpenAll(outputs, before) && this->WriteTrajectory(plan, before, trajectory) &&
+    this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
+  const bool isWhole = good && this->EndsFiles(plan);
+  for (const LegOutput& output : outputs)
+  {
+    good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
+  }
+  if (!good)
+  {
+    return false;
+  }
+  LegProgress done = journal.GetLeg(plan.Leg);
+  done.IsDone = true;
+  done.Files = GetProgress(outputs); // an index has its end now
+  done.Files.push_back(trajectory);
+  return this->Note(plan, done, journal);
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::RunBlocks(
+  const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
   const int blocks =
     static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
-  const vtkIdType before = this->Counts.Pulses;
-  for (int block = 0; block < blocks; ++block)
+  LegProgress progress = journal.GetLeg(plan.Leg);
+  if (progress.Blocks > 0)
+  {
+    this->Counts = progress.Counts;
+  }
+  const double start = Now() - progress.Seconds;
+  for (int block = progress.Blocks; block < blocks; ++block)
   {
     if (!this->Scanner.Update(block, blocks))
     {
@@ -150,18 +310,74 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
     }
     const vtkIdType done = plan.NumberOfPulses / blocks * (block + 1) +
       plan.NumberOfPulses % blocks * (block + 1) / blocks;
-    this->Counts.Pulses = before + done;
+    this->Counts.Pulses = plan.FirstPulse + done;
     this->Scanner.Count(this->Counts);
-    for (std::size_t port = 0; port < writers.size(); ++port)
+    if (!this->WriteBlock(outputs))
     {
-      if (!writers[port]->Write(this->Scanner.GetOutput(static_cast<int>(port))))
-      {
-        return false;
-      }
+      return false;
     }
-    this->Scanner.ReleaseOutput();
-    if (!onBlock(this->Counts))
+    progress.Blocks = block + 1;
+    progress.Counts = this->Counts;
+    progress.Seconds = Now() - start;
+    progress.Files = GetProgress(outputs);
+    if (!this->Note(plan, progress, journal) || !onBlock(this->Counts))
     {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Write(const Outputs& outputs) const
+{
+  return std::all_of(outputs.begin(), outputs.end(),
+    [this](const LegOutput& output)
+    {
+      return output.Writer->Write(output.Channel == LegOutput::AllChannels
+          ? this->Scanner.GetOutput(output.Port).Get()
+          : this->Scanner.GetOutput(output.Port, output.Channel));
+    });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::WriteBlock(const Outputs& outputs)
+{
+  const bool isWritten = this->Write(outputs);
+  this->Scanner.ReleaseOutput();
+  // The journal may say only what is safe.
+  return isWritten &&
+    std::all_of(outputs.begin(), outputs.end(),
+      [](const LegOutput& output) { return output.Writer->Flush(); });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal)
+{
+  const std::string problem = journal.Append(plan.Leg, progress);
+  if (!problem.empty())
+  {
+    this->Log.Error(problem +
+      "; make room, or see that the output folder stays, and go on with "
+      "Resume (--resume), or run again");
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::CheckFiles(const LegProgress& progress)
+{
+  for (const FileProgress& file : progress.Files)
+  {
+    const auto path = std::filesystem::path(this->Settings.Folder) / file.Name;
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error || size != static_cast<std::uintmax_t>(file.Size))
+    {
+      this->Log.Error(path.string() + ": was finished with " + std::to_string(file.Size) +
+        " bytes and " +
+        (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
+        "; set Overwrite (--overwrite) to run anew");
       return false;
     }
   }
@@ -172,6 +388,24 @@ bool LegRunner::RunBlocks(const LegPlan& plan, const Writers& writers, const Blo
 std::string LegRunner::DescribeSampling()
 {
   return this->Scanner.DescribeSampling();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::HasError() const
+{
+  return this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+void LegRunner::Listen(vtkHeliosStreamWriter* writer)
+{
+  this->Log.Listen(writer);
+}
+
+//------------------------------------------------------------------------------
+std::string LegRunner::GetRayCasterName() const
+{
+  return this->Scanner.GetRayCasterName();
 }
 
 //------------------------------------------------------------------------------
@@ -230,7 +464,7 @@ std::string LegRunner::ExplainNoEchoes() const
 //------------------------------------------------------------------------------
 const char* LegRunner::GetFilePattern()
 {
-  return "leg[0-9]{3,}_(points|trajectory|fullwave|pulse).*";
+  return "(leg[0-9]{3,}|strip.{3,})_(points|trajectory|fullwave|pulse).*";
 }
 
 } // namespace helios

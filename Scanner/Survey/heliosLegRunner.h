@@ -7,6 +7,8 @@
 
 #include "heliosLegPlan.h"
 #include "heliosLegScanner.h"
+#include "heliosRunCounts.h"
+#include "heliosRunSettings.h"
 #include "heliosSurveyData.h"
 
 #include <vtkSmartPointer.h>
@@ -22,38 +24,28 @@ namespace helios
 {
 
 class Messages;
-
-/// How a survey is run.
-struct RunSettings
-{
-  std::string Folder; ///< of the files
-  std::string Format; ///< xyz, vtp
-  ScanOptions Scan;
-  vtkIdType PulsesPerBlock = 262144;
-};
-
-/// What a run has done so far.
-struct RunCounts
-{
-  vtkIdType Pulses = 0; ///< of the legs' pulse times
-  vtkIdType Echoes = 0;
-  vtkIdType FirstReturns = 0;
-  vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         ///< a surface in the ranges that are measured
-  vtkIdType PulsesOnPlane = 0;     ///< their beam met one plane: in closed form
-  vtkIdType PulsesWithoutBins = 0; ///< their maxima were found without bins
-  vtkIdType PulsesBinned = 0;
-  vtkIdType SubRays = 0;         ///< traced
-  vtkIdType HitsOutOfRange = 0;  ///< of sub-rays
-  double LargestAmplitude = 0.0; ///< [W], detected or not
-};
+class RunJournal;
+struct FileProgress;
+struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const RunCounts&)>;
 
+/// A writer, and what it writes: a port of the scanner, of all its channels together or of one.
+struct LegOutput
+{
+  static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
+
+  vtkSmartPointer<vtkHeliosStreamWriter> Writer;
+  int Port = 0;
+  std::size_t Channel = AllChannels;
+};
+
 class LegRunner
 {
 public:
+  using Outputs = std::vector<LegOutput>;
+
   LegRunner(
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegRunner();
@@ -64,13 +56,33 @@ public:
   const std::vector<LegPlan>& GetPlans() const { return this->Plans; }
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   const RunCounts& GetCounts() const { return this->Counts; }
+  const SurveyData& GetSurvey() const { return this->Survey; }
 
-  /// Runs one leg and writes its files; false after an error or where the callback ends it. What is
-  /// written then is valid and called .part.
-  bool Run(const LegPlan& plan, const BlockCallback& onBlock);
+  /// Whether anything has failed, of what is listened to, too.
+  bool HasError() const;
+  void Listen(vtkHeliosStreamWriter* writer);
+
+  /// Runs one leg, or what the journal says is left of it, and writes its files; the journal then says
+  /// how far it is. False after an error or where the callback ends it. What is written then is valid
+  /// and called .part.
+  bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
+
+  /// The scanner, set up for a leg.
+  LegScanner& Prepare(const LegPlan& plan);
+
+  /// The outputs of the leg that the scanner is set up for; their writers are not open yet.
+  Outputs MakeOutputs(const LegPlan& plan) const;
+
+  /// Writes what the scanner has; false after an error.
+  bool Write(const Outputs& outputs) const;
+
+  /// The writer of the leg's trajectory, not open yet.
+  vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
   /// What sub-rays and bins the settings come to, in words.
   std::string DescribeSampling();
+
+  std::string GetRayCasterName() const;
 
   /// Why a run has no echo, and what to do about it.
   std::string ExplainNoEchoes() const;
@@ -79,12 +91,19 @@ public:
   static const char* GetFilePattern();
 
 private:
-  using Writers = std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>;
-
-  Writers OpenWriters(const LegPlan& plan);
-  void Open(vtkHeliosStreamWriter* writer, const LegPlan& plan, const char* ending);
-  bool WriteTrajectory(const LegPlan& plan);
-  bool RunBlocks(const LegPlan& plan, const Writers& writers, const BlockCallback& onBlock);
+  std::string MakeFileName(const LegPlan& plan, const std::string& ending) const;
+  void AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const;
+  const LegPlan* FindStripLeg(const LegPlan& plan, bool isBefore) const;
+  LegProgress FindProgress(const LegPlan& plan, const RunJournal& journal) const;
+  bool EndsFiles(const LegPlan& plan) const;
+  bool Open(vtkHeliosStreamWriter* writer, const LegProgress& before);
+  bool OpenAll(const Outputs& outputs, const LegProgress& before);
+  bool WriteTrajectory(const LegPlan& plan, const LegProgress& before, FileProgress& written);
+  bool RunBlocks(
+    const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
+  bool WriteBlock(const Outputs& outputs);
+  bool Note(const LegPlan& plan, const LegProgress& progress, RunJournal& journal);
+  bool CheckFiles(const LegProgress& progress);
 
   const SurveyData& Survey;
   RunSettings Settings;

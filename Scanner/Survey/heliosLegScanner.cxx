@@ -4,13 +4,15 @@
 
 #include "heliosChannelMerge.h"
 #include "heliosLegOptics.h"
-#include "heliosLegRunner.h"
+#include "heliosMakePlatform.h"
 #include "heliosMessages.h"
+#include "heliosRunCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
+#include "vtkHeliosPlatformNoise.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScanner.h"
 
@@ -28,6 +30,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
+constexpr double BytesPerKibibyte = 1024.0;
 constexpr auto None = static_cast<std::size_t>(-1);
 
 void SetPose(const Pose& pose, double position[3], double orientation[4])
@@ -51,15 +54,15 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
 
 //------------------------------------------------------------------------------
 LegScanner::LegScanner(
-  const SurveyData& survey, vtkPolyData* scene, const ScanOptions& options, Messages& log)
+  const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log)
   : Survey(survey)
-  , Options(options)
+  , Settings(settings)
   , Log(log)
   , Scenes(scene, survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
 {
-  for (const auto& grid : options.Grids)
+  for (const auto& grid : settings.Grids)
   {
     this->Grids.emplace_back(grid, survey.Scene.SpectraFolders, log);
   }
@@ -92,6 +95,7 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetPulseIdStride(count);
     channel->SetLegId(static_cast<int>(plan.Leg));
     channel->SetChannelId(static_cast<int>(k));
+    channel->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   }
 }
 
@@ -126,12 +130,12 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   {
     channel->AddInputDataObject(2, grid.Get(data.Wavelength));
   }
-  if (!this->Options.RayCaster)
+  if (!this->Settings.RayCaster)
   {
-    this->Options.RayCaster = channel->GetRayCaster(); // of all, built once
+    this->Settings.RayCaster = channel->GetRayCaster(); // of all, built once
   }
-  channel->SetRayCaster(this->Options.RayCaster);
-  SetUpReceiver(data, this->Options.Receiver, channel);
+  channel->SetRayCaster(this->Settings.RayCaster);
+  SetUpReceiver(data, this->Settings.Receiver, channel);
   double position[3];
   double orientation[4];
   SetPose(platform.Mount, position, orientation);
@@ -142,10 +146,24 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetBeamOrientation(orientation);
   Vec3 axis = data.HeadRotateAxis;
   channel->SetHeadRotateAxis(axis.GetData());
-  channel->SetSeed(this->Options.Seed);
-  channel->SetGenerateWaveforms(this->Options.Waveforms);
-  channel->SetGeneratePulses(this->Options.Pulses);
+  if (this->Settings.Receiver.Noise)
+  {
+    const std::size_t channels = this->Survey.Scanners[this->Scanner].GetNumberOfChannels();
+    channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
+  }
+  channel->SetSeed(this->Settings.Seed);
+  channel->SetGenerateWaveforms(this->Settings.Waveforms);
+  channel->SetGeneratePulses(this->Settings.Pulses);
   return channel;
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::SetTimeWindow(double t0, double t1)
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    channel->SetTimeWindow(t0, t1);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +217,20 @@ void LegScanner::ReleaseOutput()
 }
 
 //------------------------------------------------------------------------------
+double LegScanner::GetMemorySize() const
+{
+  double kibibytes = 0.0;
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
+    {
+      kibibytes += static_cast<double>(channel->GetOutputDataObject(port)->GetActualMemorySize());
+    }
+  }
+  return BytesPerKibibyte * kibibytes;
+}
+
+//------------------------------------------------------------------------------
 void LegScanner::Count(RunCounts& counts) const
 {
   for (vtkHeliosScanner* channel : this->Channels)
@@ -220,6 +252,12 @@ void LegScanner::Count(RunCounts& counts) const
 std::string LegScanner::DescribeSampling() const
 {
   return this->Channels.empty() ? std::string() : this->Channels.front()->DescribeSampling();
+}
+
+//------------------------------------------------------------------------------
+std::string LegScanner::GetRayCasterName() const
+{
+  return this->Settings.RayCaster ? this->Settings.RayCaster->GetName() : std::string();
 }
 
 } // namespace helios

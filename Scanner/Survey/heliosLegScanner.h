@@ -6,7 +6,7 @@
 #define heliosLegScanner_h
 
 #include "heliosLegPlan.h"
-#include "heliosReceiver.h"
+#include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
 
@@ -16,7 +16,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkHeliosRayCaster;
 class vtkHeliosScanner;
 class vtkImageData;
 class vtkPolyData;
@@ -27,28 +26,20 @@ namespace helios
 class Messages;
 struct RunCounts;
 
-/// What the scanners of all legs have in common.
-struct ScanOptions
-{
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
-  bool Waveforms = false;
-  bool Pulses = false;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
-  std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels
-};
-
 class LegScanner
 {
 public:
   LegScanner(
-    const SurveyData& survey, vtkPolyData* scene, const ScanOptions& options, Messages& log);
+    const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegScanner();
 
   /// Makes the scanner that of a leg.
   void SetUp(const LegPlan& plan);
 
   std::size_t GetNumberOfChannels() const { return this->Channels.size(); }
+
+  /// The part [t0, t1) of the leg that is run [s]; all of it after SetUp().
+  void SetTimeWindow(double t0, double t1);
 
   /// The pulses of all channels.
   vtkIdType CountPulses();
@@ -63,11 +54,16 @@ public:
   /// Forgets the output of the last piece.
   void ReleaseOutput();
 
+  /// What the output of the last piece takes [bytes].
+  double GetMemorySize() const;
+
   /// Adds the counts of the last piece.
   void Count(RunCounts& counts) const;
 
   /// What sub-rays and bins the settings come to, in words.
   std::string DescribeSampling() const;
+
+  std::string GetRayCasterName() const;
 
 private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
@@ -75,7 +71,7 @@ private:
   void MakeChannels(const LegPlan& plan);
 
   const SurveyData& Survey;
-  ScanOptions Options;
+  RunSettings Settings;
   Messages& Log;
   SpectralScenes Scenes;
   std::vector<SpectralScenes> Grids;

@@ -310,8 +310,9 @@ struct SurveyData
 {
   std::string Name; ///< fit for the name of a folder
   std::string FileName;
-  std::string RayCaster;    ///< its name; empty: the default
-  vtkIdType Seed = -1;      ///< negative: not given
+  std::vector<std::string> Documents; ///< all files that the survey was read from
+  std::string RayCaster;              ///< its name; empty: the default
+  vtkIdType Seed = -1;                ///< negative: not given
   bool IsCanonical = false; ///< how attitudes in files count; else as ARINC 705 has it
   LegOffsetData LegOffset;
   std::vector<ScannerData> Scanners;

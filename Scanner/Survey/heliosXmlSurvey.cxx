@@ -353,6 +353,7 @@ SurveyData ReadSurvey(
     log.Warning(surveys[1].Where() + ": of several surveys in one file only the first is used");
   }
   SurveyReader(assets, log).Read(surveys.front(), data);
+  data.Documents = assets.GetDocumentPaths();
   return data;
 }
 

@@ -4,8 +4,12 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosRunEstimate.h"
+#include "heliosRunFingerprint.h"
+#include "heliosRunFolder.h"
+#include "heliosRunJournal.h"
+#include "heliosRunSummary.h"
 #include "heliosSceneBuilder.h"
-#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkCommand.h>
@@ -13,24 +17,11 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
-#include <algorithm>
+#include <chrono>
 #include <exception>
-#include <filesystem>
-#include <regex>
+#include <memory>
 
 vtkStandardNewMacro(vtkHeliosSurveyPlayer);
-
-namespace fs = std::filesystem;
-
-namespace
-{
-
-bool IsToleranceOrZero(double tolerance, double least)
-{
-  return tolerance == 0.0 || (tolerance >= least && tolerance <= 1.0);
-}
-
-} // namespace
 
 /// One run of a player.
 class vtkHeliosSurveyPlayer::Internals
@@ -45,215 +36,183 @@ public:
   /// Runs the survey and says how it ended.
   bool Run();
 
+  /// Says what Run() would take and give.
+  bool Estimate();
+
 private:
   bool CheckSettings();
-  bool ChooseReceiver();
-  bool ChooseRayCaster();
-  bool CheckFolder();
-  bool ClearFolder();
+  bool FindEarlierRun();
+  bool CheckEarlierRun(const Json::Value& then);
   bool Load();
-  bool RunLegs(helios::LegRunner& runner);
-  bool Conclude(const helios::LegRunner& runner);
+  bool Plan();
+  bool Begin();
+  bool RunLegs();
+  bool Conclude();
+  bool ConcludeFinished();
   bool Tell(const std::string& step);
   bool Count(const helios::RunCounts& counts);
+  void TakeCounts(const helios::RunCounts& counts);
   bool Fail(const std::string& text);
   bool Fail();
   std::string DescribeKept() const;
 
-  /// The files of earlier runs of this survey.
-  std::vector<fs::path> FindLegFiles() const;
-
   vtkHeliosSurveyPlayer* Player;
   helios::Messages Log;
   helios::RunSettings Settings;
+  std::unique_ptr<helios::RunFolder> Folder;
+  std::unique_ptr<helios::RunJournal> Journal;
+  std::unique_ptr<helios::LegRunner> Runner;
+  Json::Value Fingerprint;
+  double LoadSeconds = 0.0;
   vtkSmartPointer<vtkPolyData> Scene;
 };
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Run()
 {
-  if (!this->CheckSettings() || !this->CheckFolder() || !this->Load())
+  if (!this->CheckSettings() || !this->FindEarlierRun())
   {
     return this->Fail();
   }
-  helios::LegRunner runner(this->Player->Survey->GetData(), this->Scene, this->Settings, this->Log);
-  if (!runner.Plan())
+  if (this->Player->WasFinished)
+  {
+    return this->ConcludeFinished();
+  }
+  return this->Load() && this->Plan() && this->Begin() && this->RunLegs() && this->Conclude();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Estimate()
+{
+  if (!this->CheckSettings() || !this->Load() || !this->Plan())
   {
     return this->Fail();
   }
-  this->Player->NumberOfPulses = runner.GetNumberOfPulses();
-  this->Player->Sampling = runner.DescribeSampling();
-  if (this->Player->NumberOfPulses == 0)
+  helios::RunEstimate estimate(*this->Runner, this->Settings, this->LoadSeconds);
+  const bool isWhole = estimate.Make(
+    [this](double share)
+    {
+      this->Player->Progress = share;
+      return this->Tell("sampling");
+    });
+  if (this->Log.HasError())
   {
-    return this->Fail(runner.ExplainNoEchoes());
+    return this->Fail();
   }
-  return this->ClearFolder() && this->RunLegs(runner) && this->Conclude(runner);
+  this->Player->Report = isWhole ? helios::ToText(estimate.Describe()) : "";
+  this->Player->Message = isWhole ? "Estimated; nothing was written." : "Stopped.";
+  return isWhole;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
-  const vtkHeliosSurveyPlayer* player = this->Player;
+  vtkHeliosSurveyPlayer* player = this->Player;
   if (!player->Survey || player->Survey->GetNumberOfLegs() == 0)
   {
     return this->Fail(
       "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
   }
-  const std::string format = player->Format ? player->Format : "";
-  if (format != "xyz" && format != "vtp")
-  {
-    return this->Fail("Format is \"" + format + "\"; give xyz or vtp.");
-  }
-  const std::string output = player->OutputDirectory ? player->OutputDirectory : "";
-  this->Settings.Folder = (fs::path(output) / player->Survey->GetName()).string();
-  this->Settings.Format = format;
-  this->Settings.Scan.Seed = player->Seed;
-  this->Settings.Scan.Receiver.Noise = player->Noise;
-  this->Settings.Scan.Waveforms = player->WriteWaveforms;
-  this->Settings.PulsesPerBlock = player->PulsesPerBlock;
-  return this->ChooseReceiver() && this->ChooseRayCaster();
+  const std::string fault = helios::TakeSettings(player, this->Settings);
+  return fault.empty() || this->Fail(fault);
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::ChooseReceiver()
+bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
 {
-  const vtkHeliosSurveyPlayer* player = this->Player;
-  helios::Sentence fault;
-  if (!IsToleranceOrZero(player->RangeTolerance, 1e-6))
+  vtkHeliosSurveyPlayer* player = this->Player;
+  this->Folder = std::make_unique<helios::RunFolder>(this->Settings.Folder);
+  this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
+  std::string problem = this->Folder->Prepare(player->Overwrite, player->Resume);
+  if (!problem.empty())
   {
-    fault << "RangeTolerance is " << player->RangeTolerance
-          << "; give 0.000001 to 1 m, or 0: as the survey says";
+    return this->Fail(problem);
   }
-  else if (!IsToleranceOrZero(player->EnergyTolerance, 1e-4))
-  {
-    fault << "EnergyTolerance is " << player->EnergyTolerance
-          << "; give 0.0001 to 1, or 0: as the survey says";
-  }
-  else if (player->NumberOfSubRays > 0 &&
-    (player->RangeTolerance > 0.0 || player->EnergyTolerance > 0.0))
-  {
-    fault << "NumberOfSubRays is " << player->NumberOfSubRays
-          << " beside a tolerance, which would choose it; set one of them to 0";
-  }
-  const std::string detector = player->EchoDetector ? player->EchoDetector : "";
-  const std::vector<std::string> known = helios::GetEchoDetectorNames();
-  if (!detector.empty() && std::find(known.begin(), known.end(), detector) == known.end())
-  {
-    fault << "EchoDetector is \"" << detector << "\"; give " << helios::Enumerate(known);
-  }
-  if (!fault.str().empty())
-  {
-    return this->Fail(fault.str());
-  }
-  this->Settings.Scan.Receiver.RangeTolerance = player->RangeTolerance;
-  this->Settings.Scan.Receiver.EnergyTolerance = player->EnergyTolerance;
-  this->Settings.Scan.Receiver.NumberOfSubRays = player->NumberOfSubRays;
-  this->Settings.Scan.Receiver.EchoDetector = detector;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::ChooseRayCaster()
-{
-  const helios::SurveyData& survey = this->Player->Survey->GetData();
-  const std::string given = this->Player->RayCaster ? this->Player->RayCaster : "";
-  const std::string name = given.empty() ? survey.RayCaster : given;
-  if (name.empty())
+  this->Tell("hashing the input files");
+  this->Fingerprint = helios::MakeFingerprint(player->Survey->GetData(), this->Settings);
+  if (!player->Resume)
   {
     return true;
   }
-  std::vector<std::string> names;
-  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  Json::Value summary;
+  player->WasFinished = !this->Journal->Exists();
+  problem = player->WasFinished ? this->Folder->ReadSummary(summary) : this->Journal->Continue();
+  if (!problem.empty())
   {
-    names.emplace_back(vtkHeliosRayCaster::GetBackendName(i));
+    return this->Fail(problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
   }
-  if (std::find(names.begin(), names.end(), name) == names.end())
-  {
-    return this->Fail((given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" +
-      name + "\" is not in this build; give one of " + helios::Enumerate(names));
-  }
-  this->Settings.Scan.RayCaster =
-    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
-  return true;
+  player->Report = player->WasFinished ? helios::ToText(summary) : "";
+  return this->CheckEarlierRun(player->WasFinished ? summary : this->Journal->GetFingerprint());
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::CheckFolder()
+bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
 {
-  const std::string& folder = this->Settings.Folder;
-  std::error_code problem;
-  fs::create_directories(folder, problem);
-  if (problem || !fs::is_directory(folder, problem))
-  {
-    return this->Fail(folder + ": the output folder cannot be made: " +
-      (problem ? problem.message() : "there is a file of that name") +
-      "; give another OutputDirectory");
-  }
-  if (!this->Player->Overwrite && !this->FindLegFiles().empty())
-  {
-    return this->Fail(folder +
-      ": holds the files of an earlier run, which are kept; set Overwrite "
-      "(--overwrite) to replace them, or give another OutputDirectory");
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-std::vector<fs::path> vtkHeliosSurveyPlayer::Internals::FindLegFiles() const
-{
-  const std::regex pattern(helios::LegRunner::GetFilePattern());
-  std::vector<fs::path> files;
-  std::error_code ignored;
-  fs::directory_iterator entry(this->Settings.Folder, ignored);
-  for (; entry != fs::directory_iterator(); entry.increment(ignored))
-  {
-    if (std::regex_match(entry->path().filename().string(), pattern))
-    {
-      files.push_back(entry->path());
-    }
-  }
-  return files;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::ClearFolder()
-{
-  for (const fs::path& file : this->FindLegFiles())
-  {
-    std::error_code problem;
-    fs::remove_all(file, problem);
-    if (problem)
-    {
-      return this->Fail(file.string() + ": cannot be replaced: " + problem.message());
-    }
-  }
-  return true;
+  const std::string difference = helios::CompareFingerprints(then, this->Fingerprint);
+  return difference.empty() ||
+    this->Fail(this->Settings.Folder + ": the run there cannot be gone on with, since " +
+      difference + "; run it with what it had, or set Overwrite (--overwrite) to run anew");
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Load()
 {
+  const auto start = std::chrono::steady_clock::now();
   const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Scan.Seed);
+  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
-  this->Settings.Scan.Grids =
+  this->Settings.Grids =
     this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
   }
-  return this->Scene != nullptr;
+  this->LoadSeconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return this->Scene || this->Fail();
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::RunLegs(helios::LegRunner& runner)
+bool vtkHeliosSurveyPlayer::Internals::Plan()
+{
+  this->Runner = std::make_unique<helios::LegRunner>(
+    this->Player->Survey->GetData(), this->Scene, this->Settings, this->Log);
+  if (!this->Runner->Plan())
+  {
+    return this->Fail();
+  }
+  this->Player->NumberOfPulses = this->Runner->GetNumberOfPulses();
+  this->Player->Sampling = this->Runner->DescribeSampling();
+  return this->Player->NumberOfPulses > 0 || this->Fail(this->Runner->ExplainNoEchoes());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Begin()
+{
+  this->Fingerprint["scene"] = helios::HashScene(this->Scene);
+  if (this->Player->Resume)
+  {
+    return this->CheckEarlierRun(this->Journal->GetFingerprint());
+  }
+  std::string problem = this->Folder->Clear();
+  if (problem.empty())
+  {
+    problem = this->Journal->Create(this->Fingerprint);
+    problem += problem.empty() ? "" : "; give another OutputDirectory";
+  }
+  return problem.empty() || this->Fail(problem);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::RunLegs()
 {
   const auto onBlock = [this](const helios::RunCounts& counts) { return this->Count(counts); };
-  for (const helios::LegPlan& plan : runner.GetPlans())
+  for (const helios::LegPlan& plan : this->Runner->GetPlans())
   {
     this->Player->CurrentLeg = static_cast<int>(plan.Leg);
-    if (!this->Tell("running leg " + std::to_string(plan.Leg)) || !runner.Run(plan, onBlock))
+    if (!this->Tell("running leg " + std::to_string(plan.Leg)) ||
+      !this->Runner->Run(plan, *this->Journal, onBlock))
     {
       const std::string error = this->Log.GetLastError();
       this->Player->Message =
@@ -269,22 +228,56 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
 {
   helios::Sentence text;
   text << " after " << this->Player->NumberOfPulsesDone << " of " << this->Player->NumberOfPulses
-       << " pulses; the " << this->Player->NumberOfEchoes << " points so far are kept in "
-       << this->Settings.Folder << ", those of the leg at work in files that end in .part.";
+       << " pulses; ";
+  if (!this->Folder->Exists())
+  {
+    text << "nothing is kept, since the folder " << this->Settings.Folder << " is gone.";
+    return text.str();
+  }
+  text << "the " << this->Player->NumberOfEchoes << " points so far are kept in "
+       << this->Settings.Folder << ", those of the leg at work in files that end in .part; "
+       << "Resume (--resume) goes on from there.";
   return text.str();
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::Conclude(const helios::LegRunner& runner)
+bool vtkHeliosSurveyPlayer::Internals::Conclude()
 {
-  const helios::RunCounts& counts = runner.GetCounts();
+  const helios::RunCounts& counts = this->Runner->GetCounts();
+  this->TakeCounts(counts);
   if (counts.Echoes == 0)
   {
-    return this->Fail(runner.ExplainNoEchoes());
+    return this->Fail(this->Runner->ExplainNoEchoes());
   }
+  const Json::Value summary =
+    helios::MakeSummary(this->Fingerprint, *this->Journal, *this->Runner, this->LoadSeconds);
+  const std::string problem = this->Folder->WriteSummary(summary);
+  if (!problem.empty())
+  {
+    return this->Fail(problem + "; all points are written: make room, and end it with Resume "
+                                "(--resume)");
+  }
+  this->Journal->Remove();
+  this->Player->Report = helios::ToText(summary);
   helios::Sentence text;
   text << counts.Echoes << " points of " << counts.Pulses << " pulses are in "
        << this->Settings.Folder << ".";
+  this->Player->Message = text.str();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::ConcludeFinished()
+{
+  Json::Value summary;
+  helios::FromText(this->Player->Report, summary);
+  const helios::RunCounts counts = helios::GetTotals(summary);
+  this->Player->NumberOfPulses = counts.Pulses;
+  this->Player->Sampling = summary["sampling"].asString();
+  this->TakeCounts(counts);
+  helios::Sentence text;
+  text << "Nothing is left to do: the run in " << this->Settings.Folder << " is finished, with "
+       << counts.Echoes << " points of " << counts.Pulses << " pulses.";
   this->Player->Message = text.str();
   return true;
 }
@@ -299,7 +292,7 @@ bool vtkHeliosSurveyPlayer::Internals::Tell(const std::string& step)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
+void vtkHeliosSurveyPlayer::Internals::TakeCounts(const helios::RunCounts& counts)
 {
   vtkHeliosSurveyPlayer* player = this->Player;
   player->NumberOfPulsesDone = counts.Pulses;
@@ -312,6 +305,13 @@ bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
   player->NumberOfSubRaysTraced = counts.SubRays;
   player->Progress =
     static_cast<double>(counts.Pulses) / static_cast<double>(player->NumberOfPulses);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
+{
+  vtkHeliosSurveyPlayer* player = this->Player;
+  this->TakeCounts(counts);
   double progress = player->Progress;
   player->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   // After the last pulse there is nothing left to end.
@@ -372,9 +372,10 @@ int vtkHeliosSurveyPlayer::GetNumberOfLegs() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Run()
+void vtkHeliosSurveyPlayer::Reset()
 {
   this->AbortRequested = false;
+  this->WasFinished = false;
   this->Progress = 0.0;
   this->CurrentLeg = 0;
   this->NumberOfPulses = 0;
@@ -388,19 +389,39 @@ bool vtkHeliosSurveyPlayer::Run()
   this->NumberOfSubRaysTraced = 0;
   this->Sampling.clear();
   this->Message.clear();
+  this->Report.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Attempt(bool (Internals::*work)())
+{
+  this->Reset();
   this->InvokeEvent(vtkCommand::StartEvent);
   bool good = false;
   try
   {
-    good = Internals(this).Run();
+    Internals internals(this);
+    good = (internals.*work)();
   }
-  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  catch (const std::exception& error) // of libraries: no memory, a broken file system
   {
     this->Message = std::string("The run has failed: ") + error.what();
     vtkErrorMacro(<< this->Message);
   }
   this->InvokeEvent(vtkCommand::EndEvent);
   return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Run()
+{
+  return this->Attempt(&Internals::Run);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Estimate()
+{
+  return this->Attempt(&Internals::Estimate);
 }
 
 //------------------------------------------------------------------------------
@@ -419,7 +440,10 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Noise: " << this->Noise << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
+     << indent << "WritePulses: " << this->WritePulses << "\n"
+     << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"
+     << indent << "Resume: " << this->Resume << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
      << indent << "Progress: " << this->Progress << "\n"
      << indent << "Message: " << this->Message << "\n";

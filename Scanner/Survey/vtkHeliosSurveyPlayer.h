@@ -18,8 +18,18 @@
  * - legNNN_trajectory.txt: the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
  * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
+ * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
+ * Legs of the same strip S write to one file each, stripS_points.xyz and so on.
+ * The channels of a scanner fire at once, and their records go to one file in
+ * the order of pulses, or with SplitByChannel to legNNN_points_dev<channel>.xyz
+ * and so on.
  *
- * While a leg runs its files end in .part and are valid up to the last block.
+ * While a leg runs its files end in .part and are valid up to the last block;
+ * run.journal says what is safe on the disk. A run that ended early for whatever
+ * reason goes on with Resume, to the same bytes as an unbroken one. When all
+ * legs are whole, run_summary.json takes the place of the journal: versions,
+ * inputs with their SHA-256, options, counts and files of every leg, and apart
+ * from these what the host adds, the timings.
  *
  * Events: StartEvent, ProgressEvent (while loading and after every block; the
  * data is the progress as a double), EndEvent. Errors and warnings of all
@@ -77,9 +87,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
+   * Set/Get the key of all random numbers. Valid range: [0, 2^62], or -1: that of
+   * the survey, 0 where it has none. Default: -1.
    */
-  vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
+  vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);
   ///@}
 
@@ -145,12 +156,44 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the pulses are written, those that hit nothing, too. Default:
+   * off.
+   */
+  vtkSetMacro(WritePulses, bool);
+  vtkGetMacro(WritePulses, bool);
+  vtkBooleanMacro(WritePulses, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether every channel of a scanner has files of its own. Default:
+   * off.
+   */
+  vtkSetMacro(SplitByChannel, bool);
+  vtkGetMacro(SplitByChannel, bool);
+  vtkBooleanMacro(SplitByChannel, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get whether the files of an earlier run are replaced; without it they
    * are kept, and the run is refused. Default: off.
    */
   vtkSetMacro(Overwrite, bool);
   vtkGetMacro(Overwrite, bool);
   vtkBooleanMacro(Overwrite, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the earlier run in the folder is gone on with after its last
+   * block: with the inputs and settings that it had, else it is an error that
+   * says what has changed. Where it was finished nothing is done. Excludes
+   * Overwrite. Default: off.
+   */
+  vtkSetMacro(Resume, bool);
+  vtkGetMacro(Resume, bool);
+  vtkBooleanMacro(Resume, bool);
   ///@}
 
   ///@{
@@ -169,6 +212,13 @@ public:
   bool Run();
 
   /**
+   * Loads the survey, runs samples of all its legs and reckons from them what
+   * Run() would take and give; GetReport() has it. Writes nothing. Returns false
+   * after an error and after Abort().
+   */
+  bool Estimate();
+
+  /**
    * Ends the run after the block at work; may be called from any thread and from
    * observers.
    */
@@ -184,6 +234,17 @@ public:
   int GetNumberOfLegs() const;
   std::string GetMessage() const { return this->Message; }
   ///@}
+
+  /**
+   * What the last Run() wrote to run_summary.json, or what the last Estimate()
+   * came to: JSON. Empty before, and after a failure.
+   */
+  std::string GetReport() const { return this->Report; }
+
+  /**
+   * Whether Run() has found a run that was finished already, and done nothing.
+   */
+  vtkGetMacro(WasFinished, bool);
 
   ///@{
   /**
@@ -231,10 +292,14 @@ private:
   double RangeTolerance = 0.0;
   double EnergyTolerance = 0.0;
   int NumberOfSubRays = 0;
-  vtkIdType Seed = 0;
+  vtkIdType Seed = -1;
   bool Noise = true;
   bool WriteWaveforms = false;
+  bool WritePulses = false;
+  bool SplitByChannel = false;
   bool Overwrite = false;
+  bool Resume = false;
+  bool WasFinished = false;
   vtkIdType PulsesPerBlock = 262144;
 
   std::atomic<bool> AbortRequested{ false };
@@ -251,6 +316,10 @@ private:
   vtkIdType NumberOfSubRaysTraced = 0;
   std::string Sampling;
   std::string Message;
+  std::string Report;
+
+  void Reset();
+  bool Attempt(bool (Internals::*work)());
 };
 
 #endif

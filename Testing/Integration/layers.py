@@ -27,6 +27,8 @@ LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 HOMES = {
     r"embree3/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
+    r"json/": "ScannerSurvey",
+    r"openssl/": "FiltersIO",
     r"Random123/": "FiltersCore",
     r"pcl/": "FiltersPCL",
     r"(unsupported/)?Eigen/": "ScannerDetectors",

@@ -16,8 +16,9 @@ class Messages:
     nobody listens to ends.
     """
 
-    def __init__(self, quiet=False):
+    def __init__(self, quiet=False, results=True):
         self.quiet = quiet
+        self.results = results and not quiet  # whether info() prints
         self.errors = 0
         self.last = None
         self.write_error = lambda text: print(text, file=sys.stderr, flush=True)
@@ -58,5 +59,5 @@ class Messages:
             self.write_error(f"warning: {text}")
 
     def info(self, text):
-        if not self.quiet:
+        if self.results:
             print(text, flush=True)

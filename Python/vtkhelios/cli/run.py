@@ -3,10 +3,10 @@
 """vtkhelios run: runs a survey and writes the echoes."""
 
 import argparse
+import json
 import os
 import pathlib
 import sys
-import time
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
@@ -15,6 +15,7 @@ import vtkhelios
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
+from ._report import estimate_lines, summary_lines
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
@@ -26,8 +27,24 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse a line, pulse, origin x y z,
                           direction x y z, first and last time [ns, two-way], GPS time [s],
                           samples [nW]
+  legNNN_pulse.txt        the pulses, with --pulses: one a line, origin x y z, direction x y z,
+                          time [ns], pulse, channel
+Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
 With --format vtp: legNNN_points.pvtp and legNNN_fullwave.pvtt, with their pieces beside them.
+  run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
+                          leg, timings
 While a run writes, files end in .part; they hold whole lines at any moment.
+
+how a run survives:
+  run.journal, beside the files, says what is safe on the disk. A run that was killed, stopped by
+  Ctrl-C, or ended by a full disk goes on after its last block with the same command and --resume;
+  its files are then the same, byte for byte, as those of a run that was never broken. What it
+  read and was told (files, seed, format, sampling) must be the same, too; an error says what is
+  not. A run that is finished stays as it is. Docs/running.md has the whole of it.
+
+how long it will take:
+  --dry-run loads the scene, runs a tenth of the pulses or less, here and there on every leg, and
+  says what the whole would take and give. It writes nothing. --json prints it as JSON.
 
 how the beam is sampled:
   A survey that gives beamSampleQuality has that many circles of sub-rays, always. Without it
@@ -47,18 +64,22 @@ examples:
   vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
   vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
+  vtkhelios run survey.xml --dry-run                     minutes, points and bytes beforehand
+  vtkhelios run survey.xml --resume                      go on with a run that was broken off
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
-2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid).
+2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid; --resume goes on).
 """
 
 
-def whole_number(highest):
-    """An argparse type: an integer from 0 to highest."""
+def whole_number(highest, lowest=0):
+    """An argparse type: an integer from lowest to highest."""
 
     def parse(text):
-        if not text.isascii() or not text.isdigit() or int(text) > highest:
-            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 to {highest}")
+        if not text.isascii() or not text.isdigit() or not lowest <= int(text) <= highest:
+            raise argparse.ArgumentTypeError(
+                f"{text!r} is not a whole number from {lowest} to {highest}"
+            )
         return int(text)
 
     return parse
@@ -106,10 +127,11 @@ def add_arguments(parser):
         default="output",
         help="where the files go (default: %(default)s)",
     )
+    add_earlier_run_arguments(parser)
     parser.add_argument(
-        "--overwrite",
+        "--dry-run",
         action="store_true",
-        help="replace the files of an earlier run; without it they are kept and the run refused",
+        help="say what the run would take and give, from samples of it, and write nothing",
     )
     parser.add_argument(
         "--format",
@@ -120,14 +142,21 @@ def add_arguments(parser):
     parser.add_argument(
         "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"
     )
+    parser.add_argument(
+        "--pulses", action="store_true", help="write the pulses, too, those that hit nothing as well"
+    )
+    parser.add_argument(
+        "--split-by-channel",
+        action="store_true",
+        help="a file for every channel of a scanner: legNNN_points_dev<channel>.xyz",
+    )
     add_sampling_arguments(parser)
     parser.add_argument(
         "--seed",
         metavar="N",
         type=whole_number(2**62),
-        default=0,
         help="the key of all random numbers: the same seed gives the same bytes, "
-        "for any number of threads (default: %(default)s)",
+        "for any number of threads (default: the survey's, else 0)",
     )
     parser.add_argument(
         "--no-noise", action="store_true", help="ranges without the scanner's noise"
@@ -146,7 +175,32 @@ def add_arguments(parser):
         help="how rays are cast: %(choices)s (default: the survey's rayCaster, else the first); "
         "the points are the same (obbtree: nearly); Docs/ray-casters.md says what each costs",
     )
+    parser.add_argument(
+        "--pulses-per-block",
+        metavar="N",
+        type=whole_number(2**24, lowest=1),
+        default=262144,
+        help="how many pulses are computed and written at a time: fewer take less memory and are "
+        "lost where a run is killed, more are faster; the points are the same (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--json", action="store_true", help="print what a run did, or --dry-run found, as JSON"
+    )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def add_earlier_run_arguments(parser):
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        "--overwrite",
+        action="store_true",
+        help="replace the files of an earlier run; without it they are kept and the run refused",
+    )
+    group.add_argument(
+        "--resume",
+        action="store_true",
+        help="go on with an earlier run that was killed, interrupted or has failed",
+    )
 
 
 def add_sampling_arguments(parser):
@@ -190,7 +244,7 @@ def run(arguments):
             file=sys.stderr,
         )
         return 2
-    with Messages(quiet=arguments.quiet) as messages:
+    with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         survey = read_survey(arguments, messages)
         if survey is None:
@@ -198,10 +252,8 @@ def run(arguments):
         player = make_player(arguments, survey, messages)
         progress = make_progress(player, messages, quiet=arguments.quiet)
         with progress, Interrupt(player, messages) as interrupt:
-            start = time.monotonic()
-            succeeded = player.Run()
-            seconds = time.monotonic() - start
-        return conclude(arguments, player, messages, succeeded, interrupt, seconds)
+            succeeded = player.Estimate() if arguments.dry_run else player.Run()
+        return conclude(arguments, player, messages, succeeded, interrupt)
 
 
 def asset_directories(arguments):
@@ -234,76 +286,47 @@ def make_player(arguments, survey, messages):
     player.SetSurvey(survey)
     player.SetOutputDirectory(arguments.output)
     player.SetOverwrite(arguments.overwrite)
+    player.SetResume(arguments.resume)
+    player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)
+    player.SetWritePulses(arguments.pulses)
+    player.SetSplitByChannel(arguments.split_by_channel)
     player.SetRangeTolerance(arguments.range_tolerance)
     player.SetEnergyTolerance(arguments.energy_tolerance)
     player.SetNumberOfSubRays(arguments.sub_rays)
     player.SetEchoDetector(arguments.detector)
-    player.SetSeed(arguments.seed)
+    seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
+    player.SetSeed(seed)
     player.SetNoise(not arguments.no_noise)
     player.SetRayCaster(arguments.ray_caster)
     messages.info(
-        f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
+        f"survey   {survey.GetName()} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
 
 
-def conclude(arguments, player, messages, succeeded, interrupt, seconds):
+def conclude(arguments, player, messages, succeeded, interrupt):
     """Says how the run ended and returns the exit code."""
     folder = pathlib.Path(arguments.output) / player.GetSurvey().GetName()
     if interrupt.signal and not succeeded:
         points = player.GetNumberOfEchoes()
-        kept = f"the {points:,} points so far are kept in {folder}" if points else "no points yet"
+        kept = (
+            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
+            if points
+            else "no points yet"
+        )
         messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
         return 128 + interrupt.signal
     if not succeeded:
         messages.error_unless_told(player.GetMessage())
         return 1
-    summarise(player, folder, messages, seconds)
+    report = json.loads(player.GetReport())
+    if arguments.json:
+        print(json.dumps(report, indent=2))
+    if player.GetWasFinished():
+        messages.info(player.GetMessage())
+    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
+        messages.info(line)
     return 0
-
-
-def summarise(player, folder, messages, seconds):
-    pulses, points = player.GetNumberOfPulsesFired(), player.GetNumberOfEchoes()
-    threads = vtkSMPTools.GetEstimatedNumberOfThreads()
-    messages.info(f"sub-rays {player.GetSampling()}")
-    messages.info(f"pulses   {pulses:,}: {describe_paths(player)}")
-    messages.info(f"points   {points:,} ({player.GetNumberOfFirstReturns():,} first returns)")
-    messages.info(
-        f"time     {seconds:.2f} s with {threads} thread{'s'[:threads != 1]}: "
-        f"{pulses / seconds / 1e6:.2f} M pulses/s, {points / seconds / 1e6:.2f} M points/s"
-    )
-    files = sorted(path for path in folder.iterdir() if path.is_file())
-    for index, path in enumerate(files[:MAXIMUM_FILES]):
-        messages.info(
-            f"{'files   ' if index == 0 else '        '} {path} ({readable(path.stat().st_size)})"
-        )
-    if len(files) > MAXIMUM_FILES:
-        messages.info(f"         and {len(files) - MAXIMUM_FILES} more in {folder}")
-
-
-def describe_paths(player):
-    """Which way the pulses went, and what they cost."""
-    pulses = max(1, player.GetNumberOfPulsesFired())
-    ways = {
-        "on one plane": player.GetNumberOfPulsesOnPlane(),
-        "without bins": player.GetNumberOfPulsesWithoutBins(),
-        "binned": player.GetNumberOfPulsesBinned(),
-    }
-    ways["met nothing"] = pulses - sum(ways.values())
-    said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
-    return f"{said}; {player.GetNumberOfSubRaysTraced() / pulses:.1f} rays a pulse"
-
-
-MAXIMUM_FILES = 12
-
-
-def readable(size):
-    """A number of bytes for people: 1.2 MB."""
-    for unit in ("B", "kB", "MB", "GB"):
-        if size < 1000:
-            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
-        size /= 1000
-    return f"{size:.1f} TB"

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run has done, or would do, as text: of the report that the player makes."""
+
+from ._progress import duration
+
+MAXIMUM_LEGS = 20
+MAXIMUM_FILES = 12
+
+COLUMNS = (  # of a table of legs: title, width, text
+    ("leg", 5, lambda leg: str(leg["leg"])),
+    ("start [s]", 12, lambda leg: f"{leg['start_s']:.3f}"),
+    ("lasts [s]", 12, lambda leg: f"{leg['duration_s']:.3f}"),
+    ("pulses", 15, lambda leg: f"{leg['pulses']:,}"),
+    ("fired", 15, lambda leg: f"{leg['pulsesFired']:,}"),
+    ("points", 15, lambda leg: f"{leg['points']:,}"),
+)
+
+
+def summary_lines(report, folder):
+    """A run that is done."""
+    totals, timings = report["totals"], report["timings"]
+    seconds = max(timings["run_s"], 1e-9)
+    threads = timings["threads"]
+    versions = report["versions"]
+    yield (
+        f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
+        f"ray caster {report['rayCaster']}"
+    )
+    yield f"sub-rays {report['sampling']}"
+    if len(report["legs"]) > 1:
+        yield from table_lines(report["legs"], [("time [s]", 10, timings["legs_s"])])
+    yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
+    yield f"points   {totals['points']:,} ({totals['firstReturns']:,} first returns)"
+    yield (
+        f"time     {seconds:.2f} s with {counted(threads, 'thread')}: "
+        f"{totals['pulsesFired'] / seconds / 1e6:.2f} M pulses/s, "
+        f"{totals['points'] / seconds / 1e6:.2f} M points/s; "
+        f"{timings['load_s']:.2f} s to load the scene"
+    )
+    yield from file_lines(report["legs"], folder)
+
+
+def file_lines(legs, folder):
+    """The files of a run, and the summary among them."""
+    files = [(file["name"], file["bytes"]) for leg in legs for file in leg["files"]]
+    lines = [f"{folder / name} ({readable(size)})" for name, size in files[:MAXIMUM_FILES]]
+    if len(files) > MAXIMUM_FILES:
+        lines.append(f"and {len(files) - MAXIMUM_FILES} more in {folder}")
+    lines.append(f"{folder / 'run_summary.json'}")
+    for index, line in enumerate(lines):
+        yield f"{'' if index else 'files':8} {line}"
+
+
+def estimate_lines(report):
+    """A run that there might be."""
+    totals = report["totals"]
+    yield f"sub-rays {report['sampling']}"
+    sizes = [readable(leg["bytes"]) for leg in report["legs"]]
+    yield from table_lines(report["legs"], [("bytes", 12, sizes)])
+    share = totals["pulsesSampled"] / max(1, totals["pulses"])
+    yield f"legs     {len(report['legs'])}, {totals['duration_s']:.3f} s"
+    yield f"pulses   {totals['pulses']:,}, of which {totals['pulsesFired']:,} leave the scanner"
+    yield f"points   {totals['points']:,}"
+    yield f"files    {readable(totals['bytes'])}"
+    yield f"memory   {readable(report['memory_bytes'])}"
+    yield (
+        f"time     {duration(report['load_s'] + report['run_s'])} "
+        f"({(report['load_s'] + report['run_s']) / 60:.2f} minutes) "
+        f"with {counted(report['threads'], 'thread')}"
+    )
+    yield f"         reckoned from {100 * share:.0f} % of the pulses; nothing was written"
+
+
+def table_lines(legs, more):
+    """The legs, one a line; more columns are (title, width, a value a leg)."""
+    yield "legs    " + "".join(
+        f"{title:>{width}}" for title, width, _ in [*COLUMNS, *more]
+    ).removeprefix("  ")
+    for index, leg in enumerate(legs[:MAXIMUM_LEGS]):
+        cells = [f"{text(leg):>{width}}" for _, width, text in COLUMNS]
+        for _, width, values in more:
+            value = values[index]
+            cells.append(f"{value if isinstance(value, str) else f'{value:.2f}':>{width}}")
+        yield "        " + "".join(cells).removeprefix("  ")
+    if len(legs) > MAXIMUM_LEGS:
+        yield f"         and {len(legs) - MAXIMUM_LEGS} more"
+
+
+def describe_paths(totals):
+    """Which way the pulses went, and what they cost."""
+    pulses = max(1, totals["pulsesFired"])
+    ways = {
+        "on one plane": totals["pulsesOnPlane"],
+        "without bins": totals["pulsesWithoutBins"],
+        "binned": totals["pulsesBinned"],
+    }
+    ways["met nothing"] = pulses - sum(ways.values())
+    said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
+    return f"{said}; {totals['subRays'] / pulses:.1f} rays a pulse"
+
+
+def counted(number, what):
+    """1 thread, 2 threads."""
+    return f"{number} {what}{'s'[: number != 1]}"
+
+
+def readable(size):
+    """A number of bytes for people: 1.2 MB."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if size < 1000:
+            return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"
+        size /= 1000
+    return f"{size:.1f} TB"

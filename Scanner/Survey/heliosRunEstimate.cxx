@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRunEstimate.h"
+
+#include "vtkHeliosStreamWriter.h"
+
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+#include <vtksys/SystemInformation.hxx>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+// Samples: a tenth of the run, but enough to tell and few enough to be quick [pulses].
+constexpr double SampledShare = 0.1;
+constexpr double FewestPulses = 262144.0;
+constexpr double MostPulses = 2097152.0;
+constexpr double PulsesPerWindow = 16384.0;
+constexpr double FewestWindows = 8.0; // of a leg
+constexpr double GoldenRatio = 0.6180339887498949;
+constexpr double BytesPerKibibyte = 1024.0;
+constexpr vtkIdType TrajectorySamples = 4096;
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The bytes that a writer would have written.
+double CountBytes(vtkHeliosStreamWriter* writer)
+{
+  const auto size = static_cast<double>(writer->GetFileSize());
+  const auto bytes = static_cast<double>(writer->GetNumberOfBytes());
+  return size == bytes ? size : size + bytes; // an index and its pieces
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+RunEstimate::RunEstimate(LegRunner& runner, const RunSettings& settings, double loadSeconds)
+  : Runner(runner)
+  , Settings(settings)
+  , LoadSeconds(loadSeconds)
+{
+}
+
+//------------------------------------------------------------------------------
+bool RunEstimate::Make(const std::function<bool(double)>& onStep)
+{
+  const std::vector<LegPlan>& plans = this->Runner.GetPlans();
+  for (std::size_t i = 0; i < plans.size(); ++i)
+  {
+    if (!onStep(static_cast<double>(i) / static_cast<double>(plans.size())) ||
+      !this->Sample(plans[i], this->ChooseWindows(plans[i])))
+    {
+      return false;
+    }
+  }
+  return onStep(1.0);
+}
+
+//------------------------------------------------------------------------------
+RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
+{
+  const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
+  const auto pulses = static_cast<double>(plan.NumberOfPulses);
+  if (pulses == 0.0)
+  {
+    return {};
+  }
+  const double frequency = pulses / plan.Duration;
+  const double lines = this->Runner.GetSurvey().Legs[plan.Leg].Scans.front().ScanFrequency;
+  // Whole lines: some of a line's pulses may not leave.
+  const double length = lines > 0.0
+    ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
+    : PulsesPerWindow / frequency;
+  const double budget = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
+  const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
+  const double stratum = plan.Duration / count;
+  if (2.0 * length > stratum)
+  {
+    return { { plan.StartTime - 1.0, plan.StartTime + plan.Duration + 1.0 } };
+  }
+  Windows windows;
+  for (double i = 0.0; i < count; ++i)
+  {
+    const double place = (i + 1.0) * GoldenRatio;
+    const double start =
+      plan.StartTime + i * stratum + (place - std::floor(place)) * (stratum - length);
+    windows.emplace_back(start, start + length);
+  }
+  return windows;
+}
+
+//------------------------------------------------------------------------------
+bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
+{
+  LegScanner& scanner = this->Runner.Prepare(plan);
+  const LegRunner::Outputs outputs = this->Runner.MakeOutputs(plan);
+  bool good = true;
+  for (const LegOutput& output : outputs)
+  {
+    this->Runner.Listen(output.Writer);
+    output.Writer->CountOnlyOn();
+    good = output.Writer->Open() && good;
+  }
+  if (this->Samples.empty() && !windows.empty())
+  {
+    Sums ignored; // the first window pays for the ray caster's tree
+    const double start = Now();
+    good = good && this->SampleWindow({ windows[0].first, windows[0].first }, scanner, {}, ignored);
+    this->LoadSeconds += Now() - start;
+  }
+  Sums sums;
+  for (std::size_t i = 0; i < windows.size() && good; ++i)
+  {
+    good = this->SampleWindow(windows[i], scanner, outputs, sums);
+  }
+  for (const LegOutput& output : outputs)
+  {
+    good = good && output.Writer->Close();
+    sums.Bytes += CountBytes(output.Writer);
+  }
+  this->Samples.push_back(sums);
+  this->Legs.push_back(this->Scale(plan, sums));
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool RunEstimate::SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
+  const LegRunner::Outputs& outputs, Sums& sums)
+{
+  const double start = Now();
+  scanner.SetTimeWindow(window.first, window.second);
+  if (!scanner.Update(0, 1) || !this->Runner.Write(outputs))
+  {
+    return false;
+  }
+  RunCounts counts;
+  scanner.Count(counts);
+  sums.Seconds += Now() - start;
+  sums.Memory += scanner.GetMemorySize();
+  sums.Pulses += static_cast<double>(scanner.CountPulses());
+  sums.Fired += static_cast<double>(counts.PulsesFired);
+  sums.Echoes += static_cast<double>(counts.Echoes);
+  return !this->Runner.HasError();
+}
+
+//------------------------------------------------------------------------------
+RunEstimate::Sums RunEstimate::Scale(const LegPlan& plan, const Sums& sampled) const
+{
+  const auto pulses = static_cast<double>(plan.NumberOfPulses);
+  const double factor = sampled.Pulses > 0.0 ? pulses / sampled.Pulses : 0.0;
+  Sums leg;
+  leg.Pulses = pulses;
+  leg.Fired = factor * sampled.Fired;
+  leg.Echoes = factor * sampled.Echoes;
+  leg.Bytes = factor * sampled.Bytes + this->CountTrajectoryBytes(plan);
+  leg.Memory = factor * sampled.Memory;
+  leg.Seconds = factor * sampled.Seconds;
+  return leg;
+}
+
+//------------------------------------------------------------------------------
+double RunEstimate::CountTrajectoryBytes(const LegPlan& plan) const
+{
+  const TrajectorySampler sampler(
+    plan, this->Runner.GetSurvey().Legs[plan.Leg].TrajectoryTimeInterval);
+  const auto writer = this->Runner.MakeTrajectoryWriter(plan);
+  writer->CountOnlyOn();
+  const vtkIdType count = std::min(TrajectorySamples, sampler.GetNumberOfSamples());
+  const bool good =
+    writer->Open() && writer->Write(sampler.GetSamples(0, count)) && writer->Close();
+  return good ? CountBytes(writer) * static_cast<double>(sampler.GetNumberOfSamples()) /
+      static_cast<double>(count)
+              : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double RunEstimate::GuessMemory(const Sums& totals) const
+{
+  // A block's outputs are there once in the parts of threads and once joined.
+  vtksys::SystemInformation system;
+  const double now = BytesPerKibibyte * static_cast<double>(system.GetProcMemoryUsed());
+  const double block = std::min(static_cast<double>(this->Settings.PulsesPerBlock), totals.Pulses);
+  return now + 2.0 * block * totals.Memory / std::max(1.0, totals.Pulses);
+}
+
+//------------------------------------------------------------------------------
+Json::Value RunEstimate::Describe() const
+{
+  Json::Value report;
+  report["survey"] = this->Runner.GetSurvey().Name;
+  report["rayCaster"] = this->Runner.GetRayCasterName();
+  report["sampling"] = this->Runner.DescribeSampling();
+  report["threads"] = vtkSMPTools::GetEstimatedNumberOfThreads();
+  report["legs"] = Json::arrayValue;
+  Sums totals;
+  double sampled = 0.0;
+  double duration = 0.0;
+  const auto whole = [](double value) { return Json::Int64(std::llround(value)); };
+  const auto describe = [&whole](const Sums& sums, double pulses, double seconds)
+  {
+    Json::Value value;
+    value["duration_s"] = seconds;
+    value["pulses"] = whole(sums.Pulses);
+    value["pulsesSampled"] = whole(pulses);
+    value["pulsesFired"] = whole(sums.Fired);
+    value["points"] = whole(sums.Echoes);
+    value["bytes"] = whole(sums.Bytes);
+    return value;
+  };
+  for (std::size_t i = 0; i < this->Legs.size(); ++i)
+  {
+    const LegPlan& plan = this->Runner.GetPlans()[i];
+    const Sums& leg = this->Legs[i];
+    Json::Value& value =
+      report["legs"].append(describe(leg, this->Samples[i].Pulses, plan.Duration));
+    value["leg"] = Json::UInt(plan.Leg);
+    value["start_s"] = plan.StartTime;
+    totals.Pulses += leg.Pulses;
+    totals.Fired += leg.Fired;
+    totals.Echoes += leg.Echoes;
+    totals.Bytes += leg.Bytes;
+    totals.Memory += leg.Memory;
+    totals.Seconds += leg.Seconds;
+    sampled += this->Samples[i].Pulses;
+    duration += plan.Duration;
+  }
+  report["totals"] = describe(totals, sampled, duration);
+  report["memory_bytes"] = whole(this->GuessMemory(totals));
+  report["load_s"] = this->LoadSeconds;
+  report["run_s"] = totals.Seconds;
+  return report;
+}
+
+} // namespace helios

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run would take and give, from samples of its legs.
+
+#ifndef heliosRunEstimate_h
+#define heliosRunEstimate_h
+
+#include "heliosLegRunner.h"
+
+#include <json/value.h>
+
+#include <functional>
+#include <vector>
+
+namespace helios
+{
+
+/**
+ * Short time windows of every leg, one at a pseudo-random place in each of its equal parts and each
+ * of whole scan lines, are computed and formatted as the run would, and counted instead of written;
+ * a leg's sums are its samples' times its pulses over theirs. A leg that is not much longer than its
+ * samples is computed as a whole.
+ */
+class RunEstimate
+{
+public:
+  RunEstimate(LegRunner& runner, const RunSettings& settings, double loadSeconds);
+
+  /// Computes the samples. onStep takes the share that is done; false ends it. False, too, after an
+  /// error.
+  bool Make(const std::function<bool(double share)>& onStep);
+
+  /// "legs" with pulses, points and bytes; "totals"; of this host "memory_bytes", "load_s", "run_s".
+  Json::Value Describe() const;
+
+private:
+  struct Sums
+  {
+    double Pulses = 0.0;
+    double Fired = 0.0;
+    double Echoes = 0.0;
+    double Bytes = 0.0;
+    double Memory = 0.0; // of the outputs [bytes]
+    double Seconds = 0.0;
+  };
+  using Windows = std::vector<std::pair<double, double>>;
+
+  Windows ChooseWindows(const LegPlan& plan) const;
+  bool Sample(const LegPlan& plan, const Windows& windows);
+  bool SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
+    const LegRunner::Outputs& outputs, Sums& sums);
+  double CountTrajectoryBytes(const LegPlan& plan) const;
+  Sums Scale(const LegPlan& plan, const Sums& sampled) const;
+  double GuessMemory(const Sums& totals) const;
+
+  LegRunner& Runner;
+  const RunSettings& Settings;
+  double LoadSeconds;
+  std::vector<Sums> Samples; // of each leg
+  std::vector<Sums> Legs;    // what they come to
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRunFingerprint.h"
+
+#include "heliosMessages.h"
+#include "heliosRunJournal.h"
+#include "heliosRunSettings.h"
+#include "heliosSha256.h"
+#include "heliosSurveyData.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosVersion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkVersion.h>
+
+#include <filesystem>
+#include <set>
+
+namespace helios
+{
+
+namespace
+{
+
+/// All files that a survey names, each once. Who teaches the survey a new one adds it here.
+std::set<std::string> GetInputFiles(const SurveyData& survey)
+{
+  std::set<std::string> files(survey.Documents.begin(), survey.Documents.end());
+  for (const PartData& part : survey.Scene.Parts)
+  {
+    files.insert(part.Files.begin(), part.Files.end());
+    files.insert(part.Material.File);
+    files.insert(part.Vegetation.LeafTable);
+  }
+  files.insert(survey.FileName);
+  for (const ScannerData& scanner : survey.Scanners)
+  {
+    for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
+    {
+      files.insert(scanner.GetChannel(k).Receiver.PulseFile);
+    }
+  }
+  for (const LegData& leg : survey.Legs)
+  {
+    files.insert(leg.Trajectory.File);
+  }
+  files.erase("");
+  return files;
+}
+
+Json::Value DescribeInputs(const SurveyData& survey)
+{
+  Json::Value inputs = Json::arrayValue;
+  for (const std::string& file : GetInputFiles(survey))
+  {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file, error);
+    Json::Value& input = inputs.append(Json::objectValue);
+    input["file"] = file;
+    input["sha256"] = HashFile(file);
+    input["bytes"] = error ? Json::Int64(0) : Json::Int64(size);
+  }
+  return inputs;
+}
+
+Json::Value DescribeOptions(const RunSettings& settings)
+{
+  Json::Value options;
+  options["seed"] = Json::Int64(settings.Seed);
+  options["format"] = settings.Format;
+  options["waveforms"] = settings.Waveforms;
+  options["pulses"] = settings.Pulses;
+  options["splitByChannel"] = settings.SplitByChannel;
+  options["noise"] = settings.Receiver.Noise;
+  options["rangeTolerance_m"] = settings.Receiver.RangeTolerance;
+  options["energyTolerance"] = settings.Receiver.EnergyTolerance;
+  options["subRays"] = settings.Receiver.NumberOfSubRays;
+  options["detector"] = settings.Receiver.EchoDetector;
+  options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
+  options["rayCaster"] = settings.RayCaster ? settings.RayCaster->GetName() : "";
+  return options;
+}
+
+void AddArray(vtkAbstractArray* array, Sha256& hash)
+{
+  if (!array)
+  {
+    return;
+  }
+  hash.Add(array->GetName() ? array->GetName() : "");
+  hash.Add(array->GetDataTypeAsString());
+  if (auto* texts = vtkStringArray::SafeDownCast(array))
+  {
+    for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+    {
+      hash.Add(texts->GetValue(i) + '\n');
+    }
+  }
+  else if (vtkDataArray::SafeDownCast(array) && array->GetNumberOfValues() > 0)
+  {
+    const auto size = array->GetNumberOfValues() * array->GetDataTypeSize();
+    hash.Add(array->GetVoidPointer(0), static_cast<std::size_t>(size));
+  }
+}
+
+void AddArrays(vtkFieldData* data, Sha256& hash)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    AddArray(data->GetAbstractArray(i), hash);
+  }
+}
+
+/// The digests of the inputs of a fingerprint with the names of their files.
+std::map<std::string, std::string> GetDigests(const Json::Value& fingerprint)
+{
+  std::map<std::string, std::string> digests;
+  for (const Json::Value& input : fingerprint["inputs"])
+  {
+    digests[input["sha256"].asString()] = input["file"].asString();
+  }
+  return digests;
+}
+
+/// A value as it would be typed.
+std::string Quote(const Json::Value& value)
+{
+  return value.isNull() ? "unknown" : ToLine(value);
+}
+
+void CompareMembers(
+  const Json::Value& then, const Json::Value& now, std::vector<std::string>& differences)
+{
+  for (const std::string& name : now.getMemberNames())
+  {
+    // doubles are compared as they are written
+    if (Quote(then[name]) != Quote(now[name]))
+    {
+      differences.push_back(name + " was " + Quote(then[name]) + " and is " + Quote(now[name]));
+    }
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& settings)
+{
+  Json::Value fingerprint;
+  fingerprint["versions"]["vtkHelios"] = vtkHeliosVersion::GetVersion();
+  fingerprint["versions"]["VTK"] = vtkVersion::GetVTKVersion();
+  fingerprint["survey"] = survey.Name;
+  fingerprint["inputs"] = DescribeInputs(survey);
+  fingerprint["options"] = DescribeOptions(settings);
+  fingerprint["scene"] = "";
+  return fingerprint;
+}
+
+//------------------------------------------------------------------------------
+std::string HashScene(vtkPolyData* scene)
+{
+  Sha256 hash;
+  AddArray(scene->GetPoints() ? scene->GetPoints()->GetData() : nullptr, hash);
+  AddArray(scene->GetPolys()->GetOffsetsArray(), hash);
+  AddArray(scene->GetPolys()->GetConnectivityArray(), hash);
+  AddArrays(scene->GetPointData(), hash);
+  AddArrays(scene->GetCellData(), hash);
+  AddArrays(scene->GetFieldData(), hash);
+  return hash.Finish();
+}
+
+//------------------------------------------------------------------------------
+std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
+{
+  std::vector<std::string> differences;
+  const auto before = GetDigests(then);
+  const auto after = GetDigests(now);
+  for (const auto& input : after)
+  {
+    if (before.count(input.first) == 0)
+    {
+      differences.push_back(input.second + " has changed or is new");
+    }
+  }
+  for (const auto& input : before)
+  {
+    if (after.count(input.first) == 0 && after.size() < before.size())
+    {
+      differences.push_back(input.second + " is read no more");
+    }
+  }
+  CompareMembers(then["versions"], now["versions"], differences);
+  CompareMembers(then["options"], now["options"], differences);
+  const std::string scene = now["scene"].asString();
+  if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)
+  {
+    differences.emplace_back(
+      "the scene has changed, by a file that its files name (materials, spectra)");
+  }
+  return Enumerate(differences);
+}
+
+} // namespace helios

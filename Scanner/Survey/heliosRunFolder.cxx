@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRunFolder.h"
+
+#include "heliosLegRunner.h"
+#include "heliosRunJournal.h"
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+namespace helios
+{
+namespace fs = std::filesystem;
+
+//------------------------------------------------------------------------------
+RunFolder::RunFolder(const std::string& path)
+  : Path(path)
+{
+}
+
+//------------------------------------------------------------------------------
+bool RunFolder::Exists() const
+{
+  std::error_code ignored;
+  return fs::is_directory(this->Path, ignored);
+}
+
+//------------------------------------------------------------------------------
+bool RunFolder::HasSummary() const
+{
+  std::error_code ignored;
+  return fs::exists(this->Path / RunFolder::GetSummaryName(), ignored);
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::Prepare(bool overwrite, bool resume) const
+{
+  if (overwrite && resume)
+  {
+    return "Resume and Overwrite are both on (--resume, --overwrite), and one goes on with what the "
+           "other removes; set one of them";
+  }
+  const std::string problem = this->Make();
+  return problem.empty() ? this->CheckEarlierRun(overwrite, resume) : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::Make() const
+{
+  std::error_code problem;
+  fs::create_directories(this->Path, problem);
+  return problem || !this->Exists()
+    ? this->Path.string() + ": the output folder cannot be made: " +
+      (problem ? problem.message() : "there is a file of that name") +
+      "; give another OutputDirectory"
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
+{
+  const std::string folder = this->Path.string();
+  const bool isUnfinished = RunJournal(folder).Exists();
+  const bool hasFiles = isUnfinished || this->HasSummary() || !this->FindFiles().empty();
+  if (resume)
+  {
+    if (isUnfinished || this->HasSummary())
+    {
+      return {};
+    }
+    return hasFiles ? folder + ": has no " + RunJournal::GetName() +
+        ", and what it holds cannot be gone on with; set Overwrite (--overwrite) to replace it, or "
+        "give another OutputDirectory"
+                    : folder + ": has no " + RunJournal::GetName() +
+        ", so there is nothing to resume; run it without Resume (--resume)";
+  }
+  if (overwrite || !hasFiles)
+  {
+    return {};
+  }
+  return folder + ": holds the files of an earlier run, which are kept; " +
+    (isUnfinished ? "it is not finished: set Resume (--resume) to go on, " : "") +
+    "set Overwrite (--overwrite) to replace them, or give another OutputDirectory";
+}
+
+//------------------------------------------------------------------------------
+std::vector<fs::path> RunFolder::FindFiles() const
+{
+  const std::regex pattern(LegRunner::GetFilePattern());
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  fs::directory_iterator entry(this->Path, ignored);
+  for (; entry != fs::directory_iterator(); entry.increment(ignored))
+  {
+    if (std::regex_match(entry->path().filename().string(), pattern))
+    {
+      files.push_back(entry->path());
+    }
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::Clear() const
+{
+  const fs::path journal = RunJournal(this->Path.string()).GetPath();
+  LogFile lock;
+  if (fs::exists(journal) && !lock.Open(journal.string()))
+  {
+    return lock.GetProblem() + "; let it end, or give another OutputDirectory";
+  }
+  // What says that files are whole goes before the files.
+  std::vector<fs::path> files = { this->Path / RunFolder::GetSummaryName(), journal };
+  const std::vector<fs::path> found = this->FindFiles();
+  files.insert(files.end(), found.begin(), found.end());
+  for (const fs::path& file : files)
+  {
+    std::error_code problem;
+    fs::remove_all(file, problem);
+    if (problem)
+    {
+      return file.string() + ": cannot be replaced: " + problem.message() +
+        "; give another OutputDirectory";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::ReadSummary(Json::Value& summary) const
+{
+  const fs::path path = this->Path / RunFolder::GetSummaryName();
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  return FromText(text, summary)
+    ? std::string()
+    : path.string() + " is damaged; set Overwrite (--overwrite) to run anew";
+}
+
+//------------------------------------------------------------------------------
+std::string RunFolder::WriteSummary(const Json::Value& summary) const
+{
+  return WriteWhole((this->Path / RunFolder::GetSummaryName()).string(), ToText(summary));
+}
+
+} // namespace helios

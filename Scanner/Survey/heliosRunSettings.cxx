@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRunSettings.h"
+
+#include "heliosMessages.h"
+#include "heliosSurveyData.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveyPlayer.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace helios
+{
+
+namespace
+{
+
+std::string TextOf(const char* text)
+{
+  return text ? text : "";
+}
+
+bool IsToleranceOrZero(double tolerance, double least)
+{
+  return tolerance == 0.0 || (tolerance >= least && tolerance <= 1.0);
+}
+
+//------------------------------------------------------------------------------
+std::string TakeReceiver(vtkHeliosSurveyPlayer* player, ReceiverChoice& choice)
+{
+  choice.Noise = player->GetNoise();
+  choice.RangeTolerance = player->GetRangeTolerance();
+  choice.EnergyTolerance = player->GetEnergyTolerance();
+  choice.NumberOfSubRays = player->GetNumberOfSubRays();
+  choice.EchoDetector = TextOf(player->GetEchoDetector());
+  Sentence fault;
+  if (!IsToleranceOrZero(choice.RangeTolerance, 1e-6))
+  {
+    fault << "RangeTolerance is " << choice.RangeTolerance
+          << "; give 0.000001 to 1 m, or 0: as the survey says";
+  }
+  else if (!IsToleranceOrZero(choice.EnergyTolerance, 1e-4))
+  {
+    fault << "EnergyTolerance is " << choice.EnergyTolerance
+          << "; give 0.0001 to 1, or 0: as the survey says";
+  }
+  else if (choice.NumberOfSubRays > 0 &&
+    (choice.RangeTolerance > 0.0 || choice.EnergyTolerance > 0.0))
+  {
+    fault << "NumberOfSubRays is " << choice.NumberOfSubRays
+          << " beside a tolerance, which would choose it; set one of them to 0";
+  }
+  const std::vector<std::string> known = GetEchoDetectorNames();
+  if (!choice.EchoDetector.empty() &&
+    std::find(known.begin(), known.end(), choice.EchoDetector) == known.end())
+  {
+    fault << "EchoDetector is \"" << choice.EchoDetector << "\"; give " << Enumerate(known);
+  }
+  return fault.str();
+}
+
+//------------------------------------------------------------------------------
+std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
+{
+  const SurveyData& survey = player->GetSurvey()->GetData();
+  const std::string given = TextOf(player->GetRayCaster());
+  const std::string name = given.empty() ? survey.RayCaster : given;
+  if (name.empty())
+  {
+    return {};
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  {
+    names.emplace_back(vtkHeliosRayCaster::GetBackendName(i));
+  }
+  if (std::find(names.begin(), names.end(), name) == names.end())
+  {
+    return (given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
+      "\" is not in this build; give one of " + Enumerate(names);
+  }
+  settings.RayCaster =
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
+  return {};
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
+{
+  settings.Format = TextOf(player->GetFormat());
+  if (settings.Format != "xyz" && settings.Format != "vtp")
+  {
+    return "Format is \"" + settings.Format + "\"; give xyz or vtp.";
+  }
+  const std::string output = TextOf(player->GetOutputDirectory());
+  settings.Folder = (std::filesystem::path(output) / player->GetSurvey()->GetName()).string();
+  const vtkIdType own = player->GetSurvey()->GetData().Seed;
+  settings.Seed = std::max<vtkIdType>(0, player->GetSeed() >= 0 ? player->GetSeed() : own);
+  settings.Waveforms = player->GetWriteWaveforms();
+  settings.Pulses = player->GetWritePulses();
+  settings.SplitByChannel = player->GetSplitByChannel();
+  settings.PulsesPerBlock = player->GetPulsesPerBlock();
+  const std::string fault = TakeReceiver(player, settings.Receiver);
+  return fault.empty() ? TakeRayCaster(player, settings) : fault;
+}
+
+} // namespace helios

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a survey is run.
+
+#ifndef heliosRunSettings_h
+#define heliosRunSettings_h
+
+#include "heliosReceiver.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkHeliosRayCaster;
+class vtkHeliosSurveyPlayer;
+class vtkImageData;
+
+namespace helios
+{
+
+struct RunSettings
+{
+  std::string Folder; ///< of the files
+  std::string Format; ///< xyz, vtp
+  vtkIdType Seed = 0;
+  ReceiverChoice Receiver;
+  bool Waveforms = false;
+  bool Pulses = false;
+  bool SplitByChannel = false;
+  vtkIdType PulsesPerBlock = 262144;
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
+};
+
+/// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns
+/// an empty text.
+std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings);
+
+} // namespace helios
+
+#endif
