@@ -29,13 +29,9 @@ Slopes GetSlopes(
   const double sine = std::hypot(turn.GetX(), turn.GetY(), turn.GetZ());
   const double angle = 2.0 * std::atan2(turn.GetW() < 0.0 ? -sine : sine, std::abs(turn.GetW()));
   const double rate = sine > 0.0 ? vtkMath::DegreesFromRadians(angle) / sine / dt : 0.0;
-  Slopes slopes;
-  for (int k = 0; k < 3; ++k)
-  {
-    slopes[static_cast<std::size_t>(k)] = (b.Position[k] - a.Position[k]) / dt;
-    slopes[static_cast<std::size_t>(3 + k)] = rate * turn[1 + k];
-  }
-  return slopes;
+  const Vec3 velocity = (1.0 / dt) * (b.Position - a.Position);
+  return { { velocity[0], velocity[1], velocity[2], rate * turn.GetX(), rate * turn.GetY(),
+    rate * turn.GetZ() } };
 }
 
 } // namespace

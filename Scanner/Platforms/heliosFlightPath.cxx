@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace helios
 {
@@ -114,15 +115,55 @@ private:
     return std::min(this->Waypoints[leg].Speed, this->Machine.GetTopSpeed(direction));
   }
 
-  /// Lays out all legs; where something does not fit, the speeds there are made lower.
+  /// What the layout of a leg depends on.
+  struct Terms
+  {
+    Passing Modes[2];
+    double Speeds[2];
+    Vec3 Before; // the direction that the leg before ends with
+
+    bool operator==(const Terms& b) const
+    {
+      return this->Modes[0] == b.Modes[0] && this->Modes[1] == b.Modes[1] &&
+        this->Speeds[0] == b.Speeds[0] && this->Speeds[1] == b.Speeds[1] &&
+        this->Before == b.Before;
+    }
+  };
+
+  Terms GetTerms(std::size_t leg) const
+  {
+    const FlightCorner& a = this->Path.Corners[leg];
+    const FlightCorner& b = this->Path.Corners[leg + 1];
+    return { { a.Mode, b.Mode }, { a.Speed, b.Speed },
+      leg > 0 ? this->Path.Lines[leg - 1].Direction : Vec3(0.0, 0.0, 0.0) };
+  }
+
+  /// Lays out all legs but those that fit already; where something does not fit, the speeds there are
+  /// made lower.
   bool Fits()
   {
     bool fits = true;
+    this->Laid.resize(this->Path.Lines.size());
     for (std::size_t leg = 0; leg < this->Path.Lines.size(); ++leg)
     {
+      const Terms terms = this->GetTerms(leg);
+      if (this->Laid[leg] == terms)
+      {
+        continue;
+      }
+      if (leg + 1 < this->Laid.size())
+      {
+        this->Laid[leg + 1].reset(); // it starts where this one ends
+      }
       const bool turns = this->LayCorner(leg);
       const bool isLaid = this->LayLine(leg) && turns;
-      fits = isLaid && this->CanChange(leg) && fits;
+      if (isLaid && this->CanChange(leg))
+      {
+        this->Laid[leg] = terms;
+        continue;
+      }
+      this->Laid[leg].reset();
+      fits = false;
     }
     return fits;
   }
@@ -287,6 +328,7 @@ private:
   Copter Machine;
   double Lateral; // [m/s^2]
   FlightPath Path;
+  std::vector<std::optional<Terms>> Laid; // where a leg fits
 };
 
 } // namespace

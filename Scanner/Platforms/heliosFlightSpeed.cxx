@@ -123,6 +123,7 @@ DrivePhase DrivePhase::Ramp(const DriveLimits& limits, double speed, double from
   phase.Rate = to > from ? limits.Rate : -limits.Rate;
   phase.Drag = limits.Drag;
   const int count = 4 + static_cast<int>(phase.Duration / limits.Step);
+  phase.Steps.reserve(static_cast<std::size_t>(count) + 1);
   phase.Steps.push_back({ 0.0, speed });
   for (int i = 0; i < count; ++i)
   {
@@ -159,16 +160,17 @@ DrivePhase::State DrivePhase::At(double t) const
   {
     return { this->Speed * t, this->Speed, drive };
   }
-  Travel travel = QuadraticDrag{ this->Drive, this->Drag }.At(this->Speed, t);
-  if (!this->Steps.empty())
+  if (this->Steps.empty())
   {
-    const std::size_t last = this->Steps.size() - 1;
-    const double step = this->Duration / static_cast<double>(last);
-    const std::size_t i =
-      step > 0.0 ? std::min(last, static_cast<std::size_t>(std::max(0.0, t / step))) : last;
-    const double before = static_cast<double>(i) * step;
-    travel = this->Advance(this->Steps[i], before, t - before);
+    const Travel travel = QuadraticDrag{ this->Drive, this->Drag }.At(this->Speed, t);
+    return { travel.Distance, travel.Speed, drive };
   }
+  const std::size_t last = this->Steps.size() - 1;
+  const double step = this->Duration / static_cast<double>(last);
+  const std::size_t i =
+    step > 0.0 ? std::min(last, static_cast<std::size_t>(std::max(0.0, t / step))) : last;
+  const double before = static_cast<double>(i) * step;
+  const Travel travel = this->Advance(this->Steps[i], before, t - before);
   return { travel.Distance, travel.Speed, drive };
 }
 

@@ -93,7 +93,7 @@ struct BendStyle
 class Planner
 {
 public:
-  Planner(const Steering& steering)
+  explicit Planner(const Steering& steering)
     : Car(steering)
     , Tightest(steering.GetCurvature(steering.MaximumAngle))
   {

@@ -195,26 +195,14 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
 }
 
 //------------------------------------------------------------------------------
-/// The nearest leg before or after one whose records go to the same files; null: none.
-const LegPlan* LegRunner::FindStripLeg(const LegPlan& plan, bool isBefore) const
-{
-  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
-  const LegPlan* found = nullptr;
-  for (const LegPlan& other : this->Plans)
-  {
-    const bool isOfStrip = !strip.empty() && this->Survey.Legs[other.Leg].Strip == strip;
-    if (isOfStrip && (isBefore ? other.Leg < plan.Leg : other.Leg > plan.Leg && !found))
-    {
-      found = &other;
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
+/// Whether no leg after this one writes to its files.
 bool LegRunner::EndsFiles(const LegPlan& plan) const
 {
-  return !this->FindStripLeg(plan, false);
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  return strip.empty() ||
+    std::none_of(this->Plans.begin(), this->Plans.end(),
+      [this, &plan, &strip](const LegPlan& other)
+      { return other.Leg > plan.Leg && this->Survey.Legs[other.Leg].Strip == strip; });
 }
 
 //------------------------------------------------------------------------------
@@ -248,8 +236,7 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
-    const bool isLast = first + SamplesPerBlock >= sampler.GetNumberOfSamples();
-    goesOn = isLast || onBlock(this->Counts); // long ones can be stopped
+    goesOn = first + SamplesPerBlock >= sampler.GetNumberOfSamples() || onBlock(this->Counts);
   }
   if (this->Log.HasError() || !goesOn)
   {
@@ -270,6 +257,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return !this->EndsFiles(plan) || this->CheckFiles(before, journal);
   }
+  this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
   this->Scanner.SetUp(plan);
   const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
@@ -306,7 +294,6 @@ bool LegRunner::RunBlocks(
   }
   const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
-  this->Counts = progress.Blocks > 0 ? progress.Counts : this->Counts;
   const double start = Now() - progress.Seconds;
   // The disk takes a block while the next one is computed; nobody writes meanwhile.
   std::future<std::string> noted;

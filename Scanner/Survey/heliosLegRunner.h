@@ -94,7 +94,6 @@ public:
 private:
   std::string MakeFileName(const LegPlan& plan, const std::string& ending) const;
   void AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const;
-  const LegPlan* FindStripLeg(const LegPlan& plan, bool isBefore) const;
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
   bool OpenAll(const Outputs& outputs, const RunJournal& journal);

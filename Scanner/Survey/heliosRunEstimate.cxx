@@ -22,7 +22,7 @@ namespace
 constexpr double SampledShare = 0.1;
 constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
-constexpr double PulsesPerWindow = 16384.0;
+constexpr double PulsesPerWindow = 8192.0;
 constexpr double FewestWindows = 8.0; // of a leg
 constexpr double GoldenRatio = 0.6180339887498949;
 constexpr double BytesPerKibibyte = 1024.0;
@@ -91,9 +91,10 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
   Windows windows;
   for (double i = 0.0; i < count; ++i)
   {
-    const double place = (i + 1.0) * GoldenRatio;
-    const double start =
-      plan.StartTime + i * stratum + (place - std::floor(place)) * (stratum - length);
+    // About the middle, but not in step with what the scene repeats.
+    const double turns = (i + 1.0) * GoldenRatio;
+    const double place = 0.25 + 0.5 * (turns - std::floor(turns));
+    const double start = plan.StartTime + i * stratum + place * (stratum - length);
     windows.emplace_back(start, start + length);
   }
   return windows;

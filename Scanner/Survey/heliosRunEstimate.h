@@ -16,7 +16,7 @@ namespace helios
 {
 
 /**
- * Short time windows of every leg, one at a pseudo-random place in each of its equal parts and each
+ * Short time windows of every leg, one near the middle of each of its equal parts and each
  * of whole scan lines, are computed and formatted as the run would, and counted instead of written;
  * a leg's sums are its samples' times its pulses over theirs. A leg that is not much longer than its
  * samples is computed as a whole.

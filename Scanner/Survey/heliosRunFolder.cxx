@@ -38,7 +38,8 @@ std::string RunFolder::Prepare(bool overwrite, bool resume) const
 {
   if (overwrite && resume)
   {
-    return "Resume and Overwrite are both on (--resume, --overwrite), and one goes on with what the "
+    return "Resume and Overwrite are both on (--resume, --overwrite), and one goes on with what "
+           "the "
            "other removes; set one of them";
   }
   const std::string problem = this->Make();
@@ -50,11 +51,10 @@ std::string RunFolder::Make() const
 {
   std::error_code problem;
   fs::create_directories(this->Path, problem);
-  return problem || !this->Exists()
-    ? this->Path.string() + ": the output folder cannot be made: " +
+  return problem || !this->Exists() ? this->Path.string() + ": the output folder cannot be made: " +
       (problem ? problem.message() : "there is a file of that name") +
       "; give another OutputDirectory"
-    : std::string();
+                                    : std::string();
 }
 
 //------------------------------------------------------------------------------

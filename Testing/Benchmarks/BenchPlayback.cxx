@@ -15,6 +15,7 @@
 #include "vtkHeliosSurveyPlayer.h"
 #include "vtkHeliosSurveyReader.h"
 
+#include <vtkCommand.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -24,7 +25,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -86,18 +87,19 @@ void WriteSurvey(const fs::path& folder, double turn)
     helios::BenchOffset + helios::Vec3(250, 250, helios::GetHillHeight(250, 250) + 2);
   std::ofstream survey(folder / "survey.xml");
   survey.precision(12);
-  survey << "<document><scene id=\"s\"><part><filter type=\"objloader\"><param key=\"filepath\" "
-            "value=\"hills.obj\"/></filter></part></scene>\n"
-            "<platform id=\"tripod\" type=\"static\"/>\n"
-            "<scanner id=\"tls\" optics=\"rotating\" accuracy_m=\"0.005\" pulseFreqs_Hz=\"300000\" "
-            "beamDivergence_rad=\"0.0003\" scanAngleMax_deg=\"50\" scanAngleEffectiveMax_deg=\"50\" "
-            "scanFreqMax_Hz=\"120\" headRotatePerSecMax_deg=\"60\"/>\n"
-            "<survey name=\"bench\" scene=\"#s\" platform=\"#tripod\" scanner=\"#tls\"><leg>"
-            "<platformSettings x=\""
-         << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2]
-         << "\"/><scannerSettings pulseFreq_hz=\"300000\" scanFreq_hz=\"100\" "
-            "headRotatePerSec_deg=\"20\" headRotateStop_deg=\""
-         << turn << "\"/></leg></survey></document>\n";
+  survey
+    << "<document><scene id=\"s\"><part><filter type=\"objloader\"><param key=\"filepath\" "
+       "value=\"hills.obj\"/></filter></part></scene>\n"
+       "<platform id=\"tripod\" type=\"static\"/>\n"
+       "<scanner id=\"tls\" optics=\"rotating\" accuracy_m=\"0.005\" pulseFreqs_Hz=\"300000\" "
+       "beamDivergence_rad=\"0.0003\" scanAngleMax_deg=\"50\" scanAngleEffectiveMax_deg=\"50\" "
+       "scanFreqMax_Hz=\"120\" headRotatePerSecMax_deg=\"60\"/>\n"
+       "<survey name=\"bench\" scene=\"#s\" platform=\"#tripod\" scanner=\"#tls\"><leg>"
+       "<platformSettings x=\""
+    << p[0] << "\" y=\"" << p[1] << "\" z=\"" << p[2]
+    << "\"/><scannerSettings pulseFreq_hz=\"300000\" scanFreq_hz=\"100\" "
+       "headRotatePerSec_deg=\"20\" headRotateStop_deg=\""
+    << turn << "\"/></leg></survey></document>\n";
 }
 
 void WriteScene(const fs::path& folder)
@@ -157,23 +159,39 @@ struct Bare
   }
 };
 
-template <typename WorkT>
-void Time(const WorkT& work, std::vector<double>& wall, std::vector<double>& cpu)
+/// The time of many runs.
+struct Times
 {
-  const Seconds start = Now();
-  work();
-  const Seconds end = Now();
-  wall.push_back(end.Wall - start.Wall);
-  cpu.push_back(end.Cpu - start.Cpu);
-}
+  std::vector<double> Wall;
+  std::vector<double> Cpu;
 
-/// "run_s" of a player's report.
-double GetRunSeconds(vtkHeliosSurveyPlayer* player)
+  template <typename WorkT>
+  void Add(const WorkT& work)
+  {
+    Seconds start = Now();
+    work(start);
+    const Seconds end = Now();
+    this->Wall.push_back(end.Wall - start.Wall);
+    this->Cpu.push_back(end.Cpu - start.Cpu);
+  }
+};
+
+/// Notes when a player has loaded the scene and begins with the first leg.
+class OnLeg : public vtkCommand
 {
-  const std::string report = player->GetReport();
-  const std::size_t at = report.find("\"run_s\" : ");
-  return at == std::string::npos ? 0.0 : std::atof(report.c_str() + at + 10);
-}
+public:
+  static OnLeg* New() { return new OnLeg; }
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    const std::string message = static_cast<vtkHeliosSurveyPlayer*>(caller)->GetMessage();
+    if (message == "running leg 0" &&
+      static_cast<vtkHeliosSurveyPlayer*>(caller)->GetNumberOfPulsesDone() == 0)
+    {
+      this->Start = Now();
+    }
+  }
+  Seconds Start;
+};
 
 vtkSmartPointer<vtkHeliosSurveyPlayer> MakePlayer(vtkHeliosSurvey* survey, const fs::path& folder)
 {
@@ -204,31 +222,32 @@ bool Measure(vtkHeliosSurvey* survey, const fs::path& folder, int repetitions)
     std::printf("the player writes other points than the scanner has\n");
     return false;
   }
-  std::vector<double> alone[2], text[2], played[2];
+  vtkNew<OnLeg> onLeg;
+  player->AddObserver(vtkCommand::ProgressEvent, onLeg);
+  Times alone, text, played;
   for (int i = 0; i < repetitions; ++i)
   {
-    Time([&bare] { bare.Run(false); }, alone[0], alone[1]);
-    Time([&bare] { bare.Run(true); }, text[0], text[1]);
-    Time([&player] { player->Run(); }, played[0], played[1]);
-    // Loading the scene is no part of playing it.
-    const double load = played[0].back() - GetRunSeconds(player);
-    played[0].back() -= load;
-    played[1].back() -= load;
+    alone.Add([&bare](Seconds&) { bare.Run(false); });
+    text.Add([&bare](Seconds&) { bare.Run(true); });
+    played.Add(
+      [&player, &onLeg](Seconds& start)
+      {
+        player->Run();
+        start = onLeg->Start; // loading the scene is no part of playing it
+      });
   }
   std::printf("%lld pulses, %lld points, %d threads, medians of %d\n",
     static_cast<long long>(counts.PulsesFired), static_cast<long long>(counts.Echoes),
     vtkSMPTools::GetEstimatedNumberOfThreads(), repetitions);
   std::printf("%-6s %10s %10s %10s %16s %16s\n", "[s]", "scanner", "+ text", "player",
     "player / scanner", "player / + text");
-  for (const int k : { 0, 1 })
+  for (const auto times : { &Times::Wall, &Times::Cpu })
   {
-    const double a = Median(alone[k]), t = Median(text[k]), p = Median(played[k]);
-    std::printf("%-6s %10.3f %10.3f %10.3f %16.3f %16.3f\n", k == 0 ? "wall" : "CPU", a, t, p,
-      p / a, p / t);
+    const double a = Median(alone.*times), t = Median(text.*times), p = Median(played.*times);
+    std::printf(
+      "%-6s %10.3f %10.3f %10.3f %16.3f %16.3f; without text it costs %.1f %% of the scanner\n",
+      times == &Times::Wall ? "wall" : "CPU", a, t, p, p / a, p / t, 100.0 * (p - t) / a);
   }
-  const double a = Median(alone[0]), t = Median(text[0]), p = Median(played[0]);
-  std::printf("playing without the formatting of text costs %.1f %% of the scanner\n",
-    100.0 * (p - t) / a);
   return true;
 }
 

@@ -241,8 +241,8 @@ TEST_CASE("TrajectoryReader: the slope filter keeps where the motion changes", "
   for (int i = 0; i <= 100; ++i) // straight to 30, faster to 60, turning to 80, straight
   {
     const double x = i <= 30 ? i : 30 + 2.0 * (i - 30);
-    const double yaw = i <= 60 ? 350 : 350 + std::min(20, i - 60);
-    text += Row({ 1.0 * i, 0, 0, yaw, x, 0, 0 });
+    const double yaw = i <= 60 ? 350 : 350 + std::min(20, i - 60); // through 360
+    text += Row({ 1.0 * i, 0, 0, std::fmod(yaw, 360.0), x, 0, 0 });
   }
   REQUIRE(reading.Read(text));
   REQUIRE(reading.CountRows() == 5);

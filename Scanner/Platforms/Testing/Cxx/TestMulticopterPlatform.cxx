@@ -165,6 +165,57 @@ TEST_CASE("MulticopterPlatform: the thrust is what gravity, drag and acceleratio
   }
 }
 
+TEST_CASE(
+  "MulticopterPlatform: it tilts no faster and no farther than told", "[MulticopterPlatform]")
+{
+  for (const double climb : { 0.0, 60.0, -60.0, 300.0, -300.0 })
+  {
+    vtkNew<vtkHeliosMulticopterPlatform> copter;
+    copter->SetPitchRate(40.0);
+    copter->SetMaximumPitch(30.0);
+    auto path = Run(copter, { { 0.0, 0.0, 0.0 }, { 0.0, 100.0, climb } }, { 50.0, 0.0 }, Stop);
+    double fastest = 0.0;
+    double farthest = 0.0;
+    for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)
+    {
+      const double dt = GetTime(path, i) - GetTime(path, i - 1);
+      const double turn = std::abs(GetTilt(path, i) - GetTilt(path, i - 1));
+      fastest = dt > 1e-6 ? std::max(fastest, turn / dt) : fastest;
+      farthest = std::max(farthest, GetTilt(path, i));
+    }
+    INFO("climb " << climb);
+    CHECK(fastest < 40.0 * (1.0 + 1e-4));
+    CHECK(fastest > 5.0);
+    CHECK(farthest < 30.0 * (1.0 + 1e-9));
+    if (climb == 0.0)
+    {
+      CHECK(fastest > 39.0);
+      CHECK(farthest > 29.9);
+    }
+  }
+}
+
+TEST_CASE("MulticopterPlatform: many waypoints", "[MulticopterPlatform]")
+{
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> pick(-30.0, 30.0);
+  std::vector<helios::Point> way;
+  for (int i = 0; i < 120; ++i)
+  {
+    way.push_back({ 10.0 * i + pick(random), pick(random), 0.5 * pick(random) });
+  }
+  for (const auto& [mode, drag] :
+    { std::pair<Mode, double>{ Smooth, 0.01 }, { Through, 0.01 }, { Through, 3.0 } })
+  {
+    vtkNew<vtkHeliosMulticopterPlatform> copter;
+    copter->SetDragCoefficient(drag);
+    // As fast as it can, where drag is high.
+    auto path = Run(copter, way, std::vector<double>(way.size(), drag > 1.0 ? 100.0 : 15.0), mode);
+    CHECK(helios::FindFlaw(path, 0.05) == "");
+    CHECK(helios::GetMiss(path, path->GetNumberOfPoints() - 1, way.back()) < 1e-9);
+  }
+}
+
 TEST_CASE("MulticopterPlatform: stop and turn", "[MulticopterPlatform]")
 {
   vtkNew<vtkHeliosMulticopterPlatform> copter;

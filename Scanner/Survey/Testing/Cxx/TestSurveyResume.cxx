@@ -132,8 +132,8 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
   REQUIRE(broken.Player->Run());
   CHECK_FALSE(broken.Player->GetWasFinished());
   // no block is done again
-  CHECK(*std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) ==
-    pulses + 10000);
+  CHECK(
+    *std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) == pulses + 10000);
   CHECK(broken.Player->GetNumberOfEchoes() == 80000);
   const auto a = ReadAll(files / "whole/test");
   const auto b = ReadAll(files / "out/test");
