@@ -16,7 +16,7 @@ helios_packages=(
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich
   # to test
-  catch2 python3-pytest python3-gdal
+  catch2 python3-pytest python3-gdal python3-lxml
   # pictures without a display
   xvfb xauth libgl1-mesa-dri
 )

@@ -4,11 +4,11 @@
 
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
 #include <cmath>
@@ -57,7 +57,7 @@ bool Material::operator==(const Material& other) const
     this->Spectrum == other.Spectrum;
 }
 
-MaterialTable GetMaterials(vtkPolyData* scene)
+MaterialTable GetMaterials(vtkDataObject* scene)
 {
   vtkFieldData* fields = scene->GetFieldData();
   vtkAbstractArray* key = fields->GetAbstractArray(names::MaterialName);
@@ -82,7 +82,7 @@ MaterialTable GetMaterials(vtkPolyData* scene)
   return materials;
 }
 
-void SetMaterials(vtkPolyData* scene, const MaterialTable& materials)
+void SetMaterials(vtkDataObject* scene, const MaterialTable& materials)
 {
   vtkFieldData* fields = scene->GetFieldData();
   using M = const Material&;

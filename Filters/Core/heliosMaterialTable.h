@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-class vtkPolyData;
+class vtkDataObject;
 
 namespace helios
 {
@@ -35,10 +35,10 @@ struct VTKHELIOSFILTERSCORE_EXPORT Material
 using MaterialTable = std::vector<Material>;
 
 /// The material columns of a scene's field data; a scene without them has one default material.
-VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkPolyData* scene);
+VTKHELIOSFILTERSCORE_EXPORT MaterialTable GetMaterials(vtkDataObject* scene);
 
 /// Replaces the material columns of a scene.
-VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkPolyData* scene, const MaterialTable& materials);
+VTKHELIOSFILTERSCORE_EXPORT void SetMaterials(vtkDataObject* scene, const MaterialTable& materials);
 
 } // namespace helios
 

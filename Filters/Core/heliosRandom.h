@@ -21,7 +21,10 @@ enum class RandomStream : std::uint32_t
   Platform = 3,
   AngleNoise = 4,
   DetectorNoise = 5,
-  LegOffset = 16
+  LegOffset = 16,
+  VoxelShift = 20,
+  TurbidMedium = 21,
+  RandomMaterial = 22
 };
 
 /**

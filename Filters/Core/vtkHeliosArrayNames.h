@@ -46,9 +46,20 @@ inline constexpr const char* PartName = "Part.Name";
 ///@}
 
 ///@{
+/** Turbid voxels: cell data of an image, and its field data. */
+inline constexpr const char* PAD = "PAD"; // plant area density [m2/m3], NaN: not known
+inline constexpr const char* Transmittance = "Transmittance"; // [0..1], NaN: not known
+inline constexpr const char* MaximumPAD = "MaximumPAD";       // one value
+inline constexpr const char* LeafProjection = "LeafProjection"; // rows x y z G(direction)
+///@}
+
+///@{
 /** Waypoints: point data. */
 inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
 inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below
+inline constexpr const char* StopAndTurn = "StopAndTurn"; // 1: a multicopter rests and turns there
+inline constexpr const char* SmoothTurn = "SmoothTurn";   // 1: it cuts the corner there
+inline constexpr const char* YawAtDeparture = "YawAtDeparture"; // [deg], NaN: not given
 ///@}
 
 ///@{
@@ -57,6 +68,7 @@ inline constexpr const char* GpsTime = "GpsTime";         // [s] since GpsEpoch
 inline constexpr const char* Orientation = "Orientation"; // unit quaternion w x y z, body to world
 inline constexpr const char* Velocity = "Velocity";       // [m/s]
 inline constexpr const char* LegIds = "LegIds";
+inline constexpr const char* Clearance = "Clearance"; // [m] from the scene, see vtkHeliosClearance
 ///@}
 
 /** Trajectory and clouds: field data, the time that GpsTime counts from. */

@@ -7,16 +7,15 @@
 
 #include "heliosGrowingArray.h"
 #include "heliosTextFile.h"
+#include "heliosTextRow.h"
 #include "heliosXyzFile.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 class vtkPolyData;
 
@@ -49,34 +48,19 @@ public:
   void MoveTo(vtkPolyData* cloud);
 
 private:
-  enum CharacterClass : char
-  {
-    InWord,
-    Blank,
-    Separator
-  };
-
-  void MarkNeeded(const int columns[3]);
-  CharacterClass GetClass(char c) const { return this->Classes[static_cast<unsigned char>(c)]; }
-  const char* SkipBlanks(const char* at, const char* end) const;
-  const char* SkipWord(const char* at, const char* end) const;
-  bool IsWordEnd(const char* wordEnd, const char* next, const char* end) const;
+  void Need(const int columns[3]);
   bool IsFirstRow(std::int64_t lineStart) const;
-  bool HasNumber(std::string_view line) const;
 
   bool ReadRow(std::string_view line);
   bool AppendColor();
   bool Fail(const std::string& message);
-  bool FailShort(int columns);
-  bool FailNumber(std::string_view line, const char* word, int column);
+  bool FailShort();
+  bool FailNumber(std::string_view line);
 
   const XyzFormat& Format;
   TextReport& Report;
   XyzFile* File = nullptr;
-  std::array<CharacterClass, 256> Classes;
-  bool BlankSeparates = false;
-  std::vector<char> Needed;   // by column
-  std::vector<double> Values; // of the row, by column
+  TextRow Row;
   GrowingArray<vtkDoubleArray> Points;
   GrowingArray<vtkDoubleArray> Normals;
   GrowingArray<vtkFloatArray> Colors;

@@ -4,6 +4,7 @@
 
 #include "heliosMaterialTable.h"
 #include "heliosMtlFile.h"
+#include "heliosRandom.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
@@ -13,6 +14,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
 namespace names = vtkHeliosArrayNames;
 
@@ -47,13 +50,39 @@ const helios::Material* Choose(
   return row >= 0 && row < static_cast<int>(materials.size()) ? &materials[row] : nullptr;
 }
 
-void SetOnlyMaterial(vtkPolyData* scene, const helios::Material& material)
+/// The material, and others that differ from it by chance.
+helios::MaterialTable Vary(
+  const helios::Material& material, int count, double range, std::uint64_t seed)
 {
-  helios::SetMaterials(scene, { material });
+  helios::MaterialTable table(static_cast<std::size_t>(count), material);
+  const bool hasOwn = !std::isnan(material.Reflectance);
+  const double first = hasOwn ? material.Reflectance : helios::DefaultReflectance;
+  for (std::size_t i = 1; i < table.size(); ++i)
+  {
+    const double u = helios::Uniform4(seed, helios::RandomStream::RandomMaterial, i, 0)[0];
+    table[i].Name += '.' + std::to_string(i);
+    if (hasOwn || material.Spectrum.empty())
+    {
+      table[i].Reflectance = std::min(1.0, std::max(0.0, first + range * (2.0 * u - 1.0)));
+    }
+  }
+  return table;
+}
+
+/// Materials, and which a triangle has: the one it has, counted round.
+void SetMaterials(vtkPolyData* scene, const helios::MaterialTable& materials)
+{
+  helios::SetMaterials(scene, materials);
+  vtkDataArray* before = scene->GetCellData()->GetArray(names::MaterialIds);
   vtkNew<vtkIntArray> ids;
   ids->SetName(names::MaterialIds);
   ids->SetNumberOfValues(scene->GetNumberOfCells());
-  ids->FillValue(0);
+  const int count = static_cast<int>(materials.size());
+  for (vtkIdType i = 0; i < scene->GetNumberOfCells(); ++i)
+  {
+    const int id = before && count > 1 ? static_cast<int>(before->GetComponent(i, 0)) : 0;
+    ids->SetValue(i, id % count);
+  }
   scene->GetCellData()->AddArray(ids);
 }
 
@@ -99,7 +128,16 @@ int vtkHeliosMaterialReader::RequestData(
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->ShallowCopy(vtkPolyData::GetData(inputVector[0]));
-  SetOnlyMaterial(output, *material);
+  SetMaterials(output,
+    Vary(*material, this->NumberOfMaterials, this->RandomRange,
+      static_cast<std::uint64_t>(this->Seed)));
+  if (this->NumberOfMaterials > 1 && std::isnan(material->Reflectance) &&
+    !material->Spectrum.empty())
+  {
+    vtkWarningMacro(<< this->FileName << ": material " << material->Name
+                    << " has its reflectance from a spectrum, which NumberOfMaterials does not "
+                       "vary; give it a helios_reflectance");
+  }
   return 1;
 }
 
@@ -108,5 +146,8 @@ void vtkHeliosMaterialReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
-  os << indent << "MaterialName: " << (this->MaterialName ? this->MaterialName : "(none)") << '\n';
+  os << indent << "MaterialName: " << (this->MaterialName ? this->MaterialName : "(none)") << '\n'
+     << indent << "NumberOfMaterials: " << this->NumberOfMaterials << '\n'
+     << indent << "RandomRange: " << this->RandomRange << '\n'
+     << indent << "Seed: " << this->Seed << '\n';
 }

@@ -8,6 +8,13 @@
  * output 0 is the same with that one material in the material columns and MaterialIds 0 on every
  * triangle. The file is read as vtkHeliosObjSceneReader reads its material libraries.
  *
+ * With NumberOfMaterials above 1 the others are that material with another reflectance: its own plus
+ * a random number, uniform in +-RandomRange and keyed by Seed and the number of the material, cut to
+ * [0, 1]. MaterialIds are then the input's, modulo NumberOfMaterials.
+ *
+ * @warning
+ * A material with a spectrum and no reflectance is not varied, and warned of.
+ *
  * Errors: no file, a file that cannot be read or is malformed (with file:line), a file without
  * materials, a MaterialName that the file does not have (the names it has are listed).
  *
@@ -44,12 +51,35 @@ public:
   vtkGetStringMacro(MaterialName);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the number of materials that are made of it. Valid range: [1, 1000000]. Default: 1.
+   */
+  vtkSetClampMacro(NumberOfMaterials, int, 1, 1000000);
+  vtkGetMacro(NumberOfMaterials, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get by how much the reflectances of the others may differ. Valid range: [0, 1]. Default: 1.
+   */
+  vtkSetClampMacro(RandomRange, double, 0.0, 1.0);
+  vtkGetMacro(RandomRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the key of the random numbers. Valid range: [0, 2^62]. Default: 0.
+   */
+  vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
+  vtkGetMacro(Seed, vtkIdType);
+  ///@}
+
 protected:
   vtkHeliosMaterialReader() = default;
   ~vtkHeliosMaterialReader() override;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
@@ -58,6 +88,9 @@ private:
 
   char* FileName = nullptr;
   char* MaterialName = nullptr;
+  int NumberOfMaterials = 1;
+  double RandomRange = 1.0;
+  vtkIdType Seed = 0;
 };
 
 #endif

@@ -12,7 +12,6 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -28,12 +27,6 @@ using FileList = std::vector<std::unique_ptr<helios::XyzFile>>;
 std::int64_t GetPieceBegin(std::int64_t size, std::int64_t i, std::int64_t n)
 {
   return size / n * i + size % n * i / n;
-}
-
-bool IsSeparator(char c)
-{
-  const auto byte = static_cast<unsigned char>(c);
-  return !std::isalnum(byte) && c != '\n' && std::string("+-.#/").find(c) == std::string::npos;
 }
 
 } // namespace
@@ -83,7 +76,7 @@ bool vtkHeliosXyzReader::CheckProperties()
     return false;
   }
   if (this->Separators.empty() ||
-    !std::all_of(this->Separators.begin(), this->Separators.end(), IsSeparator))
+    !std::all_of(this->Separators.begin(), this->Separators.end(), helios::TextRow::IsSeparator))
   {
     vtkErrorMacro(<< "Separators is \"" << this->Separators
                   << "\"; give characters other than letters, digits and + - . # /, such as \",\"");

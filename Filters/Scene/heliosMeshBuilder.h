@@ -15,6 +15,8 @@
 
 #include <vector>
 
+class vtkPolyData;
+
 namespace helios
 {
 

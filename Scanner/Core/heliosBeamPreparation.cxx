@@ -198,7 +198,7 @@ void PrepareBeamByTolerance(
   AddRim(angle, model.Setback, model.Probes);
   model.ProbePairs = JoinNeighbours(model.Probes);
   FinishBeam(model);
-  model.ProbesCones = FindsPlanes(model, numberOfPulses);
+  model.ProbesCones = model.Caster && FindsPlanes(model, numberOfPulses);
 }
 
 } // namespace helios

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace helios
 {
@@ -38,14 +39,40 @@ void BeamTracer::Cast(
       ++ray;
     }
   }
-  this->Model.Caster->IntersectBeams(this->Rays.data(), this->Hits.data(),
-    static_cast<int>(subRays.size()), static_cast<vtkIdType>(count));
+  this->Meet(pulses, count);
   counts.SubRays += static_cast<vtkIdType>(this->Rays.size());
+}
+
+//------------------------------------------------------------------------------
+/// What the sub-rays meet: surfaces, or leaves before them.
+void BeamTracer::Meet(const Pulse* pulses, std::size_t count)
+{
+  const std::size_t each = this->SubRays->size();
+  if (this->Model.Caster)
+  {
+    this->Model.Caster->IntersectBeams(
+      this->Rays.data(), this->Hits.data(), static_cast<int>(each), static_cast<vtkIdType>(count));
+  }
+  else
+  {
+    const double endless = std::numeric_limits<double>::infinity();
+    std::fill(this->Hits.begin(), this->Hits.end(), vtkHeliosHit{ endless, -1 });
+  }
+  for (std::size_t i = 0; !this->Model.Medium.IsEmpty() && i < count; ++i)
+  {
+    this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, this->Rays.data() + i * each, each,
+      this->Hits.data() + i * each);
+  }
 }
 
 //------------------------------------------------------------------------------
 void BeamTracer::CastByTolerance(const Pulse& pulse, ScanCounts& counts)
 {
+  if (this->Model.MeetsMedium(pulse))
+  {
+    this->Cast(this->Model.SubRays, &pulse, 1, counts);
+    return;
+  }
   this->Cast(this->Model.Probes, &pulse, 1, counts);
   this->AskProbes();
   if (this->SeeEdge())

@@ -35,7 +35,7 @@ public:
   /**
    * Casts sub-rays by tolerance: probes look at the beam first, and where neighbours among them meet
    * one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in rings
-   * where one surface runs away steeply.
+   * where one surface runs away steeply. A beam that may meet leaves takes the spiral at once.
    */
   void CastByTolerance(const Pulse& pulse, ScanCounts& counts);
 
@@ -50,6 +50,7 @@ private:
     double Power;
     double CosIncidence;
   };
+  void Meet(const Pulse* pulses, std::size_t count);
   Reply GetReply(std::size_t ray);
   void AskProbes();
   bool SeeEdge();

@@ -7,6 +7,7 @@
 #include "heliosPhase.h"
 #include "heliosRandom.h"
 #include "vtkHeliosErrorModel.h"
+#include "vtkHeliosPlatformNoise.h"
 
 #include <cmath>
 
@@ -47,23 +48,55 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
   }
   const double elapsed =
     PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  pulse.Id = this->Ids.Get(index);
   pulse.Channel = this->Deflector->GetChannel(index);
   pulse.Time = this->StartTime + elapsed;
 
   Rotation platform;
-  const Vec3 position = this->Platform->GetPosition(pulse.Time, cursor, platform);
+  Vec3 position = this->Platform->GetPosition(pulse.Time, cursor, platform);
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
   const Quaternion head = this->GetHead(headAngle);
-  pulse.Origin =
-    position + platform * (this->Mount.Position + Rotate(head, this->BeamOrigin.Position));
-  pulse.Beam =
-    platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(Vec3(direction)));
+  const bool isUnknown = this->Noise && this->Noise->IsUnknown();
+  if (this->Noise && !isUnknown)
+  {
+    this->Shake(index, position, platform);
+  }
+  this->PlaceBeam(position, platform, head, Vec3(direction), pulse);
   pulse.Reported = pulse.GetDirection();
+  pulse.ReportedOrigin = pulse.Origin;
+  if (isUnknown)
+  {
+    this->Shake(index, position, platform);
+    this->PlaceBeam(position, platform, head, Vec3(direction), pulse);
+  }
   if (this->Errors || this->AngleAccuracy > 0.0)
   {
     this->TurnBeam(index, headAngle, platform, Vec3(direction), pulse);
   }
   return true;
+}
+
+/// The beam of a platform at a pose.
+void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Quaternion& head,
+  const Vec3& direction, Pulse& pulse) const
+{
+  pulse.Origin =
+    position + platform * (this->Mount.Position + Rotate(head, this->BeamOrigin.Position));
+  pulse.Beam = platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(direction));
+}
+
+/// Moves and turns the platform by its noise.
+void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) const
+{
+  double values[6];
+  this->Noise->GetValues(static_cast<vtkIdType>(this->Seed), this->Ids.Get(index), values);
+  position = position + Vec3(values);
+  if (values[3] != 0.0 || values[4] != 0.0 || values[5] != 0.0)
+  {
+    platform = platform *
+      Rotation(AxisAngle({ 1.0, 0.0, 0.0 }, values[3]) * AxisAngle({ 0.0, 1.0, 0.0 }, values[4]) *
+        AxisAngle({ 0.0, 0.0, 1.0 }, values[5]));
+  }
 }
 
 /// Turns the beam to where the pulse really goes.

@@ -14,17 +14,20 @@
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosErrorModel;
+class vtkHeliosPlatformNoise;
 
 namespace helios
 {
 
 struct Pulse
 {
+  vtkIdType Id;
   double Time;
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world
   Vec3 Reported; // the direction that the instrument believes in
-  int Channel;   // of the deflector
+  Vec3 ReportedOrigin;
+  int Channel; // of the deflector
 
   Vec3 GetDirection() const
   {
@@ -45,7 +48,7 @@ struct PulseIds
  * What carries the beam, from the platform to the deflector:
  * A = A_platform A_mount R_head A_beam, and the lever arms turn with the attitude,
  * origin = p + A_platform (m + A_mount R_head b). Errors of deflector, head and angles turn the beam,
- * not what is reported.
+ * not what is reported. Noise moves the platform; whether that is reported is for the noise to say.
  */
 struct PulseSource
 {
@@ -59,7 +62,8 @@ struct PulseSource
   double HeadStart; // [deg]
   double HeadSpeed; // [deg/s]
   const vtkHeliosErrorModel* Errors = nullptr;
-  double AngleAccuracy = 0.0; // [rad]
+  const vtkHeliosPlatformNoise* Noise = nullptr; // null: none
+  double AngleAccuracy = 0.0;                    // [rad]
   std::uint64_t Seed = 0;
   PulseIds Ids;
 
@@ -68,6 +72,9 @@ struct PulseSource
 
 private:
   Quaternion GetHead(double angle) const;
+  void PlaceBeam(const Vec3& position, const Rotation& platform, const Quaternion& head,
+    const Vec3& direction, Pulse& pulse) const;
+  void Shake(vtkIdType index, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;
 };

@@ -89,7 +89,7 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 //------------------------------------------------------------------------------
 void PulseKernel::RunByTolerance(const Pulse& pulse)
 {
-  if (this->Model.ProbesCones)
+  if (this->Model.ProbesCones && !this->Model.MeetsMedium(pulse))
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
     if (hit.Kind == vtkHeliosConeHit::Empty ||
@@ -229,7 +229,7 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   }
   if (this->Model.WantsPulses)
   {
-    result.Pulses.push_back({ pulse.Origin, pulse.Reported, pulse.Time, this->PulseId,
+    result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
       this->Model.Source.Deflector->GetScanAngle(index), pulse.Channel,
       result.Echoes.size() > echoesBefore });
   }
@@ -267,7 +267,7 @@ void PulseKernel::StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& ech
   const vtkIdType cell = echo.Nearest->CellId;
   const int material = surfaces.GetMaterialId(cell);
   result.Echoes.push_back(
-    { pulse.Origin + range * pulse.Reported, pulse.Time, this->PulseId, cell, range, echo.Amplitude,
+    { pulse.ReportedOrigin + range * pulse.Reported, pulse.Time, this->PulseId, cell, range, echo.Amplitude,
       echo.Width, echo.Deviation, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence),
       pulse.Channel, material, surfaces.GetPartId(cell), surfaces.GetClassification(material),
       static_cast<unsigned char>(number + 1), static_cast<unsigned char>(count) });
@@ -299,7 +299,7 @@ double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t
 void PulseKernel::StoreWaveform(const Pulse& pulse, ChunkResult& result)
 {
   const Waveform& wave = this->Signal.GetWaveform();
-  result.Waveforms.push_back({ pulse.Origin, pulse.Reported, pulse.Time, this->PulseId,
+  result.Waveforms.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
     wave.StartTime, static_cast<vtkIdType>(wave.Samples.size()), pulse.Channel });
   result.Samples.insert(result.Samples.end(), wave.Samples.begin(), wave.Samples.end());
 }

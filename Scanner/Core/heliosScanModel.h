@@ -11,6 +11,7 @@
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
 #include "heliosSceneSurfaces.h"
+#include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <memory>
@@ -50,8 +51,9 @@ struct RangeNoise
 struct ScanModel
 {
   PulseSource Source;
-  const vtkHeliosRayCaster* Caster = nullptr;
+  const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
   SceneSurfaces Surfaces;
+  TurbidMedium Medium;
   ReceiverSettings Receiver;
 
   bool IsFixed = false;
@@ -91,6 +93,13 @@ struct ScanModel
       apex.GetData(), axis.GetData(), this->ConeTangent, 2.0 * this->Plan.RangeTolerance);
     hit.Range -= this->Setback;
     return hit;
+  }
+
+  /// Whether the beam of a pulse may meet leaves: if so, it takes all its sub-rays.
+  bool MeetsMedium(const Pulse& pulse) const
+  {
+    return !this->Medium.IsEmpty() &&
+      this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->Setback);
   }
 
   /// Whether echoes cannot be found but in a waveform.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the triangles of a scene are made of, as plain arrays.
+// What the triangles and the turbid voxels of a scene are made of, as plain arrays.
 
 #ifndef heliosSceneSurfaces_h
 #define heliosSceneSurfaces_h
@@ -11,10 +11,14 @@
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 
 #include <string>
 #include <vector>
 
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -26,8 +30,28 @@ public:
   /// Looks at a scene and keeps its arrays alive. Says in words what is wrong, or returns an empty text.
   std::string Set(vtkPolyData* scene);
 
-  int GetMaterialId(vtkIdType cell) const { return this->Materials ? this->Materials[cell] : 0; }
-  int GetPartId(vtkIdType cell) const { return this->Parts ? this->Parts[cell] : 0; }
+  /**
+   * Appends a grid of turbid voxels, whose cells have the ids after all cells before: its materials follow
+   * those before, and it is a part of its own. Its first cell's id; or a fault in words.
+   */
+  std::string AddGrid(vtkImageData* grid, vtkIdType& firstCell);
+
+  /// Whether an id is that of a voxel.
+  bool IsTurbid(vtkIdType cell) const { return cell >= this->NumberOfTriangles; }
+
+  int GetMaterialId(vtkIdType cell) const
+  {
+    return this->IsTurbid(cell) ? this->FindGrid(cell).GetMaterialId(cell)
+      : this->Materials         ? this->Materials[cell]
+                                : 0;
+  }
+  int GetPartId(vtkIdType cell) const
+  {
+    return this->IsTurbid(cell) ? this->FindGrid(cell).Part : this->Parts ? this->Parts[cell] : 0;
+  }
+
+  /// The names of all parts; null where none has any.
+  vtkSmartPointer<vtkStringArray> MakePartNames() const;
 
   const SurfaceReflection& GetReflection(int material) const
   {
@@ -41,7 +65,7 @@ public:
   /// Sets the unit normal that the scene gives a cell; leaves it as it is where the scene gives none.
   void GetNormal(vtkIdType cell, Vec3& normal) const
   {
-    if (!this->Normals)
+    if (!this->Normals || this->IsTurbid(cell))
     {
       return;
     }
@@ -55,8 +79,26 @@ public:
   }
 
 private:
-  std::string SetMaterials(vtkPolyData* scene);
-  std::string CheckMaterialIds() const;
+  /// Turbid voxels, and what they are made of.
+  struct Grid
+  {
+    vtkIdType FirstCell;
+    vtkSmartPointer<vtkIntArray> Materials; // null: all the first
+    int FirstMaterial;
+    int Part;
+    std::string Name;
+
+    int GetMaterialId(vtkIdType cell) const
+    {
+      return this->FirstMaterial +
+        (this->Materials ? this->Materials->GetValue(cell - this->FirstCell) : 0);
+    }
+  };
+
+  const Grid& FindGrid(vtkIdType cell) const;
+  int CountParts() const;
+  std::string AddMaterials(vtkDataObject* data, const std::string& what);
+  std::string CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;
 
   vtkSmartPointer<vtkIntArray> MaterialArray;
   vtkSmartPointer<vtkIntArray> PartArray;
@@ -64,6 +106,10 @@ private:
   const int* Materials = nullptr;
   const int* Parts = nullptr;
   const float* Normals = nullptr;
+  vtkIdType NumberOfTriangles = VTK_ID_MAX;
+  vtkSmartPointer<vtkStringArray> PartNames; // of the scene; null: none
+  std::vector<Grid> Grids;
+  vtkIdType NumberOfCells = 0;                // of triangles and voxels
   std::vector<SurfaceReflection> Reflections; // of the materials
   std::vector<int> Classifications;
 };

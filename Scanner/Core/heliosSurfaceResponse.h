@@ -9,6 +9,7 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRayCaster.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,12 +32,13 @@ public:
   {
     const Surface& surface = this->Visit(cell);
     const Vec3& n = surface.Normal;
-    cosIncidence = std::abs(n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2]);
+    const double cosNormal = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+    cosIncidence = std::max(surface.LeastCosine, std::abs(cosNormal));
     return this->Gain * this->Transmission(range) / (range * range) *
       GetBackscatter(*surface.Reflection, cosIncidence);
   }
 
-  /// The unit normal of a cell's plane.
+  /// The unit normal of a cell's plane; 0 of leaves, here and below.
   const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }
 
   /// The unit normal that incidence is measured from.
@@ -58,6 +60,7 @@ private:
     vtkIdType Cell = -1;
     Vec3 PlaneNormal;
     Vec3 Normal;
+    double LeastCosine = 0.0; // 1 of leaves: they face the beam
     const SurfaceReflection* Reflection = nullptr;
   };
 
@@ -68,7 +71,10 @@ private:
     if (surface.Cell != cell)
     {
       surface.Cell = cell;
-      surface.PlaneNormal = this->Model.Caster->GetMesh().GetNormal(cell);
+      const bool isTurbid = this->Model.Surfaces.IsTurbid(cell);
+      surface.LeastCosine = isTurbid ? 1.0 : 0.0;
+      surface.PlaneNormal =
+        isTurbid ? Vec3(0.0, 0.0, 0.0) : this->Model.Caster->GetMesh().GetNormal(cell);
       surface.Normal = surface.PlaneNormal;
       this->Model.Surfaces.GetNormal(cell, surface.Normal);
       surface.Reflection =

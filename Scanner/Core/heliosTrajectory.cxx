@@ -15,51 +15,120 @@ namespace helios
 {
 namespace names = vtkHeliosArrayNames;
 
-std::string Trajectory::Set(vtkPolyData* trajectory)
+namespace
 {
-  *this = Trajectory();
+
+/// What is wrong with the arrays of a trajectory, in words.
+std::string CheckArrays(vtkPolyData* trajectory)
+{
   const vtkIdType count = trajectory ? trajectory->GetNumberOfPoints() : 0;
   if (count == 0)
   {
     return "the trajectory has no points; a platform filter makes one from waypoints";
   }
   vtkPointData* data = trajectory->GetPointData();
-  vtkDataArray* times = data->GetArray(names::GpsTime);
-  vtkDataArray* orientations = data->GetArray(names::Orientation);
-  if (count > 1 && !times)
+  if (count > 1 && !data->GetArray(names::GpsTime))
   {
     return std::string("the trajectory has no point array ") + names::GpsTime;
   }
+  vtkDataArray* orientations = data->GetArray(names::Orientation);
   if (orientations && orientations->GetNumberOfComponents() != 4)
   {
     return std::string("the array ") + names::Orientation +
       " of the trajectory needs 4 components: w, x, y, z";
   }
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkDataArray* velocities = data->GetArray(names::Velocity);
+  if (velocities && velocities->GetNumberOfComponents() != 3)
   {
-    double p[3];
-    double q[4] = { 1.0, 0.0, 0.0, 0.0 };
-    trajectory->GetPoint(i, p);
-    if (orientations)
-    {
-      orientations->GetTuple(i, q);
-    }
-    const double time = times ? times->GetComponent(i, 0) : 0.0;
-    const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (!std::isfinite(time + p[0] + p[1] + p[2]) || !(std::abs(norm - 1.0) < 1e-6))
-    {
-      return "sample " + std::to_string(i) +
-        " of the trajectory is not finite, or its orientation no unit quaternion";
-    }
-    if (i > 0 && time < this->Times.back())
-    {
-      return "the times of the trajectory go back at sample " + std::to_string(i);
-    }
-    this->Times.push_back(time);
-    this->Positions.emplace_back(p);
-    this->Orientations.emplace_back(q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm);
+    return std::string("the array ") + names::Velocity +
+      " of the trajectory needs 3 components: x, y, z";
   }
   return {};
+}
+
+} // namespace
+
+std::string Trajectory::Set(vtkPolyData* trajectory)
+{
+  *this = Trajectory();
+  std::string problem = CheckArrays(trajectory);
+  const vtkIdType count = problem.empty() ? trajectory->GetNumberOfPoints() : 0;
+  for (vtkIdType i = 0; i < count && problem.empty(); ++i)
+  {
+    problem = this->Append(trajectory, i);
+  }
+  this->Connect();
+  return problem;
+}
+
+std::string Trajectory::SetLeg(vtkPolyData* trajectory, int leg)
+{
+  *this = Trajectory();
+  std::string problem = CheckArrays(trajectory);
+  const vtkIdType count = problem.empty() ? trajectory->GetNumberOfPoints() : 0;
+  vtkDataArray* legs = count > 0 ? trajectory->GetPointData()->GetArray(names::LegIds) : nullptr;
+  for (vtkIdType i = 0; i < count && problem.empty(); ++i)
+  {
+    if (legs && legs->GetTuple1(i) == static_cast<double>(leg))
+    {
+      problem = this->Append(trajectory, i);
+    }
+  }
+  if (problem.empty() && this->Times.empty())
+  {
+    return "the trajectory has no samples of leg " + std::to_string(leg);
+  }
+  this->Connect();
+  return problem;
+}
+
+std::string Trajectory::Append(vtkPolyData* trajectory, vtkIdType sample)
+{
+  vtkPointData* data = trajectory->GetPointData();
+  vtkDataArray* times = data->GetArray(names::GpsTime);
+  double p[3];
+  double q[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double v[3] = { 0.0, 0.0, 0.0 };
+  trajectory->GetPoint(sample, p);
+  if (vtkDataArray* orientations = data->GetArray(names::Orientation))
+  {
+    orientations->GetTuple(sample, q);
+  }
+  if (vtkDataArray* velocities = data->GetArray(names::Velocity))
+  {
+    velocities->GetTuple(sample, v);
+    this->Velocities.emplace_back(v);
+  }
+  const double time = times ? times->GetComponent(sample, 0) : 0.0;
+  const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  if (!std::isfinite(time + p[0] + p[1] + p[2] + v[0] + v[1] + v[2]) ||
+    !(std::abs(norm - 1.0) < 1e-6))
+  {
+    return "sample " + std::to_string(sample) +
+      " of the trajectory is not finite, or its orientation no unit quaternion";
+  }
+  if (!this->Times.empty() && time < this->Times.back())
+  {
+    return "the times of the trajectory go back at sample " + std::to_string(sample);
+  }
+  this->Times.push_back(time);
+  this->Positions.emplace_back(p);
+  this->Orientations.emplace_back(q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm);
+  return {};
+}
+
+void Trajectory::Connect()
+{
+  for (std::size_t i = 0; i + 1 < this->Times.size(); ++i)
+  {
+    const Vec3& p0 = this->Positions[i];
+    const Vec3& p1 = this->Positions[i + 1];
+    this->Segments.push_back(this->Velocities.empty()
+        ? HermiteSegment(p0, p1)
+        : HermiteSegment(this->Times[i], p0, this->Velocities[i], this->Times[i + 1], p1,
+            this->Velocities[i + 1]));
+  }
+  this->Velocities = {};
 }
 
 std::size_t Trajectory::FindSample(double time, std::size_t hint) const
@@ -84,17 +153,39 @@ Vec3 Trajectory::GetPosition(double time, Cursor& cursor, Rotation& attitude) co
     cursor.Attitude = Rotation(this->Orientations[i]);
   }
   attitude = cursor.Attitude;
-  const bool holds = i + 1 == this->Times.size() || time <= this->Times[i];
-  if (holds)
+  if (this->HoldsAt(i, time))
   {
     return this->Positions[i];
   }
-  const double s = (time - this->Times[i]) / (this->Times[i + 1] - this->Times[i]);
+  const double s = this->GetFraction(i, time);
   if (this->Orientations[i] != this->Orientations[i + 1])
   {
     attitude = Rotation(this->Orientations[i].Slerp(s, this->Orientations[i + 1]));
   }
-  return this->Positions[i] + s * (this->Positions[i + 1] - this->Positions[i]);
+  return this->Segments[i](s);
+}
+
+Pose Trajectory::GetPose(double time) const
+{
+  const std::size_t i = this->FindSample(time, 0);
+  if (this->HoldsAt(i, time))
+  {
+    return { this->Positions[i], this->Orientations[i] };
+  }
+  const double s = this->GetFraction(i, time);
+  const bool turns = this->Orientations[i] != this->Orientations[i + 1];
+  return { this->Segments[i](s),
+    turns ? this->Orientations[i].Slerp(s, this->Orientations[i + 1]) : this->Orientations[i] };
+}
+
+bool Trajectory::HoldsAt(std::size_t sample, double time) const
+{
+  return sample + 1 == this->Times.size() || time <= this->Times[sample];
+}
+
+double Trajectory::GetFraction(std::size_t sample, double time) const
+{
+  return (time - this->Times[sample]) / (this->Times[sample + 1] - this->Times[sample]);
 }
 
 } // namespace helios

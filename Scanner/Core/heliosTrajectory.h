@@ -5,7 +5,9 @@
 #ifndef heliosTrajectory_h
 #define heliosTrajectory_h
 
+#include "heliosHermite.h"
 #include "heliosPose.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
 
 #include <vtkType.h>
 
@@ -18,15 +20,19 @@ namespace helios
 {
 
 /**
- * The samples of a trajectory. Between two samples the position is linear in time, the orientation
- * turns at a constant rate; of two samples at one time the later holds. A single sample holds at
- * all times, and before the first and after the last sample their poses hold.
+ * The samples of a trajectory. Between two samples the position is the cubic of both positions and
+ * velocities (linear in time where there are none), the orientation turns at a constant rate; of
+ * two samples at one time the later holds. A single sample holds at all times, and before the first
+ * and after the last sample their poses hold.
  */
-class Trajectory
+class VTKHELIOSSCANNERCORE_EXPORT Trajectory
 {
 public:
   /// Reads a trajectory; says in words what is wrong with it, or returns an empty text.
   std::string Set(vtkPolyData* trajectory);
+
+  /// Reads the samples of one leg only.
+  std::string SetLeg(vtkPolyData* trajectory, int leg);
 
   bool IsStatic() const { return this->Times.size() == 1; }
   double GetStartTime() const { return this->Times.front(); }
@@ -43,12 +49,21 @@ public:
   /// The position at a time, and the attitude in cursor.Attitude or, where it turns, as a new one.
   Vec3 GetPosition(double time, Cursor& cursor, Rotation& attitude) const;
 
+  /// Both, for few times.
+  Pose GetPose(double time) const;
+
 private:
+  std::string Append(vtkPolyData* trajectory, vtkIdType sample);
+  void Connect();
   std::size_t FindSample(double time, std::size_t hint) const;
+  bool HoldsAt(std::size_t sample, double time) const;
+  double GetFraction(std::size_t sample, double time) const;
 
   std::vector<double> Times;
   std::vector<Vec3> Positions;
+  std::vector<Vec3> Velocities; // until the segments are made
   std::vector<Quaternion> Orientations;
+  std::vector<HermiteSegment> Segments; // from each sample to the next
 };
 
 } // namespace helios

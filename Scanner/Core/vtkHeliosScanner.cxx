@@ -7,20 +7,23 @@
 #include "heliosScanModel.h"
 #include "heliosScanOutput.h"
 #include "heliosScanRun.h"
+#include "heliosScenePreparation.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosPlatformNoise.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -65,7 +68,7 @@ struct vtkHeliosScanner::Scan
 //------------------------------------------------------------------------------
 vtkHeliosScanner::vtkHeliosScanner()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(4);
   this->RayCaster = helios::MakeDefaultRayCaster();
   this->BeamSampler = vtkSmartPointer<vtkHeliosBeamSampler>::New();
@@ -91,6 +94,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << "\n"
      << indent << "ErrorModel: " << (this->ErrorModel ? this->ErrorModel->GetClassName() : "(none)")
      << "\n"
+     << indent << "PlatformNoise: " << (this->PlatformNoise ? "on" : "(none)") << "\n"
      << indent << "Sampling: " << (this->Sampling == FIXED ? "Fixed" : "Tolerance") << "\n"
      << indent << "RangeTolerance: " << this->RangeTolerance << " m\n"
      << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
@@ -130,6 +134,7 @@ HELIOS_STRATEGY(BeamDeflector)
 HELIOS_STRATEGY(BeamSampler)
 HELIOS_STRATEGY(EchoDetector)
 HELIOS_STRATEGY(ErrorModel)
+HELIOS_STRATEGY(PlatformNoise)
 #undef HELIOS_STRATEGY
 
 //------------------------------------------------------------------------------
@@ -140,7 +145,8 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
   for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
          static_cast<vtkObject*>(this->BeamSampler.Get()),
          static_cast<vtkObject*>(this->EchoDetector.Get()),
-         static_cast<vtkObject*>(this->ErrorModel.Get()) })
+         static_cast<vtkObject*>(this->ErrorModel.Get()),
+         static_cast<vtkObject*>(this->PlatformNoise.Get()) })
   {
     time = strategy ? std::max(time, strategy->GetMTime()) : time;
   }
@@ -148,9 +154,14 @@ vtkMTimeType vtkHeliosScanner::GetMTime()
 }
 
 //------------------------------------------------------------------------------
-int vtkHeliosScanner::FillInputPortInformation(int, vtkInformation* info)
+int vtkHeliosScanner::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkImageData" : "vtkPolyData");
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -177,12 +188,17 @@ int vtkHeliosScanner::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  for (int port : { 0, 1 })
   {
     vtkInformation* info = inputs[port]->GetInformationObject(0);
     info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // scene and trajectory are always whole
     info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  }
+  for (int i = 0; i < inputs[2]->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = inputs[2]->GetInformationObject(i);
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }
@@ -249,6 +265,8 @@ bool vtkHeliosScanner::PrepareSources(vtkPolyData* trajectory, Scan& scan)
   source.HeadStart = this->HeadRotateStart;
   source.HeadSpeed = this->HeadRotateSpeed;
   source.Errors = this->ErrorModel;
+  const bool shakes = this->PlatformNoise && this->PlatformNoise->IsOn();
+  source.Noise = shakes ? this->PlatformNoise.Get() : nullptr;
   source.AngleAccuracy = this->AngleAccuracy;
   source.Seed = static_cast<std::uint64_t>(this->Seed);
   source.Ids = { this->FirstPulseId, this->PulseIdStride };
@@ -291,30 +309,20 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosScanner::PrepareScene(vtkPolyData* scene, Scan& scan)
+bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
 {
-  std::string reason;
-  vtkNew<vtkCallbackCommand> listener;
-  listener->SetClientData(&reason);
-  listener->SetCallback([](vtkObject*, unsigned long, void* into, void* text)
-    { *static_cast<std::string*>(into) += static_cast<const char*>(text); });
-  const unsigned long tag = this->RayCaster->AddObserver(vtkCommand::ErrorEvent, listener);
-  const bool built = this->RayCaster->Build(scene);
-  this->RayCaster->RemoveObserver(tag);
-  if (!built)
+  std::vector<vtkImageData*> grids;
+  for (int i = 0; i < inputs[2]->GetNumberOfInformationObjects(); ++i)
   {
-    vtkErrorMacro(<< "the scene cannot be searched: " << reason);
-    return false;
+    grids.push_back(vtkImageData::GetData(inputs[2], i));
   }
-  helios::ScanModel& m = scan.Model;
-  m.Caster = this->RayCaster;
-  const std::string fault = m.Surfaces.Set(scene);
+  const std::string fault =
+    helios::PrepareScene(vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, scan.Model);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
-    return false;
   }
-  return true;
+  return fault.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -361,7 +369,10 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   }
   m.Plan =
     helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
-  this->RayCaster->PrepareConeProbe();
+  if (m.Caster)
+  {
+    this->RayCaster->PrepareConeProbe();
+  }
   helios::PrepareBeamByTolerance(this->BeamSampler, scan.NumberOfPulses, m);
 }
 
@@ -388,8 +399,7 @@ int vtkHeliosScanner::RequestData(
 {
   Scan scan;
   if (!this->CheckSettings() || !this->PrepareSources(vtkPolyData::GetData(inputs[1]), scan) ||
-    !this->PreparePulses(scan) || !this->PrepareScene(vtkPolyData::GetData(inputs[0]), scan) ||
-    !this->PrepareReceiver(scan))
+    !this->PreparePulses(scan) || !this->PrepareScene(inputs, scan) || !this->PrepareReceiver(scan))
   {
     return 0;
   }
@@ -406,10 +416,12 @@ int vtkHeliosScanner::RequestData(
   this->RunPulses(
     scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
 
-  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
-  for (const char* name : { names::PartName, names::CRS })
+  vtkFieldData* from = vtkPolyData::GetData(inputs[0])->GetFieldData();
+  const vtkSmartPointer<vtkStringArray> parts = scan.Model.Surfaces.MakePartNames();
+  for (vtkAbstractArray* array :
+    { static_cast<vtkAbstractArray*>(parts), from->GetAbstractArray(names::CRS) })
   {
-    if (vtkAbstractArray* array = scene->GetFieldData()->GetAbstractArray(name))
+    if (array)
     {
       vtkPolyData::GetData(outputs, 0)->GetFieldData()->AddArray(array);
     }

@@ -7,7 +7,10 @@
  * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds, PartIds
  * and Normals, which incidence is then measured from, and the material columns
  * in its field data are optional). Port 1: the trajectory (vtkPolyData with
- * GpsTime and Orientation, as platforms make it).
+ * GpsTime and Orientation, as platforms make it). Port 2, optional and repeatable:
+ * turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell array
+ * MaterialIds, field arrays LeafProjection and Part.Name and the material columns
+ * are optional), as vtkHeliosVoxelReader makes them.
  *
  * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
@@ -39,6 +42,14 @@
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
+ * In turbid voxels a sub-ray is stopped in ds with the probability PAD G ds, by a
+ * random number keyed by Seed, pulse and sub-ray; G is 0.5, or of the rows x y z G
+ * of LeafProjection that of its direction. It then returns what a surface of the
+ * cell's material returns that faces the beam (incidence 0, no normal). So a
+ * dense medium is a plane to it. Cell ids of voxels follow those of the triangles,
+ * grid by grid, materials and parts likewise. A beam that may meet voxels takes the
+ * spiral at once. The scene may then have no triangles.
+ *
  * Detectors that find more than maxima, pulses that are no Gaussians, and noise
  * or sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
  * DescribeSampling() says what the tolerances come to.
@@ -64,6 +75,7 @@ class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
 class vtkHeliosEchoDetector;
 class vtkHeliosErrorModel;
+class vtkHeliosPlatformNoise;
 class vtkHeliosRayCaster;
 
 namespace helios
@@ -119,6 +131,14 @@ public:
    */
   void SetErrorModel(vtkHeliosErrorModel* model);
   vtkHeliosErrorModel* GetErrorModel() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how the platform shakes about its trajectory. Default: none.
+   */
+  void SetPlatformNoise(vtkHeliosPlatformNoise* noise);
+  vtkHeliosPlatformNoise* GetPlatformNoise() const;
   ///@}
 
   /// How the beam is sampled.
@@ -329,7 +349,7 @@ private:
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
-  bool PrepareScene(vtkPolyData* scene, Scan& scan);
+  bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
@@ -345,6 +365,7 @@ private:
   vtkSmartPointer<vtkHeliosEchoDetector> EchoDetector;
 
   vtkSmartPointer<vtkHeliosErrorModel> ErrorModel;
+  vtkSmartPointer<vtkHeliosPlatformNoise> PlatformNoise;
 
   int Sampling = TOLERANCE;
   double RangeTolerance = 1e-3;

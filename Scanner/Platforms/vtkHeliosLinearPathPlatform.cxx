@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosLinearPathPlatform.h"
 
+#include "heliosSum.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -41,24 +42,6 @@ struct Leg
   }
 };
 
-/// A sum of terms >= 0, exact to an ulp for any number of them: the rounding error of each addition
-/// is kept and added back (Neumaier 1974).
-class Sum
-{
-public:
-  void Add(double term)
-  {
-    const double sum = this->High + term;
-    this->Low += std::max(this->High, term) - sum + std::min(this->High, term);
-    this->High = sum;
-  }
-  double Get() const { return this->High + this->Low; }
-
-private:
-  double High = 0.0;
-  double Low = 0.0;
-};
-
 std::vector<Leg> MakeLegs(vtkPolyData* waypoints, vtkDataArray* speeds)
 {
   std::vector<Leg> legs(static_cast<std::size_t>(waypoints->GetNumberOfPoints() - 1));
@@ -88,7 +71,7 @@ std::array<double, 2> FindFirstHeading(const std::vector<Leg>& legs)
 //------------------------------------------------------------------------------
 bool vtkHeliosLinearPathPlatform::Move(vtkPolyData* waypoints, std::vector<State>& path)
 {
-  if (!this->CheckSpeeds(waypoints))
+  if (!this->CheckSpeeds(waypoints, "A linear path"))
   {
     return false;
   }
@@ -98,7 +81,7 @@ bool vtkHeliosLinearPathPlatform::Move(vtkPolyData* waypoints, std::vector<State
   State state{};
   state.Time = this->StartTime;
   HeadingToOrientation(heading[0], heading[1], state.Orientation);
-  Sum elapsed;
+  helios::Sum elapsed;
   for (const Leg& leg : legs)
   {
     elapsed.Add(leg.Duration());
@@ -120,36 +103,6 @@ bool vtkHeliosLinearPathPlatform::Move(vtkPolyData* waypoints, std::vector<State
     state.Time = std::max(state.Time, this->StartTime + elapsed.Get());
     std::copy_n(leg.End, 3, state.Position);
     path.push_back(state);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosLinearPathPlatform::CheckSpeeds(vtkPolyData* waypoints)
-{
-  const vtkIdType count = waypoints->GetNumberOfPoints();
-  if (count < 2)
-  {
-    vtkErrorMacro(<< "A linear path needs two or more waypoints, the input has " << count
-                  << "; add the end of the path, or use a static platform.");
-    return false;
-  }
-  vtkDataArray* speeds = FindValues(waypoints, names::Speed);
-  if (!speeds)
-  {
-    vtkErrorMacro(<< "The waypoints need the point array " << names::Speed
-                  << ", one number a waypoint; add it, in m/s.");
-    return false;
-  }
-  for (vtkIdType i = 0; i + 1 < count; ++i)
-  {
-    const double speed = speeds->GetTuple1(i);
-    if (!(speed > 0.0) || !std::isfinite(speed))
-    {
-      vtkErrorMacro(<< names::Speed << " of waypoint " << i << " is " << speed
-                    << " m/s; it must be positive and finite.");
-      return false;
-    }
   }
   return true;
 }

@@ -45,8 +45,6 @@ protected:
 private:
   vtkHeliosLinearPathPlatform(const vtkHeliosLinearPathPlatform&) = delete;
   void operator=(const vtkHeliosLinearPathPlatform&) = delete;
-
-  bool CheckSpeeds(vtkPolyData* waypoints);
 };
 
 #endif

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPlatform.h"
 
+#include "heliosMotion.h"
+#include "heliosSum.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
@@ -11,11 +13,13 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace names = vtkHeliosArrayNames;
@@ -71,9 +75,8 @@ void AddCell(vtkPolyData* output)
 } // namespace
 
 //------------------------------------------------------------------------------
-int vtkHeliosPlatform::RequestData(vtkInformation*,
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+int vtkHeliosPlatform::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* waypoints = vtkPolyData::GetData(inputVector[0], 0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -108,6 +111,89 @@ bool vtkHeliosPlatform::CheckWaypoints(vtkPolyData* waypoints)
     vtkErrorMacro(<< "The point array " << names::LegIds
                   << " of the waypoints must hold one number a waypoint.");
     return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlatform::CheckSpeeds(vtkPolyData* waypoints, const char* kind)
+{
+  const vtkIdType count = waypoints->GetNumberOfPoints();
+  if (count < 2)
+  {
+    vtkErrorMacro(<< kind << " needs two or more waypoints, the input has " << count
+                  << "; add the end of the path, or use a static platform.");
+    return false;
+  }
+  vtkDataArray* speeds = FindValues(waypoints, names::Speed);
+  if (!speeds)
+  {
+    vtkErrorMacro(<< "The waypoints need the point array " << names::Speed
+                  << ", one number a waypoint; add it, in m/s.");
+    return false;
+  }
+  for (vtkIdType i = 0; i + 1 < count; ++i)
+  {
+    const double speed = speeds->GetTuple1(i);
+    if (!(speed > 0.0) || !std::isfinite(speed))
+    {
+      vtkErrorMacro(<< names::Speed << " of waypoint " << i << " is " << speed
+                    << " m/s; it must be positive and finite.");
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPlatform::AppendMotion(vtkPolyData* waypoints,
+  const std::vector<helios::MotionPiece>& motion, std::vector<State>& path) const
+{
+  helios::Sum elapsed;
+  vtkIdType leg = -1;
+  for (const helios::MotionPiece& piece : motion)
+  {
+    const std::vector<helios::MotionSample> samples = helios::SamplePiece(piece);
+    for (std::size_t i = piece.Waypoint == leg ? 1 : 0; i < samples.size(); ++i)
+    {
+      helios::Sum time = elapsed;
+      time.Add(samples[i].Time);
+      State state{};
+      state.Time = std::max(path.empty() ? 0.0 : path.back().Time, this->StartTime + time.Get());
+      std::copy_n(samples[i].State.Position.GetData(), 3, state.Position);
+      std::copy_n(samples[i].State.Orientation.GetData(), 4, state.Orientation);
+      std::copy_n(samples[i].State.Velocity.GetData(), 3, state.Velocity);
+      state.LegId = GetLegId(waypoints, piece.Waypoint);
+      path.push_back(state);
+    }
+    elapsed.Add(piece.Duration);
+    leg = piece.Waypoint;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlatform::CheckDurations(
+  vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion, const char* cure)
+{
+  vtkDataArray* speeds = FindValues(waypoints, names::Speed);
+  std::vector<double> durations(static_cast<std::size_t>(waypoints->GetNumberOfPoints()), 0.0);
+  for (const helios::MotionPiece& piece : motion)
+  {
+    durations[static_cast<std::size_t>(piece.Waypoint)] += piece.Duration;
+  }
+  for (vtkIdType i = 0; i + 1 < waypoints->GetNumberOfPoints(); ++i)
+  {
+    double p[3], q[3];
+    waypoints->GetPoint(i, p);
+    waypoints->GetPoint(i + 1, q);
+    const double way = std::sqrt(vtkMath::Distance2BetweenPoints(p, q));
+    const double duration = durations[static_cast<std::size_t>(i)];
+    if (!(duration <= 3600.0 + 1000.0 * way / speeds->GetTuple1(i)))
+    {
+      vtkErrorMacro(<< "Waypoint " << i + 1 << ", " << way << " m from waypoint " << i
+                    << ", is reached only after " << duration << " s; " << cure);
+      return false;
+    }
   }
   return true;
 }

@@ -11,9 +11,10 @@
  * Output: the trajectory (vtkPolyData), one polyline with the point arrays
  * GpsTime [s] from StartTime on, never decreasing; Orientation (unit quaternion
  * w, x, y, z, body to world; body x right, y forward, z up), Velocity [m/s],
- * LegIds. Between two samples the position is linear in time and the
- * orientation turns at a constant rate; two samples at the same time are a
- * sudden turn. A single sample is a vertex and holds at all times. The field
+ * LegIds. Between two samples the position is the cubic polynomial of time
+ * through both positions with both velocities (a trajectory without Velocity is
+ * linear), and the orientation turns at a constant rate; two samples at the same
+ * time are a sudden turn. A single sample is a vertex and holds at all times. The field
  * data of the waypoints (CRS, GpsEpoch) passes.
  *
  * Errors: no waypoints, waypoints that are not finite, LegIds that are not one
@@ -23,6 +24,7 @@
  *
  * @sa
  * vtkHeliosStaticPlatform vtkHeliosLinearPathPlatform
+ * vtkHeliosGroundVehiclePlatform vtkHeliosMulticopterPlatform
  */
 
 #ifndef vtkHeliosPlatform_h
@@ -34,6 +36,11 @@
 #include <vector> // For the samples of a path
 
 class vtkDataArray;
+
+namespace helios
+{
+struct MotionPiece;
+}
 
 class VTKHELIOSSCANNERPLATFORMS_EXPORT vtkHeliosPlatform : public vtkPolyDataAlgorithm
 {
@@ -67,6 +74,19 @@ protected:
   /// Appends the samples of the whole path; false after an error. The waypoints are checked: there
   /// is at least one, and all are finite.
   virtual bool Move(vtkPolyData* waypoints, std::vector<State>& path) = 0;
+
+  /// Whether there are two or more waypoints, with speeds to go between them; errors name the kind
+  /// of path.
+  bool CheckSpeeds(vtkPolyData* waypoints, const char* kind);
+
+  /// Appends the samples of a motion that starts at StartTime, piece after piece; within a leg the
+  /// pieces share their ends. A leg without a piece takes no time.
+  void AppendMotion(vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion,
+    std::vector<State>& path) const;
+
+  /// Whether no leg of a motion takes longer than an hour and 1000 times its length at Speed.
+  bool CheckDurations(
+    vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion, const char* cure);
 
   /// A point array of one number a waypoint, null where there is none.
   static vtkDataArray* FindValues(vtkPolyData* waypoints, const char* name);

@@ -5,6 +5,7 @@
 #ifndef heliosBvh_h
 #define heliosBvh_h
 
+#include "heliosPose.h"
 #include "heliosTriangleTest.h"
 
 #include <vtkType.h>
@@ -35,6 +36,9 @@ public:
 
   bool IsOccluded(const TestRay& ray) const;
 
+  /// The distance from a straight way to the nearest triangle; infinite where none is within reach.
+  double GetDistance(const Vec3& a, const Vec3& b, double reach) const;
+
   std::size_t GetMemorySize() const;
 
   const std::vector<vtkTypeInt32>& GetTriangles() const { return this->Order; }
@@ -54,6 +58,7 @@ private:
     vtkTypeInt32 Count[2];
   };
   class Builder;
+  class NearestSearch;
 
   template <typename VisitT>
   void Traverse(const TestRay& ray, const double& range, VisitT visit) const;

@@ -36,7 +36,11 @@ std::vector<std::string> MakeCandidates(const std::string& name,
   std::vector<std::string> candidates;
   for (const std::string& folder : folders)
   {
-    candidates.push_back((fs::path(folder) / name).lexically_normal().string());
+    const std::string candidate = (fs::path(folder) / name).lexically_normal().string();
+    if (std::find(candidates.begin(), candidates.end(), candidate) == candidates.end())
+    {
+      candidates.push_back(candidate);
+    }
   }
   return candidates;
 }

@@ -6,7 +6,6 @@
 #include "heliosMessages.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPlatform.h"
-#include "vtkHeliosStaticPlatform.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
@@ -66,6 +65,7 @@ public:
 private:
   void PlanStandingLeg(std::size_t leg);
   bool PlanJourney(std::size_t first, std::size_t last);
+  void ExplainFailure(std::size_t first);
   void PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last);
   std::size_t FindEnd(std::size_t first) const;
 
@@ -113,8 +113,7 @@ void Planner::PlanStandingLeg(std::size_t leg)
   const double duration = GetStandingTime(this->Survey.Legs[leg]);
   if (this->Survey.Fires(leg))
   {
-    auto platform = vtkSmartPointer<vtkHeliosStaticPlatform>::New();
-    platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, leg, leg + 1));
+    const auto platform = MakePlatform(this->Survey, this->Positions, leg, leg + 1, this->Log);
     platform->SetStartTime(this->Time);
     this->Log.Listen(platform);
     this->Plans.push_back({ leg, platform, this->Time, duration });
@@ -125,19 +124,29 @@ void Planner::PlanStandingLeg(std::size_t leg)
 //------------------------------------------------------------------------------
 bool Planner::PlanJourney(std::size_t first, std::size_t last)
 {
-  const vtkSmartPointer<vtkHeliosPlatform> platform = MakePlatform(this->Survey, first);
-  platform->SetInputData(MakeWaypoints(this->Survey, this->Positions, first, last));
+  const auto platform = MakePlatform(this->Survey, this->Positions, first, last, this->Log);
   platform->SetStartTime(this->Time);
   this->Log.Listen(platform);
   platform->Update();
   if (this->Log.HasError())
   {
-    this->Log.Error("platform " + this->Survey.GetPlatform(first).Id +
-      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+    this->ExplainFailure(first);
     return false;
   }
   this->PlanMovingLegs(platform, first, last);
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// What a file of a trajectory has wrong names its place; else the journey's is told.
+void Planner::ExplainFailure(std::size_t first)
+{
+  const std::string& file = this->Survey.Legs[first].Trajectory.File;
+  if (file.empty() || this->Log.GetLastError().find(file) == std::string::npos)
+  {
+    this->Log.Error("platform " + this->Survey.GetPlatform(first).Name +
+      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +160,10 @@ void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std
   vtkIdType sample = 0;
   for (std::size_t leg = first; leg < last; ++leg)
   {
+    while (sample < count && legs->GetTuple1(sample) < 0.0) // between two legs
+    {
+      ++sample;
+    }
     const vtkIdType begin = sample;
     while (sample < count && legs->GetTuple1(sample) == static_cast<double>(leg))
     {
@@ -188,19 +201,13 @@ TrajectorySampler::TrajectorySampler(const LegPlan& plan, double interval)
   , Interval(interval)
 {
   plan.Platform->Update();
-  vtkPolyData* trajectory = plan.Platform->GetOutput();
-  vtkPointData* data = trajectory->GetPointData();
-  for (vtkIdType i = 0; i < trajectory->GetNumberOfPoints(); ++i)
+  const std::string problem =
+    this->Path.SetLeg(plan.Platform->GetOutput(), static_cast<int>(plan.Leg));
+  if (!problem.empty())
   {
-    if (data->GetArray(names::LegIds)->GetTuple1(i) == static_cast<double>(plan.Leg))
-    {
-      double q[4];
-      data->GetArray(names::Orientation)->GetTuple(i, q);
-      this->Path.push_back({ data->GetArray(names::GpsTime)->GetTuple1(i),
-        Vec3(trajectory->GetPoint(i)), Quaternion(q) });
-    }
+    this->NumberOfSamples = 0;
   }
-  if (this->Path.size() > 1)
+  else if (!this->Path.IsStatic())
   {
     const double steps = interval > 0.0 ? std::floor(plan.Duration / interval) : 0.0;
     this->NumberOfSamples = 2 + static_cast<vtkIdType>(steps);
@@ -224,10 +231,11 @@ vtkSmartPointer<vtkPolyData> TrajectorySampler::GetSamples(vtkIdType first, vtkI
   auto* orientations = AddArray<vtkDoubleArray>(samples, names::Orientation, 4);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
-    const State state = this->GetState(this->GetTime(first + i));
-    points->SetPoint(i, state.Position.GetData());
-    times->SetValue(i, state.Time);
-    orientations->SetTuple(i, state.Orientation.GetData());
+    const double time = this->GetTime(first + i);
+    const Pose pose = this->Path.GetPose(time);
+    points->SetPoint(i, pose.Position.GetData());
+    times->SetValue(i, time);
+    orientations->SetTuple(i, pose.Orientation.GetData());
   }
   return samples;
 }
@@ -237,26 +245,6 @@ double TrajectorySampler::GetTime(vtkIdType sample) const
 {
   const bool isLast = sample > 0 && sample + 1 == this->NumberOfSamples;
   return isLast ? this->EndTime : this->StartTime + static_cast<double>(sample) * this->Interval;
-}
-
-//------------------------------------------------------------------------------
-TrajectorySampler::State TrajectorySampler::GetState(double time) const
-{
-  const auto isBefore = [](const State& state, double t) { return state.Time < t; };
-  const auto after = std::lower_bound(this->Path.begin(), this->Path.end(), time, isBefore);
-  State state = after == this->Path.end() ? this->Path.back() : *after;
-  if (after != this->Path.begin() && after != this->Path.end())
-  {
-    const State& before = *(after - 1);
-    const double s = (time - before.Time) / (after->Time - before.Time);
-    state.Position = before.Position + s * (after->Position - before.Position);
-    if (before.Orientation != after->Orientation)
-    {
-      state.Orientation = before.Orientation.Slerp(s, after->Orientation);
-    }
-  }
-  state.Time = time;
-  return state;
 }
 
 } // namespace helios

@@ -5,6 +5,7 @@
 #ifndef heliosLegPlan_h
 #define heliosLegPlan_h
 
+#include "heliosTrajectory.h"
 #include "heliosWaypoints.h"
 
 #include <vtkSmartPointer.h>
@@ -51,17 +52,9 @@ public:
   vtkSmartPointer<vtkPolyData> GetSamples(vtkIdType first, vtkIdType count) const;
 
 private:
-  struct State
-  {
-    double Time;
-    Vec3 Position;
-    Quaternion Orientation;
-  };
-
-  State GetState(double time) const;
   double GetTime(vtkIdType sample) const;
 
-  std::vector<State> Path;
+  Trajectory Path;
   double StartTime;
   double EndTime;
   double Interval;

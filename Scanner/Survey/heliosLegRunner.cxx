@@ -7,6 +7,7 @@
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosPulseTextWriter.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 #include "vtkHeliosWaveformTextWriter.h"
 #include "vtkHeliosWaveformXMLWriter.h"
@@ -15,43 +16,54 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <future>
 #include <iterator>
+#include <limits>
 
 namespace helios
 {
-
 namespace
 {
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// "legNNN" and what follows.
-std::string MakeFileName(const std::string& folder, std::size_t leg, const char* ending)
+// Of vtkHeliosScanner.
+constexpr int EchoPort = 0;
+constexpr int WaveformPort = 1;
+constexpr int PulsePort = 2;
+
+/// A word of at least three characters, with zeros before it.
+std::string Pad(const std::string& word)
 {
-  char name[32];
-  std::snprintf(name, sizeof(name), "leg%03zu", leg);
-  return (std::filesystem::path(folder) / (std::string(name) + ending)).string();
+  return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
 }
 
-vtkSmartPointer<vtkHeliosStreamWriter> MakePointWriter(bool isXml)
+/// The writer of a port of the scanner.
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
 {
-  if (isXml)
+  vtkSmartPointer<vtkHeliosStreamWriter> writer;
+  if (port == WaveformPort && isXml)
   {
-    return vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+    writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
   }
-  return vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-}
-
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWaveformWriter(bool isXml)
-{
-  if (isXml)
+  else if (port == WaveformPort)
   {
-    return vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
+    writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
   }
-  return vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+  else if (isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  else if (port == PulsePort)
+  {
+    writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+  }
+  return writer;
 }
 
 /// How far the file of a writer is.
@@ -61,22 +73,23 @@ FileProgress GetProgress(vtkHeliosStreamWriter* writer)
     writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
 }
 
-std::vector<FileProgress> GetProgress(
-  const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers)
+std::vector<FileProgress> GetProgress(const LegRunner::Outputs& outputs)
 {
   std::vector<FileProgress> files;
-  std::transform(writers.begin(), writers.end(), std::back_inserter(files),
-    [](const auto& writer) { return GetProgress(writer.Get()); });
+  for (const LegOutput& output : outputs)
+  {
+    files.push_back(GetProgress(output.Writer));
+  }
   return files;
 }
 
 /// Notes what is written when the disk has it; says what went wrong, or returns an empty text.
-std::string Note(const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers,
-  RunJournal& journal, std::size_t leg, const LegProgress& progress)
+std::string Note(const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg,
+  const LegProgress& progress)
 {
-  for (const auto& writer : writers)
+  for (const LegOutput& output : outputs)
   {
-    const std::string problem = writer->Sync();
+    const std::string problem = output.Writer->Sync();
     if (!problem.empty())
     {
       return problem;
@@ -99,7 +112,7 @@ LegRunner::LegRunner(
   , Settings(settings)
   , Log(log)
   , Scene(scene)
-  , Scanner(survey, scene, settings.Scan, log)
+  , Scanner(survey, scene, settings, log)
 {
 }
 
@@ -109,7 +122,7 @@ LegRunner::~LegRunner() = default;
 //------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  const LegChance chance = { this->Settings.Scan.Receiver.Noise, this->Settings.Scan.Seed };
+  const LegChance chance = { this->Settings.Receiver.Noise, this->Settings.Seed };
   this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   for (LegPlan& plan : this->Plans)
   {
@@ -129,60 +142,108 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-LegRunner::Writers LegRunner::MakeWriters(const LegPlan& plan) const
+/// "legNNN", or "stripNNN" of its strip, and what follows.
+std::string LegRunner::MakeFileName(const LegPlan& plan, const std::string& ending) const
+{
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  const std::string stem =
+    strip.empty() ? "leg" + Pad(std::to_string(plan.Leg)) : "strip" + Pad(strip);
+  return (std::filesystem::path(this->Settings.Folder) / (stem + ending)).string();
+}
+
+//------------------------------------------------------------------------------
+LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
+{
+  Outputs outputs;
+  this->AddOutputs(plan, EchoPort, "_points", outputs);
+  if (this->Settings.Waveforms)
+  {
+    this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
+  }
+  if (this->Settings.Pulses)
+  {
+    this->AddOutputs(plan, PulsePort, "_pulse", outputs);
+  }
+  return outputs;
+}
+
+//------------------------------------------------------------------------------
+/// One file of a port, or one a channel.
+void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
 {
   const bool isXml = this->Settings.Format == "vtp";
-  Writers writers{ MakePointWriter(isXml) };
-  const auto name = [this, &plan](const char* ending)
-  { return MakeFileName(this->Settings.Folder, plan.Leg, ending); };
-  writers[0]->SetFileName(name(isXml ? "_points.pvtp" : "_points.xyz").c_str());
-  if (this->Settings.Scan.Waveforms)
+  const std::string suffix =
+    isXml ? (port == WaveformPort ? ".pvtt" : ".pvtp") : (port == EchoPort ? ".xyz" : ".txt");
+  const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
+  const std::size_t channels = scanner.GetNumberOfChannels();
+  const bool isSplit = this->Settings.SplitByChannel && channels > 1;
+  for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
-    writers.push_back(MakeWaveformWriter(isXml));
-    writers[1]->SetFileName(name(isXml ? "_fullwave.pvtt" : "_fullwave.txt").c_str());
+    const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
+    LegOutput output{ MakeWriter(port, isXml), port, isSplit ? k : LegOutput::AllChannels };
+    output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
+    outputs.push_back(output);
   }
-  return writers;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
 {
   auto writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
-  writer->SetFileName(MakeFileName(this->Settings.Folder, plan.Leg, "_trajectory.txt").c_str());
+  writer->SetFileName(this->MakeFileName(plan, "_trajectory.txt").c_str());
   return writer;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::OpenWriters(const Writers& writers, const RunJournal& journal)
+/// Whether no leg after this one writes to its files.
+bool LegRunner::EndsFiles(const LegPlan& plan) const
+{
+  const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
+  return strip.empty() ||
+    std::none_of(this->Plans.begin(), this->Plans.end(),
+      [this, &plan, &strip](const LegPlan& other)
+      { return other.Leg > plan.Leg && this->Survey.Legs[other.Leg].Strip == strip; });
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::Open(vtkHeliosStreamWriter* writer, const RunJournal& journal)
+{
+  this->Listen(writer);
+  const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
+  return file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open();
+}
+
+//------------------------------------------------------------------------------
+bool LegRunner::OpenAll(const Outputs& outputs, const RunJournal& journal)
 {
   bool good = true;
-  for (const auto& writer : writers)
+  for (const LegOutput& output : outputs)
   {
-    this->Listen(writer);
-    const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
-    good = good && (file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open());
+    good = good && this->Open(output.Writer, journal);
   }
   return good;
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteTrajectory(const LegPlan& plan, FileProgress& written)
+bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
+  const BlockCallback& onBlock, FileProgress& written)
 {
   const TrajectorySampler sampler(plan, this->Survey.Legs[plan.Leg].TrajectoryTimeInterval);
   const auto writer = this->MakeTrajectoryWriter(plan);
-  this->Listen(writer);
-  writer->Open();
-  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && !this->Log.HasError();
+  this->Open(writer, journal);
+  bool goesOn = true;
+  for (vtkIdType first = 0; first < sampler.GetNumberOfSamples() && goesOn && !this->Log.HasError();
        first += SamplesPerBlock)
   {
     writer->Write(sampler.GetSamples(first, SamplesPerBlock));
+    goesOn = first + SamplesPerBlock >= sampler.GetNumberOfSamples() || onBlock(this->Counts);
   }
-  if (this->Log.HasError())
+  if (this->Log.HasError() || !goesOn)
   {
     writer->Abandon();
     return false;
   }
-  const bool good = writer->Close();
+  const bool good = this->EndsFiles(plan) ? writer->Close() : writer->Flush() && writer->Abandon();
   written = GetProgress(writer);
   return good;
 }
@@ -194,16 +255,19 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   if (before.IsDone)
   {
     this->Counts = before.Counts;
-    return this->CheckFiles(before, journal);
+    return !this->EndsFiles(plan) || this->CheckFiles(before, journal);
   }
+  this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
   this->Scanner.SetUp(plan);
-  const Writers writers = this->MakeWriters(plan);
+  const Outputs outputs = this->MakeOutputs(plan);
   FileProgress trajectory;
-  bool good = this->OpenWriters(writers, journal) && this->WriteTrajectory(plan, trajectory) &&
-    this->RunBlocks(plan, writers, journal, onBlock) && !this->Log.HasError();
-  for (const auto& writer : writers)
+  bool good = this->OpenAll(outputs, journal) &&
+    this->WriteTrajectory(plan, journal, onBlock, trajectory) &&
+    this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
+  const bool isWhole = good && this->EndsFiles(plan);
+  for (const LegOutput& output : outputs)
   {
-    good = (good ? writer->Close() : writer->Abandon()) && good;
+    good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
   }
   if (!good)
   {
@@ -211,20 +275,25 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   }
   LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
-  done.Files = GetProgress(writers); // an index has its end now
+  done.Files = GetProgress(outputs); // an index has its end now
   done.Files.push_back(trajectory);
   return this->Check(journal.Append(plan.Leg, done));
 }
 
 //------------------------------------------------------------------------------
 bool LegRunner::RunBlocks(
-  const LegPlan& plan, const Writers& writers, RunJournal& journal, const BlockCallback& onBlock)
+  const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock)
 {
   const vtkIdType size = this->Settings.PulsesPerBlock;
-  const int blocks =
-    static_cast<int>(std::max<vtkIdType>(1, (plan.NumberOfPulses + size - 1) / size));
+  const vtkIdType count = std::max<vtkIdType>(1, (plan.NumberOfPulses - 1) / size + 1);
+  if (count > std::numeric_limits<int>::max())
+  {
+    this->Log.Error(this->Survey.Legs[plan.Leg].Where + ": " + std::to_string(plan.NumberOfPulses) +
+      " pulses are more than a leg can have; check its pulse frequency, its speed and its length");
+    return false;
+  }
+  const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
-  this->Counts = progress.Blocks > 0 ? progress.Counts : this->Counts;
   const double start = Now() - progress.Seconds;
   // The disk takes a block while the next one is computed; nobody writes meanwhile.
   std::future<std::string> noted;
@@ -232,7 +301,7 @@ bool LegRunner::RunBlocks(
   for (int block = progress.Blocks; block < blocks; ++block)
   {
     const bool isComputed = this->Scanner.Update(block, blocks);
-    if (!isNoted() || !isComputed || !this->WriteBlock(writers))
+    if (!isNoted() || !isComputed || !this->Write(outputs))
     {
       return false;
     }
@@ -244,9 +313,9 @@ bool LegRunner::RunBlocks(
     progress.Blocks = block + 1;
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
-    progress.Files = GetProgress(writers);
+    progress.Files = GetProgress(outputs);
     noted = std::async(std::launch::async,
-      [&writers, &journal, &plan, progress] { return Note(writers, journal, plan.Leg, progress); });
+      [&outputs, &journal, &plan, progress] { return Note(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
     {
       isNoted();
@@ -257,16 +326,15 @@ bool LegRunner::RunBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool LegRunner::WriteBlock(const Writers& writers)
+bool LegRunner::Write(const Outputs& outputs) const
 {
-  for (std::size_t port = 0; port < writers.size(); ++port)
-  {
-    if (!writers[port]->Write(this->Scanner.GetOutput(static_cast<int>(port))))
+  return std::all_of(outputs.begin(), outputs.end(),
+    [this](const LegOutput& output)
     {
-      return false;
-    }
-  }
-  return true;
+      return output.Writer->Write(output.Channel == LegOutput::AllChannels
+          ? this->Scanner.GetOutput(output.Port).Get()
+          : this->Scanner.GetOutput(output.Port, output.Channel));
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -330,8 +398,9 @@ std::string LegRunner::ExplainNoEchoes() const
 {
   const std::size_t leg = this->Plans.empty() ? 0 : this->Plans.front().Leg;
   const ScannerData& scanner = this->Survey.GetScanner(leg);
+  const std::string& where = this->Survey.Legs[leg].Where;
   Sentence text;
-  text << "No points: ";
+  text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (this->NumberOfPulses == 0)
   {
     text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "
@@ -381,7 +450,7 @@ std::string LegRunner::ExplainNoEchoes() const
 //------------------------------------------------------------------------------
 const char* LegRunner::GetFilePattern()
 {
-  return "leg[0-9]{3,}_(points|trajectory|fullwave|pulse).*";
+  return "(leg[0-9]{3,}|strip.{3,})_(points|trajectory|fullwave|pulse).*";
 }
 
 } // namespace helios

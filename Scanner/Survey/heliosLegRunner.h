@@ -32,9 +32,21 @@ struct LegProgress;
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const RunCounts&)>;
 
+/// A writer, and what it writes: a port of the scanner, of all its channels together or of one.
+struct LegOutput
+{
+  static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
+
+  vtkSmartPointer<vtkHeliosStreamWriter> Writer;
+  int Port = 0;
+  std::size_t Channel = AllChannels;
+};
+
 class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
 {
 public:
+  using Outputs = std::vector<LegOutput>;
+
   LegRunner(
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegRunner();
@@ -59,8 +71,11 @@ public:
   /// The scanner, set up for a leg.
   LegScanner& Prepare(const LegPlan& plan);
 
-  /// The writers of a leg, not open yet: one for each output of the scanner, the first for points.
-  std::vector<vtkSmartPointer<vtkHeliosStreamWriter>> MakeWriters(const LegPlan& plan) const;
+  /// The outputs of the leg that the scanner is set up for; their writers are not open yet.
+  Outputs MakeOutputs(const LegPlan& plan) const;
+
+  /// Writes what the scanner has; false after an error.
+  bool Write(const Outputs& outputs) const;
 
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
@@ -77,13 +92,15 @@ public:
   static const char* GetFilePattern();
 
 private:
-  using Writers = std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>;
-
-  bool OpenWriters(const Writers& writers, const RunJournal& journal);
-  bool WriteTrajectory(const LegPlan& plan, FileProgress& written);
+  std::string MakeFileName(const LegPlan& plan, const std::string& ending) const;
+  void AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const;
+  bool EndsFiles(const LegPlan& plan) const;
+  bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
+  bool OpenAll(const Outputs& outputs, const RunJournal& journal);
+  bool WriteTrajectory(const LegPlan& plan, const RunJournal& journal, const BlockCallback& onBlock,
+    FileProgress& written);
   bool RunBlocks(
-    const LegPlan& plan, const Writers& writers, RunJournal& journal, const BlockCallback& onBlock);
-  bool WriteBlock(const Writers& writers);
+    const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
   bool Check(const std::string& problem);
   bool CheckFiles(const LegProgress& progress, const RunJournal& journal);
 

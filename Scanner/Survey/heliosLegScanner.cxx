@@ -4,6 +4,7 @@
 
 #include "heliosChannelMerge.h"
 #include "heliosLegOptics.h"
+#include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosRunCounts.h"
 #include "vtkHeliosArrayNames.h"
@@ -11,10 +12,12 @@
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosPlatform.h"
+#include "vtkHeliosPlatformNoise.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScanner.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -27,6 +30,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
+constexpr double BytesPerKibibyte = 1024.0;
 constexpr auto None = static_cast<std::size_t>(-1);
 
 void SetPose(const Pose& pose, double position[3], double orientation[4])
@@ -50,14 +54,18 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
 
 //------------------------------------------------------------------------------
 LegScanner::LegScanner(
-  const SurveyData& survey, vtkPolyData* scene, const ScanOptions& options, Messages& log)
+  const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log)
   : Survey(survey)
-  , Options(options)
+  , Settings(settings)
   , Log(log)
   , Scenes(scene, survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
 {
+  for (const auto& grid : settings.Grids)
+  {
+    this->Grids.emplace_back(grid, survey.Scene.SpectraFolders, log);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -81,13 +89,13 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetHeadRotateStop(scan.HeadRotateStop);
     channel->SetHeadRotateSpeed(scan.HeadRotateSpeed);
     channel->SetInputConnection(1, plan.Platform->GetOutputPort());
-    channel->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
     channel->SetStartTime(plan.StartTime);
     channel->SetDuration(plan.Duration);
     channel->SetFirstPulseId(plan.FirstPulse + k);
     channel->SetPulseIdStride(count);
     channel->SetLegId(static_cast<int>(plan.Leg));
     channel->SetChannelId(static_cast<int>(k));
+    channel->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   }
 }
 
@@ -118,12 +126,16 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   auto channel = vtkSmartPointer<vtkHeliosScanner>::New();
   this->Log.Listen(channel);
   channel->SetInputDataObject(0, this->Scenes.Get(data.Wavelength));
-  if (!this->Options.RayCaster)
+  for (SpectralScenes& grid : this->Grids)
   {
-    this->Options.RayCaster = channel->GetRayCaster(); // of all, built once
+    channel->AddInputDataObject(2, grid.Get(data.Wavelength));
   }
-  channel->SetRayCaster(this->Options.RayCaster);
-  SetUpReceiver(data, this->Options.Receiver, channel);
+  if (!this->Settings.RayCaster)
+  {
+    this->Settings.RayCaster = channel->GetRayCaster(); // of all, built once
+  }
+  channel->SetRayCaster(this->Settings.RayCaster);
+  SetUpReceiver(data, this->Settings.Receiver, channel);
   double position[3];
   double orientation[4];
   SetPose(platform.Mount, position, orientation);
@@ -134,18 +146,23 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetBeamOrientation(orientation);
   Vec3 axis = data.HeadRotateAxis;
   channel->SetHeadRotateAxis(axis.GetData());
-  channel->SetSeed(this->Options.Seed);
-  channel->SetGenerateWaveforms(this->Options.Waveforms);
-  channel->SetGeneratePulses(this->Options.Pulses);
+  if (this->Settings.Receiver.Noise)
+  {
+    const std::size_t channels = this->Survey.Scanners[this->Scanner].GetNumberOfChannels();
+    channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
+  }
+  channel->SetSeed(this->Settings.Seed);
+  channel->SetGenerateWaveforms(this->Settings.Waveforms);
+  channel->SetGeneratePulses(this->Settings.Pulses);
   return channel;
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::SetTimeWindow(double first, double last)
+void LegScanner::SetTimeWindow(double t0, double t1)
 {
   for (vtkHeliosScanner* channel : this->Channels)
   {
-    channel->SetTimeWindow(first, last);
+    channel->SetTimeWindow(t0, t1);
   }
 }
 
@@ -200,6 +217,20 @@ void LegScanner::ReleaseOutput()
 }
 
 //------------------------------------------------------------------------------
+double LegScanner::GetMemorySize() const
+{
+  double kibibytes = 0.0;
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
+    {
+      kibibytes += static_cast<double>(channel->GetOutputDataObject(port)->GetActualMemorySize());
+    }
+  }
+  return BytesPerKibibyte * kibibytes;
+}
+
+//------------------------------------------------------------------------------
 void LegScanner::Count(RunCounts& counts) const
 {
   for (vtkHeliosScanner* channel : this->Channels)
@@ -218,15 +249,15 @@ void LegScanner::Count(RunCounts& counts) const
 }
 
 //------------------------------------------------------------------------------
-std::string LegScanner::GetRayCasterName() const
-{
-  return this->Options.RayCaster ? this->Options.RayCaster->GetName() : std::string();
-}
-
-//------------------------------------------------------------------------------
 std::string LegScanner::DescribeSampling() const
 {
   return this->Channels.empty() ? std::string() : this->Channels.front()->DescribeSampling();
+}
+
+//------------------------------------------------------------------------------
+std::string LegScanner::GetRayCasterName() const
+{
+  return this->Settings.RayCaster ? this->Settings.RayCaster->GetName() : std::string();
 }
 
 } // namespace helios

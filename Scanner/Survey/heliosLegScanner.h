@@ -6,7 +6,7 @@
 #define heliosLegScanner_h
 
 #include "heliosLegPlan.h"
-#include "heliosReceiver.h"
+#include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
@@ -17,8 +17,8 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkHeliosRayCaster;
 class vtkHeliosScanner;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -27,21 +27,11 @@ namespace helios
 class Messages;
 struct RunCounts;
 
-/// What the scanners of all legs have in common.
-struct ScanOptions
-{
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
-  bool Waveforms = false;
-  bool Pulses = false;
-  vtkSmartPointer<vtkHeliosRayCaster> RayCaster; ///< null: the scanner's default
-};
-
 class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
 {
 public:
   LegScanner(
-    const SurveyData& survey, vtkPolyData* scene, const ScanOptions& options, Messages& log);
+    const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegScanner();
 
   /// Makes the scanner that of a leg.
@@ -49,10 +39,10 @@ public:
 
   std::size_t GetNumberOfChannels() const { return this->Channels.size(); }
 
-  /// Limits what is computed to the times [first, last) [s]; SetUp() lifts that.
-  void SetTimeWindow(double first, double last);
+  /// The part [t0, t1) of the leg that is run [s]; all of it after SetUp().
+  void SetTimeWindow(double t0, double t1);
 
-  /// The pulses of all channels in the window.
+  /// The pulses of all channels.
   vtkIdType CountPulses();
 
   /// Runs a piece of the leg; false after an error.
@@ -65,14 +55,16 @@ public:
   /// Forgets the output of the last piece.
   void ReleaseOutput();
 
+  /// What the output of the last piece takes [bytes].
+  double GetMemorySize() const;
+
   /// Adds the counts of the last piece.
   void Count(RunCounts& counts) const;
 
-  /// Known after SetUp().
-  std::string GetRayCasterName() const;
-
   /// What sub-rays and bins the settings come to, in words.
   std::string DescribeSampling() const;
+
+  std::string GetRayCasterName() const;
 
 private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
@@ -80,9 +72,10 @@ private:
   void MakeChannels(const LegPlan& plan);
 
   const SurveyData& Survey;
-  ScanOptions Options;
+  RunSettings Settings;
   Messages& Log;
   SpectralScenes Scenes;
+  std::vector<SpectralScenes> Grids;
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;

@@ -349,7 +349,45 @@ void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
   }
 }
 
+/// No more samples of a trajectory than pulses.
+void LimitTrajectory(LegData& leg, bool fires, Messages& log)
+{
+  const double asked = leg.TrajectoryTimeInterval;
+  const double least = 1.0 / leg.Scans.front().PulseFrequency;
+  if (asked > 0.0 && asked < least && fires)
+  {
+    leg.TrajectoryTimeInterval = least;
+    Sentence text;
+    text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than from pulse to pulse; "
+         << least << " s is used";
+    log.WarnOnce(text.str(), leg.Where + ": " + text.str());
+  }
+}
+
+/// A scanner that can do all that a leg asks of it.
+ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
+{
+  const double least = std::numeric_limits<double>::min();
+  ScannerData scanner;
+  scanner.Type = type;
+  scanner.PulseFrequencies = { std::isnan(leg.PulseFrequency) ? 1.0 : leg.PulseFrequency };
+  scanner.ScanAngleMax = 360.0;
+  scanner.ScanAngleEffectiveMax = 360.0;
+  scanner.HeadRotateSpeedMax = std::max(std::abs(leg.Scan.HeadRotateSpeed), least);
+  scanner.ScanProduct = std::numeric_limits<double>::infinity();
+  return scanner;
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void CheckLegAlone(
+  const LegSettings& settings, std::size_t leg, const SurveyData& survey, Messages& log)
+{
+  SurveyData able = survey;
+  able.Scanners[survey.Legs[leg].Scanner] = MakeAbleScanner(settings, survey.GetScanner(leg).Type);
+  ResolveLeg(settings, leg, able, log);
+}
 
 //------------------------------------------------------------------------------
 void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log)
@@ -360,6 +398,7 @@ void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey
     ScanResolver resolver(settings, scanner.GetChannel(k), survey, leg, log);
     survey.Legs[leg].Scans.push_back(resolver.Resolve());
   }
+  LimitTrajectory(survey.Legs[leg], survey.Fires(leg), log);
   CheckSpeed(survey, leg, log);
 }
 

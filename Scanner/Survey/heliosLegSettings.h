@@ -38,6 +38,11 @@ struct LegSettings
  */
 void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log);
 
+/// Checks a leg whose scanner is not known, since it has errors of its own: what is wrong whatever
+/// the scanner can do.
+void CheckLegAlone(
+  const LegSettings& settings, std::size_t leg, const SurveyData& survey, Messages& log);
+
 } // namespace helios
 
 #endif

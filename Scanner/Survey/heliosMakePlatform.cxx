@@ -2,17 +2,179 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMakePlatform.h"
 
+#include "heliosMessages.h"
+#include "heliosWaypoints.h"
+#include "vtkHeliosGroundVehiclePlatform.h"
+#include "vtkHeliosInterpolatedPlatform.h"
 #include "vtkHeliosLinearPathPlatform.h"
+#include "vtkHeliosMulticopterPlatform.h"
+#include "vtkHeliosPlatformNoise.h"
+#include "vtkHeliosStaticPlatform.h"
+#include "vtkHeliosTrajectoryReader.h"
+
+#include <vtkMath.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace helios
 {
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, std::size_t leg)
+namespace
 {
-  (void)survey;
-  (void)leg;
-  return vtkSmartPointer<vtkHeliosLinearPathPlatform>::New();
+
+constexpr double StandardGravity = 9.80665; // [m/s^2]
+
+/// The speed of the fastest leg of a journey.
+double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last)
+{
+  double speed = 0.0;
+  for (std::size_t leg = first; leg + 1 < last; ++leg)
+  {
+    speed = std::max(speed, survey.Legs[leg].Speed);
+  }
+  return speed;
+}
+
+/// Files say nothing of mass and drag in physical units: the drag is that at which the copter cruises
+/// at its base pitch, m g tan(pitch) = c v^2 (Docs/platforms.md).
+vtkSmartPointer<vtkHeliosPlatform> MakeMulticopter(
+  const SurveyData& survey, std::size_t first, std::size_t last)
+{
+  const VehicleData& data = survey.GetPlatform(first).Vehicle;
+  const double fastest = FindFastest(survey, first, last);
+  const double pitch = vtkMath::RadiansFromDegrees(std::abs(data.BasePitch));
+  auto copter = vtkSmartPointer<vtkHeliosMulticopterPlatform>::New();
+  copter->SetMaximumPitch(std::max(data.PitchOffset, std::abs(data.BasePitch)));
+  copter->SetMaximumRoll(data.RollOffset);
+  copter->SetPitchRate(data.PitchSpeed);
+  copter->SetRollRate(data.RollSpeed);
+  copter->SetYawRate(data.YawSpeed);
+  copter->SetDragCoefficient(
+    copter->GetMass() * StandardGravity * std::tan(pitch) / (fastest * fastest));
+  const auto slowsDown = [](const LegData& leg) { return leg.SlowsDown; };
+  copter->SetSlowdownEnabled(std::all_of(survey.Legs.begin() + static_cast<std::ptrdiff_t>(first),
+    survey.Legs.begin() + static_cast<std::ptrdiff_t>(last), slowsDown));
+  return copter;
+}
+
+vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
+  const TrajectoryFileData& file, bool isCanonical)
+{
+  auto reader = vtkSmartPointer<vtkHeliosTrajectoryReader>::New();
+  reader->SetFileName(file.File.c_str());
+  reader->SetSeparators(file.Separator);
+  reader->SetTimeColumn(file.Columns[0]);
+  reader->SetRollColumn(file.Columns[1]);
+  reader->SetPitchColumn(file.Columns[2]);
+  reader->SetYawColumn(file.Columns[3]);
+  reader->SetXColumn(file.Columns[4]);
+  reader->SetYColumn(file.Columns[5]);
+  reader->SetZColumn(file.Columns[6]);
+  reader->SetDomain(file.HasAttitude ? vtkHeliosTrajectoryReader::POSITION_AND_ATTITUDE
+                                     : vtkHeliosTrajectoryReader::POSITION);
+  reader->SetAngleUnit(
+    file.IsInRadians ? vtkHeliosTrajectoryReader::RADIANS : vtkHeliosTrajectoryReader::DEGREES);
+  reader->SetAngleConvention(
+    isCanonical ? vtkHeliosTrajectoryReader::CANONICAL : vtkHeliosTrajectoryReader::ARINC_705);
+  reader->SetSlopeFilterThreshold(file.SlopeThreshold);
+  return reader;
+}
+
+/// The files of all legs, each once, as the first leg says that names it.
+vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
+  const SurveyData& survey, std::size_t first, std::size_t last, Messages& log)
+{
+  auto platform = vtkSmartPointer<vtkHeliosInterpolatedPlatform>::New();
+  platform->SetFirstLegId(static_cast<int>(first));
+  std::set<std::string> files = { "" };
+  bool keepsTime = false;
+  for (std::size_t leg = first; leg < last; ++leg)
+  {
+    const TrajectoryFileData& file = survey.Legs[leg].Trajectory;
+    if (files.insert(file.File).second)
+    {
+      const auto reader = MakeReader(file, survey.IsCanonical);
+      log.Listen(reader);
+      platform->AddInputConnection(reader->GetOutputPort());
+    }
+    platform->AddLeg(file.StartTime, file.EndTime, file.TeleportsToStart);
+    keepsTime = keepsTime || file.KeepsTime;
+  }
+  platform->SetKeepFileTimes(keepsTime);
+  return platform;
+}
+
+vtkSmartPointer<vtkHeliosPlatform> MakeVehicle(
+  const SurveyData& survey, std::size_t first, std::size_t last)
+{
+  switch (survey.GetPlatform(first).Type)
+  {
+    case PlatformType::GroundVehicle:
+      return vtkSmartPointer<vtkHeliosGroundVehiclePlatform>::New();
+    case PlatformType::Multicopter:
+      return MakeMulticopter(survey, first, last);
+    case PlatformType::LinearPath:
+      return vtkSmartPointer<vtkHeliosLinearPathPlatform>::New();
+    case PlatformType::Interpolated:
+    case PlatformType::Static:
+      break;
+  }
+  return vtkSmartPointer<vtkHeliosStaticPlatform>::New();
+}
+
+/// Files count attitudes in radians.
+void SetComponent(
+  int component, const NoiseData& data, std::size_t channels, vtkHeliosPlatformNoise* noise)
+{
+  const double unit =
+    component >= vtkHeliosPlatformNoise::ATTITUDE_X ? vtkMath::DegreesFromRadians(1.0) : 1.0;
+  if (data.IsUniform)
+  {
+    noise->SetUniform(component, unit * data.Low, unit * data.High);
+  }
+  else
+  {
+    noise->SetNormal(component, unit * data.Mean, unit * data.Deviation);
+  }
+  if (data.IsClipped)
+  {
+    noise->SetClip(component, unit * data.ClipLow, unit * data.ClipHigh);
+  }
+  noise->SetLifespan(component, static_cast<vtkIdType>(channels) * data.Lifespan);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
+  const std::vector<Vec3>& positions, std::size_t first, std::size_t last, Messages& log)
+{
+  if (survey.GetPlatform(first).Type == PlatformType::Interpolated)
+  {
+    return MakeInterpolated(survey, first, last, log);
+  }
+  const auto platform = MakeVehicle(survey, first, last);
+  platform->SetInputData(MakeWaypoints(survey, positions, first, last));
+  return platform;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
+  const PlatformData& platform, std::size_t channels)
+{
+  vtkSmartPointer<vtkHeliosPlatformNoise> noise;
+  for (int component = 0; component < 6; ++component)
+  {
+    if (platform.HasNoise[component])
+    {
+      noise = noise ? noise : vtkSmartPointer<vtkHeliosPlatformNoise>::New();
+      SetComponent(component, platform.Noise[component], channels, noise);
+    }
+  }
+  return noise;
 }
 
 } // namespace helios

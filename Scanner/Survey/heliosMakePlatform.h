@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The platform filter of a journey, as its data say.
+// What moves on a journey, as its data say.
 
 #ifndef heliosMakePlatform_h
 #define heliosMakePlatform_h
@@ -9,13 +9,23 @@
 
 #include <vtkSmartPointer.h>
 
+#include <vector>
+
 class vtkHeliosPlatform;
+class vtkHeliosPlatformNoise;
 
 namespace helios
 {
 
-/// What moves on the journey that starts with a leg; its waypoints are still to be given.
-vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey, std::size_t leg);
+class Messages;
+
+/// The platform of the legs [first, last), with its waypoints or its recorded trajectory.
+vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
+  const std::vector<Vec3>& positions, std::size_t first, std::size_t last, Messages& log);
+
+/// How a platform shakes, each value lasting for so many pulses of all channels; null: it does not.
+vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
+  const PlatformData& platform, std::size_t channels);
 
 } // namespace helios
 

@@ -71,24 +71,27 @@ void Messages::WarnOnce(const std::string& key, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void Messages::Listen(vtkObject* object)
+void Messages::Listen(vtkObject* object, const std::string& where)
 {
+  this->Places[object] = where;
   object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   object->AddObserver(vtkCommand::WarningEvent, this->Observer);
 }
 
 //------------------------------------------------------------------------------
-void Messages::Listen(vtkAlgorithm* algorithm)
+void Messages::Listen(vtkAlgorithm* algorithm, const std::string& where)
 {
-  this->Listen(static_cast<vtkObject*>(algorithm));
-  this->Listen(static_cast<vtkObject*>(algorithm->GetExecutive()));
+  this->Listen(static_cast<vtkObject*>(algorithm), where);
+  this->Listen(static_cast<vtkObject*>(algorithm->GetExecutive()), where);
 }
 
 //------------------------------------------------------------------------------
 void Messages::Forward(vtkObject* caller, unsigned long event, void* self, void* data)
 {
   auto* messages = static_cast<Messages*>(self);
-  const std::string text = StripOrigin(data ? static_cast<const char*>(data) : "");
+  const std::string& where = messages->Places[caller];
+  const std::string text = where + (where.empty() ? "" : ": ") +
+    StripOrigin(data ? static_cast<const char*>(data) : "");
   const bool isEcho =
     vtkExecutive::SafeDownCast(caller) && text.find("returned failure") != std::string::npos;
   if (isEcho)

@@ -10,6 +10,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -48,13 +49,17 @@ public:
 
   bool HasError() const { return this->NumberOfErrors > 0; }
 
+  /// So far, those that were told before counted again: what has failed since shows by it.
+  int GetNumberOfErrors() const { return this->NumberOfErrors; }
+
   /// The last error; empty: none.
   const std::string& GetLastError() const { return this->LastError; }
 
-  /// From here on, what this object reports is reported by the owner. Of an algorithm's executive
-  /// only what is no echo of the algorithm's own error.
-  void Listen(vtkObject* object);
-  void Listen(vtkAlgorithm* algorithm);
+  /// From here on, what this object reports is reported by the owner, with the place (file:line)
+  /// that it works for in front, if any. Of an algorithm's executive only what is no echo of the
+  /// algorithm's own error.
+  void Listen(vtkObject* object, const std::string& where = {});
+  void Listen(vtkAlgorithm* algorithm, const std::string& where = {});
 
 private:
   static void Forward(vtkObject*, unsigned long event, void* self, void* text);
@@ -62,6 +67,7 @@ private:
   vtkObject* Owner;
   vtkNew<vtkCallbackCommand> Observer;
   std::set<std::string> Seen;
+  std::map<vtkObject*, std::string> Places;
   std::string LastError;
   int NumberOfErrors = 0;
 };

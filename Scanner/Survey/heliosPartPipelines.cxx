@@ -11,7 +11,20 @@
 #include "vtkHeliosReproject.h"
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
+#include "vtkHeliosVoxelCubes.h"
+#include "vtkHeliosVoxelReader.h"
 #include "vtkHeliosXyzReader.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTrivialProducer.h>
 
 #if VTK_MODULE_ENABLE_vtkHelios_FiltersSimplify
 #include "vtkHeliosMeshSimplify.h"
@@ -46,6 +59,43 @@ vtkSmartPointer<vtkAlgorithm> MakeGeoTiffReader(const std::string& file)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> MakeVegetationReader(const PartData& part, const std::string& file)
+{
+  auto reader = vtkSmartPointer<vtkHeliosVoxelReader>::New();
+  reader->SetFileName(file.c_str());
+  const std::string& table = part.Vegetation.LeafTable;
+  reader->SetLeafTableFileName(table.empty() ? nullptr : table.c_str());
+  return reader;
+}
+
+/// Turns, enlarges and moves a grid as a filter does meshes; its densities stay per cubic metre.
+void Place(vtkHeliosSceneTransform* place, vtkImageData* grid)
+{
+  const double* q = place->GetRotation();
+  Quaternion rotation(q[0], q[1], q[2], q[3]);
+  rotation.Normalize();
+  const double scale = place->GetScale();
+  const Vec3 origin =
+    scale * Rotate(rotation, Vec3(grid->GetOrigin())) + Vec3(place->GetTranslation());
+  const double* size = grid->GetSpacing();
+  Rotation axes(rotation);
+  grid->SetSpacing(scale * size[0], scale * size[1], scale * size[2]);
+  grid->SetDirectionMatrix(&axes.M[0][0]);
+  grid->SetOrigin(origin[0], origin[1], origin[2]);
+}
+
+void SetMaterialsInTurn(vtkImageData* grid, int count)
+{
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkHeliosArrayNames::MaterialIds);
+  ids->SetNumberOfValues(grid->GetNumberOfCells());
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    ids->SetValue(i, static_cast<int>(i % count));
+  }
+  grid->GetCellData()->AddArray(ids);
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::string& file)
 {
   auto reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
@@ -61,6 +111,7 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
 vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
 {
   const bool isPoints = part.Type == Loader::Xyz;
+  this->Where = part.Where;
   Filter last = isPoints ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
   last = this->AddMeshCare(part, this->AddMaterial(part.Material, last));
   const Quaternion& q = part.Rotation;
@@ -70,6 +121,35 @@ vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& par
   transform->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
   this->Connect(transform, last);
   return transform;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
+  const PartData& part, vtkHeliosSceneTransform* place)
+{
+  vtkNew<vtkPolyData> nothing;
+  auto source = vtkSmartPointer<vtkTrivialProducer>::New();
+  source->SetOutput(nothing);
+  const Filter material = this->AddMaterial(part.Material, source);
+  material->Update();
+  vtkNew<vtkStringArray> name;
+  name->SetName(vtkHeliosArrayNames::PartName);
+  name->InsertNextValue(part.Name);
+  std::vector<vtkSmartPointer<vtkImageData>> grids;
+  for (const Filter& reader : this->GridReaders[&part])
+  {
+    auto grid = vtkSmartPointer<vtkImageData>::New();
+    grid->ShallowCopy(reader->GetOutputDataObject(0));
+    grid->GetFieldData()->PassData(material->GetOutputDataObject(0)->GetFieldData());
+    grid->GetFieldData()->AddArray(name);
+    if (part.Material.Count > 1 && !part.Material.File.empty())
+    {
+      SetMaterialsInTurn(grid, part.Material.Count);
+    }
+    Place(place, grid);
+    grids.push_back(grid);
+  }
+  return grids;
 }
 
 //------------------------------------------------------------------------------
@@ -94,7 +174,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
     return this->GetReader(part, part.Files.front());
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
-  this->Log.Listen(composer);
+  this->Log.Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
     composer->AddInputConnection(this->GetReader(part, file)->GetOutputPort());
@@ -111,8 +191,9 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   voxelizer->SetEstimateNormals(part.Voxels.EstimateNormals);
   voxelizer->SetSnapNeighborNormal(part.Voxels.SnapNeighborNormal);
   voxelizer->SetDefaultNormal(normal.GetData());
+  voxelizer->SetNumberOfMaterials(part.Material.Count);
   const auto reader = MakePointReader(part);
-  this->Log.Listen(reader);
+  this->Log.Listen(reader, this->Where);
   this->Readers.emplace_back(part.Files.front(), voxelizer);
   return this->Connect(voxelizer, this->AddCrs(part, reader)); // cells lie along the target's axes
 }
@@ -120,14 +201,40 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
 //------------------------------------------------------------------------------
 PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::string& file)
 {
+  if (part.Type == Loader::Vegetation)
+  {
+    return this->MakeCubes(part, file);
+  }
   Filter& reader = this->MeshReaders[{ file, part.UpIsY }];
   if (!reader)
   {
     reader = part.Type == Loader::GeoTiff ? MakeGeoTiffReader(file) : MakeObjReader(part, file);
-    this->Log.Listen(reader);
+    this->Log.Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
   return reader;
+}
+
+//------------------------------------------------------------------------------
+/// The cubes of a grid of vegetation; of a turbid one they are made only where the ground is looked for.
+PartPipelines::Filter PartPipelines::MakeCubes(const PartData& part, const std::string& file)
+{
+  const VegetationData& cells = part.Vegetation;
+  const Filter reader = MakeVegetationReader(part, file);
+  this->Log.Listen(reader);
+  auto cubes = vtkSmartPointer<vtkHeliosVoxelCubes>::New();
+  cubes->SetMode(
+    cells.Mode == CellMode::Scaled ? vtkHeliosVoxelCubes::SCALED : vtkHeliosVoxelCubes::FIXED);
+  cubes->SetExponent(cells.Exponent);
+  cubes->SetRandomShift(cells.RandomShift);
+  cubes->SetSeed(this->Seed);
+  cubes->SetNumberOfMaterials(part.Material.Count);
+  if (part.IsTurbid())
+  {
+    this->GridReaders[&part].push_back(reader);
+  }
+  this->Readers.emplace_back(file, part.IsTurbid() ? reader : Filter(cubes));
+  return this->Connect(cubes, reader);
 }
 
 //------------------------------------------------------------------------------
@@ -140,6 +247,9 @@ PartPipelines::Filter PartPipelines::AddMaterial(const MaterialData& material, F
   auto reader = vtkSmartPointer<vtkHeliosMaterialReader>::New();
   reader->SetFileName(material.File.c_str());
   reader->SetMaterialName(material.Name.empty() ? nullptr : material.Name.c_str());
+  reader->SetNumberOfMaterials(material.Count);
+  reader->SetRandomRange(material.RandomRange);
+  reader->SetSeed(this->Seed);
   return this->Connect(reader, before);
 }
 
@@ -184,7 +294,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
 PartPipelines::Filter PartPipelines::Connect(Filter filter, const Filter& before)
 {
   filter->SetInputConnection(before->GetOutputPort());
-  this->Log.Listen(filter);
+  this->Log.Listen(filter, this->Where);
   return filter;
 }
 

@@ -17,6 +17,7 @@
 
 class vtkAlgorithm;
 class vtkHeliosSceneTransform;
+class vtkImageData;
 
 namespace helios
 {
@@ -30,13 +31,18 @@ using StepCallback = std::function<bool(const std::string& step)>;
 class PartPipelines
 {
 public:
-  explicit PartPipelines(Messages& log)
+  explicit PartPipelines(Messages& log, vtkIdType seed = 0)
     : Log(log)
+    , Seed(seed)
   {
   }
 
   /// The last filter of a part.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
+
+  /// The grids of a turbid part after its files were read, of its materials and where a filter puts it.
+  std::vector<vtkSmartPointer<vtkImageData>> GetGrids(
+    const PartData& part, vtkHeliosSceneTransform* place);
 
   /// Reads all files; false after an error or where it was stopped.
   bool ReadFiles(const StepCallback& onStep);
@@ -47,12 +53,16 @@ private:
   Filter MakeMesh(const PartData& part);
   Filter MakeVoxels(const PartData& part);
   Filter GetReader(const PartData& part, const std::string& file);
+  Filter MakeCubes(const PartData& part, const std::string& file);
   Filter AddMaterial(const MaterialData& material, Filter before);
   Filter AddCrs(const PartData& part, Filter before);
   Filter AddMeshCare(const PartData& part, Filter before);
   Filter Connect(Filter filter, const Filter& before);
 
   Messages& Log;
+  vtkIdType Seed;
+  std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
+  std::string Where; // the part at hand
   std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
   std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
 };

@@ -4,7 +4,6 @@
 
 #include "vtkHeliosStreamWriter.h"
 
-#include <vtkDataObject.h>
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 #include <vtksys/SystemInformation.hxx>
@@ -105,13 +104,13 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
 bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
 {
   LegScanner& scanner = this->Runner.Prepare(plan);
-  const auto writers = this->Runner.MakeWriters(plan);
+  const LegRunner::Outputs outputs = this->Runner.MakeOutputs(plan);
   bool good = true;
-  for (const auto& writer : writers)
+  for (const LegOutput& output : outputs)
   {
-    this->Runner.Listen(writer);
-    writer->CountOnlyOn();
-    good = writer->Open() && good;
+    this->Runner.Listen(output.Writer);
+    output.Writer->CountOnlyOn();
+    good = output.Writer->Open() && good;
   }
   if (this->Samples.empty() && !windows.empty())
   {
@@ -123,12 +122,12 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
   Sums sums;
   for (std::size_t i = 0; i < windows.size() && good; ++i)
   {
-    good = this->SampleWindow(windows[i], scanner, writers, sums);
+    good = this->SampleWindow(windows[i], scanner, outputs, sums);
   }
-  for (const auto& writer : writers)
+  for (const LegOutput& output : outputs)
   {
-    good = good && writer->Close();
-    sums.Bytes += CountBytes(writer);
+    good = good && output.Writer->Close();
+    sums.Bytes += CountBytes(output.Writer);
   }
   this->Samples.push_back(sums);
   this->Legs.push_back(this->Scale(plan, sums));
@@ -137,25 +136,23 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
 
 //------------------------------------------------------------------------------
 bool RunEstimate::SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
-  const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers, Sums& sums)
+  const LegRunner::Outputs& outputs, Sums& sums)
 {
   const double start = Now();
   scanner.SetTimeWindow(window.first, window.second);
-  bool good = scanner.Update(0, 1);
-  for (std::size_t port = 0; port < writers.size() && good; ++port)
+  if (!scanner.Update(0, 1) || !this->Runner.Write(outputs))
   {
-    const auto output = scanner.GetOutput(static_cast<int>(port));
-    sums.Memory += BytesPerKibibyte * static_cast<double>(output->GetActualMemorySize());
-    good = writers[port]->Write(output);
+    return false;
   }
-  sums.Seconds += Now() - start;
   RunCounts counts;
   scanner.Count(counts);
+  sums.Seconds += Now() - start;
+  sums.Memory += scanner.GetMemorySize();
   scanner.ReleaseOutput();
   sums.Pulses += static_cast<double>(scanner.CountPulses());
   sums.Fired += static_cast<double>(counts.PulsesFired);
   sums.Echoes += static_cast<double>(counts.Echoes);
-  return good && !this->Runner.HasError();
+  return !this->Runner.HasError();
 }
 
 //------------------------------------------------------------------------------

@@ -48,7 +48,7 @@ private:
   Windows ChooseWindows(const LegPlan& plan) const;
   bool Sample(const LegPlan& plan, const Windows& windows);
   bool SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
-    const std::vector<vtkSmartPointer<vtkHeliosStreamWriter>>& writers, Sums& sums);
+    const LegRunner::Outputs& outputs, Sums& sums);
   double CountTrajectoryBytes(const LegPlan& plan) const;
   Sums Scale(const LegPlan& plan, const Sums& sampled) const;
   double GuessMemory(const Sums& totals) const;

@@ -36,7 +36,9 @@ std::set<std::string> GetInputFiles(const SurveyData& survey)
   {
     files.insert(part.Files.begin(), part.Files.end());
     files.insert(part.Material.File);
+    files.insert(part.Vegetation.LeafTable);
   }
+  files.insert(survey.FileName);
   for (const ScannerData& scanner : survey.Scanners)
   {
     for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
@@ -48,7 +50,6 @@ std::set<std::string> GetInputFiles(const SurveyData& survey)
   {
     files.insert(leg.Trajectory.File);
   }
-  files.insert(survey.FileName);
   files.erase("");
   return files;
 }
@@ -71,16 +72,18 @@ Json::Value DescribeInputs(const SurveyData& survey)
 Json::Value DescribeOptions(const RunSettings& settings)
 {
   Json::Value options;
-  options["seed"] = Json::Int64(settings.Scan.Seed);
+  options["seed"] = Json::Int64(settings.Seed);
   options["format"] = settings.Format;
-  options["waveforms"] = settings.Scan.Waveforms;
-  options["noise"] = settings.Scan.Receiver.Noise;
-  options["rangeTolerance_m"] = settings.Scan.Receiver.RangeTolerance;
-  options["energyTolerance"] = settings.Scan.Receiver.EnergyTolerance;
-  options["subRays"] = settings.Scan.Receiver.NumberOfSubRays;
-  options["detector"] = settings.Scan.Receiver.EchoDetector;
+  options["waveforms"] = settings.Waveforms;
+  options["pulses"] = settings.Pulses;
+  options["splitByChannel"] = settings.SplitByChannel;
+  options["noise"] = settings.Receiver.Noise;
+  options["rangeTolerance_m"] = settings.Receiver.RangeTolerance;
+  options["energyTolerance"] = settings.Receiver.EnergyTolerance;
+  options["subRays"] = settings.Receiver.NumberOfSubRays;
+  options["detector"] = settings.Receiver.EchoDetector;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
-  options["rayCaster"] = settings.Scan.RayCaster ? settings.Scan.RayCaster->GetName() : "";
+  options["rayCaster"] = settings.RayCaster ? settings.RayCaster->GetName() : "";
   return options;
 }
 

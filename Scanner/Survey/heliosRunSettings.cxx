@@ -81,7 +81,7 @@ std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
     return (given.empty() ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
       "\" is not in this build; give one of " + Enumerate(names);
   }
-  settings.Scan.RayCaster =
+  settings.RayCaster =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
   return {};
 }
@@ -98,10 +98,13 @@ std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
   }
   const std::string output = TextOf(player->GetOutputDirectory());
   settings.Folder = (std::filesystem::path(output) / player->GetSurvey()->GetName()).string();
-  settings.Scan.Seed = player->GetSeed();
-  settings.Scan.Waveforms = player->GetWriteWaveforms();
+  const vtkIdType own = player->GetSurvey()->GetData().Seed;
+  settings.Seed = std::max<vtkIdType>(0, player->GetSeed() >= 0 ? player->GetSeed() : own);
+  settings.Waveforms = player->GetWriteWaveforms();
+  settings.Pulses = player->GetWritePulses();
+  settings.SplitByChannel = player->GetSplitByChannel();
   settings.PulsesPerBlock = player->GetPulsesPerBlock();
-  const std::string fault = TakeReceiver(player, settings.Scan.Receiver);
+  const std::string fault = TakeReceiver(player, settings.Receiver);
   return fault.empty() ? TakeRayCaster(player, settings) : fault;
 }
 

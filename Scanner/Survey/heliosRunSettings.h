@@ -5,13 +5,17 @@
 #ifndef heliosRunSettings_h
 #define heliosRunSettings_h
 
-#include "heliosLegScanner.h"
+#include "heliosReceiver.h"
 
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <string>
+#include <vector>
 
+class vtkHeliosRayCaster;
 class vtkHeliosSurveyPlayer;
+class vtkImageData;
 
 namespace helios
 {
@@ -20,8 +24,14 @@ struct RunSettings
 {
   std::string Folder; ///< of the files
   std::string Format; ///< xyz, vtp
-  ScanOptions Scan;
+  vtkIdType Seed = 0;
+  ReceiverChoice Receiver;
+  bool Waveforms = false;
+  bool Pulses = false;
+  bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
+  vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
 };
 
 /// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns

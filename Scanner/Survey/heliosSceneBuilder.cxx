@@ -9,6 +9,7 @@
 #include "vtkHeliosSceneComposer.h"
 #include "vtkHeliosSceneTransform.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -42,10 +43,10 @@ bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
 } // namespace
 
 //------------------------------------------------------------------------------
-SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log)
+SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed)
   : Scene(scene)
   , Log(log)
-  , Pipelines(log)
+  , Pipelines(log, seed)
 {
 }
 
@@ -68,6 +69,21 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
 }
 
 //------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
+{
+  std::vector<vtkSmartPointer<vtkImageData>> all;
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    if (this->Scene.Parts[i].IsTurbid())
+    {
+      const auto grids = this->Pipelines.GetGrids(this->Scene.Parts[i], this->Parts[i]);
+      all.insert(all.end(), grids.begin(), grids.end());
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 {
   vtkNew<vtkHeliosSceneComposer> composer;
@@ -75,14 +91,18 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   int count = 0;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    if (withPartsOnGround || !this->Scene.Parts[i].OnGround)
+    const PartData& part = this->Scene.Parts[i];
+    if (!part.IsTurbid() && (withPartsOnGround || !part.OnGround))
     {
       composer->AddInputConnection(this->Parts[i]->GetOutputPort());
       composer->SetPartName(count, this->Scene.Parts[i].Name.c_str());
       ++count;
     }
   }
-  composer->Update();
+  if (count > 0) // else there are voxels alone
+  {
+    composer->Update();
+  }
   if (this->Log.HasError())
   {
     return nullptr;
@@ -95,7 +115,8 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::MakeGround()
 {
-  const auto isNotOnGround = [](const PartData& part) { return !part.OnGround; };
+  const auto isNotOnGround = [](const PartData& part)
+  { return !part.OnGround && !part.IsTurbid(); };
   if (std::any_of(this->Scene.Parts.begin(), this->Scene.Parts.end(), isNotOnGround))
   {
     return this->Compose(false);

@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkHeliosSceneTransform;
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -25,12 +26,15 @@ class Messages;
 class VTKHELIOSSCANNERSURVEY_EXPORT SceneBuilder
 {
 public:
-  SceneBuilder(const SceneData& scene, Messages& log);
+  SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);
   ~SceneBuilder();
 
   /// All parts as one mesh, what is on the ground put there; null after an error, or where a step was
   /// stopped.
   vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep);
+
+  /// The turbid voxels beside the mesh that was built.
+  std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
 private:
   bool PutOnGround();

@@ -5,7 +5,7 @@
 #include "heliosMaterialTable.h"
 #include "heliosMessages.h"
 
-#include <vtkPolyData.h>
+#include <vtkDataObject.h>
 
 #include <algorithm>
 #include <charconv>
@@ -159,7 +159,7 @@ double Spectrum::GetReflectance(double wavelength) const
 }
 
 //------------------------------------------------------------------------------
-SpectralScenes::SpectralScenes(vtkPolyData* scene, std::vector<std::string> folders, Messages& log)
+SpectralScenes::SpectralScenes(vtkDataObject* scene, std::vector<std::string> folders, Messages& log)
   : Scene(scene)
   , Folders(std::move(folders))
   , Log(log)
@@ -167,9 +167,9 @@ SpectralScenes::SpectralScenes(vtkPolyData* scene, std::vector<std::string> fold
 }
 
 //------------------------------------------------------------------------------
-vtkPolyData* SpectralScenes::Get(double wavelength)
+vtkDataObject* SpectralScenes::Get(double wavelength)
 {
-  vtkSmartPointer<vtkPolyData>& scene = this->Scenes[wavelength];
+  vtkSmartPointer<vtkDataObject>& scene = this->Scenes[wavelength];
   if (scene)
   {
     return scene;
@@ -188,7 +188,7 @@ vtkPolyData* SpectralScenes::Get(double wavelength)
       material.Reflectance = reflectances.at(material.Spectrum);
     }
   }
-  scene = vtkSmartPointer<vtkPolyData>::New();
+  scene = vtk::TakeSmartPointer(this->Scene->NewInstance());
   scene->ShallowCopy(this->Scene);
   SetMaterials(scene, materials);
   return scene;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-class vtkPolyData;
+class vtkDataObject;
 
 namespace helios
 {
@@ -44,16 +44,16 @@ private:
 class SpectralScenes
 {
 public:
-  SpectralScenes(vtkPolyData* scene, std::vector<std::string> folders, Messages& log);
+  SpectralScenes(vtkDataObject* scene, std::vector<std::string> folders, Messages& log);
 
   /// The scene at a wavelength [nm].
-  vtkPolyData* Get(double wavelength);
+  vtkDataObject* Get(double wavelength);
 
 private:
-  vtkSmartPointer<vtkPolyData> Scene;
+  vtkSmartPointer<vtkDataObject> Scene;
   std::vector<std::string> Folders;
   Messages& Log;
-  std::map<double, vtkSmartPointer<vtkPolyData>> Scenes;
+  std::map<double, vtkSmartPointer<vtkDataObject>> Scenes;
 };
 
 } // namespace helios

@@ -137,7 +137,8 @@ enum class Loader
 {
   Obj,
   GeoTiff,
-  Xyz
+  Xyz,
+  Vegetation
 };
 
 /// How the points of a file become solid cells.
@@ -152,12 +153,31 @@ struct VoxelData
   bool SnapNeighborNormal = false;
 };
 
+/// What the cells of a grid of vegetation are to light.
+enum class CellMode
+{
+  Turbid, ///< leaves that it passes by chance
+  Scaled, ///< cubes, the denser the larger
+  Fixed   ///< cubes
+};
+
+/// How the cells of .vox files meet light.
+struct VegetationData
+{
+  CellMode Mode = CellMode::Turbid;
+  double Exponent = 0.5;    ///< of scaled cubes
+  bool RandomShift = false; ///< of scaled cubes in their cells
+  std::string LeafTable;    ///< of the projection of leaves; empty: all directions alike
+};
+
 /// The one material of a part whose file has none.
 struct MaterialData
 {
   std::string Where;
-  std::string File; ///< MTL; empty: the default material
-  std::string Name; ///< empty: the alphabetically first
+  std::string File;         ///< MTL; empty: the default material
+  std::string Name;         ///< empty: the alphabetically first
+  int Count = 1;            ///< of materials: the others differ from it by chance
+  double RandomRange = 1.0; ///< of their reflectances
 };
 
 /// From one coordinate system to another.
@@ -177,6 +197,7 @@ struct PartData
   std::vector<std::string> Files;
   bool UpIsY = false;
   VoxelData Voxels;
+  VegetationData Vegetation;
   MaterialData Material;
   std::vector<CrsData> Crs;
   bool Repair = false;
@@ -185,6 +206,11 @@ struct PartData
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
   bool OnGround = false;             ///< its lowest vertex goes to the ground below
+
+  bool IsTurbid() const
+  {
+    return this->Type == Loader::Vegetation && this->Vegetation.Mode == CellMode::Turbid;
+  }
 };
 
 struct SceneData
@@ -285,8 +311,8 @@ struct SurveyData
   std::string Name; ///< fit for the name of a folder
   std::string FileName;
   std::vector<std::string> Documents; ///< all files that the survey was read from
-  std::string RayCaster;    ///< its name; empty: the default
-  vtkIdType Seed = -1;      ///< negative: not given
+  std::string RayCaster;              ///< its name; empty: the default
+  vtkIdType Seed = -1;                ///< negative: not given
   bool IsCanonical = false; ///< how attitudes in files count; else as ARINC 705 has it
   LegOffsetData LegOffset;
   std::vector<ScannerData> Scanners;

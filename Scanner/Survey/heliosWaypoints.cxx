@@ -127,12 +127,19 @@ vtkSmartPointer<vtkPolyData> MakeWaypoints(
   points->SetNumberOfPoints(static_cast<vtkIdType>(last - first));
   waypoints->SetPoints(points);
   auto* speed = AddArray<vtkDoubleArray>(waypoints, names::Speed);
+  auto* stops = AddArray<vtkIntArray>(waypoints, names::StopAndTurn);
+  auto* smooths = AddArray<vtkIntArray>(waypoints, names::SmoothTurn);
+  auto* yaws = AddArray<vtkDoubleArray>(waypoints, names::YawAtDeparture);
   auto* ids = AddArray<vtkIntArray>(waypoints, names::LegIds);
   for (std::size_t leg = first; leg < last; ++leg)
   {
     const auto i = static_cast<vtkIdType>(leg - first);
     points->SetPoint(i, positions[leg].GetData());
-    speed->SetValue(i, survey.Legs[leg].Speed);
+    const LegData& data = survey.Legs[leg];
+    speed->SetValue(i, data.Speed);
+    stops->SetValue(i, data.StopAndTurn ? 1 : 0);
+    smooths->SetValue(i, data.SmoothTurn ? 1 : 0);
+    yaws->SetValue(i, -data.YawAtDeparture); // files count it to the left
     ids->SetValue(i, static_cast<int>(leg));
   }
   return waypoints;

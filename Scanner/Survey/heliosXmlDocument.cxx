@@ -90,9 +90,12 @@ std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages
     return nullptr;
   }
   std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  const bool good =
-    document->Parse(std::move(text)) && document->CheckRoot() && document->CheckAttributes();
-  return good ? std::move(document) : nullptr;
+  if (!document->Parse(std::move(text)) || !document->CheckRoot())
+  {
+    return nullptr;
+  }
+  document->CheckAttributes();
+  return document;
 }
 
 //------------------------------------------------------------------------------
@@ -147,7 +150,6 @@ bool XmlDocument::CheckRoot()
     {
       this->Log->Error(this->Where(node.offset_debug()) + ": a second root element <" +
         node.name() + ">; put everything into one <document>");
-      return false;
     }
     else if (node.type() == pugi::node_element)
     {
@@ -165,9 +167,8 @@ bool XmlDocument::CheckRoot()
 }
 
 //------------------------------------------------------------------------------
-bool XmlDocument::CheckAttributes()
+void XmlDocument::CheckAttributes()
 {
-  bool good = true;
   for (pugi::xml_node node = this->Tree.first_child(); node; node = NextNode(node))
   {
     const std::string duplicate = FindDuplicate(node);
@@ -175,10 +176,8 @@ bool XmlDocument::CheckAttributes()
     {
       this->Log->Error(this->Where(node.offset_debug()) + ": <" + node.name() +
         "> has the attribute " + duplicate + " twice; leave one of them");
-      good = false;
     }
   }
-  return good;
 }
 
 //------------------------------------------------------------------------------

@@ -24,8 +24,8 @@ class XmlElement;
 class XmlDocument
 {
 public:
-  /// Reads a file; null after an error. The root is <document>, alone; no element has an attribute
-  /// twice.
+  /// Reads a file; null where it is no XML or its root is no <document>. A second root, or an
+  /// attribute that an element has twice, is an error, and the first counts.
   static std::unique_ptr<XmlDocument> Load(const std::string& path, Messages& messages);
 
   const std::string& GetPath() const { return this->Path; }
@@ -39,7 +39,7 @@ private:
   XmlDocument() = default;
   bool Parse(std::string text);
   bool CheckRoot();
-  bool CheckAttributes();
+  void CheckAttributes();
 
   std::string Path;
   Messages* Log = nullptr;

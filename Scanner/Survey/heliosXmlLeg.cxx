@@ -171,4 +171,20 @@ LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files)
   return settings;
 }
 
+//------------------------------------------------------------------------------
+void CheckTemplates(const XmlElement& root, Assets& files)
+{
+  LegReader reader(files);
+  for (const XmlElement& settings : root.GetChildren("platformSettings"))
+  {
+    LegSettings scratch;
+    reader.ReadPlatformSettings(settings, scratch);
+  }
+  for (const XmlElement& settings : root.GetChildren("scannerSettings"))
+  {
+    LegSettings scratch;
+    reader.ReadScannerSettings(settings, scratch);
+  }
+}
+
 } // namespace helios

@@ -35,6 +35,7 @@ private:
   void ReadGeoTiffLoader(const XmlFilter& filter);
   void ReadXyzLoader(const XmlFilter& filter);
   void ReadNormals(const XmlFilter& filter);
+  void ReadVegetation(const XmlFilter& filter);
   bool StartLoader(const XmlFilter& filter, Loader type);
   void ReadMaterial(const XmlFilter& filter);
   void ReadCrs(const XmlFilter& filter);
@@ -45,6 +46,7 @@ private:
   void ReadTranslate(const XmlFilter& filter);
   void WarnIfRepeated(const XmlFilter& filter, bool& seen);
   void ReportFilter(const XmlFilter& filter);
+  void CheckTurbid();
 
   const XmlElement& Element;
   Assets& Files;
@@ -67,8 +69,10 @@ PartData PartReader::Read()
   if (!this->HasLoader)
   {
     this->Element.GetMessages().Error(this->Part.Where +
-      ": <part> has no loader; add a <filter type=\"objloader\">, geotiffloader or xyzloader");
+      ": <part> has no loader; add a <filter type=\"objloader\">, geotiffloader, xyzloader or "
+      "detailedvoxels");
   }
+  this->CheckTurbid();
   return this->Part;
 }
 
@@ -79,6 +83,7 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
     { "objloader", &PartReader::ReadObjLoader },
     { "geotiffloader", &PartReader::ReadGeoTiffLoader },
     { "xyzloader", &PartReader::ReadXyzLoader },
+    { "detailedvoxels", &PartReader::ReadVegetation },
     { "crs", &PartReader::ReadCrs },
     { "repair", &PartReader::ReadRepair },
     { "simplify", &PartReader::ReadSimplify },
@@ -179,21 +184,77 @@ void PartReader::ReadNormals(const XmlFilter& filter)
 }
 
 //------------------------------------------------------------------------------
+void PartReader::ReadVegetation(const XmlFilter& filter)
+{
+  if (!this->StartLoader(filter, Loader::Vegetation))
+  {
+    return;
+  }
+  static const std::map<std::string, CellMode> modes = { { "transmittive", CellMode::Turbid },
+    { "scaled", CellMode::Scaled }, { "fixed", CellMode::Fixed } };
+  VegetationData& cells = this->Part.Vegetation;
+  std::string mode = "transmittive";
+  filter.Read("intersectionMode", mode);
+  const auto found = modes.find(ToLower(mode));
+  if (found == modes.end())
+  {
+    filter.GetMessages().Error(filter.GetValue("intersectionMode").Where + ": intersectionMode=\"" +
+      mode + "\" is unknown; give transmittive, scaled or fixed");
+    return;
+  }
+  cells.Mode = found->second;
+  filter.Read("intersectionArgument", cells.Exponent);
+  filter.Read("randomShift", cells.RandomShift);
+  if (filter.Has("ladlut"))
+  {
+    cells.LeafTable =
+      this->Files.FindFile(filter.GetValue("ladlut"), filter.GetElement().GetDocument());
+  }
+  this->ReadMaterial(filter);
+}
+
+//------------------------------------------------------------------------------
+/// What a grid of turbid cells cannot have: it is no mesh.
+void PartReader::CheckTurbid()
+{
+  Messages& log = this->Element.GetMessages();
+  if (this->Part.IsTurbid() && !this->Part.Crs.empty())
+  {
+    log.Error(this->Part.Crs.front().Where +
+      ": filter crs does not bend transmittive voxels; give the grid in the scene's system, or "
+      "intersectionMode=\"scaled\" or \"fixed\"");
+  }
+  if (this->Part.IsTurbid() && (this->Part.Repair || this->Part.SimplifyDistance > 0.0))
+  {
+    log.Warning(
+      this->Part.Where + ": filters repair and simplify do nothing for transmittive voxels");
+  }
+}
+
+//------------------------------------------------------------------------------
 void PartReader::ReadMaterial(const XmlFilter& filter)
 {
   MaterialData& material = this->Part.Material;
   material.Where = filter.Where();
   filter.Read("matname", material.Name);
+  int others = 0;
+  filter.Read("randomMaterials", others);
+  filter.Read("randomRange", material.RandomRange);
+  material.Count = 1 + others;
   if (filter.Has("matfile"))
   {
     const XmlDocument& document = filter.GetElement().GetDocument();
     material.Where = filter.GetValue("matfile").Where;
     material.File = this->Files.FindFile(filter.GetValue("matfile"), document);
   }
-  else if (filter.Has("matname"))
+  for (const char* key : { "matname", "randomMaterials" })
   {
-    filter.GetMessages().Warning(filter.GetValue("matname").Where + ": matname=\"" + material.Name +
-      "\" is not used without a matfile; add <param key=\"matfile\" value=\"....mtl\">");
+    if (material.File.empty() && !filter.Has("matfile") && filter.Has(key))
+    {
+      const XmlValue value = filter.GetValue(key);
+      filter.GetMessages().Warning(value.Where + ": " + key + "=\"" + value.Text +
+        "\" is not used without a matfile; add <param key=\"matfile\" value=\"....mtl\">");
+    }
   }
 }
 
@@ -275,7 +336,7 @@ void PartReader::WarnIfRepeated(const XmlFilter& filter, bool& seen)
 //------------------------------------------------------------------------------
 void PartReader::ReportFilter(const XmlFilter& filter)
 {
-  static const std::array<const char*, 3> later = { "detailedvoxels", "assumematerials", "wms" };
+  static const std::array<const char*, 2> later = { "assumematerials", "wms" };
   const std::string& type = filter.GetType();
   const std::vector<std::string>& now = GetFilterTypes();
   std::string text = filter.Where() + ": filter type=\"" + type + "\" ";
@@ -290,8 +351,8 @@ void PartReader::ReportFilter(const XmlFilter& filter)
       "is unknown; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Filters are ";
   }
   filter.GetMessages().Error(text + Enumerate(now));
-  this->HasLoader =
-    this->HasLoader || type.find("load") != std::string::npos || type == "detailedvoxels";
+  this->HasLoader = this->HasLoader || type.find("load") != std::string::npos ||
+    type.find("voxel") != std::string::npos;
 }
 
 } // namespace

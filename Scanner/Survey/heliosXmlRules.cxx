@@ -403,8 +403,21 @@ const std::vector<XmlElementRule> Rules = {
       { "sparse", Boolean, Ignored },
       { "matfile" },
       { "matname" },
-      { "randomMaterials", Integer, Later },
-      { "randomRange", Real, Later } },
+      { "randomMaterials", Integer, Used, "", { 0.0, 999999.0, false } },
+      { "randomRange", Real, Used, "", { 0.0, 1.0, false } } },
+    {} },
+
+  { "filter:detailedvoxels",
+    { { "filepath" },
+      { "efilepath" },
+      { "intersectionMode" },
+      { "intersectionArgument", Real, Used, "", { 0.0, 100.0, false } },
+      { "randomShift", Boolean },
+      { "ladlut" },
+      { "matfile" },
+      { "matname" },
+      { "randomMaterials", Integer, Used, "", { 0.0, 999999.0, false } },
+      { "randomRange", Real, Used, "", { 0.0, 1.0, false } } },
     {} },
 
   { "filter:crs", { { "source" }, { "target" } }, {} },
@@ -501,6 +514,12 @@ std::string ToLower(std::string text)
 const XmlElementRule* FindXmlRule(const std::string& element)
 {
   return FindByName(Rules, element);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<XmlElementRule>& GetXmlRules()
+{
+  return Rules;
 }
 
 //------------------------------------------------------------------------------

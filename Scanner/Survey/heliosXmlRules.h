@@ -81,6 +81,9 @@ struct XmlElementRule
 /// filter are the values of "filter:<type>".
 const XmlElementRule* FindXmlRule(const std::string& element);
 
+/// All of them.
+const std::vector<XmlElementRule>& GetXmlRules();
+
 /// A text in lower case.
 std::string ToLower(std::string text);
 

@@ -5,6 +5,7 @@
 #include "heliosAssets.h"
 #include "heliosLegSettings.h"
 #include "heliosMessages.h"
+#include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
@@ -14,6 +15,7 @@
 #include <charconv>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace helios
 {
@@ -69,13 +71,15 @@ private:
   void ReadLegs(const XmlElement& survey, SurveyData& data);
   void ReadLeg(const XmlElement& leg, SurveyData& data);
   void ReadScan(const XmlElement& scan, SurveyData& data);
-  void AddLeg(const LegSettings& settings, const XmlElement& from, SurveyData& data);
+  void AddLeg(
+    const XmlElement& element, const LegSettings& base, const XmlElement& from, SurveyData& data);
   std::size_t FindScanner(const XmlElement& from, SurveyData& data);
   std::size_t FindPlatform(const XmlElement& from, SurveyData& data);
   XmlElement FindRequired(const XmlElement& from, const char* tag);
   PlatformData MakeInterpolated();
   void CheckJourneys(const SurveyData& data);
   void Resolve(SurveyData& data);
+  bool IsGood(std::size_t leg, const SurveyData& data) const;
 
   Assets& Files;
   Messages& Log;
@@ -85,6 +89,9 @@ private:
   std::map<std::string, std::size_t> Platforms;
   Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the legs that follow
   bool StartsScan = false;
+  std::set<std::size_t> BadScanners; // that have errors of their own
+  std::set<std::size_t> BadPlatforms;
+  std::set<std::size_t> BadLegs;
 };
 
 //------------------------------------------------------------------------------
@@ -176,8 +183,17 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
   {
     return known->second;
   }
+  const int before = this->Log.GetNumberOfErrors();
   ScannerData scanner = element ? ReadScanner(element) : ScannerData();
   OverrideScanner(this->Survey, scanner);
+  if (element && this->Log.GetNumberOfErrors() == before)
+  {
+    CheckScanner(scanner, this->Log);
+  }
+  if (!element || this->Log.GetNumberOfErrors() != before)
+  {
+    this->BadScanners.insert(data.Scanners.size());
+  }
   data.Scanners.push_back(scanner);
   return this->Scanners[where] = data.Scanners.size() - 1;
 }
@@ -193,10 +209,15 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
   {
     return known->second;
   }
+  const int before = this->Log.GetNumberOfErrors();
   PlatformData platform = isInterpolated ? this->MakeInterpolated()
     : element                            ? ReadPlatform(element)
                                          : PlatformData();
   OverridePlatform(this->Survey, platform);
+  if ((!element && !isInterpolated) || this->Log.GetNumberOfErrors() != before)
+  {
+    this->BadPlatforms.insert(data.Platforms.size());
+  }
   data.Platforms.push_back(platform);
   return this->Platforms[where] = data.Platforms.size() - 1;
 }
@@ -243,17 +264,14 @@ void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
     this->FindScanner(survey, data); // which may be wrong, too
     this->FindPlatform(survey, data);
   }
-  if (!this->Log.HasError())
-  {
-    this->CheckJourneys(data);
-    this->Resolve(data); // What follows from an error is none of its own.
-  }
+  this->CheckJourneys(data);
+  this->Resolve(data);
 }
 
 //------------------------------------------------------------------------------
 void SurveyReader::ReadLeg(const XmlElement& leg, SurveyData& data)
 {
-  this->AddLeg(helios::ReadLeg(leg, {}, this->Files), leg, data);
+  this->AddLeg(leg, {}, leg, data);
 }
 
 //------------------------------------------------------------------------------
@@ -275,14 +293,25 @@ void SurveyReader::ReadScan(const XmlElement& scan, SurveyData& data)
     settings.Scan.HeadRotateStop - settings.Scan.HeadRotateStart);
   for (const XmlElement& leg : scan.GetChildren("leg"))
   {
-    this->AddLeg(helios::ReadLeg(leg, settings, this->Files), scan, data);
+    this->AddLeg(leg, settings, scan, data);
+    if (this->BadScanners.count(scanner) > 0)
+    {
+      this->BadLegs.insert(data.Legs.size() - 1); // its head turns as the scanner can
+    }
   }
 }
 
 //------------------------------------------------------------------------------
 /// A leg with the scanner and platform that it, or what it stands in, or the survey names.
-void SurveyReader::AddLeg(const LegSettings& settings, const XmlElement& from, SurveyData& data)
+void SurveyReader::AddLeg(
+  const XmlElement& element, const LegSettings& base, const XmlElement& from, SurveyData& data)
 {
+  const int before = this->Log.GetNumberOfErrors();
+  const LegSettings settings = helios::ReadLeg(element, base, this->Files);
+  if (this->Log.GetNumberOfErrors() != before)
+  {
+    this->BadLegs.insert(data.Legs.size());
+  }
   LegData leg = settings.Leg;
   leg.Position += this->Origin;
   leg.Scanner = this->FindScanner(from.Has("scanner") ? from : this->Survey, data);
@@ -299,6 +328,10 @@ void SurveyReader::CheckJourneys(const SurveyData& data)
 {
   for (std::size_t leg = 0; leg < data.Legs.size(); ++leg)
   {
+    if (!this->IsGood(leg, data))
+    {
+      continue;
+    }
     const bool isAlone = data.Legs[leg].StartsJourney && data.EndsJourney(leg);
     const bool isFlown = data.GetPlatform(leg).Type == PlatformType::Interpolated;
     if (isAlone && data.IsMoving(leg) && !isFlown)
@@ -318,14 +351,28 @@ void SurveyReader::CheckJourneys(const SurveyData& data)
 //------------------------------------------------------------------------------
 void SurveyReader::Resolve(SurveyData& data)
 {
-  for (const ScannerData& scanner : data.Scanners)
+  for (std::size_t leg = 0; leg < data.Legs.size(); ++leg)
   {
-    CheckScanner(scanner, this->Log);
+    if (!this->IsGood(leg, data))
+    {
+      continue;
+    }
+    if (this->BadScanners.count(data.Legs[leg].Scanner) == 0)
+    {
+      ResolveLeg(this->Settings[leg], leg, data, this->Log);
+    }
+    else
+    {
+      CheckLegAlone(this->Settings[leg], leg, data, this->Log);
+    }
   }
-  for (std::size_t leg = 0; leg < data.Legs.size() && !this->Log.HasError(); ++leg)
-  {
-    ResolveLeg(this->Settings[leg], leg, data, this->Log);
-  }
+}
+
+//------------------------------------------------------------------------------
+/// Whether a leg and its platform have no errors of their own: what follows from those is none.
+bool SurveyReader::IsGood(std::size_t leg, const SurveyData& data) const
+{
+  return this->BadLegs.count(leg) == 0 && this->BadPlatforms.count(data.Legs[leg].Platform) == 0;
 }
 
 } // namespace
@@ -355,6 +402,27 @@ SurveyData ReadSurvey(
   SurveyReader(assets, log).Read(surveys.front(), data);
   data.Documents = assets.GetDocumentPaths();
   return data;
+}
+
+//------------------------------------------------------------------------------
+void CheckFile(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
+{
+  Assets assets(log, assetDirectories);
+  const XmlDocument* document = assets.Load(fileName);
+  if (!document)
+  {
+    return;
+  }
+  const XmlElement root = document->GetRoot();
+  for (const XmlElement& survey : root.GetChildren("survey"))
+  {
+    SurveyData data;
+    SurveyReader(assets, log).Read(survey, data);
+    CheckSurveyNames(data, survey.Where(), log);
+  }
+  CheckTemplates(root, assets);
+  CheckAssets(root, assets, log);
 }
 
 } // namespace helios

@@ -20,6 +20,12 @@ SurveyData ReadSurvey(const std::string& fileName,
   const std::vector<std::string>& assetDirectories,
   Messages& log);
 
+/// Checks a whole file: its surveys, as they are read, and all scenes, scanners, platforms and
+/// templates in it, whether a survey uses them or not.
+void CheckFile(const std::string& fileName,
+  const std::vector<std::string>& assetDirectories,
+  Messages& log);
+
 } // namespace helios
 
 #endif

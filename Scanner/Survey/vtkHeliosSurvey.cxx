@@ -61,6 +61,12 @@ std::string vtkHeliosSurvey::GetSceneName() const
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHeliosSurvey::GetSeed() const
+{
+  return this->Data->Seed;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosSurvey::IsMoving() const
 {
   bool isMoving = false;

@@ -51,6 +51,11 @@ public:
   ///@}
 
   /**
+   * The key of random numbers that the survey asks for; -1: it asks for none.
+   */
+  vtkIdType GetSeed() const;
+
+  /**
    * Whether a platform moves from leg to leg. The last leg of one is then an end
    * point only.
    */

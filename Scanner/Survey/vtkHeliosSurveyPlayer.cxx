@@ -13,6 +13,7 @@
 #include "vtkHeliosSurvey.h"
 
 #include <vtkCommand.h>
+#include <vtkImageData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -159,9 +160,11 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
   const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log);
+  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
+  this->Settings.Grids =
+    this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
   if (!this->Scene && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
@@ -443,6 +446,8 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Noise: " << this->Noise << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
+     << indent << "WritePulses: " << this->WritePulses << "\n"
+     << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
      << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"

@@ -18,6 +18,11 @@
  * - legNNN_trajectory.txt: the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
  * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
+ * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
+ * Legs of the same strip S write to one file each, stripS_points.xyz and so on.
+ * The channels of a scanner fire at once, and their records go to one file in
+ * the order of pulses, or with SplitByChannel to legNNN_points_dev<channel>.xyz
+ * and so on.
  *
  * While a leg runs its files end in .part and are valid up to the last block;
  * run.journal says what is safe on the disk. A run that ended early for whatever
@@ -82,9 +87,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
+   * Set/Get the key of all random numbers. Valid range: [0, 2^62], or -1: that of
+   * the survey, 0 where it has none. Default: -1.
    */
-  vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
+  vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);
   ///@}
 
@@ -146,6 +152,26 @@ public:
   vtkSetMacro(WriteWaveforms, bool);
   vtkGetMacro(WriteWaveforms, bool);
   vtkBooleanMacro(WriteWaveforms, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether the pulses are written, those that hit nothing, too. Default:
+   * off.
+   */
+  vtkSetMacro(WritePulses, bool);
+  vtkGetMacro(WritePulses, bool);
+  vtkBooleanMacro(WritePulses, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether every channel of a scanner has files of its own. Default:
+   * off.
+   */
+  vtkSetMacro(SplitByChannel, bool);
+  vtkGetMacro(SplitByChannel, bool);
+  vtkBooleanMacro(SplitByChannel, bool);
   ///@}
 
   ///@{
@@ -266,9 +292,11 @@ private:
   double RangeTolerance = 0.0;
   double EnergyTolerance = 0.0;
   int NumberOfSubRays = 0;
-  vtkIdType Seed = 0;
+  vtkIdType Seed = -1;
   bool Noise = true;
   bool WriteWaveforms = false;
+  bool WritePulses = false;
+  bool SplitByChannel = false;
   bool Overwrite = false;
   bool Resume = false;
   bool WasFinished = false;

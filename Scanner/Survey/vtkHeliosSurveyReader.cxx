@@ -40,9 +40,9 @@ void vtkHeliosSurveyReader::RemoveAllAssetDirectories()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyReader::Read()
+template <typename TaskT>
+bool vtkHeliosSurveyReader::Try(TaskT task)
 {
-  this->Survey = nullptr;
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro(<< "FileName is not set; give the name of a survey XML file.");
@@ -51,18 +51,31 @@ bool vtkHeliosSurveyReader::Read()
   helios::Messages log(this);
   try
   {
-    vtkNew<vtkHeliosSurvey> survey;
-    survey->GetData() = helios::ReadSurvey(this->FileName, this->AssetDirectories, log);
-    if (!log.HasError())
-    {
-      this->Survey = survey;
-    }
+    task(log);
+    return !log.HasError();
   }
   catch (const std::exception& error) // the standard library's: no memory, a broken file system
   {
     vtkErrorMacro(<< this->FileName << ": cannot be read: " << error.what());
   }
-  return this->Survey != nullptr;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyReader::Read()
+{
+  vtkNew<vtkHeliosSurvey> survey;
+  const bool isGood = this->Try([this, &survey](helios::Messages& log)
+    { survey->GetData() = helios::ReadSurvey(this->FileName, this->AssetDirectories, log); });
+  this->Survey = isGood ? survey.Get() : nullptr;
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyReader::Check()
+{
+  return this->Try([this](helios::Messages& log)
+    { helios::CheckFile(this->FileName, this->AssetDirectories, log); });
 }
 
 //------------------------------------------------------------------------------

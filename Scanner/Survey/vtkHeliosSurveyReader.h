@@ -14,8 +14,7 @@
  * The file is read strictly: every error names file:line, the value and the
  * cure, and all errors are reported, not only the first. Attributes and elements
  * that the dialect does not know, or that this version does not model, are
- * warned of once. Optics are rotating and conic, platforms static and
- * linearpath, scene filters objloader, rotate, scale and translate.
+ * warned of once. Docs/dialect.md lists all of them.
  *
  * @sa
  * vtkHeliosSurvey vtkHeliosSurveyPlayer
@@ -63,6 +62,15 @@ public:
   bool Read();
 
   /**
+   * Checks the whole file and all that it refers to, without a survey to run in
+   * the end: surveys as Read() does, and every scene, scanner, platform and
+   * template in it, used or not; whether scene files exist, and names of
+   * coordinate systems and ray casters are known. Each fault is told on its own,
+   * what only follows from another is not. Returns false after an error.
+   */
+  bool Check();
+
+  /**
    * The survey of the last Read(), or null.
    */
   vtkHeliosSurvey* GetSurvey() const;
@@ -72,6 +80,9 @@ protected:
   ~vtkHeliosSurveyReader() override;
 
 private:
+  template <typename TaskT>
+  bool Try(TaskT task);
+
   vtkHeliosSurveyReader(const vtkHeliosSurveyReader&) = delete;
   void operator=(const vtkHeliosSurveyReader&) = delete;
 

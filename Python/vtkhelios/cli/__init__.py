@@ -29,6 +29,7 @@ examples:
   vtkhelios run survey.xml                          run a survey, files go to ./output
   vtkhelios run survey.xml --assets my_scenes       its scenes and scanners are looked up there, too
   vtkhelios run --help                              all about running surveys
+  vtkhelios validate survey.xml                     all that is wrong with it, at once
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    the echoes of stored waveforms anew
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted

@@ -27,6 +27,9 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse a line, pulse, origin x y z,
                           direction x y z, first and last time [ns, two-way], GPS time [s],
                           samples [nW]
+  legNNN_pulse.txt        the pulses, with --pulses: one a line, origin x y z, direction x y z,
+                          time [ns], pulse, channel
+Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
 With --format vtp: legNNN_points.pvtp and legNNN_fullwave.pvtt, with their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
                           leg, timings
@@ -139,14 +142,21 @@ def add_arguments(parser):
     parser.add_argument(
         "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"
     )
+    parser.add_argument(
+        "--pulses", action="store_true", help="write the pulses, too, those that hit nothing as well"
+    )
+    parser.add_argument(
+        "--split-by-channel",
+        action="store_true",
+        help="a file for every channel of a scanner: legNNN_points_dev<channel>.xyz",
+    )
     add_sampling_arguments(parser)
     parser.add_argument(
         "--seed",
         metavar="N",
         type=whole_number(2**62),
-        default=0,
         help="the key of all random numbers: the same seed gives the same bytes, "
-        "for any number of threads (default: %(default)s)",
+        "for any number of threads (default: the survey's, else 0)",
     )
     parser.add_argument(
         "--no-noise", action="store_true", help="ranges without the scanner's noise"
@@ -280,15 +290,18 @@ def make_player(arguments, survey, messages):
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)
+    player.SetWritePulses(arguments.pulses)
+    player.SetSplitByChannel(arguments.split_by_channel)
     player.SetRangeTolerance(arguments.range_tolerance)
     player.SetEnergyTolerance(arguments.energy_tolerance)
     player.SetNumberOfSubRays(arguments.sub_rays)
     player.SetEchoDetector(arguments.detector)
-    player.SetSeed(arguments.seed)
+    seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
+    player.SetSeed(seed)
     player.SetNoise(not arguments.no_noise)
     player.SetRayCaster(arguments.ray_caster)
     messages.info(
-        f"survey   {survey.GetName()} ({arguments.survey}), seed {arguments.seed}"
+        f"survey   {survey.GetName()} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player

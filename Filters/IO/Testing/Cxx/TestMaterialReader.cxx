@@ -14,6 +14,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -96,6 +97,63 @@ TEST_CASE("MaterialReader: the alphabetically first, or the named one", "[Materi
   REQUIRE(ids->GetNumberOfValues() == 2);
   CHECK(ids->GetValue(1) == 0);
   CHECK(reading.Log->Errors.empty());
+}
+
+TEST_CASE("MaterialReader: several that differ by chance", "[MaterialReader]")
+{
+  Reading reading("newmtl leaf\nhelios_reflectance 0.3\nhelios_classification 4\n");
+  reading.Reader->SetNumberOfMaterials(1001);
+  reading.Reader->SetRandomRange(0.2);
+  helios::MaterialTable table = reading.Update();
+  REQUIRE(table.size() == 1001);
+  CHECK(table[0].Name == "leaf");
+  CHECK(table[0].Reflectance == 0.3);
+  CHECK(table[7].Name == "leaf.7");
+  CHECK(table[7].Classification == 4);
+  double sum = 0.0;
+  double squares = 0.0;
+  for (std::size_t i = 1; i < table.size(); ++i)
+  {
+    const double x = table[i].Reflectance - 0.3;
+    REQUIRE(std::abs(x) <= 0.2);
+    sum += x;
+    squares += x * x;
+  }
+  const double deviation = 0.2 / std::sqrt(3.0); // of a uniform number in +-0.2
+  CHECK(std::abs(sum / 1000) < 4.0 * deviation / std::sqrt(1000.0));
+  CHECK(squares / 1000 == Approx(deviation * deviation).epsilon(0.1));
+  reading.Reader->Modified();
+  CHECK(reading.Update() == table);
+  reading.Reader->SetSeed(1);
+  CHECK_FALSE(reading.Update() == table);
+  reading.Reader->SetRandomRange(1.0);
+  int atEnds = 0;
+  for (const helios::Material& material : reading.Update())
+  {
+    REQUIRE((material.Reflectance >= 0.0 && material.Reflectance <= 1.0));
+    atEnds += material.Reflectance == 0.0 || material.Reflectance == 1.0 ? 1 : 0;
+  }
+  CHECK(atEnds > 300); // 0.3 +- 1 is cut to [0, 1]
+  CHECK(reading.Log->Warnings.empty());
+}
+
+TEST_CASE("MaterialReader: spectra are not varied, and ids are counted round", "[MaterialReader]")
+{
+  Reading reading("newmtl leaf\nhelios_spectra oak\n");
+  reading.Reader->SetNumberOfMaterials(2);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  ids->InsertNextValue(3);
+  ids->InsertNextValue(4);
+  vtkPolyData::SafeDownCast(reading.Reader->GetInputDataObject(0, 0))->GetCellData()->AddArray(ids);
+  const helios::MaterialTable table = reading.Update();
+  REQUIRE(table.size() == 2);
+  CHECK(std::isnan(table[1].Reflectance));
+  CHECK(table[1].Spectrum == "oak");
+  CHECK(reading.Log->HasWarning("material leaf has its reflectance from a spectrum"));
+  vtkDataArray* out = reading.Reader->GetOutput()->GetCellData()->GetArray(names::MaterialIds);
+  CHECK(out->GetTuple1(0) == 1);
+  CHECK(out->GetTuple1(1) == 0);
 }
 
 TEST_CASE("MaterialReader: errors", "[MaterialReader]")

@@ -5,6 +5,7 @@
 #ifndef heliosTrajectory_h
 #define heliosTrajectory_h
 
+#include "heliosHermite.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
@@ -16,7 +17,9 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace helios
@@ -25,8 +28,8 @@ namespace helios
 using Point = std::array<double, 3>;
 
 /// Waypoints, and their speeds where there are any.
-inline vtkSmartPointer<vtkPolyData> MakeWaypoints(const std::vector<Point>& positions,
-  const std::vector<double>& speeds = {})
+inline vtkSmartPointer<vtkPolyData> MakeWaypoints(
+  const std::vector<Point>& positions, const std::vector<double>& speeds = {})
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -65,6 +68,90 @@ inline Point BodyToWorld(vtkPolyData* path, vtkIdType sample, const Point& v)
   Point world;
   vtkMath::Multiply3x3(m, v.data(), world.data());
   return world;
+}
+
+/// The forward axis of the body at a sample, in the world.
+inline Point ForwardAt(vtkPolyData* path, vtkIdType sample)
+{
+  return BodyToWorld(path, sample, { 0.0, 1.0, 0.0 });
+}
+
+/// The position between samples as the scanner takes it, found from a sample at or before the time.
+inline Vec3 PositionAt(vtkPolyData* path, double time)
+{
+  vtkIdType i = 0;
+  for (vtkIdType high = path->GetNumberOfPoints() - 1; i + 1 < high;)
+  {
+    const vtkIdType middle = (i + high) / 2;
+    (Value(path, vtkHeliosArrayNames::GpsTime, middle) <= time ? i : high) = middle;
+  }
+  double v0[3], v1[3];
+  path->GetPointData()->GetArray(vtkHeliosArrayNames::Velocity)->GetTuple(i, v0);
+  path->GetPointData()->GetArray(vtkHeliosArrayNames::Velocity)->GetTuple(i + 1, v1);
+  const double t0 = Value(path, vtkHeliosArrayNames::GpsTime, i);
+  const double t1 = Value(path, vtkHeliosArrayNames::GpsTime, i + 1);
+  const HermiteSegment segment(
+    t0, Vec3(path->GetPoint(i)), Vec3(v0), t1, Vec3(path->GetPoint(i + 1)), Vec3(v1));
+  return segment(t1 > t0 ? std::clamp((time - t0) / (t1 - t0), 0.0, 1.0) : 1.0);
+}
+
+/// The distance of a sample from a point.
+inline double GetMiss(vtkPolyData* path, vtkIdType sample, const Point& point)
+{
+  double p[3];
+  path->GetPoint(sample, p);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(p, point.data()));
+}
+
+/// The samples of a leg, [first, last].
+inline std::array<vtkIdType, 2> FindLeg(vtkPolyData* path, int leg)
+{
+  std::array<vtkIdType, 2> ends{ -1, -1 };
+  for (vtkIdType i = 0; i < path->GetNumberOfPoints(); ++i)
+  {
+    if (Value(path, vtkHeliosArrayNames::LegIds, i) == static_cast<double>(leg))
+    {
+      ends[0] = ends[0] < 0 ? i : ends[0];
+      ends[1] = i;
+    }
+  }
+  return ends;
+}
+
+/// What is wrong with a trajectory as such: times that go back, a leg that does not start when the
+/// one before ends, a jump, velocities that are not those of the positions. Empty where it is sound.
+inline std::string FindFlaw(vtkPolyData* path, double tolerance)
+{
+  for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)
+  {
+    const double t0 = Value(path, vtkHeliosArrayNames::GpsTime, i - 1);
+    const double t1 = Value(path, vtkHeliosArrayNames::GpsTime, i);
+    const double leg0 = Value(path, vtkHeliosArrayNames::LegIds, i - 1);
+    const double leg1 = Value(path, vtkHeliosArrayNames::LegIds, i);
+    Point mean{};
+    Point way{};
+    for (int k = 0; k < 3; ++k)
+    {
+      mean[k] = 0.5 * (t1 - t0) *
+        (Value(path, vtkHeliosArrayNames::Velocity, i - 1, k) +
+          Value(path, vtkHeliosArrayNames::Velocity, i, k));
+      way[k] = path->GetPoint(i)[k] - path->GetPoint(i - 1)[k];
+    }
+    const double gap = std::sqrt(vtkMath::Distance2BetweenPoints(mean.data(), way.data()));
+    if (!(t1 >= t0))
+    {
+      return "time goes back at sample " + std::to_string(i);
+    }
+    if (leg1 != leg0 && (leg1 != leg0 + 1.0 || t1 != t0))
+    {
+      return "legs do not join at sample " + std::to_string(i);
+    }
+    if (!(gap <= tolerance))
+    {
+      return "a jump of " + std::to_string(gap) + " at sample " + std::to_string(i);
+    }
+  }
+  return {};
 }
 
 } // namespace helios

@@ -180,7 +180,7 @@ TEST_CASE("SurveyReader: parameters of parts that are not used", "[SurveyReader]
   CHECK(reading.Good);
   CHECK(reading.Log->HasWarning("matname=\"oak\" is not used without a matfile"));
   CHECK(reading.Log->HasWarning(
-    "parameter \"randomMaterials\" of filter xyzloader is not modelled and not used"));
+    "randomMaterials=\"3\" is not used without a matfile"));
   CHECK(reading.Log->HasWarning(
     "parameter \"voxelsize\" of filter xyzloader is unknown; did you mean voxelSize?"));
 }

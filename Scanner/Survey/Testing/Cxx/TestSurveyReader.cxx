@@ -462,8 +462,8 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
         { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",
         { "assets.xml:2", "type=\"sttic\" is none", "static, linearpath, groundvehicle or multicopter" } },
-      { "scene.xml", "\"objloader\"", "\"detailedvoxels\"",
-        { "scene.xml:2", "detailedvoxels", "later version" } },
+      { "scene.xml", "\"objloader\"", "\"assumematerials\"",
+        { "scene.xml:2", "assumematerials", "later version" } },
       { "scene.xml", "\"objloader\"", "\"objloder\"",
         { "scene.xml:2", "type=\"objloder\" is unknown", "did you mean objloader?" } },
     });

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows of a trajectory file, in the order of time.
+
+#ifndef heliosTrajectoryParser_h
+#define heliosTrajectoryParser_h
+
+#include "heliosPose.h"
+#include "heliosTextFile.h"
+#include "heliosTextRow.h"
+#include "heliosXyzFile.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace helios
+{
+
+/// What a column of a trajectory file may hold, in the order of a file that does not say.
+enum TrajectoryColumn : int
+{
+  TimeOf,
+  RollOf,
+  PitchOf,
+  YawOf,
+  XOf,
+  YOf,
+  ZOf
+};
+
+using TrajectoryColumns = std::array<int, 7>;
+
+struct TrajectoryFormat
+{
+  std::string Separators = ",";
+  TrajectoryColumns Columns{ { -1, -1, -1, -1, -1, -1, -1 } }; // -1: not given
+  bool HasAttitude = true;
+};
+
+struct TrajectoryRow
+{
+  double Time;
+  Vec3 Position;
+  Vec3 Angles; // roll, pitch, yaw as in the file
+  std::int64_t LineStart;
+};
+
+/// Reads rows of numbers and the comments that name their columns; every number is checked.
+class TrajectoryParser
+{
+public:
+  TrajectoryParser(const TrajectoryFormat& format, TextReport& report)
+    : Format(format)
+    , Report(report)
+    , Row(format.Separators)
+  {
+  }
+
+  /// All rows of a file, sorted by time; false after an error.
+  bool Read(XyzFile& file, std::vector<TrajectoryRow>& rows);
+
+private:
+  bool ReadComment(std::string_view line);
+  bool ReadTimeColumn(std::string_view text);
+  bool ReadHeader(std::string_view text);
+  bool FindColumns(TrajectoryColumns& columns);
+  bool SetColumns();
+  bool ReadRow(std::string_view line, std::vector<TrajectoryRow>& rows);
+  bool CheckTimes(const std::vector<TrajectoryRow>& rows);
+  bool HasGivenColumns() const;
+  bool IsNeeded(int column) const;
+  std::string GetPlaceOf(const TrajectoryRow& row);
+  bool Fail(const std::string& message);
+  bool FailShort();
+
+  const TrajectoryFormat& Format;
+  TextReport& Report;
+  TextRow Row;
+  XyzFile* File = nullptr;
+  int TimeColumn = -1;      // of the comment
+  TrajectoryColumns Header; // of the comment, -1: not named
+  bool HasHeader = false;
+  bool KnowsColumns = false;
+  TrajectoryColumns Columns{};
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The text of a .vox file: a grid of cells and what each holds.
+
+#ifndef heliosVoxelFile_h
+#define heliosVoxelFile_h
+
+#include "heliosTextFile.h"
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace helios
+{
+
+/// Where the cells of a file are.
+struct VoxelLayout
+{
+  double Corner[3] = { 0.0, 0.0, 0.0 }; // the lowest [m]
+  double Size[3] = { 0.0, 0.0, 0.0 };   // of a cell [m]
+  std::int64_t Count[3] = { 0, 0, 0 };  // of cells
+  double MaximumPad = 0.0;              // 0: not given
+  bool HasTransmittance = false;
+
+  std::int64_t GetNumberOfCells() const { return this->Count[0] * this->Count[1] * this->Count[2]; }
+};
+
+/// Reads the head of a file, then its rows; every number that is used is checked.
+class VoxelFile
+{
+public:
+  VoxelFile(const std::string& padColumn, TextReport& report)
+    : PadColumn(padColumn)
+    , Report(report)
+  {
+  }
+
+  /// Reads up to the first row; false after an error.
+  bool ReadHead(const std::string& path);
+
+  const VoxelLayout& GetLayout() const { return this->Layout; }
+  TextFile& GetText() { return this->Text; }
+
+  /**
+   * Writes the values of the cells that the file has, of which the caller has set all; transmittance
+   * may be null. False after an error.
+   */
+  bool ReadRows(double* pad, double* transmittance);
+
+private:
+  enum class Role : char
+  {
+    None,
+    I,
+    J,
+    K,
+    Pad,
+    Transmittance
+  };
+
+  struct Row
+  {
+    std::int64_t Index[3];
+    double Pad;
+    double Transmittance;
+  };
+
+  bool ReadKeys(std::string_view line);
+  bool ReadKey(const std::string& key, std::string_view values);
+  bool ReadNumbers(const std::string& key, std::string_view values, int least, double numbers[3]);
+  bool ReadNames(std::string_view line);
+  bool FinishHead();
+  bool CheckCount();
+  void SetRole(std::size_t column, Role role);
+  bool ReadRow(std::string_view line, double* pad, double* transmittance);
+  bool ReadColumns(TextWords& words, Row& row);
+  bool TakeIndex(TextWords& words, int axis, std::int64_t& index);
+  bool TakeValue(TextWords& words, Role role, double& value);
+  std::string GetName(Role role) const;
+  bool Fail(const std::string& message)
+  {
+    return this->Report.Fail(this->Text.GetPlace() + message);
+  }
+
+  std::string PadColumn;
+  TextReport& Report;
+  TextFile Text;
+  VoxelLayout Layout;
+  double HighCorner[3] = { 0.0, 0.0, 0.0 };
+  bool HasCorner = false;
+  bool HasHighCorner = false;
+  std::vector<Role> Roles;   // by column, up to the last that is read
+  std::string_view FirstRow; // where the head ends with it
+  std::vector<bool> Seen;    // by cell
+};
+
+/// The rows x y z G of a leaf-angle table, separated by commas, semicolons or blanks; false after an error.
+bool ReadLeafTable(const std::string& path, TextReport& report, std::vector<double>& rows);
+
+} // namespace helios
+
+#endif

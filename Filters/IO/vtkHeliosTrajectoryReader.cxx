@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosTrajectoryReader.h"
+
+#include "heliosPathCell.h"
+#include "heliosTrajectoryShape.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <iterator>
+#include <new>
+#include <numeric>
+
+vtkStandardNewMacro(vtkHeliosTrajectoryReader);
+
+namespace names = vtkHeliosArrayNames;
+
+//------------------------------------------------------------------------------
+vtkHeliosTrajectoryReader::vtkHeliosTrajectoryReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosTrajectoryReader::~vtkHeliosTrajectoryReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosTrajectoryReader::UseWriterFormat()
+{
+  this->SetSeparators(" ");
+  this->SetXColumn(0);
+  this->SetYColumn(1);
+  this->SetZColumn(2);
+  this->SetTimeColumn(3);
+  this->SetRollColumn(4);
+  this->SetPitchColumn(5);
+  this->SetYawColumn(6);
+  this->SetAngleUnitToDegrees();
+  this->SetAngleConventionToCanonical();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosTrajectoryReader::CheckProperties()
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro(<< "FileName is not set; give the file of the trajectory with SetFileName");
+    return false;
+  }
+  if (this->Separators.empty() ||
+    !std::all_of(this->Separators.begin(), this->Separators.end(), helios::TextRow::IsSeparator))
+  {
+    vtkErrorMacro(<< "Separators is \"" << this->Separators
+                  << "\"; give characters other than letters, digits and + - . # /, such as \",\"");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+helios::TrajectoryFormat vtkHeliosTrajectoryReader::MakeFormat() const
+{
+  helios::TrajectoryFormat format;
+  format.Separators = this->Separators;
+  format.Columns = { { this->TimeColumn, this->RollColumn, this->PitchColumn, this->YawColumn,
+    this->XColumn, this->YColumn, this->ZColumn } };
+  format.HasAttitude = this->Domain == POSITION_AND_ATTITUDE;
+  return format;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosTrajectoryReader::ReadRows(
+  helios::TextReport& report, std::vector<helios::TrajectoryRow>& rows)
+{
+  helios::XyzFile file;
+  const std::string fault = file.Open(this->FileName);
+  if (!fault.empty())
+  {
+    return report.Fail(fault);
+  }
+  file.OnBlock = [this, size = static_cast<double>(file.GetSize())](std::int64_t bytes)
+  {
+    this->UpdateProgress(std::min(1.0, static_cast<double>(bytes) / size));
+    return !this->AbortExecute;
+  };
+  const helios::TrajectoryFormat format = this->MakeFormat();
+  return helios::TrajectoryParser(format, report).Read(file, rows);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosTrajectoryReader::Fill(
+  const std::vector<helios::TrajectoryRow>& rows, vtkPolyData* trajectory) const
+{
+  std::vector<helios::Quaternion> attitudes;
+  if (this->Domain == POSITION)
+  {
+    attitudes = helios::HeadingsOfFlight(rows, this->MinimumSpeed);
+  }
+  else
+  {
+    const double unit = this->AngleUnit == DEGREES ? vtkMath::RadiansFromDegrees(1.0) : 1.0;
+    const auto convert =
+      this->AngleConvention == CANONICAL ? helios::FromCanonical : helios::FromArinc705;
+    std::transform(rows.begin(), rows.end(), std::back_inserter(attitudes),
+      [unit, convert](const helios::TrajectoryRow& row) { return convert(unit * row.Angles); });
+  }
+  std::vector<std::size_t> kept(rows.size());
+  std::iota(kept.begin(), kept.end(), std::size_t(0));
+  if (this->SlopeFilterThreshold > 0.0)
+  {
+    kept = helios::FilterSlopes(rows, attitudes, this->SlopeFilterThreshold);
+  }
+
+  const auto count = static_cast<vtkIdType>(kept.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkDoubleArray> times;
+  times->SetName(names::GpsTime);
+  times->SetNumberOfValues(count);
+  vtkNew<vtkDoubleArray> orientations;
+  orientations->SetName(names::Orientation);
+  orientations->SetNumberOfComponents(4);
+  orientations->SetNumberOfTuples(count);
+  helios::Quaternion before(1.0, 0.0, 0.0, 0.0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::size_t row = kept[static_cast<std::size_t>(i)];
+    const helios::Quaternion& q = attitudes[row];
+    const double dot = std::inner_product(q.GetData(), q.GetData() + 4, before.GetData(), 0.0);
+    before = dot < 0.0 ? q * -1.0 : q;
+    points->SetPoint(i, rows[row].Position.GetData());
+    times->SetValue(i, rows[row].Time);
+    orientations->SetTypedTuple(i, before.GetData());
+  }
+  trajectory->SetPoints(points);
+  trajectory->GetPointData()->AddArray(times);
+  trajectory->GetPointData()->AddArray(orientations);
+  helios::AddPathCell(trajectory);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosTrajectoryReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->CheckProperties())
+  {
+    return 0;
+  }
+  helios::TextReport report;
+  std::vector<helios::TrajectoryRow> rows;
+  bool isRead = false;
+  try
+  {
+    isRead = this->ReadRows(report, rows);
+    if (isRead)
+    {
+      this->Fill(rows, vtkPolyData::GetData(outputVector));
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    isRead = report.Fail(std::string(this->FileName) +
+      ": not enough memory for its rows; split the file by time and read the part that is flown");
+  }
+  for (const std::string& warning : report.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (!isRead)
+  {
+    vtkErrorMacro(<< report.Error);
+  }
+  return isRead;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosTrajectoryReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "Separators: \"" << this->Separators << "\"\n"
+     << indent << "TimeColumn: " << this->TimeColumn << "\n"
+     << indent << "RollColumn: " << this->RollColumn << "\n"
+     << indent << "PitchColumn: " << this->PitchColumn << "\n"
+     << indent << "YawColumn: " << this->YawColumn << "\n"
+     << indent << "XColumn: " << this->XColumn << "\n"
+     << indent << "YColumn: " << this->YColumn << "\n"
+     << indent << "ZColumn: " << this->ZColumn << "\n"
+     << indent << "Domain: " << (this->Domain == POSITION ? "Position" : "PositionAndAttitude")
+     << "\n"
+     << indent << "AngleUnit: " << (this->AngleUnit == DEGREES ? "Degrees" : "Radians") << "\n"
+     << indent
+     << "AngleConvention: " << (this->AngleConvention == CANONICAL ? "Canonical" : "Arinc705")
+     << "\n"
+     << indent << "SlopeFilterThreshold: " << this->SlopeFilterThreshold << " m/s, deg/s\n"
+     << indent << "MinimumSpeed: " << this->MinimumSpeed << " m/s\n";
+}

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosVoxelReader
+ * @brief   a grid of vegetation from a .vox file
+ *
+ * Output 0 is a vtkImageData whose cells are those of the grid (its points are their corners):
+ * - cell data PAD (double) [m2/m3]: the plant area density, NaN where the file says so, 0 in cells
+ *   that the file does not have;
+ * - cell data Transmittance (double), if the file has that column: NaN where the file says so, 1 in
+ *   cells that it does not have;
+ * - field data MaximumPAD (double), if the file gives max_pad;
+ * - field data LeafProjection (double, 4) with LeafTableFileName: rows x y z G, the projection G of a
+ *   unit of leaf area along a direction.
+ *
+ * The file is text: lines "#min_corner: x y z", "#max_corner: x y z", "#split: nx ny nz" and
+ * "#res: r", in any order, also several on one line ("#max_pad: m" may be among them); titles; the
+ * names of the columns; then rows "i j k PadBVTotal ... transmittance ..." between blanks. Columns
+ * are found by name; without names they are PadBVTotal in 3 and transmittance in 13. Cell i j k, from
+ * 0, starts at min_corner + (i j k) r. Only rows of the cells that differ from nothing are needed.
+ *
+ * Errors end the reading without output: a file that cannot be read, a head without corner, split
+ * and size or one that contradicts itself, a row that is too short, a word that is no number, a
+ * density below 0 or not finite (but NaN), a cell outside the grid or there twice, more cells than
+ * MaximumNumberOfCells. Messages start with file:line.
+ *
+ * A cell takes 16 bytes. Progress events come for every MiB read; AbortExecute ends the reading.
+ *
+ * @sa
+ * vtkHeliosVoxelCubes vtkHeliosScanner
+ */
+
+#ifndef vtkHeliosVoxelReader_h
+#define vtkHeliosVoxelReader_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkImageAlgorithm.h"
+
+#include <string> // For the name of a column
+
+namespace helios
+{
+class VoxelFile;
+struct TextReport;
+}
+
+class VTKHELIOSFILTERSIO_EXPORT vtkHeliosVoxelReader : public vtkImageAlgorithm
+{
+public:
+  static vtkHeliosVoxelReader* New();
+  vtkTypeMacro(vtkHeliosVoxelReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the file to read. Default: none.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a table of leaf angles: a text file of rows x,y,z,G. Default: none; then the scanner takes
+   * leaves of all directions alike.
+   */
+  vtkSetFilePathMacro(LeafTableFileName);
+  vtkGetFilePathMacro(LeafTableFileName);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the name of the column that holds the density; upper and lower case are equal. Default:
+   * PadBVTotal.
+   */
+  vtkSetMacro(PADColumn, std::string);
+  vtkGetMacro(PADColumn, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many cells the grid may have: a guard of memory. Valid range: [1, 4e9]. Default:
+   * 200000000.
+   */
+  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);
+  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
+  ///@}
+
+protected:
+  vtkHeliosVoxelReader();
+  ~vtkHeliosVoxelReader() override;
+
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHeliosVoxelReader(const vtkHeliosVoxelReader&) = delete;
+  void operator=(const vtkHeliosVoxelReader&) = delete;
+
+  bool ReadHead(helios::VoxelFile& file, helios::TextReport& report);
+  bool Read(helios::VoxelFile& file, helios::TextReport& report, vtkImageData* grid);
+
+  char* FileName = nullptr;
+  char* LeafTableFileName = nullptr;
+  std::string PADColumn = "PadBVTotal";
+  vtkIdType MaximumNumberOfCells = 200000000;
+};
+
+#endif

@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios validate: what it finds, where, and how it exits."""
+
+import json
+
+import pytest
+
+import vtkhelios
+
+from vtkhelios.cli import main
+
+WRONG = """\
+<document>
+  <scannerSettings id="fast" scanFreq_hz="many"/>
+  <survey name="a" scanner="#spinner" platform="#tripod" scene="#yard" simSped="2">
+    <leg>
+      <platformSettings x="1,5" movePerSec_m="9"/>
+      <scannerSettings template="fast" headRotatePerSec_deg="10"/>
+    </leg>
+    <leg>
+      <scannerSettings headRotatePerSec_deg="-5" headRotateStop_deg="90"/>
+    </leg>
+    <leg>
+      <scannerSettings template="fats" pulseFreq_hz="-1"/>
+    </leg>
+  </survey>
+  <scanner id="spinner" optics="rotating" scanAngleMax_deg="1e3"/>
+  <platform id="tripod" type="statc"/>
+  <scene id="yard" crs="EPSG:99999999">
+    <part><filter type="objloader"><param key="filepath" value="missing.obj"/></filter></part>
+    <part><filter type="scale"><param key="scale" value="-2"/></filter></part>
+  </scene>
+</document>
+"""
+
+
+@pytest.fixture
+def validate(tmp_path, capsys, monkeypatch):
+    """Writes a file, validates it and returns (exit code, the lines that were printed)."""
+    monkeypatch.chdir(tmp_path)
+
+    def call(text, *arguments):
+        (tmp_path / "a.xml").write_text(text)
+        code = main(["validate", "a.xml", *arguments])
+        return code, capsys.readouterr().out.splitlines()
+
+    return call
+
+
+def test_a_good_survey(command_line, make_survey):
+    done = command_line("validate", make_survey())
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout == "1 file: 0 errors, 0 warnings\n"
+
+
+def test_everything_is_told_at_once(validate):
+    code, lines = validate(WRONG)
+    assert code == 1
+    expected = [
+        ('a.xml:2: error: scanFreq_hz="many" is not a number', "[Hz]"),
+        ("a.xml:3: warning: attribute simSped of <survey> is unknown", "did you mean simSpeed?"),
+        ('a.xml:5: error: x="1,5" is not a number', "[m]"),
+        ('a.xml:12: error: template="fats"', "did you mean fast?"),
+        ('a.xml:12: error: pulseFreq_hz="-1" is out of range', "above 0 and up to 1000000000 [Hz]"),
+        ('a.xml:15: error: scanAngleMax_deg="1000" is out of range', "from 0 to 360 [deg]"),
+        ('a.xml:16: error: platform tripod: type="statc" is none', "linearpath"),
+        ('a.xml:17: error: crs="EPSG:99999999"', ""),
+        ('a.xml:18: error: filepath="missing.obj": no such file', "missing.obj"),
+        ('a.xml:19: error: scale="-2" is out of range', "from 0"),
+        ("a.xml:19: error: <part> has no loader", "objloader"),
+    ]
+    found = [line.replace("1e3", "1000") for line in lines[:-1]]
+    for (start, inside), line in zip(expected, found):
+        assert line.startswith(start) and inside in line, line
+    assert len(found) == len(expected), found
+    assert lines[-1] == "1 file: 10 errors, 1 warning"
+
+
+def test_a_leg_is_checked_where_only_the_scanner_is_wrong(validate):
+    text = WRONG.replace("statc", "static")
+    _, lines = validate(text)
+    turned = [line for line in lines if "never gets there" in line]
+    assert len(turned) == 1 and turned[0].startswith("a.xml:9: error: ")
+    assert not [line for line in lines if "a.xml:6" in line]  # the template's fault is not its own
+
+
+def test_legs_are_told_one_by_one(validate):
+    text = WRONG.replace("1e3", "120").replace("statc", "static").replace('"many"', '"50"')
+    _, lines = validate(text)
+    assert any(line.startswith("a.xml:9: error: no pulse frequency") for line in lines)
+
+
+def test_assets_that_no_survey_uses(validate):
+    code, lines = validate(
+        '<document>\n<scanner id="a" optics="conic"/>\n<scanner id="b" optics="comic"/>\n'
+        '<platformSettings id="t" z="high"/></document>'
+    )
+    assert code == 1
+    assert [line[:16] for line in lines[:-1]] == [
+        "a.xml:2: error: ",
+        "a.xml:3: error: ",
+        "a.xml:4: error: ",
+    ]
+    assert "scanAngleMax_deg is missing" in lines[0] and 'z="high"' in lines[2]
+
+
+def test_a_ray_caster_that_is_not_built(validate):
+    _, lines = validate(WRONG.replace("simSped", "rayCaster"))
+    assert any('rayCaster="2" is not in this build; give one of beam' in line for line in lines)
+
+
+def test_files_without_anything(validate):
+    assert "the file holds nothing" in validate("<document/>")[1][0]
+    assert "this is not XML" in validate("<document>")[1][0]
+    code, lines = validate("<document/>", "nowhere.xml")
+    assert code == 1
+    assert lines[-2].startswith("nowhere.xml: error: cannot be read") and "2 files" in lines[-1]
+
+
+def test_twice_and_a_second_root_do_not_hide_the_rest(validate):
+    _, lines = validate(
+        '<document>\n<scanner id="a" id="b" optics="comic"/>\n</document>\n<document/>'
+    )
+    text = "\n".join(lines)
+    assert "a.xml:2: error: <scanner> has the attribute id twice" in text
+    assert "a.xml:4: error: a second root element" in text
+    assert 'a.xml:2: error: scanner a: optics="comic"' in text
+
+
+def test_json(validate):
+    code, lines = validate(WRONG, "--json")
+    findings = json.loads("\n".join(lines))
+    assert code == 1 and len(findings) == 11
+    assert findings[1]["severity"] == "warning" and findings[1]["line"] == 3
+    assert all(set(found) == {"file", "line", "severity", "message"} for found in findings)
+    assert {found["file"] for found in findings} == {"a.xml"}
+
+
+def test_strict(validate):
+    text = '<document><platform id="p" type="static" whels="4"/></document>'
+    assert validate(text)[0] == 0
+    code, lines = validate(text, "--strict")
+    assert code == 1 and lines[-1] == "1 file: 0 errors, 1 warning"
+
+
+def test_assets_are_looked_up(validate, tmp_path):
+    (tmp_path / "more").mkdir()
+    (tmp_path / "more/missing.obj").write_text("v 0 0 0\n")
+    _, lines = validate(WRONG, "--assets", "more")
+    assert not [line for line in lines if "missing.obj" in line]
+
+
+def test_wrong_usage(validate, capsys):
+    assert main(["validate", "a.xml", "--assets", "nowhere"]) == 2
+    assert "--assets nowhere: no such folder" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as stopped:
+        main(["validate"])
+    assert stopped.value.code == 2
+
+
+SWINGING = "<scanner id='a' optics='oscillating'>"
+
+
+@pytest.mark.parametrize(
+    "name, place",
+    [
+        ("optics", '<scanner id="a" scanAngleMax_deg="9" optics="{}"/>'),
+        ("scanPattern", '<scanner id="a" optics="oscillating" scanPattern="{}"/>'),
+        ("echoDetector", f"{SWINGING}<FWFSettings echoDetector='{{}}'/></scanner>"),
+        ("returnSelection", f"{SWINGING}<FWFSettings returnSelection='{{}}'/></scanner>"),
+        ("rotations", '<platform id="p"><scannerMount rotations="{}"/></platform>'),
+        ("axis", '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount>'
+        "</platform>"),
+    ],
+)
+def test_the_schema_knows_the_words_that_the_reader_takes(name, place, validate):
+    etree = pytest.importorskip("lxml.etree")
+    schema = etree.fromstring(vtkhelios.vtkHeliosDialect.GetSchema().encode())
+    space = {"xs": "http://www.w3.org/2001/XMLSchema"}
+    found = schema.xpath(f"//xs:attribute[@name='{name}'][.//xs:enumeration]", namespaces=space)
+    words = [word.get("value") for word in found[0].iterfind(".//xs:enumeration", space)]
+    assert len(words) > 1
+    for word in words:
+        _, lines = validate(f"<document>{place.format(word)}</document>")
+        assert not [line for line in lines if f'{name}="{word}"' in line], lines
+    code, lines = validate(f"<document>{place.format('wrong')}</document>")
+    assert code == 1 and f'{name}="wrong"' in lines[0]

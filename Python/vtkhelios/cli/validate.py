@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios validate: everything that is wrong with surveys, scenes, scanners and platforms."""
+
+import argparse
+import dataclasses
+import json
+import pathlib
+import re
+import sys
+
+import vtkhelios
+
+from ._messages import Messages
+from .run import asset_directories
+
+SUMMARY = "say everything that is wrong with surveys, scenes, scanners or platforms (XML)"
+
+EPILOG = """\
+what it checks: every element and attribute, its kind, unit and range; names that are nearly
+right; that all that is referred to is there: scanners, platforms, scenes, files of geometry and
+materials; what a leg asks of its scanner. Geometry is not read. Everything in a file is
+checked, whether a survey uses it or not, and so is all that a survey refers to.
+
+An error stops a run; a warning is about what a run does otherwise than the file may mean, such
+as an attribute that is unknown, or not modelled.
+
+what it prints: file:line: error: what is wrong, the value, and the cure; one line each.
+
+examples:
+  vtkhelios validate survey.xml --assets my_scenes
+  vtkhelios validate *.xml --strict           warnings count as errors
+  vtkhelios validate survey.xml --json        a list of {file, line, severity, message}
+
+exit codes: 0 no error, 1 errors (with --strict, or warnings), 2 wrong usage.
+"""
+
+PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
+
+
+@dataclasses.dataclass
+class Finding:
+    """One thing that is wrong; line is None where it is not in a line."""
+
+    file: str
+    line: int | None
+    severity: str
+    message: str
+
+    def __str__(self):
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        return f"{place}: {self.severity}: {self.message}"
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("files", metavar="FILE", nargs="+", help="a file in HELIOS XML")
+    parser.add_argument(
+        "--assets",
+        metavar="DIR",
+        action="append",
+        default=[],
+        help="a folder to look up scenes, scanners and platforms in; may be repeated",
+    )
+    parser.add_argument("--strict", action="store_true", help="warnings count as errors")
+    parser.add_argument("--json", action="store_true", help="print a list of JSON objects")
+
+
+class Collector(Messages):
+    """Keeps what a reader says instead of printing it."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.path = path
+        self.findings = []
+
+    def error(self, text):
+        self.errors += 1
+        self.add("error", text)
+
+    def warning(self, text):
+        self.add("warning", text)
+
+    def add(self, severity, text):
+        place = PLACE.fullmatch(text)
+        text = text if place else text.removeprefix(f"{self.path}: ")
+        file = place["file"] if place else self.path
+        line = int(place["line"]) if place else None
+        finding = Finding(file, line, severity, place["message"] if place else text)
+        if finding not in self.findings:
+            self.findings.append(finding)
+
+
+def check(path, assets):
+    """What is wrong with a file and what it refers to, in the order of files and lines."""
+    with Collector(path) as messages:
+        reader = vtkhelios.vtkHeliosSurveyReader()
+        messages.watch(reader)
+        reader.SetFileName(path)
+        for folder in asset_directories(argparse.Namespace(survey=path, assets=assets)):
+            reader.AddAssetDirectory(folder)
+        if not reader.Check():
+            messages.error_unless_told("cannot be read")
+    files = list(dict.fromkeys([path, *(found.file for found in messages.findings)]))
+    return sorted(messages.findings, key=lambda found: (files.index(found.file), found.line or 0))
+
+
+def count(number, word):
+    return f"{number} {word}{'s'[:number != 1]}"
+
+
+def run(arguments):
+    for folder in arguments.assets:
+        if not pathlib.Path(folder).is_dir():
+            print(f"error: --assets {folder}: no such folder", file=sys.stderr)
+            return 2
+    findings = []
+    for path in arguments.files:
+        findings += [found for found in check(path, arguments.assets) if found not in findings]
+    errors = sum(found.severity == "error" for found in findings)
+    warnings = len(findings) - errors
+    if arguments.json:
+        print(json.dumps([dataclasses.asdict(found) for found in findings], indent=1))
+    else:
+        for found in findings:
+            print(found)
+        files = count(len(arguments.files), "file")
+        print(f"{files}: {count(errors, 'error')}, {count(warnings, 'warning')}")
+    return 1 if errors or (arguments.strict and warnings) else 0

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pulses from a trajectory that was recorded.
+#include "heliosScannerBench.h"
+#include "vtkHeliosInterpolatedPlatform.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+using helios::Vec3;
+using namespace helios::testing;
+
+namespace
+{
+
+/// From 1000 s on, one sample a second: out along x by 10 m a second, turning by 30 degrees.
+vtkSmartPointer<vtkPolyData> MakeRecord()
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> times, orientations;
+  times->SetName(names::GpsTime);
+  orientations->SetName(names::Orientation);
+  orientations->SetNumberOfComponents(4);
+  for (int i = 0; i <= 4; ++i)
+  {
+    points->InsertNextPoint(10.0 * i, i % 2, 0);
+    times->InsertNextValue(1000 + i);
+    orientations->InsertNextTuple(helios::AxisAngle({ 0, 0, 1 }, 30.0 * i - 60).GetData());
+  }
+  auto record = vtkSmartPointer<vtkPolyData>::New();
+  record->SetPoints(points);
+  record->GetPointData()->AddArray(times);
+  record->GetPointData()->AddArray(orientations);
+  return record;
+}
+
+} // namespace
+
+TEST_CASE("Scanner: pulses leave from between the samples of a record", "[Scanner]")
+{
+  Bench bench(MakeScene({ Wall(500, 5000) }));
+  vtkNew<StraightAhead> deflector;
+  deflector->SetPulseFrequency(64);
+  vtkNew<vtkHeliosInterpolatedPlatform> platform;
+  platform->SetInputData(MakeRecord());
+  platform->AddLeg(1000.5, 1003.5, false);
+  bench.Scanner->SetInputConnection(1, platform->GetOutputPort());
+  bench.Scanner->SetBeamDeflector(deflector);
+  bench.Scanner->SetDuration(-1);
+  bench.Scanner->GeneratePulsesOn();
+  for (const bool keeps : { false, true })
+  {
+    platform->SetKeepFileTimes(keeps);
+    bench.Run();
+    auto* pulses = vtkPolyData::SafeDownCast(bench.Scanner->GetOutputDataObject(2));
+    REQUIRE(pulses->GetNumberOfPoints() == 3 * 64);
+    vtkDataArray* directions = pulses->GetPointData()->GetArray(names::Direction);
+    for (vtkIdType i = 0; i < pulses->GetNumberOfPoints(); ++i)
+    {
+      const double t = 0.5 + static_cast<double>(i) / 64;
+      const double yaw = vtkMath::RadiansFromDegrees(30 * t - 60);
+      const Vec3 origin(10 * t, std::abs(std::remainder(t, 2)), 0);
+      REQUIRE(Value(pulses, names::GpsTime, i) == (keeps ? 1000 : -0.5) + t);
+      REQUIRE((Vec3(pulses->GetPoint(i)) - origin).Norm() < 1e-12);
+      const Vec3 direction(-std::sin(yaw), std::cos(yaw), 0);
+      REQUIRE((Vec3(directions->GetTuple3(i)) - direction).Norm() < 1e-14);
+    }
+  }
+}

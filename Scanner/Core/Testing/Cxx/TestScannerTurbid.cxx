@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Pulses into turbid voxels, against Beer and Lambert.
+#include "heliosMaterialTable.h"
+#include "heliosScannerBench.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
+#include <vtkSMPTools.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace helios::testing;
+using helios::Vec3;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr int Pulses = 100000;
+
+/// Cells of half a metre across the y axis, from a distance on, of one density.
+vtkSmartPointer<vtkImageData> MakeSlab(double from, double thickness, double density)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  const int deep = static_cast<int>(std::lround(2.0 * thickness));
+  image->SetDimensions(5, deep + 1, 5);
+  image->SetSpacing(0.5, 0.5, 0.5);
+  image->SetOrigin(-1.0, from, -1.0);
+  vtkNew<vtkDoubleArray> pad;
+  pad->SetName(names::PAD);
+  pad->SetNumberOfValues(image->GetNumberOfCells());
+  pad->FillValue(density);
+  image->GetCellData()->AddArray(pad);
+  return image;
+}
+
+/// A bench whose pulses are single rays, and a slab before it.
+struct TurbidBench : Bench
+{
+  TurbidBench(vtkPolyData* scene, vtkImageData* slab, vtkIdType pulses = Pulses)
+    : Bench(scene)
+  {
+    this->Scanner->AddInputDataObject(2, slab);
+    this->Scanner->GetBeamSampler()->SetBeamDivergence(0.0);
+    this->Scanner->SetDuration(static_cast<double>(pulses) / this->Deflector->GetPulseFrequency());
+    this->Scanner->SetSeed(42);
+  }
+};
+
+struct Moments
+{
+  double Count = 0.0;
+  double Mean = 0.0;
+  double Variance = 0.0;
+};
+
+/// Of the values of a column below a limit.
+Moments MeasureBelow(vtkPolyData* echoes, const char* name, double limit)
+{
+  Moments m;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+  {
+    const double value = Value(echoes, name, i);
+    if (value < limit)
+    {
+      ++m.Count;
+      sum += value;
+      squares += value * value;
+    }
+  }
+  m.Mean = sum / m.Count;
+  m.Variance = squares / m.Count - m.Mean * m.Mean;
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("Scanner: what passes a turbid slab is exp(-k L)", "[ScannerTurbid]")
+{
+  const double k = 0.5 * 1.2; // G PAD
+  const double depth = 2.0;
+  TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, depth, 1.2));
+  vtkPolyData* echoes = bench.Run();
+  INFO(bench.Log->Errors);
+  REQUIRE(echoes->GetNumberOfPoints() == Pulses);
+  const Moments leaves = MeasureBelow(echoes, names::Range, 15.0);
+  const double stopped = 1.0 - std::exp(-k * depth);
+  const double sigma = std::sqrt(Pulses * stopped * (1.0 - stopped));
+  CHECK(std::abs(leaves.Count - Pulses * stopped) < 4.0 * sigma);
+  // Mean and variance of an exponential cut at the depth of the slab.
+  const double rest = depth * (1.0 - stopped) / stopped;
+  const double mean = 1.0 / k - rest;
+  const double variance = 1.0 / (k * k) - depth * depth * (1.0 - stopped) / (stopped * stopped);
+  CHECK(std::abs(leaves.Mean - 10.0 - mean) < 4.0 * std::sqrt(variance / leaves.Count));
+  CHECK(leaves.Variance == Approx(variance).epsilon(0.02));
+}
+
+TEST_CASE(
+  "Scanner: the first leaf of a deep medium is at 1/k with variance 1/k^2", "[ScannerTurbid]")
+{
+  const double k = 0.5 * 3.0;
+  TurbidBench bench(MakeScene({ Wall(40.0) }), MakeSlab(10.0, 20.0, 3.0));
+  const Moments leaves = MeasureBelow(bench.Run(), names::Range, 35.0);
+  REQUIRE(leaves.Count == Pulses); // but exp(-30)
+  CHECK(std::abs(leaves.Mean - 10.0 - 1.0 / k) < 4.0 / (k * std::sqrt(Pulses)));
+  CHECK(leaves.Variance == Approx(1.0 / (k * k)).epsilon(0.03));
+}
+
+TEST_CASE("Scanner: leaves between the scanner and a wall, from within", "[ScannerTurbid]")
+{
+  // The wall stands in the slab, and so does the scanner: 3 m of leaves are left.
+  const double k = 0.5 * 0.8;
+  TurbidBench bench(MakeScene({ Wall(3.0) }), MakeSlab(-5.0, 10.0, 0.8));
+  const Moments leaves = MeasureBelow(bench.Run(), names::Range, 3.0 - 1e-9);
+  const double stopped = 1.0 - std::exp(-k * 3.0);
+  CHECK(std::abs(leaves.Count - Pulses * stopped) <
+    4.0 * std::sqrt(Pulses * stopped * (1.0 - stopped)));
+}
+
+TEST_CASE("Scanner: grids that overlap add up", "[ScannerTurbid]")
+{
+  TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 0.5));
+  bench.Scanner->AddInputDataObject(2, MakeSlab(10.0, 2.0, 0.7));
+  const Moments leaves = MeasureBelow(bench.Run(), names::Range, 15.0);
+  const double stopped = 1.0 - std::exp(-0.5 * 1.2 * 2.0);
+  CHECK(std::abs(leaves.Count - Pulses * stopped) <
+    4.0 * std::sqrt(Pulses * stopped * (1.0 - stopped)));
+}
+
+TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[ScannerTurbid]")
+{
+  // So dense that every sub-ray stops at once: the echo of a wall there.
+  Bench wall(MakeScene({ Wall(10.0) }));
+  TurbidBench dense(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 1.0, 1e7), 1000);
+  dense.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+  for (const bool isFixed : { true, false })
+  {
+    for (Bench* bench : { &wall, static_cast<Bench*>(&dense) })
+    {
+      bench->Scanner->SetSampling(isFixed ? vtkHeliosScanner::FIXED : vtkHeliosScanner::TOLERANCE);
+      bench->Run();
+    }
+    REQUIRE(dense.Scanner->GetOutput()->GetNumberOfPoints() == 1000);
+    for (const char* name : { names::Range, names::Amplitude, names::EchoWidth })
+    {
+      const double truth = Value(wall.Scanner->GetOutput(), name, 0);
+      CHECK(Value(dense.Scanner->GetOutput(), name, 0) == Approx(truth).epsilon(2e-5));
+    }
+    CHECK(Value(dense.Scanner->GetOutput(), names::IncidenceAngle, 0) == 0.0);
+    CHECK(dense.Scanner->GetNumberOfPulsesOnPlane() == 0);
+  }
+}
+
+TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[ScannerTurbid]")
+{
+  // Leaves and wall have one reflectance, so power R^2 sums up to that of the wall alone.
+  TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 1000);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+  bench.Scanner->GenerateSubRaysOn();
+  bench.Run();
+  vtkPolyData* hits = bench.Scanner->GetOutput(3);
+  REQUIRE(hits->GetNumberOfPoints() == 19000);
+  double leaves = 0.0;
+  double all = 0.0;
+  double squares = 0.0;
+  for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
+  {
+    const double weight = Value(hits, names::Weight, i);
+    all += weight;
+    squares += weight * weight;
+    leaves += Value(hits, names::Range, i) < 15.0 ? weight : 0.0;
+  }
+  CHECK(all == Approx(1000.0).epsilon(1e-12));
+  // Each sub-ray has a path of its own: hardly ever do all of a pulse stop.
+  int pulsesStopped = 0;
+  for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); i += 19)
+  {
+    int count = 0;
+    for (vtkIdType k = i; k < i + 19; ++k)
+    {
+      count += Value(hits, names::Range, k) < 15.0 ? 1 : 0;
+    }
+    pulsesStopped += count == 19 ? 1 : 0;
+  }
+  CHECK(pulsesStopped < 20);
+  const double stopped = 1.0 - std::exp(-0.5 * 1.2 * 2.0);
+  CHECK(std::abs(leaves - 1000.0 * stopped) < 4.0 * std::sqrt(squares * stopped * (1.0 - stopped)));
+}
+
+TEST_CASE("Scanner: turbid voxels do not depend on threads or pieces", "[ScannerTurbid]")
+{
+  TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 5000);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+  bench.Scanner->SetSamplingToTolerance();
+  const std::string whole = Bytes(bench.Run());
+  vtkNew<vtkPolyData> last;
+  std::string ids;
+  vtkIdType count = 0;
+  std::string ranges;
+  const auto append = [](std::string& to, vtkDataArray* from)
+  {
+    to.append(static_cast<const char*>(from->GetVoidPointer(0)),
+      static_cast<std::size_t>(from->GetNumberOfValues() * from->GetDataTypeSize()));
+  };
+  std::string wholeRanges;
+  append(wholeRanges, bench.Scanner->GetOutput()->GetPointData()->GetArray(names::Range));
+  const vtkIdType wholeCount = bench.Scanner->GetOutput()->GetNumberOfPoints();
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    bench.Scanner->UpdatePiece(piece, 3, 0);
+    count += bench.Scanner->GetOutput()->GetNumberOfPoints();
+    append(ranges, bench.Scanner->GetOutput()->GetPointData()->GetArray(names::Range));
+  }
+  CHECK(count == wholeCount);
+  CHECK(ranges == wholeRanges);
+  vtkSMPTools::Initialize(1);
+  bench.Scanner->Modified();
+  bench.Scanner->UpdatePiece(0, 1, 0);
+  CHECK(Bytes(bench.Scanner->GetOutput()) == whole);
+  vtkSMPTools::Initialize(0);
+  bench.Scanner->SetSeed(43);
+  CHECK(Bytes(bench.Run()) != whole);
+}
+
+TEST_CASE("Scanner: beams beside turbid voxels go as without", "[ScannerTurbid]")
+{
+  const auto run = [](bool hasVoxels)
+  {
+    Bench bench(MakeScene({ Wall(20.0) }));
+    bench.Scanner->SetSamplingToTolerance();
+    const auto slab = MakeSlab(10.0, 2.0, 1.2);
+    slab->SetOrigin(1.0, 10.0, 0.0);
+    if (hasVoxels)
+    {
+      bench.Scanner->AddInputDataObject(2, slab);
+    }
+    std::string bytes = Bytes(bench.Run());
+    CHECK(bench.Scanner->GetNumberOfPulsesOnPlane() == 1000);
+    return bytes;
+  };
+  CHECK(run(true) == run(false));
+}
+
+TEST_CASE(
+  "Scanner: materials, parts and cells of voxels follow those of the scene", "[ScannerTurbid]")
+{
+  const auto scene = MakeScene({ Wall(20.0) });
+  helios::Material stone;
+  stone.Name = "stone";
+  stone.Classification = 6;
+  helios::SetMaterials(scene, { stone });
+  vtkNew<vtkStringArray> parts;
+  parts->SetName(names::PartName);
+  parts->InsertNextValue("wall");
+  scene->GetFieldData()->AddArray(parts);
+  const auto slab = MakeSlab(10.0, 1.0, 1e7);
+  helios::Material leaf;
+  leaf.Name = "leaf";
+  leaf.Classification = 4;
+  leaf.Reflectance = 0.2;
+  helios::Material needle = leaf;
+  needle.Classification = 5;
+  helios::SetMaterials(slab, { leaf, needle });
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  ids->SetNumberOfValues(slab->GetNumberOfCells());
+  ids->FillValue(1);
+  slab->GetCellData()->AddArray(ids);
+  TurbidBench bench(scene, slab, 1000);
+  bench.Scanner->GenerateTruthOn();
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(Value(echoes, names::MaterialIds, 0) == 2);
+  CHECK(Value(echoes, names::ClassificationIds, 0) == 5);
+  CHECK(Value(echoes, names::PartIds, 0) == 1);
+  const vtkIdType triangles = scene->GetNumberOfCells();
+  CHECK(Value(echoes, names::CellIds, 0) == triangles + 2 + 2 * 4 * 2); // above x 0, z 0
+  const double* normal = echoes->GetPointData()->GetArray(names::Normal)->GetTuple3(0);
+  CHECK(Vec3(normal).Norm() == 0.0);
+  auto* all =
+    vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName));
+  REQUIRE(all);
+  REQUIRE(all->GetNumberOfValues() == 2);
+  CHECK(all->GetValue(0) == "wall");
+  CHECK(all->GetValue(1) == "1");
+}
+
+TEST_CASE("Scanner: voxels without any surface", "[ScannerTurbid]")
+{
+  vtkNew<vtkPolyData> nothing;
+  for (const double divergence : { 0.0, 3e-4 })
+  {
+    TurbidBench bench(nothing, MakeSlab(10.0, 1.0, 2.0), 1000);
+    bench.Scanner->SetSamplingToTolerance();
+    bench.Scanner->GetBeamSampler()->SetBeamDivergence(divergence);
+    vtkPolyData* echoes = bench.Run();
+    INFO(bench.Log->Errors);
+    CHECK(bench.Log->Errors.empty());
+    REQUIRE(echoes->GetNumberOfPoints() > 300);
+    CHECK(MeasureBelow(echoes, names::Range, 11.0).Count == echoes->GetNumberOfPoints());
+    CHECK(Value(echoes, names::PartIds, 0) == 0);
+  }
+}
+
+TEST_CASE("Scanner: voxels that are wrong are errors", "[ScannerTurbid]")
+{
+  const auto error = [](vtkImageData* slab)
+  {
+    TurbidBench bench(MakeScene({ Wall(20.0) }), slab, 10);
+    bench.Run();
+    return bench.Log->Errors;
+  };
+  CHECK_THAT(
+    error(MakeSlab(10.0, 1.0, -1.0)), Catch::Contains("PAD of cell 0 of the voxels is -1"));
+  const auto slab = MakeSlab(10.0, 1.0, 1.0);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  ids->SetNumberOfValues(slab->GetNumberOfCells());
+  ids->FillValue(3);
+  slab->GetCellData()->AddArray(ids);
+  CHECK_THAT(error(slab),
+    Catch::Contains("MaterialIds of voxel grid 0 goes from 3 to 3, but its field data has 1"));
+  ids->SetNumberOfValues(2);
+  CHECK_THAT(error(slab), Catch::Contains("of voxel grid 0 has 2 tuples"));
+}

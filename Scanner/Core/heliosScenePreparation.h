@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a model's beams meet: the triangles of a scene, and turbid voxels.
+
+#ifndef heliosScenePreparation_h
+#define heliosScenePreparation_h
+
+#include <string>
+#include <vector>
+
+class vtkHeliosRayCaster;
+class vtkImageData;
+class vtkPolyData;
+
+namespace helios
+{
+
+struct ScanModel;
+
+/// Sets caster, surfaces and medium of a model. Says in words what is wrong, or returns an empty text.
+/// A scene with grids may have no triangles.
+std::string PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
+  vtkHeliosRayCaster* caster, ScanModel& model);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A planned flight as a motion: the thrust it takes, and the body that tilts to it.
+
+#ifndef heliosFlightMotion_h
+#define heliosFlightMotion_h
+
+#include "heliosFlightPath.h"
+#include "heliosMotion.h"
+
+#include <vector>
+
+namespace helios
+{
+
+/// The attitude whose z axis is along a thrust, and whose y axis points to a course [rad, from x to
+/// y] seen from above: yaw, then pitch about x, then roll about y.
+VTKHELIOSSCANNERPLATFORMS_EXPORT Quaternion TiltTo(const Vec3& thrust, double course);
+
+/// The pieces of a flight, leg after leg. Courses [rad] at the waypoints are those to leave a stop
+/// with; NaN is that of the leg.
+VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<MotionPiece> FlyPath(const FlightPath& path,
+  const Copter& copter, const std::vector<double>& courses, double brakeDistance);
+
+} // namespace helios
+
+#endif

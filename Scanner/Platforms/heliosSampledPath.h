@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A trajectory as it was recorded, asked for poses at any time.
+
+#ifndef heliosSampledPath_h
+#define heliosSampledPath_h
+
+#include "heliosPose.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * Between samples the position is linear in time, or cubic: Hermite's with the velocities of the
+ * samples. The attitude turns at a constant rate the shorter way. Two samples at one time are a jump.
+ */
+class SampledPath
+{
+public:
+  struct State
+  {
+    double Time;
+    Vec3 Position;
+    Quaternion Orientation;
+    Vec3 Velocity; // of cubic paths
+  };
+
+  /// Takes a trajectory; says in words what is wrong with it, or returns an empty text.
+  std::string Set(vtkPolyData* trajectory, bool isCubic);
+
+  double GetStartTime() const { return this->GetTime(0); }
+  double GetEndTime() const { return this->GetTime(this->Count - 1); }
+
+  vtkIdType GetNumberOfSamples() const { return this->Count; }
+  double GetTime(vtkIdType sample) const;
+  State GetSample(vtkIdType sample) const;
+
+  /// The number of samples whose time is less than a time, or not greater.
+  vtkIdType CountBefore(double time) const;
+  vtkIdType CountUntil(double time) const;
+
+  ///@{
+  /// The state at a time of the path; at a jump that from which, or to which it jumps.
+  State GetArrival(double time) const;
+  State GetDeparture(double time) const;
+  ///@}
+
+private:
+  std::string CheckArrays(vtkPolyData* trajectory);
+  std::string CheckSamples() const;
+  Vec3 GetVelocity(vtkIdType sample) const;
+  State Interpolate(vtkIdType sample, double time) const;
+
+  vtkSmartPointer<vtkPolyData> Path;
+  vtkDataArray* Times = nullptr;
+  vtkDataArray* Orientations = nullptr;
+  vtkDataArray* Velocities = nullptr;
+  vtkIdType Count = 0;
+  bool IsCubic = false;
+};
+
+} // namespace helios
+
+#endif

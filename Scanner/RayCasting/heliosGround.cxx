@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosGround.h"
+
+#include "heliosMaterialTable.h"
+#include "heliosTriangleMesh.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosBvhRayCaster.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+/// Places on the ground, asked whether any lies within the outline of a cell.
+class Places
+{
+public:
+  explicit Places(vtkPolyData* points)
+  {
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      points->GetPoint(i, p);
+      this->Sorted.push_back({ p[0], p[1] });
+    }
+    std::sort(this->Sorted.begin(), this->Sorted.end());
+  }
+
+  bool AreIn(vtkPoints* points, vtkIdType size, const vtkIdType* corners) const
+  {
+    vtkBoundingBox box;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double p[3];
+      points->GetPoint(corners[i], p);
+      box.AddPoint(p);
+    }
+    const std::array<double, 2> least = { box.GetMinPoint()[0], box.GetMinPoint()[1] };
+    const std::array<double, 2> most = { box.GetMaxPoint()[0], box.GetMaxPoint()[1] };
+    auto place = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), least);
+    while (place != this->Sorted.end() && !((*place)[1] >= least[1] && (*place)[1] <= most[1]) &&
+      (*place)[0] <= most[0])
+    {
+      ++place;
+    }
+    return place != this->Sorted.end() && (*place)[0] <= most[0];
+  }
+
+private:
+  std::vector<std::array<double, 2>> Sorted;
+};
+
+/// The scene's cells at some places; with groundOnly those with a ground material, where any has it.
+vtkSmartPointer<vtkPolyData> ExtractSurfaces(
+  vtkPolyData* scene, const Places& places, bool groundOnly)
+{
+  const MaterialTable materials = GetMaterials(scene);
+  vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
+  const auto isGround = [&materials, ids](vtkIdType cell)
+  {
+    const double id = ids ? ids->GetComponent(cell, 0) : 0.0;
+    return id >= 0.0 && id < static_cast<double>(materials.size()) &&
+      materials[static_cast<std::size_t>(id)].IsGround;
+  };
+  vtkCellArray* cells = scene->GetPolys();
+  const vtkIdType count = cells->GetNumberOfCells();
+  bool hasGround = false;
+  for (vtkIdType cell = 0; cell < count && groundOnly && !hasGround; ++cell)
+  {
+    hasGround = isGround(cell);
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->Use32BitStorage();
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    cells->GetCellAtId(cell, size, corners);
+    if ((!hasGround || isGround(cell)) && places.AreIn(scene->GetPoints(), size, corners))
+    {
+      polys->InsertNextCell(size, corners);
+    }
+  }
+  auto ground = vtkSmartPointer<vtkPolyData>::New();
+  ground->SetPoints(scene->GetPoints());
+  ground->SetPolys(polys);
+  return ground;
+}
+
+/// The height of the highest surface at each point; NaN where there is none.
+std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
+{
+  double bounds[6] = {};
+  if (caster->GetMesh().GetNumberOfTriangles() > 0)
+  {
+    caster->GetMesh().GetBounds(bounds);
+  }
+  const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
+  std::vector<double> heights;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    const vtkHeliosRay ray{ { p[0], p[1], top }, { 0.0, 0.0, -1.0 } };
+    vtkHeliosHit hit;
+    caster->Intersect(&ray, &hit, 1);
+    heights.push_back(hit.CellId < 0 ? std::nan("") : top - hit.Range);
+  }
+  return heights;
+}
+
+/// The first point whose x or y is not a number, or -1.
+vtkIdType FindPlaceNotFinite(vtkPolyData* points)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+} // namespace
+
+std::string DescribePlace(vtkPolyData* points, vtkIdType index)
+{
+  double p[3];
+  points->GetPoint(index, p);
+  std::ostringstream text;
+  text << std::setprecision(15) << "point " << index << " at x " << p[0] << ", y " << p[1];
+  return text.str();
+}
+
+std::string GetGroundHeights(
+  vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights)
+{
+  if (!scene || scene->GetNumberOfCells() == 0)
+  {
+    return "The scene on port 1 is empty: it has no ground to put points onto.";
+  }
+  const vtkIdType notFinite = FindPlaceNotFinite(points);
+  if (notFinite >= 0)
+  {
+    return "No ground for " + DescribePlace(points, notFinite) + "; it must be finite.";
+  }
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  const auto surfaces = ExtractSurfaces(scene, Places(points), groundOnly);
+  if (surfaces->GetNumberOfCells() > 0 && !caster->Build(surfaces))
+  {
+    return "No rays can be cast onto the scene on port 1.";
+  }
+  heights = GetHeights(points, caster);
+  return {};
+}
+
+} // namespace helios

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How high the surfaces of a scene are.
+
+#ifndef heliosGround_h
+#define heliosGround_h
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * The height of the highest surface at the x, y of each point, NaN where there is none; with
+ * groundOnly of surfaces with a ground material, where the scene has any. Says in words what is
+ * wrong, or returns an empty text.
+ */
+std::string GetGroundHeights(
+  vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
+
+/// "point 3 at x 1, y 2"
+std::string DescribePlace(vtkPolyData* points, vtkIdType index);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSurveyFiles.h"
+#include "vtkHeliosDialect.h"
+#include "vtkHeliosSurveyPlayer.h"
+
+#include <catch2/catch.hpp>
+
+using namespace helios::test;
+
+namespace
+{
+
+/// A reader that checks survey.xml.
+struct Checking
+{
+  vtkNew<vtkHeliosSurveyReader> Reader;
+  vtkSmartPointer<helios::ErrorObserver> Log = Observe(Reader);
+  bool Good;
+
+  explicit Checking(const Files& files)
+  {
+    this->Reader->SetFileName((files / "survey.xml").c_str());
+    this->Good = this->Reader->Check();
+  }
+
+  int CountErrors() const
+  {
+    int count = 0;
+    for (std::size_t at = this->Log->Errors.find("ERROR:"); at != std::string::npos;
+         at = this->Log->Errors.find("ERROR:", at + 1))
+    {
+      ++count;
+    }
+    return count;
+  }
+};
+
+const char* const NeverThere = R"(<leg><scannerSettings scanFreq_hz="50" headRotatePerSec_deg="-10"
+ headRotateStop_deg="10"/></leg>)";
+
+} // namespace
+
+TEST_CASE("SurveyCheck: a good survey", "[SurveyCheck]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  const Checking checking(files);
+  INFO(checking.Log->Errors);
+  CHECK(checking.Good);
+  CHECK(checking.Reader->GetSurvey() == nullptr);
+}
+
+TEST_CASE("SurveyCheck: legs are checked though the scanner is wrong", "[SurveyCheck]")
+{
+  const Files files;
+  files.Replace("assets.xml", "scanAngleMax_deg=\"120\"", "scanAngleMax_deg=\"wide\"");
+  const Reading reading(files, Tripod, NeverThere);
+  INFO(reading.Log->Errors);
+  CHECK(reading.Log->HasError("scanAngleMax_deg=\"wide\" is not a number"));
+  CHECK(reading.Log->HasError("never gets there"));
+  CHECK(Checking(files).CountErrors() == 2); // nothing that only follows: no angle, no window
+}
+
+TEST_CASE("SurveyCheck: what follows from an error is none of its own", "[SurveyCheck]")
+{
+  const Files files;
+  const auto count = [&files](const std::string& attributes, const std::string& legs)
+  {
+    const Reading reading(files, attributes, legs);
+    const Checking checking(files);
+    INFO(checking.Log->Errors);
+    CHECK_FALSE(checking.Good);
+    return checking.CountErrors();
+  };
+  CHECK(count(R"(platform="assets.xml#tripot" scanner="assets.xml#tls")", NeverThere) == 1);
+  CHECK(count(R"(platform="assets.xml#tripod" scanner="assets.xml#tsl")", NeverThere) == 2);
+  const std::string unread = std::string(NeverThere).replace(5, 0, "<platformSettings x=\"a\"/>");
+  CHECK(count(Tripod, unread) == 1);
+  CHECK(count(Tripod, unread + OneLeg + NeverThere) == 2);
+}
+
+TEST_CASE("SurveyCheck: what no survey uses, and names that runs look up", "[SurveyCheck]")
+{
+  const Files files;
+  files.Replace("assets.xml", "</document>",
+    "<scanner id=\"unused\" optics=\"conic\"/>\n<scene id=\"empty\" crs=\"EPSG:0\"/></document>");
+  files.Write("survey.xml", ReadText(files / "assets.xml"));
+  const Checking checking(files);
+  INFO(checking.Log->Errors);
+  CHECK(checking.Log->HasError("scanner unused: scanAngleMax_deg is missing"));
+  CHECK(checking.Log->HasError("scene empty has no <part>"));
+  CHECK(checking.Log->HasError("crs=\"EPSG:0\""));
+  CHECK(checking.CountErrors() == 3);
+  const Reading reading(files, std::string(Tripod) + " rayCaster=\"torch\"", OneLeg);
+  CHECK(reading.Good);
+  CHECK(Checking(files).Log->HasError("rayCaster=\"torch\" is not in this build; give one of"));
+  files.Write("survey.xml", "<document/>");
+  CHECK(Checking(files).Log->HasError("survey.xml:1: the file holds nothing"));
+}
+
+TEST_CASE("SurveyCheck: FileName is missing", "[SurveyCheck]")
+{
+  vtkNew<vtkHeliosSurveyReader> reader;
+  const auto log = Observe(reader);
+  CHECK_FALSE(reader->Check());
+  CHECK(log->HasError("FileName is not set"));
+}
+
+TEST_CASE("SurveyCheck: a trajectory has no more samples than pulses", "[SurveyCheck]")
+{
+  const Files files;
+  std::string leg = OneLeg;
+  leg.replace(
+    leg.find("scanFreq_hz"), 0, "pulseFreq_hz=\"100000\" trajectoryTimeInterval_s=\"1e-9\" ");
+  const Reading reading(files, Tripod, leg);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->HasWarning(
+    "trajectoryTimeInterval_s=\"1e-09\" is shorter than from pulse to pulse"));
+  CHECK(reading.Data().Legs.front().TrajectoryTimeInterval == 1e-5);
+}
+
+TEST_CASE("SurveyCheck: what runs say is said with its place", "[SurveyCheck]")
+{
+  const Files files;
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  const auto log = Observe(player);
+  player->SetOutputDirectory((files / "out").c_str());
+  SECTION("of a part")
+  {
+    files.Write("plane.obj", "v 0 0 nan\n");
+    const Reading reading(files, Tripod, OneLeg);
+    player->SetSurvey(reading.Reader->GetSurvey());
+    CHECK_FALSE(player->Run());
+    CHECK(log->HasError("scene.xml:1: "));
+    CHECK(log->HasError("plane.obj:1: "));
+  }
+  SECTION("of a leg that sees nothing")
+  {
+    std::string leg = OneLeg;
+    leg.replace(leg.find("z=\"3\""), 5, "z=\"-900\"");
+    const Reading reading(files, Tripod, leg);
+    player->SetSurvey(reading.Reader->GetSurvey());
+    CHECK_FALSE(player->Run());
+    CHECK(log->HasError("survey.xml:5: No points: "));
+  }
+  SECTION("of a leg with more pulses than can be")
+  {
+    std::string leg = OneLeg;
+    leg.replace(leg.find("scanFreq_hz"), 0, "pulseFreq_hz=\"1e9\" maxDuration_s=\"1e9\" ");
+    leg.replace(leg.find("_deg=\"10\" h"), 9, "_deg=\"1e-8\"");
+    const Reading reading(files, Tripod, leg);
+    REQUIRE(reading.Good);
+    player->SetSurvey(reading.Reader->GetSurvey());
+    player->SetPulsesPerBlock(100);
+    CHECK_FALSE(player->Run());
+    INFO(log->Errors);
+    CHECK(log->HasError("pulses are more than a leg can have"));
+  }
+}
+
+TEST_CASE("Dialect: every name is described; words are enumerated", "[Dialect]")
+{
+  CHECK(vtkHeliosDialect::FindUndescribed().empty());
+  const std::string schema = vtkHeliosDialect::GetSchema();
+  CHECK(schema.find("<xs:enumeration value=\"rotating\"/>") != std::string::npos);
+  CHECK(schema.find("<xs:complexType name=\"scanner\">") != std::string::npos);
+  CHECK(schema.find("filter:") == std::string::npos);
+  CHECK(vtkHeliosDialect::GetTables().find("### filter `objloader`") != std::string::npos);
+}

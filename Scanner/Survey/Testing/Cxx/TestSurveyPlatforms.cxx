@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of surveys whose platform drives, flies, follows a file or shakes.
+#include "heliosSurveyPlaying.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace helios::test;
+
+namespace
+{
+
+/// A line of a trajectory file.
+struct Sample
+{
+  double X, Y, Z, Time, Roll, Pitch, Yaw;
+};
+
+std::vector<Sample> ReadSamples(const std::string& path)
+{
+  std::vector<Sample> samples;
+  std::ifstream file(path);
+  Sample s;
+  while (file >> s.X >> s.Y >> s.Z >> s.Time >> s.Roll >> s.Pitch >> s.Yaw)
+  {
+    samples.push_back(s);
+  }
+  return samples;
+}
+
+/// A leg of a conic scanner that looks down, with a sample every 0.1 s.
+std::string Leg(const std::string& place)
+{
+  return "<leg><platformSettings " + place +
+    "/>\n<scannerSettings pulseFreq_hz=\"20000\" scanFreq_hz=\"50\" scanAngle_deg=\"5\" "
+    "trajectoryTimeInterval_s=\"0.1\"/></leg>\n";
+}
+
+/// Runs a survey of the folder's platform with the id plane.
+void Run(const Files& files, const std::string& attributes, const std::string& legs)
+{
+  const Reading reading(files, attributes, legs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.Player->SetOverwrite(true);
+  const bool good = playing.Player->Run();
+  INFO(playing.Log->Errors);
+  REQUIRE(good);
+}
+
+} // namespace
+
+TEST_CASE("SurveyPlatforms: a car turns on circles and climbs", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Replace("assets.xml", "type=\"linearpath\"", "type=\"groundvehicle\" drag=\"0.005\"");
+  Run(files, Flight,
+    Leg("z=\"20\" movePerSec_m=\"5\"") + Leg("y=\"30\" z=\"21\" movePerSec_m=\"5\"") +
+      Leg("x=\"20\" y=\"30\" z=\"21\""));
+  const auto first = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  const auto second = ReadSamples(files / "out/test/leg001_trajectory.txt");
+  REQUIRE(first.size() > 20);
+  CHECK(first.front().Y == 0.0);
+  CHECK(first.back().Y == 30.0); // to the printed 0.1 mm
+  CHECK(first.back().Z == 21.0); // a waypoint at another height is reached
+  CHECK(second.front().Time == first.back().Time);
+  CHECK(second.back().X == 20.0);
+  CHECK(second.back().Yaw > 225.0); // from a circle beside the line it heads to the point
+  CHECK(second.back().Yaw < 270.0);
+  double fastest = 0.0;
+  for (std::size_t i = 1; i < first.size(); ++i)
+  {
+    const Sample& a = first[i - 1];
+    const Sample& b = first[i];
+    fastest = std::max(fastest, std::hypot(b.X - a.X, b.Y - a.Y, b.Z - a.Z) / (b.Time - a.Time));
+  }
+  CHECK(fastest == Approx(5.0).epsilon(0.01)); // movePerSec_m
+}
+
+TEST_CASE("SurveyPlatforms: a copter tilts, and its scanner with it", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\" base_pitch_deg=\"-5\"");
+  Run(files, Flight,
+    Leg("z=\"50\" movePerSec_m=\"8\"") + Leg("y=\"40\" z=\"50\" movePerSec_m=\"8\"") +
+      Leg("x=\"40\" y=\"40\" z=\"50\""));
+  const auto first = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  REQUIRE(first.size() > 40);
+  CHECK(first.front().Roll == Approx(0.0).margin(0.1)); // it hovers
+  double lowest = 0.0;
+  double cruise = 0.0;
+  for (const Sample& s : first)
+  {
+    lowest = std::min(lowest, s.Roll); // of the file: about the right axis, nose up
+    cruise = std::abs(s.Y - 20.0) < 0.6 ? s.Roll : cruise;
+  }
+  CHECK(cruise == Approx(-5.0).margin(0.1)); // base_pitch_deg at movePerSec_m
+  CHECK(lowest < -20.0);                     // to go faster
+  CHECK(first.back().Y == 40.0);
+  CHECK(first.back().Roll == Approx(0.0).margin(0.1)); // stopAndTurn is the default
+}
+
+TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Write("way.txt",
+    "#HEADER: \"t\", \"x\", \"y\", \"z\", \"roll\", \"pitch\", \"yaw\"\n"
+    "100,0,0,60,0,0,350\n101,0,10,60,0,0,10\n103,10,10,62,0,0,90\n");
+  const std::string file = "trajectory=\"way.txt\"";
+  Run(files, R"(platform="interpolated" basePlatform="assets.xml#plane" scanner="assets.xml#als")",
+    Leg(file + " tEnd=\"101\"") + Leg(file + " tStart=\"101.5\" teleportToStart=\"true\""));
+  const auto first = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  REQUIRE(first.size() == 11);
+  CHECK(first[0].Time == 0.0);
+  CHECK(first[5].Y == 5.0);
+  CHECK(first[5].Yaw == Approx(0.0).margin(1e-4)); // the short way from 350 to 10 degrees
+  const auto second =
+    ReadSamples(files / "out/test/leg001_trajectory.txt"); // it fires: there is no end point
+  REQUIRE(second.size() == 16);
+  CHECK(second[0].Time == 1.0);
+  CHECK(second[0].X == 2.5);
+  CHECK(second[15].X == 10.0);
+  CHECK(second[15].Z == 62.0);
+  CHECK(second[15].Yaw == 270.0); // ARINC counts clockwise, the file counter-clockwise
+
+  Run(files, R"(platform="interpolated" scanner="assets.xml#tls")",
+    "<leg><platformSettings " + file +
+      " syncGPSTime=\"true\" tStart=\"102\"/><scannerSettings scanFreq_hz=\"100\"/></leg>");
+  const auto synced = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  CHECK(synced.front().Time == 102.0);
+  CHECK(synced.back().Time == 103.0);
+}
+
+TEST_CASE("SurveyPlatforms: what cannot be flown names its leg or its file", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Write("way.txt", "0,0,0,0,0,0,60\n1,0,0,0,x,0,60\n");
+  const Reading recorded(
+    files, R"(platform="interpolated" scanner="assets.xml#als")", Leg("trajectory=\"way.txt\""));
+  REQUIRE(recorded.Good);
+  Playing(files, recorded).CheckFails({ "way.txt:2" });
+
+  const Files other;
+  other.Replace("assets.xml", "type=\"linearpath\"", "type=\"groundvehicle\"");
+  const Reading climbing(other, Flight, Leg("z=\"10\"") + Leg("z=\"20\""));
+  REQUIRE(climbing.Good);
+  Playing(other, climbing).CheckFails({ "survey.xml:5" });
+}
+
+TEST_CASE(
+  "SurveyPlatforms: noise moves pulses, not the file of the trajectory", "[SurveyPlatforms]")
+{
+  const Files files;
+  const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"");
+  Run(files, Flight, legs);
+  const auto still = ReadPoints(files / "out/test/leg000_points.xyz");
+  const std::string way = ReadText(files / "out/test/leg000_trajectory.txt");
+  const std::string noise =
+    R"(<positionXNoise type="UNIFORM" min="0.5" max="1.5" fixedLifespan="0"/>)";
+  Run(files, Flight, legs + noise);
+  const auto moved = ReadPoints(files / "out/test/leg000_points.xyz");
+  CHECK(ReadText(files / "out/test/leg000_trajectory.txt") == way);
+  REQUIRE(moved.size() == still.size());
+  const double shift = moved[0].X - still[0].X;
+  CHECK(shift > 0.5);
+  CHECK(shift < 1.5);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+  {
+    REQUIRE(moved[i].X - still[i].X == Approx(shift).margin(2e-4)); // one value for ever
+    REQUIRE(std::abs(moved[i].Z) < 1e-3);                           // on the ground, where they are
+  }
+}

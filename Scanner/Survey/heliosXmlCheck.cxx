@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlCheck.h"
+
+#include "heliosCoordinateSystem.h"
+#include "heliosMessages.h"
+#include "heliosXmlPlatform.h"
+#include "heliosXmlScanner.h"
+#include "heliosXmlScene.h"
+#include "vtkHeliosRayCaster.h"
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+void CheckCrs(const std::string& text, const char* name, const std::string& where, Messages& log)
+{
+  CoordinateSystem crs;
+  const std::string problem = text.empty() ? std::string() : crs.Set(text);
+  if (!problem.empty())
+  {
+    log.Error(where + ": " + name + "=\"" + text + "\" " + problem);
+  }
+}
+
+void CheckSceneCrs(const SceneData& scene, Messages& log)
+{
+  CheckCrs(scene.Crs, "crs", scene.Where, log);
+  for (const PartData& part : scene.Parts)
+  {
+    for (const CrsData& crs : part.Crs)
+    {
+      CheckCrs(crs.Source, "source", crs.Where, log);
+      CheckCrs(crs.Target, "target", crs.Where, log);
+    }
+  }
+}
+
+void CheckRayCaster(const std::string& name, const std::string& where, Messages& log)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  {
+    names.emplace_back(vtkHeliosRayCaster::GetBackendName(i));
+  }
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+  {
+    log.Error(
+      where + ": rayCaster=\"" + name + "\" is not in this build; give one of " + Enumerate(names));
+  }
+}
+
+void CheckScannerElement(const XmlElement& element, Messages& log)
+{
+  const int before = log.GetNumberOfErrors();
+  const ScannerData scanner = ReadScanner(element);
+  if (log.GetNumberOfErrors() == before)
+  {
+    CheckScanner(scanner, log);
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void CheckSurveyNames(const SurveyData& survey, const std::string& where, Messages& log)
+{
+  CheckRayCaster(survey.RayCaster, where, log);
+  CheckSceneCrs(survey.Scene, log);
+  for (const LegData& leg : survey.Legs)
+  {
+    CheckCrs(leg.Crs, "crs", leg.Where, log);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckAssets(const XmlElement& root, Assets& assets, Messages& log)
+{
+  const std::vector<XmlElement> scanners = root.GetChildren("scanner");
+  const std::vector<XmlElement> platforms = root.GetChildren("platform");
+  const std::vector<XmlElement> scenes = root.GetChildren("scene");
+  for (const XmlElement& scanner : scanners)
+  {
+    CheckScannerElement(scanner, log);
+  }
+  for (const XmlElement& platform : platforms)
+  {
+    ReadPlatform(platform);
+  }
+  for (const XmlElement& scene : scenes)
+  {
+    CheckSceneCrs(ReadScene(scene, assets), log);
+  }
+  const bool holdsNothing = scanners.empty() && platforms.empty() && scenes.empty() &&
+    !root.GetChild("survey") && !root.GetChild("platformSettings") &&
+    !root.GetChild("scannerSettings") && !root.GetChild("FWFSettings");
+  if (holdsNothing)
+  {
+    log.Error(root.Where() +
+      ": the file holds nothing; give <document> a <survey>, <scene>, <scanner> or <platform>");
+  }
+}
+
+} // namespace helios
