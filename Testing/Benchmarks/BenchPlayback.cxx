@@ -138,7 +138,7 @@ struct Bare
   {
     const helios::LegPlan& plan = this->Runner->GetPlans().front();
     helios::LegScanner& scanner = this->Runner->Prepare(plan);
-    const auto writer = this->Runner->MakeWriters(plan).front();
+    const auto writer = this->Runner->MakeOutputs(plan).front().Writer;
     const bool isOpen = writes && writer->Open();
     const auto blocks = static_cast<int>(
       (plan.NumberOfPulses + this->Settings.PulsesPerBlock - 1) / this->Settings.PulsesPerBlock);
