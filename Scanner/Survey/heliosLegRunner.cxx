@@ -275,7 +275,11 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   }
   LegProgress done = journal.GetLeg(plan.Leg);
   done.IsDone = true;
-  done.Files = GetProgress(outputs); // an index has its end now
+  if (isWhole)
+  {
+    done.Files =
+      GetProgress(outputs); // with the end of an index; the next leg of a strip goes on before that
+  }
   done.Files.push_back(trajectory);
   return this->Check(journal.Append(plan.Leg, done));
 }

@@ -141,6 +141,36 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
   CHECK((a == b)); // not printed
 }
 
+TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
+{
+  const Files files;
+  std::string legs = ThreeLegs;
+  for (std::size_t at = legs.find("<leg>"); at != std::string::npos; at = legs.find("<leg>"))
+  {
+    legs.replace(at, 5, "<leg stripId=\"7\">");
+  }
+  const Reading reading(files, Flight, legs);
+  const std::string format = GENERATE("xyz", "vtp");
+  const vtkIdType pulses = GENERATE(20000, 40000, 60000);
+  Playing whole(files, reading, "whole");
+  whole.Player->SetFormat(format.c_str());
+  REQUIRE(whole.Player->Run());
+  Playing broken(files, reading);
+  broken.Player->SetFormat(format.c_str());
+  broken.AbortAfter(pulses);
+  REQUIRE_FALSE(broken.Player->Run());
+  broken.Player->SetResume(true);
+  broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
+  REQUIRE(broken.Player->Run());
+  CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
+  if (format == "vtp")
+  {
+    const std::string index = ReadText(files / "out/test/strip007_points.pvtp");
+    CHECK(index.find("_0007.vtp") != std::string::npos);  // 8 blocks
+    CHECK(index.find("</VTKFile>") == index.size() - 11); // and one end
+  }
+}
+
 TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
 {
   const Files files;
