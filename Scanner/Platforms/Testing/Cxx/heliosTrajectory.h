@@ -52,6 +52,37 @@ inline vtkSmartPointer<vtkPolyData> MakeWaypoints(
   return waypoints;
 }
 
+/// Adds a point array of one number a waypoint.
+inline void AddValues(vtkPolyData* waypoints, const char* name, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  waypoints->GetPointData()->AddArray(array);
+}
+
+/// What a multicopter does at its waypoints.
+enum Mode
+{
+  Stop,
+  Smooth,
+  Through
+};
+
+inline vtkSmartPointer<vtkPolyData> MakeFlight(
+  const std::vector<Point>& positions, const std::vector<double>& speeds, Mode mode)
+{
+  auto waypoints = MakeWaypoints(positions, speeds);
+  AddValues(
+    waypoints, vtkHeliosArrayNames::StopAndTurn, std::vector<double>(speeds.size(), mode == Stop));
+  AddValues(
+    waypoints, vtkHeliosArrayNames::SmoothTurn, std::vector<double>(speeds.size(), mode == Smooth));
+  return waypoints;
+}
+
 /// A number of a point array.
 inline double Value(vtkPolyData* data, const char* name, vtkIdType point, int component = 0)
 {
