@@ -127,6 +127,20 @@ int SceneSurfaces::CountParts() const
 }
 
 //------------------------------------------------------------------------------
+void SceneSurfaces::PassFields(vtkPolyData* scene, vtkPolyData* echoes) const
+{
+  const vtkSmartPointer<vtkStringArray> parts = this->MakePartNames();
+  vtkAbstractArray* crs = scene->GetFieldData()->GetAbstractArray(names::CRS);
+  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(parts), crs })
+  {
+    if (array)
+    {
+      echoes->GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkStringArray> SceneSurfaces::MakePartNames() const
 {
   const bool hasNames = std::any_of(

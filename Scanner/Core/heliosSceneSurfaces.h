@@ -50,8 +50,8 @@ public:
     return this->IsTurbid(cell) ? this->FindGrid(cell).Part : this->Parts ? this->Parts[cell] : 0;
   }
 
-  /// The names of all parts; null where none has any.
-  vtkSmartPointer<vtkStringArray> MakePartNames() const;
+  /// Hands echoes the names of all parts and the coordinate system, where there are any.
+  void PassFields(vtkPolyData* scene, vtkPolyData* echoes) const;
 
   const SurfaceReflection& GetReflection(int material) const
   {
@@ -96,6 +96,7 @@ private:
   };
 
   const Grid& FindGrid(vtkIdType cell) const;
+  vtkSmartPointer<vtkStringArray> MakePartNames() const;
   int CountParts() const;
   std::string AddMaterials(vtkDataObject* data, const std::string& what);
   std::string CheckMaterialIds(vtkIntArray* ids, int count, const std::string& what) const;

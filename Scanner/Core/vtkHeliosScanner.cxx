@@ -8,14 +8,12 @@
 #include "heliosScanOutput.h"
 #include "heliosScanRun.h"
 #include "heliosScenePreparation.h"
-#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosPlatformNoise.h"
 
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -23,7 +21,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -31,8 +28,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkHeliosScanner);
-
-namespace names = vtkHeliosArrayNames;
 
 namespace
 {
@@ -416,16 +411,7 @@ int vtkHeliosScanner::RequestData(
   this->RunPulses(
     scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
 
-  vtkFieldData* from = vtkPolyData::GetData(inputs[0])->GetFieldData();
-  const vtkSmartPointer<vtkStringArray> parts = scan.Model.Surfaces.MakePartNames();
-  for (vtkAbstractArray* array :
-    { static_cast<vtkAbstractArray*>(parts), from->GetAbstractArray(names::CRS) })
-  {
-    if (array)
-    {
-      vtkPolyData::GetData(outputs, 0)->GetFieldData()->AddArray(array);
-    }
-  }
+  scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs, 0));
   return 1;
 }
 
