@@ -18,8 +18,7 @@ namespace vtkHeliosArrayNames
 /** Scene: cell data. MaterialIds is a row of the material columns, PartIds the scene part. */
 inline constexpr const char* MaterialIds = "MaterialIds";
 inline constexpr const char* PartIds = "PartIds";
-inline constexpr const char* Normals =
-  "Normals"; // unit; where it is, incidence is measured from it
+inline constexpr const char* Normals = "Normals"; // unit; where it is, incidence is measured from it
 inline constexpr const char* EdgeDefects = "EdgeDefects"; // bits, see vtkHeliosMeshRepair
 ///@}
 
@@ -48,8 +47,8 @@ inline constexpr const char* PartName = "Part.Name";
 
 ///@{
 /** Waypoints: point data. */
-inline constexpr const char* Speed = "Speed";             // [m/s] towards the next waypoint
-inline constexpr const char* OnGround = "OnGround";       // 1: z comes from the ground below
+inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
+inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below
 inline constexpr const char* StopAndTurn = "StopAndTurn"; // 1: a multicopter rests and turns there
 inline constexpr const char* SmoothTurn = "SmoothTurn";   // 1: it cuts the corner there
 inline constexpr const char* YawAtDeparture = "YawAtDeparture"; // [deg], NaN: not given
@@ -90,12 +89,12 @@ inline constexpr const char* Weight = "Weight"; // a sub-ray's share of the puls
 
 ///@{
 /** Waveforms: columns of the table, and Samples in its field data. */
-inline constexpr const char* Origin = "Origin";           // [m]
-inline constexpr const char* StartTime = "StartTime";     // [ns], two-way, after the emission
-inline constexpr const char* BinSize = "BinSize";         // [ns]
-inline constexpr const char* Offset = "Offset";           // of the first sample
-inline constexpr const char* Count = "Count";             // of samples
-inline constexpr const char* Samples = "Samples";         // float32 [W]
+inline constexpr const char* Origin = "Origin";       // [m]
+inline constexpr const char* StartTime = "StartTime"; // [ns], two-way, after the emission
+inline constexpr const char* BinSize = "BinSize";     // [ns]
+inline constexpr const char* Offset = "Offset";       // of the first sample
+inline constexpr const char* Count = "Count";         // of samples
+inline constexpr const char* Samples = "Samples";     // float32 [W]
 inline constexpr const char* PulseLength = "PulseLength"; // [ns], one value in the field data
 ///@}
 
