@@ -75,6 +75,14 @@ public:
     {
       fits = this->Fits();
     }
+    if (!fits)
+    {
+      for (FlightCorner& corner : this->Path.Corners)
+      {
+        this->Stop(corner);
+      }
+      this->Fits();
+    }
     for (std::size_t i = 1; i < this->Waypoints.size(); ++i)
     {
       if (this->Waypoints[i].Mode != Passing::Stop &&

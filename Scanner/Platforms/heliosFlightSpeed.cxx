@@ -12,6 +12,9 @@ namespace helios
 namespace
 {
 
+/// Of a ramp that takes minutes.
+constexpr int MostSteps = 4000;
+
 /// How a speed changes: the drive goes to a peak, stays a while, and goes to what keeps the end.
 struct Maneuver
 {
@@ -122,7 +125,8 @@ DrivePhase DrivePhase::Ramp(const DriveLimits& limits, double speed, double from
   phase.Drive = from;
   phase.Rate = to > from ? limits.Rate : -limits.Rate;
   phase.Drag = limits.Drag;
-  const int count = 4 + static_cast<int>(phase.Duration / limits.Step);
+  const double steps = phase.Duration / limits.Step;
+  const int count = 4 + (steps < MostSteps ? static_cast<int>(steps) : MostSteps);
   phase.Steps.reserve(static_cast<std::size_t>(count) + 1);
   phase.Steps.push_back({ 0.0, speed });
   for (int i = 0; i < count; ++i)

@@ -106,6 +106,13 @@ bool vtkHeliosMulticopterPlatform::CheckWay(vtkPolyData* waypoints)
                   << " N to fly; raise it or lower Mass.");
     return false;
   }
+  if (this->DragCoefficient > this->Mass)
+  {
+    vtkErrorMacro(<< "Waypoint 1 cannot be reached: DragCoefficient is " << this->DragCoefficient
+                  << " kg/m, against which " << this->Mass
+                  << " kg do not fly; lower it to less than Mass a metre.");
+    return false;
+  }
   for (vtkIdType i = 1; i < waypoints->GetNumberOfPoints(); ++i)
   {
     double p[3], q[3];

@@ -49,7 +49,8 @@
  * pitch. See Docs/platforms.md.
  *
  * Errors: fewer than two waypoints, no Speed, a speed that is not positive and
- * finite, waypoints more than 1e9 m apart, thrust that does not lift the mass, a
+ * finite, waypoints more than 1e9 m apart, thrust that does not lift the mass,
+ * more than 1 kg/m of drag a kilogram, a
  * point array of more than one number a waypoint, a leg that takes over 1000 times
  * as long as at Speed, and those of vtkHeliosPlatform.
  *
@@ -115,18 +116,18 @@ public:
 
   ///@{
   /**
-   * Set/Get how fast it tilts along the way [deg/s]. Valid range: [0.1, 1000].
+   * Set/Get how fast it tilts along the way [deg/s]. Valid range: [1, 1000].
    * Default: 85.94.
    */
-  vtkSetClampMacro(PitchRate, double, 0.1, 1000.0);
+  vtkSetClampMacro(PitchRate, double, 1.0, 1000.0);
   vtkGetMacro(PitchRate, double);
   ///@}
 
   ///@{
   /**
-   * Set/Get how fast it banks [deg/s]. Valid range: [0.1, 1000]. Default: 28.65.
+   * Set/Get how fast it banks [deg/s]. Valid range: [1, 1000]. Default: 28.65.
    */
-  vtkSetClampMacro(RollRate, double, 0.1, 1000.0);
+  vtkSetClampMacro(RollRate, double, 1.0, 1000.0);
   vtkGetMacro(RollRate, double);
   ///@}
 
@@ -161,10 +162,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the step of the integration while the tilt changes [s]. Valid range:
-   * [1e-5, 0.1]. Default: 0.01, with which the error is below 1e-9 m.
+   * Set/Get the step of the integration while the tilt changes [s]; a change takes
+   * 4000 steps at most. Valid range: [1e-4, 0.1]. Default: 0.01, with which the
+   * error is below 1e-9 m.
    */
-  vtkSetClampMacro(TimeStep, double, 1e-5, 0.1);
+  vtkSetClampMacro(TimeStep, double, 1e-4, 0.1);
   vtkGetMacro(TimeStep, double);
   ///@}
 

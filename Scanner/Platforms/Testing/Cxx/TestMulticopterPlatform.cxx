@@ -423,10 +423,18 @@ TEST_CASE("MulticopterPlatform: bad input is an error", "[MulticopterPlatform]")
   SECTION("too slow")
   {
     copter->SetMaximumPitch(0.1);
-    copter->SetDragCoefficient(1e4);
-    Run(copter, { origin, { 0.0, 1e4, 0.0 } }, { 1000.0, 1.0 }, Stop);
-    CHECK(log->HasError("Waypoint 1, 10000 m from waypoint 0, is reached only after 2.44"));
+    copter->SetDragCoefficient(10.0);
+    Run(copter, { origin, { 0.0, 1e6, 0.0 } }, { 1000.0, 1.0 }, Stop);
+    CHECK(log->HasError("Waypoint 1, 1e+06 m from waypoint 0, is reached only after 7.7"));
     CHECK(log->HasError(" s; raise MaximumThrust or MaximumPitch, or lower DragCoefficient."));
+  }
+  SECTION("nothing but drag")
+  {
+    copter->SetDragCoefficient(11.0);
+    Run(copter, { origin, { 0.0, 1.0, 0.0 } }, { 1.0, 1.0 }, Stop);
+    CHECK(
+      log->HasError("Waypoint 1 cannot be reached: DragCoefficient is 11 kg/m, against which 10 "
+                    "kg do not fly; lower it to less than Mass a metre."));
   }
   SECTION("two numbers a waypoint")
   {

@@ -3,6 +3,7 @@
 // Any waypoints: what comes out passes them, in bounded time.
 #include "heliosErrorObserver.h"
 #include "heliosTrajectory.h"
+#include "vtkHeliosGroundVehiclePlatform.h"
 #include "vtkHeliosMulticopterPlatform.h"
 
 #include <catch2/catch.hpp>
@@ -31,7 +32,7 @@ vtkSmartPointer<vtkPolyData> Run(vtkHeliosMulticopterPlatform* copter,
 
 } // namespace
 
-TEST_CASE("MulticopterRoutes: many waypoints", "[MulticopterPlatform]")
+TEST_CASE("VehicleRoutes: many waypoints", "[VehicleRoutes]")
 {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> pick(-30.0, 30.0);
@@ -52,7 +53,7 @@ TEST_CASE("MulticopterRoutes: many waypoints", "[MulticopterPlatform]")
   }
 }
 
-TEST_CASE("MulticopterRoutes: any waypoints are reached", "[MulticopterPlatform]")
+TEST_CASE("VehicleRoutes: any waypoints are reached", "[VehicleRoutes]")
 {
   std::mt19937_64 random(11);
   const auto pick = [&](double low, double high)
@@ -102,4 +103,60 @@ TEST_CASE("MulticopterRoutes: any waypoints are reached", "[MulticopterPlatform]
   }
   INFO(samples << " samples for " << time << " s");
   CHECK(static_cast<double>(samples) < 100.0 * time);
+}
+
+TEST_CASE("VehicleRoutes: properties at the ends of their ranges", "[VehicleRoutes]")
+{
+  std::mt19937_64 random(19);
+  const auto coin = [&]() { return random() % 3; };
+  const auto choose = [&](double low, double usual, double high)
+  {
+    const auto side = coin();
+    return side == 0 ? low : (side == 1 ? usual : high);
+  };
+  const std::vector<helios::Point> way = { { 0.0, 0.0, 0.0 }, { 0.0, 30.0, 0.5 },
+    { 3.0, 30.0, 0.5 }, { 60.0, 0.0, 1.0 } };
+  int done = 0;
+  for (int run = 0; run < 40; ++run)
+  {
+    vtkNew<vtkHeliosMulticopterPlatform> copter;
+    copter->SetMass(choose(0.01, 10.0, 1e5));
+    copter->SetDragCoefficient(choose(0.0, 1e-3, 0.1) * copter->GetMass());
+    copter->SetMaximumPitch(choose(0.1, 35.0, 80.0));
+    copter->SetMaximumRoll(choose(0.1, 25.0, 80.0));
+    copter->SetPitchRate(choose(1.0, 85.0, 1000.0));
+    copter->SetRollRate(choose(1.0, 28.0, 1000.0));
+    copter->SetYawRate(choose(0.1, 85.0, 1000.0));
+    copter->SetSlowdownDistance(choose(0.0, 5.0, 1e6));
+    vtkNew<vtkHeliosGroundVehiclePlatform> car;
+    car->SetMass(choose(1.0, 1500.0, 1e6));
+    car->SetEngineForce(choose(100.0, 6000.0, 1e7));
+    car->SetBrakeForce(choose(100.0, 6000.0, 1e7));
+    car->SetDrag(choose(0.0, 50.0, 1e6));
+    car->SetWheelbase(choose(0.1, 2.5, 100.0));
+    car->SetMaximumSteeringAngle(choose(1.0, 30.0, 80.0));
+    car->SetSteeringRate(choose(1.0, 30.0, 1e4));
+    car->SetLateralAcceleration(choose(0.01, 2.0, 100.0));
+    car->SetTurnDeviation(choose(0.0, 1.0, 1e4));
+    const std::vector<double> speeds(way.size(), choose(0.1, 5.0, 200.0));
+    auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+    for (vtkHeliosPlatform* platform :
+      { static_cast<vtkHeliosPlatform*>(copter), static_cast<vtkHeliosPlatform*>(car) })
+    {
+      log->Clear();
+      log->Watch(platform);
+      platform->SetInputData(helios::MakeFlight(way, speeds, static_cast<Mode>(coin())));
+      platform->Update();
+      vtkPolyData* path = platform->GetOutput();
+      INFO("run " << run << ": " << log->Errors);
+      const vtkIdType count = path->GetNumberOfPoints();
+      CHECK((count > 0) != log->HasError("Waypoint "));
+      if (count > 0)
+      {
+        CHECK(helios::GetMiss(path, count - 1, way.back()) < 1e-7);
+        ++done;
+      }
+    }
+  }
+  CHECK(done > 20);
 }
