@@ -108,11 +108,6 @@ struct NoiseData
 /// What vehicles are like, as files say it.
 struct VehicleData
 {
-  double Drag = 1.0; ///< as files count it
-  double EngineForce = 0.1;
-  double SpeedUp = 2.0;          ///< [1/s]
-  double SlowDown = 2.0;         ///< [1/s]
-  double SlowDownDistance = 5.0; ///< [m]
   double BasePitch = -5.0;       ///< [deg]
   double RollSpeed = 28.65;      ///< [deg/s]
   double PitchSpeed = 85.94;     ///< [deg/s]

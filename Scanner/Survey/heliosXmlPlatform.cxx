@@ -42,11 +42,6 @@ void ReadType(const XmlElement& element, PlatformData& platform)
 
 void ReadVehicle(const XmlElement& element, VehicleData& vehicle)
 {
-  element.Read("drag", vehicle.Drag);
-  element.Read("engine_max_force", vehicle.EngineForce);
-  element.Read("speedup_magnitude", vehicle.SpeedUp);
-  element.Read("slowdown_magnitude", vehicle.SlowDown);
-  element.Read("slowdown_distance", vehicle.SlowDownDistance);
   element.Read("base_pitch_deg", vehicle.BasePitch);
   element.Read("roll_speed_deg", vehicle.RollSpeed);
   element.Read("pitch_speed_deg", vehicle.PitchSpeed);

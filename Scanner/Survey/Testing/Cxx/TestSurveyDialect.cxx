@@ -263,8 +263,8 @@ TEST_CASE("SurveyDialect: what vehicles are like, and how they turn", "[SurveyDi
   const helios::SurveyData& data = Read(reading);
   const helios::VehicleData& vehicle = data.GetPlatform(0).Vehicle;
   CHECK(data.GetPlatform(0).Type == helios::PlatformType::Multicopter);
-  CHECK(vehicle.Drag == 0.01);
-  CHECK(vehicle.EngineForce == 0.2);
+  CHECK(reading.Log->HasWarning("attribute drag of <platform> is not used"));
+  CHECK(reading.Log->HasWarning("attribute engine_max_force of <platform> is not used"));
   CHECK(vehicle.BasePitch == -4);
   CHECK(vehicle.YawSpeed == 80);
   CHECK(data.Legs[0].SmoothTurn);
