@@ -128,6 +128,26 @@ TEST_CASE("Catalogue: the scan plane of the car leans back by 45 degrees", "[Pla
   CheckPoint(ToWorld(id, 0.0, 1.0, Beam(180.0)), 0.0, s, s); // the sky ahead
 }
 
+TEST_CASE("Catalogue: what moves by physics carries the scanner as what goes straight does",
+  "[PlatformCatalogue]")
+{
+  struct Pair
+  {
+    const char* Straight;
+    const char* Physical;
+    const char* Type;
+  };
+  for (const Pair& pair : { Pair{ "copter_linearpath", "copter", "multicopter" },
+         Pair{ "car_linearpath", "car", "groundvehicle" } })
+  {
+    INFO(pair.Physical);
+    const std::string text = ReadPlatform(pair.Physical);
+    const std::string straight = ReadPlatform(pair.Straight);
+    CHECK(text.find(std::string("type=\"") + pair.Type + "\"") != std::string::npos);
+    CHECK(text.substr(text.find("<scannerMount")) == straight.substr(straight.find("<scannerMount")));
+  }
+}
+
 TEST_CASE("Catalogue: the tripod is upright, 1.5 m high", "[PlatformCatalogue]")
 {
   const std::string tripod = ReadPlatform("tripod");
