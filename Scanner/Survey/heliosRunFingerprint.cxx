@@ -83,6 +83,10 @@ Json::Value DescribeOptions(const RunSettings& settings)
   options["subRays"] = settings.Receiver.NumberOfSubRays;
   options["detector"] = settings.Receiver.EchoDetector;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
+  if (settings.Play >= 0)
+  {
+    options["play"] = settings.Play;
+  }
   options["rayCaster"] = settings.RayCaster ? settings.RayCaster->GetName() : "";
   return options;
 }

@@ -27,6 +27,13 @@ bool RunFolder::Exists() const
 }
 
 //------------------------------------------------------------------------------
+bool RunFolder::IsEmpty() const
+{
+  return !RunJournal(this->Path.string()).Exists() && !this->HasSummary() &&
+    this->FindFiles().empty();
+}
+
+//------------------------------------------------------------------------------
 bool RunFolder::HasSummary() const
 {
   std::error_code ignored;
@@ -62,7 +69,7 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
 {
   const std::string folder = this->Path.string();
   const bool isUnfinished = RunJournal(folder).Exists();
-  const bool hasFiles = isUnfinished || this->HasSummary() || !this->FindFiles().empty();
+  const bool hasFiles = !this->IsEmpty();
   if (resume)
   {
     if (isUnfinished || this->HasSummary())

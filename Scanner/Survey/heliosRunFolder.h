@@ -36,6 +36,9 @@ public:
   std::string WriteSummary(const Json::Value& summary) const;
   ///@}
 
+  /// Whether no run has left anything here.
+  bool IsEmpty() const;
+
   bool HasSummary() const;
   bool Exists() const;
 

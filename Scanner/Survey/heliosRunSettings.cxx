@@ -89,6 +89,20 @@ std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
 } // namespace
 
 //------------------------------------------------------------------------------
+std::string MakeRunFolder(vtkHeliosSurveyPlayer* player)
+{
+  std::filesystem::path folder = TextOf(player->GetOutputDirectory());
+  folder /= player->GetSurvey()->GetName();
+  if (player->GetSurvey()->GetNumberOfPlays() > 1)
+  {
+    const std::string play = std::to_string(player->GetPlay());
+    const std::size_t zeros = play.size() < 3 ? 3 - play.size() : 0;
+    folder /= "play" + std::string(zeros, '0') + play;
+  }
+  return folder.string();
+}
+
+//------------------------------------------------------------------------------
 std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
 {
   settings.Format = TextOf(player->GetFormat());
@@ -96,8 +110,16 @@ std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
   {
     return "Format is \"" + settings.Format + "\"; give xyz or vtp.";
   }
-  const std::string output = TextOf(player->GetOutputDirectory());
-  settings.Folder = (std::filesystem::path(output) / player->GetSurvey()->GetName()).string();
+  const int plays = player->GetSurvey()->GetNumberOfPlays();
+  if (player->GetPlay() >= plays)
+  {
+    Sentence fault;
+    fault << "Play is " << player->GetPlay() << ", and the survey has " << plays
+          << (plays > 1 ? " plays" : " play") << "; give 0 to " << plays - 1;
+    return fault.str();
+  }
+  settings.Play = plays > 1 ? player->GetPlay() : -1;
+  settings.Folder = MakeRunFolder(player);
   const vtkIdType own = player->GetSurvey()->GetData().Seed;
   settings.Seed = std::max<vtkIdType>(0, player->GetSeed() >= 0 ? player->GetSeed() : own);
   settings.Waveforms = player->GetWriteWaveforms();

@@ -23,6 +23,7 @@ namespace helios
 struct RunSettings
 {
   std::string Folder; ///< of the files
+  int Play = -1;      ///< negative: the survey has one only
   std::string Format; ///< xyz, vtp
   vtkIdType Seed = 0;
   ReceiverChoice Receiver;
@@ -33,6 +34,9 @@ struct RunSettings
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
 };
+
+/// The folder that a player which has a survey writes to.
+std::string MakeRunFolder(vtkHeliosSurveyPlayer* player);
 
 /// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns
 /// an empty text.

@@ -183,6 +183,8 @@ struct CrsData
   std::string Target;
 };
 
+struct SwapData;
+
 /// A part of a scene: its files as one mesh, reprojected, repaired, simplified, rotated, scaled, moved.
 struct PartData
 {
@@ -201,11 +203,20 @@ struct PartData
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
   bool OnGround = false;             ///< its lowest vertex goes to the ground below
+  std::vector<SwapData> Swaps;       ///< what takes its place in later plays, in this order
 
   bool IsTurbid() const
   {
     return this->Type == Loader::Vegetation && this->Vegetation.Mode == CellMode::Turbid;
   }
+};
+
+/// What takes the place of a part in later plays: as whole a part as that, without swaps of its own.
+struct SwapData
+{
+  PartData Part;
+  int Plays = 1;          ///< that it lasts, at least 1
+  bool IsRemoved = false; ///< nothing takes the place
 };
 
 struct SceneData

@@ -27,15 +27,24 @@ void CheckCrs(const std::string& text, const char* name, const std::string& wher
   }
 }
 
+void CheckPartCrs(const PartData& part, Messages& log)
+{
+  for (const CrsData& crs : part.Crs)
+  {
+    CheckCrs(crs.Source, "source", crs.Where, log);
+    CheckCrs(crs.Target, "target", crs.Where, log);
+  }
+}
+
 void CheckSceneCrs(const SceneData& scene, Messages& log)
 {
   CheckCrs(scene.Crs, "crs", scene.Where, log);
   for (const PartData& part : scene.Parts)
   {
-    for (const CrsData& crs : part.Crs)
+    CheckPartCrs(part, log);
+    for (const SwapData& swap : part.Swaps)
     {
-      CheckCrs(crs.Source, "source", crs.Where, log);
-      CheckCrs(crs.Target, "target", crs.Where, log);
+      CheckPartCrs(swap.Part, log);
     }
   }
 }

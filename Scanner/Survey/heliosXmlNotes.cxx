@@ -284,7 +284,7 @@ const XmlNote Notes[] = {
   { "motion", "selfMode", "about the centroid of the part", "false" },
   { "motion", "autoCRS", "share of the scene's shift that is added", "0" },
   { "swap", "swapStep", "plays that it lasts", "1" },
-  { "swap", "keepCRS", "whether its geometry is shifted as the part was", "true" },
+  { "swap", "keepCRS", "whether its geometry is shifted with the scene; here no scene is, so false only warns", "true" },
   { "swap", "force_null", "the part is taken out", "false" },
   { "swap", "swapIndices", "no program reads it" },
   { "filter", "", "a step of a part; its parameters are those of its type, below" },

@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Reads the filters of one <part>.
+/// Reads the filters of one <part> or <swap>.
 class PartReader
 {
 public:
@@ -26,11 +26,15 @@ public:
 
   PartData Read();
 
+  /// Reads a <swap> of a part that was read.
+  SwapData ReadSwap(const PartData& part);
+
 private:
   using Reading = void (PartReader::*)(const XmlFilter&);
 
   static Reading FindReading(const std::string& type);
-  void ReadFilter(const XmlFilter& filter);
+  void ReadFilters();
+  void ReadSwaps();
   void ReadObjLoader(const XmlFilter& filter);
   void ReadGeoTiffLoader(const XmlFilter& filter);
   void ReadXyzLoader(const XmlFilter& filter);
@@ -51,6 +55,8 @@ private:
   const XmlElement& Element;
   Assets& Files;
   PartData Part;
+  bool IsSwap = false;
+  bool HasFilter = false;
   bool HasLoader = false;
   bool HasScale = false;
   bool HasTranslate = false;
@@ -62,10 +68,7 @@ PartData PartReader::Read()
   this->Element.CheckNames();
   this->Part.Where = this->Element.Where();
   this->Part.Name = this->Element.GetText("id");
-  for (const XmlElement& filter : this->Element.GetChildren("filter"))
-  {
-    this->ReadFilter(XmlFilter(filter));
-  }
+  this->ReadFilters();
   if (!this->HasLoader)
   {
     this->Element.GetMessages().Error(this->Part.Where +
@@ -73,7 +76,78 @@ PartData PartReader::Read()
       "detailedvoxels");
   }
   this->CheckTurbid();
+  this->ReadSwaps();
   return this->Part;
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadFilters()
+{
+  for (const XmlElement& element : this->Element.GetChildren("filter"))
+  {
+    const XmlFilter filter(element);
+    (this->*FindReading(filter.GetType()))(filter);
+    this->HasFilter = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartReader::ReadSwaps()
+{
+  const PartData part = this->Part;
+  for (const XmlElement& swap : this->Element.GetChildren("swap"))
+  {
+    this->Part.Swaps.push_back(PartReader(swap, this->Files).ReadSwap(part));
+  }
+  if (!this->Part.Swaps.empty() && this->Part.Name.empty() && this->Part.Files.size() > 1)
+  {
+    this->Element.GetMessages().Error(this->Part.Swaps.front().Part.Where +
+      ": <swap> in a <part> without id and of several files, each of which is a part; give <part> "
+      "an id=\"...\", and they are one");
+  }
+}
+
+//------------------------------------------------------------------------------
+SwapData PartReader::ReadSwap(const PartData& part)
+{
+  Messages& log = this->Element.GetMessages();
+  SwapData swap;
+  bool keepsCrs = true;
+  this->Element.CheckNames();
+  this->Element.Read("swapStep", swap.Plays);
+  this->Element.Read("force_null", swap.IsRemoved);
+  this->Element.Read("keepCRS", keepsCrs);
+  this->IsSwap = true;
+  this->Part = part; // as its loader and filters made it, before it was turned, scaled and moved
+  this->Part.Where = this->Element.Where();
+  this->Part.Rotation = Quaternion(1.0, 0.0, 0.0, 0.0);
+  this->Part.Scale = 1.0;
+  this->Part.Translation = Vec3(0.0, 0.0, 0.0);
+  this->Part.OnGround = false;
+  this->ReadFilters();
+  if (!keepsCrs)
+  {
+    log.Warning(this->Part.Where +
+      ": keepCRS=\"false\" is not used; scenes are not shifted here, and geometry stays where its "
+      "coordinates are");
+  }
+  if (swap.IsRemoved && this->HasFilter)
+  {
+    log.Warning(
+      this->Part.Where + ": force_null=\"true\" takes the part out; the filters are not used");
+  }
+  if (!swap.IsRemoved && !this->HasFilter)
+  {
+    log.Error(this->Part.Where +
+      ": <swap> has no filter; add a loader, or filters that turn, scale or move the part, or "
+      "force_null=\"true\" to take it out");
+  }
+  if (!swap.IsRemoved)
+  {
+    this->CheckTurbid();
+  }
+  swap.Part = this->Part;
+  return swap;
 }
 
 //------------------------------------------------------------------------------
@@ -96,21 +170,29 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
 }
 
 //------------------------------------------------------------------------------
-void PartReader::ReadFilter(const XmlFilter& filter)
-{
-  (this->*FindReading(filter.GetType()))(filter);
-}
-
-//------------------------------------------------------------------------------
 bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
 {
   Messages& log = filter.GetMessages();
   if (this->HasLoader)
   {
-    log.Error(filter.Where() + ": a second loader in one <part>; make a <part> of each");
+    log.Error(filter.Where() + ": a second loader in one <" + this->Element.GetTag() +
+      (this->IsSwap ? ">; take one out" : ">; make a <part> of each"));
+    return false;
+  }
+  if (this->IsSwap && this->HasFilter)
+  {
+    log.Error(filter.Where() + ": filter " + filter.GetType() +
+      " comes after other filters of a <swap>, and would undo them; put it first");
     return false;
   }
   this->HasLoader = true;
+  if (this->IsSwap) // nothing of the part is left
+  {
+    PartData fresh;
+    fresh.Where = this->Part.Where;
+    fresh.Name = this->Part.Name;
+    this->Part = fresh;
+  }
   this->Part.Type = type;
   const XmlDocument& document = filter.GetElement().GetDocument();
   if (filter.Has("efilepath"))
@@ -328,7 +410,7 @@ void PartReader::WarnIfRepeated(const XmlFilter& filter, bool& seen)
   if (seen)
   {
     filter.GetMessages().Warning(filter.Where() + ": a repeated filter " + filter.GetType() +
-      " replaces the one before it in this <part>");
+      " replaces the one before it in this <" + this->Element.GetTag() + ">");
   }
   seen = true;
 }

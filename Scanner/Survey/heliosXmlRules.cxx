@@ -365,8 +365,15 @@ const std::vector<XmlElementRule> Rules = {
       { "kdtDynTimeStep", Real, Later, "s" } },
     { { "filter", Repeats },
       { "color", false, Ignored },
-      { "swap", Repeats, Later },
+      { "swap", Repeats },
       { "dmotion", Repeats, Later } } },
+
+  { "swap",
+    { { "swapStep", Integer, Used, "plays", { 1.0, 9999.0, false } },
+      { "keepCRS", Boolean },
+      { "force_null", Boolean },
+      { "swapIndices", Text, Later } },
+    { { "filter", Repeats } } },
 
   { "filter", { { "type" } }, { { "param", Repeats } } },
 

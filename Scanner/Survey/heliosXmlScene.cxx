@@ -3,8 +3,10 @@
 #include "heliosXmlScene.h"
 
 #include "heliosMessages.h"
+#include "heliosPlays.h"
 #include "heliosXmlPart.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace helios
@@ -40,6 +42,21 @@ std::vector<std::string> FindSpectraFolders(const std::vector<std::string>& fold
   return spectra;
 }
 
+/// A play without a part has nothing to scan.
+void CheckPlays(const SceneData& scene, Messages& log)
+{
+  for (int play = 1; play < CountPlays(scene); ++play)
+  {
+    const auto isThere = [play](const PartData& part) { return FindPart(part, play) != nullptr; };
+    if (std::none_of(scene.Parts.begin(), scene.Parts.end(), isThere))
+    {
+      log.Error(scene.Where + ": scene " + scene.Id + " has no part in play " +
+        std::to_string(play) + " (the first is 0): each <swap> has force_null; keep one part");
+      return;
+    }
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -62,6 +79,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
     element.GetMessages().Error(scene.Where + ": scene " + scene.Id +
       " has no <part>; add one with an objloader, geotiffloader or xyzloader");
   }
+  CheckPlays(scene, element.GetMessages());
   return scene;
 }
 

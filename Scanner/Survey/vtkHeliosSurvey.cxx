@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosSurvey.h"
 
-#include "heliosSurveyData.h"
+#include "heliosPlays.h"
 
 #include <vtkObjectFactory.h>
 
@@ -78,6 +78,12 @@ bool vtkHeliosSurvey::IsMoving() const
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfPlays() const
+{
+  return helios::CountPlays(this->Data->Scene);
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfParts() const
 {
   return static_cast<int>(this->Data->Scene.Parts.size());
@@ -146,6 +152,7 @@ void vtkHeliosSurvey::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Scanner: " << this->GetScannerName() << "\n"
      << indent << "Platform: " << this->GetPlatformName() << "\n"
      << indent << "Scene: " << this->GetSceneName() << "\n"
+     << indent << "NumberOfPlays: " << this->GetNumberOfPlays() << "\n"
      << indent << "NumberOfParts: " << this->GetNumberOfParts() << "\n"
      << indent << "NumberOfLegs: " << this->GetNumberOfLegs() << "\n";
 }

@@ -61,6 +61,12 @@ public:
    */
   bool IsMoving() const;
 
+  /**
+   * How often the survey is played: more than once where parts of its scene are
+   * swapped. vtkHeliosSurveyPlayer runs one play at a time.
+   */
+  int GetNumberOfPlays() const;
+
   ///@{
   /**
    * The parts of the scene; a part's name is empty where there is no such part.

@@ -4,6 +4,7 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
+#include "heliosPlays.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunFolder.h"
@@ -58,7 +59,9 @@ private:
 
   vtkHeliosSurveyPlayer* Player;
   helios::Messages Log;
+  helios::SurveyData Survey; // of the play
   helios::RunSettings Settings;
+  bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
   std::unique_ptr<helios::RunJournal> Journal;
   std::unique_ptr<helios::LegRunner> Runner;
@@ -114,6 +117,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
       "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
   }
   const std::string fault = helios::TakeSettings(player, this->Settings);
+  this->Survey = helios::MakePlay(player->Survey->GetData(), player->Play);
   return fault.empty() || this->Fail(fault);
 }
 
@@ -123,14 +127,17 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   vtkHeliosSurveyPlayer* player = this->Player;
   this->Folder = std::make_unique<helios::RunFolder>(this->Settings.Folder);
   this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
-  std::string problem = this->Folder->Prepare(player->Overwrite, player->Resume);
+  // The plays of a survey that was broken off which are after the one at work have nothing yet.
+  const bool isNext = player->Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
+  this->Resumes = player->Resume && !isNext;
+  std::string problem = this->Folder->Prepare(player->Overwrite, this->Resumes);
   if (!problem.empty())
   {
     return this->Fail(problem);
   }
   this->Tell("hashing the input files");
-  this->Fingerprint = helios::MakeFingerprint(player->Survey->GetData(), this->Settings);
-  if (!player->Resume)
+  this->Fingerprint = helios::MakeFingerprint(this->Survey, this->Settings);
+  if (!this->Resumes)
   {
     return true;
   }
@@ -159,8 +166,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
 bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
-  const helios::SurveyData& survey = this->Player->Survey->GetData();
-  helios::SceneBuilder builder(survey.Scene, this->Log, this->Settings.Seed);
+  helios::SceneBuilder builder(this->Survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
   this->Scene = builder.Build(onStep);
   this->Settings.Grids =
@@ -177,8 +183,8 @@ bool vtkHeliosSurveyPlayer::Internals::Load()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Plan()
 {
-  this->Runner = std::make_unique<helios::LegRunner>(
-    this->Player->Survey->GetData(), this->Scene, this->Settings, this->Log);
+  this->Runner =
+    std::make_unique<helios::LegRunner>(this->Survey, this->Scene, this->Settings, this->Log);
   if (!this->Runner->Plan())
   {
     return this->Fail();
@@ -192,7 +198,7 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
 bool vtkHeliosSurveyPlayer::Internals::Begin()
 {
   this->Fingerprint["scene"] = helios::HashScene(this->Scene);
-  if (this->Player->Resume)
+  if (this->Resumes)
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint());
   }
@@ -372,6 +378,12 @@ vtkHeliosSurvey* vtkHeliosSurveyPlayer::GetSurvey() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosSurveyPlayer::GetRunFolder()
+{
+  return this->Survey ? helios::MakeRunFolder(this) : std::string();
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosSurveyPlayer::GetNumberOfLegs() const
 {
   return this->Survey ? this->Survey->GetNumberOfLegs() : 0;
@@ -437,6 +449,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Survey: " << (this->Survey ? this->Survey->GetName() : "(none)") << "\n"
      << indent << "OutputDirectory: " << (this->OutputDirectory ? this->OutputDirectory : "(none)")
      << "\n"
+     << indent << "Play: " << this->Play << "\n"
      << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
      << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
      << indent << "RangeTolerance: " << this->RangeTolerance << "\n"

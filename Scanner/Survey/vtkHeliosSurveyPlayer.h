@@ -24,6 +24,13 @@
  * the order of pulses, or with SplitByChannel to legNNN_points_dev<channel>.xyz
  * and so on.
  *
+ * Where parts of the scene are swapped, the survey has several plays
+ * (vtkHeliosSurvey::GetNumberOfPlays()): the same legs and other geometry. A run
+ * is one of them, Play, in a folder of its own below that of the survey,
+ * play000, play001 and so on, with its own journal and summary. GPS time, pulse
+ * ids and random numbers, which are keyed by seed and pulse, are the same in all
+ * plays: what differs between their points comes of the geometry.
+ *
  * While a leg runs its files end in .part and are valid up to the last block;
  * run.journal says what is safe on the disk. A run that ended early for whatever
  * reason goes on with Resume, to the same bytes as an unbroken one. When all
@@ -75,6 +82,21 @@ public:
   vtkSetFilePathMacro(OutputDirectory);
   vtkGetFilePathMacro(OutputDirectory);
   ///@}
+
+  ///@{
+  /**
+   * Set/Get the play to run: which geometry the swapped parts of the scene have.
+   * Valid range: [0, the survey's GetNumberOfPlays() - 1]. Default: 0.
+   */
+  vtkSetClampMacro(Play, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Play, int);
+  ///@}
+
+  /**
+   * The folder that Run() writes to: OutputDirectory/<name of the survey>, and
+   * below it playNNN where the survey has several plays. Empty without a survey.
+   */
+  std::string GetRunFolder();
 
   ///@{
   /**
@@ -188,8 +210,8 @@ public:
   /**
    * Set/Get whether the earlier run in the folder is gone on with after its last
    * block: with the inputs and settings that it had, else it is an error that
-   * says what has changed. Where it was finished nothing is done. Excludes
-   * Overwrite. Default: off.
+   * says what has changed. Where it was finished nothing is done; a Play above 0
+   * that has not begun is begun. Excludes Overwrite. Default: off.
    */
   vtkSetMacro(Resume, bool);
   vtkGetMacro(Resume, bool);
@@ -286,6 +308,7 @@ private:
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   char* OutputDirectory = nullptr;
+  int Play = 0;
   char* Format = nullptr;
   char* RayCaster = nullptr;
   char* EchoDetector = nullptr;

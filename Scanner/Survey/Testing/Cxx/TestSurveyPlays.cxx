@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts that are swapped: what a scene is in each play, and what the plays of a survey write.
+#include "vtkHeliosSurveyPlayer.h"
+
+#include "heliosPlays.h"
+#include "heliosSurveyPlaying.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace helios::test;
+
+namespace
+{
+
+const std::string Lid =
+  R"(<filter type="objloader"><param key="filepath" value="lid.obj"/></filter>)";
+
+std::string Move(double z)
+{
+  return R"(<filter type="translate"><param key="offset" value="0;0;)" + std::to_string(z) +
+    R"("/></filter>)";
+}
+
+std::string Swap(const std::string& filters, const std::string& attributes = "")
+{
+  return "<swap " + attributes + ">" + filters + "</swap>\n";
+}
+
+/// A scene of a floor, at z = 0, and of more parts; lid.obj is above all of it, at z = 1.
+void WriteScene(const Files& files, const std::string& parts, const std::string& floor = "")
+{
+  files.Write("lid.obj", "v -90 -90 1\nv 90 -90 1\nv 90 90 1\nv -90 90 1\nf 1 2 3 4\n");
+  files.Write("scene.xml",
+    "<document><scene id=\"s\">\n<part id=\"floor\"><filter type=\"objloader\">"
+    "<param key=\"filepath\" value=\"plane.obj\"/></filter>\n" +
+      floor + "</part>\n" + parts + "</scene></document>");
+}
+
+std::string Part(const std::string& inside)
+{
+  return "<part id=\"lid\">" + inside + "</part>";
+}
+
+/// The mean height of the points of a play; the swapped surface is level.
+double FindHeight(const std::string& folder)
+{
+  const std::vector<Point> points = ReadPoints(folder + "/leg000_points.xyz");
+  INFO(folder);
+  REQUIRE(points.size() > 10000);
+  double sum = 0.0;
+  for (const Point& point : points)
+  {
+    sum += point.Z;
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+/// Four plays: the lid at 5 m, at 8 m, twice; and away.
+const std::string FourPlays =
+  Part(Lid + Move(4.0) + Swap(Move(7.0), "swapStep=\"2\"") + Swap("", "force_null=\"true\""));
+
+} // namespace
+
+TEST_CASE("Plays: what a part is in each play", "[SurveyPlays]")
+{
+  helios::PartData part;
+  part.Swaps.resize(3);
+  part.Swaps[0].Plays = 2;
+  part.Swaps[1].IsRemoved = true;
+  CHECK(helios::FindPart(part, 0) == &part);
+  CHECK(helios::FindPart(part, 1) == &part.Swaps[0].Part);
+  CHECK(helios::FindPart(part, 2) == &part.Swaps[0].Part);
+  CHECK(helios::FindPart(part, 3) == nullptr);
+  CHECK(helios::FindPart(part, 4) == &part.Swaps[2].Part);
+  CHECK(helios::FindPart(part, 9) == &part.Swaps[2].Part); // the last one lasts
+  CHECK(helios::FindPart(helios::PartData(), 3) != nullptr);
+}
+
+TEST_CASE("Plays: the survey of a play", "[SurveyPlays]")
+{
+  helios::SurveyData survey;
+  survey.Name = "test";
+  survey.Scene.Parts.resize(2);
+  CHECK(helios::CountPlays(survey.Scene) == 1);
+  helios::PartData& first = survey.Scene.Parts[0];
+  helios::PartData& second = survey.Scene.Parts[1];
+  first.Name = "0";
+  first.Swaps.resize(1);
+  first.Swaps[0].IsRemoved = true;
+  second.Name = "1";
+  second.Swaps.resize(2);
+  second.Swaps[0].Plays = 3;
+  second.Swaps[1].Part.Scale = 2.0;
+  CHECK(helios::CountPlays(survey.Scene) == 5); // of the part with the largest sum
+
+  CHECK(helios::MakePlay(survey, 0).Scene.Parts.size() == 2);
+  const helios::SurveyData last = helios::MakePlay(survey, 4);
+  CHECK(last.Name == "test");
+  REQUIRE(last.Scene.Parts.size() == 1); // the first one stays away
+  CHECK(last.Scene.Parts[0].Name == "1");
+  CHECK(last.Scene.Parts[0].Scale == 2.0);
+  CHECK(last.Scene.Parts[0].Swaps.empty());
+  CHECK(helios::CountPlays(last.Scene) == 1);
+}
+
+TEST_CASE("Plays: filters start from the part as it was loaded", "[SurveyPlays]")
+{
+  const Files files;
+  WriteScene(files,
+    Part(Lid +
+      R"(<filter type="repair"/><filter type="scale"><param key="scale" value="3"/></filter>
+<filter type="rotate"><param key="rotation" type="rotation"><rot axis="z" angle_deg="90"/></param></filter>
+<filter type="translate"><param key="offset" value="1;2;3"/><param key="onGround" value="1"/></filter>)" +
+      Swap(Move(7.0), "swapStep=\"2\" keepCRS=\"true\"") +
+      Swap(R"(<filter type="geotiffloader"><param key="filepath" value="plane.obj"/></filter>)" +
+        Move(1.0)) +
+      Swap(R"(<filter type="scale"><param key="scale" value="2"/></filter>)")));
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty());
+  CHECK(reading.Reader->GetSurvey()->GetNumberOfPlays() == 5);
+  const std::vector<helios::SwapData>& swaps = reading.Data().Scene.Parts.at(1).Swaps;
+  REQUIRE(swaps.size() == 3);
+
+  const helios::PartData& moved = swaps[0].Part;
+  CHECK(swaps[0].Plays == 2);
+  CHECK(moved.Where == (files / "scene.xml") + ":6");
+  CHECK(moved.Files == std::vector<std::string>{ files / "lid.obj" });
+  CHECK(moved.Repair); // that is how the mesh is, not where
+  CHECK(moved.Translation[0] == 0.0);
+  CHECK(moved.Translation[2] == 7.0);
+  CHECK(moved.Scale == 1.0);
+  CHECK(moved.Rotation.GetW() == 1.0);
+  CHECK_FALSE(moved.OnGround);
+
+  const helios::PartData& other = swaps[1].Part; // nothing of the part is left
+  CHECK(other.Type == helios::Loader::GeoTiff);
+  CHECK(other.Files == std::vector<std::string>{ files / "plane.obj" });
+  CHECK_FALSE(other.Repair);
+  CHECK(other.Translation[2] == 1.0);
+
+  const helios::PartData& last = swaps[2].Part; // the part again, not the swap before it
+  CHECK(last.Files == std::vector<std::string>{ files / "lid.obj" });
+  CHECK(last.Scale == 2.0);
+  CHECK(last.Translation[2] == 0.0);
+}
+
+TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
+{
+  struct Wrong
+  {
+    std::string Parts;
+    std::string Message;
+  };
+  const std::vector<Wrong> cases = {
+    { Part(Lid + Swap(Move(1), "swapStep=\"0\"")),
+      "scene.xml:4: swapStep=\"0\" is out of range; give a number from 1 to 9999 [plays]" },
+    { Part(Lid + Swap(Move(1), "swapStep=\"1.5\"")), "swapStep=\"1.5\"" },
+    { Part(Lid + Swap(Move(1), "force_null=\"perhaps\"")), "force_null=\"perhaps\"" },
+    { Part(Lid + Swap("")), "scene.xml:4: <swap> has no filter; add a loader" },
+    { Part(Lid + Swap(Move(1) + "\n" + Lid)),
+      "scene.xml:5: filter objloader comes after other filters of a <swap>" },
+    { Part(Lid + Swap(Lid + Lid)), "a second loader in one <swap>; take one out" },
+    { Part(Lid + Swap(R"(<filter type="objloader"/>)")), "filter objloader has no filepath" },
+    { Part(Lid + Swap(R"(<filter type="mover"/>)")), "filter type=\"mover\" is unknown" },
+    { "<part><filter type=\"objloader\"><param key=\"efilepath\" value=\".*obj\"/></filter>" +
+        Swap(Move(1)) + "</part>",
+      "scene.xml:4: <swap> in a <part> without id and of several files" },
+  };
+  for (const Wrong& wrong : cases)
+  {
+    const Files files;
+    WriteScene(files, wrong.Parts);
+    const Reading reading(files, Flight, ThreeLegs);
+    INFO(wrong.Parts << "\n" << reading.Log->Errors);
+    CHECK_FALSE(reading.Good);
+    CHECK(reading.Log->HasError(wrong.Message));
+  }
+}
+
+TEST_CASE("Plays: a play without a part", "[SurveyPlays]")
+{
+  const Files files;
+  const std::string away = Swap("", "force_null=\"true\"");
+  WriteScene(files, Part(Lid + Swap(Move(1)) + away), away);
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors);
+  CHECK_FALSE(reading.Good);
+  CHECK(reading.Log->HasError("scene.xml:1: scene s has no part in play 2"));
+}
+
+TEST_CASE("Plays: what of swaps is not used", "[SurveyPlays]")
+{
+  const Files files;
+  WriteScene(files,
+    Part(Lid + Swap(Move(1), "keepCRS=\"false\" swapIndices=\"[1,2]\"") +
+      Swap(Move(1) + Move(2), "force_null=\"true\"")));
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  CHECK(reading.Good);
+  CHECK(reading.Log->HasWarning("scene.xml:4: keepCRS=\"false\" is not used"));
+  CHECK(reading.Log->HasWarning("swapIndices"));
+  CHECK(reading.Log->HasWarning("scene.xml:5: force_null=\"true\" takes the part out"));
+  CHECK(reading.Log->HasWarning("replaces the one before it in this <swap>"));
+}
+
+TEST_CASE("Plays: points of each play lie on its geometry", "[SurveyPlays]")
+{
+  const Files files;
+  WriteScene(files, FourPlays);
+  const Reading reading(files, Flight, ThreeLegs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  const double heights[] = { 5.0, 8.0, 8.0, 0.0 };
+  for (int play = 0; play < 4; ++play)
+  {
+    Playing playing(files, reading);
+    playing.Player->SetPlay(play);
+    const std::string folder = files / ("out/test/play00" + std::to_string(play));
+    CHECK(playing.Player->GetRunFolder() == folder);
+    CHECK(playing.Player->Run());
+    INFO(playing.Log->Errors);
+    CHECK(
+      playing.Player->GetReport().find("\"play\" : " + std::to_string(play)) != std::string::npos);
+    CHECK(FindHeight(folder) == Approx(heights[play]).margin(1e-6));
+  }
+  CHECK(ReadText(files / "out/test/play001/leg001_points.xyz") ==
+    ReadText(files / "out/test/play002/leg001_points.xyz"));
+  const std::string summary = ReadText(files / "out/test/play003/run_summary.json");
+  CHECK(summary.find("lid.obj") == std::string::npos); // the play does not read it
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
+}
+
+TEST_CASE("Plays: the same geometry has the same noise", "[SurveyPlays]")
+{
+  const Files files;
+  files.Replace("assets.xml", "optics=\"conic\"", "optics=\"conic\" accuracy_m=\"0.02\"");
+  WriteScene(files, Part(Lid + Swap(Lid)));
+  const Reading reading(files, Flight, ThreeLegs);
+  REQUIRE(reading.Good);
+  for (int play = 0; play < 2; ++play)
+  {
+    Playing playing(files, reading);
+    playing.Player->SetPlay(play);
+    REQUIRE(playing.Player->Run());
+  }
+  const std::string first = ReadText(files / "out/test/play000/leg000_points.xyz");
+  CHECK(first.size() > 100000);
+  CHECK(first == ReadText(files / "out/test/play001/leg000_points.xyz"));
+}
+
+TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
+{
+  const Files files;
+  SECTION("of several")
+  {
+    WriteScene(files, FourPlays);
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing playing(files, reading);
+    playing.Player->SetPlay(4);
+    playing.CheckFails({ "Play is 4, and the survey has 4 plays; give 0 to 3" });
+    CHECK_FALSE(playing.Player->Estimate());
+  }
+  SECTION("of one")
+  {
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing playing(files, reading);
+    CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folder of plays
+    playing.Player->SetPlay(1);
+    playing.CheckFails({ "Play is 1, and the survey has 1 play; give 0 to 0" });
+  }
+  CHECK_FALSE(fs::exists(files / "out"));
+}
+
+namespace
+{
+
+/// Ends a run after some pulses.
+void BreakOff(vtkHeliosSurveyPlayer* player)
+{
+  const auto abort = [](vtkObject* caller, unsigned long, void*, void*)
+  {
+    auto* self = static_cast<vtkHeliosSurveyPlayer*>(caller);
+    if (self->GetNumberOfPulsesDone() >= 50000)
+    {
+      self->Abort();
+    }
+  };
+  vtkNew<vtkCallbackCommand> onBlock;
+  onBlock->SetCallback(abort);
+  player->AddObserver(vtkCommand::ProgressEvent, onBlock);
+  CHECK_FALSE(player->Run());
+}
+
+} // namespace
+
+TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
+{
+  const Files files;
+  WriteScene(files, FourPlays);
+  const Reading reading(files, Flight, ThreeLegs);
+  REQUIRE(reading.Good);
+  const auto resume = [&](int play, const std::string& expected)
+  {
+    Playing playing(files, reading);
+    playing.Player->SetPulsesPerBlock(10000);
+    playing.Player->SetPlay(play);
+    playing.Player->SetResume(true);
+    const bool good = playing.Player->Run();
+    INFO(play << ": " << playing.Player->GetMessage());
+    CHECK(good == expected.empty());
+    CHECK(playing.Log->HasError(expected));
+    return playing.Player->GetWasFinished();
+  };
+  resume(0, "nothing to resume"); // the first one needs a run that was begun
+  for (int play = 0; play < 2; ++play)
+  {
+    Playing playing(files, reading);
+    playing.Player->SetPulsesPerBlock(10000);
+    playing.Player->SetPlay(play);
+    if (play == 0)
+    {
+      CHECK(playing.Player->Run());
+    }
+    else
+    {
+      BreakOff(playing.Player);
+    }
+  }
+  REQUIRE(fs::exists(files / "out/test/play001/run.journal"));
+  SECTION("to what it would have been")
+  {
+    CHECK(resume(0, ""));       // was finished
+    CHECK_FALSE(resume(1, "")); // goes on
+    CHECK_FALSE(resume(2, "")); // begins
+    for (const char* name : { "leg000_points.xyz", "leg001_points.xyz", "leg001_trajectory.txt" })
+    {
+      CHECK(ReadText((files / "out/test/play001/") + name) ==
+        ReadText((files / "out/test/play002/") + name));
+    }
+    CHECK(FindHeight(files / "out/test/play001") == Approx(8.0).margin(1e-6));
+  }
+  SECTION("unless its files have changed")
+  {
+    files.Replace("lid.obj", "90 90 1", "80 80 1");
+    resume(1, "lid.obj has changed");
+  }
+}
