@@ -49,6 +49,7 @@ LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any tes
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
         (["run", "s.xml", "--detector", "gaus"], "unknown 'gaus': did you mean gaussian?"),
+        (["run", "s.xml", "--play", "first"], "'first' is not a whole number from 0 to 2147483647"),
         (["run", "s.xml", "--resme"], "unknown option --resme: did you mean --resume?"),
         (
             ["run", "s.xml", "--resume", "--overwrite"],
@@ -315,7 +316,17 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
 def start(survey, output, more=(), **options):
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
     return subprocess.Popen(
-        [sys.executable, "-P", "-m", "vtkhelios", "run", str(survey), "--output", str(output), *more],
+        [
+            sys.executable,
+            "-P",
+            "-m",
+            "vtkhelios",
+            "run",
+            str(survey),
+            "--output",
+            str(output),
+            *more,
+        ],
         env=environment,
         **options,
     )
@@ -350,6 +361,109 @@ def test_interrupt_keeps_valid_files(number, code, make_survey, tmp_path):
     kept = int(re.search(r"the ([\d,]+) points", errors).group(1).replace(",", ""))
     assert len(lines) == kept
     assert all(len(line.split()) == 11 for line in (lines[0], lines[-1]))
+
+
+# A survey that is played several times.
+
+SWAPS = """\
+<document>
+  <scene id="plane">
+    <part id="ground">
+      <filter type="objloader"><param type="string" key="filepath" value="plane.obj"/></filter>
+      <swap>
+        <filter type="translate"><param type="vec3" key="offset" value="0;0;-1"/></filter>
+      </swap>
+      <swap>
+        <filter type="translate"><param type="vec3" key="offset" value="0;0;0.5"/></filter>
+      </swap>
+    </part>
+  </scene>
+</document>
+"""
+HEIGHTS = [0.0, -1.0, 0.5]
+
+
+@pytest.fixture
+def make_plays(make_survey):
+    def make(**how):
+        survey = make_survey(**how)
+        (survey.parent / "scene.xml").write_text(SWAPS)
+        return survey
+
+    return make
+
+
+def height(folder):
+    rows = np.loadtxt(folder / "leg000_points.xyz", usecols=(0, 1, 2), max_rows=5000)
+    return np.median(rows[np.hypot(rows[:, 0], rows[:, 1]) < 20, 2])
+
+
+def test_plays(command_line, make_plays, tmp_path):
+    survey, folder = make_plays(), tmp_path / "out/plane"
+    arguments = ["run", survey, "--output", tmp_path / "out", "--no-noise"]
+    alone = command_line(*arguments, "--play", 2)
+    assert alone.returncode == 0, alone.stderr
+    assert [path.name for path in folder.iterdir()] == ["play002"]
+    only = (folder / "play002/leg000_points.xyz").read_bytes()
+    done = command_line(*arguments)
+    expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
+    assert [path.name for path in folder.iterdir()] == ["play002"]  # said before the first play
+    expect_failure(command_line(*arguments, "--play", 3), "Play is 3, and the survey has 3 plays")
+
+    done = command_line(*arguments, "--overwrite")
+    assert done.returncode == 0, done.stderr
+    for play in range(3):
+        assert f"play     {play}, of 3 from 0\n" in done.stdout
+        assert height(folder / f"play00{play}") == pytest.approx(HEIGHTS[play], abs=1e-3)
+    assert (folder / "play002/leg000_points.xyz").read_bytes() == only
+    assert f"plays    3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
+
+    done = command_line(*arguments, "--resume", "--json")  # nothing is left to do
+    report = json.loads(done.stdout)
+    assert [each["play"] for each in report["plays"]] == [0, 1, 2]
+    assert [each["options"]["play"] for each in report["plays"]] == [0, 1, 2]
+    assert report["totals"]["pulsesFired"] == 3 * PULSES
+    points = sum(each["totals"]["points"] for each in report["plays"])
+    assert report["totals"]["points"] == points > 0
+
+
+def test_dry_run_of_plays(command_line, make_plays, tmp_path):
+    arguments = ["run", make_plays(), "--dry-run", "--output", tmp_path / "out"]
+    done = command_line(*arguments)
+    assert done.returncode == 0, done.stderr
+    assert re.search(
+        rf"plays    3.*\npulses   {3 * PULSES:,}\npoints .*\nfiles .*\nmemory", done.stdout
+    )
+    report = json.loads(command_line(*arguments, "--json").stdout)
+    assert report["totals"]["pulsesFired"] == 3 * PULSES
+    assert report["memory_bytes"] == max(each["memory_bytes"] for each in report["plays"])
+    assert report["timings"]["run_s"] == pytest.approx(sum(e["run_s"] for e in report["plays"]))
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
+def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
+    survey = make_plays(speed=6, stop=60)  # a million pulse indices a play
+    more = ["--pulses-per-block", "4096"]
+    folder = tmp_path / "out/plane"
+    run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
+    until = time.monotonic() + 60
+    while not list(folder.glob("play001/*points*")) and time.monotonic() < until:
+        time.sleep(0.01)
+    wait_for_points(folder / "play001")
+    run.send_signal(number)
+    _, errors = run.communicate(timeout=60)
+    assert run.returncode == (-9 if number == signal.SIGKILL else 130), errors
+    assert (folder / "play001/run.journal").exists() and not (folder / "play002").exists()
+
+    done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
+    assert done.returncode == 0, done.stderr
+    assert "Nothing is left to do" in done.stdout  # of the first play
+    whole = command_line("run", survey, "--output", tmp_path / "whole", *more)
+    assert whole.returncode == 0, whole.stderr
+    for play in range(3):
+        name = f"plane/play00{play}/leg000_points.xyz"
+        assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
 
 
 def test_progress_on_a_terminal(make_survey, tmp_path):

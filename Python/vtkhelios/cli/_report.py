@@ -72,6 +72,31 @@ def estimate_lines(report):
     yield f"         reckoned from {100 * share:.0f} % of the pulses; nothing was written"
 
 
+def join_reports(plays, reports):
+    """The reports of several plays in one, with their sums."""
+    joined = {"plays": [{"play": play, **report} for play, report in zip(plays, reports)]}
+    names = reports[0]["totals"]
+    joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
+    times = [each.get("timings", each) for each in reports]
+    joined["timings"] = {name: sum(each[name] for each in times) for name in ("load_s", "run_s")}
+    if "memory_bytes" in reports[0]:  # of estimates: one play runs at a time
+        joined["memory_bytes"] = max(each["memory_bytes"] for each in reports)
+    return joined
+
+
+def plays_lines(joined):
+    """All plays of a survey together."""
+    totals, timings = joined["totals"], joined["timings"]
+    seconds = timings["load_s"] + timings["run_s"]
+    yield f"plays    {len(joined['plays'])}, of the same legs"
+    yield f"pulses   {totals['pulsesFired']:,}"
+    yield f"points   {totals['points']:,}"
+    if "memory_bytes" in joined:
+        yield f"files    {readable(totals['bytes'])}"
+        yield f"memory   {readable(joined['memory_bytes'])}"
+    yield f"time     {duration(seconds)} ({seconds / 60:.2f} minutes)"
+
+
 def table_lines(legs, more):
     """The legs, one a line; more columns are (title, width, a value a leg)."""
     yield "legs    " + "".join(

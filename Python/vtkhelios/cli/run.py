@@ -15,7 +15,7 @@ import vtkhelios
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
-from ._report import estimate_lines, summary_lines
+from ._report import estimate_lines, join_reports, plays_lines, summary_lines
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
@@ -34,6 +34,8 @@ With --format vtp: legNNN_points.pvtp and legNNN_fullwave.pvtt, with their piece
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
                           leg, timings
 While a run writes, files end in .part; they hold whole lines at any moment.
+A survey whose scene swaps parts is played several times, one play after the other, each into a
+folder of its own below that: play000, play001 and so on. Docs/scenes.md has the whole of it.
 
 how a run survives:
   run.journal, beside the files, says what is safe on the disk. A run that was killed, stopped by
@@ -66,6 +68,7 @@ examples:
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
   vtkhelios run survey.xml --dry-run                     minutes, points and bytes beforehand
   vtkhelios run survey.xml --resume                      go on with a run that was broken off
+  vtkhelios run survey.xml --play 2                      the third play alone, of a scene with swaps
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
 2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid; --resume goes on).
@@ -134,6 +137,12 @@ def add_arguments(parser):
         help="say what the run would take and give, from samples of it, and write nothing",
     )
     parser.add_argument(
+        "--play",
+        metavar="N",
+        type=whole_number(2**31 - 1),
+        help="of a survey whose scene swaps parts, this play alone; 0 is the first (default: all)",
+    )
+    parser.add_argument(
         "--format",
         choices=["xyz", "vtp"],
         default="xyz",
@@ -143,7 +152,9 @@ def add_arguments(parser):
         "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"
     )
     parser.add_argument(
-        "--pulses", action="store_true", help="write the pulses, too, those that hit nothing as well"
+        "--pulses",
+        action="store_true",
+        help="write the pulses, too, those that hit nothing as well",
     )
     parser.add_argument(
         "--split-by-channel",
@@ -250,10 +261,66 @@ def run(arguments):
         if survey is None:
             return 1
         player = make_player(arguments, survey, messages)
-        progress = make_progress(player, messages, quiet=arguments.quiet)
-        with progress, Interrupt(player, messages) as interrupt:
-            succeeded = player.Estimate() if arguments.dry_run else player.Run()
-        return conclude(arguments, player, messages, succeeded, interrupt)
+        plays = plays_to_run(arguments, player, messages)
+        with Interrupt(player, messages) as interrupt:
+            reports = []
+            for play in plays:
+                code = run_play(arguments, player, play, messages, interrupt, reports)
+                if code:
+                    return code
+        if reports:
+            conclude(arguments, plays, reports, messages)
+        return 0 if reports else 1
+
+
+def plays_to_run(arguments, player, messages):
+    """The plays that are asked for; none after an error."""
+    count = player.GetSurvey().GetNumberOfPlays()
+    if arguments.play is not None:
+        return [arguments.play]  # the player says where there is none
+    if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
+        for play in range(count):  # before the first one runs for an hour
+            player.SetPlay(play)
+            folder = pathlib.Path(player.GetRunFolder())
+            if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
+                messages.error(
+                    f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
+                    "go on with the plays, --overwrite to replace them, or another --output"
+                )
+                return []
+    return range(count)
+
+
+def run_play(arguments, player, play, messages, interrupt, reports):
+    """Runs a play and adds its report to the others; returns an exit code."""
+    if interrupt.signal:
+        messages.error(f"interrupted before play {play}: --resume goes on with it")
+        return 128 + interrupt.signal
+    player.SetPlay(play)
+    if player.GetSurvey().GetNumberOfPlays() > 1:
+        messages.info(f"play     {play}, of {player.GetSurvey().GetNumberOfPlays()} from 0")
+    with make_progress(player, messages, quiet=arguments.quiet):
+        succeeded = player.Estimate() if arguments.dry_run else player.Run()
+    folder = pathlib.Path(player.GetRunFolder())
+    if interrupt.signal and not succeeded:
+        points = player.GetNumberOfEchoes()
+        kept = (
+            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
+            if points
+            else "no points yet"
+        )
+        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
+        return 128 + interrupt.signal
+    if not succeeded:
+        messages.error_unless_told(player.GetMessage())
+        return 1
+    report = json.loads(player.GetReport())
+    if player.GetWasFinished():
+        messages.info(player.GetMessage())
+    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
+        messages.info(line)
+    reports.append(report)
+    return 0
 
 
 def asset_directories(arguments):
@@ -307,26 +374,12 @@ def make_player(arguments, survey, messages):
     return player
 
 
-def conclude(arguments, player, messages, succeeded, interrupt):
-    """Says how the run ended and returns the exit code."""
-    folder = pathlib.Path(arguments.output) / player.GetSurvey().GetName()
-    if interrupt.signal and not succeeded:
-        points = player.GetNumberOfEchoes()
-        kept = (
-            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
-            if points
-            else "no points yet"
-        )
-        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
-        return 128 + interrupt.signal
-    if not succeeded:
-        messages.error_unless_told(player.GetMessage())
-        return 1
-    report = json.loads(player.GetReport())
+def conclude(arguments, plays, reports, messages):
+    """What came of it as JSON; of several plays their sums, too."""
+    report = reports[0]
+    if len(reports) > 1:
+        report = join_reports(plays, reports)
+        for line in plays_lines(report):
+            messages.info(line)
     if arguments.json:
         print(json.dumps(report, indent=2))
-    if player.GetWasFinished():
-        messages.info(player.GetMessage())
-    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
-        messages.info(line)
-    return 0
