@@ -273,56 +273,6 @@ def run(arguments):
         return 0 if reports else 1
 
 
-def plays_to_run(arguments, player, messages):
-    """The plays that are asked for; none after an error."""
-    count = player.GetSurvey().GetNumberOfPlays()
-    if arguments.play is not None:
-        return [arguments.play]  # the player says where there is none
-    if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
-        for play in range(count):  # before the first one runs for an hour
-            player.SetPlay(play)
-            folder = pathlib.Path(player.GetRunFolder())
-            if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
-                messages.error(
-                    f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
-                    "go on with the plays, --overwrite to replace them, or another --output"
-                )
-                return []
-    return range(count)
-
-
-def run_play(arguments, player, play, messages, interrupt, reports):
-    """Runs a play and adds its report to the others; returns an exit code."""
-    if interrupt.signal:
-        messages.error(f"interrupted before play {play}: --resume goes on with it")
-        return 128 + interrupt.signal
-    player.SetPlay(play)
-    if player.GetSurvey().GetNumberOfPlays() > 1:
-        messages.info(f"play     {play}, of {player.GetSurvey().GetNumberOfPlays()} from 0")
-    with make_progress(player, messages, quiet=arguments.quiet):
-        succeeded = player.Estimate() if arguments.dry_run else player.Run()
-    folder = pathlib.Path(player.GetRunFolder())
-    if interrupt.signal and not succeeded:
-        points = player.GetNumberOfEchoes()
-        kept = (
-            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
-            if points
-            else "no points yet"
-        )
-        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
-        return 128 + interrupt.signal
-    if not succeeded:
-        messages.error_unless_told(player.GetMessage())
-        return 1
-    report = json.loads(player.GetReport())
-    if player.GetWasFinished():
-        messages.info(player.GetMessage())
-    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
-        messages.info(line)
-    reports.append(report)
-    return 0
-
-
 def asset_directories(arguments):
     """The user's folders, then what comes with vtkHelios."""
     shipped = vtkhelios.data_directory()
@@ -372,6 +322,56 @@ def make_player(arguments, survey, messages):
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
+
+
+def plays_to_run(arguments, player, messages):
+    """The plays that are asked for; none after an error."""
+    count = player.GetSurvey().GetNumberOfPlays()
+    if arguments.play is not None:
+        return [arguments.play]  # the player says where there is none
+    if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
+        for play in range(count):  # before the first one runs for an hour
+            player.SetPlay(play)
+            folder = pathlib.Path(player.GetRunFolder())
+            if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
+                messages.error(
+                    f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
+                    "go on with the plays, --overwrite to replace them, or another --output"
+                )
+                return []
+    return range(count)
+
+
+def run_play(arguments, player, play, messages, interrupt, reports):
+    """Runs a play and adds its report to the others; returns an exit code."""
+    if interrupt.signal:
+        messages.error(f"interrupted before play {play}: --resume goes on with it")
+        return 128 + interrupt.signal
+    player.SetPlay(play)
+    if player.GetSurvey().GetNumberOfPlays() > 1:
+        messages.info(f"play     {play}, of {player.GetSurvey().GetNumberOfPlays()} from 0")
+    with make_progress(player, messages, quiet=arguments.quiet):
+        succeeded = player.Estimate() if arguments.dry_run else player.Run()
+    folder = pathlib.Path(player.GetRunFolder())
+    if interrupt.signal and not succeeded:
+        points = player.GetNumberOfEchoes()
+        kept = (
+            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
+            if points
+            else "no points yet"
+        )
+        messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
+        return 128 + interrupt.signal
+    if not succeeded:
+        messages.error_unless_told(player.GetMessage())
+        return 1
+    report = json.loads(player.GetReport())
+    if player.GetWasFinished():
+        messages.info(player.GetMessage())
+    for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
+        messages.info(line)
+    reports.append(report)
+    return 0
 
 
 def conclude(arguments, plays, reports, messages):
