@@ -266,11 +266,11 @@ void PulseKernel::StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& ech
   const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
   const vtkIdType cell = echo.Nearest->CellId;
   const int material = surfaces.GetMaterialId(cell);
-  result.Echoes.push_back(
-    { pulse.ReportedOrigin + range * pulse.Reported, pulse.Time, this->PulseId, cell, range, echo.Amplitude,
-      echo.Width, echo.Deviation, scanAngle, IncidenceDegrees(echo.Nearest->CosIncidence),
-      pulse.Channel, material, surfaces.GetPartId(cell), surfaces.GetClassification(material),
-      static_cast<unsigned char>(number + 1), static_cast<unsigned char>(count) });
+  result.Echoes.push_back({ pulse.ReportedOrigin + range * pulse.Reported, pulse.Time,
+    this->PulseId, cell, range, echo.Amplitude, echo.Width, echo.Deviation, scanAngle,
+    IncidenceDegrees(echo.Nearest->CosIncidence), pulse.Channel, material, surfaces.GetPartId(cell),
+    surfaces.GetClassification(material), static_cast<unsigned char>(number + 1),
+    static_cast<unsigned char>(count) });
   if (this->Model.WantsTruth)
   {
     const Vec3 normal = this->Response.GetNormal(cell);

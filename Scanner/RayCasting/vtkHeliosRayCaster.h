@@ -191,7 +191,7 @@ private:
   std::unique_ptr<helios::BeamTree> OwnConeTree;
   const helios::BeamTree* ConeTree = nullptr; ///< once it is prepared
   vtkWeakPointer<vtkPolyData> BuiltScene;
-  vtkPoints* BuiltPoints = nullptr;  ///< of the scene, held by it
+  vtkPoints* BuiltPoints = nullptr;   ///< of the scene, held by it
   vtkCellArray* BuiltPolys = nullptr; ///< of the scene, held by it
   vtkMTimeType BuiltTime = 0;
 };

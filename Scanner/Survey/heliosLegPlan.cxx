@@ -4,6 +4,7 @@
 
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
+#include "heliosPointArrays.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPlatform.h"
 
@@ -22,18 +23,6 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
-
-/// An empty array of the points of a data set.
-template <typename ArrayT>
-ArrayT* AddArray(vtkPolyData* data, const char* name, int components = 1)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(data->GetNumberOfPoints());
-  data->GetPointData()->AddArray(array);
-  return array;
-}
 
 /// What is left of a duration where a leg has a longest one.
 double LimitDuration(const LegData& leg, double duration)
@@ -227,8 +216,8 @@ vtkSmartPointer<vtkPolyData> TrajectorySampler::GetSamples(vtkIdType first, vtkI
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(std::min(count, this->NumberOfSamples - first));
   samples->SetPoints(points);
-  auto* times = AddArray<vtkDoubleArray>(samples, names::GpsTime);
-  auto* orientations = AddArray<vtkDoubleArray>(samples, names::Orientation, 4);
+  auto* times = AddPointArray<vtkDoubleArray>(samples, names::GpsTime);
+  auto* orientations = AddPointArray<vtkDoubleArray>(samples, names::Orientation, 4);
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
     const double time = this->GetTime(first + i);

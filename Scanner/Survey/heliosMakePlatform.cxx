@@ -27,10 +27,10 @@ namespace
 
 constexpr double StandardGravity = 9.80665; // [m/s^2]
 
-/// The speed of the fastest leg of a journey.
+/// The speed of the fastest leg of a journey, at least 1 m/s: below, no drag tells.
 double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last)
 {
-  double speed = 0.0;
+  double speed = 1.0;
   for (std::size_t leg = first; leg + 1 < last; ++leg)
   {
     speed = std::max(speed, survey.Legs[leg].Speed);

@@ -159,7 +159,8 @@ double Spectrum::GetReflectance(double wavelength) const
 }
 
 //------------------------------------------------------------------------------
-SpectralScenes::SpectralScenes(vtkDataObject* scene, std::vector<std::string> folders, Messages& log)
+SpectralScenes::SpectralScenes(
+  vtkDataObject* scene, std::vector<std::string> folders, Messages& log)
   : Scene(scene)
   , Folders(std::move(folders))
   , Log(log)

@@ -3,6 +3,7 @@
 #include "heliosWaypoints.h"
 
 #include "heliosMessages.h"
+#include "heliosPointArrays.h"
 #include "heliosRandom.h"
 #include "heliosSurveyCrs.h"
 #include "vtkHeliosArrayNames.h"
@@ -24,18 +25,6 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
-
-/// An empty array of the points of a data set.
-template <typename ArrayT>
-ArrayT* AddArray(vtkPolyData* data, const char* name, int components = 1)
-{
-  vtkNew<ArrayT> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(data->GetNumberOfPoints());
-  data->GetPointData()->AddArray(array);
-  return array;
-}
 
 /// The positions of all legs in the scene's system; false after an error.
 bool TransformPositions(
@@ -75,7 +64,7 @@ bool PutOnGround(
     return true;
   }
   const auto legs = MakeWaypoints(survey, positions, 0, positions.size());
-  auto* onGround = AddArray<vtkIntArray>(legs, names::OnGround);
+  auto* onGround = AddPointArray<vtkIntArray>(legs, names::OnGround);
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     onGround->SetValue(static_cast<vtkIdType>(i), survey.Legs[i].OnGround ? 1 : 0);
@@ -126,11 +115,11 @@ vtkSmartPointer<vtkPolyData> MakeWaypoints(
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(last - first));
   waypoints->SetPoints(points);
-  auto* speed = AddArray<vtkDoubleArray>(waypoints, names::Speed);
-  auto* stops = AddArray<vtkIntArray>(waypoints, names::StopAndTurn);
-  auto* smooths = AddArray<vtkIntArray>(waypoints, names::SmoothTurn);
-  auto* yaws = AddArray<vtkDoubleArray>(waypoints, names::YawAtDeparture);
-  auto* ids = AddArray<vtkIntArray>(waypoints, names::LegIds);
+  auto* speed = AddPointArray<vtkDoubleArray>(waypoints, names::Speed);
+  auto* stops = AddPointArray<vtkIntArray>(waypoints, names::StopAndTurn);
+  auto* smooths = AddPointArray<vtkIntArray>(waypoints, names::SmoothTurn);
+  auto* yaws = AddPointArray<vtkDoubleArray>(waypoints, names::YawAtDeparture);
+  auto* ids = AddPointArray<vtkIntArray>(waypoints, names::LegIds);
   for (std::size_t leg = first; leg < last; ++leg)
   {
     const auto i = static_cast<vtkIdType>(leg - first);

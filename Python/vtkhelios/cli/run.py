@@ -15,6 +15,7 @@ import vtkhelios
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
+from ._reading import add_assets_argument, make_reader, missing_folder
 from ._report import estimate_lines, join_reports, plays_lines, summary_lines
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
@@ -117,13 +118,7 @@ def ray_casters():
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
-    parser.add_argument(
-        "--assets",
-        metavar="DIR",
-        action="append",
-        default=[],
-        help="a folder to look up scenes, scanners and platforms in; may be repeated",
-    )
+    add_assets_argument(parser)
     parser.add_argument(
         "--output",
         metavar="DIR",
@@ -273,24 +268,13 @@ def run(arguments):
         return 0 if reports else 1
 
 
-def asset_directories(arguments):
-    """The user's folders, then what comes with vtkHelios."""
-    shipped = vtkhelios.data_directory()
-    beside = str(pathlib.Path(arguments.survey).parent)
-    return list(dict.fromkeys([*arguments.assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]))
-
-
 def read_survey(arguments, messages):
     """The survey, or None after an error."""
-    for folder in arguments.assets:
-        if not pathlib.Path(folder).is_dir():
-            messages.error(f"--assets {folder}: no such folder")
-            return None
-    reader = vtkhelios.vtkHeliosSurveyReader()
+    if problem := missing_folder(arguments.assets):
+        messages.error(problem)
+        return None
+    reader = make_reader(arguments.survey, arguments.assets)
     messages.watch(reader)
-    reader.SetFileName(arguments.survey)
-    for folder in asset_directories(arguments):
-        reader.AddAssetDirectory(folder)
     if not reader.Read():
         messages.error_unless_told(f"{arguments.survey}: cannot be read")
         return None

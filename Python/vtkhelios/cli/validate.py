@@ -2,17 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios validate: everything that is wrong with surveys, scenes, scanners and platforms."""
 
-import argparse
 import dataclasses
 import json
-import pathlib
 import re
 import sys
 
-import vtkhelios
-
 from ._messages import Messages
-from .run import asset_directories
+from ._reading import add_assets_argument, make_reader, missing_folder
 
 SUMMARY = "say everything that is wrong with surveys, scenes, scanners or platforms (XML)"
 
@@ -55,13 +51,7 @@ class Finding:
 def add_arguments(parser):
     parser.epilog = EPILOG
     parser.add_argument("files", metavar="FILE", nargs="+", help="a file in HELIOS XML")
-    parser.add_argument(
-        "--assets",
-        metavar="DIR",
-        action="append",
-        default=[],
-        help="a folder to look up scenes, scanners and platforms in; may be repeated",
-    )
+    add_assets_argument(parser)
     parser.add_argument("--strict", action="store_true", help="warnings count as errors")
     parser.add_argument("--json", action="store_true", help="print a list of JSON objects")
 
@@ -94,11 +84,8 @@ class Collector(Messages):
 def check(path, assets):
     """What is wrong with a file and what it refers to, in the order of files and lines."""
     with Collector(path) as messages:
-        reader = vtkhelios.vtkHeliosSurveyReader()
+        reader = make_reader(path, assets)
         messages.watch(reader)
-        reader.SetFileName(path)
-        for folder in asset_directories(argparse.Namespace(survey=path, assets=assets)):
-            reader.AddAssetDirectory(folder)
         if not reader.Check():
             messages.error_unless_told("cannot be read")
     files = list(dict.fromkeys([path, *(found.file for found in messages.findings)]))
@@ -110,10 +97,9 @@ def count(number, word):
 
 
 def run(arguments):
-    for folder in arguments.assets:
-        if not pathlib.Path(folder).is_dir():
-            print(f"error: --assets {folder}: no such folder", file=sys.stderr)
-            return 2
+    if problem := missing_folder(arguments.assets):
+        print(f"error: {problem}", file=sys.stderr)
+        return 2
     findings = []
     for path in arguments.files:
         findings += [found for found in check(path, arguments.assets) if found not in findings]

@@ -152,7 +152,8 @@ TEST_CASE("PointXMLWriter: a piece has the names of the parts", "[PointXMLWriter
   CHECK(read->GetValue(1) == "the ground");
 }
 
-TEST_CASE("PointXMLWriter: a piece has the same bytes whatever was written before", "[PointXMLWriter]")
+TEST_CASE(
+  "PointXMLWriter: a piece has the same bytes whatever was written before", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(100);
@@ -205,9 +206,11 @@ TEST_CASE("PointXMLWriter: it goes on where it was", "[PointXMLWriter]")
   CHECK(writer->GetNumberOfPieces() == 2);
   REQUIRE((writer->Write(helios::MakeEchoes(40)) && writer->Flush() && writer->Close()));
   CHECK(writer->GetNumberOfRecords() == 90);
-  for (const char* name : { "points.pvtp", "points_0000.vtp", "points_0001.vtp", "points_0002.vtp" })
+  for (const char* name :
+    { "points.pvtp", "points_0000.vtp", "points_0001.vtp", "points_0002.vtp" })
   {
-    CHECK(helios::ReadText(folder / (std::string("whole/") + name)) == helios::ReadText(folder / (std::string("broken/") + name)));
+    CHECK(helios::ReadText(folder / (std::string("whole/") + name)) ==
+      helios::ReadText(folder / (std::string("broken/") + name)));
   }
 }
 

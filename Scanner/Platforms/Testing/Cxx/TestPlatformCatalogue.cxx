@@ -110,9 +110,8 @@ TEST_CASE("Catalogue: the cone of an airborne scanner stands on nadir", "[Platfo
   {
     const double phi = azimuth * Pi / 180.0;
     const double a = 20.0 * Pi / 180.0;
-    const helios::Point beam = {
-      std::sin(a) * std::sin(phi), std::cos(a), std::sin(a) * std::cos(phi)
-    };
+    const helios::Point beam = { std::sin(a) * std::sin(phi), std::cos(a),
+      std::sin(a) * std::cos(phi) };
     CHECK(
       ToWorld("airplane_linearpath", 7.0, -2.0, beam)[2] == Approx(-std::cos(a)).epsilon(1e-15));
   }
@@ -144,7 +143,8 @@ TEST_CASE("Catalogue: what moves by physics carries the scanner as what goes str
     const std::string text = ReadPlatform(pair.Physical);
     const std::string straight = ReadPlatform(pair.Straight);
     CHECK(text.find(std::string("type=\"") + pair.Type + "\"") != std::string::npos);
-    CHECK(text.substr(text.find("<scannerMount")) == straight.substr(straight.find("<scannerMount")));
+    CHECK(
+      text.substr(text.find("<scannerMount")) == straight.substr(straight.find("<scannerMount")));
   }
 }
 

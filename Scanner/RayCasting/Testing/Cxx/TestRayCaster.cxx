@@ -7,6 +7,7 @@
 #include "vtkHeliosBvhRayCaster.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 
@@ -71,6 +72,32 @@ TEST_CASE("RayCaster: builds again only after the scene was modified", "[RayCast
   REQUIRE(caster->Build(MakeWall(3)));
   CHECK(caster->Builds == 3);
   CHECK(helios::Cast(caster, rays)[0].Range == 3);
+}
+
+TEST_CASE("RayCaster: keeps its tree for another scene with the same triangles", "[RayCaster]")
+{
+  vtkNew<CountingCaster> caster;
+  const auto scene = MakeWall(2);
+  vtkNew<vtkPolyData> other;
+  other->ShallowCopy(scene);
+  vtkNew<vtkDoubleArray> colour;
+  colour->SetName("Colour");
+  other->GetFieldData()->AddArray(colour);
+  REQUIRE(caster->Build(scene));
+  REQUIRE(caster->Build(other));
+  REQUIRE(caster->Build(scene));
+  CHECK(caster->Builds == 1);
+  scene->GetPoints()->SetPoint(0, 2, -1, -5);
+  scene->GetPoints()->Modified();
+  REQUIRE(caster->Build(other)); // which has these points, too
+  CHECK(caster->Builds == 2);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(scene->GetPoints());
+  other->SetPoints(points);
+  REQUIRE(caster->Build(scene)); // has still those that the tree is of
+  CHECK(caster->Builds == 2);
+  REQUIRE(caster->Build(other));
+  CHECK(caster->Builds == 3);
 }
 
 TEST_CASE("RayCaster: says why it cannot be built, and then hits nothing", "[RayCaster]")

@@ -103,6 +103,16 @@ TEST_CASE("SurveyPlatforms: a copter tilts, and its scanner with it", "[SurveyPl
   CHECK(first.back().Roll == Approx(0.0).margin(0.1)); // stopAndTurn is the default
 }
 
+TEST_CASE("SurveyPlatforms: a copter creeps", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\"");
+  Run(files, Flight, Leg("z=\"5\" movePerSec_m=\"0.1\"") + Leg("y=\"0.2\" z=\"5\""));
+  const auto samples = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  CHECK(samples.back().Y == 0.2);
+  CHECK(samples.back().Time == Approx(2.0).epsilon(0.3));
+}
+
 TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
 {
   const Files files;

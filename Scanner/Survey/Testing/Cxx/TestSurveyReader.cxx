@@ -68,9 +68,11 @@ TEST_CASE("SurveyReader: rotations of a mount, the last outermost", "[SurveyRead
 <leg><platformSettings x="10" z="100"/></leg>)");
   REQUIRE(reading.Good);
   // x -90 turns y down; z 90 leaves it there
-  const helios::Vec3 down = helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 });
+  const helios::Vec3 down =
+    helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 });
   CHECK(down[2] == Approx(-1));
-  const helios::Vec3 side = helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 1, 0, 0 });
+  const helios::Vec3 side =
+    helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 1, 0, 0 });
   CHECK(side[1] == Approx(1));
 }
 
@@ -178,8 +180,10 @@ TEST_CASE("SurveyReader: rotations are global or local", "[SurveyReader]")
   REQUIRE(global.Good);
   REQUIRE(local.Good);
   // global: x by -90 first, so y ends down; local: z by 90 first, so y goes to -x and stays there
-  CHECK(helios::Rotate(global.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
-  CHECK(helios::Rotate(local.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
+  CHECK(
+    helios::Rotate(global.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
+  CHECK(
+    helios::Rotate(local.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
 }
 
 TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader]")
@@ -461,7 +465,8 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
         { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",
-        { "assets.xml:2", "type=\"sttic\" is none", "static, linearpath, groundvehicle or multicopter" } },
+        { "assets.xml:2", "type=\"sttic\" is none",
+          "static, linearpath, groundvehicle or multicopter" } },
       { "scene.xml", "\"objloader\"", "\"assumematerials\"",
         { "scene.xml:2", "assumematerials", "later version" } },
       { "scene.xml", "\"objloader\"", "\"objloder\"",
