@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import time
+import types
 
 import numpy as np
 import pytest
@@ -19,6 +20,8 @@ import pytest
 import vtkhelios
 
 from vtkhelios.cli import main, make_parser
+from vtkhelios.cli._messages import Messages
+from vtkhelios.cli.run import run_play
 
 PULSES = 20_850  # 0.5 s at 100 kHz, of which the mirror lets out 100 of 240 degrees
 LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any test waits
@@ -443,7 +446,7 @@ def test_dry_run_of_plays(command_line, make_plays, tmp_path):
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
 def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
-    survey = make_plays(speed=6, stop=60)  # a million pulse indices a play
+    survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices a play
     more = ["--pulses-per-block", "4096"]
     folder = tmp_path / "out/plane"
     run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
@@ -459,11 +462,18 @@ def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
     done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
     assert done.returncode == 0, done.stderr
     assert "Nothing is left to do" in done.stdout  # of the first play
-    whole = command_line("run", survey, "--output", tmp_path / "whole", *more)
+    whole = command_line("run", survey, "--output", tmp_path / "whole", "--play", 1, *more)
     assert whole.returncode == 0, whole.stderr
-    for play in range(3):
-        name = f"plane/play00{play}/leg000_points.xyz"
-        assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
+    name = "plane/play001/leg000_points.xyz"
+    assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
+    assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was begun
+
+
+def test_interrupt_between_plays(make_plays, capsys):
+    with Messages() as messages:
+        interrupt = types.SimpleNamespace(signal=signal.SIGINT)
+        assert run_play(None, None, 2, messages, interrupt, []) == 130
+    assert "interrupted before play 2: --resume goes on with it" in capsys.readouterr().err
 
 
 def test_progress_on_a_terminal(make_survey, tmp_path):
