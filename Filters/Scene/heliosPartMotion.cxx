@@ -143,6 +143,40 @@ vtkIdType PartMotion::FindNextMove(vtkIdType step) const
 }
 
 //------------------------------------------------------------------------------
+vtkIdType PartMotion::FindLastMove(vtkIdType step) const
+{
+  if (this->CycleLength > 0 && step > this->HeadLength)
+  {
+    const vtkIdType begin = step - 1 - (step - 1 - this->HeadLength) % this->CycleLength;
+    vtkIdType last = this->FindLastMove(this->CycleBegin, begin, step);
+    if (last == 0 && begin > this->HeadLength)
+    {
+      last = this->FindLastMove(this->CycleBegin, begin - this->CycleLength, begin);
+    }
+    if (last > 0)
+    {
+      return last;
+    }
+    step = this->HeadLength; // the cycle rests
+  }
+  return this->FindLastMove(0, 0, step);
+}
+
+//------------------------------------------------------------------------------
+/// The same along the chain from a link on, which begins after a step.
+vtkIdType PartMotion::FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const
+{
+  vtkIdType last = 0;
+  for (; link < this->Chain.size() && begin < step; ++link)
+  {
+    const vtkIdType end = AddLengths(begin, this->Chain[link].Loop);
+    last = this->Chain[link].Rests ? last : std::min(end, step);
+    begin = end;
+  }
+  return last;
+}
+
+//------------------------------------------------------------------------------
 PartMotion::Steps PartMotion::MakeStep(const Motion& motion) const
 {
   Steps step;

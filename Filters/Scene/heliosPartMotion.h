@@ -77,6 +77,9 @@ public:
   /// The first step after this one that moves the part; VTK_ID_MAX: it rests from here on.
   vtkIdType FindNextMove(vtkIdType step) const;
 
+  /// The last step up to this one that moved the part; 0: none. The part is still where that left it.
+  vtkIdType FindLastMove(vtkIdType step) const;
+
   /// Whether it ever moves.
   bool IsMoving() const { return this->FindNextMove(0) != VTK_ID_MAX; }
 
@@ -119,6 +122,7 @@ private:
   Steps MakeStep(const Motion& motion) const;
   void AddLinks(const std::vector<MotionSequence>& sequences);
   Steps Walk(std::size_t link, vtkIdType& steps) const;
+  vtkIdType FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const;
   vtkIdType GetLength(std::size_t begin, std::size_t end) const;
 
   Vec3 Centroid;

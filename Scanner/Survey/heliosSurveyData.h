@@ -6,6 +6,7 @@
 #ifndef heliosSurveyData_h
 #define heliosSurveyData_h
 
+#include "heliosMotionData.h"
 #include "heliosPose.h"
 #include "heliosReceiverData.h"
 
@@ -201,6 +202,7 @@ struct PartData
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
   bool OnGround = false;             ///< its lowest vertex goes to the ground below
+  MotionData Motion;                 ///< from where it then is
 
   bool IsTurbid() const
   {

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosXmlFilter.h"
+#include "heliosXmlMotion.h"
 
 #include <algorithm>
 #include <array>
@@ -358,9 +359,17 @@ void PartReader::ReportFilter(const XmlFilter& filter)
 } // namespace
 
 //------------------------------------------------------------------------------
-PartData ReadPart(const XmlElement& element, Assets& assets)
+PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets)
 {
-  return PartReader(element, assets).Read();
+  PartData part = PartReader(element, assets).Read();
+  part.Motion = ReadMotion(element, scene);
+  if (part.IsTurbid() && !part.Motion.Sequences.empty())
+  {
+    element.GetMessages().Error(element.GetChild("dmotion").Where() +
+      ": <dmotion> does not move transmittive voxels; give intersectionMode=\"scaled\" or "
+      "\"fixed\", or take it out");
+  }
+  return part;
 }
 
 } // namespace helios

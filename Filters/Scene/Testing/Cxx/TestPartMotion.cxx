@@ -153,6 +153,17 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
     CHECK(motion.FindNextMove(0) == 1);
     CHECK(motion.FindNextMove(4) == 5);
     CHECK(motion.FindNextMove(5) == VTK_ID_MAX);
+    CHECK(motion.FindLastMove(3) == 3);
+    CHECK(motion.FindLastMove(1000000) == 5);
+  }
+  SECTION("and the cycle rests")
+  {
+    const PartMotion motion({ { { x }, 3, 1 }, { { rest }, 2, 2 }, { { rest }, 2, 1 } });
+    CHECK(motion.FindNextMove(2) == 3);
+    CHECK(motion.FindNextMove(3) == VTK_ID_MAX);
+    CHECK(motion.FindLastMove(2) == 2);
+    CHECK(motion.FindLastMove(4001) == 3);
+    CheckPoint(motion.GetMap(4001) * o, Vec3(3, 0, 0), 0.0);
   }
   SECTION("and the last one goes on")
   {
@@ -174,6 +185,12 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
     CHECK(motion.FindNextMove(4) == 5);
     CHECK(motion.FindNextMove(5) == 11);
     CHECK(motion.FindNextMove(2 + 8 * 1000 + 3) == 2 + 8 * 1001 + 1);
+    CHECK(motion.FindLastMove(0) == 0);
+    CHECK(motion.FindLastMove(2) == 2);
+    CHECK(motion.FindLastMove(4) == 4);
+    CHECK(motion.FindLastMove(10) == 5);
+    CHECK(motion.FindLastMove(11) == 11);
+    CHECK(motion.FindLastMove(2 + 8 * 1000 + 7) == 2 + 8 * 1000 + 3);
     CHECK(motion.IsMoving());
   }
   SECTION("and are all of them rest")
