@@ -3,6 +3,7 @@
 #include "vtkHeliosScanner.h"
 
 #include "heliosBeamPreparation.h"
+#include "heliosPulseCount.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosScanModel.h"
 #include "heliosScanOutput.h"
@@ -31,15 +32,6 @@ vtkStandardNewMacro(vtkHeliosScanner);
 
 namespace
 {
-
-/// The number of i >= 0 with i / rate < duration; a last pulse lost to rounding is not counted.
-vtkIdType CountPulses(double duration, double rate)
-{
-  const double pulses = duration * rate;
-  const double nearest = std::round(pulses);
-  const double count = std::abs(pulses - nearest) <= 1e-12 * pulses ? nearest : std::ceil(pulses);
-  return static_cast<vtkIdType>(std::min(std::max(count, 0.0), 9e15));
-}
 
 helios::Pose ToPose(const double position[3], const double q[4])
 {
@@ -237,6 +229,12 @@ bool vtkHeliosScanner::CheckSettings()
                   << this->EnergyTolerance << "; give them within [1e-6, 1] m and [1e-4, 1]");
     return false;
   }
+  if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])
+  {
+    vtkErrorMacro(<< "PulseWindow is [" << this->PulseWindow[0] << ", " << this->PulseWindow[1]
+                  << "); give two indices, the second not below the first, from 0");
+    return false;
+  }
   return this->CheckInstrument();
 }
 
@@ -296,10 +294,16 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
       return false;
     }
   }
-  const vtkIdType all = CountPulses(duration, rate);
+  const vtkIdType all = helios::CountPulses(duration, rate);
+  const auto find = [all, start, rate](double time, vtkIdType low, vtkIdType high)
+  {
+    return std::clamp(
+      helios::CountPulses(time - start, rate), std::min(all, low), std::min(all, high));
+  };
   scan.NumberOfPulses = all;
-  scan.FirstPulse = std::min(all, CountPulses(this->TimeWindow[0] - start, rate));
-  scan.LastPulse = std::min(all, CountPulses(this->TimeWindow[1] - start, rate));
+  const vtkIdType* window = this->PulseWindow;
+  scan.FirstPulse = find(this->TimeWindow[0], window[0], window[1]);
+  scan.LastPulse = find(this->TimeWindow[1], window[0], window[1]);
   return true;
 }
 
@@ -405,11 +409,8 @@ int vtkHeliosScanner::RequestData(
   const vtkIdType pieces = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
   const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
   const vtkIdType count = std::max<vtkIdType>(0, scan.LastPulse - scan.FirstPulse);
-  // count * piece / pieces, without overflow
-  const auto split = [count, pieces](vtkIdType p)
-  { return count / pieces * p + count % pieces * p / pieces; };
-  this->RunPulses(
-    scan, scan.FirstPulse + split(piece), scan.FirstPulse + split(piece + 1), outputs);
+  this->RunPulses(scan, scan.FirstPulse + helios::SplitPulses(count, piece, pieces),
+    scan.FirstPulse + helios::SplitPulses(count, piece + 1, pieces), outputs);
 
   scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs, 0));
   return 1;
@@ -426,7 +427,8 @@ void vtkHeliosScanner::RunPulses(
     return !this->GetAbortExecute();
   };
   const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, results);
-  this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last);
+  const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
+  this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
 
   const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms,
     this->EchoDetector->GivesDeviation() };

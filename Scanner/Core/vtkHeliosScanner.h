@@ -247,6 +247,15 @@ public:
 
   ///@{
   /**
+   * Set/Get the part [i0, i1) of the scan's pulse indices that is computed, of those in TimeWindow. Valid
+   * range: 0 <= i0 <= i1. Default: all of them.
+   */
+  vtkSetVector2Macro(PulseWindow, vtkIdType);
+  vtkGetVector2Macro(PulseWindow, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the key of all random numbers. Valid range: [0, 2^62]. Default: 0.
    */
   vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
@@ -307,7 +316,7 @@ public:
   std::string DescribeSampling();
 
   /**
-   * The number of pulse indices of the scan (of the time window, where one is
+   * The number of pulse indices of the scan (of the windows, where any is
    * set), for the inputs as they are; -1 after an error. Updates the
    * trajectory.
    */
@@ -381,6 +390,7 @@ private:
   double StartTime = -1.0;
   double Duration = -1.0;
   double TimeWindow[2] = { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX };
+  vtkIdType PulseWindow[2] = { 0, VTK_ID_MAX };
   vtkIdType Seed = 0;
   vtkIdType FirstPulseId = 0;
   vtkIdType PulseIdStride = 1;

@@ -124,12 +124,15 @@ bool LegRunner::Plan()
 {
   const LegChance chance = { this->Settings.Receiver.Noise, this->Settings.Seed };
   this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
+  vtkIdType shots = 0;
   for (LegPlan& plan : this->Plans)
   {
     this->Scanner.SetUp(plan);
     plan.FirstPulse = this->NumberOfPulses;
+    plan.FirstShot = shots;
     plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
+    shots += plan.NumberOfPulses / static_cast<vtkIdType>(this->Scanner.GetNumberOfChannels());
   }
   return !this->Log.HasError();
 }

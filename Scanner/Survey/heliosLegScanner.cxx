@@ -6,6 +6,7 @@
 #include "heliosLegOptics.h"
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
+#include "heliosPulseCount.h"
 #include "heliosRunCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
@@ -31,6 +32,7 @@ namespace
 {
 
 constexpr double BytesPerKibibyte = 1024.0;
+constexpr int NumberOfPorts = 3; // echoes, waveforms, pulses
 constexpr auto None = static_cast<std::size_t>(-1);
 
 void SetPose(const Pose& pose, double position[3], double orientation[4])
@@ -50,6 +52,23 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
   return count;
 }
 
+void AddCounts(const std::vector<vtkSmartPointer<vtkHeliosScanner>>& channels, RunCounts& counts)
+{
+  for (vtkHeliosScanner* channel : channels)
+  {
+    counts.Echoes += channel->GetOutput()->GetNumberOfPoints();
+    counts.FirstReturns += CountFirstReturns(channel->GetOutput());
+    counts.PulsesFired += channel->GetNumberOfPulsesFired();
+    counts.PulsesHit += channel->GetNumberOfPulsesHit();
+    counts.PulsesOnPlane += channel->GetNumberOfPulsesOnPlane();
+    counts.PulsesWithoutBins += channel->GetNumberOfPulsesWithoutBins();
+    counts.PulsesBinned += channel->GetNumberOfPulsesBinned();
+    counts.SubRays += channel->GetNumberOfSubRays();
+    counts.HitsOutOfRange += channel->GetNumberOfHitsOutOfRange();
+    counts.LargestAmplitude = std::max(counts.LargestAmplitude, channel->GetLargestAmplitude());
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -61,6 +80,9 @@ LegScanner::LegScanner(
   , Scenes(scene, survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
+  , Motion(survey.Scene, scene, log)
+  , WindowStart(-VTK_DOUBLE_MAX)
+  , MoveTime(0)
 {
   for (const auto& grid : settings.Grids)
   {
@@ -95,8 +117,9 @@ void LegScanner::SetUp(const LegPlan& plan)
     channel->SetPulseIdStride(count);
     channel->SetLegId(static_cast<int>(plan.Leg));
     channel->SetChannelId(static_cast<int>(k));
-    channel->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   }
+  this->Clock = { plan.FirstShot, plan.StartTime, leg.Scans.front().PulseFrequency };
+  this->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
 }
 
 //------------------------------------------------------------------------------
@@ -110,6 +133,7 @@ void LegScanner::MakeChannels(const LegPlan& plan)
   }
   this->Scanner = leg.Scanner;
   this->Platform = leg.Platform;
+  this->MoveTime = 0;
   this->Channels.clear();
   const ScannerData& scanner = this->Survey.Scanners[leg.Scanner];
   for (std::size_t k = 0; k < scanner.GetNumberOfChannels(); ++k)
@@ -160,6 +184,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
 //------------------------------------------------------------------------------
 void LegScanner::SetTimeWindow(double t0, double t1)
 {
+  this->WindowStart = t0;
   for (vtkHeliosScanner* channel : this->Channels)
   {
     channel->SetTimeWindow(t0, t1);
@@ -174,7 +199,93 @@ vtkIdType LegScanner::CountPulses()
 }
 
 //------------------------------------------------------------------------------
+void LegScanner::SetPulseWindow(vtkIdType first, vtkIdType last)
+{
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    channel->SetPulseWindow(first, last);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool LegScanner::Update(int piece, int pieces)
+{
+  return this->Motion.IsMoving() ? this->UpdateMoving(piece, pieces)
+                                 : this->UpdateAll(piece, pieces);
+}
+
+//------------------------------------------------------------------------------
+/// Runs a piece in windows of pulses that see the same scene.
+bool LegScanner::UpdateMoving(int piece, int pieces)
+{
+  this->ReleaseOutput();
+  this->Gathered.assign(this->Channels.size(), std::vector<PiecePile>(NumberOfPorts));
+  const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
+  const vtkIdType begin =
+    helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate);
+  vtkIdType pulse = begin + SplitPulses(count, piece, pieces);
+  const vtkIdType end = begin + SplitPulses(count, piece + 1, pieces);
+  bool isGood = true;
+  do
+  {
+    const vtkIdType next = std::min(end, this->Motion.MoveTo(this->Clock, pulse));
+    this->PutParts();
+    this->SetPulseWindow(pulse, next);
+    isGood = this->UpdateAll(0, 1);
+    this->Gather();
+    pulse = next;
+  } while (isGood && pulse < end);
+  this->SetPulseWindow(0, VTK_ID_MAX);
+  for (std::vector<PiecePile>& ports : this->Gathered)
+  {
+    for (PiecePile& pile : ports)
+    {
+      pile.Finish();
+    }
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// Gives all channels the scene as it is now.
+void LegScanner::PutParts()
+{
+  const vtkMTimeType time = this->Motion.GetMoveTime();
+  if (time == this->MoveTime)
+  {
+    return;
+  }
+  this->MoveTime = time;
+  const ScannerData& scanner = this->Survey.Scanners[this->Scanner];
+  for (std::size_t k = 0; k < this->Channels.size(); ++k)
+  {
+    const auto scene = this->Motion.Move(this->Scenes.Get(scanner.GetChannel(k).Wavelength));
+    this->Channels[k]->SetInputDataObject(0, scene);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Takes what the channels have to what they had.
+void LegScanner::Gather()
+{
+  AddCounts(this->Channels, this->GatheredCounts);
+  for (std::size_t k = 0; k < this->Channels.size(); ++k)
+  {
+    for (int port = 0; port < NumberOfPorts; ++port)
+    {
+      const bool isThere =
+        port == 0 || (port == 1 ? this->Settings.Waveforms : this->Settings.Pulses);
+      if (isThere)
+      {
+        this->Gathered[k][static_cast<std::size_t>(port)].Add(
+          this->Channels[k]->GetOutputDataObject(port));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool LegScanner::UpdateAll(int piece, int pieces)
 {
   for (vtkHeliosScanner* channel : this->Channels)
   {
@@ -201,12 +312,16 @@ vtkSmartPointer<vtkDataObject> LegScanner::GetOutput(int port) const
 //------------------------------------------------------------------------------
 vtkDataObject* LegScanner::GetOutput(int port, std::size_t channel) const
 {
-  return this->Channels[channel]->GetOutputDataObject(port);
+  return this->Motion.IsMoving() && !this->Gathered.empty()
+    ? this->Gathered[channel][static_cast<std::size_t>(port)].Get()
+    : this->Channels[channel]->GetOutputDataObject(port);
 }
 
 //------------------------------------------------------------------------------
 void LegScanner::ReleaseOutput()
 {
+  this->Gathered.clear();
+  this->GatheredCounts = RunCounts();
   for (vtkHeliosScanner* channel : this->Channels)
   {
     for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
@@ -220,11 +335,12 @@ void LegScanner::ReleaseOutput()
 double LegScanner::GetMemorySize() const
 {
   double kibibytes = 0.0;
-  for (vtkHeliosScanner* channel : this->Channels)
+  for (std::size_t k = 0; k < this->Channels.size(); ++k)
   {
-    for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
+    for (int port = 0; port < NumberOfPorts; ++port)
     {
-      kibibytes += static_cast<double>(channel->GetOutputDataObject(port)->GetActualMemorySize());
+      vtkDataObject* output = this->GetOutput(port, k);
+      kibibytes += output ? static_cast<double>(output->GetActualMemorySize()) : 0.0;
     }
   }
   return BytesPerKibibyte * kibibytes;
@@ -233,19 +349,7 @@ double LegScanner::GetMemorySize() const
 //------------------------------------------------------------------------------
 void LegScanner::Count(RunCounts& counts) const
 {
-  for (vtkHeliosScanner* channel : this->Channels)
-  {
-    counts.Echoes += channel->GetOutput()->GetNumberOfPoints();
-    counts.FirstReturns += CountFirstReturns(channel->GetOutput());
-    counts.PulsesFired += channel->GetNumberOfPulsesFired();
-    counts.PulsesHit += channel->GetNumberOfPulsesHit();
-    counts.PulsesOnPlane += channel->GetNumberOfPulsesOnPlane();
-    counts.PulsesWithoutBins += channel->GetNumberOfPulsesWithoutBins();
-    counts.PulsesBinned += channel->GetNumberOfPulsesBinned();
-    counts.SubRays += channel->GetNumberOfSubRays();
-    counts.HitsOutOfRange += channel->GetNumberOfHitsOutOfRange();
-    counts.LargestAmplitude = std::max(counts.LargestAmplitude, channel->GetLargestAmplitude());
-  }
+  this->Motion.IsMoving() ? counts.Add(this->GatheredCounts) : AddCounts(this->Channels, counts);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,9 @@
 #define heliosLegScanner_h
 
 #include "heliosLegPlan.h"
+#include "heliosMovingScene.h"
+#include "heliosPiecePile.h"
+#include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
@@ -25,7 +28,6 @@ namespace helios
 {
 
 class Messages;
-struct RunCounts;
 
 class VTKHELIOSSCANNERSURVEY_EXPORT LegScanner
 {
@@ -70,6 +72,11 @@ private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
+  void SetPulseWindow(vtkIdType first, vtkIdType last);
+  bool UpdateMoving(int piece, int pieces);
+  bool UpdateAll(int piece, int pieces);
+  void PutParts();
+  void Gather();
 
   const SurveyData& Survey;
   RunSettings Settings;
@@ -79,6 +86,14 @@ private:
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;
+
+  // Where parts move: the leg's clock, the window of time, and what the windows of one scene gave.
+  MovingScene Motion;
+  PulseClock Clock;
+  double WindowStart;
+  vtkMTimeType MoveTime;
+  std::vector<std::vector<PiecePile>> Gathered; // by channel and port
+  RunCounts GatheredCounts;
 };
 
 } // namespace helios

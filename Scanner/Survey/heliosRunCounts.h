@@ -7,6 +7,8 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
+
 namespace helios
 {
 
@@ -23,6 +25,22 @@ struct RunCounts
   vtkIdType SubRays = 0;         ///< traced
   vtkIdType HitsOutOfRange = 0;  ///< of sub-rays
   double LargestAmplitude = 0.0; ///< [W], detected or not
+
+  /// Adds those of other pulses.
+  void Add(const RunCounts& other)
+  {
+    this->Pulses += other.Pulses;
+    this->Echoes += other.Echoes;
+    this->FirstReturns += other.FirstReturns;
+    this->PulsesFired += other.PulsesFired;
+    this->PulsesHit += other.PulsesHit;
+    this->PulsesOnPlane += other.PulsesOnPlane;
+    this->PulsesWithoutBins += other.PulsesWithoutBins;
+    this->PulsesBinned += other.PulsesBinned;
+    this->SubRays += other.SubRays;
+    this->HitsOutOfRange += other.HitsOutOfRange;
+    this->LargestAmplitude = std::max(this->LargestAmplitude, other.LargestAmplitude);
+  }
 };
 
 } // namespace helios

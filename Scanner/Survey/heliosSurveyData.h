@@ -6,6 +6,7 @@
 #ifndef heliosSurveyData_h
 #define heliosSurveyData_h
 
+#include "heliosMotionData.h"
 #include "heliosPose.h"
 #include "heliosReceiverData.h"
 
@@ -204,6 +205,7 @@ struct PartData
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
   bool OnGround = false;             ///< its lowest vertex goes to the ground below
   std::vector<SwapData> Swaps;       ///< what takes its place in later plays, in this order
+  MotionData Motion;                 ///< from where it then is
 
   bool IsTurbid() const
   {

@@ -130,6 +130,13 @@ bool XmlElement::Read(const char* name, std::vector<double>& target) const
 }
 
 //------------------------------------------------------------------------------
+bool XmlElement::Read(const char* name, Vec3& target) const
+{
+  XmlValue value;
+  return this->FindValue(name, value) && ParseVector(value, this->GetMessages(), target);
+}
+
+//------------------------------------------------------------------------------
 bool XmlElement::ReadAsWritten(const char* name, std::string& target) const
 {
   const pugi::xml_attribute attribute = this->Node.attribute(name);

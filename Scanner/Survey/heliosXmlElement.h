@@ -104,6 +104,7 @@ public:
   bool Read(const char* name, int& target) const;
   bool Read(const char* name, bool& target) const;
   bool Read(const char* name, std::vector<double>& target) const;
+  bool Read(const char* name, Vec3& target) const;
 
   /// Reads an attribute with its blanks and tabs.
   bool ReadAsWritten(const char* name, std::string& target) const;

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosXmlFilter.h"
+#include "heliosXmlMotion.h"
 
 #include <algorithm>
 #include <array>
@@ -437,12 +438,31 @@ void PartReader::ReportFilter(const XmlFilter& filter)
     type.find("voxel") != std::string::npos;
 }
 
+/// Gives a part, or what takes its place, its motion; voxels that transmit have none.
+void SetMotion(const XmlElement& element, const MotionData& motion, PartData& part)
+{
+  part.Motion = motion;
+  if (part.IsTurbid() && !motion.Sequences.empty())
+  {
+    element.GetMessages().Error(element.GetChild("dmotion").Where() +
+      ": <dmotion> does not move transmittive voxels; give intersectionMode=\"scaled\" or "
+      "\"fixed\", or take it out");
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
-PartData ReadPart(const XmlElement& element, Assets& assets)
+PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets)
 {
-  return PartReader(element, assets).Read();
+  PartData part = PartReader(element, assets).Read();
+  const MotionData motion = ReadMotion(element, scene);
+  SetMotion(element, motion, part);
+  for (SwapData& swap : part.Swaps)
+  {
+    SetMotion(element, motion, swap.Part);
+  }
+  return part;
 }
 
 } // namespace helios

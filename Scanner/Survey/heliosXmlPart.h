@@ -11,8 +11,8 @@
 namespace helios
 {
 
-/// The filters of a <part>, their files found; it may have several.
-PartData ReadPart(const XmlElement& element, Assets& assets);
+/// The filters and motions of a <part> of a <scene>, their files found; it may have several.
+PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets);
 
 } // namespace helios
 

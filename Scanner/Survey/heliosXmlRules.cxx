@@ -39,6 +39,7 @@ constexpr XmlRange ScanFrequency = { 0.0, 1e6, false };
 constexpr XmlRange RotorFrequency = { -1e6, 1e6, false };
 constexpr XmlRange WedgeAngle = { -89.0, 89.0, false };
 constexpr XmlRange RefractiveIndex = { 1.0, 10.0, false };
+constexpr XmlRange Steps = { 1.0, 1e9, false };
 constexpr bool Repeats = true;
 
 // One row a name.
@@ -349,8 +350,8 @@ const std::vector<XmlElementRule> Rules = {
     { { "id" },
       { "name" },
       { "crs" },
-      { "dynStep", Integer, Later },
-      { "dynTimeStep", Real, Later, "s" } },
+      { "dynStep", Integer, Used, "", Steps },
+      { "dynTimeStep", Real, Used, "s", Share } },
     { { "part", Repeats },
       { "sunDir", false, Ignored },
       { "sky", false, Ignored },
@@ -359,14 +360,31 @@ const std::vector<XmlElementRule> Rules = {
   { "part",
     { { "id" },
       { "name", Text, Ignored },
-      { "dynStep", Integer, Later },
-      { "dynTimeStep", Real, Later, "s" },
-      { "kdtDynStep", Integer, Later },
-      { "kdtDynTimeStep", Real, Later, "s" } },
+      { "dynStep", Integer, Used, "", Steps },
+      { "dynTimeStep", Real, Used, "s", Share },
+      { "kdtDynStep", Integer, Used, "", Steps },
+      { "kdtDynTimeStep", Real, Used, "s", Share } },
     { { "filter", Repeats },
       { "color", false, Ignored },
       { "swap", Repeats },
-      { "dmotion", Repeats, Later } } },
+      { "dmotion", Repeats } } },
+
+  { "dmotion",
+    { { "id" }, { "loop", Integer, Used, "", { 0.0, 1e9, false } }, { "next" } },
+    { { "motion", Repeats } } },
+
+  { "motion",
+    { { "type" },
+      { "vec", Vector, Used, "m" },
+      { "axis", Vector },
+      { "angle", Real, Used, "deg", { -1e6, 1e6, false } },
+      { "center", Vector, Used, "m" },
+      { "ortho", Vector },
+      { "shift", Vector, Used, "m" },
+      { "glide", Real, Used, "m" },
+      { "selfMode", Boolean },
+      { "autoCRS", Real, Ignored } },
+    {} },
 
   { "swap",
     { { "swapStep", Integer, Used, "plays", { 1.0, 9999.0, false } },

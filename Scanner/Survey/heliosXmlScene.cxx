@@ -72,7 +72,7 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
   const std::vector<XmlElement> parts = element.GetChildren("part");
   for (const XmlElement& part : parts)
   {
-    AddPart(ReadPart(part, assets), scene.Parts);
+    AddPart(ReadPart(part, element, assets), scene.Parts);
   }
   if (parts.empty())
   {

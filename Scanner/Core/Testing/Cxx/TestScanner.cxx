@@ -232,6 +232,33 @@ TEST_CASE("Scanner: time windows share the pulses without loss", "[Scanner]")
   CHECK(next == 1000);
 }
 
+TEST_CASE("Scanner: windows of pulses share them, too, and cut time windows", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(100) });
+  Bench bench(scene);
+  vtkIdType next = 0;
+  const std::array<vtkIdType, 5> borders{ 0, 1, 333, 333, VTK_ID_MAX };
+  for (std::size_t w = 0; w + 1 < borders.size(); ++w)
+  {
+    bench.Scanner->SetPulseWindow(borders[w], borders[w + 1]);
+    vtkPolyData* echoes = bench.Run();
+    for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+    {
+      REQUIRE(Value(echoes, names::PulseIds, i) == static_cast<double>(next++));
+    }
+    CHECK(bench.Scanner->GetNumberOfPulses() == echoes->GetNumberOfPoints());
+  }
+  CHECK(next == 1000);
+  const double end = bench.Scanner->GetBeamDeflector()->GetPulseFrequency();
+  bench.Scanner->SetTimeWindow(100 / end, 200 / end);
+  for (const auto& [first, count] :
+    { std::pair<vtkIdType, vtkIdType>{ 0, 100 }, { 150, 50 }, { 200, 0 }, { 5000, 0 } })
+  {
+    bench.Scanner->SetPulseWindow(first, 7000);
+    CHECK(bench.Scanner->GetNumberOfPulses() == count);
+  }
+}
+
 TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attitude", "[Scanner]")
 {
   // Platform at (10, 20, 5) looks west; mount 1 m to its right and 2 m up, tilted up by 90 degrees.

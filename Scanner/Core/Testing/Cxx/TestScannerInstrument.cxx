@@ -69,6 +69,7 @@ TEST_CASE(
     { [](auto* s) { s->SetRangeMin(-1); }, "RangeMin is -1 m" },
     { [](auto* s) { s->SetRangeMax(NaN); }, "RangeMax is nan m" },
     { [](auto* s) { s->SetPulseShapeToSampled(); }, "PulseFileName is not set" },
+    { [](auto* s) { s->SetPulseWindow(7, 5); }, "PulseWindow is [7, 5); give two indices" },
     { [](auto* s) { s->SetRangeTolerance(0); }, "RangeTolerance is 0 m and EnergyTolerance 0.01" },
     { [](auto* s) { s->SetEnergyTolerance(2); }, "give them within [1e-6, 1] m and [1e-4, 1]" },
     { [](auto* s) { s->GetBeamSampler()->SetBeamDivergence(NaN); }, "BeamDivergence" },

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a part of a scene moves, step by step: a function of the number of the step alone.
+
+#ifndef heliosPartMotion_h
+#define heliosPartMotion_h
+
+#include "heliosPose.h"
+#include "vtkHeliosFiltersSceneModule.h"
+
+#include <vtkType.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace helios
+{
+
+enum class MotionKind
+{
+  Identity,
+  Translation,
+  Rotation,
+  Reflection,
+  GlidePlane,
+  Helical,
+  RotaryReflection
+};
+
+/// One motion of a step.
+struct Motion
+{
+  MotionKind Kind = MotionKind::Identity;
+  Vec3 Vector{ 0.0, 0.0, 0.0 }; ///< of a translation [m]; else axis, or normal of a plane; not 0
+  double Angle = 0.0;           ///< [deg] a step
+  Vec3 Center{ 0.0, 0.0, 0.0 }; ///< [m], of a rotation: a point of the axis
+  Vec3 Shift{ 0.0, 0.0, 0.0 };  ///< [m], of a glide plane
+  double Glide = 0.0;           ///< [m], along the axis of a helix
+  bool IsSelf = false;          ///< in the frame of the part's centroid; else in that of the scene
+};
+
+/// The motions of a step, one after the other, and for how many steps.
+struct MotionSequence
+{
+  static constexpr std::size_t None = static_cast<std::size_t>(-1);
+
+  std::vector<Motion> Motions;
+  vtkIdType Loop = 0;      ///< steps; 0: for ever
+  std::size_t Next = None; ///< the sequence that follows
+};
+
+/// Where a point comes to: p' = p + Shift where nothing turns, else Center + Linear (p - Center) + Shift.
+struct MotionMap
+{
+  bool Turns = false;
+  Rotation Linear; ///< or a reflection
+  Vec3 Center{ 0.0, 0.0, 0.0 };
+  Vec3 Shift{ 0.0, 0.0, 0.0 };
+
+  Vec3 operator*(const Vec3& p) const
+  {
+    return this->Turns ? this->Center + this->Linear * (p - this->Center) + this->Shift
+                       : p + this->Shift;
+  }
+};
+
+/// The motion of a part; the first sequence is the one that it starts with.
+class VTKHELIOSFILTERSSCENE_EXPORT PartMotion
+{
+public:
+  explicit PartMotion(
+    std::vector<MotionSequence> sequences, const Vec3& centroid = Vec3(0.0, 0.0, 0.0));
+
+  /// Where the part is after a number of steps: powers of whole sequences, so nothing adds up.
+  MotionMap GetMap(vtkIdType step) const;
+
+  /// The first step after this one that moves the part; VTK_ID_MAX: it rests from here on.
+  vtkIdType FindNextMove(vtkIdType step) const;
+
+  /// The last step up to this one that moved the part; 0: none. The part is still where that left it.
+  vtkIdType FindLastMove(vtkIdType step) const;
+
+  /// Whether it ever moves.
+  bool IsMoving() const { return this->FindNextMove(0) != VTK_ID_MAX; }
+
+private:
+  /// In long double: a million steps lose less than a double has.
+  using Real = long double;
+  struct Matrix
+  {
+    Real M[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    Matrix operator*(const Matrix& b) const;
+  };
+  struct Vector
+  {
+    Real V[3] = { 0, 0, 0 };
+  };
+  /// What steps do, seen from where the centroid was at first: the part turns by Turn, and its
+  /// centroid c goes to Path c + Shift.
+  struct Steps
+  {
+    Matrix Turn;
+    Matrix Path;
+    Vector Shift;
+
+    /// First b, then this.
+    Steps operator*(const Steps& b) const;
+    Steps operator^(vtkIdType power) const;
+  };
+  /// A sequence of the chain that is gone through.
+  struct Link
+  {
+    Steps Step;
+    bool Rests = true;
+    vtkIdType Loop = VTK_ID_MAX;
+  };
+
+  static Vector Apply(const Matrix& m, const Vector& v);
+  static Vector Normalize(const Vec3& v);
+  static Matrix Turn(const Vector& axis, double degrees);
+  static Matrix Mirror(const Vector& normal);
+  Steps MakeStep(const Motion& motion) const;
+  void AddLinks(const std::vector<MotionSequence>& sequences);
+  Steps Walk(std::size_t link, vtkIdType& steps) const;
+  vtkIdType FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const;
+  vtkIdType GetLength(std::size_t begin, std::size_t end) const;
+
+  Vec3 Centroid;
+  std::vector<Link> Chain;
+  std::size_t CycleBegin = 0; // of the chain; its end: it ends
+  vtkIdType HeadLength = 0;   // steps before the cycle
+  vtkIdType CycleLength = 0;  // 0: there is none
+  Steps Head;
+  Steps Cycle;
+};
+
+} // namespace helios
+
+#endif

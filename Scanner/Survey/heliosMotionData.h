@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a part of a scene moves during a survey.
+
+#ifndef heliosMotionData_h
+#define heliosMotionData_h
+
+#include "heliosPartMotion.h"
+
+#include <vtkType.h>
+
+#include <vector>
+
+namespace helios
+{
+
+struct MotionData
+{
+  std::vector<MotionSequence> Sequences; ///< none: the part rests
+  vtkIdType Pulses = 1;                  ///< of a channel, between two steps
+  double Seconds = 0.0; ///< [s], between two steps, instead of pulses; 0: not given
+  int Every = 1;        ///< steps that are seen at once
+
+  bool IsMoving() const { return PartMotion(this->Sequences).IsMoving(); }
+};
+
+} // namespace helios
+
+#endif

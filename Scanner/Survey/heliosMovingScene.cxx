@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMovingScene.h"
+
+#include "heliosMessages.h"
+#include "heliosPulseCount.h"
+#include "vtkHeliosSceneMotion.h"
+
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+//------------------------------------------------------------------------------
+vtkIdType FindPulseOfStep(const MotionData& motion, const PulseClock& clock, vtkIdType step)
+{
+  if (motion.Seconds > 0.0)
+  {
+    const double time = static_cast<double>(step) * motion.Seconds - clock.StartTime;
+    return CountPulses(time, clock.Rate);
+  }
+  const bool isNever = step > VTK_ID_MAX / motion.Pulses;
+  return isNever ? VTK_ID_MAX : std::max<vtkIdType>(0, step * motion.Pulses - clock.FirstShot);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FindSeenStep(const MotionData& motion, const PulseClock& clock, vtkIdType pulse)
+{
+  vtkIdType step = 0;
+  if (motion.Seconds > 0.0)
+  {
+    const double time = clock.StartTime + static_cast<double>(pulse) / clock.Rate;
+    step = static_cast<vtkIdType>(std::max(0.0, std::round(time / motion.Seconds)));
+    while (step > 0 && FindPulseOfStep(motion, clock, step) > pulse)
+    {
+      --step; // by one: the pulse decides, not the rounded time
+    }
+  }
+  else
+  {
+    step = (clock.FirstShot + pulse) / motion.Pulses;
+  }
+  return step / motion.Every * motion.Every;
+}
+
+//------------------------------------------------------------------------------
+MovingScene::MovingScene(const SceneData& scene, vtkPolyData* mesh, Messages& log)
+{
+  int id = 0; // of the composer: turbid parts are not in the mesh
+  for (const PartData& part : scene.Parts)
+  {
+    if (!part.IsTurbid() && part.Motion.IsMoving())
+    {
+      this->Parts.push_back({ id, part.Motion, PartMotion(part.Motion.Sequences) });
+      this->Filter->SetMotion(id, part.Motion.Sequences);
+    }
+    id += part.IsTurbid() ? 0 : 1;
+  }
+  if (this->IsMoving())
+  {
+    log.Listen(this->Filter);
+    this->Filter->SetInputData(mesh);
+  }
+}
+
+//------------------------------------------------------------------------------
+MovingScene::~MovingScene() = default;
+
+//------------------------------------------------------------------------------
+vtkIdType MovingScene::MoveTo(const PulseClock& clock, vtkIdType pulse)
+{
+  vtkIdType next = VTK_ID_MAX;
+  for (const Part& part : this->Parts)
+  {
+    const vtkIdType step = FindSeenStep(part.Data, clock, pulse);
+    const vtkIdType move = part.Motion.FindNextMove(step);
+    this->Filter->SetStep(part.Id, part.Motion.FindLastMove(step));
+    if (move != VTK_ID_MAX)
+    {
+      const vtkIdType every = part.Data.Every;
+      next = std::min(next, FindPulseOfStep(part.Data, clock, (move + every - 1) / every * every));
+    }
+  }
+  this->Filter->Update();
+  return std::max(next, pulse + 1);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
+{
+  vtkPolyData* moved = this->Filter->GetOutput();
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->ShallowCopy(scene);
+  mesh->SetPoints(moved->GetPoints());
+  if (vtkDataArray* normals = moved->GetCellData()->GetNormals())
+  {
+    mesh->GetCellData()->SetNormals(normals);
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType MovingScene::GetMoveTime() const
+{
+  vtkPoints* points = this->Filter->GetOutput()->GetPoints();
+  return points ? points->GetMTime() : 0;
+}
+
+} // namespace helios

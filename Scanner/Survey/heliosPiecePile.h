@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Outputs of one scanner that come in pieces, put together.
+
+#ifndef heliosPiecePile_h
+#define heliosPiecePile_h
+
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace helios
+{
+
+/// As many pieces as come are copied a logarithmic number of times, and few are kept apart.
+class VTKHELIOSSCANNERSURVEY_EXPORT PiecePile
+{
+public:
+  /// Adds a piece with the pulses after those of the last; it may change afterwards.
+  void Add(vtkDataObject* piece);
+
+  /// Puts all that came together.
+  void Finish();
+
+  /// All that came, after Finish(); null before.
+  vtkDataObject* Get() const { return this->Whole; }
+
+private:
+  struct Part
+  {
+    vtkSmartPointer<vtkDataObject> Data;
+    vtkIdType Pieces;
+  };
+  void JoinLast();
+
+  std::vector<Part> Parts;
+  vtkSmartPointer<vtkDataObject> Whole;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlMotion.h"
+
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace helios
+{
+
+namespace
+{
+
+// How far from its plane the shift of a glide plane may be, as a share of its length: files round.
+constexpr double PlaneTolerance = 1e-6;
+
+struct KindRow
+{
+  const char* Name;
+  MotionKind Kind;
+  const char* Vector; // the attribute that must be given; null: none
+};
+
+const std::vector<KindRow>& GetKinds()
+{
+  static const std::vector<KindRow> kinds = {
+    { "identity", MotionKind::Identity, nullptr },
+    { "translation", MotionKind::Translation, "vec" },
+    { "rotation", MotionKind::Rotation, "axis" },
+    { "reflection", MotionKind::Reflection, "ortho" },
+    { "glideplane", MotionKind::GlidePlane, "ortho" },
+    { "helical", MotionKind::Helical, "axis" },
+    { "rotsym", MotionKind::RotaryReflection, "axis" },
+  };
+  return kinds;
+}
+
+const KindRow* FindKind(const XmlElement& element)
+{
+  const std::string given = element.GetText("type");
+  std::vector<std::string> names;
+  for (const KindRow& row : GetKinds())
+  {
+    if (ToLower(given) == row.Name)
+    {
+      return &row;
+    }
+    names.emplace_back(row.Name);
+  }
+  const std::string nearest = FindNearestName(given, names);
+  element.GetMessages().Error(element.Where() + ": <motion> type=\"" + given + "\" is unknown; " +
+    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Types are " + Enumerate(names));
+  return nullptr;
+}
+
+/// The vector that a kind of motion must have.
+void ReadVector(const XmlElement& element, const KindRow& row, Vec3& vector)
+{
+  const std::string what = element.Where() + ": <motion type=\"" + row.Name + "\"> ";
+  if (!element.Has(row.Vector))
+  {
+    element.GetMessages().Error(
+      what + "has no " + row.Vector + "; give three numbers with semicolons, as in 0;0;1");
+  }
+  else if (element.Read(row.Vector, vector) && row.Kind != MotionKind::Translation &&
+    !(vector.Norm() > 0.0))
+  {
+    element.GetMessages().Error(what + "has " + row.Vector + "=\"" + element.GetText(row.Vector) +
+      "\", which has no direction; give one that is not 0;0;0");
+  }
+}
+
+/// The shift of a glide plane, which lies in it.
+void ReadShift(const XmlElement& element, Motion& motion)
+{
+  if (element.Read("shift", motion.Shift) &&
+    std::abs(motion.Shift.Dot(motion.Vector)) >
+      PlaneTolerance * motion.Shift.Norm() * motion.Vector.Norm())
+  {
+    element.GetMessages().Error(element.Where() + ": shift=\"" + element.GetText("shift") +
+      "\" is not in the plane with ortho=\"" + element.GetText("ortho") +
+      "\"; give one at right angles to ortho");
+  }
+}
+
+bool ReadMotion(const XmlElement& element, Motion& motion)
+{
+  element.CheckNames();
+  const KindRow* row = FindKind(element);
+  if (!row)
+  {
+    return false;
+  }
+  motion.Kind = row->Kind;
+  if (row->Vector)
+  {
+    ReadVector(element, *row, motion.Vector);
+  }
+  element.Read("angle", motion.Angle);
+  element.Read("center", motion.Center);
+  element.Read("glide", motion.Glide);
+  element.Read("selfMode", motion.IsSelf);
+  if (motion.Kind == MotionKind::GlidePlane)
+  {
+    ReadShift(element, motion);
+  }
+  return true;
+}
+
+MotionSequence ReadSequence(const XmlElement& element)
+{
+  element.CheckNames();
+  MotionSequence sequence;
+  const std::string what = element.Where() + ": <dmotion id=\"" + element.GetText("id") + "\"> ";
+  int loop = 0;
+  if (!element.Has("loop"))
+  {
+    element.GetMessages().Error(
+      what + "has no loop; give the number of steps that it lasts, 0: for ever");
+  }
+  element.Read("loop", loop);
+  sequence.Loop = loop;
+  for (const XmlElement& child : element.GetChildren("motion"))
+  {
+    Motion motion;
+    if (ReadMotion(child, motion))
+    {
+      sequence.Motions.push_back(motion);
+    }
+  }
+  if (!element.GetChild("motion"))
+  {
+    element.GetMessages().Error(
+      what + "has no <motion>; add one, for a rest <motion type=\"identity\"/>");
+  }
+  if (loop == 0 && !element.GetText("next").empty())
+  {
+    element.GetMessages().Warning(what + "lasts for ever (loop=\"0\"), so next=\"" +
+      element.GetText("next") + "\" never comes; give a loop");
+  }
+  return sequence;
+}
+
+/// Where each id is; of one that comes twice an error.
+std::map<std::string, std::size_t> FindPlaces(const std::vector<XmlElement>& elements)
+{
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    const std::string id = elements[i].GetText("id");
+    if (!places.emplace(id, i).second && !id.empty())
+    {
+      elements[i].GetMessages().Error(elements[i].Where() + ": a second <dmotion id=\"" + id +
+        "\"> in one <part>; give each an id of its own");
+    }
+  }
+  return places;
+}
+
+/// What follows a sequence.
+std::size_t FindNext(const XmlElement& element, const std::map<std::string, std::size_t>& places)
+{
+  const std::string next = element.GetText("next");
+  const auto found = places.find(next);
+  if (next.empty() || found != places.end())
+  {
+    return next.empty() ? MotionSequence::None : found->second;
+  }
+  std::vector<std::string> names;
+  for (const auto& place : places)
+  {
+    names.push_back("\"" + place.first + "\"");
+  }
+  element.GetMessages().Error(element.Where() + ": next=\"" + next +
+    "\" is no <dmotion> of this <part>; its ids are " + Enumerate(names));
+  return MotionSequence::None;
+}
+
+/// How many steps of one length [s] are in another one: whole ones, at least one.
+int CountSteps(double length, double step)
+{
+  const double count = std::floor(length / step * (1.0 + 1e-12));
+  return static_cast<int>(std::clamp(count, 1.0, double(std::numeric_limits<int>::max())));
+}
+
+/// The time that a step of a part takes, in pulses or seconds, from what part and scene say.
+void ReadSteps(const XmlElement& part, const XmlElement& scene, MotionData& motion)
+{
+  int scenePulses = 1;
+  int partSteps = 1;
+  double sceneTime = 0.0;
+  double partTime = 0.0;
+  double seenTime = 0.0;
+  scene.Read("dynStep", scenePulses);
+  scene.Read("dynTimeStep", sceneTime);
+  part.Read("dynStep", partSteps);
+  part.Read("dynTimeStep", partTime);
+  part.Read("kdtDynStep", motion.Every);
+  part.Read("kdtDynTimeStep", seenTime);
+  if (partTime > 0.0 && sceneTime > 0.0)
+  {
+    motion.Seconds = CountSteps(partTime, sceneTime) * sceneTime;
+  }
+  else
+  {
+    motion.Seconds = partTime > 0.0 ? partTime : partSteps * sceneTime;
+  }
+  motion.Pulses = static_cast<vtkIdType>(scenePulses) * partSteps;
+  if (seenTime > 0.0 && motion.Seconds > 0.0)
+  {
+    motion.Every = CountSteps(seenTime, motion.Seconds);
+  }
+  else if (seenTime > 0.0)
+  {
+    part.GetMessages().Warning(part.Where() + ": kdtDynTimeStep=\"" +
+      part.GetText("kdtDynTimeStep") +
+      "\" is not used: the part steps by pulses; give it a dynTimeStep, or kdtDynStep");
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+MotionData ReadMotion(const XmlElement& part, const XmlElement& scene)
+{
+  MotionData motion;
+  const std::vector<XmlElement> elements = part.GetChildren("dmotion");
+  const std::map<std::string, std::size_t> places = FindPlaces(elements);
+  for (const XmlElement& element : elements)
+  {
+    motion.Sequences.push_back(ReadSequence(element));
+    motion.Sequences.back().Next = FindNext(element, places);
+  }
+  ReadSteps(part, scene, motion);
+  if (!elements.empty() && !part.GetMessages().HasError() && !motion.IsMoving())
+  {
+    part.GetMessages().Warning(elements.front().Where() +
+      ": the <dmotion> of this <part> never move it; give other motions than identity, or take "
+      "them out");
+  }
+  return motion;
+}
+
+} // namespace helios

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How a part moves, from its elements. Errors go to the messages of the document.
+
+#ifndef heliosXmlMotion_h
+#define heliosXmlMotion_h
+
+#include "heliosMotionData.h"
+#include "heliosXmlElement.h"
+
+namespace helios
+{
+
+/// The <dmotion> of a <part>, and the steps of it and of its <scene>.
+MotionData ReadMotion(const XmlElement& part, const XmlElement& scene);
+
+} // namespace helios
+
+#endif
