@@ -3,6 +3,7 @@
 #include "heliosMovingScene.h"
 
 #include "heliosMessages.h"
+#include "heliosMovingRayCaster.h"
 #include "heliosPulseCount.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSceneMotion.h"
@@ -121,6 +122,19 @@ vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
     mesh->GetCellData()->SetNormals(normals);
   }
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosRayCaster> MovingScene::MakeRayCaster(vtkHeliosRayCaster* kind) const
+{
+  std::vector<int> parts;
+  for (const Part& part : this->Parts)
+  {
+    parts.push_back(part.Id);
+  }
+  auto caster = vtkSmartPointer<MovingRayCaster>::New();
+  caster->SetUp(kind, vtkPolyData::SafeDownCast(this->Filter->GetInput()), parts);
+  return caster;
 }
 
 //------------------------------------------------------------------------------
