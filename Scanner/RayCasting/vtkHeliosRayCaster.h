@@ -117,7 +117,7 @@ public:
   /**
    * Prepares ProbeCone() for the scene it was built from, once. Not thread-safe.
    */
-  void PrepareConeProbe();
+  virtual void PrepareConeProbe();
 
   /**
    * What a cone meets that opens from origin about a unit axis; planeTolerance
@@ -126,7 +126,7 @@ public:
    * and range are those that Intersect() gives for the axis. Mixed before
    * PrepareConeProbe(). Thread-safe.
    */
-  vtkHeliosConeHit ProbeCone(
+  virtual vtkHeliosConeHit ProbeCone(
     const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const;
 
   /**

@@ -158,7 +158,11 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   {
     this->Settings.RayCaster = channel->GetRayCaster(); // of all, built once
   }
-  channel->SetRayCaster(this->Settings.RayCaster);
+  if (this->Motion.IsMoving() && !this->MotionCaster)
+  {
+    this->MotionCaster = this->Motion.MakeRayCaster(this->Settings.RayCaster);
+  }
+  channel->SetRayCaster(this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster);
   SetUpReceiver(data, this->Settings.Receiver, channel);
   double position[3];
   double orientation[4];

@@ -20,6 +20,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkHeliosRayCaster;
 class vtkHeliosScanner;
 class vtkImageData;
 class vtkPolyData;
@@ -89,6 +90,7 @@ private:
 
   // Where parts move: the leg's clock, the window of time, and what the windows of one scene gave.
   MovingScene Motion;
+  vtkSmartPointer<vtkHeliosRayCaster> MotionCaster;
   PulseClock Clock;
   double WindowStart;
   vtkMTimeType MoveTime;

@@ -3,7 +3,9 @@
 #include "heliosMovingScene.h"
 
 #include "heliosMessages.h"
+#include "heliosMovingRayCaster.h"
 #include "heliosPulseCount.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSceneMotion.h"
 
 #include <vtkCellData.h>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace helios
 {
@@ -48,13 +51,30 @@ vtkIdType FindSeenStep(const MotionData& motion, const PulseClock& clock, vtkIdT
   return step / motion.Every * motion.Every;
 }
 
+namespace
+{
+
+/// The parts that have triangles.
+std::set<int> FindParts(vtkPolyData* mesh)
+{
+  std::set<int> parts;
+  vtkDataArray* ids = mesh->GetCellData()->GetArray(vtkHeliosArrayNames::PartIds);
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    parts.insert(static_cast<int>(ids->GetComponent(i, 0)));
+  }
+  return parts;
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 MovingScene::MovingScene(const SceneData& scene, vtkPolyData* mesh, Messages& log)
 {
   int id = 0; // of the composer: turbid parts are not in the mesh
   for (const PartData& part : scene.Parts)
   {
-    if (!part.IsTurbid() && part.Motion.IsMoving())
+    if (!part.IsTurbid() && part.Motion.IsMoving() && FindParts(mesh).count(id) > 0)
     {
       this->Parts.push_back({ id, part.Motion, PartMotion(part.Motion.Sequences) });
       this->Filter->SetMotion(id, part.Motion.Sequences);
@@ -102,6 +122,19 @@ vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
     mesh->GetCellData()->SetNormals(normals);
   }
   return mesh;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosRayCaster> MovingScene::MakeRayCaster(vtkHeliosRayCaster* kind) const
+{
+  std::vector<int> parts;
+  for (const Part& part : this->Parts)
+  {
+    parts.push_back(part.Id);
+  }
+  auto caster = vtkSmartPointer<MovingRayCaster>::New();
+  caster->SetUp(kind, vtkPolyData::SafeDownCast(this->Filter->GetInput()), parts);
+  return caster;
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkHeliosRayCaster;
 class vtkHeliosSceneMotion;
 class vtkPolyData;
 
@@ -53,6 +54,9 @@ public:
 
   /// The mesh of another scene with the same points and triangles, as it is now.
   vtkSmartPointer<vtkDataObject> Move(vtkDataObject* scene) const;
+
+  /// A ray caster of a kind for which only what moves costs.
+  vtkSmartPointer<vtkHeliosRayCaster> MakeRayCaster(vtkHeliosRayCaster* kind) const;
 
   /// Changes when parts have moved.
   vtkMTimeType GetMoveTime() const;

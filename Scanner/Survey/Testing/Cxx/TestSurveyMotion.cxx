@@ -344,6 +344,21 @@ TEST_CASE("SurveyMotion: other parts stay where they are", "[SurveyMotion]")
   }
 }
 
+TEST_CASE("SurveyMotion: a part without triangles does not move", "[SurveyMotion]")
+{
+  const Files files;
+  files.Write("none.obj", "v 0 0 0\n");
+  files.Replace("scene.xml", "</scene>",
+    "<part id=\"none\"><filter type=\"objloader\"><param key=\"filepath\" "
+    "value=\"none.obj\"/></filter>" +
+      Endless(R"(type="translation" vec="0;0;1")") + "</part></scene>");
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  CHECK(playing.Player->Run());
+  CHECK(playing.Log->HasWarning("Part 1 (none) has no triangles; it is left out"));
+  CHECK(playing.Player->GetNumberOfEchoes() == Pulses);
+}
+
 TEST_CASE("SurveyMotion: channels see one scene", "[SurveyMotion]")
 {
   const Files files;

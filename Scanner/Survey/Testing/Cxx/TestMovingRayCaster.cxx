@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The ray caster of scenes that move against one of the whole scene.
+#include "heliosMovingRayCaster.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+#include <random>
+#include <string>
+#include <vector>
+
+using helios::MovingRayCaster;
+
+namespace
+{
+
+/// Random triangles of three parts in a box, each with a twin of the part after it in the same place.
+vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  std::uniform_real_distribution<double> size(-2.0, 2.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkHeliosArrayNames::PartIds);
+  for (int i = 0; i < 200; ++i)
+  {
+    const double p[3] = { place(random), place(random), place(random) };
+    double corners[3][3];
+    for (auto& corner : corners)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        corner[axis] = p[axis] + size(random);
+      }
+    }
+    for (const int part : { i % 3, (i + 1) % 3 })
+    {
+      vtkIdType cell[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        const double up = part == 1 ? lift : 0.0;
+        cell[k] = points->InsertNextPoint(corners[k][0], corners[k][1], corners[k][2] + up);
+      }
+      polys->InsertNextCell(3, cell);
+      ids->InsertNextValue(onlyMoving ? 1 : part);
+    }
+  }
+  auto scene = vtkSmartPointer<vtkPolyData>::New();
+  scene->SetPoints(points);
+  scene->SetPolys(polys);
+  scene->GetCellData()->AddArray(ids);
+  return scene;
+}
+
+/// Rays from below, four of them a beam.
+std::vector<vtkHeliosRay> MakeRays()
+{
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(-10.0, 10.0);
+  std::uniform_real_distribution<double> slope(-0.01, 0.01);
+  std::vector<vtkHeliosRay> rays;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const double x = place(random);
+    const double y = place(random);
+    for (int k = 0; k < 4; ++k)
+    {
+      rays.push_back({ { x, y, -30.0 }, { slope(random), slope(random), 1.0 } });
+    }
+  }
+  return rays;
+}
+
+} // namespace
+
+TEST_CASE("MovingRayCaster: the same hits as of the whole scene", "[MovingRayCaster]")
+{
+  const std::string name = GENERATE("beam", "bvh");
+  const bool onlyMoving = GENERATE(false, true);
+  const auto kind =
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
+  const auto start = MakeScene(0.0, onlyMoving);
+  vtkNew<MovingRayCaster> parts;
+  parts->SetUp(kind, start, { 1 });
+  CHECK(parts->GetName() == name);
+  const auto rays = MakeRays();
+  const auto count = static_cast<vtkIdType>(rays.size());
+  std::vector<vtkHeliosHit> expected(rays.size());
+  std::vector<vtkHeliosHit> hits(rays.size());
+  for (const double lift : { 0.0, 1.5, -40.0, 0.0 })
+  {
+    const auto scene = MakeScene(lift, onlyMoving);
+    INFO(lift);
+    REQUIRE(kind->Build(scene));
+    REQUIRE(parts->Build(scene));
+    CHECK(parts->GetAcceleratorSize() > 0);
+    kind->Intersect(rays.data(), expected.data(), count);
+    int numberOfHits = 0;
+    for (const int raysPerBeam : { 1, 4 })
+    {
+      parts->IntersectBeams(rays.data(), hits.data(), raysPerBeam, count / raysPerBeam);
+      for (std::size_t i = 0; i < hits.size(); ++i)
+      {
+        REQUIRE(hits[i].CellId == expected[i].CellId);
+        REQUIRE(hits[i].Range == expected[i].Range);
+        numberOfHits += hits[i].CellId >= 0 ? 1 : 0;
+      }
+    }
+    CHECK(numberOfHits > 4000);
+    std::vector<unsigned char> occluded(rays.size());
+    parts->Occluded(rays.data(), occluded.data(), count);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+    {
+      REQUIRE((occluded[i] != 0) == (expected[i].CellId >= 0));
+    }
+  }
+}
+
+TEST_CASE(
+  "MovingRayCaster: what cones meet for certain is so in the whole scene", "[MovingRayCaster]")
+{
+  const auto kind = vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create("beam"));
+  const auto scene = MakeScene(25.0, false);
+  vtkNew<MovingRayCaster> parts;
+  parts->SetUp(kind, scene, { 1 });
+  REQUIRE(kind->Build(scene));
+  REQUIRE(parts->Build(scene));
+  kind->PrepareConeProbe();
+  parts->PrepareConeProbe();
+  const double up[3] = { 0, 0, 1 };
+  int counts[3] = { 0, 0, 0 };
+  int planes[2] = { 0, 0 }; // of resting and moving cells
+  for (const vtkHeliosRay& ray : MakeRays())
+  {
+    const vtkHeliosConeHit whole = kind->ProbeCone(ray.Origin, up, 0.001, 0.01);
+    const vtkHeliosConeHit hit = parts->ProbeCone(ray.Origin, up, 0.001, 0.01);
+    ++counts[hit.Kind];
+    REQUIRE((hit.Kind == whole.Kind || hit.Kind == vtkHeliosConeHit::Mixed));
+    REQUIRE((hit.Kind != vtkHeliosConeHit::Mixed || whole.Kind != vtkHeliosConeHit::Empty));
+    if (hit.Kind == vtkHeliosConeHit::OnePlane)
+    {
+      REQUIRE(hit.CellId == whole.CellId);
+      REQUIRE(hit.Range == whole.Range);
+      vtkDataArray* ids = scene->GetCellData()->GetArray(vtkHeliosArrayNames::PartIds);
+      ++planes[ids->GetComponent(hit.CellId, 0) == 1.0 ? 1 : 0];
+    }
+  }
+  CHECK(counts[vtkHeliosConeHit::Empty] > 100);
+  CHECK(counts[vtkHeliosConeHit::Mixed] > 100);
+  CHECK(planes[0] > 0);
+  CHECK(planes[1] > 0);
+}

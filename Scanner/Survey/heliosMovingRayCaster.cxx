@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMovingRayCaster.h"
+
+#include "heliosTriangleMesh.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+/// The corners of some triangles, as cells.
+vtkSmartPointer<vtkCellArray> MakePolys(
+  const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
+{
+  auto polys = vtkSmartPointer<vtkCellArray>::New();
+  polys->Use32BitStorage();
+  polys->AllocateExact(
+    static_cast<vtkIdType>(cells.size()), 3 * static_cast<vtkIdType>(cells.size()));
+  for (const vtkIdType cell : cells)
+  {
+    const vtkTypeInt32* corners = mesh.GetCorners() + 3 * cell;
+    polys->InsertNextCell({ corners[0], corners[1], corners[2] });
+  }
+  return polys;
+}
+
+/// Points as they are, borrowed or copied.
+vtkSmartPointer<vtkPoints> MakePoints(const TriangleMesh& mesh, bool copy)
+{
+  vtkNew<vtkDoubleArray> all;
+  all->SetNumberOfComponents(3);
+  all->SetArray(const_cast<double*>(mesh.GetPoints()), 3 * mesh.GetNumberOfPoints(), 1);
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  copy ? points->GetData()->DeepCopy(all) : points->SetData(all);
+  return points;
+}
+
+void Name(const std::vector<vtkIdType>& cells, vtkHeliosHit* hits, vtkIdType count)
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    vtkIdType& cell = hits[i].CellId;
+    cell = cell >= 0 ? cells[static_cast<std::size_t>(cell)] : cell;
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkStandardNewMacro(MovingRayCaster);
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::SetUp(
+  vtkHeliosRayCaster* kind, vtkPolyData* scene, const std::vector<int>& parts)
+{
+  this->Kind = kind;
+  this->Moves.clear();
+  vtkDataArray* ids = scene->GetCellData()->GetArray(vtkHeliosArrayNames::PartIds);
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto part = static_cast<int>(ids->GetComponent(i, 0));
+    this->Moves.push_back(std::find(parts.begin(), parts.end(), part) != parts.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
+{
+  if (mesh.GetNumberOfTriangles() == 0)
+  {
+    return true; // what rests is kept
+  }
+  if (!this->Moving.Scene)
+  {
+    this->MakeShares(mesh);
+  }
+  const bool hasResting = !this->Resting.Cells.empty();
+  if ((hasResting && !this->Resting.Caster->Build(this->Resting.Scene)) || !this->BuildMoving(mesh))
+  {
+    vtkErrorMacro(<< "Build: the ray caster \"" << this->GetName()
+                  << "\" does not take a part of the scene; use another one.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::MakeShares(const TriangleMesh& mesh)
+{
+  for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
+  {
+    const auto cell = static_cast<std::size_t>(i);
+    const bool moves = cell < this->Moves.size() && this->Moves[cell];
+    (moves ? this->Moving : this->Resting).Cells.push_back(i);
+  }
+  for (Share* share : { &this->Resting, &this->Moving })
+  {
+    share->Caster = vtkSmartPointer<vtkHeliosRayCaster>::Take(this->Kind->NewInstance());
+    share->Scene = vtkSmartPointer<vtkPolyData>::New();
+    share->Scene->SetPolys(MakePolys(mesh, share->Cells));
+  }
+  this->Resting.Scene->SetPoints(MakePoints(mesh, true));
+}
+
+//------------------------------------------------------------------------------
+bool MovingRayCaster::BuildMoving(const TriangleMesh& mesh)
+{
+  this->Moving.Scene->SetPoints(MakePoints(mesh, false)); // the mesh outlives what is built of it
+  return this->Moving.Caster->Build(this->Moving.Scene);
+}
+
+//------------------------------------------------------------------------------
+/// Of equal ranges the lowest cell wins, as in one caster.
+void MovingRayCaster::TakeNearer(
+  const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const vtkHeliosHit& a = moving[i];
+    vtkHeliosHit& b = hits[i];
+    const bool isNearer =
+      b.CellId < 0 || a.Range < b.Range || (a.Range == b.Range && a.CellId < b.CellId);
+    b = a.CellId >= 0 && isNearer ? a : b;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const
+{
+  this->IntersectBeams(rays, hits, 1, count);
+}
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::IntersectBeams(
+  const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
+{
+  const vtkIdType count = raysPerBeam * beams;
+  if (this->Resting.Cells.empty())
+  {
+    this->Moving.Caster->IntersectBeams(rays, hits, raysPerBeam, beams);
+    Name(this->Moving.Cells, hits, count);
+    return;
+  }
+  this->Resting.Caster->IntersectBeams(rays, hits, raysPerBeam, beams);
+  Name(this->Resting.Cells, hits, count);
+  static thread_local std::vector<vtkHeliosHit> others;
+  others.resize(static_cast<std::size_t>(count));
+  this->Moving.Caster->IntersectBeams(rays, others.data(), raysPerBeam, beams);
+  Name(this->Moving.Cells, others.data(), count);
+  this->TakeNearer(others.data(), hits, count);
+}
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::PrepareConeProbe()
+{
+  if (!this->Resting.Cells.empty())
+  {
+    this->Resting.Caster->PrepareConeProbe();
+  }
+  this->Moving.Caster->PrepareConeProbe();
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosConeHit MovingRayCaster::ProbeCone(
+  const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const
+{
+  const auto probe = [&](const Share& share)
+  {
+    vtkHeliosConeHit hit = share.Cells.empty()
+      ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, 0.0 }
+      : share.Caster->ProbeCone(origin, axis, tanHalfAngle, planeTolerance);
+    const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
+    hit.CellId = isPlane ? share.Cells[static_cast<std::size_t>(hit.CellId)] : hit.CellId;
+    return hit;
+  };
+  const vtkHeliosConeHit moving = probe(this->Moving);
+  if (moving.Kind == vtkHeliosConeHit::Empty)
+  {
+    return probe(this->Resting);
+  }
+  const bool isAlone = moving.Kind == vtkHeliosConeHit::OnePlane &&
+    probe(this->Resting).Kind == vtkHeliosConeHit::Empty;
+  return isAlone ? moving : vtkHeliosConeHit{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+}
+
+//------------------------------------------------------------------------------
+void MovingRayCaster::Occluded(
+  const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
+{
+  std::vector<unsigned char> others(static_cast<std::size_t>(count));
+  this->Moving.Caster->Occluded(rays, occluded, count);
+  if (!this->Resting.Cells.empty())
+  {
+    this->Resting.Caster->Occluded(rays, others.data(), count);
+  }
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    occluded[i] = occluded[i] || others[i];
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* MovingRayCaster::GetName() const
+{
+  return this->Kind ? this->Kind->GetName() : "moving";
+}
+
+//------------------------------------------------------------------------------
+std::size_t MovingRayCaster::GetAcceleratorSize() const
+{
+  const auto size = [](const Share& share)
+  { return share.Caster ? share.Caster->GetAcceleratorSize() : 0; };
+  return size(this->Resting) + size(this->Moving);
+}
+
+} // namespace helios

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A ray caster for a scene of which some triangles move: only these are put in order anew.
+
+#ifndef heliosMovingRayCaster_h
+#define heliosMovingRayCaster_h
+
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+/**
+ * Two casters of one kind, of the triangles that rest and of those that move. Hits are those of one
+ * caster of all, to the bit. A cone that meets surfaces of both is Mixed.
+ */
+class VTKHELIOSSCANNERSURVEY_EXPORT MovingRayCaster : public vtkHeliosRayCaster
+{
+public:
+  static MovingRayCaster* New();
+  vtkTypeMacro(MovingRayCaster, vtkHeliosRayCaster);
+  MovingRayCaster(const MovingRayCaster&) = delete;
+  void operator=(const MovingRayCaster&) = delete;
+
+  /// What casts the rays, whose parts are PartIds of a scene, and which of these move.
+  void SetUp(vtkHeliosRayCaster* kind, vtkPolyData* scene, const std::vector<int>& parts);
+
+  using vtkHeliosRayCaster::Intersect;
+  void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const override;
+  void IntersectBeams(
+    const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const override;
+  void PrepareConeProbe() override;
+  vtkHeliosConeHit ProbeCone(const double origin[3], const double axis[3], double tanHalfAngle,
+    double planeTolerance) const override;
+  void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override;
+  const char* GetName() const override;
+  std::size_t GetAcceleratorSize() const override;
+
+protected:
+  MovingRayCaster() = default;
+  ~MovingRayCaster() override = default;
+
+  bool BuildAccelerator(const TriangleMesh& mesh) override;
+
+private:
+  /// Some of the triangles, and what their cells are called in the scene.
+  struct Share
+  {
+    vtkSmartPointer<vtkHeliosRayCaster> Caster;
+    vtkSmartPointer<vtkPolyData> Scene;
+    std::vector<vtkIdType> Cells;
+  };
+  void MakeShares(const TriangleMesh& mesh);
+  bool BuildMoving(const TriangleMesh& mesh);
+  void TakeNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
+
+  vtkSmartPointer<vtkHeliosRayCaster> Kind;
+  std::vector<bool> Moves; // by cell
+  Share Resting;
+  Share Moving;
+};
+
+} // namespace helios
+
+#endif
