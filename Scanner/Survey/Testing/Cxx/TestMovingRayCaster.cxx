@@ -23,7 +23,8 @@ using helios::MovingRayCaster;
 namespace
 {
 
-/// Random triangles of three parts in a box, each with a twin of the part after it in the same place.
+/// Random triangles of three parts in a box, each with a twin of the part after it in the same place;
+/// and one of part 1 aside. Part 1 is lifted.
 vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
 {
   std::mt19937 random(5);
@@ -57,6 +58,10 @@ vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
       ids->InsertNextValue(onlyMoving ? 1 : part);
     }
   }
+  const vtkIdType lone[3] = { points->InsertNextPoint(30, 0, lift),
+    points->InsertNextPoint(40, 0, lift), points->InsertNextPoint(30, 10, lift) };
+  polys->InsertNextCell(3, lone);
+  ids->InsertNextValue(1);
   auto scene = vtkSmartPointer<vtkPolyData>::New();
   scene->SetPoints(points);
   scene->SetPolys(polys);
@@ -80,6 +85,8 @@ std::vector<vtkHeliosRay> MakeRays()
       rays.push_back({ { x, y, -30.0 }, { slope(random), slope(random), 1.0 } });
     }
   }
+  rays.push_back({ { 33.0, 3.0, -50.0 }, { 0.0, 0.0, 1.0 } }); // to what is aside
+  rays.insert(rays.end(), 3, rays.back());
   return rays;
 }
 
