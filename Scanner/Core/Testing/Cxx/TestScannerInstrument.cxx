@@ -108,8 +108,8 @@ TEST_CASE(
   expect("0 0\n1 1\n", "pulse.txt: a pulse needs at least three samples");
   expect("0 0\n1 0\n2 0\n", "and one above zero");
   expect("0 0\n0.1 1\n0.2 0\n", "BinSize is 0.25 ns, more than half of the pulse (0.1 ns)");
-  std::remove("pulse.txt");
   expect("", "pulse.txt");
+  std::remove("pulse.txt");
   Bench bench(scene);
   bench.Scanner->SetPulseShapeToSampled();
   bench.Scanner->SetPulseFileName("is-not-there.txt");
