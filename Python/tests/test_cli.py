@@ -16,6 +16,7 @@ import types
 
 import numpy as np
 import pytest
+from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
@@ -299,9 +300,15 @@ def test_sampling(command_line, make_survey, tmp_path):
 def test_vtp(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--output", tmp_path / "out", "--format", "vtp")
     assert done.returncode == 0, done.stderr
-    assert list((tmp_path / "out/plane").glob("leg000_points*.vtp")) or list(
-        (tmp_path / "out/plane").glob("leg000_points*.pvtp")
-    )
+    assert (tmp_path / "out/plane/leg000_points.pvtp").is_file()
+    reader = vtkXMLPPolyDataReader()  # an independent one: VTK's own
+    reader.SetFileName(str(tmp_path / "out/plane/leg000_trajectory.pvtp"))
+    reader.Update()
+    trajectory = reader.GetOutput()
+    assert trajectory.GetNumberOfPoints() > 0
+    assert trajectory.GetPointData().GetArray("GpsTime").GetValue(0) == 0.0
+    assert trajectory.GetPointData().GetArray("Orientation").GetNumberOfComponents() == 4
+    assert not (tmp_path / "out/plane/leg000_trajectory.txt").exists()
 
 
 def test_output_of_a_closed_pipe(make_survey, tmp_path):

@@ -192,8 +192,18 @@ void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outp
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const LegPlan& plan) const
 {
-  auto writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
-  writer->SetFileName(this->MakeFileName(plan, "_trajectory.txt").c_str());
+  const bool isXml = this->Settings.Format == "vtp";
+  vtkSmartPointer<vtkHeliosStreamWriter> writer;
+  if (isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
+  }
+  writer->SetFileName(
+    this->MakeFileName(plan, isXml ? "_trajectory.pvtp" : "_trajectory.txt").c_str());
   return writer;
 }
 

@@ -15,7 +15,7 @@
  * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the
  * survey>:
  * - legNNN_points.xyz (or .pvtp): the echoes
- * - legNNN_trajectory.txt: the platform every trajectoryTimeInterval_s, and at
+ * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
  * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses

@@ -227,6 +227,8 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   CHECK(fs::exists(files / "out/test/leg001_points.pvtp"));
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
   CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
+  CHECK(fs::exists(files / "out/test/leg001_trajectory.pvtp"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_trajectory.txt"));
 
   playing.Player->SetFormat("doc");
   playing.CheckFails({ "Format is \"doc\"; give xyz or vtp" });
