@@ -3,6 +3,8 @@
 // Runs of scanners with channels, of strips, and of several platforms in one survey.
 #include "heliosSurveyPlaying.h"
 
+#include <vtkCommand.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -48,6 +50,27 @@ std::string RunChannels(const Files& files, const std::string& out, vtkIdType pu
     ReadText(files / (out + "/test/leg000_fullwave.txt")) +
     ReadText(files / (out + "/test/leg000_pulse.txt"));
 }
+
+/// Looks, between the blocks of the second leg, whether a file has its final name.
+class NameWatch : public vtkCommand
+{
+public:
+  static NameWatch* New() { return new NameWatch; }
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
+    if (player->GetCurrentLeg() == 1)
+    {
+      ++this->NumberOfLooks;
+      this->WasThere = this->WasThere || std::filesystem::exists(this->Name);
+    }
+  }
+
+  std::string Name;
+  int NumberOfLooks = 0;
+  bool WasThere = false;
+};
 
 } // namespace
 
@@ -127,7 +150,14 @@ TEST_CASE("SurveyChannels: legs of a strip write to one file", "[SurveyChannels]
     strip.Player->SetFormat(format);
     strip.Player->SetOverwrite(true);
     strip.Player->SetPulsesPerBlock(15000);
+    const std::string name =
+      files / (std::string("out/test/strip007_points.") + (format[0] == 'v' ? "pvtp" : "xyz"));
+    vtkNew<NameWatch> watch;
+    watch->Name = name;
+    strip.Player->AddObserver(vtkCommand::ProgressEvent, watch);
     REQUIRE(strip.Player->Run());
+    CHECK(watch->NumberOfLooks > 2);
+    CHECK_FALSE(watch->WasThere); // a final name is that of a whole file
     CHECK(strip.Player->GetNumberOfEchoes() == alone.Player->GetNumberOfEchoes());
     if (std::string(format) == "xyz")
     {
