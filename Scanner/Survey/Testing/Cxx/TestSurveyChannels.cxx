@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 using namespace helios::test;
@@ -106,6 +107,38 @@ TEST_CASE("SurveyChannels: they fire at once, in the order of pulses", "[SurveyC
   row >> origin[0] >> origin[1] >> origin[2];
   CHECK(origin[0] == Approx(0.5)); // the second channel
   CHECK(origin[2] == Approx(3.5));
+}
+
+TEST_CASE("SurveyChannels: the platform shakes once a shot", "[SurveyChannels]")
+{
+  const Files files;
+  AddChannels(files);
+  const Reading reading(
+    files, Tripod, Turn + std::string(R"(<positionXNoise stdev="0.3" fixedLifespan="1"/>)"));
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.Player->SetWritePulses(true);
+  REQUIRE(playing.Player->Run());
+  std::map<long long, std::map<int, double>> origins; // by shot and channel
+  for (const std::string& line : ReadLines(files / "out/test/leg000_pulse.txt"))
+  {
+    double x, unused;
+    long long pulse;
+    int channel;
+    std::istringstream row(line);
+    row >> x >> unused >> unused >> unused >> unused >> unused >> unused >> pulse >> channel;
+    origins[pulse / 2][channel] = x;
+  }
+  double spread = 0.0;
+  for (const auto& shot : origins)
+  {
+    REQUIRE(shot.second.size() == 2);
+    spread = std::max(spread, std::abs(shot.second.at(1)));
+    // 0.5 m to either side of a head that turns by up to 10 degrees
+    REQUIRE(shot.second.at(1) - shot.second.at(0) > 0.98);
+    REQUIRE(shot.second.at(1) - shot.second.at(0) < 1.0 + 1e-3);
+  }
+  CHECK(spread > 1.0);
 }
 
 TEST_CASE("SurveyChannels: a file a channel", "[SurveyChannels]")

@@ -113,6 +113,16 @@ TEST_CASE("SurveyPlatforms: a copter creeps", "[SurveyPlatforms]")
   CHECK(samples.back().Time == Approx(2.0).epsilon(0.3));
 }
 
+TEST_CASE("SurveyPlatforms: where a copter looks at departure", "[SurveyPlatforms]")
+{
+  const Files files;
+  files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\"");
+  Run(files, Flight,
+    Leg("z=\"50\" movePerSec_m=\"8\" yawAtDeparture_deg=\"40\"") + Leg("y=\"40\" z=\"50\""));
+  const auto samples = ReadSamples(files / "out/test/leg000_trajectory.txt");
+  CHECK(samples.front().Yaw == Approx(40.0).margin(1e-3)); // both count to the left
+}
+
 TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
 {
   const Files files;
