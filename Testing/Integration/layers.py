@@ -19,6 +19,7 @@ LAYERS = [
     ["ScannerCore"],
     ["ScannerDetectors"],
     ["ScannerSurvey"],
+    ["PlanningCbc"],
     ["Planning"],
 ]
 LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
@@ -39,6 +40,7 @@ HOMES = {
     r"gdal": "FiltersIO",
     r"GeographicLib/": "FiltersCore",
     r"proj\.h": "FiltersCore",
+    r"(coin/)?(Cbc|Clp|Osi|Coin)": "PlanningCbc",
 }
 
 USES = ("DEPENDS", "PRIVATE_DEPENDS", "OPTIONAL_DEPENDS")

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays of planning, beside those of vtkHeliosArrayNames.h.
+
+#ifndef heliosPlanningArrays_h
+#define heliosPlanningArrays_h
+
+#include "vtkHeliosArrayNames.h"
+
+namespace vtkHeliosArrayNames
+{
+
+///@{
+/** Planning: point data of candidates (Visibility to Selected) and of visibility test points. */
+inline constexpr const char* Slope = "Slope";               // [deg], from the horizontal
+inline constexpr const char* Visibility = "Visibility";     // a bit a test point, in 64-bit words
+inline constexpr const char* ViewshedSize = "ViewshedSize"; // test points seen
+inline constexpr const char* Exclusivity = "Exclusivity"; // test points no other selected one sees
+inline constexpr const char* MeanIncidenceAngle = "MeanIncidenceAngle"; // [deg]
+inline constexpr const char* Selected = "Selected";                     // 1: scan from here
+inline constexpr const char* Area = "Area";                   // [m2] a test point stands for
+inline constexpr const char* Coverable = "Coverable";         // 1: some candidate sees it
+inline constexpr const char* NumberOfScans = "NumberOfScans"; // selected candidates that see it
+inline constexpr const char* BestIncidenceAngle =
+  "BestIncidenceAngle"; // [deg], of those; NaN: none
+///@}
+
+} // namespace vtkHeliosArrayNames
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosVisibility.h"
+
+#include "heliosPlanningArrays.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <sstream>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+bool HasWords(vtkDataArray* array)
+{
+  return array->GetDataTypeSize() == 8 && array->HasStandardMemoryLayout() &&
+    (array->GetDataType() == VTK_UNSIGNED_LONG || array->GetDataType() == VTK_UNSIGNED_LONG_LONG);
+}
+
+} // namespace
+
+std::string Visibility::Set(vtkPolyData* candidates, vtkIdType testPoints)
+{
+  vtkDataArray* array = candidates->GetPointData()->GetArray(names::Visibility);
+  const vtkIdType length = GetRowLength(testPoints);
+  std::ostringstream text;
+  if (!array)
+  {
+    text << "the candidates have no point array " << names::Visibility
+         << "; take them from vtkHeliosViewsheds, or add it";
+  }
+  else if (!HasWords(array) || array->GetNumberOfComponents() != length)
+  {
+    text << names::Visibility << " of the candidates has " << array->GetNumberOfComponents()
+         << " components of type " << array->GetDataTypeAsString() << "; " << testPoints
+         << " test points take " << length << " of unsigned 64-bit integers";
+  }
+  if (!text.str().empty())
+  {
+    return text.str();
+  }
+  this->Words = static_cast<const std::uint64_t*>(array->GetVoidPointer(0));
+  this->NumberOfCandidates = candidates->GetNumberOfPoints();
+  this->NumberOfTestPoints = testPoints;
+  this->RowLength = length;
+  const int used = static_cast<int>(testPoints % 64);
+  for (vtkIdType c = 0; c < this->NumberOfCandidates && used > 0; ++c)
+  {
+    if (this->GetRow(c)[length - 1] >> used)
+    {
+      text << names::Visibility << " of candidate " << c << " has bits beyond the last of "
+           << testPoints << " test points; clear them";
+      break;
+    }
+  }
+  return text.str();
+}
+
+vtkIdType Visibility::GetSize(vtkIdType candidate) const
+{
+  const std::uint64_t* row = this->GetRow(candidate);
+  vtkIdType size = 0;
+  for (vtkIdType w = 0; w < this->RowLength; ++w)
+  {
+    size += __builtin_popcountll(row[w]);
+  }
+  return size;
+}
+
+} // namespace helios
