@@ -7,14 +7,15 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace helios
 {
 
 /**
- * Places a step apart from half a step inside the lower end on, so that none lies on the border of a
- * scene; one in the middle where the way is shorter than a step.
+ * Places a step apart from half a step inside the lower end on; none lies on the upper end, which may
+ * be the border of a scene. One in the middle where the way is shorter than a step.
  */
 class GridLine
 {
@@ -22,8 +23,8 @@ public:
   GridLine(double low, double high, double step)
     : First(high - low < step ? 0.5 * (low + high) : low + 0.5 * step)
     , Step(step)
-    // A place on the upper end, but for rounding, counts.
-    , Count(1 + static_cast<vtkIdType>(std::floor((high - this->First) / step + 1e-9)))
+    , Count(std::max<vtkIdType>(
+        1, static_cast<vtkIdType>(std::ceil((high - this->First) / step - 1e-9))))
   {
   }
 

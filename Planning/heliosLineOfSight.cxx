@@ -14,6 +14,10 @@ namespace
 // Of sines and cosines: what lies on a limit keeps it.
 constexpr double Rounding = 1e-12;
 
+// Of the tolerance: how far behind the surface is aimed. A line straight to a point on an edge, or one
+// that touches an edge on its way, would hit or miss it by rounding.
+constexpr double BehindSurface = 1e-3;
+
 } // namespace
 
 LineOfSight::LineOfSight(
@@ -54,28 +58,35 @@ void LineOfSight::Aim(const Vec3& eye, vtkIdType first)
   for (vtkIdType v = first; v < last; ++v)
   {
     const Vec3 way = Vec3(this->Targets.Points + 3 * v) - eye;
-    const double distance = way.Norm();
-    const Vec3 sight = distance > 0.0 ? (1.0 / distance) * way : Vec3(0.0, 0.0, -1.0);
-    Target target{ v - first, distance, 1.0 };
+    Target target{ v - first, way.Norm(), 1.0 };
+    if (target.Distance == 0.0)
+    {
+      continue; // no line, and nothing to be seen
+    }
+    const double perMetre = 1.0 / target.Distance;
+    Vec3 aim = way;
     if (this->Targets.Normals)
     {
-      target.Cosine = std::abs(sight.Dot(Vec3(this->Targets.Normals + 3 * v)));
+      const Vec3 normal(this->Targets.Normals + 3 * v);
+      target.Cosine = perMetre * std::abs(way.Dot(normal));
+      aim = way - BehindSurface * this->Limits.HitTolerance * normal;
     }
-    if (this->IsWithinLimits(sight, target))
+    if (this->IsWithinLimits(perMetre * way[2], target))
     {
+      const double tolerance = perMetre * this->Limits.HitTolerance;
       this->Aimed.push_back(target);
-      this->Rays.push_back({ { eye[0], eye[1], eye[2] }, { sight[0], sight[1], sight[2] },
-        distance + (this->Limits.BothSides ? 1.0 : -1.0) * this->Limits.HitTolerance });
+      this->Rays.push_back({ { eye[0], eye[1], eye[2] }, { aim[0], aim[1], aim[2] },
+        1.0 + (this->Limits.BothSides ? tolerance : -tolerance) });
     }
   }
 }
 
-bool LineOfSight::IsWithinLimits(const Vec3& sight, const Target& target) const
+bool LineOfSight::IsWithinLimits(double sine, const Target& target) const
 {
   const SightLimits& limits = this->Limits;
   return target.Distance >= limits.MinimumRange && target.Distance <= limits.MaximumRange &&
-    target.Cosine >= limits.MinimumCosine - Rounding && sight[2] >= limits.MinimumSine - Rounding &&
-    sight[2] <= limits.MaximumSine + Rounding &&
+    target.Cosine >= limits.MinimumCosine - Rounding && sine >= limits.MinimumSine - Rounding &&
+    sine <= limits.MaximumSine + Rounding &&
     target.Cosine >= limits.DensityFactor * target.Distance * target.Distance;
 }
 
@@ -91,8 +102,9 @@ void LineOfSight::Cast()
   for (vtkIdType i = 0; i < count; ++i)
   {
     const vtkHeliosHit& hit = this->Hits[i];
+    // Ranges are shares of the way, and rays end at the tolerance behind the test point.
     this->IsHidden[i] =
-      hit.CellId < 0 || std::abs(hit.Range - this->Aimed[i].Distance) > this->Limits.HitTolerance;
+      hit.CellId < 0 || (1.0 - hit.Range) * this->Aimed[i].Distance > this->Limits.HitTolerance;
   }
 }
 

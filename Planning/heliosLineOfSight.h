@@ -68,7 +68,7 @@ private:
 
   /// Makes a ray to every test point that is within the limits.
   void Aim(const Vec3& eye, vtkIdType first);
-  bool IsWithinLimits(const Vec3& sight, const Target& target) const;
+  bool IsWithinLimits(double sine, const Target& target) const;
   void Cast();
 
   const vtkHeliosRayCaster& Caster;

@@ -15,7 +15,9 @@
  * A test point is seen if nothing is nearer than HitTolerance before it. With BothSides the first
  * surface must also be no further behind it (Bechtold and Hoefle 2016, section 10: the first hit lies
  * within the tolerance of the point). Points out of range, out of the field of view, at too flat an
- * incidence or too thinly scanned are not seen; no such limit is set by default.
+ * incidence or too thinly scanned are not seen; no such limit is set by default. Where there are
+ * normals, lines are aimed a thousandth of HitTolerance behind the surface: a point on an edge would be hit
+ * or missed by rounding.
  *
  * Output can be asked for in pieces, contiguous ranges of the candidates: a matrix larger than
  * memory is made piece by piece. The same bytes for any number of threads.
