@@ -5,6 +5,8 @@
 #ifndef heliosPointMerger_h
 #define heliosPointMerger_h
 
+#include "vtkHeliosFiltersSceneModule.h" // For export macro
+
 #include <vtkType.h>
 
 #include <cstddef>
@@ -19,7 +21,7 @@ namespace helios
  * the spread of the points (the buckets of a regular grid overflow where a tree stands on 20 km of
  * terrain).
  */
-class PointMerger
+class VTKHELIOSFILTERSSCENE_EXPORT PointMerger
 {
 public:
   /// Over that many points x, y, z; they must outlive this. Tolerance 0: equal coordinates only.

@@ -5,6 +5,8 @@
 #ifndef heliosRayCasterBackends_h
 #define heliosRayCasterBackends_h
 
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
 #include <vtkSmartPointer.h>
 
 class vtkHeliosRayCaster;
@@ -14,6 +16,9 @@ namespace helios
 
 /// The best ray caster there is. All backends that are built are then registered.
 vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
+
+/// The one for rays that come one by one. All backends that are built are then registered.
+VTKHELIOSSCANNERCORE_EXPORT vtkSmartPointer<vtkHeliosRayCaster> MakeSingleRayCaster();
 
 } // namespace helios
 

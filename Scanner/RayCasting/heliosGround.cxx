@@ -71,29 +71,16 @@ private:
 vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   vtkPolyData* scene, const Places& places, bool groundOnly)
 {
-  const MaterialTable materials = GetMaterials(scene);
-  vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
-  const auto isGround = [&materials, ids](vtkIdType cell)
-  {
-    const double id = ids ? ids->GetComponent(cell, 0) : 0.0;
-    return id >= 0.0 && id < static_cast<double>(materials.size()) &&
-      materials[static_cast<std::size_t>(id)].IsGround;
-  };
+  const std::vector<bool> isGround = groundOnly ? FindGroundCells(scene) : std::vector<bool>();
   vtkCellArray* cells = scene->GetPolys();
-  const vtkIdType count = cells->GetNumberOfCells();
-  bool hasGround = false;
-  for (vtkIdType cell = 0; cell < count && groundOnly && !hasGround; ++cell)
-  {
-    hasGround = isGround(cell);
-  }
   vtkNew<vtkCellArray> polys;
   polys->Use32BitStorage();
-  for (vtkIdType cell = 0; cell < count; ++cell)
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     vtkIdType size;
     const vtkIdType* corners;
     cells->GetCellAtId(cell, size, corners);
-    if ((!hasGround || isGround(cell)) && places.AreIn(scene->GetPoints(), size, corners))
+    if ((isGround.empty() || isGround[cell]) && places.AreIn(scene->GetPoints(), size, corners))
     {
       polys->InsertNextCell(size, corners);
     }
@@ -142,6 +129,22 @@ vtkIdType FindPlaceNotFinite(vtkPolyData* points)
 }
 
 } // namespace
+
+std::vector<bool> FindGroundCells(vtkPolyData* scene)
+{
+  const MaterialTable materials = GetMaterials(scene);
+  vtkDataArray* ids = scene->GetCellData()->GetArray(names::MaterialIds);
+  std::vector<bool> isGround(static_cast<std::size_t>(scene->GetPolys()->GetNumberOfCells()));
+  bool hasGround = false;
+  for (std::size_t cell = 0; cell < isGround.size(); ++cell)
+  {
+    const double id = ids ? ids->GetComponent(static_cast<vtkIdType>(cell), 0) : 0.0;
+    isGround[cell] = id >= 0.0 && id < static_cast<double>(materials.size()) &&
+      materials[static_cast<std::size_t>(id)].IsGround;
+    hasGround = hasGround || isGround[cell];
+  }
+  return hasGround ? isGround : std::vector<bool>();
+}
 
 std::string DescribePlace(vtkPolyData* points, vtkIdType index)
 {

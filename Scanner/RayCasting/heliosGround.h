@@ -5,6 +5,8 @@
 #ifndef heliosGround_h
 #define heliosGround_h
 
+#include "vtkHeliosScannerRayCastingModule.h" // For export macro
+
 #include <vtkType.h>
 
 #include <string>
@@ -22,6 +24,9 @@ namespace helios
  */
 std::string GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
+
+/// For each triangle of a scene whether its material is a ground; empty where none is.
+VTKHELIOSSCANNERRAYCASTING_EXPORT std::vector<bool> FindGroundCells(vtkPolyData* scene);
 
 /// "point 3 at x 1, y 2"
 std::string DescribePlace(vtkPolyData* points, vtkIdType index);

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosScanPositionCandidates.h"
+
+#include "heliosErrorObserver.h"
+#include "heliosMaterialTable.h"
+#include "heliosPlanningArrays.h"
+#include "heliosPlanningTest.h"
+#include "heliosPyramidScene.h"
+#include "heliosSceneCrs.h"
+
+#include <catch2/catch.hpp>
+#include <vtkCellData.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+using helios::MakeFloor;
+
+namespace
+{
+
+/// A filter whose errors are kept.
+struct Candidates
+{
+  vtkNew<vtkHeliosScanPositionCandidates> Filter;
+  vtkSmartPointer<helios::ErrorObserver> Log =
+    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+
+  explicit Candidates(vtkPolyData* scene)
+  {
+    this->Filter->SetInputData(0, scene);
+    this->Filter->SetStep(1.0);
+    this->Log->Watch(this->Filter);
+  }
+
+  vtkPolyData* Update()
+  {
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  bool Fails(const std::string& text)
+  {
+    this->Update();
+    INFO(this->Log->Errors);
+    return this->Log->HasError(text);
+  }
+};
+
+/// A roof of 2 m x 2 m, 5 m above ground of 10 m x 10 m; cells 0 and 1 are the ground.
+vtkSmartPointer<vtkPolyData> MakeCarport(bool groundIsMarked)
+{
+  auto scene = helios::MakeTriangles({ { -5, -5, 0 }, { 5, -5, 0 }, { 5, 5, 0 }, { -5, 5, 0 },
+                                       { -1, -1, 5 }, { 1, -1, 5 }, { 1, 1, 5 }, { -1, 1, 5 } },
+    { { 0, 1, 2 }, { 0, 2, 3 }, { 4, 5, 6 }, { 4, 6, 7 } });
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(names::MaterialIds);
+  for (const int id : { 0, 0, 1, 1 })
+  {
+    ids->InsertNextValue(id);
+  }
+  scene->GetCellData()->AddArray(ids);
+  helios::MaterialTable materials(2);
+  materials[0].IsGround = groundIsMarked;
+  helios::SetMaterials(scene, materials);
+  return scene;
+}
+
+int CountAbove(vtkPolyData* points, double z)
+{
+  int count = 0;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    count += points->GetPoint(i)[2] > z;
+  }
+  return count;
+}
+
+/// An outline of places in the plane z = 7.
+vtkSmartPointer<vtkPolyData> MakeOutline(
+  const std::vector<std::array<double, 2>>& places, bool isLine)
+{
+  std::vector<std::array<double, 3>> corners;
+  vtkNew<vtkIdList> ids;
+  for (const auto& p : places)
+  {
+    ids->InsertNextId(static_cast<vtkIdType>(corners.size()));
+    corners.push_back({ p[0], p[1], 7.0 });
+  }
+  auto outline = helios::MakePoints(corners);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(ids);
+  isLine ? outline->SetLines(cells) : outline->SetPolys(cells);
+  return outline;
+}
+
+} // namespace
+
+TEST_CASE("candidates stand on a grid half a step inside the scene", "[ScanPositionCandidates]")
+{
+  Candidates candidates(MakeFloor(5.25, 3.0));
+  vtkPolyData* output = candidates.Update();
+  REQUIRE(output->GetNumberOfPoints() == 100);
+  CHECK(output->GetPoint(0)[0] == -4.75);
+  CHECK(output->GetPoint(0)[1] == -4.75);
+  CHECK(output->GetPoint(0)[2] == 4.5);
+  CHECK(output->GetPoint(1)[0] == -3.75); // rows of x
+  CHECK(output->GetPoint(10)[1] == -3.75);
+  CHECK(output->GetPointData()->GetArray(names::Slope)->GetTuple1(42) == 0.0);
+  CHECK(output->GetPointData()->GetArray(names::Normal)->GetComponent(42, 2) == 1.0);
+  CHECK(output->GetPointData()->GetArray(names::CellIds)->GetTuple1(0) == 0.0);
+  SECTION("own steps, height and region")
+  {
+    candidates.Filter->SetYStep(3.0);
+    candidates.Filter->SetScannerHeight(2.0);
+    candidates.Filter->SetRegion(-0.5, 2.5, -3.0, 3.0);
+    output = candidates.Update();
+    REQUIRE(output->GetNumberOfPoints() == 6);
+    CHECK(output->GetPoint(0)[0] == 0.0);
+    CHECK(output->GetPoint(0)[1] == -1.5);
+    CHECK(output->GetPoint(5)[0] == 2.0);
+    CHECK(output->GetPoint(5)[1] == 1.5);
+    CHECK(output->GetPoint(5)[2] == 5.0);
+  }
+  SECTION("a step larger than the scene gives one place in the middle")
+  {
+    candidates.Filter->SetStep(50.0);
+    output = candidates.Update();
+    REQUIRE(output->GetNumberOfPoints() == 1);
+    CHECK(output->GetPoint(0)[0] == 0.0);
+  }
+  SECTION("no step given: a twentieth of the diagonal")
+  {
+    candidates.Filter->SetStep(0.0); // 0.05 * 10.5 * sqrt 2 = 0.7425: 14 places
+    CHECK(candidates.Update()->GetNumberOfPoints() == 14 * 14);
+  }
+}
+
+TEST_CASE("candidates keep the coordinate system of the scene", "[ScanPositionCandidates]")
+{
+  auto scene = MakeFloor(5.0, 0.0);
+  helios::SetCRS(scene, "EPSG:32632");
+  Candidates candidates(scene);
+  CHECK(helios::GetCRS(candidates.Update()) == "EPSG:32632");
+}
+
+TEST_CASE("a surface as steep as the limit is one to stand on", "[ScanPositionCandidates]")
+{
+  const double rise = std::tan(M_PI / 6.0); // 30 degrees
+  Candidates candidates(helios::MakeTriangles(
+    { { 0, 0, 0 }, { 10, 0, 10 * rise }, { 10, 10, 10 * rise }, { 0, 10, 0 } },
+    { { 0, 2, 1 }, { 0, 2, 3 } })); // one triangle looks down: slopes do not care
+  candidates.Filter->SetMaximumSlope(30.0);
+  vtkPolyData* output = candidates.Update();
+  REQUIRE(output->GetNumberOfPoints() == 100);
+  for (vtkIdType i = 0; i < 100; ++i)
+  {
+    CHECK(output->GetPointData()->GetArray(names::Slope)->GetTuple1(i) == Approx(30.0));
+    CHECK(output->GetPointData()->GetArray(names::Normal)->GetComponent(i, 2) ==
+      Approx(std::sqrt(0.75)));
+  }
+  candidates.Filter->SetMaximumSlope(29.9);
+  CHECK(
+    candidates.Fails("No candidate is left of 100 places: 0 have no surface below, of 0 the "
+                     "highest is no ground, 100 are steeper than MaximumSlope (29.9 deg), 0 lie "
+                     "in excluded areas; allow a larger slope, or make the steps smaller."));
+}
+
+TEST_CASE("the pyramid's steep sides are no places to stand", "[ScanPositionCandidates]")
+{
+  Candidates candidates(helios::MakePyramidScene());
+  candidates.Filter->SetMaximumSlope(30.0);
+  CHECK(candidates.Update()->GetNumberOfPoints() == 425); // of 441
+}
+
+TEST_CASE("candidates stand on the ground where there is one", "[ScanPositionCandidates]")
+{
+  Candidates marked(MakeCarport(true));
+  CHECK(marked.Update()->GetNumberOfPoints() == 100);
+  CHECK(CountAbove(marked.Update(), 2.0) == 0); // below the roof, too
+  marked.Filter->SetSurfaceToHighest();
+  CHECK(CountAbove(marked.Update(), 2.0) == 4);
+  vtkDataArray* cells = marked.Update()->GetPointData()->GetArray(names::CellIds);
+  CHECK(cells->GetTuple1(44) == 2.0);
+  marked.Filter->SetSurfaceToOpenGround();
+  CHECK(marked.Update()->GetNumberOfPoints() == 96);
+  CHECK(CountAbove(marked.Update(), 2.0) == 0);
+  marked.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0);
+  CHECK(
+    marked.Fails("of 4 the highest is no ground, 0 are steeper than MaximumSlope (15 deg), 0 lie "
+                 "in excluded areas; take ground below other things, too (GROUND)."));
+
+  Candidates unmarked(MakeCarport(false));
+  CHECK(CountAbove(unmarked.Update(), 2.0) == 4);
+  unmarked.Filter->SetSurfaceToGround();
+  CHECK(unmarked.Fails("Surface asks for ground, and no material of the scene is one "
+                       "(Material.IsGround, helios_isGround); mark the ground, or take the highest "
+                       "surface."));
+}
+
+TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
+{
+  Candidates candidates(MakeFloor(5.0, 0.0)); // places at -4.5, -3.5 ... 4.5
+  const bool isLine = GENERATE(false, true);
+  SECTION("a square, border included")
+  {
+    const auto outline =
+      MakeOutline({ { -0.5, -0.5 }, { 2.5, -0.5 }, { 2.5, 2.5 }, { -0.5, 2.5 } }, isLine);
+    candidates.Filter->SetInputData(1, outline);
+    CHECK(candidates.Update()->GetNumberOfPoints() == 100 - 16);
+  }
+  SECTION("a U open to the right: what is in its bay stays")
+  {
+    const auto outline = MakeOutline(
+      { { -2, -2 }, { 2, -2 }, { 2, -1 }, { -1, -1 }, { -1, 1 }, { 2, 1 }, { 2, 2 }, { -2, 2 } },
+      isLine);
+    candidates.Filter->SetInputData(1, outline);
+    CHECK(candidates.Update()->GetNumberOfPoints() == 100 - (16 - 6));
+  }
+  SECTION("everything")
+  {
+    const auto outline = MakeOutline({ { -9, -9 }, { 9, -9 }, { 9, 9 }, { -9, 9 } }, isLine);
+    candidates.Filter->SetInputData(1, outline);
+    CHECK(candidates.Fails("100 lie in excluded areas; exclude less."));
+  }
+}
+
+TEST_CASE("what no candidates can be found on is told", "[ScanPositionCandidates]")
+{
+  SECTION("an empty scene")
+  {
+    CHECK(Candidates(vtkNew<vtkPolyData>())
+            .Fails("The scene on port 0 is empty; connect what is to be scanned."));
+  }
+  SECTION("corners that are not finite")
+  {
+    auto scene = MakeFloor(5.0, 0.0);
+    scene->GetPoints()->SetPoint(1, NAN, 0.0, 0.0);
+    CHECK(
+      Candidates(scene).Fails("No rays can be cast onto the scene on port 0: cell 0 of the scene "
+                              "has a corner that is not finite"));
+  }
+  Candidates candidates(MakeFloor(5.0, 0.0));
+  SECTION("a region beside the scene")
+  {
+    candidates.Filter->SetRegion(20.0, 22.0, 0.0, 2.0);
+    CHECK(candidates.Fails("No candidate is left of 4 places: 4 have no surface below, "));
+    CHECK(candidates.Fails("move the Region onto the scene, or make the steps smaller."));
+  }
+  SECTION("a region upside down")
+  {
+    candidates.Filter->SetRegion(2.0, 1.0, 0.0, 2.0);
+    CHECK(candidates.Fails(
+      "Region is x 2 to 1, y 0 to 2; the first of each must not be above the second."));
+  }
+  SECTION("a grid too fine")
+  {
+    candidates.Filter->SetStep(1e-5);
+    CHECK(candidates.Fails("1e+12 places take "));
+    CHECK(candidates.Fails(" MiB, more than MemoryLimit (2048 MiB); make XStep and YStep larger."));
+  }
+  SECTION("abortion")
+  {
+    helios::AbortAtProgress(candidates.Filter);
+    CHECK(candidates.Fails("Aborted; update again for all candidates."));
+  }
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests of planning share.
+
+#ifndef heliosPlanningTest_h
+#define heliosPlanningTest_h
+
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
+
+namespace helios
+{
+
+inline vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>& places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : places)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+/// Triangles, of three corners each.
+inline vtkSmartPointer<vtkPolyData> MakeTriangles(
+  const std::vector<std::array<double, 3>>& places, const std::vector<std::array<int, 3>>& corners)
+{
+  auto scene = MakePoints(places);
+  vtkNew<vtkCellArray> polys;
+  for (const auto& c : corners)
+  {
+    polys->InsertNextCell({ c[0], c[1], c[2] });
+  }
+  scene->SetPolys(polys);
+  return scene;
+}
+
+/// Two triangles over a square about the origin, at a height.
+inline vtkSmartPointer<vtkPolyData> MakeFloor(double half, double z)
+{
+  return MakeTriangles(
+    { { -half, -half, z }, { half, -half, z }, { half, half, z }, { -half, half, z } },
+    { { 0, 1, 2 }, { 0, 2, 3 } });
+}
+
+/// Has a filter aborted at its next progress.
+inline void AbortAtProgress(vtkAlgorithm* filter)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* object, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(object)->SetAbortExecute(1); });
+  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+}
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPlanScene.h"
+
+#include "heliosPlanningArrays.h"
+#include "heliosRayCasterBackends.h"
+#include "heliosTriangleMesh.h"
+#include "vtkHeliosRayCaster.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+PlanScene::PlanScene() = default;
+PlanScene::~PlanScene() = default;
+
+std::string PlanScene::Set(vtkPolyData* scene)
+{
+  this->Part = scene;
+  this->Cells.clear();
+  if (scene->GetNumberOfCells() == 0)
+  {
+    return "The scene on port 0 is empty; connect what is to be scanned";
+  }
+  TriangleMesh mesh;
+  const std::string fault = mesh.Set(scene);
+  if (!fault.empty())
+  {
+    return "No rays can be cast onto the scene on port 0: " + fault;
+  }
+  this->Normals = scene->GetCellData()->GetArray(names::Normals);
+  if (this->Normals && this->Normals->GetNumberOfComponents() != 3)
+  {
+    this->Normals = nullptr;
+  }
+  mesh.GetBounds(this->Bounds);
+  this->Caster = MakeSingleRayCaster();
+  return this->Caster->Build(scene) ? std::string()
+                                    : "No rays can be cast onto the scene on port 0";
+}
+
+std::string PlanScene::Set(vtkPolyData* scene, const std::vector<bool>& isTaken)
+{
+  vtkNew<vtkPolyData> part;
+  vtkNew<vtkCellArray> polys;
+  polys->Use32BitStorage();
+  std::vector<vtkIdType> cells;
+  for (vtkIdType cell = 0; cell < scene->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    scene->GetPolys()->GetCellAtId(cell, size, corners);
+    if (isTaken[static_cast<std::size_t>(cell)])
+    {
+      polys->InsertNextCell(size, corners);
+      cells.push_back(cell);
+    }
+  }
+  part->SetPoints(scene->GetPoints());
+  part->SetPolys(polys);
+  const std::string fault = this->Set(part);
+  this->Cells = cells;
+  return fault;
+}
+
+Vec3 PlanScene::GetFaceNormal(vtkIdType hit) const
+{
+  return this->Caster->GetMesh().GetNormal(hit);
+}
+
+Vec3 PlanScene::GetNormal(vtkIdType hit) const
+{
+  if (this->Normals)
+  {
+    Vec3 normal;
+    this->Normals->GetTuple(hit, normal.GetData());
+    if (normal.Norm() > 0.0 && std::isfinite(normal.Norm()))
+    {
+      return normal.Normalized();
+    }
+  }
+  return this->GetFaceNormal(hit);
+}
+
+double PlanScene::GetStep(double given) const
+{
+  const double* b = this->Bounds;
+  const Vec3 diagonal(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
+  return given > 0.0 ? given : 0.05 * diagonal.Norm();
+}
+
+} // namespace helios

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene made ready for the rays of planning.
+
+#ifndef heliosPlanScene_h
+#define heliosPlanScene_h
+
+#include "heliosPose.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkHeliosRayCaster;
+class vtkPolyData;
+
+namespace helios
+{
+
+class PlanScene
+{
+public:
+  PlanScene();
+  ~PlanScene();
+
+  /// Takes all triangles of a scene. Says in words what is wrong, or returns an empty text.
+  std::string Set(vtkPolyData* scene);
+
+  /// Takes some triangles of a scene.
+  std::string Set(vtkPolyData* scene, const std::vector<bool>& isTaken);
+
+  const vtkHeliosRayCaster& GetCaster() const { return *this->Caster; }
+
+  /// x0 x1 y0 y1 z0 z1 of the triangles taken.
+  const double* GetBounds() const { return this->Bounds; }
+
+  /// The cell of the scene that a hit of the caster is on.
+  vtkIdType GetCell(vtkIdType hit) const { return this->Cells.empty() ? hit : this->Cells[hit]; }
+
+  /// The unit normal of the triangle hit: of its corners, by the right-hand rule.
+  Vec3 GetFaceNormal(vtkIdType hit) const;
+
+  /// The cell array Normals where the scene has it, else the normal of the corners.
+  Vec3 GetNormal(vtkIdType hit) const;
+
+  /// Steps not given (0) are a twentieth of the diagonal; bounds not given (NaN) are the scene's.
+  double GetStep(double given) const;
+  double GetBound(double given, int side) const
+  {
+    return given == given ? given : this->Bounds[side];
+  }
+
+private:
+  vtkSmartPointer<vtkHeliosRayCaster> Caster;
+  vtkSmartPointer<vtkPolyData> Part; ///< the triangles taken
+  vtkDataArray* Normals = nullptr;
+  std::vector<vtkIdType> Cells;
+  double Bounds[6] = {};
+};
+
+} // namespace helios
+
+#endif

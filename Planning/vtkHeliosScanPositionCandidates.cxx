@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosScanPositionCandidates.h"
+
+#include "heliosAreas.h"
+#include "heliosGridLine.h"
+#include "heliosGround.h"
+#include "heliosMemory.h"
+#include "heliosPlanScene.h"
+#include "heliosPlanningArrays.h"
+#include "heliosSceneCrs.h"
+#include "vtkHeliosRayCaster.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace names = vtkHeliosArrayNames;
+using helios::Vec3;
+
+namespace
+{
+
+// Of slopes: a plane of 30 degrees is one of 30 degrees.
+constexpr double AngleRounding = 1e-9;
+
+/// A place of the grid, and what became of it.
+struct Place
+{
+  enum Fates
+  {
+    Kept,
+    NoSurface,
+    NotGround,
+    TooSteep,
+    Excluded
+  };
+  Fates Fate = NoSurface;
+  vtkIdType Cell = -1;
+  double Height = 0.0;
+  double Slope = 0.0;
+  Vec3 Normal{ 0.0, 0.0, 1.0 };
+};
+
+} // namespace
+
+vtkStandardNewMacro(vtkHeliosScanPositionCandidates);
+
+/// Goes over the places of the grid.
+class vtkHeliosScanPositionCandidates::Search
+{
+public:
+  Search(vtkHeliosScanPositionCandidates* self, vtkPolyData* exclusions)
+    : Self(self)
+    , Exclusions(exclusions)
+  {
+  }
+
+  /// Says in words what is wrong, or returns an empty text.
+  std::string Prepare(vtkPolyData* scene)
+  {
+    const int surface = this->Self->Surface;
+    if (surface != HIGHEST)
+    {
+      this->IsGround = helios::FindGroundCells(scene);
+    }
+    if (this->IsGround.empty() && (surface == GROUND || surface == OPEN_GROUND))
+    {
+      return "Surface asks for ground, and no material of the scene is one (Material.IsGround, "
+             "helios_isGround); mark the ground, or take the highest surface";
+    }
+    return surface == OPEN_GROUND || this->IsGround.empty()
+      ? this->Scene.Set(scene)
+      : this->Scene.Set(scene, this->IsGround);
+  }
+
+  /// Makes the grid; says in words what is wrong, or returns an empty text.
+  std::string MakeGrid()
+  {
+    const double* region = this->Self->Region;
+    double bounds[4];
+    for (int side = 0; side < 4; ++side)
+    {
+      bounds[side] = this->Scene.GetBound(region[side], side);
+    }
+    if (!(bounds[0] <= bounds[1] && bounds[2] <= bounds[3]))
+    {
+      std::ostringstream text;
+      text << "Region is x " << bounds[0] << " to " << bounds[1] << ", y " << bounds[2] << " to "
+           << bounds[3] << "; the first of each must not be above the second";
+      return text.str();
+    }
+    this->X = helios::GridLine(bounds[0], bounds[1], this->Scene.GetStep(this->Self->XStep));
+    this->Y = helios::GridLine(bounds[2], bounds[3], this->Scene.GetStep(this->Self->YStep));
+    const double count =
+      static_cast<double>(this->X.GetCount()) * static_cast<double>(this->Y.GetCount());
+    const std::string excess =
+      helios::DescribeExcess("places", count, sizeof(Place), this->Self->MemoryLimit);
+    return excess.empty() ? excess : excess + "; make XStep and YStep larger";
+  }
+
+  /// Looks at all places; false where it is aborted.
+  bool Run()
+  {
+    const vtkIdType rows = this->Y.GetCount();
+    this->Places.resize(static_cast<std::size_t>(rows * this->X.GetCount()));
+    constexpr vtkIdType RowsAtOnce = 64;
+    for (vtkIdType row = 0; row < rows; row += RowsAtOnce)
+    {
+      vtkSMPTools::For(row, std::min(rows, row + RowsAtOnce), 1,
+        [this](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType j = begin; j < end; ++j)
+          {
+            this->LookAtRow(j);
+          }
+        });
+      this->Self->UpdateProgress(static_cast<double>(row) / static_cast<double>(rows));
+      if (this->Self->GetAbortExecute())
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  vtkIdType GetCount(int fate) const
+  {
+    return std::count_if(this->Places.begin(), this->Places.end(),
+      [fate](const Place& place) { return place.Fate == fate; });
+  }
+
+  void Fill(vtkPolyData* output) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkDoubleArray> slopes;
+    slopes->SetName(names::Slope);
+    vtkNew<vtkIdTypeArray> cells;
+    cells->SetName(names::CellIds);
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName(names::Normal);
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(this->Places.size()); ++i)
+    {
+      const Place& place = this->Places[static_cast<std::size_t>(i)];
+      if (place.Fate == Place::Kept)
+      {
+        points->InsertNextPoint(this->X.GetPlace(i % this->X.GetCount()),
+          this->Y.GetPlace(i / this->X.GetCount()), place.Height + this->Self->ScannerHeight);
+        slopes->InsertNextValue(place.Slope);
+        cells->InsertNextValue(this->Scene.GetCell(place.Cell));
+        normals->InsertNextTuple(place.Normal.GetData());
+      }
+    }
+    output->SetPoints(points);
+    for (vtkDataArray* array : { static_cast<vtkDataArray*>(slopes.Get()),
+           static_cast<vtkDataArray*>(cells.Get()), static_cast<vtkDataArray*>(normals.Get()) })
+    {
+      output->GetPointData()->AddArray(array);
+    }
+  }
+
+private:
+  void LookAtRow(vtkIdType row)
+  {
+    const vtkIdType count = this->X.GetCount();
+    const double* bounds = this->Scene.GetBounds();
+    const double top = bounds[5] + std::max(1.0, bounds[5] - bounds[4]);
+    std::vector<vtkHeliosRay> rays;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      rays.push_back({ { this->X.GetPlace(i), this->Y.GetPlace(row), top }, { 0.0, 0.0, -1.0 } });
+    }
+    std::vector<vtkHeliosHit> hits(rays.size());
+    this->Scene.GetCaster().Intersect(rays.data(), hits.data(), count);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      Place& place = this->Places[static_cast<std::size_t>(row * count + i)];
+      place.Cell = hits[i].CellId;
+      place.Height = top - hits[i].Range;
+      this->Judge(rays[i].Origin, place);
+    }
+  }
+
+  void Judge(const double* origin, Place& place) const
+  {
+    if (place.Cell < 0)
+    {
+      place.Fate = Place::NoSurface;
+      return;
+    }
+    place.Normal = this->Scene.GetFaceNormal(place.Cell);
+    place.Normal = place.Normal[2] < 0.0 ? -1.0 * place.Normal : place.Normal;
+    const Vec3& n = place.Normal;
+    place.Slope = vtkMath::DegreesFromRadians(std::atan2(std::hypot(n[0], n[1]), n[2]));
+    if (this->Self->Surface == OPEN_GROUND && !this->IsGround[place.Cell])
+    {
+      place.Fate = Place::NotGround;
+    }
+    else if (place.Slope > this->Self->MaximumSlope + AngleRounding)
+    {
+      place.Fate = Place::TooSteep;
+    }
+    else
+    {
+      place.Fate = this->Exclusions.Contain(origin[0], origin[1]) ? Place::Excluded : Place::Kept;
+    }
+  }
+
+  vtkHeliosScanPositionCandidates* Self;
+  helios::Areas Exclusions;
+  helios::PlanScene Scene;
+  std::vector<bool> IsGround; ///< of the scene's cells; empty: all are
+  helios::GridLine X{ 0.0, 0.0, 1.0 };
+  helios::GridLine Y{ 0.0, 0.0, 1.0 };
+  std::vector<Place> Places; ///< in rows of x
+};
+
+//------------------------------------------------------------------------------
+vtkHeliosScanPositionCandidates::vtkHeliosScanPositionCandidates()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanPositionCandidates::SetStep(double step)
+{
+  this->SetXStep(step);
+  this->SetYStep(step);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanPositionCandidates::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanPositionCandidates::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* scene = vtkPolyData::GetData(inputs[0]);
+  Search search(this, vtkPolyData::GetData(inputs[1]));
+  std::string fault = search.Prepare(scene);
+  fault = fault.empty() ? search.MakeGrid() : fault;
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  if (!search.Run())
+  {
+    vtkErrorMacro(<< "Aborted; update again for all candidates.");
+    return 0;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  search.Fill(output);
+  helios::SetCRS(output, helios::GetCRS(scene));
+  return this->Report(search) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanPositionCandidates::Report(const Search& search)
+{
+  if (search.GetCount(Place::Kept) > 0)
+  {
+    return true;
+  }
+  const vtkIdType misses = search.GetCount(Place::NoSurface);
+  const vtkIdType others = search.GetCount(Place::NotGround);
+  const vtkIdType steep = search.GetCount(Place::TooSteep);
+  const vtkIdType excluded = search.GetCount(Place::Excluded);
+  std::ostringstream text;
+  text << "No candidate is left of " << misses + others + steep + excluded << " places: " << misses
+       << " have no surface below, of " << others << " the highest is no ground, " << steep
+       << " are steeper than MaximumSlope (" << this->MaximumSlope << " deg), " << excluded
+       << " lie in excluded areas; ";
+  const vtkIdType most = std::max(std::max(misses, others), std::max(steep, excluded));
+  text << (most == steep ? "allow a larger slope, or make the steps smaller"
+      : most == misses   ? "move the Region onto the scene, or make the steps smaller"
+      : most == excluded ? "exclude less"
+                         : "take ground below other things, too (GROUND)");
+  vtkErrorMacro(<< text.str() << ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanPositionCandidates::PrintSelf(ostream& os, vtkIndent indent)
+{
+  static const char* const surfaces[] = { "Highest", "Ground", "OpenGround", "Automatic" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "XStep: " << this->XStep << " m\n"
+     << indent << "YStep: " << this->YStep << " m\n"
+     << indent << "Region: x " << this->Region[0] << " to " << this->Region[1] << ", y "
+     << this->Region[2] << " to " << this->Region[3] << " m\n"
+     << indent << "MaximumSlope: " << this->MaximumSlope << " deg\n"
+     << indent << "Surface: " << surfaces[this->Surface] << "\n"
+     << indent << "ScannerHeight: " << this->ScannerHeight << " m\n"
+     << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
+}
