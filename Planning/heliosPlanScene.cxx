@@ -42,7 +42,7 @@ std::string PlanScene::Set(vtkPolyData* scene)
     this->Normals = nullptr;
   }
   mesh.GetBounds(this->Bounds);
-  this->Caster = MakeSingleRayCaster();
+  this->Caster = MakeDefaultRayCaster();
   return this->Caster->Build(scene) ? std::string()
                                     : "No rays can be cast onto the scene on port 0";
 }

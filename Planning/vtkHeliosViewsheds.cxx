@@ -227,7 +227,7 @@ private:
 vtkHeliosViewsheds::vtkHeliosViewsheds()
 {
   this->SetNumberOfInputPorts(3);
-  this->RayCaster = helios::MakeSingleRayCaster();
+  this->RayCaster = helios::MakeDefaultRayCaster();
 }
 
 //------------------------------------------------------------------------------

@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what casts the rays. Default: the backend that is fastest for single rays.
+   * Set/Get what casts the rays. Default: the default backend.
    */
   void SetRayCaster(vtkHeliosRayCaster* caster);
   vtkHeliosRayCaster* GetRayCaster() const;

@@ -44,13 +44,4 @@ vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster()
   return vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(nullptr));
 }
 
-vtkSmartPointer<vtkHeliosRayCaster> MakeSingleRayCaster()
-{
-#if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingEmbree
-  return vtkSmartPointer<vtkHeliosEmbreeRayCaster>::New();
-#else
-  return MakeDefaultRayCaster();
-#endif
-}
-
 } // namespace helios

@@ -15,10 +15,7 @@ namespace helios
 {
 
 /// The best ray caster there is. All backends that are built are then registered.
-vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
-
-/// The one for rays that come one by one. All backends that are built are then registered.
-VTKHELIOSSCANNERCORE_EXPORT vtkSmartPointer<vtkHeliosRayCaster> MakeSingleRayCaster();
+VTKHELIOSSCANNERCORE_EXPORT vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
 
 } // namespace helios
 

@@ -270,12 +270,31 @@ vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
   return hit;
 }
 
-bool BeamTree::IsOccluded(const vtkHeliosRay& ray) const
+bool BeamTree::IsHidden(const TestRay& ray, const Leaf& leaf) const
+{
+  for (int i = 0; i < leaf.Count; ++i)
+  {
+    const vtkTypeInt32 triangle = leaf.Triangles[i];
+    const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+      this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
+    if (TestTriangle(ray, points) < NoHit)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const
 {
   TestRay test;
   if (!test.Set(ray))
   {
     return false;
+  }
+  if (this->IsHidden(test, occluder))
+  {
+    return true;
   }
   Frustum hull;
   if (this->SetFrustum(hull, test))
@@ -285,15 +304,10 @@ bool BeamTree::IsOccluded(const vtkHeliosRay& ray) const
     Leaf leaf;
     while (walk.GetNext(limit, leaf))
     {
-      for (int i = 0; i < leaf.Count; ++i)
+      if (this->IsHidden(test, leaf))
       {
-        const vtkTypeInt32 triangle = leaf.Triangles[i];
-        const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
-          this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
-        if (TestTriangle(test, points) < NoHit)
-        {
-          return true;
-        }
+        occluder = leaf;
+        return true;
       }
     }
   }

@@ -71,8 +71,6 @@ public:
   void Intersect(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
 
-  bool IsOccluded(const vtkHeliosRay& ray) const;
-
   std::size_t GetMemorySize() const;
 
   const TriangleMesh& GetMesh() const { return *this->Mesh; }
@@ -99,8 +97,8 @@ public:
   /// Up to four triangles, and their corners in the frame of the tree, rounded.
   struct Leaf
   {
-    int Count;
-    const vtkTypeInt32* Triangles;
+    int Count = 0;
+    const vtkTypeInt32* Triangles = nullptr;
 
     /// Where floats start: a coordinate of the triangles, and more that is to be ignored.
     const vtkTypeInt32* GetCorners(int corner, int axis) const
@@ -108,6 +106,10 @@ public:
       return this->Triangles + (1 + 3 * corner + axis) * this->Count;
     }
   };
+
+  /// Whether anything is in a ray's way; occluder, at first an empty leaf, is what hid the one
+  /// before it and is tried first.
+  bool IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const;
 
 private:
   friend class BeamWalk;
@@ -128,6 +130,7 @@ private:
   void Prefetch(vtkTypeUInt32 child) const;
   bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
+  bool IsHidden(const TestRay& ray, const Leaf& leaf) const;
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
 
   const TriangleMesh* Mesh = nullptr;

@@ -59,9 +59,10 @@ void vtkHeliosBeamRayCaster::IntersectBeams(
 void vtkHeliosBeamRayCaster::Occluded(
   const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const
 {
+  helios::BeamTree::Leaf occluder;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    occluded[i] = this->Tree->IsOccluded(rays[i]);
+    occluded[i] = this->Tree->IsOccluded(rays[i], occluder);
   }
 }
 

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How much of the ray caster's rate for bare occlusion rays vtkHeliosViewsheds keeps, on 2 M triangles
+// of terrain with 10^4 candidates and 10^5 test points. Answers are compared bit for bit first;
+// repeats take turns, numbers are medians by processor time.
+//
+// Usage: BenchViewsheds [repetitions [candidates [ray caster]]]
+
+#include "heliosBenchScenes.h"
+
+#include "vtkHeliosScanPositionCandidates.h"
+#include "vtkHeliosViewsheds.h"
+#include "vtkHeliosVisibilityTestPoints.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+namespace
+{
+
+double CpuSeconds()
+{
+  timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+double WallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// Every so many of the candidates, so that a part of them stands for all.
+vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, vtkIdType count)
+{
+  vtkNew<vtkPoints> kept;
+  kept->SetDataTypeToDouble();
+  const vtkIdType all = points->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < std::min(all, count); ++i)
+  {
+    kept->InsertNextPoint(points->GetPoint(i * all / std::min(all, count)));
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(kept);
+  return result;
+}
+
+/// The rays that ask whether a candidate sees the test points, a thousandth of 5 cm below the surface.
+std::vector<vtkHeliosRay> MakeRays(const double eye[3], vtkPolyData* testPoints)
+{
+  vtkDataArray* normals = testPoints->GetPointData()->GetArray("Normal");
+  std::vector<vtkHeliosRay> rays;
+  for (vtkIdType v = 0; v < testPoints->GetNumberOfPoints(); ++v)
+  {
+    const helios::Vec3 way =
+      helios::Vec3(testPoints->GetPoint(v)) - helios::Vec3(eye[0], eye[1], eye[2]);
+    const helios::Vec3 aim = way - 5e-5 * helios::Vec3(normals->GetTuple3(v));
+    rays.push_back(
+      { { eye[0], eye[1], eye[2] }, { aim[0], aim[1], aim[2] }, 1.0 - (1.0 / way.Norm()) * 0.05 });
+  }
+  return rays;
+}
+
+/// Bare rays of some candidates, made before they are timed.
+struct Bare
+{
+  std::vector<std::vector<vtkHeliosRay>> Rays;
+  std::vector<std::vector<unsigned char>> Hidden;
+
+  double Run(const vtkHeliosRayCaster& caster)
+  {
+    const double start = CpuSeconds();
+    for (std::size_t i = 0; i < this->Rays.size(); ++i)
+    {
+      caster.Occluded(
+        this->Rays[i].data(), this->Hidden[i].data(), static_cast<vtkIdType>(this->Rays[i].size()));
+    }
+    return CpuSeconds() - start;
+  }
+};
+
+/// Whether the filter's bits are what the bare rays say.
+bool Check(const Bare& bare, vtkPolyData* views)
+{
+  vtkDataArray* rows = views->GetPointData()->GetArray("Visibility");
+  const auto* words = static_cast<const unsigned long long*>(rows->GetVoidPointer(0));
+  std::size_t different = 0, seen = 0;
+  for (std::size_t c = 0; c < bare.Rays.size(); ++c)
+  {
+    const auto* row = words + c * static_cast<std::size_t>(rows->GetNumberOfComponents());
+    for (std::size_t v = 0; v < bare.Rays[c].size(); ++v)
+    {
+      const bool isSeen = row[v / 64] >> (v % 64) & 1u;
+      different += isSeen == (bare.Hidden[c][v] != 0);
+      seen += isSeen;
+    }
+  }
+  std::printf("%zu lines of sight, %.1f %% free, %zu different\n",
+    bare.Rays.size() * bare.Rays[0].size(),
+    100.0 * static_cast<double>(seen) / static_cast<double>(bare.Rays.size() * bare.Rays[0].size()),
+    different);
+  return different == 0;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const int repetitions = argc > 1 ? std::atoi(argv[1]) : 5;
+  const vtkIdType count = argc > 2 ? std::atoll(argv[2]) : 40;
+  const auto scene = helios::MakeBenchTerrain();
+  vtkNew<vtkHeliosScanPositionCandidates> candidates;
+  candidates->SetInputData(scene);
+  candidates->SetStep(10.0);
+  candidates->SetMaximumSlope(60.0);
+  candidates->Update();
+  vtkNew<vtkHeliosVisibilityTestPoints> testPoints;
+  testPoints->SetInputData(scene);
+  testPoints->SetStep(3.16);
+  testPoints->HorizontalOff();
+  testPoints->Update();
+  std::printf("%lld candidates, of which %lld look; %lld test points\n",
+    static_cast<long long>(candidates->GetOutput()->GetNumberOfPoints()),
+    static_cast<long long>(count),
+    static_cast<long long>(testPoints->GetOutput()->GetNumberOfPoints()));
+
+  const auto some = Thin(candidates->GetOutput(), count);
+  vtkNew<vtkHeliosViewsheds> viewsheds;
+  viewsheds->SetRayCaster(vtkSmartPointer<vtkHeliosRayCaster>::Take(
+    vtkHeliosRayCaster::Create(argc > 3 ? argv[3] : nullptr)));
+  viewsheds->SetInputData(0, scene);
+  viewsheds->SetInputData(1, some);
+  viewsheds->SetInputData(2, testPoints->GetOutput());
+  viewsheds->Update(); // builds the caster
+  Bare bare;
+  for (vtkIdType i = 0; i < std::min<vtkIdType>(40, some->GetNumberOfPoints()); ++i)
+  {
+    bare.Rays.push_back(MakeRays(some->GetPoint(i), testPoints->GetOutput()));
+    bare.Hidden.emplace_back(bare.Rays.back().size());
+  }
+  const vtkHeliosRayCaster& caster = *viewsheds->GetRayCaster();
+  bare.Run(caster);
+  if (!Check(bare, viewsheds->GetOutput()))
+  {
+    return EXIT_FAILURE;
+  }
+  std::vector<double> rates, bareRates, ratios, wallRates;
+  for (int i = 0; i < repetitions; ++i)
+  {
+    const double rays = static_cast<double>(bare.Rays.size() * bare.Rays[0].size());
+    bareRates.push_back(1e-6 * rays / bare.Run(caster));
+    viewsheds->Modified();
+    const double start = CpuSeconds();
+    const double wall = WallSeconds();
+    viewsheds->Update();
+    const double cast = 1e-6 * static_cast<double>(viewsheds->GetNumberOfRays());
+    rates.push_back(cast / (CpuSeconds() - start));
+    wallRates.push_back(cast / (WallSeconds() - wall));
+    ratios.push_back(rates.back() / bareRates.back());
+  }
+  std::printf("%s: bare %.2f Mray/s, viewsheds %.2f Mray/s a core (%.0f %%), %.2f Mray/s in all\n",
+    caster.GetName(), Median(bareRates), Median(rates), 100.0 * Median(ratios), Median(wallRates));
+  return EXIT_SUCCESS;
+}
