@@ -20,6 +20,9 @@ struct PlannerRequest
   std::vector<std::string> AssetDirectories;
   std::string Platform;        ///< file.xml#id
   std::string Scanner;         ///< file.xml#id
+  std::string DefaultPlatform; ///< of scenes, which name none
+  std::string DefaultScanner;
+  bool UseScannerLimits = false;
   double Resolution = 0.0;     ///< [deg]
   double PulseFrequency = 0.0; ///< [Hz]
 };
@@ -40,16 +43,19 @@ struct PlannerData
   std::string CoverageOf = "coverable";
   double PositionStep[2] = { 0.0, 0.0 }; ///< [m], 0: not given
   double TestPointStep = 0.0;            ///< [m], 0: not given
-  double MaximumSlope = 15.0;            ///< [deg]
+  std::string TestLines = "all";
+  double MaximumSlope = 15.0; ///< [deg]
   std::string GroundOnly = "auto";
   double ScannerHeight = 0.0;          ///< [m]
   double HitTolerance = 0.05;          ///< [m]
+  bool SeesBefore = true;              ///< what a ray ends behind is seen
   bool HasScannerLimits = false;       ///< those of the scanner, where not given
   double RangeMin = 0.0;               ///< [m]
   double RangeMax = VTK_DOUBLE_MAX;    ///< [m]
   double ElevationMin = -90.0;         ///< [deg]
   double ElevationMax = 90.0;          ///< [deg]
   double MaximumIncidenceAngle = 90.0; ///< [deg]
+  double MinimumPointDensity = 0.0;    ///< [1/m^2]
   bool UseAreas = false;
   double MinimumOverlap = 0.0; ///< [%]
   double TimeLimit = 60.0;     ///< [s]

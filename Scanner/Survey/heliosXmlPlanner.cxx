@@ -52,6 +52,11 @@ bool ReadWord(const XmlElement& element, const char* name, std::string& target)
   return false;
 }
 
+const std::string& Either(const std::string& first, const std::string& second)
+{
+  return first.empty() ? second : first;
+}
+
 /// Reads one file.
 class PlannerReader
 {
@@ -124,6 +129,7 @@ void PlannerReader::ReadSettings(const XmlElement& planner, PlannerData& data)
   planner.Read("gridSizePSPy_m", data.PositionStep[1]);
   data.TestPointStep = data.PositionStep[0];
   planner.Read("gridSizeVTP_m", data.TestPointStep);
+  ReadWord(planner, "vtpLines", data.TestLines);
   planner.Read("maxSlope_deg", data.MaximumSlope);
   ReadWord(planner, "groundOnly", data.GroundOnly);
   data.GroundOnly = data.GroundOnly == "1" ? "true"
@@ -131,6 +137,7 @@ void PlannerReader::ReadSettings(const XmlElement& planner, PlannerData& data)
                                            : data.GroundOnly;
   planner.Read("scannerHeight_m", data.ScannerHeight);
   planner.Read("hitTolerance_m", data.HitTolerance);
+  planner.Read("hitBehind", data.SeesBefore);
   planner.Read("areaWeights", data.UseAreas);
   planner.Read("minOverlap_percent", data.MinimumOverlap);
   planner.Read("timeLimit_s", data.TimeLimit);
@@ -145,6 +152,7 @@ void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
   planner.Read("elevationMin_deg", data.ElevationMin);
   planner.Read("elevationMax_deg", data.ElevationMax);
   planner.Read("maxIncidence_deg", data.MaximumIncidenceAngle);
+  planner.Read("minPointDensity_1_m2", data.MinimumPointDensity);
   const auto check = [&](const char* lowName, double low, const char* highName, double high)
   {
     Sentence text;
@@ -199,8 +207,12 @@ void PlannerReader::ReadSurvey(PlannerData& data)
 void PlannerReader::ReadScene(const XmlElement& scene, PlannerData& data)
 {
   data.Survey.Scene = helios::ReadScene(scene, this->Files);
-  this->TakePlatform(this->FindAsset(scene, "platform", this->Request.Platform), data);
-  this->TakeScanner(this->FindAsset(scene, "scanner", this->Request.Scanner), data);
+  this->TakePlatform(this->FindAsset(scene, "platform",
+                       Either(this->Request.Platform, this->Request.DefaultPlatform)),
+    data);
+  this->TakeScanner(
+    this->FindAsset(scene, "scanner", Either(this->Request.Scanner, this->Request.DefaultScanner)),
+    data);
   LegSettings settings;
   settings.Leg.Where = scene.Where();
   this->Conclude(settings, data);
@@ -254,6 +266,7 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   const PlatformData& platform = data.Survey.Platforms.front();
   const ScannerData& scanner = data.Survey.Scanners.front();
   this->CheckPlatform(platform);
+  data.HasScannerLimits = data.HasScannerLimits || this->Request.UseScannerLimits;
   if (this->HasError() || !ResolveScan(settings, this->Request, data, this->Log))
   {
     return;

@@ -13,9 +13,20 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 vtkStandardNewMacro(vtkHeliosPlannerReader);
+
+namespace
+{
+
+std::string Text(const char* text)
+{
+  return text ? text : "";
+}
+
+} // namespace
 
 /// The data of the last Read(), and whether they still are those of the properties.
 class vtkHeliosPlannerReader::Internals
@@ -40,6 +51,8 @@ vtkHeliosPlannerReader::~vtkHeliosPlannerReader()
   this->SetFileName(nullptr);
   this->SetPlatform(nullptr);
   this->SetScanner(nullptr);
+  this->SetDefaultPlatform(nullptr);
+  this->SetDefaultScanner(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -73,8 +86,11 @@ bool vtkHeliosPlannerReader::Read()
   helios::PlannerRequest request;
   request.FileName = this->FileName;
   request.AssetDirectories = this->Reader->AssetDirectories;
-  request.Platform = this->Platform ? this->Platform : "";
-  request.Scanner = this->Scanner ? this->Scanner : "";
+  request.Platform = Text(this->Platform);
+  request.Scanner = Text(this->Scanner);
+  request.DefaultPlatform = Text(this->DefaultPlatform);
+  request.DefaultScanner = Text(this->DefaultScanner);
+  request.UseScannerLimits = this->UseScannerLimits;
   request.Resolution = this->Resolution;
   request.PulseFrequency = this->PulseFrequency;
   try
@@ -189,7 +205,7 @@ bool vtkHeliosPlannerReader::GetRemoveLargestFirst() const
 //------------------------------------------------------------------------------
 double vtkHeliosPlannerReader::GetMinimumCoverage() const
 {
-  return this->GetData().MinimumCoverage / 100.0;
+  return this->GetData().MinimumCoverage;
 }
 
 //------------------------------------------------------------------------------
@@ -235,6 +251,12 @@ double vtkHeliosPlannerReader::GetTestPointStep() const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosPlannerReader::GetTestLines() const
+{
+  return this->GetData().TestLines;
+}
+
+//------------------------------------------------------------------------------
 double vtkHeliosPlannerReader::GetMaximumSlope() const
 {
   return this->GetData().MaximumSlope;
@@ -256,6 +278,12 @@ double vtkHeliosPlannerReader::GetScannerHeight() const
 double vtkHeliosPlannerReader::GetHitTolerance() const
 {
   return this->GetData().HitTolerance;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPlannerReader::GetHitBehind() const
+{
+  return this->GetData().SeesBefore;
 }
 
 //------------------------------------------------------------------------------
@@ -292,6 +320,12 @@ double vtkHeliosPlannerReader::GetElevationMax() const
 double vtkHeliosPlannerReader::GetMaximumIncidenceAngle() const
 {
   return this->GetData().MaximumIncidenceAngle;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosPlannerReader::GetMinimumPointDensity() const
+{
+  return this->GetData().MinimumPointDensity;
 }
 
 //------------------------------------------------------------------------------
@@ -350,6 +384,19 @@ bool vtkHeliosPlannerReader::HasRotatingMirror() const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosPlannerReader::GetLegAngularStep() const
+{
+  const helios::ScanData scan = GetScan(this->GetData());
+  if (!this->HasRotatingMirror() || scan.PulseFrequency <= 0.0 || scan.ScanFrequency <= 0.0)
+  {
+    return 0.0;
+  }
+  const double sweep = 2.0 * this->GetData().Survey.Scanners.front().ScanAngleMax;
+  return std::max(sweep * scan.ScanFrequency / scan.PulseFrequency,
+    std::abs(scan.HeadRotateSpeed) / scan.ScanFrequency);
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosPlannerReader::GetInstrument(double position[3]) const
 {
   const helios::Vec3 instrument = this->GetData().Instrument;
@@ -360,9 +407,12 @@ void vtkHeliosPlannerReader::GetInstrument(double position[3]) const
 void vtkHeliosPlannerReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
-     << indent << "Platform: " << (this->Platform ? this->Platform : "(none)") << "\n"
-     << indent << "Scanner: " << (this->Scanner ? this->Scanner : "(none)") << "\n"
+  os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "Platform: " << Text(this->Platform) << "\n"
+     << indent << "Scanner: " << Text(this->Scanner) << "\n"
+     << indent << "DefaultPlatform: " << Text(this->DefaultPlatform) << "\n"
+     << indent << "DefaultScanner: " << Text(this->DefaultScanner) << "\n"
+     << indent << "UseScannerLimits: " << this->UseScannerLimits << "\n"
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "PulseFrequency: " << this->PulseFrequency << "\n"
      << indent << "Kind: " << this->GetKind() << "\n"

@@ -10,7 +10,7 @@
  * - the first <surveyPlanner>: Docs/planning.md, Docs/dialect.md;
  * - else the first <survey>: its scene, and platform, scanner and scanner settings
  *   of its first leg that fires pulses; what it changes in its scanner is left out;
- * - else the first <scene>; platform and scanner are then to be set;
+ * - else the first <scene>, scanned with DefaultPlatform and DefaultScanner;
  * - a file that ends in .obj, .tif or .tiff is a scene by itself.
  * Where several parts of the scene are swapped, the first play counts; turbid voxels
  * are not in the output.
@@ -77,6 +77,27 @@ public:
 
   ///@{
   /**
+   * Set/Get the platform and the scanner of a scene that is given as such, or as a
+   * mesh, file.xml#id. Default: none.
+   */
+  vtkSetStringMacro(DefaultPlatform);
+  vtkGetStringMacro(DefaultPlatform);
+  vtkSetStringMacro(DefaultScanner);
+  vtkGetStringMacro(DefaultScanner);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether limits of range and elevation that the file does not give are
+   * those of the scanner, whatever the file says. Default: off, as the file says.
+   */
+  vtkSetMacro(UseScannerLimits, bool);
+  vtkGetMacro(UseScannerLimits, bool);
+  vtkBooleanMacro(UseScannerLimits, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the angle between pulses of a line and between lines [deg], which wins
    * over what the file says. Valid range: [0, 90]. Default: 0, as the file says,
    * else 0.1; as near as the scanner can.
@@ -119,8 +140,8 @@ public:
    * How positions are chosen: the method (reduce, bestcoverage, greedy, best,
    * optimal; empty where no <surveyPlanner> was read), for reduce viewshedSize or
    * meanIncidenceAngle, and whether the largest go first; the coverage that is
-   * wanted [0..1], of coverable or of all points; whether these count by their
-   * areas; the overlap of scans [0..1]; how long a search may take [s].
+   * wanted [%], of coverable or of all points; whether these count by their areas;
+   * the overlap of scans [0..1]; how long a search may take [s].
    */
   std::string GetMethod() const;
   std::string GetRemoveOrder() const;
@@ -135,12 +156,14 @@ public:
   ///@{
   /**
    * Where candidates and test points are: their distances along x and y [m], 0 where
-   * they are not given; the largest slope [deg]; auto, true, false or open, of the
+   * they are not given; the lines that test points are on: all, vertical or
+   * horizontal; the largest slope [deg]; auto, true, false or open, of the
    * ground; how high the instrument is above the place [m].
    */
   double GetXStep() const;
   double GetYStep() const;
   double GetTestPointStep() const;
+  std::string GetTestLines() const;
   double GetMaximumSlope() const;
   std::string GetGroundOnly() const;
   double GetScannerHeight() const;
@@ -148,17 +171,20 @@ public:
 
   ///@{
   /**
-   * What is seen: the hit tolerance [m], whether limits that are not given are those
-   * of the scanner, ranges [m], elevations above the horizontal [deg], the largest
-   * incidence angle [deg].
+   * What is seen: the hit tolerance [m], whether a ray that ends farther behind sees,
+   * whether limits that are not given are those of the scanner, ranges [m], elevations
+   * above the horizontal [deg], the largest incidence angle [deg], the points a square
+   * metre that one position must give [1/m2].
    */
   double GetHitTolerance() const;
+  bool GetHitBehind() const;
   bool GetScannerLimits() const;
   double GetRangeMin() const;
   double GetRangeMax() const;
   double GetElevationMin() const;
   double GetElevationMax() const;
   double GetMaximumIncidenceAngle() const;
+  double GetMinimumPointDensity() const;
   ///@}
 
   ///@{
@@ -179,10 +205,12 @@ public:
 
   ///@{
   /**
-   * Whether the scanner has a rotating mirror, whose window counts; from where the
-   * platform stands to where the beam leaves [m].
+   * Whether the scanner has a rotating mirror, whose window counts; the larger of the
+   * angles between its pulses along and across a line [deg], 0 where they are not
+   * regular; from where the platform stands to where the beam leaves [m].
    */
   bool HasRotatingMirror() const;
+  double GetLegAngularStep() const;
   void GetInstrument(double position[3]) const;
   ///@}
 
@@ -202,6 +230,9 @@ private:
   char* FileName = nullptr;
   char* Platform = nullptr;
   char* Scanner = nullptr;
+  char* DefaultPlatform = nullptr;
+  char* DefaultScanner = nullptr;
+  bool UseScannerLimits = false;
   double Resolution = 0.0;
   double PulseFrequency = 0.0;
 

@@ -38,7 +38,7 @@ bool IsValid(vtkHeliosPlannerReader* reader)
   const double turn = reader->GetLegHeadRotateStop() - reader->GetLegHeadRotateStart();
   return !reader->GetPlanName().empty() && !reader->GetMethod().empty() &&
     !reader->GetSceneReference().empty() && !reader->GetRemoveOrder().empty() &&
-    IsWithin(reader->GetMinimumCoverage(), 0.0, 1.0) &&
+    IsWithin(reader->GetMinimumCoverage(), 1e-6, 100.0) &&
     IsWithin(reader->GetMinimumOverlap(), 0.0, 1.0) && IsWithin(reader->GetXStep(), 0.0, 1e6) &&
     IsWithin(reader->GetYStep(), 0.0, 1e6) && IsWithin(reader->GetTestPointStep(), 0.0, 1e6) &&
     IsWithin(reader->GetMaximumSlope(), 0.0, 90.0) &&

@@ -41,7 +41,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetMethod() == "reduce");
   CHECK(reader->GetRemoveOrder() == "viewshedSize");
   CHECK_FALSE(reader->GetRemoveLargestFirst());
-  CHECK(reader->GetMinimumCoverage() == 1.0);
+  CHECK(reader->GetMinimumCoverage() == 100.0);
   CHECK_FALSE(reader->GetCoverageOfAll());
   CHECK(reader->GetXStep() == 0.0);
   CHECK(reader->GetYStep() == 0.0);
@@ -56,6 +56,10 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetElevationMin() == -90.0);
   CHECK(reader->GetElevationMax() == 90.0);
   CHECK(reader->GetMaximumIncidenceAngle() == 90.0);
+  CHECK(reader->GetTestLines() == "all");
+  CHECK(reader->GetHitBehind());
+  CHECK(reader->GetMinimumPointDensity() == 0.0);
+  CHECK(reader->GetLegAngularStep() == Approx(0.1));
   CHECK_FALSE(reader->GetUseAreas());
   CHECK(reader->GetMinimumOverlap() == 0.0);
   CHECK(reader->GetTimeLimit() == 60.0);
@@ -77,6 +81,7 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   const PlannerReading reading(WritePlanner(files, R"(name="a/b" method="optimal"
  pspRemoveOrder="meanIncidenceAngle" pspRemoveFirst="largest" minCoverage_percent="95"
  coverageOf="all" gridSizePSP_m="2" gridSizePSPy_m="3" gridSizeVTP_m="0.5" maxSlope_deg="30"
+ vtpLines="vertical" hitBehind="false" minPointDensity_1_m2="9"
  groundOnly="TRUE" scannerHeight_m="2.5" hitTolerance_m="0.1" rangeMin_m="1" rangeMax_m="80"
  elevationMin_deg="-40" elevationMax_deg="60" maxIncidence_deg="75" areaWeights="true"
  minOverlap_percent="20" timeLimit_s="5" interactive="true")",
@@ -90,7 +95,7 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   CHECK(reader->GetMethod() == "optimal");
   CHECK(reader->GetRemoveOrder() == "meanIncidenceAngle");
   CHECK(reader->GetRemoveLargestFirst());
-  CHECK(reader->GetMinimumCoverage() == 0.95);
+  CHECK(reader->GetMinimumCoverage() == 95.0);
   CHECK(reader->GetCoverageOfAll());
   CHECK(reader->GetXStep() == 2.0);
   CHECK(reader->GetYStep() == 3.0);
@@ -104,6 +109,10 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   CHECK(reader->GetElevationMin() == -40.0);
   CHECK(reader->GetElevationMax() == 60.0);
   CHECK(reader->GetMaximumIncidenceAngle() == 75.0);
+  CHECK(reader->GetTestLines() == "vertical");
+  CHECK_FALSE(reader->GetHitBehind());
+  CHECK(reader->GetMinimumPointDensity() == 9.0);
+  CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees a second, 60 lines
   CHECK(reader->GetUseAreas());
   CHECK(reader->GetMinimumOverlap() == 0.2);
   CHECK(reader->GetTimeLimit() == 5.0);
@@ -240,6 +249,26 @@ TEST_CASE("PlannerReader: scenes and meshes", "[PlannerReader]")
   CHECK(PlannerReading(files, "scene.xml")
           .Log->HasError("scene.xml:1: a scene names no platform, "
                          "and none was asked for; give one"));
+}
+
+TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
+{
+  const Files files;
+  PlannerReading reading(files, "scene.xml");
+  reading.Reader->SetDefaultPlatform("assets.xml#tripod");
+  reading.Reader->SetDefaultScanner("assets.xml#als");
+  reading.Reader->SetScanner("assets.xml#tls");
+  reading.Reader->SetUseScannerLimits(true);
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Reader->GetScannerReference() == files / "assets.xml" + "#tls");
+  CHECK(reading.Reader->GetScannerLimits());
+  CHECK(reading.Reader->GetRangeMin() == 0.5);
+  CHECK(reading.Reader->GetElevationMax() == 50.0);
+  WritePlanner(files, "");
+  files.Replace("plan.xml", "platform=\"assets.xml#tripod\"", "");
+  reading.Reader->SetFileName((files / "plan.xml").c_str());
+  CHECK_FALSE(reading.Reader->Read());
+  CHECK(reading.Log->HasError("<surveyPlanner> has no attribute platform"));
 }
 
 TEST_CASE("PlannerReader: the first of several", "[PlannerReader]")
