@@ -16,7 +16,7 @@ from ._arrays import arrays
 from . import picture
 from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, rendering
 
-UNSEEN = (0.60, 0.12, 0.16)
+UNSEEN = (0.34, 0.05, 0.12)
 NOT_COVERABLE = (0.42, 0.43, 0.46)
 SCANS = [  # by the number of scans: a colour and a name
     (UNSEEN, "none"),
@@ -35,10 +35,9 @@ def save_picture(
     positions,
     output,
     title="",
-    size=(1800, 1000),
+    size=(1800, 820),
     azimuth=215.0,
-    elevation=40.0,
-    zoom=1.3,
+    elevation=45.0,
 ):
     """Writes a PNG of a plan: what a vtkHeliosScanPositionPlanner gives, and the scene it is of.
 
@@ -48,7 +47,7 @@ def save_picture(
         raise RuntimeError("no X display: run it under xvfb-run -a")
     points = arrays(test_points)
     marks = arrays(positions)["points"]
-    view = View(scene, (size[0] // 2, size[1]), azimuth, elevation, zoom)
+    view = View(scene, (size[0] // 2, size[1]), azimuth, elevation)
     nearest = view.find_nearest(points["points"], points.get("Normal"))
     panels = [
         view.draw(colours, nearest, marks)
@@ -86,7 +85,7 @@ def ramp(share):
 class View:
     """A scene as a camera sees it: where in space each pixel is."""
 
-    def __init__(self, scene, size, azimuth, elevation, zoom):
+    def __init__(self, scene, size, azimuth, elevation):
         low, high = np.reshape(scene.GetBounds(), (3, 2)).T
         self.origin = (low + high) / 2  # the graphics card counts in float
         mesh = vtkPolyData()
@@ -100,7 +99,8 @@ class View:
         renderer = rendering.vtkRenderer()
         renderer.AddActor(actor)
         corners = np.array([low, high]) - self.origin
-        picture.place_camera(renderer, corners, azimuth, elevation, zoom)
+        picture.place_camera(renderer, corners, azimuth, elevation, zoom=1.0)
+        fill_view(renderer.GetActiveCamera(), corners, size[0] / size[1])
         self.window = picture.make_window(size)
         self.window.AddRenderer(renderer)
         renderer.ResetCameraClippingRange()
@@ -125,11 +125,7 @@ class View:
     def unproject(self, towards):
         """Where each pixel is, moved towards the camera."""
         height, width = self.distance.shape
-        axis = np.array(self.camera.GetDirectionOfProjection())
-        up = np.array(self.camera.GetViewUp())
-        right = np.cross(axis, up)
-        right /= np.linalg.norm(right)
-        up = np.cross(right, axis)
+        right, up, axis = camera_axes(self.camera)
         scale = 2.0 * np.tan(np.radians(self.camera.GetViewAngle()) / 2) / height
         x = (np.arange(width) + 0.5 - width / 2) * scale
         y = (np.arange(height) + 0.5 - height / 2) * scale
@@ -166,9 +162,37 @@ class View:
         renderer.WorldToDisplay()
         width, height = self.window.GetSize()
         x, y, _ = renderer.GetDisplayPoint()
-        return picture.make_text(
-            words, x / width + 0.009, y / height + 0.006, 15 * OVERSAMPLING, (1.0, 1.0, 1.0)
+        text = picture.make_text(
+            words, x / width + 0.012, y / height + 0.006, 17 * OVERSAMPLING, (1.0, 1.0, 1.0)
         )
+        text.GetTextProperty().BoldOn()
+        return text
+
+
+def camera_axes(camera):
+    """Right, up, and where a camera looks."""
+    axis = np.array(camera.GetDirectionOfProjection())
+    right = np.cross(axis, camera.GetViewUp())
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, axis), axis
+
+
+def fill_view(camera, corners, aspect):
+    """Moves and zooms a camera so that a box fills the picture between title and legend."""
+    box = np.array(np.meshgrid(*np.transpose(corners))).reshape(3, -1).T
+    low, high = 2 * BAR - 1, 1 - 1.5 * BAR  # of the height, -1 to 1
+    for _ in range(4):  # perspective: nearly right at once
+        axes = np.array(camera_axes(camera))
+        seen = (box - camera.GetPosition()) @ axes.T
+        scale = np.tan(np.radians(camera.GetViewAngle()) / 2)
+        flat = seen[:, :2] / seen[:, 2:] / scale
+        first, last = flat.min(axis=0), flat.max(axis=0)
+        zoom = min(1.94 * aspect / (last[0] - first[0]), (high - low) / (last[1] - first[1]))
+        off = ((first + last) / 2 - np.array([0.0, (low + high) / 2 / zoom])) * scale
+        shift = (off * camera.GetDistance()) @ axes[:2]
+        camera.SetPosition(*(np.array(camera.GetPosition()) + shift))
+        camera.SetFocalPoint(*(np.array(camera.GetFocalPoint()) + shift))
+        camera.Zoom(zoom)
 
 
 def find_step(points):
@@ -213,15 +237,18 @@ def make_points(coordinates):
     return points
 
 
-RAMP = (0.66, 0.84)  # where the scale of angles is in the bar, as shares of the width
+RAMP = (0.64, 0.80)  # where the scale of angles is in the bar, as shares of the width
 
 
 def draw_ramp(image):
     """The colours of angles, in the bar below the picture."""
-    height, width, _ = image.shape
-    first, last = (int(share * width) for share in RAMP)
-    rows = slice(int(0.35 * BAR * height), int(0.68 * BAR * height))
-    image[rows, first:last] = ramp(np.linspace(0.0, 1.0, last - first))
+    first, last = (int(share * image.shape[1]) for share in RAMP)
+    image[bar_rows(image), first:last] = ramp(np.linspace(0.0, 1.0, last - first))
+
+
+def bar_rows(image):
+    """The rows that colours have in the bar."""
+    return slice(int(0.32 * BAR * len(image)), int(0.68 * BAR * len(image)))
 
 
 def write_texts(image, title, scans):
@@ -231,11 +258,15 @@ def write_texts(image, title, scans):
     overlay = rendering.vtkRenderer()
     window.AddRenderer(overlay)
 
-    def write(words, x, y=0.016, colour=TEXT, size=18, right=False):
-        overlay.AddActor2D(picture.make_text(words, x, y, size * OVERSAMPLING, colour, right))
-        return x + (0.0062 * len(words) + 0.012) * (1600 * OVERSAMPLING / width)
+    def write(words, x, y=0.016, colour=None, size=18, right=False):
+        if colour:  # a patch of it before the words
+            first = int(x * width)
+            image[bar_rows(image), first : first + 12 * OVERSAMPLING] = colour
+            x += 17 * OVERSAMPLING / width
+        overlay.AddActor2D(picture.make_text(words, x, y, size * OVERSAMPLING, TEXT, right))
+        return x + (10.5 * len(words) + 16) * OVERSAMPLING / width
 
-    write(f"{title}: {scans} scan{'s'[: scans != 1]}", 0.01, 0.96, size=20)
+    write(f"{title}: {scans} scan{'s'[: scans != 1]}", 0.01, 0.955, size=20)
     x = write("seen by scans:", 0.01)
     for colour, name in SCANS:
         x = write(name, x, colour=colour)
@@ -243,7 +274,7 @@ def write_texts(image, title, scans):
     write("best incidence:", 0.51)
     write("0", RAMP[0] - 0.006, right=True)
     x = write("90 deg", RAMP[1] + 0.006)
-    write("not seen", x, colour=UNSEEN)
+    write("not seen", x + 0.005, colour=UNSEEN)
     window.Render()
     drawn = picture.grab_colours(window)
     return np.where(drawn.any(axis=2, keepdims=True), drawn, image)
