@@ -23,15 +23,15 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
-TOLERANCE = 0.15  # m, between a test point and what is seen of it
+TOLERANCE = 0.1  # m, between a test point and what is seen of it
 RESOLUTION = 0.2  # deg, between pulses
 
 
 def make_scene(folder):
-    """Boxes on flat ground, 24 m wide, as an OBJ file: surveys name files."""
+    """Boxes on flat ground, 16 m wide, as an OBJ file: surveys name files."""
     scene = vtkhelios.vtkHeliosSyntheticScene()
     scene.SetKindToBlocks()
-    scene.SetSize(24)
+    scene.SetSize(16)
     scene.SetHeight(3)
     scene.SetResolution(3)
     writer = vtkhelios.vtkHeliosObjSceneWriter()
@@ -59,12 +59,12 @@ def plan_positions(scene):
     viewsheds.SetMinimumRange(1.5)  # m: what a VZ-400 can
     viewsheds.SetMinimumElevation(-50)  # deg
     viewsheds.SetMaximumElevation(50)
-    viewsheds.SetMaximumIncidenceAngle(85)  # deg: beams that graze tell little
+    viewsheds.SetMaximumIncidenceAngle(80)  # deg: beams that graze tell little
 
     planner = vtkhelios.vtkHeliosScanPositionPlanner()
     planner.SetInputConnection(0, viewsheds.GetOutputPort())
     planner.SetInputConnection(1, test_points.GetOutputPort())
-    planner.SetMinimumCoverage(99)  # %
+    planner.SetMinimumCoverage(95)  # %
     return planner
 
 

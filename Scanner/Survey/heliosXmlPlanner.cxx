@@ -350,8 +350,14 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
   PlannerReader reader(request, assets, log);
   if (FindLoader(request.FileName))
   {
+    std::error_code ignored;
+    if (!fs::is_regular_file(request.FileName, ignored))
+    {
+      log.Error(request.FileName + ": no such file; give the name of a mesh that there is");
+      return data;
+    }
     const std::string text =
-      MakeMeshDocument(fs::path(request.FileName).filename().string(), data.Survey.Name);
+      MakeMeshDocument(fs::absolute(request.FileName).string(), data.Survey.Name);
     const auto document = XmlDocument::Make(request.FileName, text, log);
     reader.ReadScene(document->GetRoot().GetChild("scene"), data);
     data.SceneReference.clear();

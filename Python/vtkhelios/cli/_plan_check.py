@@ -44,11 +44,12 @@ def simulate(survey, arguments, folder, messages):
     return 0, player.GetRunFolder()
 
 
-def compare(clouds, planner, angular_step, tolerance):
+def compare(clouds, planner, settings, angular_step):
     """Predicted and simulated coverage of the coverable test points.
 
     A test point is met where an echo is within the tolerance of it, or within half the distance of
-    neighbouring echoes there, where a scan is that coarse.
+    neighbouring echoes there, where a scan is that coarse; and if what the plan asks of a line of
+    sight (range, incidence ...), which is not the scanner's to refuse, is given, too.
     """
     points = vtkhelios.arrays(planner.GetOutputDataObject(1))
     coverable = points["Coverable"] > 0
@@ -56,13 +57,16 @@ def compare(clouds, planner, angular_step, tolerance):
     predicted = points["NumberOfScans"][coverable] > 0
     normals = points["Normal"][coverable] if "Normal" in points else None
     scanners = vtkhelios.arrays(planner.GetOutputDataObject(2))["points"]
+    tolerance = settings["hitTolerance_m"]
     met = np.zeros(len(places), dtype=bool)
     near = np.full(len(places), np.inf)
     finest = np.full(len(places), np.inf)
     for cloud, scanner in zip(clouds, scanners, strict=True):
-        spacing = half_spacing(places, normals, scanner, angular_step)
+        sights = Sights(places, normals, scanner, angular_step)
+        wanted = sights.find_wanted(settings)
+        spacing = sights.half_spacing()
         finest = np.minimum(finest, spacing)
-        distance = find_distances(cloud, places)
+        distance = np.where(wanted, find_distances(cloud, places), np.inf)
         near = np.minimum(near, distance)
         met |= distance <= np.maximum(tolerance, spacing)
     count = max(1, len(places))
@@ -77,15 +81,34 @@ def compare(clouds, planner, angular_step, tolerance):
     }
 
 
-def half_spacing(places, normals, scanner, angular_step):
-    """Half the diagonal between four neighbouring echoes on a surface, by range and incidence."""
-    sight = places - scanner
-    ranges = np.linalg.norm(sight, axis=1)
-    cosine = np.ones(len(places))
-    if normals is not None:
-        cosine = np.abs(np.einsum("ij,ij->i", sight, normals)) / np.maximum(ranges, 1e-12)
-    step = math.radians(angular_step) * ranges
-    return 0.5 * np.hypot(step, step / np.maximum(cosine, STEEPEST))
+class Sights:
+    """The lines of sight from a scanner to some places, whatever is between."""
+
+    def __init__(self, places, normals, scanner, angular_step):
+        sights = places - scanner
+        self.ranges = np.maximum(np.linalg.norm(sights, axis=1), 1e-12)
+        self.elevations = np.degrees(np.arcsin(np.clip(sights[:, 2] / self.ranges, -1.0, 1.0)))
+        self.cosines = np.ones(len(places))
+        if normals is not None:
+            self.cosines = np.abs(np.einsum("ij,ij->i", sights, normals)) / self.ranges
+        self.steps = math.radians(angular_step) * self.ranges
+
+    def half_spacing(self):
+        """Half the diagonal between four neighbouring echoes on a surface there [m]."""
+        return 0.5 * np.hypot(self.steps, self.steps / np.maximum(self.cosines, STEEPEST))
+
+    def find_wanted(self, settings):
+        """Which of them the plan asks for, by range, elevation, incidence and density."""
+        incidence = np.degrees(np.arccos(np.clip(self.cosines, 0.0, 1.0)))
+        thin = settings["minDensity_1_m2"] * self.steps**2 > self.cosines
+        return (
+            (self.ranges >= settings["rangeMin_m"])
+            & (self.ranges <= settings["rangeMax_m"])
+            & (self.elevations >= settings["elevationMin_deg"])
+            & (self.elevations <= settings["elevationMax_deg"])
+            & (incidence <= settings["maxIncidence_deg"])
+            & ~thin
+        )
 
 
 def find_distances(cloud, places):

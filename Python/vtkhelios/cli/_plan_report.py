@@ -12,6 +12,7 @@ try:
     from rich import box
     from rich.console import Console
     from rich.table import Table
+    from rich.text import Text
 except ImportError:
     Table = None
 
@@ -94,10 +95,10 @@ def print_table(rows):
     if Table:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
         for title in titles:
-            table.add_column(title, justify="right", no_wrap=True)
+            table.add_column(Text(title), justify="right", no_wrap=True)
         for row in cells:
             table.add_row(*row)
-        Console(highlight=False, width=max(100, sum(map(len, titles)) + 40)).print(table)
+        Console(highlight=False, width=120).print(table)
     else:
         widths = [max(map(len, column)) for column in zip(titles, *cells)]
         for row in [titles, *cells]:

@@ -35,6 +35,8 @@ OPTIONS = {
     "MinimumCoverage": "--coverage",
     "CoverageOf": "--coverage-of",
     "MinimumOverlap": "--overlap",
+    "Surface": "--ground",
+    "Method": "--method",
     "TimeLimit": "--time-limit",
     "Platform": "--platform",
     "Scanner": "--scanner",

@@ -9,7 +9,7 @@ import shutil
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
@@ -300,8 +300,8 @@ def run(arguments):
         if problem := find_earlier_plan(folder, arguments.overwrite):
             messages.error(problem)
             return 1
-        if arguments.exclude and not pathlib.Path(arguments.exclude).is_file():
-            messages.error(f"--exclude {arguments.exclude}: no such file; give a .vtp of polygons")
+        if problem := find_unusable(arguments, folder):
+            messages.error(problem)
             return 1
         plan = Plan(arguments, document)
         if problem := find_contradiction(plan.settings):
@@ -353,6 +353,19 @@ def find_earlier_plan(folder, overwrite):
         f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to replace "
         "them, or another --output"
     )
+
+
+def find_unusable(arguments, folder):
+    """What is wrong with the files that were named, or None."""
+    if arguments.exclude and not vtkXMLPolyDataReader().CanReadFile(arguments.exclude):
+        return f"--exclude {arguments.exclude}: is no VTK XML file of polygons; give a .vtp"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "survey.xml.part").touch()
+        (folder / "survey.xml.part").unlink()
+    except OSError as error:
+        return f"{folder}: cannot be written: {error.strerror}; give another --output"
+    return None
 
 
 def find_contradiction(settings):
@@ -507,7 +520,8 @@ def check(arguments, plan, survey, folder, report, messages):
     if code:
         return code
     clouds = read_clouds(simulated, len(report["positions"]))
-    report["check"] = compare(clouds, plan.planner, plan.document.GetLegAngularStep(), tolerance)
+    step = plan.document.GetLegAngularStep()
+    report["check"] = compare(clouds, plan.planner, plan.settings, step)
     for line in check_lines(report["check"], tolerance):
         messages.info(line)
     if problem := explain_difference(report["check"], plan.settings):

@@ -341,7 +341,8 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
             "platform tripod carries the scanner -1.3 m above the place, which is not above it"));
   CHECK(PlannerReading(files, "assets.xml").Log->HasError("the file has nothing to plan"));
   CHECK(PlannerReading(files, "none.xml").Log->HasError("none.xml: cannot be read"));
-  CHECK(PlannerReading(files, "none.obj", true).Log->HasError("none.obj\": no such file"));
+  CHECK(PlannerReading(files, "none.obj", true)
+          .Log->HasError("none.obj: no such file; give the name of a mesh that there is"));
 }
 
 TEST_CASE("PlannerReader: what the caller asks for is wrong", "[PlannerReader]")
