@@ -24,7 +24,8 @@ enum class RandomStream : std::uint32_t
   LegOffset = 16,
   VoxelShift = 20,
   TurbidMedium = 21,
-  RandomMaterial = 22
+  RandomMaterial = 22,
+  ScanPositions = 40
 };
 
 /**

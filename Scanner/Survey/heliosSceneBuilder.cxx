@@ -87,7 +87,7 @@ std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
 vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 {
   vtkNew<vtkHeliosSceneComposer> composer;
-  this->Log.Listen(composer);
+  this->Log.Listen(composer, this->Scene.Where);
   int count = 0;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {

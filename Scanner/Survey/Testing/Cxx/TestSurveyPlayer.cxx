@@ -420,6 +420,17 @@ TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
     const Reading reading(files, Flight, ThreeLegs);
     Playing(files, reading).CheckFails({ "scene.xml:1", "every part is onGround" });
   }
+  SECTION("a ground without triangles")
+  {
+    files.Write("empty.obj", "v 0 0 0\n");
+    files.Replace("scene.xml", "</scene>", R"(
+<part><filter type="objloader"><param key="filepath" value="plane.obj"/></filter>
+<filter type="translate"><param key="onGround" value="1"/></filter></part></scene>)");
+    files.Replace("scene.xml", "plane.obj", "empty.obj");
+    const Reading reading(files, Flight, ThreeLegs);
+    Playing(files, reading)
+      .CheckFails({ "scene.xml:1: The scene is empty: none of its 1 parts has triangles" });
+  }
   SECTION("a part beside the ground")
   {
     files.Replace("scene.xml", "</scene>", R"(

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoverBest.h"
+
+#include "heliosCoverBound.h"
+#include "heliosCoverGreedy.h"
+#include "heliosCoverReduction.h"
+#include "heliosCoverSearch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+/// What rounding may add to a bound.
+constexpr double Rounding = 1e-6;
+
+/// Bits looked at for a bound.
+constexpr std::int64_t BoundWork = 50000000;
+
+} // namespace
+
+Choice RemoveWhatIsLeft(const CoverProblem& problem, const Choice& choice, const StopTest& stop)
+{
+  Choice order = choice;
+  std::sort(order.begin(), order.end());
+  std::stable_sort(order.begin(), order.end(),
+    [&problem](int a, int b)
+    { return problem.GetWeight(problem.Rows.Get(a)) < problem.GetWeight(problem.Rows.Get(b)); });
+  const Choice kept = RemoveRedundant(problem, order, stop);
+  return problem.IsFull ? kept : RemoveToLimit(problem, kept, stop);
+}
+
+Choice ChooseBest(const CoverProblem& problem, const BestSettings& settings, const StopTest& stop)
+{
+  const Choice all = GetAllCandidates(problem);
+  Choice best =
+    RemoveWhatIsLeft(problem, ChooseByPrice(problem, GetRarityPrices(problem), stop), stop);
+  const Choice greedy =
+    RemoveWhatIsLeft(problem, ChooseGreedily(problem, all, stop).Candidates, stop);
+  best = greedy.size() < best.size() ? greedy : best;
+  const auto isFew = [&](int count) { return static_cast<int>(best.size()) <= count; };
+  if (isFew(std::max(1, settings.Target)))
+  {
+    return best;
+  }
+  const double bound = GetLagrangeBound(problem, static_cast<int>(best.size()), BoundWork, stop);
+  const int target = std::max(settings.Target, static_cast<int>(std::ceil(bound - Rounding)));
+  for (int start = 0; start < settings.NumberOfStarts && !isFew(target); ++start)
+  {
+    best = SearchCover(problem, best, { target, start, settings.Work }, stop);
+  }
+  return best;
+}
+
+} // namespace helios

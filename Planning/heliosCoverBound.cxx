@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoverBound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace helios
+{
+
+namespace
+{
+
+/// Steps without a better bound after which steps get shorter, and their number at most.
+constexpr int Patience = 15;
+constexpr int MaximumSteps = 1000;
+
+/// What rounding may add to a bound.
+constexpr double Rounding = 1e-9;
+
+class Lagrange
+{
+public:
+  explicit Lagrange(const CoverProblem& problem)
+    : Problem(problem)
+    , Prices(problem.Rows.Columns)
+    , Best(problem.Rows.Columns)
+    , Slope(problem.Rows.Columns)
+  {
+    for (int a = 0; a < problem.Rows.Rows; ++a)
+    {
+      const int size = problem.Rows.GetSize(a);
+      VisitBits(problem.Rows.Get(a), problem.Rows.Length,
+        [&](int v)
+        {
+          const double price = 1.0 / size;
+          this->Prices[v] = this->Prices[v] == 0.0 ? price : std::min(this->Prices[v], price);
+        });
+      this->Bits += size;
+    }
+    this->Best = this->Prices;
+  }
+
+  double Climb(int upper, std::int64_t work, const StopTest& stop)
+  {
+    double bound = this->Evaluate();
+    double length = 1.0;
+    int idle = 0;
+    for (int step = 0; step < MaximumSteps && work > 0 && !(stop && stop()); ++step)
+    {
+      if (std::ceil(bound - Rounding) >= upper || !this->Move(length, upper))
+      {
+        break;
+      }
+      const double now = this->Evaluate();
+      work -= 2 * this->Bits;
+      idle = now > bound ? 0 : idle + 1;
+      if (now > bound)
+      {
+        bound = now;
+        this->Best = this->Prices;
+      }
+      else if (idle == Patience)
+      {
+        idle = 0;
+        length /= 2.0;
+        this->Prices = this->Best;
+        this->Evaluate();
+      }
+    }
+    return std::max(0.0, bound - Rounding);
+  }
+
+private:
+  /// L(u), and its slope.
+  double Evaluate()
+  {
+    double bound = this->SeeEnough();
+    for (int a = 0; a < this->Problem.Rows.Rows; ++a)
+    {
+      const Word* row = this->Problem.Rows.Get(a);
+      double reduced = 1.0;
+      VisitBits(row, this->Problem.Rows.Length, [&](int v) { reduced -= this->Prices[v]; });
+      if (reduced < 0.0)
+      {
+        bound += reduced;
+        VisitBits(row, this->Problem.Rows.Length, [&](int v) { this->Slope[v] -= 1.0; });
+      }
+    }
+    this->Value = bound;
+    return bound;
+  }
+
+  /// The second term, its z as the slope so far.
+  double SeeEnough()
+  {
+    if (this->Problem.IsFull)
+    {
+      std::fill(this->Slope.begin(), this->Slope.end(), 1.0);
+      return std::accumulate(this->Prices.begin(), this->Prices.end(), 0.0);
+    }
+    std::fill(this->Slope.begin(), this->Slope.end(), 0.0);
+    this->Order.resize(this->Prices.size());
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    std::sort(this->Order.begin(), this->Order.end(),
+      [this](int v, int w)
+      {
+        return this->Prices[v] * this->Problem.GetWeight(w) <
+          this->Prices[w] * this->Problem.GetWeight(v);
+      });
+    double missing = this->Problem.Required;
+    double sum = 0.0;
+    for (const int v : this->Order)
+    {
+      const double weight = this->Problem.GetWeight(v);
+      const double share = weight > missing ? missing / weight : 1.0;
+      this->Slope[v] = share;
+      sum += share * this->Prices[v];
+      missing -= weight;
+      if (missing <= 0.0)
+      {
+        break;
+      }
+    }
+    return sum;
+  }
+
+  /// A step up the slope; false: there is none.
+  bool Move(double length, int upper)
+  {
+    double square = 0.0;
+    for (const double s : this->Slope)
+    {
+      square += s * s;
+    }
+    if (square == 0.0)
+    {
+      return false;
+    }
+    const double step = length * std::max(0.01 * upper, upper - this->Value) / square;
+    for (std::size_t v = 0; v < this->Prices.size(); ++v)
+    {
+      this->Prices[v] = std::max(0.0, this->Prices[v] + step * this->Slope[v]);
+    }
+    return true;
+  }
+
+  const CoverProblem& Problem;
+  std::vector<double> Prices;
+  std::vector<double> Best;
+  std::vector<double> Slope;
+  std::vector<int> Order;
+  std::int64_t Bits = 0;
+  double Value = 0.0;
+};
+
+} // namespace
+
+double GetLagrangeBound(
+  const CoverProblem& problem, int upper, std::int64_t work, const StopTest& stop)
+{
+  return Lagrange(problem).Climb(upper, work, stop);
+}
+
+} // namespace helios

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoverExact.h"
+
+#if VTK_MODULE_ENABLE_vtkHelios_PlanningCbc
+#include "heliosBinaryProgram.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#endif
+
+namespace helios
+{
+
+#if VTK_MODULE_ENABLE_vtkHelios_PlanningCbc
+
+namespace
+{
+
+/// Bits beyond which a linear programme would take too long.
+constexpr std::int64_t MaximumBits = 2000000;
+
+double GetSeconds()
+{
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+/// Every point is seen: a row each.
+void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
+{
+  VisitBits(problem.Coverable.data(), problem.Rows.Length,
+    [&](int v)
+    {
+      VisitBits(points.Get(v), points.Length, [&](int a) { program.Add(a, 1.0); });
+      program.EndRow(1.0);
+    });
+}
+
+/// Enough weight is seen: a column for all points that the same candidates see.
+void AddShares(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
+{
+  std::map<Words, double> classes;
+  VisitBits(problem.Coverable.data(), problem.Rows.Length,
+    [&](int v)
+    { classes[Words(points.Get(v), points.Get(v) + points.Length)] += problem.GetWeight(v); });
+  std::vector<double> weights;
+  const int first = static_cast<int>(program.Costs.size());
+  for (const auto& [seers, weight] : classes)
+  {
+    weights.push_back(weight);
+    const int z = program.AddColumn(0.0, false);
+    VisitBits(seers.data(), points.Length, [&](int a) { program.Add(a, 1.0); });
+    program.Add(z, -1.0);
+    program.EndRow(0.0);
+  }
+  // In shares, not m2: the solver's tolerances are absolute.
+  for (std::size_t k = 0; k < weights.size(); ++k)
+  {
+    program.Add(first + static_cast<int>(k), weights[k] / problem.Required);
+  }
+  program.EndRow(1.0);
+}
+
+BinaryProgram MakeProgram(const CoverProblem& problem)
+{
+  BinaryProgram program;
+  const BitMatrix points = Transpose(problem.Rows);
+  for (int a = 0; a < problem.Rows.Rows; ++a)
+  {
+    program.AddColumn(1.0, true);
+  }
+  program.HasWholeCosts = true;
+  if (problem.IsFull)
+  {
+    AddPoints(problem, points.View(), program);
+  }
+  else
+  {
+    AddShares(problem, points.View(), program);
+  }
+  return program;
+}
+
+/// The choice as columns; the shares follow from it.
+std::vector<double> GetValues(
+  const CoverProblem& problem, const Choice& choice, const BinaryProgram& program)
+{
+  std::vector<double> values(program.Costs.size());
+  for (const int a : choice)
+  {
+    values[a] = 1.0;
+  }
+  std::size_t row = 0;
+  for (std::size_t z = problem.Rows.Rows; z < values.size(); ++z, ++row)
+  {
+    double seen = 0.0;
+    for (int k = program.Starts[row]; k < program.Starts[row + 1] - 1; ++k)
+    {
+      seen += values[program.Columns[k]];
+    }
+    values[z] = std::min(1.0, seen);
+  }
+  return values;
+}
+
+Choice GetChoice(const CoverProblem& problem, const std::vector<double>& values)
+{
+  Choice choice;
+  for (int a = 0; a < problem.Rows.Rows; ++a)
+  {
+    if (values[a] > 0.5)
+    {
+      choice.push_back(a);
+    }
+  }
+  return choice;
+}
+
+/// The neighbours of a part that are next to what can be reached from b without them: they separate.
+Choice FindSeparator(OverlapNetwork& network, const Choice& part, int b, int candidates)
+{
+  const int length = GetWordCount(candidates);
+  Words around(length);
+  for (const int a : part)
+  {
+    for (int w = 0; w < length; ++w)
+    {
+      around[w] |= network.GetNeighbours(a)[w];
+    }
+  }
+  Words isNew(length, ~Word(0));
+  for (int w = 0; w < length; ++w)
+  {
+    isNew[w] = ~around[w];
+  }
+  Words separator(length);
+  Choice queue = { b };
+  ClearBit(isNew.data(), b);
+  for (std::size_t k = 0; k < queue.size(); ++k)
+  {
+    const Words& neighbours = network.GetNeighbours(queue[k]);
+    for (int w = 0; w < length; ++w)
+    {
+      separator[w] |= neighbours[w] & around[w];
+      VisitWord(neighbours[w] & isNew[w], w, [&queue](int c) { queue.push_back(c); });
+      isNew[w] &= ~neighbours[w];
+    }
+  }
+  Choice result;
+  VisitBits(separator.data(), length, [&result](int c) { result.push_back(c); });
+  return result;
+}
+
+void AddCuts(
+  OverlapNetwork& network, const std::vector<Choice>& parts, int candidates, BinaryProgram& program)
+{
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (std::size_t q = 0; q < parts.size(); ++q)
+    {
+      for (const int b : p != q ? parts[q] : Choice())
+      {
+        const Choice separator = FindSeparator(network, parts[p], b, candidates);
+        for (const int a : parts[p])
+        {
+          program.Add(a, -1.0);
+          program.Add(b, -1.0);
+          for (const int c : separator)
+          {
+            program.Add(c, 1.0);
+          }
+          program.EndRow(-1.0);
+        }
+      }
+    }
+  }
+}
+
+std::int64_t CountAllBits(const BitRows& rows)
+{
+  std::int64_t bits = 0;
+  for (int r = 0; r < rows.Rows; ++r)
+  {
+    bits += rows.GetSize(r);
+  }
+  return bits;
+}
+
+} // namespace
+
+bool HasExactSolver()
+{
+  return true;
+}
+
+ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start, OverlapNetwork* network,
+  double timeLimit, const StopTest& stop)
+{
+  ExactAnswer answer{ start, 0, false };
+  const double end = GetSeconds() + timeLimit;
+  BinaryProgram program = MakeProgram(problem);
+  program.Start = GetValues(problem, start, program);
+  program.Stop = stop;
+  while (!answer.IsProved && GetSeconds() < end && !(stop && stop()))
+  {
+    program.TimeLimit = end - GetSeconds();
+    const BinaryAnswer found = SolveBinary(program);
+    answer.Bound = std::max(answer.Bound, static_cast<int>(std::ceil(found.Bound)));
+    const Choice choice = GetChoice(problem, found.Values);
+    const std::vector<Choice> parts =
+      network ? network->GetParts(choice) : std::vector<Choice>{ choice };
+    if (parts.size() > 1)
+    {
+      AddCuts(*network, parts, problem.Rows.Rows, program);
+      continue;
+    }
+    const bool isFewer = choice.size() < answer.Best.size();
+    const bool isEnough = CoverCounts(problem, choice).IsEnough(); // to our tolerance, too
+    answer.Best = isFewer && isEnough ? choice : answer.Best;
+    answer.IsProved = found.IsProved && (isEnough || !isFewer);
+    break;
+  }
+  const int count = static_cast<int>(answer.Best.size());
+  answer.IsProved = answer.IsProved || answer.Bound >= count;
+  answer.Bound = answer.IsProved ? count : answer.Bound;
+  return answer;
+}
+
+double GetLinearBound(const CoverProblem& problem, double timeLimit)
+{
+  if (CountAllBits(problem.Rows) > MaximumBits)
+  {
+    return 0.0;
+  }
+  BinaryProgram program = MakeProgram(problem);
+  program.TimeLimit = timeLimit;
+  return SolveRelaxed(program);
+}
+
+#else
+
+bool HasExactSolver()
+{
+  return false;
+}
+
+ExactAnswer SolveCover(
+  const CoverProblem&, const Choice& start, OverlapNetwork*, double, const StopTest&)
+{
+  return { start, 0, false };
+}
+
+double GetLinearBound(const CoverProblem&, double)
+{
+  return 0.0;
+}
+
+#endif
+
+} // namespace helios

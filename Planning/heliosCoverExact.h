@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The fewest scans, proved by branch and cut. In a build without CBC there is no answer.
+
+#ifndef heliosCoverExact_h
+#define heliosCoverExact_h
+
+#include "heliosCoverOverlap.h"
+
+namespace helios
+{
+
+VTKHELIOSPLANNING_EXPORT bool HasExactSolver();
+
+struct ExactAnswer
+{
+  Choice Best;   // the choice given, or one of fewer scans
+  int Bound = 0; // no choice has fewer
+  bool IsProved = false;
+};
+
+/**
+ * The fewest scans that see enough, from a choice that does, within a time [s]. With a network they
+ * are connected in it, as the choice given must be: what is found without is cut off by
+ * x_a + x_b - sum of x over candidates that separate a from b <= 1, for members a and b of parts
+ * that are not connected, until it is connected.
+ */
+VTKHELIOSPLANNING_EXPORT ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start,
+  OverlapNetwork* network, double timeLimit, const StopTest& stop = {});
+
+/// The bound of the linear relaxation; 0: not solved within the time [s], or too large.
+VTKHELIOSPLANNING_EXPORT double GetLinearBound(const CoverProblem& problem, double timeLimit);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How obliquely candidates look at points.
+
+#ifndef heliosIncidence_h
+#define heliosIncidence_h
+
+#include "heliosCoverProblem.h"
+
+#include <array>
+
+namespace helios
+{
+
+/// The worst and the mean of the best angles of incidence [deg]; NaN: no normals.
+struct VTKHELIOSPLANNING_EXPORT Quality
+{
+  double Worst;
+  double Mean;
+
+  /// Lexicographic.
+  bool IsBetterThan(const Quality& other) const;
+};
+
+/// Angles between lines of sight and normals.
+class VTKHELIOSPLANNING_EXPORT Incidence
+{
+public:
+  using Vector = std::array<double, 3>;
+
+  Incidence() = default;
+  /// A normal of length 0 is none.
+  Incidence(std::vector<Vector> positions, std::vector<Vector> points, std::vector<Vector> normals);
+
+  /// The same for some of the candidates.
+  Incidence Select(const Choice& candidates) const;
+
+  bool HasNormals() const { return !this->Normals.empty(); }
+
+  /**
+   * From the normal, folded to [0, 90] [deg], in steps of 1e-9 degrees, so that angles that are equal
+   * but for rounding compare equal; NaN without a normal.
+   */
+  double GetAngle(int candidate, int point) const;
+
+  /// The mean over what a candidate sees [deg]; NaN: it sees nothing with a normal.
+  double GetMean(const CoverProblem& problem, int candidate) const;
+
+  /// The best angle of every point [deg] over the members that see it; NaN: none.
+  std::vector<double> GetBest(const CoverProblem& problem, const Choice& choice) const;
+
+  /// Of the best angles, the mean by weight.
+  static Quality Judge(const CoverProblem& problem, const std::vector<double>& best);
+
+private:
+  std::vector<Vector> Positions;
+  std::vector<Vector> Points;
+  std::vector<Vector> Normals; // unit, or NaN
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosScanPositionPlanner.h"
+
+#include "heliosCoverExact.h"
+#include "heliosPlan.h"
+#include "heliosPlanOutput.h"
+#include "heliosPlanningArrays.h"
+#include "heliosVisibility.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr const char* MethodNames[] = { "ViewshedSize", "MeanIncidenceAngle", "Greedy", "Best",
+  "Optimal" };
+
+using Vectors = std::vector<helios::Incidence::Vector>;
+
+/// Coordinates or normals; says in words which tuple is not finite.
+std::string Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
+{
+  vectors.resize(array ? array->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+  {
+    helios::Incidence::Vector& v = vectors[i];
+    array->GetTuple(static_cast<vtkIdType>(i), v.data());
+    if (!std::isfinite(v[0] + v[1] + v[2]))
+    {
+      return what + " " + std::to_string(i) + " is not finite; correct it, or leave it out";
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+/// One update: what is computed from the inputs.
+class vtkHeliosScanPositionPlanner::Run
+{
+public:
+  Run(vtkHeliosScanPositionPlanner* self, vtkPolyData* candidates, vtkPolyData* testPoints)
+    : Self(self)
+    , Candidates(candidates)
+    , TestPoints(testPoints)
+  {
+  }
+
+  /// Says in words what is wrong, or returns an empty text.
+  std::string Execute()
+  {
+    std::string fault = this->ReadMatrix();
+    fault = fault.empty() ? this->ReadWeights() : fault;
+    fault = fault.empty() ? this->ReadGeometry() : fault;
+    fault = fault.empty() ? this->ReadCoverage() : fault;
+    fault = fault.empty() ? this->ReadMeanAngles() : fault;
+    return fault.empty() ? this->Plan() : fault;
+  }
+
+  void Output(vtkPolyData* candidates, vtkPolyData* testPoints, vtkPolyData* selected)
+  {
+    const helios::PlanOutput output(this->Problem, this->Angles, this->Result.Selected);
+    this->Tell(output);
+    output.WriteCandidates(this->Candidates, this->MeanAngles, candidates);
+    this->AddNumbers(candidates);
+    output.WriteTestPoints(this->TestPoints, testPoints);
+    output.WriteSelected(candidates, selected);
+  }
+
+private:
+  std::string ReadMatrix()
+  {
+    if (this->Candidates->GetNumberOfPoints() == 0)
+    {
+      return "there are no candidates on port 0; connect vtkHeliosViewsheds, and see which of its "
+             "limits removed them all";
+    }
+    if (this->TestPoints->GetNumberOfPoints() == 0)
+    {
+      return "there are no test points on port 1; connect those the viewsheds were made with";
+    }
+    if (this->Self->Method == OPTIMAL && !helios::HasExactSolver())
+    {
+      return "Method Optimal needs COIN-OR CBC, which this build is without; build with "
+             "VTKHELIOS_ENABLE_CBC, or use Best";
+    }
+    helios::Visibility matrix;
+    const std::string fault = matrix.Set(this->Candidates, this->TestPoints->GetNumberOfPoints());
+    if (fault.empty())
+    {
+      this->Rows = { matrix.GetRow(0), static_cast<int>(matrix.GetNumberOfCandidates()),
+        static_cast<int>(matrix.GetNumberOfTestPoints()), static_cast<int>(matrix.GetRowLength()) };
+    }
+    return fault;
+  }
+
+  std::string ReadWeights()
+  {
+    vtkDataArray* areas = this->TestPoints->GetPointData()->GetArray(names::Area);
+    if (!this->Self->UseAreas)
+    {
+      return {};
+    }
+    const vtkIdType count = this->TestPoints->GetNumberOfPoints();
+    if (!areas || areas->GetNumberOfComponents() != 1 || areas->GetNumberOfTuples() != count)
+    {
+      return std::string("UseAreas is on, but the test points have no point array ") + names::Area +
+        " of one component; take them from vtkHeliosVisibilityTestPoints, or switch UseAreas off";
+    }
+    for (vtkIdType v = 0; v < count; ++v)
+    {
+      const double area = areas->GetComponent(v, 0);
+      if (!(area >= 0.0 && std::isfinite(area)))
+      {
+        std::ostringstream text;
+        text << names::Area << " of test point " << v << " is " << area
+             << "; areas are finite and not negative";
+        return text.str();
+      }
+      this->Weights.push_back(area);
+    }
+    return {};
+  }
+
+  std::string ReadGeometry()
+  {
+    vtkDataArray* normals = this->TestPoints->GetPointData()->GetArray(names::Normal);
+    const vtkIdType count = this->TestPoints->GetNumberOfPoints();
+    if (normals && (normals->GetNumberOfComponents() != 3 || normals->GetNumberOfTuples() != count))
+    {
+      return std::string(names::Normal) + " of the test points has " +
+        std::to_string(normals->GetNumberOfTuples()) + " tuples of " +
+        std::to_string(normals->GetNumberOfComponents()) + " components; it takes " +
+        std::to_string(count) + " of 3";
+    }
+    Vectors positions;
+    Vectors points;
+    Vectors directions;
+    std::string fault = Read(this->Candidates->GetPoints()->GetData(), "candidate", positions);
+    fault =
+      fault.empty() ? Read(this->TestPoints->GetPoints()->GetData(), "test point", points) : fault;
+    fault = fault.empty() ? Read(normals, "the normal of test point", directions) : fault;
+    this->Angles =
+      helios::Incidence(std::move(positions), std::move(points), std::move(directions));
+    return fault;
+  }
+
+  std::string ReadCoverage()
+  {
+    this->Problem = helios::CoverProblem(this->Rows, std::move(this->Weights));
+    const double coverable = this->Problem.GetWeight(this->Problem.Coverable.data());
+    if (!(coverable > 0.0))
+    {
+      return std::string("no candidate sees ") +
+        (this->Self->UseAreas ? "a test point with an area" : "any test point") +
+        "; widen the limits of the viewsheds, or check that candidates stand outside of solids";
+    }
+    this->All = this->Self->UseAreas ? this->GetAllWeight() : this->Rows.Columns;
+    const double base = this->Self->CoverageOf == COVERABLE ? coverable : this->All;
+    const double required = base * this->Self->MinimumCoverage / 100.0;
+    if (required > coverable * (1.0 + 1e-12))
+    {
+      std::ostringstream text;
+      text << "MinimumCoverage " << this->Self->MinimumCoverage
+           << " % of all is out of reach: all candidates together see "
+           << 100.0 * coverable / this->All
+           << " %; lower it, add candidates, or set CoverageOf to Coverable";
+      return text.str();
+    }
+    this->Problem.Require(required);
+    return {};
+  }
+
+  double GetAllWeight() const
+  {
+    double sum = 0.0;
+    for (const double weight : this->Problem.Weights)
+    {
+      sum += weight;
+    }
+    return sum;
+  }
+
+  std::string ReadMeanAngles()
+  {
+    const int count = this->Rows.Rows;
+    vtkDataArray* given = this->Candidates->GetPointData()->GetArray(names::MeanIncidenceAngle);
+    this->MeanAngles.resize(count);
+    if (given && given->GetNumberOfComponents() == 1)
+    {
+      for (int c = 0; c < count; ++c)
+      {
+        this->MeanAngles[c] = given->GetComponent(c, 0);
+      }
+      return {};
+    }
+    if (!this->Angles.HasNormals() && this->Self->Method == MEAN_INCIDENCE_ANGLE)
+    {
+      return std::string("Method MeanIncidenceAngle takes the point array ") +
+        names::MeanIncidenceAngle + " of the candidates, or " + names::Normal +
+        " of the test points; add one, or use ViewshedSize";
+    }
+    vtkSMPTools::For(0, count, 16,
+      [this](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType c = begin; c < end; ++c)
+        {
+          this->MeanAngles[c] = this->Angles.HasNormals()
+            ? this->Angles.GetMean(this->Problem, static_cast<int>(c))
+            : std::nan("");
+        }
+      });
+    return {};
+  }
+
+  std::string Plan()
+  {
+    helios::PlanSettings settings;
+    settings.Method = static_cast<helios::PlanMethod>(this->Self->Method);
+    settings.IsAscending = this->Self->RemovalOrder == ASCENDING;
+    settings.MeanAngles = this->MeanAngles;
+    settings.NumberOfStarts = this->Self->NumberOfStarts;
+    settings.TimeLimit = this->Self->TimeLimit;
+    settings.MinimumOverlap = this->Self->MinimumOverlap;
+    settings.Report = [this](double progress) { this->Self->UpdateProgress(progress); };
+    settings.Stop = [this] { return this->Self->GetAbortExecute() != 0; };
+    this->Self->UpdateProgress(0.05);
+    this->Result = helios::MakePlan(this->Problem, this->Angles, settings);
+    if (settings.Stop())
+    {
+      return "aborted before the plan was made; update again";
+    }
+    if (!this->Result.Fault.empty())
+    {
+      std::ostringstream text;
+      text << "no set of candidates that are connected with MinimumOverlap "
+           << this->Self->MinimumOverlap
+           << " sees enough; lower it or MinimumCoverage, or add candidates in between";
+      return text.str();
+    }
+    return {};
+  }
+
+  void Tell(const helios::PlanOutput& output)
+  {
+    vtkHeliosScanPositionPlanner* self = this->Self;
+    const double covered = output.GetCoveredWeight();
+    self->NumberOfSelected = static_cast<vtkIdType>(this->Result.Selected.size());
+    self->NumberCovered = output.GetCoveredCount();
+    self->NumberCoverable =
+      helios::CountBits(this->Problem.Coverable.data(), this->Problem.Rows.Length);
+    self->Coverage = 100.0 * covered / this->All;
+    self->CoverableCoverage =
+      100.0 * covered / this->Problem.GetWeight(this->Problem.Coverable.data());
+    self->LowerBound = this->Result.LinearBound;
+    self->BestBound = this->Result.Bound;
+    self->Gap = 100.0 * static_cast<double>(self->NumberOfSelected - self->BestBound) /
+      static_cast<double>(self->NumberOfSelected);
+    self->IsProvedOptimal = self->BestBound >= self->NumberOfSelected;
+    self->WorstIncidenceAngle = output.GetQuality().Worst;
+    self->MeanBestIncidenceAngle = output.GetQuality().Mean;
+    self->IsWorstProvedOptimal = this->Result.IsWorstProved;
+    self->IsMeanProvedOptimal = this->Result.IsMeanProved;
+  }
+
+  void AddNumbers(vtkPolyData* candidates) const
+  {
+    const vtkHeliosScanPositionPlanner* self = this->Self;
+    const std::pair<const char*, double> numbers[] = {
+      { names::PlanNumberOfSelected, static_cast<double>(self->NumberOfSelected) },
+      { names::PlanNumberCovered, static_cast<double>(self->NumberCovered) },
+      { names::PlanNumberCoverable, static_cast<double>(self->NumberCoverable) },
+      { names::PlanCoverage, self->Coverage },
+      { names::PlanCoverableCoverage, self->CoverableCoverage },
+      { names::PlanLowerBound, self->LowerBound },
+      { names::PlanBestBound, static_cast<double>(self->BestBound) },
+      { names::PlanGap, self->Gap },
+      { names::PlanIsProvedOptimal, self->IsProvedOptimal ? 1.0 : 0.0 },
+      { names::PlanWorstIncidenceAngle, self->WorstIncidenceAngle },
+      { names::PlanMeanBestIncidenceAngle, self->MeanBestIncidenceAngle },
+    };
+    for (const auto& [name, value] : numbers)
+    {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->InsertNextValue(value);
+      candidates->GetFieldData()->AddArray(array);
+    }
+  }
+
+  vtkHeliosScanPositionPlanner* Self;
+  vtkPolyData* Candidates;
+  vtkPolyData* TestPoints;
+  helios::BitRows Rows;
+  std::vector<double> Weights;
+  helios::CoverProblem Problem;
+  helios::Incidence Angles;
+  std::vector<double> MeanAngles;
+  double All = 0.0;
+  helios::PlanResult Result;
+};
+
+vtkStandardNewMacro(vtkHeliosScanPositionPlanner);
+
+//------------------------------------------------------------------------------
+vtkHeliosScanPositionPlanner::vtkHeliosScanPositionPlanner()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosScanPositionPlanner::HasOptimal()
+{
+  return helios::HasExactSolver();
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanPositionPlanner::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosScanPositionPlanner::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  Run run(this, vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
+  const std::string fault = run.Execute();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< "Scan positions cannot be planned: " << fault << ".");
+    return 0;
+  }
+  run.Output(vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1),
+    vtkPolyData::GetData(outputs, 2));
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosScanPositionPlanner::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << MethodNames[this->Method] << "\n"
+     << indent << "RemovalOrder: " << (this->RemovalOrder == ASCENDING ? "Ascending" : "Descending")
+     << "\n"
+     << indent << "MinimumCoverage: " << this->MinimumCoverage << " %\n"
+     << indent << "CoverageOf: " << (this->CoverageOf == COVERABLE ? "Coverable" : "All") << "\n"
+     << indent << "UseAreas: " << this->UseAreas << "\n"
+     << indent << "MinimumOverlap: " << this->MinimumOverlap << "\n"
+     << indent << "TimeLimit: " << this->TimeLimit << " s\n"
+     << indent << "NumberOfStarts: " << this->NumberOfStarts << "\n"
+     << indent << "NumberOfSelected: " << this->NumberOfSelected << "\n"
+     << indent << "NumberCovered: " << this->NumberCovered << "\n"
+     << indent << "NumberCoverable: " << this->NumberCoverable << "\n"
+     << indent << "Coverage: " << this->Coverage << " %\n"
+     << indent << "CoverableCoverage: " << this->CoverableCoverage << " %\n"
+     << indent << "LowerBound: " << this->LowerBound << "\n"
+     << indent << "BestBound: " << this->BestBound << "\n"
+     << indent << "Gap: " << this->Gap << " %\n"
+     << indent << "IsProvedOptimal: " << this->IsProvedOptimal << "\n"
+     << indent << "WorstIncidenceAngle: " << this->WorstIncidenceAngle << " degrees\n"
+     << indent << "MeanBestIncidenceAngle: " << this->MeanBestIncidenceAngle << " degrees\n"
+     << indent << "IsWorstProvedOptimal: " << this->IsWorstProvedOptimal << "\n"
+     << indent << "IsMeanProvedOptimal: " << this->IsMeanProvedOptimal << "\n";
+}
