@@ -17,14 +17,16 @@ import pathlib
 import tempfile
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
 TOLERANCE = 0.1  # m, between a test point and what is seen of it
 RESOLUTION = 0.2  # deg, between pulses
+FLATTEST = 80  # deg from the normal: beams that graze more tell little
 
 
 def make_scene(folder):
@@ -59,7 +61,7 @@ def plan_positions(scene):
     viewsheds.SetMinimumRange(1.5)  # m: what a VZ-400 can
     viewsheds.SetMinimumElevation(-50)  # deg
     viewsheds.SetMaximumElevation(50)
-    viewsheds.SetMaximumIncidenceAngle(80)  # deg: beams that graze tell little
+    viewsheds.SetMaximumIncidenceAngle(FLATTEST)
 
     planner = vtkhelios.vtkHeliosScanPositionPlanner()
     planner.SetInputConnection(0, viewsheds.GetOutputPort())
@@ -105,13 +107,17 @@ def run_survey(folder):
 
 
 def find_met(clouds, places):
-    """Which places have an echo within the tolerance."""
+    """Which places have an echo within the tolerance, of a beam that does not graze."""
     met = np.zeros(len(places), dtype=bool)
     for cloud in clouds:
+        columns = vtkhelios.arrays(cloud)
+        echoes = columns["points"][columns["IncidenceAngle"] <= FLATTEST]
+        good = vtkPolyData()
+        good.SetPoints(vtkPoints())
+        good.GetPoints().SetData(numpy_to_vtk(echoes, deep=True))
         locator = vtkStaticPointLocator()
-        locator.SetDataSet(cloud)
+        locator.SetDataSet(good)
         locator.BuildLocator()
-        echoes = vtk_to_numpy(cloud.GetPoints().GetData())
         nearest = [locator.FindClosestPoint(place) for place in places.tolist()]
         met |= np.linalg.norm(echoes[nearest] - places, axis=1) < TOLERANCE
     return met
