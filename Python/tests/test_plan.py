@@ -20,7 +20,7 @@ import vtkhelios
 
 from vtkhelios.cli import main
 from vtkhelios.cli import _plan_check, _plan_report
-from vtkhelios.cli._planning import PlanMessages
+from vtkhelios.cli._planning import PlanMessages, Steps
 
 PLANNER = """\
 <document>
@@ -495,3 +495,66 @@ def test_errors_name_options(capsys):
     messages.interrupted = True
     messages.error("Aborted")
     assert capsys.readouterr().err == ""
+
+
+class Sleeper:
+    """An algorithm that is half done."""
+
+    def __init__(self):
+        self.aborted = 0
+        self.tell = None
+
+    def AddObserver(self, event, callback):
+        self.tell = callback if event == "ProgressEvent" else self.tell
+        return 1
+
+    def RemoveObserver(self, _):
+        pass
+
+    def SetAbortExecute(self, on):
+        self.aborted = on
+
+    def GetProgress(self):
+        return 0.5
+
+    def Update(self):
+        self.tell()
+
+
+def test_steps_tell_what_they_do():
+    messages, said = PlanMessages(), []
+    steps = Steps(messages)
+    sleeper = Sleeper()
+    steps.AddObserver("ProgressEvent", lambda *_: said.append(steps.GetMessage()))
+    assert steps.run("sleeping", sleeper) and steps.run("dozing", sleeper, even=False)
+    assert said == ["sleeping", "sleeping", "dozing", "dozing"]
+    assert set(steps.seconds) == {"sleeping", "dozing"}
+    sleeper.Update = steps.Abort
+    assert not steps.run("sleeping", sleeper) and sleeper.aborted
+    assert not steps.run("on", sleeper)
+    steps.RemoveObserver(1)
+
+
+def test_interrupted_while_it_is_checked(tmp_path):
+    write_room(tmp_path / "room.obj")
+    package = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", "vtkhelios", "plan", "room.obj", "--no-picture", "--grid", "2"]
+        + ["--resolution", "0.01", "--check"],
+        cwd=tmp_path,
+        env={"PYTHONPATH": str(package), "PATH": "/usr/bin:/bin"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert any(line.startswith("scans ") for line in process.stdout)
+    points = tmp_path / "output/room/check/room"
+    deadline = time.monotonic() + 60
+    while not list(points.glob("*.part")) and time.monotonic() < deadline:
+        time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 130, said
+    assert "interrupted while the survey was simulated; the plan itself is written" in said
+    summary = json.loads((tmp_path / "output/room/plan_summary.json").read_text())
+    assert "check" not in summary and summary["result"]["scans"] > 0

@@ -65,11 +65,14 @@ class Steps:
         self._pace = Pace()
         self._callback = None
 
-    def run(self, name, algorithm):
-        """Brings an algorithm up to date; False after an error or where it was stopped."""
+    def run(self, name, algorithm, even=True):
+        """Brings an algorithm up to date; False after an error or where it was stopped.
+
+        Of one whose progress is uneven it is not said when it will be done.
+        """
         if self._messages.interrupted:
             return False
-        self._name, self._algorithm, self._pace = name, algorithm, Pace()
+        self._name, self._algorithm, self._pace = name, algorithm, Pace() if even else None
         self._messages.watch(algorithm)
         tag = algorithm.AddObserver("ProgressEvent", self._on_progress)
         start = time.monotonic()
@@ -82,7 +85,8 @@ class Steps:
         return self._messages.errors == errors and not self._messages.interrupted
 
     def _on_progress(self, *_):
-        self._pace.add(time.monotonic(), self._algorithm.GetProgress())
+        if self._pace:
+            self._pace.add(time.monotonic(), self._algorithm.GetProgress())
         self._tell()
 
     def _tell(self):
@@ -110,7 +114,7 @@ class Steps:
         return self._algorithm.GetProgress() if self._algorithm else 0.0
 
     def GetMessage(self):
-        left = self._pace.remaining(1.0)
+        left = self._pace.remaining(1.0) if self._pace else None
         return self._name if left is None else f"{self._name}, {duration(left)} left"
 
 
@@ -133,13 +137,17 @@ class Plan:
             and steps.run("looking for positions", self.candidates)
             and steps.run("looking for test points", self.test_points)
             and steps.run(self.describe_viewsheds(), self.viewsheds)
-            and steps.run("choosing positions", self.planner)
+            and steps.run(self.describe_choice(), self.planner, even=False)
         )
 
     def describe_viewsheds(self):
         positions = self.candidates.GetOutput().GetNumberOfPoints()
         points = self.test_points.GetOutput().GetNumberOfPoints()
         return f"{positions:,} positions looking at {points:,} points"
+
+    def describe_choice(self):
+        limit = self.settings.get("timeLimit_s")
+        return "choosing positions" + (f", proofs for {limit:g} s at most" if limit else "")
 
     def choose_settings(self):
         """All that determines the plan, as JSON has it: options win over the document."""
@@ -155,6 +163,8 @@ class Plan:
             "gridY_m": chosen(given.grid_y, grid_y),
             "testGrid_m": chosen(given.test_grid, own_test_grid),
             "testLines": chosen(given.test_lines, document.GetTestLines()),
+            "region_m": given.region,
+            "exclude": given.exclude,
             "maxSlope_deg": chosen(given.max_slope, document.GetMaximumSlope()),
             "ground": chosen(given.ground, document.GetGroundOnly()),
             "height_m": chosen(given.height, document.GetScannerHeight()),
