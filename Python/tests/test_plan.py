@@ -432,13 +432,19 @@ def test_no_horizontal_surface(plan, tmp_path):
     assert "No candidate is left" in said and "are steeper than --max-slope (15 deg)" in said
 
 
+def test_no_test_point(plan, tmp_path):
+    (tmp_path / "floor.obj").write_text("v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3 4\n")
+    code, _, said = plan("floor.obj", "--test-lines", "horizontal")
+    assert code == 1 and "No test point: none of " in said
+    assert plan("floor.obj", "--test-lines", "vertical")[0] == 0
+
+
 def test_files_that_are_wrong(plan, tmp_path):
     assert "none.obj: no such file" in plan("none.obj")[2]
     assert "none.xml: cannot be read" in plan("none.xml")[2]
     (tmp_path / "a.xml").write_text("<document/>")
     assert "the file has nothing to plan" in plan("a.xml")[2]
     (tmp_path / "scene.xml").write_text(PLANNER.format(more=""))
-    (tmp_path / "a.xml").write_text(PLANNER.format(more='metod="best" gridSizePSP_m="-2"'))
     (tmp_path / "a.xml").write_text(PLANNER.format(more='method="beast" maxSlope_deg="-2"'))
     code, _, said = plan("a.xml")
     assert code == 1

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkHeliosSurveyWriter);
 namespace
 {
 
-constexpr const char* TemplateId = "plan";
+constexpr const char* TemplateId = "plan"; // of scanner and platform settings
 constexpr const char* SceneId = "scene";
 
 /// The fewest digits that read back exactly, without an exponent: other programs read 100000 as a
@@ -212,6 +212,12 @@ void vtkHeliosSurveyWriter::Internals::AddScene(pugi::xml_node root) const
 //------------------------------------------------------------------------------
 void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
 {
+  if (!this->Crs.empty())
+  {
+    pugi::xml_node place = root.append_child("platformSettings");
+    Set(place, "id", TemplateId);
+    Set(place, "crs", this->Crs); // WKT is long: once
+  }
   pugi::xml_node settings = root.append_child("scannerSettings");
   Set(settings, "id", TemplateId);
   Set(settings, "active", "true");
@@ -234,11 +240,11 @@ void vtkHeliosSurveyWriter::Internals::AddLegs(
     const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - instrument;
     pugi::xml_node leg = survey.append_child("leg");
     pugi::xml_node place = leg.append_child("platformSettings");
+    Set(place, "template", this->Crs.empty() ? "" : TemplateId);
     Set(place, "x", foot[0]);
     Set(place, "y", foot[1]);
     Set(place, "z", foot[2]);
     Set(place, "onGround", "false");
-    Set(place, "crs", this->Crs);
     Set(leg.append_child("scannerSettings"), "template", TemplateId);
   }
 }

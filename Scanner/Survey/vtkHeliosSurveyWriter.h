@@ -18,7 +18,7 @@
  * from the asset directories, the folder of FileName and the working directory. A
  * Scene that ends in .obj, .tif or .tiff is a mesh, and becomes a scene in the file.
  * Where the positions have a CRS in their field data that is not the crs of the
- * scene, legs carry it.
+ * scene, legs carry it by a template.
  *
  * What is written has been read with vtkHeliosSurveyReader's code before: a survey
  * that would not be read is an error, and no file is made. The file has the name
