@@ -6,6 +6,7 @@
 #include "heliosCoverGreedy.h"
 #include "heliosCoverReduction.h"
 #include "heliosCoverSearch.h"
+#include "heliosCoverTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,28 @@ constexpr double Rounding = 1e-6;
 
 /// Bits looked at for a bound.
 constexpr std::int64_t BoundWork = 50000000;
+
+/// Words looked at to go through all covers.
+constexpr std::int64_t TreeWork = 20000000;
+
+/// False: all covers of fewer scans have been gone through; the choice becomes the best met.
+bool HasFewer(const CoverProblem& problem, Choice& choice, const StopTest& stop)
+{
+  const BitMatrix columns = Transpose(problem.Rows);
+  CoverTree tree(problem.Rows, columns.View());
+  std::int64_t work = TreeWork;
+  const auto take = [&choice](const Choice& cover)
+  {
+    choice = cover;
+    return false;
+  };
+  CoverAnswer answer = CoverAnswer::Found;
+  while (answer == CoverAnswer::Found)
+  {
+    answer = tree.Visit(static_cast<int>(choice.size()) - 1, take, work, stop);
+  }
+  return answer == CoverAnswer::Unknown;
+}
 
 } // namespace
 
@@ -49,6 +72,10 @@ Choice ChooseBest(const CoverProblem& problem, const BestSettings& settings, con
     return best;
   }
   const double bound = GetLagrangeBound(problem, static_cast<int>(best.size()), BoundWork, stop);
+  if (problem.IsFull && settings.Target == 0 && !HasFewer(problem, best, stop))
+  {
+    return best;
+  }
   const int target = std::max(settings.Target, static_cast<int>(std::ceil(bound - Rounding)));
   for (int start = 0; start < settings.NumberOfStarts && !isFew(target); ++start)
   {

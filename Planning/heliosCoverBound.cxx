@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace helios
 {
@@ -95,14 +94,20 @@ private:
   /// The second term, its z as the slope so far.
   double SeeEnough()
   {
+    std::fill(this->Slope.begin(), this->Slope.end(), 0.0);
+    this->Order.clear();
+    VisitBits(this->Problem.Coverable.data(), this->Problem.Rows.Length,
+      [this](int v) { this->Order.push_back(v); });
     if (this->Problem.IsFull)
     {
-      std::fill(this->Slope.begin(), this->Slope.end(), 1.0);
-      return std::accumulate(this->Prices.begin(), this->Prices.end(), 0.0);
+      double all = 0.0;
+      for (const int v : this->Order)
+      {
+        this->Slope[v] = 1.0;
+        all += this->Prices[v];
+      }
+      return all;
     }
-    std::fill(this->Slope.begin(), this->Slope.end(), 0.0);
-    this->Order.resize(this->Prices.size());
-    std::iota(this->Order.begin(), this->Order.end(), 0);
     std::sort(this->Order.begin(), this->Order.end(),
       [this](int v, int w)
       {

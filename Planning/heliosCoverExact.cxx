@@ -19,9 +19,6 @@ namespace helios
 namespace
 {
 
-/// Bits beyond which a linear programme would take too long.
-constexpr std::int64_t MaximumBits = 2000000;
-
 double GetSeconds()
 {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -229,9 +226,9 @@ ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start, Overlap
   return answer;
 }
 
-double GetLinearBound(const CoverProblem& problem, double timeLimit)
+double GetLinearBound(const CoverProblem& problem, std::int64_t maximumBits, double timeLimit)
 {
-  if (CountAllBits(problem.Rows) > MaximumBits)
+  if (CountAllBits(problem.Rows) > maximumBits)
   {
     return 0.0;
   }
@@ -253,7 +250,7 @@ ExactAnswer SolveCover(
   return { start, 0, false };
 }
 
-double GetLinearBound(const CoverProblem&, double)
+double GetLinearBound(const CoverProblem&, std::int64_t, double)
 {
   return 0.0;
 }

@@ -28,8 +28,9 @@ struct ExactAnswer
 VTKHELIOSPLANNING_EXPORT ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start,
   OverlapNetwork* network, double timeLimit, const StopTest& stop = {});
 
-/// The bound of the linear relaxation; 0: not solved within the time [s], or too large.
-VTKHELIOSPLANNING_EXPORT double GetLinearBound(const CoverProblem& problem, double timeLimit);
+/// The bound of the linear relaxation; 0: more bits than allowed, or not solved within the time [s].
+VTKHELIOSPLANNING_EXPORT double GetLinearBound(
+  const CoverProblem& problem, std::int64_t maximumBits, double timeLimit);
 
 } // namespace helios
 

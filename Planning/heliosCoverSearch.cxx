@@ -15,6 +15,9 @@ namespace
 /// Bits in a problem beyond which its lists would take too much memory.
 constexpr std::int64_t MaximumBits = 30000000;
 
+/// Steps a candidate or point at most.
+constexpr int StepsEach = 100;
+
 /// Lists of lists of numbers, one after the other.
 class Lists
 {
@@ -85,7 +88,9 @@ public:
       this->Join(a);
     }
     Choice best = start;
-    for (std::uint32_t step = 1; this->Settings.Work > 0 && !(stop && stop()); ++step)
+    const std::uint32_t steps = StepsEach * (this->Problem.Rows.Rows + this->Problem.Rows.Columns);
+    for (std::uint32_t step = 1; step <= steps && this->Settings.Work > 0 && !(stop && stop());
+         ++step)
     {
       while (this->IsEnough())
       {

@@ -42,7 +42,7 @@ CoverAnswer CoverTree::Visit(
   {
     SetBit(missing.data(), v);
   }
-  const bool isThrough = this->Branch(count, missing, Words(this->Columns.Length));
+  const bool isThrough = count < 1 || this->Branch(count, missing, Words(this->Columns.Length));
   if (!this->IsOn())
   {
     return CoverAnswer::Unknown;
@@ -53,6 +53,10 @@ CoverAnswer CoverTree::Visit(
 /// False: ended early, by the visitor or the work.
 bool CoverTree::Branch(int left, const Words& missing, Words isOut)
 {
+  if (left == 1)
+  {
+    return this->Finish(missing, isOut);
+  }
   const int rarest = this->FindRarest(left, missing, isOut);
   if (rarest < 0)
   {
@@ -76,6 +80,42 @@ bool CoverTree::Branch(int left, const Words& missing, Words isOut)
     SetBit(isOut.data(), a);
   }
   return true;
+}
+
+/// The last one: whoever sees all that is missing.
+bool CoverTree::Finish(const Words& missing, const Words& isOut)
+{
+  const int length = this->Columns.Length;
+  Words all(length);
+  for (int w = 0; w < length; ++w)
+  {
+    all[w] = ~isOut[w];
+  }
+  for (const int v : this->Order)
+  {
+    if (HasBit(missing.data(), v))
+    {
+      Word any = 0;
+      for (int w = 0; w < length; ++w)
+      {
+        any |= all[w] &= this->Columns.Get(v)[w];
+      }
+      *this->Work -= length;
+      if (!any)
+      {
+        return true;
+      }
+    }
+  }
+  bool isOn = true;
+  VisitBits(all.data(), length,
+    [this, &isOn](int a)
+    {
+      this->Chosen.push_back(a);
+      isOn = isOn && this->Take(this->Chosen);
+      this->Chosen.pop_back();
+    });
+  return isOn;
 }
 
 bool CoverTree::Follow(int candidate, int left, const Words& missing, const Words& isOut)

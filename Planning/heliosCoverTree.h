@@ -41,6 +41,7 @@ public:
 
 private:
   bool Branch(int left, const Words& missing, Words isOut);
+  bool Finish(const Words& missing, const Words& isOut);
   bool Follow(int candidate, int left, const Words& missing, const Words& isOut);
   int FindRarest(int left, const Words& missing, const Words& isOut);
   bool IsOn() const { return *this->Work > 0 && !(this->Stop && this->Stop()); }

@@ -23,6 +23,11 @@ namespace
 /// For the linear bound of methods that prove nothing [s].
 constexpr double BoundTime = 10.0;
 
+/// Bits of a problem up to which there is a linear bound, and what ours looks at otherwise.
+constexpr std::int64_t ExactBits = 2000000;
+constexpr std::int64_t BoundBits = 500000;
+constexpr std::int64_t BoundWork = 150000000;
+
 /// What rounding may add to a linear bound.
 constexpr double Rounding = 1e-6;
 
@@ -79,6 +84,10 @@ public:
     }
     this->FindBound();
     this->Report(0.7);
+    if (this->Settings.Method >= PlanMethod::Best && !this->Network && this->Problem.IsFull)
+    {
+      this->LookForFewer();
+    }
     if (this->Settings.Method == PlanMethod::Optimal)
     {
       this->Prove();
@@ -155,10 +164,14 @@ private:
     const int count = static_cast<int>(this->Result.Selected.size());
     const bool isExact = this->Settings.Method == PlanMethod::Optimal;
     const double time = isExact ? this->Settings.TimeLimit : BoundTime;
-    double bound = HasExactSolver() ? GetLinearBound(this->Reduced.Problem, time) : 0.0;
+    double bound = 0.0;
+    if (isExact || this->Problem.IsFull)
+    {
+      bound = GetLinearBound(this->Reduced.Problem, isExact ? ExactBits : BoundBits, time);
+    }
     if (bound == 0.0)
     {
-      bound = GetLagrangeBound(this->Reduced.Problem, count, 400000000, this->Settings.Stop);
+      bound = GetLagrangeBound(this->Reduced.Problem, count, BoundWork, this->Settings.Stop);
     }
     this->Result.LinearBound = bound;
     this->Result.Bound = std::min(count, std::max(1, RoundUp(bound)));
@@ -166,9 +179,33 @@ private:
 
   double GetTimeLeft() const { return std::max(0.0, this->End - GetSeconds()); }
 
+  /// For what only Optimal does, and what it does more of.
+  bool IsOver() const
+  {
+    const bool isLate = this->Settings.Method == PlanMethod::Optimal && this->GetTimeLeft() == 0.0;
+    return isLate || (this->Settings.Stop && this->Settings.Stop());
+  }
+
   bool IsCountProved() const
   {
     return this->Result.Bound >= static_cast<int>(this->Result.Selected.size());
+  }
+
+  /// Small problems need no more than to go through what is left.
+  void LookForFewer()
+  {
+    CoverAnswer answer = CoverAnswer::Found;
+    while (answer == CoverAnswer::Found && !this->IsCountProved())
+    {
+      const int count = static_cast<int>(this->Result.Selected.size());
+      Choice found;
+      answer = this->GoThrough(this->Reduced, count - 1, found);
+      if (answer == CoverAnswer::Found)
+      {
+        this->Result.Selected = this->Reduced.Restore(found);
+      }
+      this->Result.Bound = answer == CoverAnswer::None ? count : this->Result.Bound;
+    }
   }
 
   void Prove()
@@ -225,7 +262,7 @@ private:
       ImproveBySwaps(
         this->Problem, this->Angles, nullptr, QualityWork, choice, this->Settings.Stop);
       const bool isMean = MinimiseMean(this->Problem, table, this->Angles,
-        isOptimal ? ProofWork : QualityWork, choice, this->Settings.Stop);
+        isOptimal ? ProofWork : QualityWork, choice, [this] { return this->IsOver(); });
       this->Result.IsWorstProved = isWorst && this->IsCountProved();
       this->Result.IsMeanProved = isMean && this->Result.IsWorstProved;
     }
@@ -273,7 +310,7 @@ private:
           found = cover;
           return false;
         },
-        work, stop);
+        work, [this] { return this->IsOver(); });
   }
 
   CoverAnswer Solve(const CoverProblem& problem, int count, Choice& found) const

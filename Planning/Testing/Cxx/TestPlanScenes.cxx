@@ -1,34 +1,261 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkHeliosScanPositionPlanner.h"
+// The planner on eight scenes whose optima, linear bounds and greedy results are known.
 
 #include "heliosPlanScenes.h"
+#include "heliosVisibility.h"
+#include "vtkHeliosScanPositionPlanner.h"
 
 #include <catch2/catch.hpp>
-#include <cstdio>
-#include <ctime>
 
-TEST_CASE("probe", "[probe]")
+#include <cmath>
+#include <numeric>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
 {
-  for (const auto& s : helios::MakePlanScenes())
+
+using Planner = vtkHeliosScanPositionPlanner;
+
+const std::vector<helios::PlanScene>& GetScenes()
+{
+  static const std::vector<helios::PlanScene> scenes = helios::MakePlanScenes();
+  return scenes;
+}
+
+vtkNew<Planner> MakePlanner(const helios::PlanScene& scene, int method)
+{
+  vtkNew<Planner> planner;
+  planner->SetInputData(0, scene.GetCandidates());
+  planner->SetInputData(1, scene.GetTestPoints());
+  planner->SetMethod(method);
+  return planner;
+}
+
+vtkIdType Count(const helios::PlanScene& scene, int method, int order = Planner::ASCENDING)
+{
+  const auto planner = MakePlanner(scene, method);
+  planner->SetRemovalOrder(order);
+  planner->Update();
+  CHECK(planner->GetCoverableCoverage() == 100.0);
+  CHECK(planner->GetCoverage() == Approx(scene.Truth.Coverage).margin(0.005));
+  return planner->GetNumberOfSelected();
+}
+
+/// Test points covered by the first 1, 2 ... of the selected.
+std::vector<int> GetCurve(Planner* planner)
+{
+  vtkDataArray* added = planner->GetOutput(2)->GetPointData()->GetArray(names::NewlyCovered);
+  std::vector<int> curve;
+  for (vtkIdType k = 0; k < added->GetNumberOfTuples(); ++k)
   {
-    vtkNew<vtkHeliosScanPositionPlanner> p;
-    p->SetInputData(0, s.GetCandidates());
-    p->SetInputData(1, s.GetTestPoints());
-    printf("%s: %lld %lld\n", s.Name.c_str(), (long long)s.GetCandidates()->GetNumberOfPoints(),
-      (long long)s.GetTestPoints()->GetNumberOfPoints());
-    for (int m = 0; m < 6; ++m)
+    curve.push_back(
+      static_cast<int>(added->GetComponent(k, 0)) + (curve.empty() ? 0 : curve.back()));
+  }
+  return curve;
+}
+
+} // namespace
+
+TEST_CASE("the plan scenes are the benchmark's", "[PlanScenes]")
+{
+  for (const helios::PlanScene& scene : GetScenes())
+  {
+    INFO(scene.Name);
+    CHECK(scene.GetCandidates()->GetNumberOfPoints() == scene.Truth.Candidates);
+    CHECK(scene.GetTestPoints()->GetNumberOfPoints() == scene.Truth.TestPoints);
+    helios::Visibility matrix;
+    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).empty());
+    std::vector<char> isSeen(scene.Truth.TestPoints);
+    for (const helios::PlanPoint& place : scene.Witness)
     {
-      p->SetMethod(m == 5 ? 1 : m);
-      p->SetRemovalOrder(m == 5);
-      const clock_t t = clock();
-      p->Update();
-      printf("  m%d n=%lld cov=%.2f lb=%.3f bb=%lld proved=%d worst=%.4f%c mean=%.4f%c  %.2fs\n", m,
-        (long long)p->GetNumberOfSelected(), p->GetCoverage(), p->GetLowerBound(),
-        (long long)p->GetBestBound(), p->GetIsProvedOptimal(), p->GetWorstIncidenceAngle(),
-        p->GetIsWorstProvedOptimal() ? '*' : ' ', p->GetMeanBestIncidenceAngle(),
-        p->GetIsMeanProvedOptimal() ? '*' : ' ', double(clock() - t) / CLOCKS_PER_SEC);
-      fflush(stdout);
+      REQUIRE(scene.Find(place) >= 0);
+      matrix.ForEach(scene.Find(place), [&isSeen](vtkIdType v) { isSeen[v] = 1; });
     }
+    if (!scene.Witness.empty())
+    {
+      CHECK(static_cast<int>(scene.Witness.size()) == scene.Truth.Optimum);
+      CHECK(std::accumulate(isSeen.begin(), isSeen.end(), 0) == scene.Truth.TestPoints);
+    }
+  }
+}
+
+TEST_CASE("the paper's orders and greedy give the table", "[vtkHeliosScanPositionPlanner]")
+{
+  for (const helios::PlanScene& scene : GetScenes())
+  {
+    INFO(scene.Name);
+    const helios::PlanTruth& truth = scene.Truth;
+    CHECK(Count(scene, Planner::VIEWSHED_SIZE) == truth.Viewshed);
+    CHECK(Count(scene, Planner::MEAN_INCIDENCE_ANGLE) == truth.IncidenceAscending);
+    CHECK(Count(scene, Planner::MEAN_INCIDENCE_ANGLE, Planner::DESCENDING) ==
+      truth.IncidenceDescending);
+    CHECK(Count(scene, Planner::GREEDY) == truth.Greedy);
+  }
+}
+
+TEST_CASE("every method tells the linear bound", "[vtkHeliosScanPositionPlanner]")
+{
+  for (const helios::PlanScene& scene : GetScenes())
+  {
+    INFO(scene.Name);
+    const auto planner = MakePlanner(scene, Planner::GREEDY);
+    planner->Update();
+    const double bound = planner->GetLowerBound();
+    if (Planner::HasOptimal())
+    {
+      CHECK(std::round(100.0 * bound) / 100.0 == Approx(scene.Truth.Linear));
+    }
+    CHECK(bound <= scene.Truth.Linear + 0.005);
+    CHECK(bound >= 0.9 * scene.Truth.Linear);
+    CHECK(planner->GetBestBound() == std::ceil(bound - 1e-6));
+  }
+}
+
+TEST_CASE("Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPlanner]")
+{
+  vtkIdType total = 0;
+  int optimum = 0;
+  for (const helios::PlanScene& scene : GetScenes())
+  {
+    INFO(scene.Name);
+    const vtkIdType count = Count(scene, Planner::BEST);
+    CHECK(count >= scene.Truth.Optimum);
+    total += count;
+    optimum += scene.Truth.Optimum;
+  }
+  CHECK(optimum == 30);
+  CHECK(total <= 31);
+}
+
+TEST_CASE("Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
+{
+  for (const helios::PlanScene& scene : GetScenes())
+  {
+    if (!Planner::HasOptimal())
+    {
+      break;
+    }
+    INFO(scene.Name);
+    const auto planner = MakePlanner(scene, Planner::OPTIMAL);
+    planner->SetTimeLimit(scene.Truth.Optimum <= 4 ? 200.0 : 5.0);
+    planner->Update();
+    CHECK(planner->GetNumberOfSelected() == scene.Truth.Optimum);
+    CHECK(planner->GetIsProvedOptimal());
+    CHECK(planner->GetGap() == 0.0);
+    CHECK(planner->GetCoverableCoverage() == 100.0);
+    if (scene.Truth.Optimum <= 4)
+    {
+      CHECK(planner->GetIsWorstProvedOptimal());
+      CHECK(planner->GetIsMeanProvedOptimal());
+    }
+  }
+}
+
+TEST_CASE("of one scan the best is known by trying all", "[vtkHeliosScanPositionPlanner]")
+{
+  const helios::PlanScene& scene = GetScenes()[1];
+  double worst = 90.0;
+  double mean = 90.0;
+  for (vtkIdType c = 0; c < scene.GetCandidates()->GetNumberOfPoints(); ++c)
+  {
+    double p[3];
+    scene.GetCandidates()->GetPoint(c, p);
+    helios::Visibility matrix;
+    REQUIRE(matrix.Set(scene.GetCandidates(), scene.Truth.TestPoints).empty());
+    double largest = 0.0;
+    double sum = 0.0;
+    matrix.ForEach(c,
+      [&](vtkIdType v)
+      {
+        double q[3];
+        double n[3];
+        scene.GetTestPoints()->GetPoint(v, q);
+        scene.GetTestPoints()->GetPointData()->GetArray(names::Normal)->GetTuple(v, n);
+        const double dot =
+          std::abs((q[0] - p[0]) * n[0] + (q[1] - p[1]) * n[1] + (q[2] - p[2]) * n[2]);
+        const double length = std::sqrt((q[0] - p[0]) * (q[0] - p[0]) +
+          (q[1] - p[1]) * (q[1] - p[1]) + (q[2] - p[2]) * (q[2] - p[2]));
+        const double angle = std::acos(dot / length) * 180.0 / 3.14159265358979323846;
+        largest = std::max(largest, angle);
+        sum += angle;
+      });
+    if (matrix.GetSize(c) == scene.Truth.TestPoints && largest < worst)
+    {
+      worst = largest;
+      mean = sum / scene.Truth.TestPoints;
+    }
+  }
+  const auto planner = MakePlanner(scene, Planner::BEST);
+  planner->Update();
+  CHECK(planner->GetWorstIncidenceAngle() == Approx(worst).margin(1e-8));
+  CHECK(planner->GetMeanBestIncidenceAngle() == Approx(mean).margin(1e-8));
+  CHECK(planner->GetIsWorstProvedOptimal());
+  CHECK(planner->GetIsMeanProvedOptimal());
+}
+
+TEST_CASE("coverage-limited reduction follows the known curves", "[vtkHeliosScanPositionPlanner]")
+{
+  // Test points covered by so many scans, the fewest scans first.
+  const std::vector<std::pair<int, std::vector<int>>> curves = {
+    { 4, { 500, 607, 630, 636, 640, 642 } },
+    { 5, { 799, 1110, 1195, 1229, 1239 } },
+    { 7, { 0, 1490, 1802, 1987, 2042, 2087 } },
+  };
+  for (const auto& [k, curve] : curves)
+  {
+    const helios::PlanScene& scene = GetScenes()[k];
+    for (std::size_t n = 0; n < curve.size(); ++n)
+    {
+      if (curve[n] == 0)
+      {
+        continue;
+      }
+      INFO(scene.Name << ", " << n + 1);
+      const auto planner = MakePlanner(scene, Planner::VIEWSHED_SIZE);
+      planner->SetMinimumCoverage(100.0 * curve[n] / scene.Truth.TestPoints);
+      planner->Update();
+      CHECK(planner->GetNumberOfSelected() == static_cast<vtkIdType>(n + 1));
+      CHECK(planner->GetNumberCovered() == curve[n]);
+      if (curve[n] == scene.Truth.TestPoints)
+      {
+        continue;
+      }
+      planner->SetMinimumCoverage(100.0 * (curve[n] + 0.5) / scene.Truth.TestPoints);
+      planner->Update();
+      CHECK(planner->GetNumberOfSelected() > static_cast<vtkIdType>(n + 1));
+    }
+  }
+}
+
+TEST_CASE("the selected positions are in the order of greedy", "[vtkHeliosScanPositionPlanner]")
+{
+  const std::vector<std::pair<int, std::vector<int>>> curves = {
+    { 4, { 501, 614, 641, 642 } },
+    { 5, { 810, 1109, 1219, 1248, 1252 } },
+    { 7, { 1089, 1640, 1850, 1984, 2047, 2084, 2100, 2109, 2111 } },
+  };
+  for (const auto& [k, curve] : curves)
+  {
+    const auto planner = MakePlanner(GetScenes()[k], Planner::GREEDY);
+    planner->Update();
+    CHECK(GetCurve(planner) == curve);
+  }
+}
+
+TEST_CASE("95 % of the blocks take 5 scans by reduction or greedy, and no more by Best",
+  "[vtkHeliosScanPositionPlanner]")
+{
+  for (const int method : { Planner::VIEWSHED_SIZE, Planner::GREEDY, Planner::BEST })
+  {
+    const auto planner = MakePlanner(GetScenes()[7], method);
+    planner->SetMinimumCoverage(95.0);
+    planner->Update();
+    INFO(method);
+    CHECK(planner->GetCoverage() >= 95.0);
+    CHECK(planner->GetNumberOfSelected() <= 5);
+    CHECK(planner->GetBestBound() <= planner->GetNumberOfSelected());
+    CHECK((method == Planner::BEST || planner->GetNumberOfSelected() == 5));
   }
 }

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosBinaryProgram.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <random>
+#include <unistd.h>
+
+namespace
+{
+
+/// Choose rows of random members, each needing one of its columns: a set cover.
+helios::BinaryProgram MakeCover(int columns, int rows, int each, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  helios::BinaryProgram program;
+  program.HasWholeCosts = true;
+  for (int c = 0; c < columns; ++c)
+  {
+    program.AddColumn(1.0, true);
+  }
+  for (int r = 0; r < rows; ++r)
+  {
+    std::vector<char> isIn(columns);
+    for (int k = 0; k < each; ++k)
+    {
+      isIn[random() % columns] = 1;
+    }
+    for (int c = 0; c < columns; ++c)
+    {
+      if (isIn[c])
+      {
+        program.Add(c, 1.0);
+      }
+    }
+    program.EndRow(1.0);
+  }
+  return program;
+}
+
+bool Holds(const helios::BinaryProgram& program, const std::vector<double>& values)
+{
+  for (std::size_t r = 0; r < program.Lower.size(); ++r)
+  {
+    double sum = 0.0;
+    for (int k = program.Starts[r]; k < program.Starts[r + 1]; ++k)
+    {
+      sum += program.Coefficients[k] * values[program.Columns[k]];
+    }
+    if (sum < program.Lower[r] - 1e-6)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double GetCost(const helios::BinaryProgram& program, const std::vector<double>& values)
+{
+  double cost = 0.0;
+  for (std::size_t c = 0; c < values.size(); ++c)
+  {
+    cost += program.Costs[c] * values[c];
+  }
+  return cost;
+}
+
+/// The least cost, by trying all.
+double TryAll(const helios::BinaryProgram& program)
+{
+  double least = 1e300;
+  const auto columns = static_cast<unsigned int>(program.Costs.size());
+  for (unsigned int set = 0; set < 1u << columns; ++set)
+  {
+    std::vector<double> values(columns);
+    for (unsigned int c = 0; c < columns; ++c)
+    {
+      values[c] = set >> c & 1u;
+    }
+    least = Holds(program, values) ? std::min(least, GetCost(program, values)) : least;
+  }
+  return least;
+}
+
+} // namespace
+
+TEST_CASE("a triangle takes two columns and half as many more or less", "[BinaryProgram]")
+{
+  helios::BinaryProgram program;
+  program.HasWholeCosts = true;
+  for (int c = 0; c < 3; ++c)
+  {
+    program.AddColumn(1.0, true);
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    program.Add(c, 1.0);
+    program.Add((c + 1) % 3, 1.0);
+    program.EndRow(1.0);
+  }
+  CHECK(helios::SolveRelaxed(program) == Approx(1.5).margin(1e-5));
+  const helios::BinaryAnswer answer = helios::SolveBinary(program);
+  CHECK(answer.IsProved);
+  CHECK(GetCost(program, answer.Values) == Approx(2.0));
+  CHECK(answer.LinearBound == Approx(1.5).margin(1e-5));
+  CHECK(answer.Bound == Approx(2.0).margin(1e-5));
+}
+
+TEST_CASE("small programmes have the answers that trying all has", "[BinaryProgram]")
+{
+  for (unsigned int seed = 0; seed < 40; ++seed)
+  {
+    INFO(seed);
+    helios::BinaryProgram program = MakeCover(10, 25, 2 + static_cast<int>(seed % 3), seed);
+    if (seed % 2)
+    {
+      program.HasWholeCosts = false;
+      program.Costs[seed % 10] = 0.4;
+      program.Costs[(seed + 3) % 10] = 1.7;
+    }
+    if (seed % 4 < 2)
+    {
+      program.Start.assign(10, 1.0);
+    }
+    const helios::BinaryAnswer answer = helios::SolveBinary(program);
+    REQUIRE(answer.IsProved);
+    CHECK(Holds(program, answer.Values));
+    CHECK(GetCost(program, answer.Values) == Approx(TryAll(program)));
+    CHECK(answer.LinearBound <= TryAll(program));
+    CHECK(answer.Bound <= TryAll(program) + 1e-6);
+  }
+}
+
+TEST_CASE("columns need not be whole", "[BinaryProgram]")
+{
+  helios::BinaryProgram program;
+  program.AddColumn(1.0, true);
+  program.AddColumn(1.0, false);
+  program.Add(0, 2.0);
+  program.Add(1, 1.0);
+  program.EndRow(2.25);
+  const helios::BinaryAnswer answer = helios::SolveBinary(program);
+  CHECK(answer.IsProved);
+  CHECK(answer.Values[0] == Approx(1.0));
+  CHECK(answer.Values[1] == Approx(0.25));
+}
+
+TEST_CASE("what has no solution is proved to have none", "[BinaryProgram]")
+{
+  helios::BinaryProgram program;
+  program.AddColumn(1.0, true);
+  program.Add(0, 1.0);
+  program.EndRow(2.0);
+  const helios::BinaryAnswer answer = helios::SolveBinary(program);
+  CHECK(answer.IsProved);
+  CHECK(answer.Values.empty());
+}
+
+TEST_CASE("cut short, the start and a bound remain", "[BinaryProgram]")
+{
+  helios::BinaryProgram program = MakeCover(200, 400, 8, 1);
+  program.Start.assign(200, 1.0);
+  SECTION("told to stop")
+  {
+    program.Stop = [] { return true; };
+  }
+  SECTION("out of time")
+  {
+    program.TimeLimit = 0.2;
+  }
+  const helios::BinaryAnswer answer = helios::SolveBinary(program);
+  REQUIRE(answer.Values.size() == 200);
+  CHECK(Holds(program, answer.Values));
+  CHECK_FALSE(answer.IsProved);
+  CHECK(answer.Bound > 20.0);
+  CHECK(answer.Bound <= GetCost(program, answer.Values));
+}
+
+TEST_CASE("nothing is printed, and interrupts go where they went", "[BinaryProgram]")
+{
+  const auto own = [](int) {};
+  struct sigaction old = {};
+  struct sigaction mine = {};
+  mine.sa_handler = own;
+  sigaction(SIGINT, &mine, &old);
+  std::FILE* file = std::tmpfile();
+  std::fflush(stdout);
+  const int out = dup(1);
+  const int err = dup(2);
+  dup2(fileno(file), 1);
+  dup2(fileno(file), 2);
+  const helios::BinaryAnswer answer = helios::SolveBinary(MakeCover(40, 120, 4, 2));
+  const double relaxed = helios::SolveRelaxed(MakeCover(40, 120, 4, 2));
+  std::fflush(stdout);
+  dup2(out, 1);
+  dup2(err, 2);
+  close(out);
+  close(err);
+  std::fseek(file, 0, SEEK_END);
+  CHECK(std::ftell(file) == 0);
+  std::fclose(file);
+  struct sigaction now = {};
+  sigaction(SIGINT, &old, &now);
+  CHECK(now.sa_handler == mine.sa_handler);
+  CHECK(answer.IsProved);
+  CHECK(relaxed == Approx(answer.LinearBound));
+}
