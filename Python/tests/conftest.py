@@ -69,3 +69,21 @@ def make_survey(tmp_path):
         return tmp_path / "survey.xml"
 
     return make
+
+
+@pytest.fixture
+def read_pixels():
+    """Reads a PNG: height x width x 3 integers, from the bottom row up."""
+
+    def read(path):
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOImage import vtkPNGReader
+
+        reader = vtkPNGReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        return pixels.reshape(height, width, 3).astype(int)
+
+    return read

@@ -28,6 +28,14 @@ def test_survey_by_hand(capsys):
     assert columns["Range"].min() >= 0.5
 
 
+def test_plan_scans(capsys):
+    predicted, simulated = load("plan_scans").main()
+    said = capsys.readouterr().out
+    assert 0.95 <= predicted < 1 and abs(predicted - simulated) < 0.02
+    scans, least = (int(n) for n in re.search(r"(\d+) scans, at least (\d+);", said).groups())
+    assert least <= scans == said.count("test points more")
+
+
 def test_every_example_is_tested():
     text = pathlib.Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

@@ -40,22 +40,7 @@ def draw(*arguments, display=True):
     )
 
 
-def read_pixels(path):
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOImage import vtkPNGReader
-
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    width, height, _ = reader.GetOutput().GetDimensions()
-    return (
-        vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        .reshape(height, width, 3)
-        .astype(int)
-    )
-
-
-def test_picture(cloud, tmp_path):
+def test_picture(cloud, tmp_path, read_pixels):
     done = draw(cloud, "--output", tmp_path / "p.png", "--title", "a roof")
     assert done.returncode == 0, done.stderr
     pixels = read_pixels(tmp_path / "p.png")

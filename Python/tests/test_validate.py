@@ -170,6 +170,10 @@ SWINGING = "<scanner id='a' optics='oscillating'>"
         ("echoDetector", f"{SWINGING}<FWFSettings echoDetector='{{}}'/></scanner>"),
         ("returnSelection", f"{SWINGING}<FWFSettings returnSelection='{{}}'/></scanner>"),
         ("rotations", '<platform id="p"><scannerMount rotations="{}"/></platform>'),
+        ("method", '<surveyPlanner id="a" method="{}"/>'),
+        ("pspRemoveOrder", '<surveyPlanner id="a" pspRemoveOrder="{}"/>'),
+        ("pspRemoveFirst", '<surveyPlanner id="a" pspRemoveFirst="{}"/>'),
+        ("coverageOf", '<surveyPlanner id="a" coverageOf="{}"/>'),
         ("axis", '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount>'
         "</platform>"),
     ],

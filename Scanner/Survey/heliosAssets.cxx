@@ -91,13 +91,21 @@ const XmlDocument* Assets::Load(const std::string& path)
   {
     return found->second.get();
   }
-  auto& document = this->Documents[path];
-  document = XmlDocument::Load(path, this->Log);
-  if (document)
+  this->Documents[path] = nullptr; // where it cannot be read: once is enough
+  return this->Add(XmlDocument::Load(path, this->Log));
+}
+
+//------------------------------------------------------------------------------
+const XmlDocument* Assets::Add(std::unique_ptr<XmlDocument> document)
+{
+  if (!document)
   {
-    document->GetRoot().CheckNames();
+    return nullptr;
   }
-  return document.get();
+  document->GetRoot().CheckNames();
+  auto& place = this->Documents[document->GetPath()];
+  place = std::move(document);
+  return place.get();
 }
 
 //------------------------------------------------------------------------------
@@ -178,16 +186,24 @@ std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDoc
 //------------------------------------------------------------------------------
 XmlElement Assets::FindElement(const char* tag, const XmlElement& from, const char* attribute)
 {
-  const std::string reference = from.GetText(attribute);
-  const std::string where = from.Where() + ": " + attribute + "=\"" + reference + "\"";
-  const std::size_t hash = reference.rfind('#');
-  const std::string file = hash == std::string::npos ? "" : reference.substr(0, hash);
-  const std::string id = hash == std::string::npos ? reference : reference.substr(hash + 1);
+  return this->FindElement(
+    tag, { attribute, from.GetText(attribute), from.Where() }, from.GetDocument());
+}
+
+//------------------------------------------------------------------------------
+XmlElement Assets::FindElement(
+  const char* tag, const XmlValue& reference, const XmlDocument& from)
+{
+  const std::string& text = reference.Text;
+  const std::string where = reference.Where + ": " + reference.Name + "=\"" + text + "\"";
+  const std::size_t hash = text.rfind('#');
+  const std::string file = hash == std::string::npos ? "" : text.substr(0, hash);
+  const std::string id = hash == std::string::npos ? text : text.substr(hash + 1);
   if (file.empty())
   {
-    return this->FindElementById(tag, id, from.GetDocument(), where);
+    return this->FindElementById(tag, id, from, where);
   }
-  const std::string path = this->FindFile({ attribute, file, from.Where() }, from.GetDocument());
+  const std::string path = this->FindFile({ reference.Name, file, reference.Where }, from);
   const XmlDocument* document = path.empty() ? nullptr : this->Load(path);
   return document ? this->FindElementById(tag, id, *document, where) : XmlElement();
 }

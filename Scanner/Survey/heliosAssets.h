@@ -29,6 +29,9 @@ public:
   /// The document of that very path; null after an error.
   const XmlDocument* Load(const std::string& path);
 
+  /// Takes a document for that of its path.
+  const XmlDocument* Add(std::unique_ptr<XmlDocument> document);
+
   /// The paths of all documents that were loaded, in alphabetical order.
   std::vector<std::string> GetDocumentPaths() const;
 
@@ -41,6 +44,10 @@ public:
 
   /// The element of a tag that an attribute refers to by file.xml#id, #id or id; none after an error.
   XmlElement FindElement(const char* tag, const XmlElement& from, const char* attribute);
+
+  /// The same of a reference that need not stand in a file.
+  XmlElement FindElement(
+    const char* tag, const XmlValue& reference, const XmlDocument& from);
 
   /// The folders that a file named by this document is looked for in.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;

@@ -105,8 +105,9 @@ void CheckAssets(const XmlElement& root, Assets& assets, Messages& log)
     CheckSceneCrs(ReadScene(scene, assets), log);
   }
   const bool holdsNothing = scanners.empty() && platforms.empty() && scenes.empty() &&
-    !root.GetChild("survey") && !root.GetChild("platformSettings") &&
-    !root.GetChild("scannerSettings") && !root.GetChild("FWFSettings");
+    !root.GetChild("survey") && !root.GetChild("surveyPlanner") &&
+    !root.GetChild("platformSettings") && !root.GetChild("scannerSettings") &&
+    !root.GetChild("FWFSettings");
   if (holdsNothing)
   {
     log.Error(root.Where() +

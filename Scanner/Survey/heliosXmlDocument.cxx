@@ -79,9 +79,6 @@ pugi::xml_node NextNode(pugi::xml_node node)
 //------------------------------------------------------------------------------
 std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages& messages)
 {
-  std::unique_ptr<XmlDocument> document(new XmlDocument);
-  document->Path = path;
-  document->Log = &messages;
   std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path, ignored))
@@ -89,7 +86,17 @@ std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages
     messages.Error(path + ": cannot be read; give the name of an XML file");
     return nullptr;
   }
-  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  return XmlDocument::Make(
+    path, { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() }, messages);
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<XmlDocument> XmlDocument::Make(
+  const std::string& path, std::string text, Messages& messages)
+{
+  std::unique_ptr<XmlDocument> document(new XmlDocument);
+  document->Path = path;
+  document->Log = &messages;
   if (!document->Parse(std::move(text)) || !document->CheckRoot())
   {
     return nullptr;

@@ -28,6 +28,10 @@ public:
   /// attribute that an element has twice, is an error, and the first counts.
   static std::unique_ptr<XmlDocument> Load(const std::string& path, Messages& messages);
 
+  /// The same of a text that stands for a file.
+  static std::unique_ptr<XmlDocument> Make(
+    const std::string& path, std::string text, Messages& messages);
+
   const std::string& GetPath() const { return this->Path; }
   Messages& GetMessages() const { return *this->Log; }
   XmlElement GetRoot() const;

@@ -172,6 +172,15 @@ LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files)
 }
 
 //------------------------------------------------------------------------------
+LegSettings ReadScannerSettings(const XmlElement& element, Assets& files)
+{
+  LegSettings settings;
+  settings.Leg.Where = element.Where();
+  LegReader(files).ReadScannerSettings(element, settings);
+  return settings;
+}
+
+//------------------------------------------------------------------------------
 void CheckTemplates(const XmlElement& root, Assets& files)
 {
   LegReader reader(files);

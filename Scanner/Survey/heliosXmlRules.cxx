@@ -40,6 +40,9 @@ constexpr XmlRange RotorFrequency = { -1e6, 1e6, false };
 constexpr XmlRange WedgeAngle = { -89.0, 89.0, false };
 constexpr XmlRange RefractiveIndex = { 1.0, 10.0, false };
 constexpr XmlRange Steps = { 1.0, 1e9, false };
+constexpr XmlRange GridStep = { 0.0, 1e6, true };
+constexpr XmlRange RightAngle = { 0.0, 90.0, false };
+constexpr XmlRange Elevation = { -90.0, 90.0, false };
 constexpr bool Repeats = true;
 
 // One row a name.
@@ -108,6 +111,7 @@ const std::vector<XmlElementRule> Rules = {
   { "document",
     {},
     { { "survey", Repeats },
+      { "surveyPlanner", Repeats },
       { "scene", Repeats },
       { "scanner", Repeats },
       { "platform", Repeats },
@@ -149,6 +153,39 @@ const std::vector<XmlElementRule> Rules = {
       { "attitudeXNoise" },
       { "attitudeYNoise" },
       { "attitudeZNoise" } } },
+
+  { "surveyPlanner",
+    { { "id" },
+      { "name" },
+      { "scene", Reference },
+      { "platform", Reference },
+      { "scanner", Reference },
+      { "method" },
+      { "pspRemoveOrder" },
+      { "pspRemoveFirst" },
+      { "minCoverage_percent", Real, Used, "%", { 1e-6, 100.0, false } },
+      { "coverageOf" },
+      { "gridSizePSP_m", Real, Used, "m", GridStep },
+      { "gridSizePSPy_m", Real, Used, "m", GridStep },
+      { "gridSizeVTP_m", Real, Used, "m", GridStep },
+      { "vtpLines" },
+      { "maxSlope_deg", Real, Used, "deg", RightAngle },
+      { "groundOnly" },
+      { "scannerHeight_m", Real, Used, "m", { 1e-6, 1e4, false } },
+      { "hitTolerance_m", Real, Used, "m", { 1e-6, 1e3, false } },
+      { "hitBehind", Boolean },
+      { "scannerLimits", Boolean },
+      { "rangeMin_m", Real, Used, "m", NotNegative },
+      { "rangeMax_m", Real, Used, "m", Positive },
+      { "elevationMin_deg", Real, Used, "deg", Elevation },
+      { "elevationMax_deg", Real, Used, "deg", Elevation },
+      { "maxIncidence_deg", Real, Used, "deg", RightAngle },
+      { "minPointDensity_1_m2", Real, Used, "1/m^2", NotNegative },
+      { "areaWeights", Boolean },
+      { "minOverlap_percent", Real, Used, "%", { 0.0, 99.9, false } },
+      { "timeLimit_s", Real, Used, "s", Positive },
+      { "interactive", Boolean, Ignored } },
+    { { "scannerSettings" } } },
 
   { "leg",
     { { "scanner", Reference },

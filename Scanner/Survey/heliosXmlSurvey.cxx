@@ -7,6 +7,7 @@
 #include "heliosMessages.h"
 #include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
+#include "heliosXmlPlanner.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
@@ -24,15 +25,6 @@ namespace
 {
 
 constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
-
-/// A name that is fit for a folder.
-std::string MakeFolderName(std::string name)
-{
-  const auto isUnfit = [](char c)
-  { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20; };
-  std::replace_if(name.begin(), name.end(), isUnfit, '_');
-  return name == "." || name == ".." ? "survey" : name;
-}
 
 /// The number of a seed: of a date the digits, of a decimal number its whole part; negative: none.
 vtkIdType ParseSeed(std::string text)
@@ -378,21 +370,37 @@ bool SurveyReader::IsGood(std::size_t leg, const SurveyData& data) const
 } // namespace
 
 //------------------------------------------------------------------------------
+std::string MakeFolderName(std::string name)
+{
+  const auto isUnfit = [](char c)
+  { return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20; };
+  std::replace_if(name.begin(), name.end(), isUnfit, '_');
+  return name == "." || name == ".." ? "survey" : name;
+}
+
+//------------------------------------------------------------------------------
 SurveyData ReadSurvey(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
 {
-  SurveyData data;
-  data.FileName = fileName;
   Assets assets(log, assetDirectories);
-  const XmlDocument* document = assets.Load(fileName);
+  return ReadSurvey(assets.Load(fileName), assets, log);
+}
+
+//------------------------------------------------------------------------------
+SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log)
+{
+  SurveyData data;
   if (!document)
   {
     return data;
   }
+  data.FileName = document->GetPath();
   const std::vector<XmlElement> surveys = document->GetRoot().GetChildren("survey");
   if (surveys.empty())
   {
-    log.Error(document->GetRoot().Where() + ": the file has no <survey>; give a file that has one");
+    const bool isPlanner = static_cast<bool>(document->GetRoot().GetChild("surveyPlanner"));
+    log.Error(document->GetRoot().Where() + ": the file has no <survey>; " +
+      (isPlanner ? "vtkhelios plan makes one of its <surveyPlanner>" : "give a file that has one"));
     return data;
   }
   if (surveys.size() > 1)
@@ -420,6 +428,10 @@ void CheckFile(
     SurveyData data;
     SurveyReader(assets, log).Read(survey, data);
     CheckSurveyNames(data, survey.Where(), log);
+  }
+  for (const XmlElement& planner : root.GetChildren("surveyPlanner"))
+  {
+    CheckPlanner(planner, assets, log);
   }
   CheckTemplates(root, assets);
   CheckAssets(root, assets, log);

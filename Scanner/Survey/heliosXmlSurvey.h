@@ -13,14 +13,22 @@
 namespace helios
 {
 
+class Assets;
 class Messages;
+class XmlDocument;
 
 /// The first survey of a file with all that it refers to. Complete only if log has no error then.
 SurveyData ReadSurvey(const std::string& fileName,
   const std::vector<std::string>& assetDirectories,
   Messages& log);
 
-/// Checks a whole file: its surveys, as they are read, and all scenes, scanners, platforms and
+/// The same of a document, which may be null.
+SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
+
+/// A name that is fit for a folder.
+std::string MakeFolderName(std::string name);
+
+/// Checks a whole file: its surveys and planners, as they are read, and all scenes, scanners, platforms and
 /// templates in it, whether a survey uses them or not.
 void CheckFile(const std::string& fileName,
   const std::vector<std::string>& assetDirectories,

@@ -21,7 +21,8 @@ import vtkhelios
 from ._parser import Parser
 
 DESCRIPTION = (
-    "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out."
+    "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out. "
+    "Plans them, too: a scene in, the positions to scan it from out."
 )
 
 EPILOG = """\
@@ -29,6 +30,7 @@ examples:
   vtkhelios run survey.xml                          run a survey, files go to ./output
   vtkhelios run survey.xml --assets my_scenes       its scenes and scanners are looked up there, too
   vtkhelios run --help                              all about running surveys
+  vtkhelios plan scene.xml                          where to scan a scene from, as a survey
   vtkhelios validate survey.xml                     all that is wrong with it, at once
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    the echoes of stored waveforms anew
 

@@ -25,10 +25,14 @@ def missing_folder(assets):
 
 
 def make_reader(path, assets):
-    """A reader of a file that looks in the user's folders, beside it, then in what is shipped."""
+    """A reader of a survey."""
+    return look_up(vtkhelios.vtkHeliosSurveyReader(), path, assets)
+
+
+def look_up(reader, path, assets):
+    """A reader, or writer, of a file that looks in the user's folders, beside it, then in what is shipped."""
     shipped = vtkhelios.data_directory()
     beside = str(pathlib.Path(path).parent)
-    reader = vtkhelios.vtkHeliosSurveyReader()
     reader.SetFileName(path)
     for folder in dict.fromkeys([*assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]):
         reader.AddAssetDirectory(folder)

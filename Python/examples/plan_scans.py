@@ -1,0 +1,148 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where to put the scanner: plan, scan from there, and see what came of it.
+
+What `vtkhelios plan --check` does with files, this does with objects:
+
+    scene ─┬─> candidates ──┐
+           ├─> test points ─┼─> viewsheds ─> planner ─┬─> positions ─> survey.xml ─> player ─> echoes
+           └────────────────┘                         └─> test points: who sees them
+
+Run it with
+
+    build/venv/bin/python Python/examples/plan_scans.py
+"""
+
+import pathlib
+import tempfile
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
+from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
+
+import vtkhelios
+
+TOLERANCE = 0.1  # m, between a test point and what is seen of it
+RESOLUTION = 0.2  # deg, between pulses
+FLATTEST = 80  # deg from the normal: beams that graze more tell little
+
+
+def make_scene(folder):
+    """Boxes on flat ground, 16 m wide, as an OBJ file: surveys name files."""
+    scene = vtkhelios.vtkHeliosSyntheticScene()
+    scene.SetKindToBlocks()
+    scene.SetSize(16)
+    scene.SetHeight(3)
+    scene.SetResolution(3)
+    writer = vtkhelios.vtkHeliosObjSceneWriter()
+    writer.SetInputConnection(scene.GetOutputPort())
+    writer.SetFileName(str(folder / "blocks.obj"))
+    writer.Write()
+    return scene
+
+
+def plan_positions(scene):
+    """Candidates every 2 m, test points every metre, and the fewest scans that see them."""
+    candidates = vtkhelios.vtkHeliosScanPositionCandidates()
+    candidates.SetInputConnection(scene.GetOutputPort())
+    candidates.SetStep(2)  # m
+    candidates.SetSurfaceToOpenGround()  # nothing above it: not on the boxes, not in them
+    candidates.SetScannerHeight(1.7)  # m
+
+    test_points = vtkhelios.vtkHeliosVisibilityTestPoints()
+    test_points.SetInputConnection(scene.GetOutputPort())
+    test_points.SetStep(1)
+
+    viewsheds = vtkhelios.vtkHeliosViewsheds()
+    for port, source in enumerate((scene, candidates, test_points)):
+        viewsheds.SetInputConnection(port, source.GetOutputPort())
+    viewsheds.SetMinimumRange(1.5)  # m: what a VZ-400 can
+    viewsheds.SetMinimumElevation(-50)  # deg
+    viewsheds.SetMaximumElevation(50)
+    viewsheds.SetMaximumIncidenceAngle(FLATTEST)
+
+    planner = vtkhelios.vtkHeliosScanPositionPlanner()
+    planner.SetInputConnection(0, viewsheds.GetOutputPort())
+    planner.SetInputConnection(1, test_points.GetOutputPort())
+    planner.SetMinimumCoverage(95)  # %
+    return planner
+
+
+def write_survey(planner, folder):
+    """One leg a position; the writer takes off what tripod and scanner add to a leg's z."""
+    lines = 100_000 * RESOLUTION / 240  # a second: the mirror sweeps 240 deg
+    writer = vtkhelios.vtkHeliosSurveyWriter()
+    writer.SetInputConnection(planner.GetOutputPort(2))
+    writer.SetFileName(str(folder / "survey.xml"))
+    writer.AddAssetDirectory(str(vtkhelios.data_directory() / "Assets"))
+    writer.SetScene("blocks.obj")
+    writer.SetPlatform("platforms.xml#tripod")
+    writer.SetScanner("scanners.xml#vz400_class_tls")
+    writer.SetPulseFrequency(100_000)  # Hz
+    writer.SetScanFrequency(lines)
+    writer.SetHeadRotatePerSecond(RESOLUTION * lines)  # deg/s
+    if not writer.Write():
+        raise RuntimeError("the survey cannot be written")
+
+
+def run_survey(folder):
+    """Runs it; a cloud a leg."""
+    reader = vtkhelios.vtkHeliosSurveyReader()
+    reader.SetFileName(str(folder / "survey.xml"))
+    reader.AddAssetDirectory(str(vtkhelios.data_directory() / "Assets"))
+    reader.Read()
+    player = vtkhelios.vtkHeliosSurveyPlayer()
+    player.SetSurvey(reader.GetSurvey())
+    player.SetOutputDirectory(str(folder))
+    player.SetFormat("vtp")
+    player.SetNoise(False)
+    if not player.Run():
+        raise RuntimeError(player.GetMessage())
+    for leg in range(player.GetNumberOfLegs()):
+        cloud = vtkXMLPPolyDataReader()
+        cloud.SetFileName(f"{player.GetRunFolder()}/leg{leg:03}_points.pvtp")
+        yield vtkhelios.update(cloud)
+
+
+def find_met(clouds, places):
+    """Which places have an echo within the tolerance, of a beam that does not graze."""
+    met = np.zeros(len(places), dtype=bool)
+    for cloud in clouds:
+        columns = vtkhelios.arrays(cloud)
+        echoes = columns["points"][columns["IncidenceAngle"] <= FLATTEST]
+        good = vtkPolyData()
+        good.SetPoints(vtkPoints())
+        good.GetPoints().SetData(numpy_to_vtk(echoes, deep=True))
+        locator = vtkStaticPointLocator()
+        locator.SetDataSet(good)
+        locator.BuildLocator()
+        nearest = [locator.FindClosestPoint(place) for place in places.tolist()]
+        met |= np.linalg.norm(echoes[nearest] - places, axis=1) < TOLERANCE
+    return met
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        planner = plan_positions(make_scene(folder))
+        points = vtkhelios.arrays(vtkhelios.update(planner, 1))
+        positions = vtkhelios.arrays(planner.GetOutputDataObject(2))
+        print(
+            f"{planner.GetNumberOfSelected()} scans, at least {planner.GetBestBound()}; they see "
+            f"{planner.GetCoverableCoverage():.1f} % of what any candidate sees"
+        )
+        for place, adds in zip(positions["points"], positions["NewlyCovered"]):
+            print("  from ({:.1f}, {:.1f}, {:.1f}): {} test points more".format(*place, adds))
+
+        write_survey(planner, folder)
+        coverable = points["Coverable"] > 0
+        predicted = points["NumberOfScans"][coverable] > 0
+        met = find_met(run_survey(folder), points["points"][coverable])
+    print(f"predicted {100 * predicted.mean():.2f} %, simulated {100 * met.mean():.2f} %")
+    return predicted.mean(), met.mean()
+
+
+if __name__ == "__main__":
+    main()

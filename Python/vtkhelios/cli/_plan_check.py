@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Predicted against simulated coverage: the survey of a plan is run, and its echoes are looked for."""
+
+import math
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
+from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
+
+import vtkhelios
+
+from ._interrupt import Interrupt
+from ._progress import make_progress
+from ._reading import make_reader
+
+STEEPEST = 0.02  # cosine of incidence; where beams graze, echoes are no further apart than so
+
+
+def simulate(survey, arguments, folder, messages):
+    """Runs a survey without noise; an exit code, and the folder that its files are in."""
+    reader = make_reader(str(survey), arguments.assets)
+    messages.watch(reader)
+    if not reader.Read():
+        messages.error_unless_told(f"{survey}: cannot be read")
+        return 1, None
+    player = vtkhelios.vtkHeliosSurveyPlayer()
+    messages.watch(player)
+    player.SetSurvey(reader.GetSurvey())
+    player.SetOutputDirectory(str(folder))
+    player.SetFormat("vtp")
+    player.SetNoise(False)
+    player.SetOverwrite(True)
+    with Interrupt(player, messages) as interrupt:
+        with make_progress(player, messages, quiet=arguments.quiet):
+            succeeded = player.Run()
+    if interrupt.signal and not succeeded:
+        messages.error("interrupted while the survey was simulated; the plan itself is written")
+        return 128 + interrupt.signal, None
+    if not succeeded:
+        messages.error_unless_told(player.GetMessage())
+        return 1, None
+    return 0, player.GetRunFolder()
+
+
+def compare(clouds, planner, settings, angular_step):
+    """Predicted and simulated coverage of the coverable test points.
+
+    A test point is met where an echo is within the tolerance of it, or within half the distance of
+    neighbouring echoes there, where a scan is that coarse; and if what the plan asks of a line of
+    sight (range, incidence ...), which is not the scanner's to refuse, is given, too.
+    """
+    points = vtkhelios.arrays(planner.GetOutputDataObject(1))
+    coverable = points["Coverable"] > 0
+    places = points["points"][coverable]
+    predicted = points["NumberOfScans"][coverable] > 0
+    normals = points["Normal"][coverable] if "Normal" in points else None
+    scanners = vtkhelios.arrays(planner.GetOutputDataObject(2))["points"]
+    tolerance = settings["hitTolerance_m"]
+    met = np.zeros(len(places), dtype=bool)
+    near = np.full(len(places), np.inf)
+    finest = np.full(len(places), np.inf)
+    for cloud, scanner in zip(clouds, scanners, strict=True):
+        sights = Sights(places, normals, scanner, angular_step)
+        wanted = sights.find_wanted(settings)
+        spacing = sights.half_spacing()
+        finest = np.minimum(finest, spacing)
+        distance = np.where(wanted, find_distances(cloud, places), np.inf)
+        near = np.minimum(near, distance)
+        met |= distance <= np.maximum(tolerance, spacing)
+    count = max(1, len(places))
+    return {
+        "predicted_percent": 100.0 * predicted.sum() / count,
+        "simulated_percent": 100.0 * met.sum() / count,
+        "withinTolerance_percent": 100.0 * (near <= tolerance).sum() / count,
+        "predictedNotMet": int((predicted & ~met).sum()),
+        "metNotPredicted": int((met & ~predicted).sum()),
+        "coarse_percent": 100.0 * (finest > tolerance).sum() / count,
+        "echoes": sum(cloud.GetNumberOfPoints() for cloud in clouds),
+    }
+
+
+class Sights:
+    """The lines of sight from a scanner to some places, whatever is between."""
+
+    def __init__(self, places, normals, scanner, angular_step):
+        sights = places - scanner
+        self.ranges = np.maximum(np.linalg.norm(sights, axis=1), 1e-12)
+        self.elevations = np.degrees(np.arcsin(np.clip(sights[:, 2] / self.ranges, -1.0, 1.0)))
+        self.cosines = np.ones(len(places))
+        if normals is not None:
+            self.cosines = np.abs(np.einsum("ij,ij->i", sights, normals)) / self.ranges
+        self.steps = math.radians(angular_step) * self.ranges
+
+    def half_spacing(self):
+        """Half the diagonal between four neighbouring echoes on a surface there [m]."""
+        return 0.5 * np.hypot(self.steps, self.steps / np.maximum(self.cosines, STEEPEST))
+
+    def find_wanted(self, settings):
+        """Which of them the plan asks for, by range, elevation, incidence and density."""
+        incidence = np.degrees(np.arccos(np.clip(self.cosines, 0.0, 1.0)))
+        thin = settings["minDensity_1_m2"] * self.steps**2 > self.cosines
+        return (
+            (self.ranges >= settings["rangeMin_m"])
+            & (self.ranges <= settings["rangeMax_m"])
+            & (self.elevations >= settings["elevationMin_deg"])
+            & (self.elevations <= settings["elevationMax_deg"])
+            & (incidence <= settings["maxIncidence_deg"])
+            & ~thin
+        )
+
+
+def find_distances(cloud, places):
+    """From each place to the nearest point of a cloud."""
+    if cloud.GetNumberOfPoints() == 0:
+        return np.full(len(places), np.inf)
+    locator = vtkStaticPointLocator()
+    locator.SetDataSet(cloud)
+    locator.BuildLocator()
+    echoes = vtk_to_numpy(cloud.GetPoints().GetData())
+    nearest = [locator.FindClosestPoint(place) for place in places.tolist()]
+    return np.linalg.norm(echoes[nearest] - places, axis=1)
+
+
+def read_clouds(folder, count):
+    """The echoes of every leg; a leg without any gives an empty cloud."""
+    clouds = []
+    for leg in range(count):
+        reader = vtkXMLPPolyDataReader()
+        reader.SetFileName(f"{folder}/leg{leg:03}_points.pvtp")
+        reader.Update()
+        clouds.append(reader.GetOutput())
+    return clouds
+
+
+def check_lines(check, tolerance):
+    """What the comparison came to."""
+    yield (
+        f"check    predicted {check['predicted_percent']:.2f} %, simulated "
+        f"{check['simulated_percent']:.2f} % of the coverable test points, by {check['echoes']:,} "
+        f"echoes; {check['predictedNotMet']:,} predicted and not met, {check['metNotPredicted']:,} "
+        "the other way"
+    )
+    if check["coarse_percent"] > 1:
+        yield (
+            f"         the scans are coarser than --tolerance ({tolerance:g} m) at "
+            f"{check['coarse_percent']:.0f} % of them, where half the distance of echoes counts; "
+            "--resolution makes them finer"
+        )
+
+
+def explain_difference(check, settings):
+    """What to do where the simulated coverage is not the predicted one; None where it is."""
+    difference = check["predicted_percent"] - check["simulated_percent"]
+    if abs(difference) <= 1:
+        return None
+    text = f"simulated coverage is {abs(difference):.1f} % {'below' if difference > 0 else 'above'} predicted"
+    if difference > 0 and not settings["scannerLimits"]:
+        return f"{text}: ranges and field of view of the scanner were not asked for; give --scanner-limits"
+    return f"{text}; a finer --resolution or a smaller --test-grid tells more"

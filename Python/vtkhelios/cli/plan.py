@@ -1,0 +1,326 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios plan: where to put the scanner, and a survey that scans from there."""
+
+import json
+import os
+import pathlib
+import shutil
+
+from vtkmodules.vtkCommonCore import vtkSMPTools
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+import vtkhelios
+
+from ._interrupt import Interrupt
+from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
+from ._plan_options import PLATFORM, SCANNER, add_plan_arguments
+from ._plan_report import file_lines, make_report, print_table, result_lines
+from ._planning import Plan, PlanMessages, Steps
+from ._progress import make_progress
+from ._reading import look_up, missing_folder
+
+SUMMARY = "plan where to scan a scene from, and write the survey that does so"
+
+EPILOG = """\
+what it plans from: a file in HELIOS XML with a <surveyPlanner>, else with a <survey> (its scene,
+tripod, scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif). Scenes and
+meshes are scanned from a tripod with a VZ-400 class scanner, unless --platform and --scanner say
+otherwise. Options win over what the file says.
+
+how it plans:
+  1 candidates: places on a grid (--grid) where a tripod can stand: not too steep (--max-slope),
+    on the ground (--ground), not in an area to keep out of (--exclude), in a --region
+  2 test points: where vertical and horizontal lines of a grid (--test-grid) meet a surface
+  3 viewsheds: which candidate sees which test point, with nothing nearer than --tolerance before
+    it, and within the limits that are asked for (--scanner-limits, --range-max ...)
+  4 positions: as few candidates as see all that any candidate sees, or --coverage percent of it
+  Grids are a twentieth of the scene's diagonal unless given. Halve them until nothing changes.
+
+methods, for step 4:
+  reduce    takes candidates away that others replace, those with the smallest viewshed or mean
+            incidence first (--remove-order): Bechtold and Hoefle 2016; of a <surveyPlanner> the
+            default
+  greedy    takes what adds most, then removes what is not needed (bestcoverage is the same)
+  best      leaves out what others dominate, weighs points by how few see them, then searches on;
+            of scenes and surveys the default
+  optimal   proves the fewest, within --time-limit; where that ends it, says how many fewer there
+            might be
+  All say a lower bound of the number of scans. Docs/planning.md has the whole of it.
+
+what it writes, below OUTPUT/<name>/:
+  survey.xml         one leg a position, those first that add most; vtkhelios run takes it
+  positions.vtp      the positions: ViewshedSize (test points seen), NewlyCovered, Exclusivity (seen
+                     from no other one), MeanIncidenceAngle [deg]
+  candidates.vtp     all candidates, with Selected and the same
+  test_points.vtp    Coverable, NumberOfScans that see it, BestIncidenceAngle [deg]
+  plan.png           the test points by number of scans and by best incidence (needs an X display:
+                     xvfb-run -a vtkhelios plan ... makes one)
+  plan_summary.json  settings, bounds, positions, timings; --json prints it
+  check/             the simulated survey, with --check
+
+examples:
+  vtkhelios plan yard.obj --grid 2
+  vtkhelios plan scene.xml --method optimal --coverage 98 --range-max 60
+  vtkhelios plan planner.xml --output plans          a <surveyPlanner>
+  vtkhelios plan scene.xml --scanner-limits --overlap 20 --max-incidence 75
+  vtkhelios plan scene.xml --check --resolution 0.05      is it true?
+  vtkhelios run output/yard/survey.xml               scan from there
+
+exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
+130 interrupted (Ctrl-C: nothing is written before the plan is made).
+"""
+
+FILES = (
+    "survey.xml",
+    "positions.vtp",
+    "candidates.vtp",
+    "test_points.vtp",
+    "plan.png",
+    "plan_summary.json",
+)
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    add_plan_arguments(parser)
+
+
+def run(arguments):
+    with PlanMessages(quiet=arguments.quiet, results=not arguments.json) as messages:
+        vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
+        document = read_document(arguments, messages)
+        if document is None:
+            return 1
+        folder = pathlib.Path(arguments.output) / document.GetPlanName()
+        if problem := find_earlier_plan(folder, arguments.overwrite):
+            messages.error(problem)
+            return 1
+        if problem := find_unusable(arguments, folder):
+            messages.error(problem)
+            return 1
+        plan = Plan(arguments, document)
+        if problem := find_contradiction(plan.settings):
+            messages.error(problem)
+            return 1
+        messages.info(
+            f"plan     {document.GetPlanName()} ({arguments.input}), {plan.settings['method']}"
+        )
+        steps = Steps(messages)
+        with Interrupt(steps, messages) as interrupt:
+            with make_progress(steps, messages, quiet=arguments.quiet):
+                succeeded = plan.run(steps)
+        if interrupt.signal:
+            messages.interrupted = False
+            messages.error("interrupted before the plan was made; nothing was written")
+            return 128 + interrupt.signal
+        if not succeeded:
+            messages.error_unless_told("no plan came of it")
+            return 1
+        return conclude(arguments, plan, steps, folder, messages)
+
+
+def read_document(arguments, messages):
+    """What is to be planned, or None after an error."""
+    if problem := missing_folder(arguments.assets):
+        messages.error(problem)
+        return None
+    document = vtkhelios.vtkHeliosPlannerReader()
+    look_up(document, arguments.input, arguments.assets)
+    document.SetPlatform(arguments.platform)
+    document.SetScanner(arguments.scanner)
+    document.SetDefaultPlatform(PLATFORM)
+    document.SetDefaultScanner(SCANNER)
+    document.SetUseScannerLimits(arguments.scanner_limits)
+    document.SetResolution(arguments.resolution)
+    document.SetPulseFrequency(arguments.pulse_frequency)
+    messages.watch(document)
+    if document.Read():
+        return document
+    messages.error_unless_told(f"{arguments.input}: cannot be read")
+    return None
+
+
+def find_earlier_plan(folder, overwrite):
+    """Why a plan must not be written to a folder, or None."""
+    if overwrite or not any((folder / name).exists() for name in FILES):
+        return None
+    return (
+        f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to replace "
+        "them, or another --output"
+    )
+
+
+def find_unusable(arguments, folder):
+    """What is wrong with the files that were named, or None."""
+    if arguments.exclude and not vtkXMLPolyDataReader().CanReadFile(arguments.exclude):
+        return f"--exclude {arguments.exclude}: is no VTK XML file of polygons; give a .vtp"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "survey.xml.part").touch()
+        (folder / "survey.xml.part").unlink()
+    except OSError as error:
+        return f"{folder}: cannot be written: {error.strerror}; give another --output"
+    return None
+
+
+def find_contradiction(settings):
+    """What lets nothing be seen, or None."""
+    for low, high, options in (
+        (settings["rangeMin_m"], settings["rangeMax_m"], "--range-min, --range-max"),
+        (
+            settings["elevationMin_deg"],
+            settings["elevationMax_deg"],
+            "--elevation-min, --elevation-max",
+        ),
+    ):
+        if low >= high:
+            return f"from {low:g} to {high:g} nothing is seen: give a larger range ({options})"
+    return None
+
+
+def conclude(arguments, plan, steps, folder, messages):
+    """Writes and prints what came of a plan; returns an exit code."""
+    report = make_report(plan, arguments.input)
+    messages.info(
+        f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
+        f"{report['coverable']:,} of them seen from any"
+    )
+    if messages.results:
+        print_table(report["positions"])
+    for line in result_lines(report):
+        messages.info(line)
+    try:
+        clear(folder)
+        files = write_data(plan.planner, folder)
+    except OSError as error:
+        messages.error(f"{error.filename or folder}: cannot be written: {error.strerror}")
+        return 1
+    survey = write_survey(arguments, plan, folder, messages)
+    if survey is None:
+        return 1
+    files.insert(0, survey)
+    picture = draw(arguments, plan, folder, messages)
+    files += [picture] if picture else []
+    code = 0
+    if arguments.check:
+        code = check(arguments, plan, survey, folder, report, messages)
+    report["timings"] = {**steps.seconds}
+    report["files"] = [path.name for path in files]
+    path = folder / "plan_summary.json"
+    write_whole(path, json.dumps(report, indent=2) + "\n")
+    for line in file_lines([*files, path]):
+        messages.info(line)
+    messages.info(f"run it   vtkhelios run {survey}{assets_of(arguments)}")
+    if arguments.json:
+        print(json.dumps(report, indent=2))
+    return code
+
+
+def assets_of(arguments):
+    return "".join(f" --assets {folder}" for folder in arguments.assets)
+
+
+def clear(folder):
+    """Makes a folder without the files of an earlier plan."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in reversed(FILES):  # the summary, which says that they are whole, first
+        (folder / name).unlink(missing_ok=True)
+    shutil.rmtree(folder / "check", ignore_errors=True)
+
+
+def write_whole(path, text):
+    """Writes a file that has its name when it is whole."""
+    part = path.with_name(f"{path.name}.part")
+    part.write_text(text, encoding="utf-8")
+    os.replace(part, path)
+
+
+def write_data(planner, folder):
+    """Candidates, test points and positions as VTK XML; returns their names."""
+    files = []
+    for port, name in ((2, "positions.vtp"), (0, "candidates.vtp"), (1, "test_points.vtp")):
+        data = vtkPolyData()
+        data.ShallowCopy(planner.GetOutputDataObject(port))
+        data.GetPointData().RemoveArray("Visibility")  # a bit a pair: as large as all else
+        part = folder / f"{name}.part"
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(str(part))
+        writer.SetInputData(data)
+        if not writer.Write():
+            raise OSError(0, "the disk may be full", str(part))
+        os.replace(part, folder / name)
+        files.append(folder / name)
+    return files
+
+
+def write_survey(arguments, plan, folder, messages):
+    """The survey of a plan: its path, or None after an error."""
+    document = plan.document
+    path = folder / "survey.xml"
+    writer = vtkhelios.vtkHeliosSurveyWriter()
+    messages.watch(writer)
+    look_up(writer, str(path), arguments.assets)
+    writer.SetInputConnection(plan.planner.GetOutputPort(2))
+    writer.SetSurveyName(document.GetPlanName())
+    writer.SetScene(refer(document.GetSceneReference() or arguments.input, folder))
+    writer.SetPlatform(refer(document.GetPlatformReference(), folder))
+    writer.SetScanner(refer(document.GetScannerReference(), folder))
+    writer.SetPulseFrequency(document.GetLegPulseFrequency())
+    writer.SetScanFrequency(document.GetLegScanFrequency())
+    if document.HasRotatingMirror():
+        writer.SetVerticalAngleMin(document.GetLegVerticalAngleMin())
+        writer.SetVerticalAngleMax(document.GetLegVerticalAngleMax())
+    elif document.GetLegScanAngle() > 0:
+        writer.SetScanAngle(document.GetLegScanAngle())
+    writer.SetHeadRotateStart(document.GetLegHeadRotateStart())
+    writer.SetHeadRotateStop(document.GetLegHeadRotateStop())
+    writer.SetHeadRotatePerSecond(document.GetLegHeadRotatePerSecond())
+    return path if writer.Write() else None
+
+
+def refer(reference, folder):
+    """A reference as it is to stand in a file of a folder: what is shipped by its name."""
+    path, mark, name = reference.partition("#")
+    absolute = pathlib.Path(path).resolve()
+    if absolute.is_relative_to(vtkhelios.data_directory().resolve() / "Assets"):
+        return f"{absolute.name}{mark}{name}"
+    return f"{os.path.relpath(absolute, folder.resolve())}{mark}{name}"
+
+
+def draw(arguments, plan, folder, messages):
+    """The picture of a plan: its path, or None where there is none."""
+    if arguments.no_picture:
+        return None
+    from vtkhelios import plan_picture
+
+    path = folder / "plan.png"
+    try:
+        plan_picture.save_picture(
+            plan.document.GetOutput(),
+            plan.planner.GetOutputDataObject(1),
+            plan.planner.GetOutputDataObject(2),
+            path,
+            title=plan.document.GetPlanName(),
+        )
+    except RuntimeError as error:
+        messages.warning(f"no plan.png: {error}, or give --no-picture")
+        return None
+    return path
+
+
+def check(arguments, plan, survey, folder, report, messages):
+    """Simulates the survey and compares; returns an exit code."""
+    tolerance = plan.settings["hitTolerance_m"]
+    code, simulated = simulate(survey, arguments, folder / "check", messages)
+    if code:
+        return code
+    clouds = read_clouds(simulated, len(report["positions"]))
+    step = plan.document.GetLegAngularStep()
+    report["check"] = compare(clouds, plan.planner, plan.settings, step)
+    for line in check_lines(report["check"], tolerance):
+        messages.info(line)
+    if problem := explain_difference(report["check"], plan.settings):
+        messages.warning(problem)
+    return 0

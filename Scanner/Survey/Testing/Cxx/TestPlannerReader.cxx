@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is to be planned, from planner documents, surveys, scenes and meshes.
+#include "vtkHeliosPlannerReader.h"
+
+#include "heliosPlannerFiles.h"
+#include "vtkHeliosDialect.h"
+
+#include <vtkCommand.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+using namespace helios::test;
+
+namespace
+{
+
+/// A survey of one leg of the tripod.
+const char* const Survey = R"(<document><survey name="test" scene="scene.xml#s"
+ platform="assets.xml#tripod" scanner="assets.xml#tls"><leg><platformSettings x="1"/>
+<scannerSettings pulseFreq_hz="300000" scanFreq_hz="50" verticalAngleMin_deg="-30"
+ verticalAngleMax_deg="40" headRotatePerSec_deg="10" headRotateStop_deg="10"/></leg>
+</survey></document>)";
+
+} // namespace
+
+TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(WritePlanner(files, ""));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty());
+  vtkHeliosPlannerReader* reader = reading.Reader;
+  CHECK(reader->GetKind() == "planner");
+  CHECK(reader->GetPlanName() == "yard");
+  CHECK(reader->GetSceneReference() == files / "scene.xml" + "#s");
+  CHECK(reader->GetPlatformReference() == files / "assets.xml" + "#tripod");
+  CHECK(reader->GetScannerReference() == files / "assets.xml" + "#tls");
+  CHECK(reader->GetMethod() == "reduce");
+  CHECK(reader->GetRemoveOrder() == "viewshedSize");
+  CHECK_FALSE(reader->GetRemoveLargestFirst());
+  CHECK(reader->GetMinimumCoverage() == 100.0);
+  CHECK_FALSE(reader->GetCoverageOfAll());
+  CHECK(reader->GetXStep() == 0.0);
+  CHECK(reader->GetYStep() == 0.0);
+  CHECK(reader->GetTestPointStep() == 0.0);
+  CHECK(reader->GetMaximumSlope() == 15.0);
+  CHECK(reader->GetGroundOnly() == "auto");
+  CHECK(reader->GetScannerHeight() == Approx(1.7)); // the mount, and the beam in the head
+  CHECK(reader->GetHitTolerance() == 0.05);
+  CHECK_FALSE(reader->GetScannerLimits());
+  CHECK(reader->GetRangeMin() == 0.0);
+  CHECK(reader->GetRangeMax() == VTK_DOUBLE_MAX);
+  CHECK(reader->GetElevationMin() == -90.0);
+  CHECK(reader->GetElevationMax() == 90.0);
+  CHECK(reader->GetMaximumIncidenceAngle() == 90.0);
+  CHECK(reader->GetTestLines() == "all");
+  CHECK(reader->GetHitBehind());
+  CHECK(reader->GetMinimumPointDensity() == 0.0);
+  CHECK(reader->GetLegAngularStep() == Approx(0.1));
+  CHECK_FALSE(reader->GetUseAreas());
+  CHECK(reader->GetMinimumOverlap() == 0.0);
+  CHECK(reader->GetTimeLimit() == 60.0);
+  // 0.1 degrees: f r / (2 * 120), and r degrees a line
+  CHECK(reader->GetLegPulseFrequency() == 100000.0);
+  CHECK(reader->GetLegScanFrequency() == Approx(100000.0 * 0.1 / 240.0));
+  CHECK(reader->GetLegHeadRotatePerSecond() == Approx(0.1 * reader->GetLegScanFrequency()));
+  CHECK(reader->GetLegHeadRotateStart() == 0.0);
+  CHECK(reader->GetLegHeadRotateStop() == 360.0);
+  CHECK(reader->GetLegVerticalAngleMin() == -50.0);
+  CHECK(reader->GetLegVerticalAngleMax() == 50.0);
+  CHECK(reader->GetLegScanAngle() == 120.0);
+  CHECK(reader->HasRotatingMirror());
+}
+
+TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(WritePlanner(files, R"(name="a/b" method="optimal"
+ pspRemoveOrder="meanIncidenceAngle" pspRemoveFirst="largest" minCoverage_percent="95"
+ coverageOf="all" gridSizePSP_m="2" gridSizePSPy_m="3" gridSizeVTP_m="0.5" maxSlope_deg="30"
+ vtpLines="vertical" hitBehind="false" minPointDensity_1_m2="9"
+ groundOnly="TRUE" scannerHeight_m="2.5" hitTolerance_m="0.1" rangeMin_m="1" rangeMax_m="80"
+ elevationMin_deg="-40" elevationMax_deg="60" maxIncidence_deg="75" areaWeights="true"
+ minOverlap_percent="20" timeLimit_s="5" interactive="true")",
+    R"(<scannerSettings pulseFreq_hz="300000" scanFreq_hz="60" headRotatePerSec_deg="-12"
+ headRotateStart_deg="90" headRotateStop_deg="-90" verticalAngleMin_deg="-20"/>)"));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty());
+  vtkHeliosPlannerReader* reader = reading.Reader;
+  CHECK(reader->GetPlanName() == "a_b");
+  CHECK(reader->GetMethod() == "optimal");
+  CHECK(reader->GetRemoveOrder() == "meanIncidenceAngle");
+  CHECK(reader->GetRemoveLargestFirst());
+  CHECK(reader->GetMinimumCoverage() == 95.0);
+  CHECK(reader->GetCoverageOfAll());
+  CHECK(reader->GetXStep() == 2.0);
+  CHECK(reader->GetYStep() == 3.0);
+  CHECK(reader->GetTestPointStep() == 0.5);
+  CHECK(reader->GetMaximumSlope() == 30.0);
+  CHECK(reader->GetGroundOnly() == "true");
+  CHECK(reader->GetScannerHeight() == 2.5);
+  CHECK(reader->GetHitTolerance() == 0.1);
+  CHECK(reader->GetRangeMin() == 1.0);
+  CHECK(reader->GetRangeMax() == 80.0);
+  CHECK(reader->GetElevationMin() == -40.0);
+  CHECK(reader->GetElevationMax() == 60.0);
+  CHECK(reader->GetMaximumIncidenceAngle() == 75.0);
+  CHECK(reader->GetTestLines() == "vertical");
+  CHECK_FALSE(reader->GetHitBehind());
+  CHECK(reader->GetMinimumPointDensity() == 9.0);
+  CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees a second, 60 lines
+  CHECK(reader->GetUseAreas());
+  CHECK(reader->GetMinimumOverlap() == 0.2);
+  CHECK(reader->GetTimeLimit() == 5.0);
+  CHECK(reader->GetLegPulseFrequency() == 300000.0);
+  CHECK(reader->GetLegScanFrequency() == 60.0);
+  CHECK(reader->GetLegHeadRotatePerSecond() == -12.0);
+  CHECK(reader->GetLegHeadRotateStart() == 90.0);
+  CHECK(reader->GetLegHeadRotateStop() == -90.0);
+  CHECK(reader->GetLegVerticalAngleMin() == -20.0);
+  CHECK(reader->GetLegVerticalAngleMax() == 50.0);
+}
+
+TEST_CASE("PlannerReader: one grid size stands for those not given", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(WritePlanner(files, R"(gridSizePSP_m="4")"));
+  CHECK(reading.Reader->GetYStep() == 4.0);
+  CHECK(reading.Reader->GetTestPointStep() == 4.0);
+}
+
+TEST_CASE("PlannerReader: what the caller asks for wins", "[PlannerReader]")
+{
+  const Files files;
+  files.Replace("assets.xml", "<platform id=\"plane\"",
+    "<platform id=\"mast\"><scannerMount x=\"1\" y=\"2\" z=\"8\"><rot axis=\"z\" "
+    "angle_deg=\"90\"/></scannerMount></platform><platform id=\"plane\"");
+  WritePlanner(files, "", R"(<scannerSettings scanFreq_hz="60" headRotatePerSec_deg="12"/>)");
+  PlannerReading reading(files);
+  reading.Reader->SetPlatform("assets.xml#mast");
+  reading.Reader->SetPulseFrequency(300000.0);
+  reading.Reader->SetResolution(0.04);
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Reader->GetPlatformReference() == files / "assets.xml" + "#mast");
+  CHECK(reading.Reader->GetScannerHeight() == Approx(8.2));
+  double instrument[3];
+  reading.Reader->GetInstrument(instrument);
+  CHECK(instrument[0] == 1.0);
+  CHECK(instrument[1] == 2.0);
+  CHECK(reading.Reader->GetLegPulseFrequency() == 300000.0);
+  CHECK(reading.Reader->GetLegScanFrequency() == Approx(50.0));
+  CHECK(reading.Reader->GetLegHeadRotatePerSecond() == Approx(2.0));
+  // As near as the scanner can: 120 lines a second at most, and 60 degrees.
+  reading.Reader->SetResolution(1.0);
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Reader->GetLegScanFrequency() == 120.0);
+  CHECK(reading.Reader->GetLegHeadRotatePerSecond() == 60.0);
+  CHECK(reading.Log->Warnings.empty());
+}
+
+TEST_CASE("PlannerReader: limits of the scanner", "[PlannerReader]")
+{
+  const Files files;
+  files.Replace("assets.xml", "rangeMin_m=\"0.5\"", "rangeMin_m=\"0.5\" rangeMax_m=\"90\"");
+  const PlannerReading reading(WritePlanner(files, R"(scannerLimits="true" elevationMax_deg="30")",
+    R"(<scannerSettings verticalAngleMin_deg="-35" verticalAngleMax_deg="60"/>)"));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(reading.Reader->GetScannerLimits());
+  CHECK(reading.Reader->GetRangeMin() == 0.5);
+  CHECK(reading.Reader->GetRangeMax() == 90.0);
+  CHECK(reading.Reader->GetElevationMin() == -35.0);
+  CHECK(reading.Reader->GetElevationMax() == 30.0); // given
+  // A mount that leans has no such window.
+  files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>",
+    "<scannerMount z=\"1.5\"><rot axis=\"x\" angle_deg=\"10\"/></scannerMount>");
+  const PlannerReading leaning(files);
+  REQUIRE(leaning.Good);
+  CHECK(leaning.Reader->GetElevationMin() == -90.0);
+  CHECK(leaning.Log->HasWarning("tls is no upright polygon mirror of one channel"));
+}
+
+TEST_CASE("PlannerReader: a survey", "[PlannerReader]")
+{
+  const Files files;
+  files.Write("survey.xml", Survey);
+  PlannerReading reading(files, "survey.xml");
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(reading.Reader->GetKind() == "survey");
+  CHECK(reading.Reader->GetPlanName() == "test");
+  CHECK(reading.Reader->GetMethod().empty());
+  CHECK(reading.Reader->GetSceneReference() == files / "scene.xml" + "#s");
+  CHECK(reading.Reader->GetLegPulseFrequency() == 300000.0);
+  CHECK(reading.Reader->GetLegScanFrequency() == 50.0);
+  CHECK(reading.Reader->GetLegHeadRotatePerSecond() == 10.0);
+  CHECK(reading.Reader->GetLegHeadRotateStop() == 360.0); // of a plan
+  CHECK(reading.Reader->GetLegVerticalAngleMin() == -30.0);
+  CHECK(reading.Reader->GetLegVerticalAngleMax() == 40.0);
+  // Another scanner is not asked for what the leg asks of this one.
+  files.Replace("assets.xml", "<scanner id=\"als\"",
+    "<scanner id=\"slow\" optics=\"rotating\" pulseFreqs_Hz=\"1000\" scanAngleMax_deg=\"60\" "
+    "headRotatePerSecMax_deg=\"1\"/><scanner id=\"als\"");
+  reading.Reader->SetScanner("assets.xml#slow");
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Reader->GetScannerReference() == files / "assets.xml" + "#slow");
+  CHECK(reading.Reader->GetLegPulseFrequency() == 1000.0);
+  CHECK(reading.Log->Warnings.empty());
+}
+
+TEST_CASE("PlannerReader: a flight is planned from a tripod that is asked for", "[PlannerReader]")
+{
+  const Files files;
+  const Reading survey(files, Flight, ThreeLegs);
+  PlannerReading reading(files, "survey.xml");
+  CHECK_FALSE(reading.Good);
+  CHECK(reading.Log->HasError("platform plane moves, and positions are planned for one that "
+                              "stands; give a platform of type=\"static\""));
+  reading.Reader->SetPlatform("assets.xml#tripod");
+  reading.Reader->SetScanner("assets.xml#tls");
+  CHECK(reading.Reader->Read());
+}
+
+TEST_CASE("PlannerReader: scenes and meshes", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading scene(files, "scene.xml", true);
+  INFO(scene.Log->Errors);
+  REQUIRE(scene.Good);
+  CHECK(scene.Reader->GetKind() == "scene");
+  CHECK(scene.Reader->GetPlanName() == "scene");
+  CHECK(scene.Reader->GetSceneReference() == files / "scene.xml" + "#s");
+  files.Write("the yard & more.obj", ReadText(files / "plane.obj"));
+  const PlannerReading mesh(files, "the yard & more.obj", true);
+  INFO(mesh.Log->Errors);
+  REQUIRE(mesh.Good);
+  CHECK(mesh.Reader->GetSceneReference().empty());
+  for (vtkHeliosPlannerReader* reader : { scene.Reader.Get(), mesh.Reader.Get() })
+  {
+    reader->Update();
+    CHECK(reader->GetOutput()->GetNumberOfCells() == 2);
+    CHECK(reader->GetOutput()->GetBounds()[0] == -50.0);
+  }
+  CHECK_FALSE(PlannerReading(files, "scene.xml").Good);
+  CHECK(PlannerReading(files, "scene.xml")
+          .Log->HasError("scene.xml:1: a scene names no platform, "
+                         "and none was asked for; give one"));
+}
+
+TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
+{
+  const Files files;
+  PlannerReading reading(files, "scene.xml");
+  reading.Reader->SetDefaultPlatform("assets.xml#tripod");
+  reading.Reader->SetDefaultScanner("assets.xml#als");
+  reading.Reader->SetScanner("assets.xml#tls");
+  reading.Reader->SetUseScannerLimits(true);
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Reader->GetScannerReference() == files / "assets.xml" + "#tls");
+  CHECK(reading.Reader->GetScannerLimits());
+  CHECK(reading.Reader->GetRangeMin() == 0.5);
+  CHECK(reading.Reader->GetElevationMax() == 50.0);
+  WritePlanner(files, "");
+  files.Replace("plan.xml", "platform=\"assets.xml#tripod\"", "");
+  reading.Reader->SetFileName((files / "plan.xml").c_str());
+  CHECK_FALSE(reading.Reader->Read());
+  CHECK(reading.Log->HasError("<surveyPlanner> has no attribute platform"));
+}
+
+TEST_CASE("PlannerReader: the first of several", "[PlannerReader]")
+{
+  const Files files;
+  WritePlanner(files, "");
+  files.Replace("plan.xml", "</document>", "<surveyPlanner id=\"b\"/></document>");
+  const PlannerReading planners(files);
+  CHECK(planners.Good);
+  CHECK(planners.Log->HasWarning("of several <surveyPlanner> in one file only the first is used"));
+  files.Replace("scene.xml", "</document>", "<scene id=\"t\"/></document>");
+  const PlannerReading scenes(files, "scene.xml", true);
+  CHECK(scenes.Good);
+  CHECK(scenes.Log->HasWarning("of several <scene> in one file only the first is used"));
+}
+
+TEST_CASE("PlannerReader: swaps", "[PlannerReader]")
+{
+  const Files files;
+  files.Replace("scene.xml", "</part>",
+    "<swap><filter type=\"scale\"><param key=\"scale\" value=\"2\"/></filter></swap></part>");
+  const PlannerReading reading(WritePlanner(files, ""));
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->HasWarning("the plan is of the first of its 2 plays"));
+  reading.Reader->Update();
+  CHECK(reading.Reader->GetOutput()->GetBounds()[0] == -50.0);
+}
+
+TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
+{
+  const Files files;
+  const auto fails =
+    [&files](const std::string& more, const std::string& message, const std::string& children = "")
+  {
+    const PlannerReading reading(WritePlanner(files, more, children));
+    INFO(more << children << "\n" << reading.Log->Errors);
+    CHECK_FALSE(reading.Good);
+    CHECK(reading.Log->HasError(message));
+  };
+  fails(R"(method="optimum")",
+    "plan.xml:2: method=\"optimum\" is none; did you mean optimal? Give "
+    "one of reduce, bestcoverage, greedy, best and optimal");
+  fails(R"(pspRemoveOrder="size")", "pspRemoveOrder=\"size\" is none; ");
+  fails(R"(pspRemoveFirst="Largest")", "did you mean largest?");
+  fails(R"(coverageOf="every")", "coverageOf=\"every\" is none; ");
+  fails(R"(groundOnly="yes")", "groundOnly=\"yes\" is none; ");
+  fails(R"(minCoverage_percent="101")", "minCoverage_percent=\"101\"");
+  fails(R"(gridSizePSP_m="0")", "gridSizePSP_m=\"0\"");
+  fails(R"(hitTolerance_m="5 cm")", "hitTolerance_m=\"5 cm\" is not a number");
+  fails(R"(rangeMin_m="5" rangeMax_m="4")",
+    "rangeMin_m=\"5\" is not below rangeMax_m=\"4\", so that nothing is seen; give a smaller one");
+  fails(R"(elevationMin_deg="5" elevationMax_deg="5")", "elevationMin_deg=\"5\" is not below");
+  fails("", "scanFreq_hz=\"500\" is above scanFreqMax_Hz",
+    R"(<scannerSettings scanFreq_hz="500" headRotatePerSec_deg="1"/>)");
+  fails("", "never gets there", R"(<scannerSettings headRotatePerSec_deg="-5" scanFreq_hz="50"/>)");
+
+  WritePlanner(files, "");
+  files.Replace("plan.xml", "#tls", "#als");
+  CHECK(PlannerReading(files).Log->HasError("scanner als does not turn"));
+  files.Replace("plan.xml", "scanner=\"assets.xml#als\"", "");
+  CHECK(PlannerReading(files).Log->HasError(
+    "<surveyPlanner> has no attribute scanner; add scanner=\"file.xml#id\""));
+  WritePlanner(files, "");
+  files.Replace("plan.xml", "#tripod", "#tripot");
+  CHECK(PlannerReading(files).Log->HasError("did you mean tripod?"));
+  files.Replace("assets.xml", "z=\"1.5\"", "z=\"-1.5\"");
+  CHECK(PlannerReading(WritePlanner(files, ""))
+          .Log->HasError(
+            "platform tripod carries the scanner -1.3 m above the place, which is not above it"));
+  CHECK(PlannerReading(files, "assets.xml").Log->HasError("the file has nothing to plan"));
+  CHECK(PlannerReading(files, "none.xml").Log->HasError("none.xml: cannot be read"));
+  CHECK(PlannerReading(files, "none.obj", true)
+          .Log->HasError("none.obj: no such file; give the name of a mesh that there is"));
+}
+
+TEST_CASE("PlannerReader: what the caller asks for is wrong", "[PlannerReader]")
+{
+  const Files files;
+  PlannerReading reading(files, "scene.xml", true);
+  reading.Reader->SetScanner("assets.xml#tsl");
+  CHECK_FALSE(reading.Reader->Read());
+  CHECK(reading.Log->HasError("scene.xml: scanner=\"assets.xml#tsl\": "));
+  CHECK(reading.Log->HasError("did you mean tls?"));
+  reading.Reader->SetFileName(nullptr);
+  CHECK_FALSE(reading.Reader->Read());
+  CHECK(reading.Log->HasError("FileName is not set"));
+}
+
+TEST_CASE("PlannerReader: near misses, and runs of planners", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(WritePlanner(files, R"(gridSizePSP="3" minCoverage_procent="3")"));
+  CHECK(reading.Log->HasWarning("attribute gridSizePSP of <surveyPlanner> is unknown; did you mean "
+                                "gridSizePSP_m?"));
+  CHECK(reading.Log->HasWarning("did you mean minCoverage_percent?"));
+  vtkNew<vtkHeliosSurveyReader> survey;
+  const auto log = Observe(survey);
+  survey->SetFileName((files / "plan.xml").c_str());
+  CHECK_FALSE(survey->Read());
+  CHECK(log->HasError("the file has no <survey>; vtkhelios plan makes one of its <surveyPlanner>"));
+}
+
+TEST_CASE("PlannerReader: checked with the rest of a file", "[PlannerReader]")
+{
+  const Files files;
+  vtkNew<vtkHeliosSurveyReader> reader;
+  const auto log = Observe(reader);
+  reader->SetFileName((files / "plan.xml").c_str());
+  WritePlanner(files, R"(method="best")");
+  CHECK(reader->Check());
+  WritePlanner(files, R"(method="beast" maxSlope_deg="91")");
+  CHECK_FALSE(reader->Check());
+  CHECK(log->HasError("plan.xml:2: method=\"beast\" is none"));
+  CHECK(log->HasError("plan.xml:2: maxSlope_deg=\"91\""));
+  WritePlanner(files, "");
+  files.Replace("scene.xml", "id=\"s\"", "id=\"s\" crs=\"EPSG:0\"");
+  CHECK_FALSE(reader->Check());
+  CHECK(log->HasError("crs=\"EPSG:0\""));
+}
+
+TEST_CASE("PlannerReader: stopped while it loads", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(files, "scene.xml", true);
+  reading.Reader->AddObserver(
+    vtkCommand::ProgressEvent, reading.Reader.Get(), &vtkHeliosPlannerReader::AbortExecuteOn);
+  reading.Reader->Update();
+  CHECK(reading.Log->HasError("stopped while the scene was loaded"));
+  CHECK(reading.Reader->GetOutput()->GetNumberOfCells() == 0);
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scan positions become surveys that read back to them.
+#include "vtkHeliosSurveyWriter.h"
+
+#include "heliosSceneCrs.h"
+#include "heliosSurveyFiles.h"
+#include "vtkHeliosSurveyPlayer.h"
+
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace fs = std::filesystem;
+using namespace helios::test;
+
+namespace
+{
+
+using Positions = std::vector<helios::Vec3>;
+
+vtkSmartPointer<vtkPolyData> MakePositions(const Positions& positions)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const helios::Vec3& p : positions)
+  {
+    points->InsertNextPoint(p.GetData());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
+}
+
+/// A writer of survey.xml, and what it says.
+struct Writing
+{
+  vtkNew<vtkHeliosSurveyWriter> Writer;
+  vtkSmartPointer<helios::ErrorObserver> Log = Observe(Writer);
+
+  Writing(const Files& files, const Positions& positions)
+  {
+    this->Writer->SetFileName((files / "survey.xml").c_str());
+    this->Writer->SetScene("scene.xml#s");
+    this->Writer->SetPlatform("assets.xml#tripod");
+    this->Writer->SetScanner("assets.xml#tls");
+    this->Writer->SetScanFrequency(50.0);
+    this->Writer->SetInputData(MakePositions(positions));
+  }
+};
+
+/// Where the beam of a leg leaves: the tripod's mount, and the beam's origin on the head's axis.
+helios::Vec3 FindBeam(const helios::SurveyData& survey, std::size_t leg)
+{
+  const helios::PlatformData& platform = survey.GetPlatform(leg);
+  return survey.Legs[leg].Position + platform.Mount.Position +
+    helios::Rotate(platform.Mount.Orientation, survey.GetScanner(leg).Beam.Position);
+}
+
+const Positions Two = { { 1.0, 2.0, 1.7 }, { -1.0 / 3.0, 1e-7, 2.5 } };
+
+} // namespace
+
+TEST_CASE("SurveyWriter: positions come back", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  writing.Writer->SetSurveyName("two & more");
+  writing.Writer->SetPulseFrequency(300000.0);
+  writing.Writer->SetScanFrequency(100.0 / 3.0);
+  writing.Writer->SetVerticalAngleMin(-40.0);
+  writing.Writer->SetVerticalAngleMax(50.1);
+  writing.Writer->SetHeadRotatePerSecond(0.1 + 0.2);
+  REQUIRE(writing.Writer->Write());
+  CHECK(writing.Log->Warnings.empty());
+  const Reading reading(files);
+  INFO(reading.Log->Errors << ReadText(files / "survey.xml"));
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty());
+  const helios::SurveyData& survey = reading.Data();
+  CHECK(survey.Name == "two & more");
+  REQUIRE(survey.Legs.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const helios::LegData& leg = survey.Legs[i];
+    CHECK_FALSE(leg.OnGround);
+    CHECK(leg.Active);
+    CHECK(leg.Crs.empty());
+    CHECK(leg.Position[0] == Two[i][0]); // the same double
+    CHECK(leg.Position[1] == Two[i][1]);
+    CHECK((FindBeam(survey, i) - Two[i]).Norm() < 1e-15);
+    CHECK(leg.Scans.front().PulseFrequency == 300000.0);
+    CHECK(leg.Scans.front().ScanFrequency == 100.0 / 3.0);
+    CHECK(leg.Scans.front().VerticalAngleMin == -40.0);
+    CHECK(leg.Scans.front().VerticalAngleMax == 50.1);
+    CHECK(leg.Scans.front().HeadRotateStart == 0.0);
+    CHECK(leg.Scans.front().HeadRotateStop == 360.0);
+    CHECK(leg.Scans.front().HeadRotateSpeed == 0.1 + 0.2);
+  }
+  CHECK_FALSE(fs::exists(files / "survey.xml.part"));
+}
+
+TEST_CASE("SurveyWriter: far from the origin, and any double", "[SurveyWriter]")
+{
+  const Files files;
+  files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>", "");
+  files.Replace("assets.xml", "<beamOrigin x=\"0\" y=\"0\" z=\"0.2\"/>", "");
+  const Positions far = { { 500000.1, 5427001.3, 123.456789 },
+    { 0x1.fffffffffffffp+33, -0x1.0000000000001p-60, 1e-300 } };
+  Writing writing(files, far);
+  REQUIRE(writing.Writer->Write());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  for (std::size_t i = 0; i < far.size(); ++i)
+  {
+    CHECK(reading.Data().Legs[i].Position == far[i]);
+  }
+}
+
+TEST_CASE("SurveyWriter: a mount that turns, a beam beside the axis", "[SurveyWriter]")
+{
+  const Files files;
+  files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>",
+    "<scannerMount x=\"0.3\" y=\"0\" z=\"1.5\"><rot axis=\"x\" angle_deg=\"90\"/></scannerMount>");
+  files.Replace("assets.xml", "<beamOrigin x=\"0\" y=\"0\" z=\"0.2\"/>",
+    "<beamOrigin x=\"0.05\" y=\"0\" z=\"0.2\"/>");
+  Writing writing(files, { { 10.0, 20.0, 30.0 } });
+  REQUIRE(writing.Writer->Write());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  // x by 90 turns the head's axis from up to backward: 0.2 m; what is beside the axis goes round.
+  const helios::Vec3 wanted(9.7, 20.2, 28.5);
+  CHECK((reading.Data().Legs[0].Position - wanted).Norm() < 1e-14);
+}
+
+TEST_CASE("SurveyWriter: the player fires from the positions", "[SurveyWriter]")
+{
+  const Files files;
+  files.Replace("assets.xml", "accuracy_m=\"0.005\"", "");
+  Writing writing(files, { { 0.0, 0.0, 4.0 } });
+  writing.Writer->SetHeadRotatePerSecond(60.0);
+  REQUIRE(writing.Writer->Write());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  const auto log = Observe(player);
+  player->SetSurvey(reading.Reader->GetSurvey());
+  player->SetOutputDirectory((files / "out").c_str());
+  player->SetWritePulses(true);
+  INFO(log->Errors);
+  REQUIRE(player->Run());
+  std::istringstream pulses(ReadText(files / "out/survey/leg000_pulse.txt"));
+  double x = 1.0;
+  double y = 1.0;
+  double z = 1.0;
+  REQUIRE(pulses >> x >> y >> z);
+  CHECK(x == Approx(0.0).margin(1e-12));
+  CHECK(y == Approx(0.0).margin(1e-12));
+  CHECK(z == Approx(4.0));
+}
+
+TEST_CASE("SurveyWriter: a mesh becomes a scene of the file", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  writing.Writer->SetScene("plane.obj");
+  REQUIRE(writing.Writer->Write());
+  const Reading reading(files);
+  INFO(reading.Log->Errors << ReadText(files / "survey.xml"));
+  REQUIRE(reading.Good);
+  REQUIRE(reading.Data().Scene.Parts.size() == 1);
+  CHECK(reading.Data().Scene.Parts[0].Files[0] == files / "plane.obj");
+  CHECK(reading.Data().Scene.Crs.empty());
+}
+
+TEST_CASE("SurveyWriter: coordinate systems", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  auto positions = MakePositions(Two);
+  helios::SetCRS(positions, "EPSG:32632");
+  writing.Writer->SetInputData(positions);
+  SECTION("of the scene: nothing is to be said")
+  {
+    files.Replace("scene.xml", "id=\"s\"", "id=\"s\" crs=\"EPSG:32632\"");
+    REQUIRE(writing.Writer->Write());
+    CHECK(Reading(files).Data().Legs[0].Crs.empty());
+  }
+  SECTION("another one than that of the scene, or one that its parts bring")
+  {
+    REQUIRE(writing.Writer->Write());
+    CHECK(Reading(files).Data().Legs[1].Crs == "EPSG:32632");
+  }
+  SECTION("of a mesh")
+  {
+    writing.Writer->SetScene("plane.obj");
+    REQUIRE(writing.Writer->Write());
+    CHECK(Reading(files).Data().Scene.Crs == "EPSG:32632");
+    CHECK(Reading(files).Data().Legs[0].Crs.empty());
+  }
+}
+
+TEST_CASE("SurveyWriter: replaces a file when all is well only", "[SurveyWriter]")
+{
+  const Files files;
+  files.Write("survey.xml", "as it was");
+  Writing writing(files, Two);
+  writing.Writer->SetScanner("assets.xml#tsl");
+  CHECK_FALSE(writing.Writer->Write());
+  CHECK(ReadText(files / "survey.xml") == "as it was");
+  CHECK_FALSE(fs::exists(files / "survey.xml.part"));
+  writing.Writer->SetScanner("assets.xml#tls");
+  CHECK(writing.Writer->Write());
+  CHECK(Reading(files).Good);
+}
+
+TEST_CASE("SurveyWriter: asset directories", "[SurveyWriter]")
+{
+  const Files files;
+  Writing writing(files, Two);
+  writing.Writer->SetFileName((files / "new/folder/survey.xml").c_str());
+  CHECK_FALSE(writing.Writer->Write());
+  CHECK(writing.Log->HasError("scene=\"scene.xml\": no such file"));
+  writing.Writer->AddAssetDirectory((files / ".").c_str());
+  CHECK(writing.Writer->Write());
+  writing.Writer->RemoveAllAssetDirectories();
+  CHECK_FALSE(writing.Writer->Write());
+}
+
+TEST_CASE("SurveyWriter: what cannot be written", "[SurveyWriter]")
+{
+  const Files files;
+  const auto fails = [&files](void (*change)(vtkHeliosSurveyWriter*), const std::string& message)
+  {
+    Writing writing(files, Two);
+    change(writing.Writer);
+    CHECK_FALSE(writing.Writer->Write());
+    INFO(writing.Log->Errors);
+    CHECK(writing.Log->HasError(message));
+    CHECK_FALSE(fs::exists(files / "survey.xml"));
+  };
+  using Writer = vtkHeliosSurveyWriter*;
+  fails([](Writer w) { w->SetFileName(nullptr); }, "FileName is not set; give the survey file");
+  fails([](Writer w) { w->SetScene(""); }, "Scene is not set; give what is scanned");
+  fails([](Writer w) { w->SetPlatform(nullptr); }, "Platform is not set; give what carries");
+  fails([](Writer w) { w->SetScanner(nullptr); }, "Scanner is not set; give the scanner");
+  fails([](Writer w) { w->SetInputData(nullptr); }, "no positions to write; give them with");
+  fails([](Writer w) { w->SetInputData(MakePositions({})); },
+    "survey.xml: not written: the input has no position; give it the positions that");
+  fails(
+    [](Writer w) {
+      w->SetInputData(MakePositions({ { 0, 0, 0 }, { 0, NAN, 1 } }));
+    },
+    "not written: position 1 is (0, nan, 1); give finite coordinates");
+  fails([](Writer w) { w->SetPlatform("assets.xml#plane"); },
+    "Platform assets.xml#plane moves, and positions are for one that stands");
+  fails([](Writer w) { w->SetScene("nowhere.obj"); }, "\"nowhere.obj\": no such file");
+  fails([](Writer w) { w->SetScanFrequency(1.0); },
+    "not written: the survey could not be run; correct the properties");
+  fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); }, "never gets there");
+  files.Write("plain", "");
+  Writing writing(files, Two);
+  writing.Writer->AddAssetDirectory((files / ".").c_str());
+  writing.Writer->SetFileName((files / "plain/survey.xml").c_str());
+  CHECK_FALSE(writing.Writer->Write());
+  CHECK(writing.Log->HasError("plain"));
+  CHECK(writing.Log->HasError("give another FileName"));
+}

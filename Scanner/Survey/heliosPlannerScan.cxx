@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPlannerScan.h"
+
+#include "heliosMessages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double DefaultResolution = 0.1; // [deg]
+constexpr double FullCircle = 360.0;
+
+/// How often the mirror goes round, so that pulses of a line are a resolution apart [Hz].
+double FindScanFrequency(const ScannerData& scanner, double pulseFrequency, double resolution)
+{
+  const bool isLimited = scanner.ScanFrequencyMax > 0.0;
+  const double most =
+    isLimited ? scanner.ScanFrequencyMax : std::numeric_limits<double>::infinity();
+  const bool isRotating = scanner.Type == Optics::RotatingMirror && scanner.ScanAngleMax > 0.0;
+  const double wanted =
+    isRotating ? pulseFrequency * resolution / (2.0 * scanner.ScanAngleMax) : most;
+  return std::isfinite(wanted) ? std::clamp(wanted, scanner.ScanFrequencyMin, most) : 0.0;
+}
+
+/// Fills in what the settings do not say.
+void CompleteSettings(
+  const ScannerData& scanner, const PlannerRequest& request, LegSettings& settings)
+{
+  ScanData& scan = settings.Scan;
+  settings.PulseFrequency =
+    request.PulseFrequency > 0.0 ? request.PulseFrequency : settings.PulseFrequency;
+  const double pulseFrequency =
+    std::isnan(settings.PulseFrequency) && !scanner.PulseFrequencies.empty()
+    ? scanner.PulseFrequencies.front()
+    : settings.PulseFrequency;
+  if (scan.HeadRotateStart == scan.HeadRotateStop)
+  {
+    scan.HeadRotateStop = scan.HeadRotateStart + FullCircle;
+  }
+  const bool isAsked = request.Resolution > 0.0;
+  const double resolution = isAsked ? request.Resolution : DefaultResolution;
+  const bool hasResolution =
+    settings.VerticalResolution != 0.0 || settings.HorizontalResolution != 0.0;
+  if (isAsked || (!hasResolution && std::isnan(settings.ScanFrequency)))
+  {
+    settings.VerticalResolution = 0.0;
+    settings.HorizontalResolution = 0.0;
+    settings.ScanFrequency = FindScanFrequency(scanner, pulseFrequency, resolution);
+    scan.HeadRotateSpeed = 0.0;
+  }
+  if (scan.HeadRotateSpeed == 0.0 && settings.VerticalResolution == 0.0)
+  {
+    const double wanted = settings.ScanFrequency > 0.0 ? resolution * settings.ScanFrequency
+                                                       : scanner.HeadRotateSpeedMax;
+    scan.HeadRotateSpeed = std::copysign(
+      std::min(wanted, scanner.HeadRotateSpeedMax), scan.HeadRotateStop - scan.HeadRotateStart);
+  }
+}
+
+/// The elevations that the window of an upright polygon mirror sees; false for other scanners.
+bool FindElevations(const PlannerData& data, double& low, double& high)
+{
+  const ScannerData& scanner = data.Survey.Scanners.front();
+  const ScanData& scan = data.Survey.Legs.front().Scans.front();
+  const Vec3 axis =
+    Rotate(data.Survey.Platforms.front().Mount.Orientation, scanner.HeadRotateAxis.Normalized());
+  const Vec3 side = Rotate(scanner.Beam.Orientation, { 1.0, 0.0, 0.0 });
+  const bool isUpright = std::abs(axis[2] - 1.0) < 1e-9 && std::abs(side[0] - 1.0) < 1e-9;
+  low = std::max(-90.0, scan.VerticalAngleMin);
+  high = std::min(90.0, scan.VerticalAngleMax);
+  return isUpright && scanner.Type == Optics::RotatingMirror && scanner.GetNumberOfChannels() == 1;
+}
+
+void SetIfNotGiven(double& target, double value)
+{
+  target = std::isnan(target) ? value : target;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Vec3 FindInstrument(const PlatformData& platform, const ScannerData& scanner)
+{
+  const Vec3 axis = scanner.HeadRotateAxis.Normalized();
+  const Vec3 onAxis = axis * scanner.Beam.Position.Dot(axis);
+  return platform.Mount.Position + Rotate(platform.Mount.Orientation, onAxis);
+}
+
+//------------------------------------------------------------------------------
+LegSettings MakeSettings(const ScanData& scan)
+{
+  LegSettings settings;
+  settings.PulseFrequency = scan.PulseFrequency;
+  settings.ScanFrequency = scan.ScanFrequency;
+  settings.ScanAngle = scan.ScanAngle;
+  settings.VerticalAngleMin = scan.VerticalAngleMin;
+  settings.VerticalAngleMax = scan.VerticalAngleMax;
+  settings.BeamDivergence = scan.BeamDivergence;
+  settings.Scan.HeadRotateSpeed = std::abs(scan.HeadRotateSpeed);
+  settings.Scan.WarmUpTime = scan.WarmUpTime;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+bool ResolveScan(
+  LegSettings settings, const PlannerRequest& request, PlannerData& data, Messages& log)
+{
+  const ScannerData& scanner = data.Survey.Scanners.front();
+  if (scanner.HeadRotateSpeedMax <= 0.0)
+  {
+    log.Error(scanner.Where + ": scanner " + scanner.Id +
+      " does not turn (headRotatePerSecMax_deg is 0), so that it sees no whole circle; give "
+      "another scanner");
+    return false;
+  }
+  CompleteSettings(scanner, request, settings);
+  const int before = log.GetNumberOfErrors();
+  data.Survey.Legs = { settings.Leg };
+  ResolveLeg(settings, 0, data.Survey, log);
+  return log.GetNumberOfErrors() == before;
+}
+
+//------------------------------------------------------------------------------
+void ResolveLimits(PlannerData& data, Messages& log)
+{
+  if (data.HasScannerLimits)
+  {
+    const ScannerData& scanner = data.Survey.Scanners.front();
+    SetIfNotGiven(data.RangeMin, scanner.RangeMin);
+    SetIfNotGiven(data.RangeMax, scanner.RangeMax);
+    double low = 0.0;
+    double high = 0.0;
+    if (FindElevations(data, low, high))
+    {
+      SetIfNotGiven(data.ElevationMin, low);
+      SetIfNotGiven(data.ElevationMax, high);
+    }
+    else if (std::isnan(data.ElevationMin) || std::isnan(data.ElevationMax))
+    {
+      log.Warning(scanner.Where + ": scanner " + scanner.Id +
+        " is no upright polygon mirror of one channel: its field of view does not limit what it "
+        "sees; give elevationMin_deg and elevationMax_deg");
+    }
+  }
+  SetIfNotGiven(data.RangeMin, 0.0);
+  SetIfNotGiven(data.RangeMax, VTK_DOUBLE_MAX);
+  SetIfNotGiven(data.ElevationMin, -90.0);
+  SetIfNotGiven(data.ElevationMax, 90.0);
+}
+
+} // namespace helios

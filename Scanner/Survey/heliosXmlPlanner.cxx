@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlPlanner.h"
+
+#include "heliosAssets.h"
+#include "heliosMessages.h"
+#include "heliosPlannerScan.h"
+#include "heliosPlays.h"
+#include "heliosXmlCheck.h"
+#include "heliosXmlLeg.h"
+#include "heliosXmlNotes.h"
+#include "heliosXmlPlatform.h"
+#include "heliosXmlScanner.h"
+#include "heliosXmlScene.h"
+#include "heliosXmlSurvey.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace helios
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
+
+/// Reads one of the words that the notes name, as they are written there; false after an error.
+bool ReadWord(const XmlElement& element, const char* name, std::string& target)
+{
+  const XmlNote& note = FindXmlNote(element.GetTag(), name);
+  const std::vector<std::string> words = GetChoices(note);
+  std::string word;
+  if (!element.Read(name, word))
+  {
+    return true;
+  }
+  const bool isAnyCase = *note.Choices == '~';
+  const auto found = std::find_if(words.begin(), words.end(),
+    [&](const std::string& known)
+    { return known == word || (isAnyCase && ToLower(known) == ToLower(word)); });
+  if (found != words.end())
+  {
+    target = *found;
+    return true;
+  }
+  const std::string nearest = FindNearestName(word, words);
+  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + word + "\" is none; " +
+    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Give one of " + Enumerate(words));
+  return false;
+}
+
+const std::string& Either(const std::string& first, const std::string& second)
+{
+  return first.empty() ? second : first;
+}
+
+/// Reads one file.
+class PlannerReader
+{
+public:
+  PlannerReader(const PlannerRequest& request, Assets& assets, Messages& log)
+    : Request(request)
+    , Files(assets)
+    , Log(log)
+    , ErrorsBefore(log.GetNumberOfErrors())
+  {
+  }
+
+  void ReadPlanner(const XmlElement& planner, PlannerData& data);
+  void ReadSurvey(PlannerData& data);
+  void ReadScene(const XmlElement& scene, PlannerData& data);
+
+private:
+  void ReadSettings(const XmlElement& planner, PlannerData& data);
+  void ReadLimits(const XmlElement& planner, PlannerData& data);
+  void TakePlatform(const XmlElement& element, PlannerData& data);
+  void TakeScanner(const XmlElement& element, PlannerData& data);
+  XmlElement FindAsset(const XmlElement& from, const char* tag, const std::string& asked);
+  void Conclude(const LegSettings& settings, PlannerData& data);
+  void CheckPlatform(const PlatformData& platform);
+  void CheckHeight(PlannerData& data);
+  bool HasError() const { return this->Log.GetNumberOfErrors() > this->ErrorsBefore; }
+
+  const PlannerRequest& Request;
+  Assets& Files;
+  Messages& Log;
+  int ErrorsBefore;
+};
+
+//------------------------------------------------------------------------------
+void PlannerReader::ReadPlanner(const XmlElement& planner, PlannerData& data)
+{
+  planner.CheckNames();
+  data.Kind = "planner";
+  const std::string name = planner.GetText("name");
+  const std::string id = planner.GetText("id");
+  data.Survey.Name = MakeFolderName(!name.empty() ? name : !id.empty() ? id : data.Survey.Name);
+  this->ReadSettings(planner, data);
+  this->ReadLimits(planner, data);
+  if (const XmlElement scene = this->FindAsset(planner, "scene", ""))
+  {
+    data.Survey.Scene = helios::ReadScene(scene, this->Files);
+  }
+  this->TakePlatform(this->FindAsset(planner, "platform", this->Request.Platform), data);
+  this->TakeScanner(this->FindAsset(planner, "scanner", this->Request.Scanner), data);
+  LegSettings settings;
+  settings.Leg.Where = planner.Where();
+  if (const XmlElement child = planner.GetChild("scannerSettings"))
+  {
+    settings = ReadScannerSettings(child, this->Files);
+  }
+  this->Conclude(settings, data);
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::ReadSettings(const XmlElement& planner, PlannerData& data)
+{
+  data.Method = "reduce";
+  ReadWord(planner, "method", data.Method);
+  ReadWord(planner, "pspRemoveOrder", data.RemoveOrder);
+  ReadWord(planner, "pspRemoveFirst", data.RemoveFirst);
+  planner.Read("minCoverage_percent", data.MinimumCoverage);
+  ReadWord(planner, "coverageOf", data.CoverageOf);
+  planner.Read("gridSizePSP_m", data.PositionStep[0]);
+  data.PositionStep[1] = data.PositionStep[0];
+  planner.Read("gridSizePSPy_m", data.PositionStep[1]);
+  data.TestPointStep = data.PositionStep[0];
+  planner.Read("gridSizeVTP_m", data.TestPointStep);
+  ReadWord(planner, "vtpLines", data.TestLines);
+  planner.Read("maxSlope_deg", data.MaximumSlope);
+  ReadWord(planner, "groundOnly", data.GroundOnly);
+  data.GroundOnly = data.GroundOnly == "1" ? "true"
+    : data.GroundOnly == "0"               ? "false"
+                                           : data.GroundOnly;
+  planner.Read("scannerHeight_m", data.ScannerHeight);
+  planner.Read("hitTolerance_m", data.HitTolerance);
+  planner.Read("hitBehind", data.SeesBefore);
+  planner.Read("areaWeights", data.UseAreas);
+  planner.Read("minOverlap_percent", data.MinimumOverlap);
+  planner.Read("timeLimit_s", data.TimeLimit);
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
+{
+  planner.Read("scannerLimits", data.HasScannerLimits);
+  planner.Read("rangeMin_m", data.RangeMin);
+  planner.Read("rangeMax_m", data.RangeMax);
+  planner.Read("elevationMin_deg", data.ElevationMin);
+  planner.Read("elevationMax_deg", data.ElevationMax);
+  planner.Read("maxIncidence_deg", data.MaximumIncidenceAngle);
+  planner.Read("minPointDensity_1_m2", data.MinimumPointDensity);
+  const auto check = [&](const char* lowName, double low, const char* highName, double high)
+  {
+    Sentence text;
+    text << planner.Where() << ": " << lowName << "=\"" << low << "\" is not below " << highName
+         << "=\"" << high << "\", so that nothing is seen; give a smaller one";
+    if (low >= high) // false where one is not given
+    {
+      this->Log.Error(text.str());
+    }
+  };
+  check("rangeMin_m", data.RangeMin, "rangeMax_m", data.RangeMax);
+  check("elevationMin_deg", data.ElevationMin, "elevationMax_deg", data.ElevationMax);
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::ReadSurvey(PlannerData& data)
+{
+  SurveyData survey =
+    helios::ReadSurvey(this->Request.FileName, this->Request.AssetDirectories, this->Log);
+  if (this->HasError())
+  {
+    return;
+  }
+  data.Kind = "survey";
+  std::size_t leg = 0;
+  while (leg + 1 < survey.Legs.size() && !survey.Fires(leg))
+  {
+    ++leg;
+  }
+  const XmlElement root = this->Files.Load(this->Request.FileName)->GetRoot();
+  const XmlElement element = root.GetChild("survey");
+  const PlatformData platform = survey.GetPlatform(leg);
+  const ScannerData scanner = survey.GetScanner(leg);
+  const bool keepsScanner = this->Request.Scanner.empty();
+  const LegSettings settings =
+    keepsScanner ? MakeSettings(survey.Legs[leg].Scans.front()) : LegSettings();
+  data.Survey = std::move(survey);
+  data.Survey.Platforms = { platform };
+  data.Survey.Scanners = { scanner };
+  if (!this->Request.Platform.empty())
+  {
+    this->TakePlatform(this->FindAsset(element, "platform", this->Request.Platform), data);
+  }
+  if (!keepsScanner)
+  {
+    this->TakeScanner(this->FindAsset(element, "scanner", this->Request.Scanner), data);
+  }
+  this->Conclude(settings, data);
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::ReadScene(const XmlElement& scene, PlannerData& data)
+{
+  data.Survey.Scene = helios::ReadScene(scene, this->Files);
+  this->TakePlatform(this->FindAsset(scene, "platform",
+                       Either(this->Request.Platform, this->Request.DefaultPlatform)),
+    data);
+  this->TakeScanner(
+    this->FindAsset(scene, "scanner", Either(this->Request.Scanner, this->Request.DefaultScanner)),
+    data);
+  LegSettings settings;
+  settings.Leg.Where = scene.Where();
+  this->Conclude(settings, data);
+}
+
+//------------------------------------------------------------------------------
+/// What the caller asks for, else what the element refers to.
+XmlElement PlannerReader::FindAsset(
+  const XmlElement& from, const char* tag, const std::string& asked)
+{
+  if (!asked.empty())
+  {
+    return this->Files.FindElement(tag, { tag, asked, this->Request.FileName }, from.GetDocument());
+  }
+  const bool isScene = from.GetTag() == "scene";
+  if (!isScene && from.Has(tag))
+  {
+    return this->Files.FindElement(tag, from, tag);
+  }
+  this->Log.Error(from.Where() + ": " +
+    (isScene ? std::string("a scene names no ") + tag + ", and none was asked for; give one, "
+             : "<" + from.GetTag() + "> has no attribute " + tag + "; add " + tag + "=") +
+    "\"file.xml#id\"");
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::TakePlatform(const XmlElement& element, PlannerData& data)
+{
+  data.Survey.Platforms = { element ? ReadPlatform(element) : PlatformData() };
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::TakeScanner(const XmlElement& element, PlannerData& data)
+{
+  const int before = this->Log.GetNumberOfErrors();
+  data.Survey.Scanners = { element ? ReadScanner(element) : ScannerData() };
+  if (element && this->Log.GetNumberOfErrors() == before)
+  {
+    CheckScanner(data.Survey.Scanners.front(), this->Log);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
+{
+  if (this->HasError())
+  {
+    return; // what would follow is none of its own
+  }
+  const PlatformData& platform = data.Survey.Platforms.front();
+  const ScannerData& scanner = data.Survey.Scanners.front();
+  this->CheckPlatform(platform);
+  data.HasScannerLimits = data.HasScannerLimits || this->Request.UseScannerLimits;
+  if (this->HasError() || !ResolveScan(settings, this->Request, data, this->Log))
+  {
+    return;
+  }
+  ResolveLimits(data, this->Log);
+  data.Instrument = FindInstrument(platform, scanner);
+  this->CheckHeight(data);
+  data.SceneReference = MakeReference(data.Survey.Scene.Where, data.Survey.Scene.Id);
+  data.PlatformReference = MakeReference(platform.Where, platform.Id);
+  data.ScannerReference = MakeReference(scanner.Where, scanner.Id);
+  const int plays = CountPlays(data.Survey.Scene);
+  data.Survey = MakePlay(data.Survey, 0);
+  if (plays > 1)
+  {
+    this->Log.Warning(data.Survey.Scene.Where +
+      ": the scene swaps parts: the plan is of the "
+      "first of its " +
+      std::to_string(plays) + " plays");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::CheckPlatform(const PlatformData& platform)
+{
+  if (platform.Type != PlatformType::Static)
+  {
+    this->Log.Error(platform.Where + ": platform " + platform.Name +
+      " moves, and positions are planned for one that stands; give a platform of "
+      "type=\"static\", such as platforms.xml#tripod");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlannerReader::CheckHeight(PlannerData& data)
+{
+  if (data.ScannerHeight > 0.0)
+  {
+    return;
+  }
+  data.ScannerHeight = data.Instrument[2];
+  if (data.ScannerHeight < 1e-6)
+  {
+    Sentence text;
+    text << data.Survey.Platforms.front().Where << ": platform "
+         << data.Survey.Platforms.front().Name << " carries the scanner " << data.ScannerHeight
+         << " m above the place, which is not above it; give it a <scannerMount> with a larger z, "
+            "or give scannerHeight_m";
+    this->Log.Error(text.str());
+  }
+}
+
+/// The kind of file by its ending; null: no mesh.
+const char* FindLoader(const std::string& fileName)
+{
+  const std::string ending = ToLower(fs::path(fileName).extension().string());
+  return ending == ".obj"                   ? "objloader"
+    : ending == ".tif" || ending == ".tiff" ? "geotiffloader"
+                                            : nullptr;
+}
+
+void WarnOfSeveral(const std::vector<XmlElement>& elements, Messages& log)
+{
+  if (elements.size() > 1)
+  {
+    log.Warning(elements[1].Where() + ": of several <" + elements[1].GetTag() +
+      "> in one file only the first is used");
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
+{
+  PlannerData data;
+  data.RangeMin = data.RangeMax = NotGiven;
+  data.ElevationMin = data.ElevationMax = NotGiven;
+  data.Survey.FileName = request.FileName;
+  data.Survey.Name = MakeFolderName(fs::path(request.FileName).stem().string());
+  Assets assets(log, request.AssetDirectories);
+  PlannerReader reader(request, assets, log);
+  if (FindLoader(request.FileName))
+  {
+    std::error_code ignored;
+    if (!fs::is_regular_file(request.FileName, ignored))
+    {
+      log.Error(request.FileName + ": no such file; give the name of a mesh that there is");
+      return data;
+    }
+    const std::string text =
+      MakeMeshDocument(fs::absolute(request.FileName).string(), data.Survey.Name);
+    const auto document = XmlDocument::Make(request.FileName, text, log);
+    reader.ReadScene(document->GetRoot().GetChild("scene"), data);
+    data.SceneReference.clear();
+    return data;
+  }
+  const XmlDocument* document = assets.Load(request.FileName);
+  if (!document)
+  {
+    return data;
+  }
+  const std::vector<XmlElement> planners = document->GetRoot().GetChildren("surveyPlanner");
+  const std::vector<XmlElement> scenes = document->GetRoot().GetChildren("scene");
+  if (!planners.empty())
+  {
+    WarnOfSeveral(planners, log);
+    reader.ReadPlanner(planners.front(), data);
+  }
+  else if (document->GetRoot().GetChild("survey"))
+  {
+    reader.ReadSurvey(data);
+  }
+  else if (!scenes.empty())
+  {
+    WarnOfSeveral(scenes, log);
+    reader.ReadScene(scenes.front(), data);
+  }
+  else
+  {
+    log.Error(document->GetRoot().Where() +
+      ": the file has nothing to plan; give one with a <surveyPlanner>, <survey> or <scene>, or a "
+      "mesh (.obj, .tif)");
+  }
+  return data;
+}
+
+//------------------------------------------------------------------------------
+void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log)
+{
+  PlannerData data;
+  data.RangeMin = data.RangeMax = NotGiven;
+  data.ElevationMin = data.ElevationMax = NotGiven;
+  const PlannerRequest request;
+  PlannerReader(request, assets, log).ReadPlanner(planner, data);
+  CheckSurveyNames(data.Survey, planner.Where(), log);
+}
+
+//------------------------------------------------------------------------------
+std::string MakeReference(const std::string& where, const std::string& id)
+{
+  return where.substr(0, where.rfind(':')) + "#" + id;
+}
+
+//------------------------------------------------------------------------------
+std::string MakeMeshDocument(const std::string& fileName, const std::string& id)
+{
+  const char* loader = FindLoader(fileName);
+  if (!loader)
+  {
+    return {};
+  }
+  pugi::xml_document document;
+  pugi::xml_node scene = document.append_child("document").append_child("scene");
+  scene.append_attribute("id") = id.c_str();
+  pugi::xml_node part = scene.append_child("part");
+  part.append_attribute("id") = id.c_str();
+  pugi::xml_node filter = part.append_child("filter");
+  filter.append_attribute("type") = loader;
+  pugi::xml_node param = filter.append_child("param");
+  param.append_attribute("type") = "string";
+  param.append_attribute("key") = "filepath";
+  param.append_attribute("value") = fileName.c_str();
+  std::ostringstream text;
+  document.save(text, "  ");
+  return text.str();
+}
+
+} // namespace helios

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is to be planned, from HELIOS XML or a mesh.
+
+#ifndef heliosXmlPlanner_h
+#define heliosXmlPlanner_h
+
+#include "heliosPlannerData.h"
+#include "heliosXmlElement.h"
+
+namespace helios
+{
+
+class Assets;
+class Messages;
+
+/**
+ * The first <surveyPlanner> of a file, else its first <survey>, else its first <scene>; or a mesh
+ * (.obj, .tif), with all that they refer to. Complete only if log has no error then.
+ */
+PlannerData ReadPlanner(const PlannerRequest& request, Messages& log);
+
+/// Checks a <surveyPlanner> and what it refers to.
+void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log);
+
+/// A file.xml#id of what was read from a place (file:line).
+std::string MakeReference(const std::string& where, const std::string& id);
+
+/// A <document> with a <scene> of one part, a mesh file; empty where the ending is that of no mesh.
+std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosSurveyWriter.h"
+
+#include "heliosAssets.h"
+#include "heliosMessages.h"
+#include "heliosPlannerScan.h"
+#include "heliosRunJournal.h"
+#include "heliosSceneCrs.h"
+#include "heliosXmlPlanner.h"
+#include "heliosXmlSurvey.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <pugixml.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <sstream>
+
+vtkStandardNewMacro(vtkHeliosSurveyWriter);
+
+namespace
+{
+
+constexpr const char* TemplateId = "plan"; // of scanner and platform settings
+constexpr const char* SceneId = "scene";
+
+/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as a
+/// whole number, and 1e5 not.
+std::string ToText(double value)
+{
+  char digits[400]; // of the smallest number
+  return { digits, std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr };
+}
+
+void Set(pugi::xml_node node, const char* name, double value)
+{
+  if (!std::isnan(value))
+  {
+    node.append_attribute(name) = ToText(value).c_str();
+  }
+}
+
+void Set(pugi::xml_node node, const char* name, const std::string& value)
+{
+  if (!value.empty())
+  {
+    node.append_attribute(name) = value.c_str();
+  }
+}
+
+std::string Text(const char* text)
+{
+  return text ? text : "";
+}
+
+} // namespace
+
+/// One file in the making.
+class vtkHeliosSurveyWriter::Internals
+{
+public:
+  Internals(vtkHeliosSurveyWriter* writer, vtkPolyData* positions)
+    : Writer(writer)
+    , Log(writer)
+    , Positions(positions)
+    , Crs(helios::GetCRS(positions))
+  {
+  }
+
+  bool Write();
+
+private:
+  bool CheckSettings();
+  bool CheckPositions();
+  bool CheckSurvey(const helios::SurveyData& survey);
+  helios::SurveyData Read(const std::string& text);
+  std::string MakeText(const helios::Vec3& instrument) const;
+  void AddSettings(pugi::xml_node root) const;
+  void AddScene(pugi::xml_node root) const;
+  void AddLegs(pugi::xml_node survey, const helios::Vec3& instrument) const;
+  bool Fail(const std::string& text);
+
+  vtkHeliosSurveyWriter* Writer;
+  helios::Messages Log;
+  vtkPolyData* Positions;
+  std::string Crs; // of the legs; empty: that of the scene
+};
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::Write()
+{
+  if (!this->CheckSettings() || !this->CheckPositions())
+  {
+    return false;
+  }
+  // Read with the positions as they are: what comes of the references says where the feet are.
+  const helios::SurveyData survey = this->Read(this->MakeText({ 0.0, 0.0, 0.0 }));
+  if (!this->CheckSurvey(survey))
+  {
+    return false;
+  }
+  this->Crs = this->Crs == survey.Scene.Crs ? "" : this->Crs;
+  const helios::Vec3 instrument =
+    helios::FindInstrument(survey.Platforms.front(), survey.Scanners.front());
+  const std::string problem =
+    helios::WriteWhole(this->Writer->FileName, this->MakeText(instrument));
+  return problem.empty() || this->Fail(problem + "; give another FileName");
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::CheckSettings()
+{
+  const auto isSet = [this](const char* name, const char* value, const char* cure)
+  { return (value && *value) || this->Fail(std::string(name) + " is not set; give " + cure); };
+  return isSet("FileName", this->Writer->FileName, "the survey file to write") &&
+    isSet("Scene", this->Writer->Scene, "what is scanned, file.xml#id or a mesh") &&
+    isSet("Platform", this->Writer->Platform, "what carries the scanner, file.xml#id") &&
+    isSet("Scanner", this->Writer->Scanner, "the scanner, file.xml#id");
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::CheckPositions()
+{
+  if (this->Positions->GetNumberOfPoints() == 0)
+  {
+    return this->Fail(Text(this->Writer->FileName) +
+      ": not written: the input has no position; give it the positions that a "
+      "vtkHeliosScanPositionPlanner has selected");
+  }
+  for (vtkIdType i = 0; i < this->Positions->GetNumberOfPoints(); ++i)
+  {
+    const double* p = this->Positions->GetPoint(i);
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
+      helios::Sentence text;
+      text << this->Writer->FileName << ": not written: position " << i << " is (" << p[0] << ", "
+           << p[1] << ", " << p[2] << "); give finite coordinates";
+      return this->Fail(text.str());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+helios::SurveyData vtkHeliosSurveyWriter::Internals::Read(const std::string& text)
+{
+  helios::Assets assets(this->Log, this->Writer->AssetDirectories);
+  return helios::ReadSurvey(
+    assets.Add(helios::XmlDocument::Make(this->Writer->FileName, text, this->Log)), assets,
+    this->Log);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& survey)
+{
+  const std::string file = this->Writer->FileName;
+  if (this->Log.HasError())
+  {
+    return this->Fail(file +
+      ": not written: the survey could not be run; correct the properties "
+      "that the messages before this name");
+  }
+  if (survey.IsMoving(0))
+  {
+    return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
+      " moves, and positions are for one that stands; give a platform of type=\"static\"");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instrument) const
+{
+  pugi::xml_document document;
+  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
+  declaration.append_attribute("version") = "1.0";
+  declaration.append_attribute("encoding") = "UTF-8";
+  document.append_child(pugi::node_comment).set_value(" Scan positions, written by vtkHelios. ");
+  pugi::xml_node root = document.append_child("document");
+  this->AddScene(root);
+  this->AddSettings(root);
+  pugi::xml_node survey = root.append_child("survey");
+  Set(survey, "name", Text(this->Writer->SurveyName));
+  Set(survey, "scene", root.child("scene") ? SceneId : this->Writer->Scene);
+  Set(survey, "platform", this->Writer->Platform);
+  Set(survey, "scanner", this->Writer->Scanner);
+  this->AddLegs(survey, instrument);
+  std::ostringstream text;
+  document.save(text, "  ", pugi::format_default, pugi::encoding_utf8);
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+/// A mesh becomes a scene.
+void vtkHeliosSurveyWriter::Internals::AddScene(pugi::xml_node root) const
+{
+  const std::string text = helios::MakeMeshDocument(this->Writer->Scene, SceneId);
+  pugi::xml_document mesh;
+  if (!text.empty() && mesh.load_string(text.c_str()))
+  {
+    pugi::xml_node scene = root.append_copy(mesh.document_element().first_child());
+    Set(scene, "crs", helios::GetCRS(this->Positions));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
+{
+  if (!this->Crs.empty())
+  {
+    pugi::xml_node place = root.append_child("platformSettings");
+    Set(place, "id", TemplateId);
+    Set(place, "crs", this->Crs); // WKT is long: once
+  }
+  pugi::xml_node settings = root.append_child("scannerSettings");
+  Set(settings, "id", TemplateId);
+  Set(settings, "active", "true");
+  Set(settings, "pulseFreq_hz", this->Writer->PulseFrequency);
+  Set(settings, "scanFreq_hz", this->Writer->ScanFrequency);
+  Set(settings, "scanAngle_deg", this->Writer->ScanAngle);
+  Set(settings, "verticalAngleMin_deg", this->Writer->VerticalAngleMin);
+  Set(settings, "verticalAngleMax_deg", this->Writer->VerticalAngleMax);
+  Set(settings, "headRotateStart_deg", this->Writer->HeadRotateStart);
+  Set(settings, "headRotateStop_deg", this->Writer->HeadRotateStop);
+  Set(settings, "headRotatePerSec_deg", this->Writer->HeadRotatePerSecond);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyWriter::Internals::AddLegs(
+  pugi::xml_node survey, const helios::Vec3& instrument) const
+{
+  for (vtkIdType i = 0; i < this->Positions->GetNumberOfPoints(); ++i)
+  {
+    const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - instrument;
+    pugi::xml_node leg = survey.append_child("leg");
+    pugi::xml_node place = leg.append_child("platformSettings");
+    Set(place, "template", this->Crs.empty() ? "" : TemplateId);
+    Set(place, "x", foot[0]);
+    Set(place, "y", foot[1]);
+    Set(place, "z", foot[2]);
+    Set(place, "onGround", "false");
+    Set(leg.append_child("scannerSettings"), "template", TemplateId);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Internals::Fail(const std::string& text)
+{
+  this->Log.Error(text);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveyWriter::vtkHeliosSurveyWriter()
+{
+  this->SetNumberOfOutputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveyWriter::~vtkHeliosSurveyWriter()
+{
+  this->SetFileName(nullptr);
+  this->SetSurveyName(nullptr);
+  this->SetScene(nullptr);
+  this->SetPlatform(nullptr);
+  this->SetScanner(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyWriter::AddAssetDirectory(const char* directory)
+{
+  if (directory && *directory)
+  {
+    this->AssetDirectories.emplace_back(directory);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyWriter::RemoveAllAssetDirectories()
+{
+  this->AssetDirectories.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyWriter::Write()
+{
+  this->IsWritten = false;
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    vtkErrorMacro(<< "no positions to write; give them with SetInputData or SetInputConnection");
+    return false;
+  }
+  this->Modified(); // write again, even if nothing changed
+  this->Update();
+  return this->IsWritten;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurveyWriter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  try
+  {
+    Internals internals(this, vtkPolyData::GetData(inputVector[0]));
+    this->IsWritten = internals.Write();
+  }
+  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  {
+    vtkErrorMacro(<< Text(this->FileName) << ": cannot be written: " << error.what());
+  }
+  return this->IsWritten ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << Text(this->FileName) << "\n"
+     << indent << "SurveyName: " << Text(this->SurveyName) << "\n"
+     << indent << "Scene: " << Text(this->Scene) << "\n"
+     << indent << "Platform: " << Text(this->Platform) << "\n"
+     << indent << "Scanner: " << Text(this->Scanner) << "\n"
+     << indent << "PulseFrequency: " << this->PulseFrequency << "\n"
+     << indent << "ScanFrequency: " << this->ScanFrequency << "\n"
+     << indent << "ScanAngle: " << this->ScanAngle << "\n"
+     << indent << "VerticalAngleMin: " << this->VerticalAngleMin << "\n"
+     << indent << "VerticalAngleMax: " << this->VerticalAngleMax << "\n"
+     << indent << "HeadRotateStart: " << this->HeadRotateStart << "\n"
+     << indent << "HeadRotateStop: " << this->HeadRotateStop << "\n"
+     << indent << "HeadRotatePerSecond: " << this->HeadRotatePerSecond << "\n";
+  for (const std::string& directory : this->AssetDirectories)
+  {
+    os << indent << "AssetDirectory: " << directory << "\n";
+  }
+}
