@@ -61,7 +61,9 @@ def compare(clouds, planner, settings, angular_step):
     met = np.zeros(len(places), dtype=bool)
     near = np.full(len(places), np.inf)
     finest = np.full(len(places), np.inf)
+    echoes = 0
     for cloud, scanner in zip(clouds, scanners, strict=True):
+        echoes += cloud.GetNumberOfPoints()
         sights = Sights(places, normals, scanner, angular_step)
         wanted = sights.find_wanted(settings)
         spacing = sights.half_spacing()
@@ -77,7 +79,7 @@ def compare(clouds, planner, settings, angular_step):
         "predictedNotMet": int((predicted & ~met).sum()),
         "metNotPredicted": int((met & ~predicted).sum()),
         "coarse_percent": 100.0 * (finest > tolerance).sum() / count,
-        "echoes": sum(cloud.GetNumberOfPoints() for cloud in clouds),
+        "echoes": echoes,
     }
 
 
@@ -124,14 +126,14 @@ def find_distances(cloud, places):
 
 
 def read_clouds(folder, count):
-    """The echoes of every leg; a leg without any gives an empty cloud."""
-    clouds = []
+    """The points of every leg, one cloud at a time; that of a leg without any is empty."""
     for leg in range(count):
         reader = vtkXMLPPolyDataReader()
         reader.SetFileName(f"{folder}/leg{leg:03}_points.pvtp")
+        reader.UpdateInformation()
+        reader.GetPointDataArraySelection().DisableAllArrays()
         reader.Update()
-        clouds.append(reader.GetOutput())
-    return clouds
+        yield reader.GetOutput()
 
 
 def check_lines(check, tolerance):
