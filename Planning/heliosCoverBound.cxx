@@ -12,8 +12,11 @@ namespace
 {
 
 /// Steps without a better bound after which steps get shorter, and their number at most.
-constexpr int Patience = 15;
+constexpr int Patience = 30;
 constexpr int MaximumSteps = 1000;
+
+/// How much of the last direction stays in the next: without it steps go to and fro.
+constexpr double Inertia = 0.95;
 
 /// What rounding may add to a bound.
 constexpr double Rounding = 1e-9;
@@ -26,6 +29,7 @@ public:
     , Prices(problem.Rows.Columns)
     , Best(problem.Rows.Columns)
     , Slope(problem.Rows.Columns)
+    , Way(problem.Rows.Columns)
   {
     for (int a = 0; a < problem.Rows.Rows; ++a)
     {
@@ -135,18 +139,24 @@ private:
   bool Move(double length, int upper)
   {
     double square = 0.0;
-    for (const double s : this->Slope)
+    bool isTop = true;
+    for (std::size_t v = 0; v < this->Prices.size(); ++v)
     {
-      square += s * s;
+      const bool isStuck = this->Prices[v] == 0.0 && this->Slope[v] < 0.0;
+      const double slope = isStuck ? 0.0 : this->Slope[v];
+      isTop = isTop && slope == 0.0;
+      this->Way[v] = Inertia * this->Way[v] + (1.0 - Inertia) * slope;
+      square += this->Way[v] * this->Way[v];
     }
-    if (square == 0.0)
+    if (isTop || square == 0.0)
     {
       return false;
     }
     const double step = length * std::max(0.01 * upper, upper - this->Value) / square;
     for (std::size_t v = 0; v < this->Prices.size(); ++v)
     {
-      this->Prices[v] = std::max(0.0, this->Prices[v] + step * this->Slope[v]);
+      // The best prices are at most 1, the cost of a scan.
+      this->Prices[v] = std::clamp(this->Prices[v] + step * this->Way[v], 0.0, 1.0);
     }
     return true;
   }
@@ -155,6 +165,7 @@ private:
   std::vector<double> Prices;
   std::vector<double> Best;
   std::vector<double> Slope;
+  std::vector<double> Way; // of the steps: slopes, the older the less
   std::vector<int> Order;
   std::int64_t Bits = 0;
   double Value = 0.0;

@@ -19,8 +19,8 @@ namespace helios
  *   L(u) = sum_a min(0, 1 - sum_{v seen by a} u_v) + min_z sum_v u_v z_v,
  *
  * over the z in [0, 1] that see enough weight (all: z = 1); u climbs along the subgradient (Held and
- * Karp 1971), from u_v = 1 / (the largest viewshed that sees v). Stops when rounding up reaches upper,
- * or after so much work (bits looked at).
+ * Karp 1971), smoothed, from u_v = 1 / (the largest viewshed that sees v). Stops when rounding up
+ * reaches upper, or after so much work (bits looked at).
  */
 VTKHELIOSPLANNING_EXPORT double GetLagrangeBound(
   const CoverProblem& problem, int upper, std::int64_t work = 400000000, const StopTest& stop = {});

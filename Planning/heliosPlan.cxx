@@ -26,7 +26,7 @@ constexpr double BoundTime = 10.0;
 /// Bits of a problem up to which there is a linear bound, and what ours looks at otherwise.
 constexpr std::int64_t ExactBits = 2000000;
 constexpr std::int64_t BoundBits = 500000;
-constexpr std::int64_t BoundWork = 150000000;
+constexpr std::int64_t BoundWork = 600000000;
 
 /// What rounding may add to a linear bound.
 constexpr double Rounding = 1e-6;
