@@ -5,8 +5,9 @@
 import math
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkStaticPointLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticPointLocator
 from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
@@ -15,6 +16,7 @@ from ._interrupt import Interrupt
 from ._progress import make_progress
 from ._reading import make_reader
 
+SAME_PULSE = 1e-7  # rad, between the directions of the returns of one
 STEEPEST = 0.02  # cosine of incidence; where beams graze, echoes are no further apart than so
 
 
@@ -47,9 +49,10 @@ def simulate(survey, arguments, folder, messages):
 def compare(clouds, planner, settings, angular_step):
     """Predicted and simulated coverage of the coverable test points.
 
-    A test point is met where an echo is within the tolerance of it, or within half the distance of
-    neighbouring echoes there, where a scan is that coarse; and if what the plan asks of a line of
-    sight (range, incidence ...), which is not the scanner's to refuse, is given, too.
+    A test point is met where an echo is within the tolerance of it; or, where a scan is coarser than
+    that, where the pulse that passes nearest, by half the distance of pulses at most, has an echo on
+    the surface there. What the plan asks of a line of sight (range, incidence ...), which is not the
+    scanner's to refuse, must be given, too.
     """
     points = vtkhelios.arrays(planner.GetOutputDataObject(1))
     coverable = points["Coverable"] > 0
@@ -58,26 +61,29 @@ def compare(clouds, planner, settings, angular_step):
     normals = points["Normal"][coverable] if "Normal" in points else None
     scanners = vtkhelios.arrays(planner.GetOutputDataObject(2))["points"]
     tolerance = settings["hitTolerance_m"]
-    met = np.zeros(len(places), dtype=bool)
-    near = np.full(len(places), np.inf)
+    near = np.zeros(len(places), dtype=bool)
+    passed = np.zeros(len(places), dtype=bool)
     finest = np.full(len(places), np.inf)
+    echoes = 0
     for cloud, scanner in zip(clouds, scanners, strict=True):
+        echoes += cloud.GetNumberOfPoints()
         sights = Sights(places, normals, scanner, angular_step)
         wanted = sights.find_wanted(settings)
         spacing = sights.half_spacing()
         finest = np.minimum(finest, spacing)
-        distance = np.where(wanted, find_distances(cloud, places), np.inf)
-        near = np.minimum(near, distance)
-        met |= distance <= np.maximum(tolerance, spacing)
+        near |= find_near(cloud, places, wanted & ~near, tolerance)
+        coarse = wanted & (spacing > tolerance) & ~near & ~passed
+        passed |= find_passed(cloud, sights, coarse, tolerance)
+    met = near | passed
     count = max(1, len(places))
     return {
         "predicted_percent": 100.0 * predicted.sum() / count,
         "simulated_percent": 100.0 * met.sum() / count,
-        "withinTolerance_percent": 100.0 * (near <= tolerance).sum() / count,
+        "withinTolerance_percent": 100.0 * near.sum() / count,
         "predictedNotMet": int((predicted & ~met).sum()),
         "metNotPredicted": int((met & ~predicted).sum()),
         "coarse_percent": 100.0 * (finest > tolerance).sum() / count,
-        "echoes": sum(cloud.GetNumberOfPoints() for cloud in clouds),
+        "echoes": echoes,
     }
 
 
@@ -86,7 +92,10 @@ class Sights:
 
     def __init__(self, places, normals, scanner, angular_step):
         sights = places - scanner
+        self.scanner = scanner
+        self.half_step = math.radians(angular_step) * math.sqrt(0.5)  # half a diagonal
         self.ranges = np.maximum(np.linalg.norm(sights, axis=1), 1e-12)
+        self.directions = sights / self.ranges[:, None]
         self.elevations = np.degrees(np.arcsin(np.clip(sights[:, 2] / self.ranges, -1.0, 1.0)))
         self.cosines = np.ones(len(places))
         if normals is not None:
@@ -96,6 +105,11 @@ class Sights:
     def half_spacing(self):
         """Half the diagonal between four neighbouring echoes on a surface there [m]."""
         return 0.5 * np.hypot(self.steps, self.steps / np.maximum(self.cosines, STEEPEST))
+
+    def range_differences(self):
+        """By how much ranges on a surface there differ between pulses that are half a step apart [m]."""
+        cosines = np.maximum(self.cosines, STEEPEST)
+        return self.half_step * self.ranges * np.sqrt(1.0 - cosines**2) / cosines
 
     def find_wanted(self, settings):
         """Which of them the plan asks for, by range, elevation, incidence and density."""
@@ -111,27 +125,57 @@ class Sights:
         )
 
 
-def find_distances(cloud, places):
-    """From each place to the nearest point of a cloud."""
-    if cloud.GetNumberOfPoints() == 0:
-        return np.full(len(places), np.inf)
+def find_near(cloud, places, wanted, tolerance):
+    """Which of the wanted places have an echo within the tolerance."""
+    near = np.zeros(len(places), dtype=bool)
+    if cloud.GetNumberOfPoints() > 0:
+        locator = make_locator(cloud)
+        squared = reference(0.0)
+        for index in np.flatnonzero(wanted):
+            found = locator.FindClosestPointWithinRadius(tolerance, places[index], squared)
+            near[index] = found >= 0
+    return near
+
+
+def find_passed(cloud, sights, wanted, tolerance):
+    """Which of the wanted places the pulse that passes nearest has an echo on the surface of."""
+    passed = np.zeros(len(wanted), dtype=bool)
+    if cloud.GetNumberOfPoints() == 0 or not wanted.any():
+        return passed
+    beams = vtk_to_numpy(cloud.GetPoints().GetData()) - sights.scanner
+    ranges = np.maximum(np.linalg.norm(beams, axis=1), 1e-12)
+    sphere = vtkPolyData()
+    sphere.SetPoints(vtkPoints())
+    sphere.GetPoints().SetData(numpy_to_vtk(beams / ranges[:, None], deep=True))
+    locator = make_locator(sphere)
+    allowed = tolerance + sights.range_differences()
+    squared, returns = reference(0.0), vtkIdList()
+    for index in np.flatnonzero(wanted):
+        direction = sights.directions[index]
+        nearest = locator.FindClosestPointWithinRadius(sights.half_step, direction, squared)
+        if nearest >= 0:
+            locator.FindPointsWithinRadius(SAME_PULSE, sphere.GetPoint(nearest), returns)
+            found = (ranges[returns.GetId(i)] for i in range(returns.GetNumberOfIds()))
+            passed[index] = any(abs(r - sights.ranges[index]) <= allowed[index] for r in found)
+    return passed
+
+
+def make_locator(points):
     locator = vtkStaticPointLocator()
-    locator.SetDataSet(cloud)
+    locator.SetDataSet(points)
     locator.BuildLocator()
-    echoes = vtk_to_numpy(cloud.GetPoints().GetData())
-    nearest = [locator.FindClosestPoint(place) for place in places.tolist()]
-    return np.linalg.norm(echoes[nearest] - places, axis=1)
+    return locator
 
 
 def read_clouds(folder, count):
-    """The echoes of every leg; a leg without any gives an empty cloud."""
-    clouds = []
+    """The points of every leg, one cloud at a time; that of a leg without any is empty."""
     for leg in range(count):
         reader = vtkXMLPPolyDataReader()
         reader.SetFileName(f"{folder}/leg{leg:03}_points.pvtp")
+        reader.UpdateInformation()
+        reader.GetPointDataArraySelection().DisableAllArrays()
         reader.Update()
-        clouds.append(reader.GetOutput())
-    return clouds
+        yield reader.GetOutput()
 
 
 def check_lines(check, tolerance):
@@ -145,7 +189,7 @@ def check_lines(check, tolerance):
     if check["coarse_percent"] > 1:
         yield (
             f"         the scans are coarser than --tolerance ({tolerance:g} m) at "
-            f"{check['coarse_percent']:.0f} % of them, where half the distance of echoes counts; "
+            f"{check['coarse_percent']:.0f} % of them, where a pulse that passes near counts; "
             "--resolution makes them finer"
         )
 
