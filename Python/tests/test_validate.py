@@ -128,6 +128,19 @@ def test_twice_and_a_second_root_do_not_hide_the_rest(validate):
     assert 'a.xml:2: error: scanner a: optics="comic"' in text
 
 
+def test_a_planner(validate):
+    planner = (
+        '<document>\n<surveyPlanner id="a" scene="#s" platform="#p" scaner="#c" method="{}"/>\n'
+    )
+    code, lines = validate(planner.format("bst") + '<platform id="p"/></document>')
+    text = "\n".join(lines)
+    assert code == 1
+    assert 'a.xml:2: error: method="bst" is none; did you mean best? Give one of reduce' in text
+    assert 'a.xml:2: error: scene="#s": a.xml has no <scene> of the id "s"' in text
+    assert "a.xml:2: error: <surveyPlanner> has no attribute scanner" in text
+    assert "attribute scaner of <surveyPlanner> is unknown; did you mean scanner?" in text
+
+
 def test_json(validate):
     code, lines = validate(WRONG, "--json")
     findings = json.loads("\n".join(lines))
@@ -174,8 +187,11 @@ SWINGING = "<scanner id='a' optics='oscillating'>"
         ("pspRemoveOrder", '<surveyPlanner id="a" pspRemoveOrder="{}"/>'),
         ("pspRemoveFirst", '<surveyPlanner id="a" pspRemoveFirst="{}"/>'),
         ("coverageOf", '<surveyPlanner id="a" coverageOf="{}"/>'),
-        ("axis", '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount>'
-        "</platform>"),
+        (
+            "axis",
+            '<platform id="p"><scannerMount><rot axis="{}" angle_deg="1"/></scannerMount>'
+            "</platform>",
+        ),
     ],
 )
 def test_the_schema_knows_the_words_that_the_reader_takes(name, place, validate):

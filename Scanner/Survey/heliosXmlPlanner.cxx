@@ -82,6 +82,7 @@ private:
   void Conclude(const LegSettings& settings, PlannerData& data);
   void CheckPlatform(const PlatformData& platform);
   void CheckHeight(PlannerData& data);
+  void WarnOfScene(const SceneData& scene);
   bool HasError() const { return this->Log.GetNumberOfErrors() > this->ErrorsBefore; }
 
   const PlannerRequest& Request;
@@ -277,14 +278,33 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   data.SceneReference = MakeReference(data.Survey.Scene.Where, data.Survey.Scene.Id);
   data.PlatformReference = MakeReference(platform.Where, platform.Id);
   data.ScannerReference = MakeReference(scanner.Where, scanner.Id);
-  const int plays = CountPlays(data.Survey.Scene);
+  this->WarnOfScene(data.Survey.Scene);
   data.Survey = MakePlay(data.Survey, 0);
+}
+
+//------------------------------------------------------------------------------
+/// What a plan does not see of a scene.
+void PlannerReader::WarnOfScene(const SceneData& scene)
+{
+  const int plays = CountPlays(scene);
   if (plays > 1)
   {
-    this->Log.Warning(data.Survey.Scene.Where +
-      ": the scene swaps parts: the plan is of the "
-      "first of its " +
+    this->Log.Warning(scene.Where + ": the scene swaps parts: the plan is of the first of its " +
       std::to_string(plays) + " plays");
+  }
+  for (const PartData& part : scene.Parts)
+  {
+    if (part.IsTurbid())
+    {
+      this->Log.Warning(part.Where + ": part " + part.Name +
+        " is turbid, and a plan sees through it; to have it hide what is behind it, give "
+        "intersectionMode fixed or scaled");
+    }
+    if (part.Motion.IsMoving())
+    {
+      this->Log.Warning(
+        part.Where + ": part " + part.Name + " moves, and a plan sees it where it starts");
+    }
   }
 }
 

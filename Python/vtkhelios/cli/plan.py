@@ -5,6 +5,7 @@
 import json
 import os
 import pathlib
+import shlex
 import shutil
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
@@ -218,14 +219,11 @@ def conclude(arguments, plan, steps, folder, messages):
     write_whole(path, json.dumps(report, indent=2) + "\n")
     for line in file_lines([*files, path]):
         messages.info(line)
-    messages.info(f"run it   vtkhelios run {survey}{assets_of(arguments)}")
+    folders = [word for folder in arguments.assets for word in ("--assets", folder)]
+    messages.info(f"run it   {shlex.join(['vtkhelios', 'run', str(survey), *folders])}")
     if arguments.json:
         print(json.dumps(report, indent=2))
     return code
-
-
-def assets_of(arguments):
-    return "".join(f" --assets {folder}" for folder in arguments.assets)
 
 
 def clear(folder):

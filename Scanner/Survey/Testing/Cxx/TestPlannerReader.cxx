@@ -298,6 +298,21 @@ TEST_CASE("PlannerReader: swaps", "[PlannerReader]")
   CHECK(reading.Reader->GetOutput()->GetBounds()[0] == -50.0);
 }
 
+TEST_CASE("PlannerReader: what a plan does not see", "[PlannerReader]")
+{
+  const Files files;
+  files.Write("hedge.vox", "");
+  files.Replace("scene.xml", "</part>",
+    "<dmotion id=\"a\" loop=\"0\"><motion type=\"translation\" vec=\"1;0;0\"/></dmotion></part>"
+    "<part id=\"hedge\"><filter type=\"detailedvoxels\"><param key=\"filepath\" "
+    "value=\"hedge.vox\"/></filter></part>");
+  const PlannerReading reading(WritePlanner(files, ""));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->HasWarning("part floor moves, and a plan sees it where it starts"));
+  CHECK(reading.Log->HasWarning("part hedge is turbid, and a plan sees through it; to have"));
+}
+
 TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
 {
   const Files files;
