@@ -3,7 +3,7 @@
 #include "heliosPlanOutput.h"
 
 #include "heliosCoverGreedy.h"
-#include "heliosPlanningArrays.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlanScene.h"
 
-#include "heliosPlanningArrays.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <vtkCellArray.h>

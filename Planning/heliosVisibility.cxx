@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVisibility.h"
 
-#include "heliosPlanningArrays.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -7,8 +7,8 @@
 #include "heliosGround.h"
 #include "heliosMemory.h"
 #include "heliosPlanScene.h"
-#include "heliosPlanningArrays.h"
 #include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <vtkDoubleArray.h>

@@ -5,8 +5,8 @@
 #include "heliosCoverExact.h"
 #include "heliosPlan.h"
 #include "heliosPlanOutput.h"
-#include "heliosPlanningArrays.h"
 #include "heliosVisibility.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>

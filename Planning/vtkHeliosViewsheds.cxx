@@ -4,9 +4,9 @@
 
 #include "heliosLineOfSight.h"
 #include "heliosMemory.h"
-#include "heliosPlanningArrays.h"
 #include "heliosRayCasterBackends.h"
 #include "heliosVisibility.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <vtkDoubleArray.h>

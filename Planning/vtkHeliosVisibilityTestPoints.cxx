@@ -5,9 +5,9 @@
 #include "heliosGridLine.h"
 #include "heliosMemory.h"
 #include "heliosPlanScene.h"
-#include "heliosPlanningArrays.h"
 #include "heliosPointMerger.h"
 #include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosRayCaster.h"
 
 #include <vtkDoubleArray.h>

@@ -4,11 +4,11 @@
 
 #include "vtkHeliosScanPositionPlanner.h"
 
-#include "heliosPlanningArrays.h"
 #include "heliosPose.h"
 #include "heliosPyramidScene.h"
 #include "heliosRandom.h"
 #include "heliosVisibility.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosScanPositionCandidates.h"
 #include "vtkHeliosViewsheds.h"
 #include "vtkHeliosVisibilityTestPoints.h"

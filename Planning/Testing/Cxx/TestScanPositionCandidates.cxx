@@ -4,10 +4,10 @@
 
 #include "heliosErrorObserver.h"
 #include "heliosMaterialTable.h"
-#include "heliosPlanningArrays.h"
 #include "heliosPlanningTest.h"
 #include "heliosPyramidScene.h"
 #include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <catch2/catch.hpp>
 #include <vtkCellData.h>

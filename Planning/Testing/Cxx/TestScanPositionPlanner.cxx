@@ -4,8 +4,8 @@
 
 #include "heliosCoverOverlap.h"
 #include "heliosErrorObserver.h"
-#include "heliosPlanningArrays.h"
 #include "heliosSmallCovers.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <catch2/catch.hpp>
 #include <vtkCallbackCommand.h>

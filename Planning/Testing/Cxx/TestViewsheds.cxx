@@ -3,10 +3,10 @@
 #include "vtkHeliosViewsheds.h"
 
 #include "heliosErrorObserver.h"
-#include "heliosPlanningArrays.h"
 #include "heliosPlanningTest.h"
 #include "heliosPyramidScene.h"
 #include "heliosVisibility.h"
+#include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosScanPositionCandidates.h"
 #include "vtkHeliosVisibilityTestPoints.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosPlanningArrays.h"
 #include "heliosVisibility.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <catch2/catch.hpp>
 #include <vtkNew.h>

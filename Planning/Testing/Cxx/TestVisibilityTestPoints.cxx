@@ -3,10 +3,10 @@
 #include "vtkHeliosVisibilityTestPoints.h"
 
 #include "heliosErrorObserver.h"
-#include "heliosPlanningArrays.h"
 #include "heliosPlanningTest.h"
 #include "heliosPyramidScene.h"
 #include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <catch2/catch.hpp>
 #include <vtkCellData.h>

@@ -5,7 +5,7 @@
 #ifndef heliosPlanScenes_h
 #define heliosPlanScenes_h
 
-#include "heliosPlanningArrays.h"
+#include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
