@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
+#include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
@@ -40,8 +41,9 @@ std::string Pad(const std::string& word)
 }
 
 /// The writer of a port of the scanner.
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const std::string& format)
 {
+  const bool isXml = format == "vtp";
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
   if (port == WaveformPort && isXml)
   {
@@ -59,11 +61,25 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
   {
     writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
   }
+  else if (format == "las")
+  {
+    writer = vtkSmartPointer<vtkHeliosLASWriter>::New();
+  }
   else
   {
     writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
   }
   return writer;
+}
+
+/// How the name of its file ends.
+std::string GetSuffix(int port, const std::string& format)
+{
+  if (format == "vtp")
+  {
+    return port == WaveformPort ? ".pvtt" : ".pvtp";
+  }
+  return port == EchoPort ? "." + format : ".txt";
 }
 
 /// How far the file of a writer is.
@@ -174,16 +190,15 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 /// One file of a port, or one a channel.
 void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
 {
-  const bool isXml = this->Settings.Format == "vtp";
-  const std::string suffix =
-    isXml ? (port == WaveformPort ? ".pvtt" : ".pvtp") : (port == EchoPort ? ".xyz" : ".txt");
+  const std::string suffix = GetSuffix(port, this->Settings.Format);
   const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
   const std::size_t channels = scanner.GetNumberOfChannels();
   const bool isSplit = this->Settings.SplitByChannel && channels > 1;
   for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
     const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
-    LegOutput output{ MakeWriter(port, isXml), port, isSplit ? k : LegOutput::AllChannels };
+    LegOutput output{ MakeWriter(port, this->Settings.Format), port,
+      isSplit ? k : LegOutput::AllChannels };
     output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
     outputs.push_back(output);
   }

@@ -14,7 +14,7 @@
  *
  * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the
  * survey>:
- * - legNNN_points.xyz (or .pvtp): the echoes
+ * - legNNN_points.xyz (or .las, .pvtp): the echoes
  * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
  * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the form of points and waveforms: "xyz", text columns, or "vtp", VTK
-   * XML. Default: "xyz".
+   * Set/Get the form of the files: "xyz", text columns; "las", points as LAS 1.4
+   * (vtkHeliosLASWriter) and the rest as text; or "vtp", VTK XML. Default: "xyz".
    */
   vtkSetStringMacro(Format);
   vtkGetStringMacro(Format);

@@ -117,7 +117,7 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(10000, 40000, 70000);
   Playing whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
@@ -150,7 +150,7 @@ TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
     legs.replace(at, 5, "<leg stripId=\"7\">");
   }
   const Reading reading(files, Flight, legs);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(20000, 40000, 60000);
   Playing whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
@@ -356,7 +356,7 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
 <leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
 <leg><platformSettings template="p" x="70"/><scannerSettings template="c"/></leg>)");
   Playing playing(files, reading);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetPulsesPerBlock(262144);
   playing.Player->SetWriteWaveforms(false);
