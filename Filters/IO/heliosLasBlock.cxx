@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasBlock.h"
 
+#include "heliosLasWaves.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkPointData.h>
@@ -183,7 +184,8 @@ std::string LasBlock::TakeFields(vtkPolyData* echoes)
     { names::ScanDirection, true, this->Direction }, { names::EdgeOfFlightLine, true, this->Edge },
     { names::ClassificationIds, true, this->Class }, { names::UserData, true, this->UserData },
     { names::ScanAngle, false, this->ScanAngle }, { names::LegIds, true, this->Leg },
-    { names::GpsTime, false, this->Time }, { names::RGB, false, this->Color } };
+    { names::GpsTime, false, this->Time }, { names::RGB, false, this->Color },
+    { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
     const std::string problem = this->TakeColumn(echoes, field.Name, field.IsInteger, field.Values);
@@ -264,7 +266,9 @@ std::string LasBlock::Take(vtkPolyData* echoes, bool hasExtras)
   {
     this->FullColor = echoes->GetPointData()->GetArray(names::RGB)->GetDataTypeMax();
   }
-  this->Length = GetLasPointForm(this->GetFormat()).Length;
+  const LasPointForm form = GetLasPointForm(this->GetFormat());
+  this->Length = form.Length;
+  this->WavePlace = form.Wave;
   return problem.empty() && hasExtras ? this->TakeExtras(echoes) : problem;
 }
 
@@ -321,6 +325,10 @@ void LasBlock::EncodeColor(vtkIdType row, char* record) const
   for (int k = 0; k < 3; ++k)
   {
     PutLas(record + 30 + 2 * k, GetColor(this->Color.GetNumber(row, k) / this->FullColor));
+  }
+  if (this->Waves)
+  {
+    PutLas(record + 36, std::uint16_t(0)); // near infrared
   }
 }
 
@@ -380,6 +388,12 @@ bool LasBlock::Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end,
     if (this->Color.IsSet())
     {
       this->EncodeColor(row, record);
+    }
+    if (this->Waves)
+    {
+      const double point[3] = { this->Points.GetNumber(row, 0), this->Points.GetNumber(row, 1),
+        this->Points.GetNumber(row, 2) };
+      this->Waves->EncodePoint(row, point, record + this->WavePlace);
     }
   }
   for (const Extra& extra : this->ExtraValues)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes as the points of a LAS file, format 6 or 7, and what is written beside them.
+// Echoes as the points of a LAS file, format 6 or 7, with waveforms 9 or 10, and what is written
+// beside them.
 
 #ifndef heliosLasBlock_h
 #define heliosLasBlock_h
@@ -19,6 +20,8 @@ class vtkPolyData;
 namespace helios
 {
 
+class LasWaves;
+
 /// How numbers become those of LAS.
 struct LasScaling
 {
@@ -34,7 +37,16 @@ public:
   /// Takes the arrays of echoes with double points, or says what is wrong: "the array ... holds".
   std::string Take(vtkPolyData* echoes, bool hasExtras);
 
-  int GetFormat() const { return this->Color.IsSet() ? 7 : 6; }
+  /// Before Take(): points have waveforms, whose packets are made before Encode().
+  void SetWaves(const LasWaves* waves) { this->Waves = waves; }
+
+  /// The waveforms that the points name; not set: they name none.
+  const Column& GetWaveformIds() const { return this->WaveformIds; }
+
+  int GetFormat() const
+  {
+    return this->Waves ? (this->Color.IsSet() ? 10 : 9) : (this->Color.IsSet() ? 7 : 6);
+  }
   int GetPointLength() const { return this->Length; }
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
 
@@ -73,7 +85,9 @@ private:
   std::string ExplainRow(const LasScaling& scaling, vtkIdType row) const;
 
   Column Points, Amplitude, Intensity, ReturnNumber, NumberOfReturns, Flags, Channel, Direction,
-    Edge, Class, UserData, ScanAngle, Leg, Time, Color;
+    Edge, Class, UserData, ScanAngle, Leg, Time, Color, WaveformIds;
+  const LasWaves* Waves = nullptr;
+  int WavePlace = -1;
   double FullColor = 1.0;
   int Length = 30;
   vtkIdType NumberOfPoints = 0;

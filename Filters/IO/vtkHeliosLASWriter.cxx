@@ -4,7 +4,10 @@
 
 #include "heliosCoordinateSystem.h"
 #include "heliosLasBlock.h"
-#include "heliosLasFile.h"
+#include "heliosLasEncoder.h"
+#include "heliosLasSheet.h"
+#include "heliosLasWaves.h"
+#include "heliosPartFile.h"
 #include "heliosSceneCrs.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosVersion.h"
@@ -13,115 +16,21 @@
 #include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
+#include <vtkTable.h>
 
-#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosLASWriter);
 
 namespace names = vtkHeliosArrayNames;
 
-namespace helios
-{
-
-/// What is the same for all blocks of a file.
-struct LasSheet
-{
-  LasHeader Header;
-  std::string Records; // after the header
-  LasScaling Scaling;
-  std::string Arrays; // the Extra Bytes
-  std::string Wkt;
-  std::string Crs;     // that Wkt was made from
-  bool HasTime = true; // TimeShift is known
-};
-
-} // namespace helios
-
 namespace
 {
 
-constexpr vtkIdType PointsPerChunk = 4096;
 constexpr double StandardTimeOffset = 1e9; // [s]
 constexpr std::size_t LongestRecord = 65535;
-
-/// Encodes the points of a block in rounds of chunks; a round is in memory at a time.
-class PointEncoder
-{
-public:
-  PointEncoder(helios::LasBlock& block, const helios::LasScaling& scaling, vtkIdType count)
-    : Block(block)
-    , Scaling(scaling)
-    , Count(count)
-    , Chunks(8 * static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads()))
-  {
-  }
-
-  bool HasPoints() const { return this->Next < this->Count; }
-  vtkIdType GetNext() const { return this->Next; }
-  const helios::LasSummary& GetSummary() const { return this->Summary; }
-
-  /// Encodes the next round into bytes; false where a point of it cannot be.
-  bool NextRound(std::vector<char>& bytes)
-  {
-    const vtkIdType length = this->Block.GetPointLength();
-    const vtkIdType first = this->Next;
-    const vtkIdType count =
-      std::min(this->Count - first, PointsPerChunk * static_cast<vtkIdType>(this->Chunks.size()));
-    bytes.resize(static_cast<std::size_t>(count * length));
-    const vtkIdType chunks = (count + PointsPerChunk - 1) / PointsPerChunk;
-    const auto encode = [&](vtkIdType chunk)
-    {
-      const vtkIdType begin = chunk * PointsPerChunk;
-      const vtkIdType end = std::min(count, begin + PointsPerChunk);
-      Chunk& result = this->Chunks[static_cast<std::size_t>(chunk)];
-      result = Chunk();
-      char* records = bytes.data() + begin * length;
-      result.IsGood = this->Block.Encode(this->Scaling, first + begin, first + end, records);
-      if (result.IsGood)
-      {
-        result.Summary.Add(records, end - begin, length);
-      }
-    };
-    vtkSMPTools::For(0, chunks, 1,
-      [&encode](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType chunk = begin; chunk < end; ++chunk)
-        {
-          encode(chunk);
-        }
-      });
-    return this->Take(chunks, count);
-  }
-
-private:
-  struct Chunk
-  {
-    helios::LasSummary Summary;
-    bool IsGood = false;
-  };
-
-  bool Take(vtkIdType chunks, vtkIdType count)
-  {
-    const bool isGood = std::all_of(this->Chunks.begin(), this->Chunks.begin() + chunks,
-      [](const Chunk& chunk) { return chunk.IsGood; });
-    for (vtkIdType chunk = 0; isGood && chunk < chunks; ++chunk)
-    {
-      this->Summary.Add(this->Chunks[static_cast<std::size_t>(chunk)].Summary);
-    }
-    this->Next += isGood ? count : 0;
-    return isGood;
-  }
-
-  helios::LasBlock& Block;
-  const helios::LasScaling& Scaling;
-  vtkIdType Count;
-  vtkIdType Next = 0;
-  std::vector<Chunk> Chunks;
-  helios::LasSummary Summary;
-};
 
 /// The time that GpsTime counts from; 0: it is not known. False: the array is no number.
 bool TakeEpoch(vtkPolyData* echoes, double& epoch)
@@ -134,48 +43,6 @@ bool TakeEpoch(vtkPolyData* echoes, double& epoch)
   }
   epoch = array ? array->GetTuple1(0) : 0.0;
   return true;
-}
-
-/// The records of a sheet.
-std::string MakeRecords(const helios::LasSheet& sheet, std::uint32_t& count)
-{
-  helios::LasRecord wkt{ helios::LasProjectionUser, helios::LasWktId, "OGC coordinate system WKT",
-    sheet.Wkt + '\0' };
-  helios::LasRecord extras{ helios::LasSpecUser, helios::LasExtraBytesId, "Extra Bytes",
-    sheet.Arrays };
-  const std::string records = (sheet.Wkt.empty() ? std::string() : wkt.Encode()) +
-    (sheet.Arrays.empty() ? std::string() : extras.Encode());
-  count = (sheet.Wkt.empty() ? 0 : 1) + (sheet.Arrays.empty() ? 0 : 1);
-  return records;
-}
-
-std::string ListExtras(const std::string& arrays)
-{
-  std::vector<helios::LasExtra> extras;
-  helios::DecodeLasExtras(arrays, extras);
-  std::string text;
-  for (const helios::LasExtra& extra : extras)
-  {
-    text += (text.empty() ? "" : ", ") + extra.Name + " (type " + std::to_string(extra.Type) + ")";
-  }
-  return text.empty() ? "none" : text;
-}
-
-/// The counts of all points of a file.
-std::string Summarize(helios::LasFile& file, helios::LasSummary& summary)
-{
-  const helios::LasHeader& header = file.GetHeader();
-  std::vector<char> bytes;
-  std::string problem;
-  for (std::uint64_t first = 0; first < header.Points.Count && problem.empty();)
-  {
-    const auto count = std::min<std::uint64_t>(PointsPerChunk, header.Points.Count - first);
-    bytes.resize(count * static_cast<std::uint64_t>(header.PointLength));
-    problem = file.Read(first, count, bytes.data());
-    summary.Add(bytes.data(), static_cast<std::int64_t>(count), header.PointLength);
-    first += count;
-  }
-  return problem;
 }
 
 } // namespace
@@ -199,6 +66,7 @@ void vtkHeliosLASWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Scale: " << this->Scale << "\n"
      << indent << "FullIntensity: " << this->FullIntensity << " W\n"
      << indent << "WriteExtraBytes: " << this->WriteExtraBytes << "\n"
+     << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
      << indent << "CreationDay: " << this->CreationDay << "\n"
      << indent << "CreationYear: " << this->CreationYear << "\n"
      << indent << "SystemIdentifier: " << this->SystemIdentifier << "\n";
@@ -211,14 +79,48 @@ const char* vtkHeliosLASWriter::GetBlockSource() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
+{
+  this->Waveforms = waveforms;
+}
+
+//------------------------------------------------------------------------------
+/// What Open() and Reopen() begin with.
+void vtkHeliosLASWriter::Start()
+{
+  this->Sheet.reset();
+  this->HasWarnedReturns = this->HasWarnedClasses = false;
+  this->Packets = this->WriteWaveforms ? std::make_unique<helios::PartFile>() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosLASWriter::GetPacketsName() const
+{
+  return std::filesystem::path(this->GetOpenName()).replace_extension(".wdp").string();
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::Open()
 {
   if (!this->Superclass::Open())
   {
     return false;
   }
-  this->Sheet.reset();
-  this->HasWarnedReturns = this->HasWarnedClasses = false;
+  this->Start();
+  if (!this->Packets)
+  {
+    return true;
+  }
+  const std::string head = helios::LasWaves::EncodeFileHead(helios::LasRecord::ExtendedHeadSize);
+  const std::string path = this->GetPacketsName();
+  if (!(this->CountOnly ? this->Packets->OpenNowhere(path) : this->Packets->Open(path)) ||
+    !this->Packets->Append(head.data(), head.size()))
+  {
+    this->FailFile(this->Packets->GetProblem());
+    this->Superclass::Abandon();
+    return false;
+  }
+  this->NumberOfBytes += static_cast<vtkIdType>(head.size());
   return true;
 }
 
@@ -230,22 +132,19 @@ bool vtkHeliosLASWriter::Reopen(
   {
     return false;
   }
-  this->Sheet.reset();
-  this->HasWarnedReturns = this->HasWarnedClasses = false;
-  if (fileSize == 0)
+  this->Start();
+  std::uint64_t packetsEnd = helios::LasRecord::ExtendedHeadSize;
+  std::string problem;
+  if (fileSize > 0)
   {
-    return true;
+    this->Sheet = std::make_unique<helios::LasSheet>();
+    problem = this->Sheet->Read(
+      this->GetOpenName() + ".part", numberOfRecords, this->Packets != nullptr, packetsEnd);
   }
-  auto sheet = std::make_unique<helios::LasSheet>();
-  helios::LasFile file;
-  std::string problem = file.OpenGrowing(this->GetOpenName() + ".part");
-  sheet->Header = file.GetHeader();
-  helios::LasSummary summary;
-  problem = problem.empty() ? Summarize(file, summary) : problem;
-  if (problem.empty() && summary.Count != static_cast<std::uint64_t>(numberOfRecords))
+  if (problem.empty() && this->Packets &&
+    (!this->Packets->Reopen(this->GetPacketsName(), packetsEnd) || !this->WritePacketsHead()))
   {
-    problem = this->GetOpenName() + ".part has " + std::to_string(summary.Count) +
-      " points and not " + std::to_string(numberOfRecords) + ", and cannot be gone on with";
+    problem = this->Packets->GetProblem();
   }
   if (!problem.empty())
   {
@@ -253,15 +152,7 @@ bool vtkHeliosLASWriter::Reopen(
     this->Superclass::Abandon();
     return false;
   }
-  const helios::LasRecord* extras = file.Find(helios::LasSpecUser, helios::LasExtraBytesId);
-  sheet->Header.Points = summary;
-  sheet->Arrays = extras ? extras->Data : std::string();
-  sheet->Wkt = file.GetCrs();
-  sheet->Scaling.Scale = sheet->Header.Scale;
-  sheet->Scaling.Offset = sheet->Header.Offset;
-  sheet->HasTime = false;
-  this->Sheet = std::move(sheet);
-  return this->OverwriteBytes(0, this->Sheet->Header.Encode());
+  return !this->Sheet || this->OverwriteBytes(0, this->Sheet->Header.Encode());
 }
 
 //------------------------------------------------------------------------------
@@ -297,8 +188,10 @@ bool vtkHeliosLASWriter::MakeSheet(
   }
   sheet.Scaling.TimeShift = epoch != 0.0 ? epoch - StandardTimeOffset : 0.0;
   sheet.Arrays = helios::EncodeLasExtras(block.GetExtras());
-  sheet.Header.Encoding =
-    helios::LasHeader::HasWkt | (epoch != 0.0 ? helios::LasHeader::StandardTime : 0);
+  sheet.Header.Encoding = helios::LasHeader::HasWkt |
+    (epoch != 0.0 ? helios::LasHeader::StandardTime : 0) |
+    (this->Packets ? helios::LasHeader::ExternalWaves : 0);
+  sheet.HasWaves = this->Packets != nullptr;
   sheet.Header.Format = block.GetFormat();
   sheet.Header.PointLength = block.GetPointLength();
   return true;
@@ -334,7 +227,7 @@ bool vtkHeliosLASWriter::WriteHead()
   header.Software = std::string("vtkHelios ") + vtkHeliosVersion::GetVersion();
   header.CreationDay = this->CreationDay;
   header.CreationYear = this->CreationYear;
-  const std::string records = MakeRecords(*this->Sheet, header.NumberOfRecords);
+  const std::string records = this->Sheet->EncodeRecords(header.NumberOfRecords);
   header.PointsBegin = static_cast<std::uint32_t>(helios::LasHeader::Size14 + records.size());
   return this->WriteText(header.Encode() + records);
 }
@@ -352,9 +245,9 @@ bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* e
   {
     return this->RefusePoints("a block has other arrays than those before, which had the Extra "
                               "Bytes " +
-      ListExtras(sheet.Arrays) + " and points of " + std::to_string(sheet.Header.PointLength) +
-      " bytes, and not " + ListExtras(next.Arrays) + " and " +
-      std::to_string(next.Header.PointLength) + " bytes; write it to another file");
+      sheet.ListArrays() + " and points of " + std::to_string(sheet.Header.PointLength) +
+      " bytes, and not " + next.ListArrays() + " and " + std::to_string(next.Header.PointLength) +
+      " bytes; write it to another file");
   }
   if (next.Wkt != sheet.Wkt)
   {
@@ -381,7 +274,7 @@ bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* e
 bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
 {
   const vtkIdType start = this->GetFileSize();
-  PointEncoder encoder(block, this->Sheet->Scaling, count);
+  helios::LasEncoder encoder(block, this->Sheet->Scaling, count);
   std::vector<char> bytes;
   while (encoder.HasPoints())
   {
@@ -419,6 +312,61 @@ void vtkHeliosLASWriter::Warn(const helios::LasBlock& block)
 }
 
 //------------------------------------------------------------------------------
+/// Takes the arrays of a block and the waveforms that belong to it.
+bool vtkHeliosLASWriter::TakeBlock(
+  vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves)
+{
+  std::string problem = this->Packets ? waves.Take(this->Waveforms) : std::string();
+  points.SetWaves(this->Packets ? &waves : nullptr);
+  problem = problem.empty() ? points.Take(echoes, this->WriteExtraBytes) : problem;
+  if (problem.empty() && this->Packets)
+  {
+    problem = points.GetWaveformIds().IsSet()
+      ? waves.MakePackets(
+          points.GetWaveformIds(), echoes->GetNumberOfPoints(), this->Packets->GetSize())
+      : std::string("a block has no array ") + names::WaveformIds +
+        "; switch WriteWaveforms off, or let the scanner generate them";
+  }
+  return problem.empty() || this->RefusePoints(problem);
+}
+
+//------------------------------------------------------------------------------
+/// Brings the time between samples to the descriptors, once it is known.
+bool vtkHeliosLASWriter::CheckSpacing(const helios::LasWaves& waves)
+{
+  const std::uint32_t spacing = waves.GetSpacing();
+  if (spacing == 0 || spacing == this->Sheet->Spacing)
+  {
+    return true;
+  }
+  if (this->Sheet->Spacing != 0)
+  {
+    return this->RefusePoints("the waveforms of a block have a BinSize of " +
+      std::to_string(spacing) + " ps, and those before " + std::to_string(this->Sheet->Spacing) +
+      " ps; write them to another file");
+  }
+  this->Sheet->Spacing = spacing;
+  std::uint32_t count = 0;
+  return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count));
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WritePacketsHead()
+{
+  const std::string head = helios::LasWaves::EncodeFileHead(this->Packets->GetSize());
+  return this->Packets->Overwrite(0, head.data(), head.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WritePackets(const helios::LasWaves& waves)
+{
+  const std::vector<char>& bytes = waves.GetPackets();
+  return !this->Packets ||
+    (this->Packets->Append(bytes.data(), bytes.size()) && this->WritePacketsHead()) ||
+    this->FailBlock(this->Packets->GetProblem(), this->GetFileSize());
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::Write(vtkDataObject* block)
 {
   vtkPolyData* echoes = this->CheckOpen() ? this->GetPoints(block) : nullptr;
@@ -432,16 +380,22 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     return true;
   }
   helios::LasBlock points;
-  const std::string problem = points.Take(echoes, this->WriteExtraBytes);
-  if (!problem.empty())
+  helios::LasWaves waves;
+  if (!this->TakeBlock(echoes, points, waves))
   {
-    return this->RefusePoints(problem);
+    return false;
   }
   const vtkIdType start = this->GetFileSize();
+  const std::uint64_t packetsStart = this->Packets ? this->Packets->GetSize() : 0;
   const bool isFirst = !this->Sheet;
   const bool isKept = isFirst ? this->MakeHead(points, echoes) : this->CheckSame(points, echoes);
-  if (!isKept || !this->WritePoints(points, count))
+  if (!isKept || !this->CheckSpacing(waves) || !this->WritePackets(waves) ||
+    !this->WritePoints(points, count))
   {
+    if (this->Packets && this->Packets->Cut(packetsStart))
+    {
+      this->WritePacketsHead();
+    }
     if (isFirst)
     {
       this->Sheet.reset(); // another block may be the first
@@ -450,9 +404,35 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     return false;
   }
   this->NumberOfRecords += count;
-  this->NumberOfBytes += this->GetFileSize() - start;
+  this->NumberOfBytes += this->GetFileSize() - start +
+    static_cast<vtkIdType>(this->Packets ? this->Packets->GetSize() - packetsStart : 0);
   this->Warn(points);
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosLASWriter::Sync()
+{
+  return !this->Packets || this->Packets->Sync() ? this->Superclass::Sync()
+                                                 : this->Packets->GetProblem();
+}
+
+//------------------------------------------------------------------------------
+/// A file without points, where there was no block.
+bool vtkHeliosLASWriter::WriteEmpty()
+{
+  this->Sheet = std::make_unique<helios::LasSheet>();
+  this->Sheet->Header.Encoding = helios::LasHeader::HasWkt;
+  if (this->Packets)
+  {
+    this->Sheet->HasWaves = true;
+    this->Sheet->Header.Encoding |= helios::LasHeader::ExternalWaves;
+    this->Sheet->Header.Format = 9;
+    this->Sheet->Header.PointLength = helios::GetLasPointForm(9).Length;
+  }
+  const bool isWritten = this->WriteHead();
+  this->NumberOfBytes += this->GetFileSize();
+  return isWritten;
 }
 
 //------------------------------------------------------------------------------
@@ -463,15 +443,16 @@ bool vtkHeliosLASWriter::Close()
     this->Abandon();
     return false;
   }
-  if (!this->Sheet)
+  if (!this->Sheet && !this->WriteEmpty())
   {
-    this->Sheet = std::make_unique<helios::LasSheet>();
-    if (!this->WriteHead())
-    {
-      this->Superclass::Abandon();
-      return false;
-    }
-    this->NumberOfBytes += this->GetFileSize();
+    this->Abandon();
+    return false;
+  }
+  if (this->Packets && !this->Packets->Close())
+  {
+    this->FailFile(this->Packets->GetProblem());
+    this->Superclass::Abandon();
+    return false;
   }
   return this->Superclass::Close();
 }
@@ -479,11 +460,10 @@ bool vtkHeliosLASWriter::Close()
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::Abandon()
 {
-  bool good = true;
-  if (this->IsOpen() && !this->Sheet)
+  bool good = !this->IsOpen() || this->Sheet || this->WriteEmpty();
+  if (this->Packets && !this->Packets->Abandon())
   {
-    this->Sheet = std::make_unique<helios::LasSheet>();
-    good = this->WriteHead();
+    good = this->FailFile(this->Packets->GetProblem());
   }
   return this->Superclass::Abandon() && good;
 }

@@ -6,7 +6,7 @@
  *
  * The file is valid after every block, as .part too: its header counts the
  * points that are there. Points are of format 6, or 7 where the first block has
- * RGB. All blocks have the same arrays and CRS; the field data CRS goes to a WKT
+ * RGB; with waveforms 9 or 10. All blocks have the same arrays and CRS; the field data CRS goes to a WKT
  * record. A file that goes on (Reopen) keeps its scale and offset.
  *
  * Of a point:
@@ -28,6 +28,13 @@
  *   (Amplitude, EchoWidth, Range, PulseIds ...), ChannelIds too. An array of
  *   three numbers is three fields: TruePointX, TruePointY, TruePointZ.
  *
+ * Waveforms of a block (WriteWaveforms) are a packet each in a file named .wdp
+ * instead of .las, as 32-bit samples; every point of the pulse names it. The
+ * samples keep 23 bits of the largest one, and 0 W after their last up to the size
+ * of a packet. Return point location: the time [ps] from the first sample to the
+ * point, along the beam; X(t), Y(t), Z(t): metres a picosecond, away from the
+ * scanner.
+ *
  * Blocks: vtkPolyData, points of doubles; any array may be missing (then it is 0;
  * returns and classes 1). Docs/files.md lists the file field by field.
  *
@@ -45,10 +52,14 @@
 
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 #include "vtkHeliosStreamWriter.h"
+#include "vtkSmartPointer.h" // For the waveforms
+
+class vtkTable;
 
 namespace helios
 {
 class LasBlock;
+class LasWaves;
 struct LasSheet;
 }
 
@@ -109,9 +120,27 @@ public:
   vtkGetMacro(SystemIdentifier, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether points have their waveforms (formats 9 and 10), as Open()
+   * takes it: packets go to a file beside, named .wdp instead of .las.
+   * SetWaveforms() gives those of the next block. Default: off.
+   */
+  vtkSetMacro(WriteWaveforms, bool);
+  vtkGetMacro(WriteWaveforms, bool);
+  vtkBooleanMacro(WriteWaveforms, bool);
+  ///@}
+
+  /**
+   * Set the waveforms (output port 1 of vtkHeliosScanner) of the pulses that the
+   * WaveformIds of the next block name; null: none.
+   */
+  void SetWaveforms(vtkTable* waveforms);
+
   bool Open() override;
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
   bool Write(vtkDataObject* block) override;
+  std::string Sync() override;
   bool Close() override;
   bool Abandon() override;
 
@@ -125,6 +154,13 @@ private:
   vtkHeliosLASWriter(const vtkHeliosLASWriter&) = delete;
   void operator=(const vtkHeliosLASWriter&) = delete;
 
+  void Start();
+  std::string GetPacketsName() const;
+  bool TakeBlock(vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves);
+  bool CheckSpacing(const helios::LasWaves& waves);
+  bool WritePacketsHead();
+  bool WritePackets(const helios::LasWaves& waves);
+  bool WriteEmpty();
   bool RefusePoints(const std::string& problem);
   bool MakeHead(const helios::LasBlock& block, vtkPolyData* echoes);
   bool CheckSame(const helios::LasBlock& block, vtkPolyData* echoes);
@@ -136,11 +172,14 @@ private:
   double Scale = 0.0001;
   double FullIntensity = 0.0;
   bool WriteExtraBytes = true;
+  bool WriteWaveforms = false;
   int CreationDay = 0;
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
-  std::unique_ptr<helios::LasSheet> Sheet; // of the file; null before its first block
-  bool HasWarnedReturns = false;           // since Open()
+  std::unique_ptr<helios::LasSheet> Sheet;   // of the file; null before its first block
+  std::unique_ptr<helios::PartFile> Packets; // null: points have no waveforms
+  vtkSmartPointer<vtkTable> Waveforms;       // of the next block
+  bool HasWarnedReturns = false;             // since Open()
   bool HasWarnedClasses = false;
 };
 

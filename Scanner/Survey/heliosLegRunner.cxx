@@ -14,6 +14,7 @@
 #include "vtkHeliosWaveformXMLWriter.h"
 
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <chrono>
@@ -41,9 +42,9 @@ std::string Pad(const std::string& word)
 }
 
 /// The writer of a port of the scanner.
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const std::string& format)
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
 {
-  const bool isXml = format == "vtp";
+  const bool isXml = settings.Format == "vtp";
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
   if (port == WaveformPort && isXml)
   {
@@ -61,9 +62,11 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const std::string& f
   {
     writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
   }
-  else if (format == "las")
+  else if (settings.Format == "las")
   {
-    writer = vtkSmartPointer<vtkHeliosLASWriter>::New();
+    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
+    las->SetWriteWaveforms(settings.Waveforms);
+    writer = las;
   }
   else
   {
@@ -175,7 +178,7 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
   Outputs outputs;
   this->AddOutputs(plan, EchoPort, "_points", outputs);
-  if (this->Settings.Waveforms)
+  if (this->Settings.Waveforms && this->Settings.Format != "las") // whose points have them
   {
     this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
   }
@@ -197,7 +200,7 @@ void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outp
   for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
     const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
-    LegOutput output{ MakeWriter(port, this->Settings.Format), port,
+    LegOutput output{ MakeWriter(port, this->Settings), port,
       isSplit ? k : LegOutput::AllChannels };
     output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
     outputs.push_back(output);
@@ -360,12 +363,24 @@ bool LegRunner::RunBlocks(
 //------------------------------------------------------------------------------
 bool LegRunner::Write(const Outputs& outputs) const
 {
+  const auto get = [this](const LegOutput& output, int port)
+  {
+    return output.Channel == LegOutput::AllChannels
+      ? this->Scanner.GetOutput(port)
+      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, output.Channel));
+  };
   return std::all_of(outputs.begin(), outputs.end(),
-    [this](const LegOutput& output)
+    [this, &get](const LegOutput& output)
     {
-      return output.Writer->Write(output.Channel == LegOutput::AllChannels
-          ? this->Scanner.GetOutput(output.Port).Get()
-          : this->Scanner.GetOutput(output.Port, output.Channel));
+      auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
+      if (!las || !this->Settings.Waveforms)
+      {
+        return output.Writer->Write(get(output, output.Port));
+      }
+      las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
+      const bool isWritten = las->Write(get(output, output.Port));
+      las->SetWaveforms(nullptr); // gives up their memory
+      return isWritten;
     });
 }
 
