@@ -33,6 +33,7 @@ constexpr std::size_t AtOldCount = 107;
 constexpr std::size_t AtScale = 131;
 constexpr std::size_t AtOffset = 155;
 constexpr std::size_t AtBox = 179;
+constexpr std::size_t AtWavesBegin = 227;
 constexpr std::size_t AtExtendedBegin = 235;
 constexpr std::size_t AtNumberOfExtended = 243;
 constexpr std::size_t AtCount = 247;
@@ -252,6 +253,7 @@ std::string LasHeader::DecodeCounts(std::string_view bytes)
 {
   const auto old = Get<std::uint32_t>(bytes, AtOldCount);
   this->Points.Count = old;
+  this->WavesBegin = this->Minor < 3 ? 0 : Get<std::uint64_t>(bytes, AtWavesBegin);
   if (this->Minor < 4)
   {
     return {};

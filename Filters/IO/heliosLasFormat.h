@@ -87,6 +87,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   int PointLength = 30;
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
+  std::uint64_t WavesBegin = 0; ///< of the record of packets in the file itself
   std::uint64_t ExtendedBegin = 0;
   std::uint32_t NumberOfExtended = 0;
   LasSummary Points; ///< read: the count alone

@@ -4,6 +4,7 @@
 
 #include "heliosLasArrays.h"
 #include "heliosLasFile.h"
+#include "heliosLasPackets.h"
 #include "heliosSceneCrs.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -14,6 +15,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <new>
@@ -52,6 +54,7 @@ void SetFields(const helios::LasFile& file, vtkPolyData* output)
 vtkHeliosLASReader::vtkHeliosLASReader()
 {
   this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
 }
 
 //------------------------------------------------------------------------------
@@ -64,36 +67,50 @@ vtkHeliosLASReader::~vtkHeliosLASReader()
 void vtkHeliosLASReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "ReadWaveforms: " << this->ReadWaveforms << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosLASReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosLASReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  outputVector->GetInformationObject(0)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
   return 1;
 }
 
 //------------------------------------------------------------------------------
 /// Points begin to end; what went wrong, or an empty text.
-std::string vtkHeliosLASReader::ReadPoints(
-  helios::LasFile& file, std::uint64_t begin, std::uint64_t end, vtkPolyData* output)
+std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
+  std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
 {
   const helios::LasHeader& header = file.GetHeader();
+  const bool hasWaves = this->ReadWaveforms && helios::GetLasPointForm(header.Format).Wave >= 0;
+  helios::LasPackets packets;
+  std::string problem = hasWaves ? packets.Open(file) : std::string();
   helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
   std::vector<char> bytes(
     std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));
-  for (std::uint64_t first = begin; first < end;)
+  for (std::uint64_t first = begin; first < end && problem.empty();)
   {
     const std::uint64_t count = std::min(PointsPerRound, end - first);
-    const std::string problem = file.Read(first, count, bytes.data());
-    if (!problem.empty())
+    const auto row = static_cast<vtkIdType>(first - begin);
+    problem = file.Read(first, count, bytes.data());
+    arrays.Decode(bytes.data(), row, static_cast<vtkIdType>(count));
+    if (hasWaves)
     {
-      return problem;
+      packets.Take(bytes.data(), row, static_cast<vtkIdType>(count));
     }
-    arrays.Decode(
-      bytes.data(), static_cast<vtkIdType>(first - begin), static_cast<vtkIdType>(count));
     first += count;
     this->UpdateProgress(static_cast<double>(first - begin) / static_cast<double>(end - begin));
     if (this->AbortExecute)
@@ -102,14 +119,25 @@ std::string vtkHeliosLASReader::ReadPoints(
         "; update again to read it";
     }
   }
+  if (!problem.empty())
+  {
+    return problem;
+  }
   arrays.MoveTo(output);
   SetFields(file, output);
+  problem = hasWaves ? packets.Read(output, waveforms) : std::string();
+  if (!problem.empty())
+  {
+    output->Initialize();
+    waveforms->Initialize();
+    return file.GetPath() + ": " + problem;
+  }
   return {};
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosLASReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   if (!this->FileName || !*this->FileName)
   {
@@ -117,7 +145,8 @@ int vtkHeliosLASReader::RequestData(
     return 0;
   }
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
+  vtkInformation* outInfo = outputVector->GetInformationObject(port);
   const bool isPiece = outInfo->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) != 0;
   const int count = isPiece ? std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) : 1;
   const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
@@ -135,7 +164,7 @@ int vtkHeliosLASReader::RequestData(
     const auto i = static_cast<std::uint64_t>(piece);
     problem = problem.empty()
       ? this->ReadPoints(file, GetPieceBegin(points, i, n), GetPieceBegin(points, i + 1, n),
-          vtkPolyData::GetData(outputVector))
+          vtkPolyData::GetData(outputVector), vtkTable::GetData(outputVector, 1))
       : problem;
   }
   catch (const std::bad_alloc&)

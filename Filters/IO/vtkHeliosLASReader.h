@@ -26,9 +26,16 @@
  *
  * Errors, which name the file, end the reading without output: no LAS, a
  * version, format or size that cannot be, a file that is cut off or whose counts
- * do not fit, LAZ (the message says how to convert it).
+ * do not fit, LAZ (the message says how to convert it); of waveforms: no file of
+ * packets, a descriptor that is not there or not known, a packet beyond the end.
  *
- * Waveform packets are not read.
+ * Output 1 is a vtkTable, with ReadWaveforms: the waveforms that the points of the
+ * piece name, as vtkHeliosScanner gives them (PulseIds, Origin, Direction, GpsTime,
+ * StartTime, BinSize, Offset, Count; Samples in the field data), from the file
+ * itself or a .wdp beside it. PulseIds are the WaveformIds of the points, or where
+ * they have none the number of the first one. The origin is Range away from the
+ * first point; without that array it is where the first sample came from. Samples
+ * of exactly 0 at the end are left out: packets are filled up with them.
  *
  * @sa
  * vtkHeliosLASWriter
@@ -41,6 +48,8 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // For numbers of points
+
+class vtkTable;
 
 namespace helios
 {
@@ -62,10 +71,20 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether waveforms are read to output 1. Default: off.
+   */
+  vtkSetMacro(ReadWaveforms, bool);
+  vtkGetMacro(ReadWaveforms, bool);
+  vtkBooleanMacro(ReadWaveforms, bool);
+  ///@}
+
 protected:
   vtkHeliosLASReader();
   ~vtkHeliosLASReader() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -75,10 +94,11 @@ private:
   vtkHeliosLASReader(const vtkHeliosLASReader&) = delete;
   void operator=(const vtkHeliosLASReader&) = delete;
 
-  std::string ReadPoints(
-    helios::LasFile& file, std::uint64_t begin, std::uint64_t end, vtkPolyData* output);
+  std::string ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
+    vtkPolyData* output, vtkTable* waveforms);
 
   char* FileName = nullptr;
+  bool ReadWaveforms = false;
 };
 
 #endif

@@ -310,6 +310,145 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
   }
 }
 
+TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(60);
+  const auto echoes = MakeEchoesOf(waveforms);
+  auto* starts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::StartTime));
+  const bool hasRange = GENERATE(true, false);
+  if (hasRange)
+  {
+    helios::AddColumn<vtkDoubleArray>(echoes->GetPointData(), names::Range, 180,
+      [=](vtkIdType i)
+      { return 0.5e-9 * SpeedOfLight * (starts->GetTuple1(i / 3) + 0.2 * double(i % 3)); });
+  }
+  else
+  {
+    echoes->GetPointData()->RemoveArray(names::Range);
+  }
+  writing.Writer->SetWaveforms(waveforms);
+  REQUIRE((writing.Writer->Open() && writing.Writer->Write(echoes)));
+  const bool isPart = GENERATE(true, false);
+  REQUIRE((isPart ? writing.Writer->Abandon() : writing.Writer->Close()));
+  helios::LasReading reading(isPart ? writing.Path + ".part" : writing.Path);
+  REQUIRE(reading.Read());
+  auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
+  REQUIRE(table);
+  CHECK(table->GetNumberOfRows() == 0); // not asked for
+  reading.Reader->ReadWaveformsOn();
+  const int pieces = GENERATE(1, 5); // of 36 points, 12 waveforms
+  vtkIdType wave = 0;
+  vtkIdType wrong = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    REQUIRE(reading.Read(piece, pieces));
+    const auto get = [table](const char* name, vtkIdType row, int k = 0)
+    {
+      auto* array = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+      return array ? array->GetComponent(row, k) : std::nan("");
+    };
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row, ++wave)
+    {
+      wave += wave % 5 == 4 ? 1 : 0; // without a packet
+      const auto expected = [&waveforms, wave](const char* name, int k = 0) {
+        return vtkDataArray::SafeDownCast(waveforms->GetColumnByName(name))->GetComponent(wave, k);
+      };
+      const double start = expected(names::StartTime);
+      const double skipped = hasRange ? 0.0 : 0.5e-9 * SpeedOfLight * start; // [m]
+      REQUIRE(get(names::PulseIds, row) == expected(names::PulseIds));
+      REQUIRE(get(names::StartTime, row) == Approx(hasRange ? start : 0.0).margin(1e-4));
+      REQUIRE(get(names::BinSize, row) == 0.25);
+      for (int k = 0; k < 3; ++k)
+      {
+        const double direction = expected(names::Direction, k);
+        REQUIRE(get(names::Direction, row, k) == Approx(direction).margin(1e-7));
+        REQUIRE(get(names::Origin, row, k) ==
+          Approx(expected(names::Origin, k) + skipped * direction).margin(2e-4));
+      }
+      auto* read = table->GetFieldData()->GetArray(names::Samples);
+      auto* written = waveforms->GetFieldData()->GetArray(names::Samples);
+      const auto from = static_cast<vtkIdType>(expected(names::Offset));
+      const auto at = static_cast<vtkIdType>(get(names::Offset, row));
+      const auto count = static_cast<vtkIdType>(get(names::Count, row));
+      REQUIRE(count <= static_cast<vtkIdType>(expected(names::Count)));
+      for (vtkIdType i = 0; i < static_cast<vtkIdType>(expected(names::Count)); ++i)
+      {
+        const double value = i < count ? read->GetTuple1(at + i) : 0.0;
+        wrong += std::abs(value - written->GetTuple1(from + i)) <= 1e-6 / (1 << 23) ? 0 : 1;
+      }
+    }
+  }
+  CHECK(wave == 59); // the last has none
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(4);
+  REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
+  std::string las = helios::ReadText(writing.Path);
+  helios::SetNumber<std::uint16_t>(las, 6, 16 | 2);
+  helios::SetNumber<std::uint64_t>(las, 227, las.size());
+  helios::SetNumber<std::uint64_t>(las, 235, las.size());
+  helios::SetNumber<std::uint32_t>(las, 243, 1);
+  std::ofstream(writing.Path, std::ios::binary) << las << helios::ReadText(writing.Packets);
+  fs::remove(writing.Packets);
+  helios::LasReading reading(writing.Path);
+  reading.Reader->ReadWaveformsOn();
+  REQUIRE(reading.Read());
+  auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
+  REQUIRE(table->GetNumberOfRows() == 4);
+  const auto* last = vtkFloatArray::SafeDownCast(table->GetFieldData()->GetArray(names::Samples));
+  CHECK(last->GetValue(last->GetNumberOfValues() - 1) == Approx(9e-9)); // 1 + 2 + 3 + 4 samples
+}
+
+TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  REQUIRE(
+    (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(4)) && writing.Writer->Close()));
+  const std::string good = helios::ReadText(writing.Path);
+  const std::string packets = helios::ReadText(writing.Packets);
+  const std::size_t at = GetNumber<std::uint32_t>(good, 96) + 30;
+  const auto fails = [&](const std::string& las, const std::string& message)
+  {
+    std::ofstream(writing.Path, std::ios::binary) << las;
+    helios::LasReading reading(writing.Path);
+    const bool isPlain = reading.Read();
+    reading.Reader->ReadWaveformsOn();
+    const bool isRead = reading.Read();
+    INFO(reading.Log->Errors);
+    CHECK(reading.Log->HasError(message));
+    return isPlain && !isRead && reading.CountPoints() == 0;
+  };
+  const auto with = [&good](std::size_t place, auto value)
+  {
+    std::string las = good;
+    helios::SetNumber(las, place, value);
+    return las;
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CHECK(fails(with(at, std::uint8_t(253)),
+    "point 0 of the piece names the waveform descriptor 253, which the file has not"));
+  CHECK(fails(with(at + 1, std::uint64_t(packets.size() - 63)),
+    "point 0 of the piece has a packet of 64 bytes at " + std::to_string(packets.size() - 63) +
+      ", beyond the end of " + writing.Packets));
+  CHECK(fails(with(at + 1, ~std::uint64_t(0)), "beyond the end of"));
+  CHECK(fails(with(at + 9, std::uint32_t(63)), "has a packet of 63 bytes; its descriptor has 64"));
+  CHECK(fails(with(at + 13, nan), "has a waveform without a direction or a place"));
+  CHECK(fails(with(at + 17, nan), "has a waveform without a direction or a place"));
+  std::size_t record = 375; // the first descriptor, after the Extra Bytes
+  record += 54 + GetNumber<std::uint16_t>(good, record + 20) + 54;
+  CHECK(
+    fails(with(record, std::uint8_t(12)), "has a waveform descriptor 1 that is not of 8, 16 or"));
+  CHECK(fails(with(record + 1, std::uint8_t(1)), "bits without compression"));
+  CHECK(fails(with(record + 10, std::nan("")), "a waveform descriptor 1 whose gain is no number"));
+  fs::remove(writing.Packets);
+  CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
+}
+
 TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
 {
   WaveWriting writing;
