@@ -17,7 +17,8 @@
  * - legNNN_points.xyz (or .las, .pvtp): the echoes
  * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
- * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
+ * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms; those of
+ *   legNNN_points.las are in legNNN_points.wdp
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
  * Legs of the same strip S write to one file each, stripS_points.xyz and so on.
  * The channels of a scanner fire at once, and their records go to one file in

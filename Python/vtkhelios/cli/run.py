@@ -31,8 +31,8 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_pulse.txt        the pulses, with --pulses: one a line, origin x y z, direction x y z,
                           time [ns], pulse, channel
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
-With --format las: legNNN_points.las, LAS 1.4 with all that is known of an echo (Docs/files.md); the
-rest as text.
+With --format las: legNNN_points.las, LAS 1.4 with all that is known of an echo (Docs/files.md), and
+with --waveforms legNNN_points.wdp beside it; the rest as text.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every

@@ -3,7 +3,11 @@
 // Damaged LAS files give an error or points that are whole, in any number of pieces.
 #include "heliosLasTesting.h"
 #include "heliosMutation.h"
+#include "heliosWaveformTable.h"
+#include "heliosWaveformTesting.h"
 #include "vtkHeliosLASWriter.h"
+
+#include <vtkTable.h>
 
 #include <catch2/catch.hpp>
 
@@ -74,6 +78,53 @@ TEST_CASE("LASMutations: damaged files give an error or points", "[LASMutations]
       sum += reading.CountPoints();
     }
     REQUIRE(sum == count);
+  }
+  CHECK(errorCount > 20);
+  CHECK(goodCount > 20);
+}
+
+TEST_CASE("LASMutations: damaged waveforms give an error or waveforms", "[LASMutations][mutation]")
+{
+  namespace names = vtkHeliosArrayNames;
+  const helios::TempFolder folder;
+  const std::string path = folder / "a.las";
+  const std::string packetsPath = folder / "a.wdp";
+  const auto waveforms = helios::MakeWaveforms(20);
+  const auto echoes = helios::MakeLasEchoes(20);
+  vtkDataArray* pulses = waveforms->GetRowData()->GetArray(names::PulseIds);
+  helios::AddColumn<vtkTypeInt64Array>(echoes->GetPointData(), names::WaveformIds, 20,
+    [pulses](vtkIdType i) { return pulses->GetTuple1(i); });
+  vtkNew<vtkHeliosLASWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->WriteWaveformsOn();
+  writer->WriteExtraBytesOff();
+  writer->SetWaveforms(waveforms);
+  REQUIRE((writer->Open() && writer->Write(echoes) && writer->Close()));
+  const std::string whole = helios::ReadText(path);
+  const std::string packets = helios::ReadText(packetsPath);
+  const std::size_t points = whole.size() - 20 * 59; // descriptors of some bytes, and the points
+  helios::Mutator mutate(20252);
+  int errorCount = 0;
+  int goodCount = 0;
+  for (int i = 0; i < helios::GetNumberOfMutations(); ++i)
+  {
+    const std::size_t from = i % 3 == 0 ? points : i % 3 == 1 ? 375 : whole.size();
+    const std::size_t end = i % 3 == 1 ? 375 + 2000 : whole.size();
+    const std::string damaged = from < end ? mutate(whole.substr(from, end - from)) : std::string();
+    std::ofstream(path, std::ios::binary) << whole.substr(0, from) << damaged << whole.substr(end);
+    std::ofstream(packetsPath, std::ios::binary) << (i % 3 == 2 ? mutate(packets) : packets);
+    helios::LasReading reading(path);
+    reading.Reader->ReadWaveformsOn();
+    INFO("file " << i);
+    const bool isGood = reading.Read();
+    (isGood ? goodCount : errorCount) += 1;
+    auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
+    REQUIRE(table);
+    REQUIRE(IsWhole(reading.Cloud()));
+    REQUIRE((isGood || reading.Log->HasError(path) || reading.Log->HasError(packetsPath)));
+    REQUIRE((isGood || reading.CountPoints() + table->GetNumberOfRows() == 0));
+    helios::WaveformTable taken;
+    REQUIRE(taken.Take(table).empty());
   }
   CHECK(errorCount > 20);
   CHECK(goodCount > 20);

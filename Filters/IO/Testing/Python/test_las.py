@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 import vtkhelios
 
@@ -235,6 +235,85 @@ def test_what_laspy_writes_is_read(tmp_path, form, version):
     assert np.array_equal(get(cloud, "scaled"), np.asarray(las["scaled"]))
     if "gps_time" in las.point_format.dimension_names:
         assert np.array_equal(get(cloud, "GpsTime"), las.gps_time)
+
+
+SAMPLES = 100
+SPACING = 0.25  # [ns]
+LIGHT = 0.299792458  # [m/ns]
+
+
+def make_waveforms(count):
+    """A Gaussian for every pulse, its directions, and the points at its middle."""
+    random = np.random.default_rng(5)
+    direction = random.normal(size=(count, 3))
+    direction /= np.linalg.norm(direction, axis=1)[:, None]
+    origin = make_points(count)
+    start = random.uniform(500.0, 600.0, count)
+    peak = 10.0 ** random.uniform(-13.0, -5.0, count)
+    time = np.arange(SAMPLES) * SPACING
+    samples = peak[:, None] * np.exp(-0.5 * ((time - 12.3) / 1.7) ** 2)
+    table = vtkTable()
+    for name, values in {
+        "PulseIds": 7 * np.arange(count),
+        "Origin": origin,
+        "Direction": direction,
+        "GpsTime": np.arange(count) / 1e5,
+        "StartTime": start,
+        "BinSize": np.full(count, SPACING),
+        "Offset": SAMPLES * np.arange(count),
+        "Count": np.full(count, SAMPLES),
+    }.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        table.GetRowData().AddArray(array)
+    array = numpy_to_vtk(samples.astype(np.float32).ravel(), deep=True)
+    array.SetName("Samples")
+    table.GetFieldData().AddArray(array)
+    points = origin + (0.5 * LIGHT * (start + 12.3))[:, None] * direction
+    return table, samples, direction, points
+
+
+def test_waveforms_as_laspy_reads_them(tmp_path):
+    table, samples, direction, points = make_waveforms(300)
+    ids = 7 * np.arange(300)
+    ids[::10] = -1
+    writer = vtkhelios.vtkHeliosLASWriter()
+    writer.SetFileName(str(tmp_path / "a.las"))
+    writer.SetWriteWaveforms(True)
+    assert writer.Open()
+    writer.SetWaveforms(table)
+    assert writer.Write(make_cloud(points, {"WaveformIds": ids}))
+    assert writer.Close()
+
+    las = laspy.read(tmp_path / "a.las")
+    packets = (tmp_path / "a.wdp").read_bytes()
+    assert las.header.point_format.id == 9
+    assert las.header.global_encoding.waveform_data_packets_external
+    assert not las.header.global_encoding.waveform_data_packets_internal
+    assert len(packets) - 60 == int.from_bytes(packets[20:28], "little")
+    descriptors = {
+        vlr.record_id - 99: vlr.parsed_record
+        for vlr in las.header.vlrs
+        if isinstance(vlr, laspy.vlrs.known.WaveformPacketVlr)
+    }
+    has = ids >= 0
+    assert np.array_equal(np.asarray(las.wavepacket_index) > 0, has)
+    speed = 0.5e-3 * LIGHT * direction
+    for k, name in enumerate(("x_t", "y_t", "z_t")):
+        assert np.allclose(las[name][has], speed[has, k], rtol=1e-6, atol=1e-12)
+    assert np.allclose(las.return_point_wave_location[has], 12300.0, rtol=0.0, atol=0.5)
+    for row in np.flatnonzero(has):
+        descriptor = descriptors[las.wavepacket_index[row]]
+        begin, size = int(las.wavepacket_offset[row]), int(las.wavepacket_size[row])
+        assert descriptor.bits_per_sample == 32
+        assert descriptor.waveform_compression_type == 0
+        assert descriptor.temporal_sample_spacing == 250
+        assert size == 4 * descriptor.number_of_samples
+        numbers = np.frombuffer(packets[begin : begin + size], "<u4")
+        read = descriptor.digitizer_offset + descriptor.digitizer_gain * numbers
+        peak = samples[row].max()
+        assert np.abs(read[:SAMPLES] - samples[row]).max() < 2.0**-22 * peak
+        assert not read[SAMPLES:].any()
 
 
 def test_points_that_are_none(tmp_path):

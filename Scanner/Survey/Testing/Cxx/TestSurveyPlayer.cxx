@@ -10,6 +10,7 @@
 #include <vtkCommand.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <catch2/catch.hpp>
 
@@ -247,6 +248,7 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
   const Reading reading(files, Flight, ThreeLegs);
   Playing playing(files, reading);
   playing.Player->SetFormat("las");
+  playing.Player->SetWriteWaveforms(true);
   REQUIRE(playing.Player->Run());
   CHECK(fs::exists(files / "out/test/leg000_trajectory.txt"));
   vtkIdType sum = 0;
@@ -254,6 +256,7 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
   {
     vtkNew<vtkHeliosLASReader> las;
     las->SetFileName((files / ("out/test/leg00" + std::to_string(leg) + "_points.las")).c_str());
+    las->ReadWaveformsOn();
     las->Update();
     vtkPolyData* cloud = las->GetOutput();
     REQUIRE(cloud->GetNumberOfPoints() > 0);
@@ -265,8 +268,20 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
     double legs[2];
     cloud->GetPointData()->GetArray(names::LegIds)->GetRange(legs);
     CHECK((legs[0] == leg && legs[1] == leg));
+    auto* waveforms = vtkTable::SafeDownCast(las->GetOutputDataObject(1));
+    double pulses[2];
+    cloud->GetPointData()->GetArray(names::WaveformIds)->GetRange(pulses);
+    REQUIRE(waveforms->GetNumberOfRows() > 0);
+    CHECK(waveforms->GetValueByName(0, names::PulseIds).ToDouble() == pulses[0]);
   }
   CHECK(sum == playing.Player->GetNumberOfEchoes());
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
+
+  playing.Player->SetOverwrite(true);
+  playing.Player->SetWriteWaveforms(false);
+  REQUIRE(playing.Player->Run());
+  CHECK(fs::exists(files / "out/test/leg000_points.las"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_points.wdp"));
 }
 
 TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyPlayer]")

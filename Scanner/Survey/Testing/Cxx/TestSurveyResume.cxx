@@ -154,15 +154,18 @@ TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
   const vtkIdType pulses = GENERATE(20000, 40000, 60000);
   Playing whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
+  whole.Player->SetWriteWaveforms(format == "las");
   REQUIRE(whole.Player->Run());
   Playing broken(files, reading);
   broken.Player->SetFormat(format.c_str());
+  broken.Player->SetWriteWaveforms(format == "las");
   broken.AbortAfter(pulses);
   REQUIRE_FALSE(broken.Player->Run());
   broken.Player->SetResume(true);
   broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
   REQUIRE(broken.Player->Run());
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
+  CHECK(fs::exists(files / "out/test/strip007_points.wdp") == (format == "las"));
   if (format == "vtp")
   {
     const std::string index = ReadText(files / "out/test/strip007_points.pvtp");
