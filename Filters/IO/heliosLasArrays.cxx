@@ -80,7 +80,7 @@ bool IsVector(const std::vector<LasExtra>& extras, std::size_t at)
 
 vtkSmartPointer<vtkDataArray> MakeArray(int type, const char* name, int components, vtkIdType count)
 {
-  const auto array = vtkSmartPointer<vtkDataArray>::Take(type == VTK_TYPE_INT64
+  auto array = vtkSmartPointer<vtkDataArray>::Take(type == VTK_TYPE_INT64
       ? vtkTypeInt64Array::New() // as ids are elsewhere
       : vtkDataArray::CreateDataArray(type));
   array->SetName(name);

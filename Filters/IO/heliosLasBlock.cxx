@@ -188,7 +188,7 @@ std::string LasBlock::TakeFields(vtkPolyData* echoes)
     { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
-    const std::string problem = this->TakeColumn(echoes, field.Name, field.IsInteger, field.Values);
+    std::string problem = this->TakeColumn(echoes, field.Name, field.IsInteger, field.Values);
     if (!problem.empty())
     {
       return problem;
@@ -245,7 +245,7 @@ std::string LasBlock::TakeExtras(vtkPolyData* echoes)
       return std::string("the array ") + (name ? name : "without a name") +
         " of a block is not one of numbers with a name";
     }
-    const std::string problem = IsField(name) ? std::string() : this->AddExtra(array);
+    std::string problem = IsField(name) ? std::string() : this->AddExtra(array);
     if (!problem.empty())
     {
       return problem;

@@ -33,7 +33,7 @@ std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packets
   {
     const auto count = std::min(PointsPerRound, header.Points.Count - first);
     bytes.resize(count * length);
-    const std::string problem = file.Read(first, count, bytes.data());
+    std::string problem = file.Read(first, count, bytes.data());
     if (!problem.empty())
     {
       return problem;

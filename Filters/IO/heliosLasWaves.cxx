@@ -159,7 +159,7 @@ std::string LasWaves::MakePackets(const Column& ids, vtkIdType count, std::uint6
         ", and the waveforms of the block have no such pulse; give them "
         "with SetWaveforms() before Write()";
     }
-    const std::string problem = this->Made[static_cast<std::size_t>(waveform)].Form == 0
+    std::string problem = this->Made[static_cast<std::size_t>(waveform)].Form == 0
       ? this->MakePacket(waveform)
       : std::string();
     if (!problem.empty())
