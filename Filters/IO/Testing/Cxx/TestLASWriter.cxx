@@ -504,6 +504,24 @@ TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
   CHECK(GetNumber<double>(writing.Bytes(), 155) == 10.0); // the bad block has chosen nothing
 }
 
+TEST_CASE("LASWriter: of a large block with a bad end nothing stays", "[LASWriter]")
+{
+  LasWriting writing;
+  REQUIRE((writing.Writer->Open() && writing.Writer->Write(MakePoints({ { 0, 0, 0 } }))));
+  const std::string before = helios::ReadText(writing.Path + ".part");
+  auto* points = vtkPoints::New(VTK_DOUBLE);
+  const auto block = MakePoints({});
+  block->SetPoints(points);
+  points->Delete();
+  points->SetNumberOfPoints(600000); // more than are in memory at a time, for up to 18 threads
+  points->GetData()->Fill(1.0);
+  points->SetPoint(599999, 0, 0, std::numeric_limits<double>::quiet_NaN());
+  CHECK_FALSE(writing.Writer->Write(block));
+  CHECK(writing.Log->HasError("point 599999 of a block has the coordinate z = nan"));
+  CHECK((before == helios::ReadText(writing.Path + ".part")));
+  REQUIRE(writing.Writer->Close());
+}
+
 TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
 {
   LasWriting writing;
