@@ -357,6 +357,27 @@ const std::string& CoordinateSystem::GetName() const
 }
 
 //------------------------------------------------------------------------------
+std::string CoordinateSystem::GetWkt() const
+{
+  if (this->Data->IsLocal)
+  {
+    return {};
+  }
+  const ProjContext context;
+  const ProjObject crs = MakeProjCRS(context, this->Data->Text);
+  const char* const options[] = { "MULTILINE=NO", nullptr };
+  for (const PJ_WKT_TYPE type : { PJ_WKT1_GDAL, PJ_WKT2_2019 })
+  {
+    const char* wkt = proj_as_wkt(context.Get(), crs.get(), type, options);
+    if (wkt)
+    {
+      return wkt;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
 bool CoordinateSystem::IsGeographic() const
 {
   return this->Data->Unit == 0.0;

@@ -44,6 +44,10 @@ public:
   const std::string& GetName() const;
   ///@}
 
+  /// Its WKT: of 2001 (WKT 1) as LAS files have it, of 2019 where that cannot say it; empty for a
+  /// local system, which has none.
+  std::string GetWkt() const;
+
   /// Whether x and y are longitude and latitude [deg].
   bool IsGeographic() const;
 

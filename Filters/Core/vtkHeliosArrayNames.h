@@ -71,7 +71,8 @@ inline constexpr const char* LegIds = "LegIds";
 inline constexpr const char* Clearance = "Clearance"; // [m] from the scene, see vtkHeliosClearance
 ///@}
 
-/** Trajectory and clouds: field data, the time that GpsTime counts from. */
+/** Trajectory and clouds: field data, the time that GpsTime counts from: one number, seconds of GPS
+ * time since its own epoch, 6 January 1980; none or 0: not known. */
 inline constexpr const char* GpsEpoch = "GpsEpoch";
 
 ///@{
@@ -94,6 +95,17 @@ inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1:
 inline constexpr const char* TruePoint = "TruePoint";           // without noise
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* Weight = "Weight"; // a sub-ray's share of the pulse's energy
+///@}
+
+///@{
+/** Clouds of LAS files: point data that echoes have not. */
+inline constexpr const char* Intensity = "Intensity";           // 16 bits
+inline constexpr const char* NearInfrared = "NearInfrared";     // 16 bits
+inline constexpr const char* UserData = "UserData";             // 8 bits
+inline constexpr const char* ScanDirection = "ScanDirection";   // 1: to larger angles
+inline constexpr const char* EdgeOfFlightLine = "EdgeOfFlightLine"; // 1: the last before a turn
+// bits 1 synthetic, 2 key point, 4 withheld, 8 overlap
+inline constexpr const char* ClassificationFlags = "ClassificationFlags";
 ///@}
 
 ///@{

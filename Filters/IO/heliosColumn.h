@@ -23,6 +23,7 @@ public:
   {
   }
 
+  bool IsSet() const { return this->Array != nullptr; }
   bool HasIntegers() const { return this->Type != VTK_FLOAT && this->Type != VTK_DOUBLE; }
 
   double GetNumber(vtkIdType row, int component = 0) const
@@ -47,6 +48,8 @@ public:
         return this->Get<int>(row);
       case VTK_UNSIGNED_CHAR:
         return this->Get<unsigned char>(row);
+      case VTK_UNSIGNED_SHORT:
+        return this->Get<unsigned short>(row);
       case VTK_LONG:
         return this->Get<long>(row);
       case VTK_LONG_LONG:

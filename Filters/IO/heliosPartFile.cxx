@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPartFile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -203,6 +204,23 @@ bool PartFile::Append(const char* bytes, std::size_t count)
 {
   const int error = WriteAll(this->Descriptor, bytes, count, this->Size);
   return error == 0 || this->Fail("written", error);
+}
+
+bool PartFile::Overwrite(std::uint64_t place, const char* bytes, std::size_t count)
+{
+  while (count > 0)
+  {
+    const ssize_t written = ::pwrite(this->Descriptor, bytes, count, static_cast<off_t>(place));
+    if (written <= 0 && errno != EINTR)
+    {
+      return this->Fail("written", written < 0 ? errno : EIO);
+    }
+    const auto done = static_cast<std::size_t>(std::max<ssize_t>(written, 0));
+    place += done;
+    bytes += done;
+    count -= done;
+  }
+  return true;
 }
 
 bool PartFile::Cut(std::uint64_t size)

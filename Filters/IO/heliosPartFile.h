@@ -35,6 +35,9 @@ public:
   /// Appends bytes; where that fails, some of them may be in the file.
   bool Append(const char* bytes, std::size_t count);
 
+  /// Writes over bytes that were appended before.
+  bool Overwrite(std::uint64_t place, const char* bytes, std::size_t count);
+
   /// Takes back what was appended after a size.
   bool Cut(std::uint64_t size);
 

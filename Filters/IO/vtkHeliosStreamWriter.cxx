@@ -367,6 +367,26 @@ bool vtkHeliosStreamWriter::WriteText(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::WriteBytes(const char* bytes, std::size_t count, vtkIdType start)
+{
+  return this->File->Append(bytes, count) || this->FailBlock(this->File->GetProblem(), start);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::OverwriteBytes(vtkIdType place, const std::string& bytes)
+{
+  return this->File->Overwrite(static_cast<std::uint64_t>(place), bytes.data(), bytes.size()) ||
+    this->FailBlock(this->File->GetProblem(), this->GetFileSize());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::TakeBack(vtkIdType size)
+{
+  return this->File->Cut(static_cast<std::uint64_t>(size)) ||
+    this->FailFile(this->File->GetProblem());
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
 {
   // problem is a copy: cutting may replace the one of the file

@@ -171,6 +171,15 @@ protected:
   /// Appends text that has no records.
   bool WriteText(const std::string& text);
 
+  /// Appends bytes of a block that started at a size; where that fails, takes the block back.
+  bool WriteBytes(const char* bytes, std::size_t count, vtkIdType start);
+
+  /// Writes over bytes of the file.
+  bool OverwriteBytes(vtkIdType place, const std::string& bytes);
+
+  /// Takes back what was written beyond a size; the next block may follow.
+  bool TakeBack(vtkIdType size);
+
   /// Takes back what was written beyond a size and takes no more blocks; an error. Returns false.
   bool FailBlock(std::string problem, vtkIdType size);
 

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
+#include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
@@ -13,6 +14,7 @@
 #include "vtkHeliosWaveformXMLWriter.h"
 
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <chrono>
@@ -40,8 +42,9 @@ std::string Pad(const std::string& word)
 }
 
 /// The writer of a port of the scanner.
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
 {
+  const bool isXml = settings.Format == "vtp";
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
   if (port == WaveformPort && isXml)
   {
@@ -59,11 +62,27 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, bool isXml)
   {
     writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
   }
+  else if (settings.Format == "las")
+  {
+    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
+    las->SetWriteWaveforms(settings.Waveforms);
+    writer = las;
+  }
   else
   {
     writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
   }
   return writer;
+}
+
+/// How the name of its file ends.
+std::string GetSuffix(int port, const std::string& format)
+{
+  if (format == "vtp")
+  {
+    return port == WaveformPort ? ".pvtt" : ".pvtp";
+  }
+  return port == EchoPort ? "." + format : ".txt";
 }
 
 /// How far the file of a writer is.
@@ -159,7 +178,7 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
   Outputs outputs;
   this->AddOutputs(plan, EchoPort, "_points", outputs);
-  if (this->Settings.Waveforms)
+  if (this->Settings.Waveforms && this->Settings.Format != "las") // whose points have them
   {
     this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
   }
@@ -174,16 +193,15 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 /// One file of a port, or one a channel.
 void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
 {
-  const bool isXml = this->Settings.Format == "vtp";
-  const std::string suffix =
-    isXml ? (port == WaveformPort ? ".pvtt" : ".pvtp") : (port == EchoPort ? ".xyz" : ".txt");
+  const std::string suffix = GetSuffix(port, this->Settings.Format);
   const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
   const std::size_t channels = scanner.GetNumberOfChannels();
   const bool isSplit = this->Settings.SplitByChannel && channels > 1;
   for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
     const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
-    LegOutput output{ MakeWriter(port, isXml), port, isSplit ? k : LegOutput::AllChannels };
+    LegOutput output{ MakeWriter(port, this->Settings), port,
+      isSplit ? k : LegOutput::AllChannels };
     output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
     outputs.push_back(output);
   }
@@ -345,12 +363,24 @@ bool LegRunner::RunBlocks(
 //------------------------------------------------------------------------------
 bool LegRunner::Write(const Outputs& outputs) const
 {
+  const auto get = [this](const LegOutput& output, int port)
+  {
+    return output.Channel == LegOutput::AllChannels
+      ? this->Scanner.GetOutput(port)
+      : vtkSmartPointer<vtkDataObject>(this->Scanner.GetOutput(port, output.Channel));
+  };
   return std::all_of(outputs.begin(), outputs.end(),
-    [this](const LegOutput& output)
+    [this, &get](const LegOutput& output)
     {
-      return output.Writer->Write(output.Channel == LegOutput::AllChannels
-          ? this->Scanner.GetOutput(output.Port).Get()
-          : this->Scanner.GetOutput(output.Port, output.Channel));
+      auto* las = vtkHeliosLASWriter::SafeDownCast(output.Writer);
+      if (!las || !this->Settings.Waveforms)
+      {
+        return output.Writer->Write(get(output, output.Port));
+      }
+      las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
+      const bool isWritten = las->Write(get(output, output.Port));
+      las->SetWaveforms(nullptr); // gives up their memory
+      return isWritten;
     });
 }
 

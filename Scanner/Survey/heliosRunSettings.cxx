@@ -106,9 +106,9 @@ std::string MakeRunFolder(vtkHeliosSurveyPlayer* player)
 std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
 {
   settings.Format = TextOf(player->GetFormat());
-  if (settings.Format != "xyz" && settings.Format != "vtp")
+  if (settings.Format != "xyz" && settings.Format != "las" && settings.Format != "vtp")
   {
-    return "Format is \"" + settings.Format + "\"; give xyz or vtp.";
+    return "Format is \"" + settings.Format + "\"; give xyz, las or vtp.";
   }
   const int plays = player->GetSurvey()->GetNumberOfPlays();
   if (player->GetPlay() >= plays)

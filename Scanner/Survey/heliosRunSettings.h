@@ -24,7 +24,7 @@ struct RunSettings
 {
   std::string Folder; ///< of the files
   int Play = -1;      ///< negative: the survey has one only
-  std::string Format; ///< xyz, vtp
+  std::string Format; ///< xyz, las, vtp
   vtkIdType Seed = 0;
   ReceiverChoice Receiver;
   bool Waveforms = false;

@@ -14,10 +14,11 @@
  *
  * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the
  * survey>:
- * - legNNN_points.xyz (or .pvtp): the echoes
+ * - legNNN_points.xyz (or .las, .pvtp): the echoes
  * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at
  *   start and end of the leg
- * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms
+ * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms; those of
+ *   legNNN_points.las are in legNNN_points.wdp
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
  * Legs of the same strip S write to one file each, stripS_points.xyz and so on.
  * The channels of a scanner fire at once, and their records go to one file in
@@ -100,8 +101,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the form of points and waveforms: "xyz", text columns, or "vtp", VTK
-   * XML. Default: "xyz".
+   * Set/Get the form of the files: "xyz", text columns; "las", points as LAS 1.4
+   * (vtkHeliosLASWriter) and the rest as text; or "vtp", VTK XML. Default: "xyz".
    */
   vtkSetStringMacro(Format);
   vtkGetStringMacro(Format);

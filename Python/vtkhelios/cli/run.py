@@ -31,6 +31,8 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_pulse.txt        the pulses, with --pulses: one a line, origin x y z, direction x y z,
                           time [ns], pulse, channel
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
+With --format las: legNNN_points.las, LAS 1.4 with all that is known of an echo (Docs/files.md), and
+with --waveforms legNNN_points.wdp beside it; the rest as text.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
@@ -66,6 +68,7 @@ examples:
   vtkhelios run survey.xml --assets scenes --assets my_scanners --output clouds
   vtkhelios run survey.xml --no-noise --seed 7 --threads 4 --overwrite
   vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
+  vtkhelios run survey.xml --format las                  for LAS tools
   vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
   vtkhelios run survey.xml --dry-run                     minutes, points and bytes beforehand
@@ -140,9 +143,9 @@ def add_arguments(parser):
     )
     parser.add_argument(
         "--format",
-        choices=["xyz", "vtp"],
+        choices=["xyz", "las", "vtp"],
         default="xyz",
-        help="text columns, or VTK XML (default: %(default)s)",
+        help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
     parser.add_argument(
         "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"

@@ -159,3 +159,24 @@ TEST_CASE("CoordinateSystem: says why a scene cannot be scanned in it", "[Coordi
   CHECK(helios::GetMetricProblem(Make("EPSG:32632"), heidelberg).empty());
   CHECK(helios::GetMetricProblem(Make("ENU 0 0 0"), heidelberg).empty());
 }
+
+TEST_CASE("CoordinateSystem: its WKT means the same", "[CoordinateSystem]")
+{
+  for (const char* text :
+    { "EPSG:25832", "EPSG:25832+7837", "EPSG:4326", "EPSG:2263", "EPSG:4978" })
+  {
+    CAPTURE(text);
+    const helios::CoordinateSystem system = Make(text);
+    const std::string wkt = system.GetWkt();
+    CHECK(Has(wkt, "[\""));
+    CHECK(wkt.find('\n') == std::string::npos);
+    CHECK(wkt.find("CRS[") == std::string::npos); // WKT 1 has CS only
+    CHECK(Make(wkt) == system);
+    CHECK(Make(wkt).GetWkt() == wkt);
+  }
+  CHECK(Make("ENU 49.4 8.7 110").GetWkt().empty());
+  // WKT 1 knows no such projection
+  CHECK(Has(
+    Make("+proj=ob_tran +o_proj=longlat +o_lon_p=-162 +o_lat_p=39 +lon_0=180 +type=crs").GetWkt(),
+    "[\""));
+}

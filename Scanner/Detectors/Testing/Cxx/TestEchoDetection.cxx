@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../../../Filters/IO/Testing/Cxx/heliosTempFolder.h"
 #include "../../../Core/Testing/Cxx/heliosScannerBench.h"
 #include "heliosReturnSelection.h"
 #include "heliosTestWaveform.h"
 #include "vtkHeliosConstantFractionDetector.h"
 #include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosGaussianDecomposition.h"
+#include "vtkHeliosLASReader.h"
+#include "vtkHeliosLASWriter.h"
 #include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
 
@@ -208,6 +211,59 @@ TEST_CASE("EchoDetection: with Fixed sampling the bytes of the scanner's echoes"
       CHECK(detection.Log->Errors.empty());
     }
   }
+}
+
+TEST_CASE("EchoDetection: waveforms that went through LAS have the same echoes", "[EchoDetection]")
+{
+  vtkSmartPointer<vtkHeliosEchoDetector> detector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
+  if (GENERATE(true, false))
+  {
+    detector = vtkSmartPointer<vtkHeliosGaussianDecomposition>::New();
+  }
+  CAPTURE(detector->GetClassName());
+  Bench bench(MakeStairs());
+  SetUpScanner(bench, detector);
+  bench.Run();
+  vtkPolyData* truth = bench.Scanner->GetOutput();
+  auto* waveforms = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
+  const helios::TempFolder folder;
+  const std::string path = folder / "points.las";
+  vtkNew<vtkHeliosLASWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->WriteWaveformsOn();
+  writer->SetWaveforms(waveforms);
+  REQUIRE((writer->Open() && writer->Write(truth) && writer->Close()));
+  vtkNew<vtkHeliosLASReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->ReadWaveformsOn();
+  Detection detection;
+  detection.Filter->SetInputConnection(reader->GetOutputPort(1));
+  detection.Filter->SetEchoDetector(detector);
+  detection.Filter->SetPulseLength(
+    waveforms->GetFieldData()->GetArray(names::PulseLength)->GetTuple1(0));
+  vtkPolyData* echoes = detection.Run();
+  CHECK(detection.Log->Errors.empty());
+  REQUIRE(truth->GetNumberOfPoints() > 500);
+  REQUIRE(echoes->GetNumberOfPoints() == truth->GetNumberOfPoints());
+  double worstRange = 0.0, worstAmplitude = 0.0, worstPlace = 0.0;
+  vtkIdType otherPulses = 0;
+  for (vtkIdType i = 0; i < truth->GetNumberOfPoints(); ++i)
+  {
+    const auto difference = [echoes, truth, i](const char* name)
+    { return std::abs(Value(echoes, name, i) - Value(truth, name, i)); };
+    otherPulses += difference(names::PulseIds) + difference(names::ReturnNumber) == 0.0 ? 0 : 1;
+    worstRange = std::max(worstRange, difference(names::Range));
+    worstAmplitude =
+      std::max(worstAmplitude, difference(names::Amplitude) / Value(truth, names::Amplitude, i));
+    for (int k = 0; k < 3; ++k)
+    {
+      worstPlace = std::max(worstPlace, std::abs(echoes->GetPoint(i)[k] - truth->GetPoint(i)[k]));
+    }
+  }
+  CHECK(otherPulses == 0);
+  CHECK(worstRange < 5e-6);
+  CHECK(worstAmplitude < 1e-5);
+  CHECK(worstPlace < 1e-4); // coordinates are rounded to 0.1 mm
 }
 
 TEST_CASE("EchoDetection: by tolerance it agrees within the tolerances", "[EchoDetection]")

@@ -4,8 +4,13 @@
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosSurveyPlaying.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosLASReader.h"
 
 #include <vtkCommand.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +19,7 @@
 #include <vector>
 
 namespace fs = std::filesystem;
+namespace names = vtkHeliosArrayNames;
 using namespace helios::test;
 
 namespace
@@ -231,9 +237,51 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   CHECK_FALSE(fs::exists(files / "out/test/leg000_trajectory.txt"));
 
   playing.Player->SetFormat("doc");
-  playing.CheckFails({ "Format is \"doc\"; give xyz or vtp" });
+  playing.CheckFails({ "Format is \"doc\"; give xyz, las or vtp" });
   playing.Player->SetSurvey(nullptr);
   playing.CheckFails({ "Survey is not set" });
+}
+
+TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Playing playing(files, reading);
+  playing.Player->SetFormat("las");
+  playing.Player->SetWriteWaveforms(true);
+  REQUIRE(playing.Player->Run());
+  CHECK(fs::exists(files / "out/test/leg000_trajectory.txt"));
+  vtkIdType sum = 0;
+  for (const int leg : { 0, 1 })
+  {
+    vtkNew<vtkHeliosLASReader> las;
+    las->SetFileName((files / ("out/test/leg00" + std::to_string(leg) + "_points.las")).c_str());
+    las->ReadWaveformsOn();
+    las->Update();
+    vtkPolyData* cloud = las->GetOutput();
+    REQUIRE(cloud->GetNumberOfPoints() > 0);
+    sum += cloud->GetNumberOfPoints();
+    for (const char* name : { names::PulseIds, names::Range, names::Amplitude, names::PartIds })
+    {
+      CHECK(cloud->GetPointData()->HasArray(name));
+    }
+    double legs[2];
+    cloud->GetPointData()->GetArray(names::LegIds)->GetRange(legs);
+    CHECK((legs[0] == leg && legs[1] == leg));
+    auto* waveforms = vtkTable::SafeDownCast(las->GetOutputDataObject(1));
+    double pulses[2];
+    cloud->GetPointData()->GetArray(names::WaveformIds)->GetRange(pulses);
+    REQUIRE(waveforms->GetNumberOfRows() > 0);
+    CHECK(waveforms->GetValueByName(0, names::PulseIds).ToDouble() == pulses[0]);
+  }
+  CHECK(sum == playing.Player->GetNumberOfEchoes());
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
+
+  playing.Player->SetOverwrite(true);
+  playing.Player->SetWriteWaveforms(false);
+  REQUIRE(playing.Player->Run());
+  CHECK(fs::exists(files / "out/test/leg000_points.las"));
+  CHECK_FALSE(fs::exists(files / "out/test/leg000_points.wdp"));
 }
 
 TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyPlayer]")

@@ -117,7 +117,7 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(10000, 40000, 70000);
   Playing whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
@@ -150,19 +150,22 @@ TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
     legs.replace(at, 5, "<leg stripId=\"7\">");
   }
   const Reading reading(files, Flight, legs);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(20000, 40000, 60000);
   Playing whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
+  whole.Player->SetWriteWaveforms(format == "las");
   REQUIRE(whole.Player->Run());
   Playing broken(files, reading);
   broken.Player->SetFormat(format.c_str());
+  broken.Player->SetWriteWaveforms(format == "las");
   broken.AbortAfter(pulses);
   REQUIRE_FALSE(broken.Player->Run());
   broken.Player->SetResume(true);
   broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
   REQUIRE(broken.Player->Run());
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
+  CHECK(fs::exists(files / "out/test/strip007_points.wdp") == (format == "las"));
   if (format == "vtp")
   {
     const std::string index = ReadText(files / "out/test/strip007_points.pvtp");
@@ -356,7 +359,7 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
 <leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
 <leg><platformSettings template="p" x="70"/><scannerSettings template="c"/></leg>)");
   Playing playing(files, reading);
-  const std::string format = GENERATE("xyz", "vtp");
+  const std::string format = GENERATE("xyz", "las", "vtp");
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetPulsesPerBlock(262144);
   playing.Player->SetWriteWaveforms(false);

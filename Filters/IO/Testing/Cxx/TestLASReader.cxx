@@ -1,0 +1,403 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoordinateSystem.h"
+#include "heliosLasTesting.h"
+#include "heliosSceneCrs.h"
+#include "vtkHeliosLASWriter.h"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+namespace names = vtkHeliosArrayNames;
+using helios::CountWrong;
+using helios::GetNumber;
+using helios::LasReading;
+using helios::MakeLasEchoes;
+using helios::SetNumber;
+
+namespace
+{
+
+const helios::TempFolder Folder;
+const std::string Path = Folder / "a.las";
+
+void WriteFile(const std::string& bytes)
+{
+  std::ofstream(Path, std::ios::binary) << bytes;
+}
+
+std::string WriteEchoes(vtkPolyData* echoes)
+{
+  vtkNew<vtkHeliosLASWriter> writer;
+  writer->SetFileName(Path.c_str());
+  REQUIRE((writer->Open() && writer->Write(echoes) && writer->Close()));
+  return helios::ReadText(Path);
+}
+
+/// Whether the reading of bytes ends with a message and without points.
+bool FailsWith(const std::string& bytes, const std::string& message)
+{
+  WriteFile(bytes);
+  LasReading reading(Path);
+  const bool isRead = reading.Read();
+  INFO(reading.Log->Errors);
+  CHECK(reading.Log->HasError(Path + ": " + message));
+  return !isRead && reading.CountPoints() == 0;
+}
+
+/// A header of an old version, and points of zeros.
+std::string MakeOld(int minor, int format, std::uint32_t count, std::uint16_t length)
+{
+  const std::uint16_t size = minor == 4 ? 375 : minor == 3 ? 235 : 227;
+  std::string bytes(size + count * length, '\0');
+  bytes.replace(0, 4, "LASF");
+  bytes[24] = 1;
+  bytes[25] = static_cast<char>(minor);
+  SetNumber<std::uint16_t>(bytes, 94, size);
+  SetNumber<std::uint32_t>(bytes, 96, size);
+  bytes[104] = static_cast<char>(format);
+  SetNumber<std::uint16_t>(bytes, 105, length);
+  SetNumber<std::uint32_t>(bytes, 107, count);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    SetNumber(bytes, 131 + 8 * k, 0.01);
+    SetNumber(bytes, 155 + 8 * k, 100.0 * static_cast<double>(k));
+  }
+  if (minor == 4)
+  {
+    SetNumber<std::uint64_t>(bytes, 247, count);
+  }
+  return bytes;
+}
+
+/// Puts a variable length record after the header.
+void AddRecord(
+  std::string& bytes, const std::string& user, std::uint16_t id, const std::string& data)
+{
+  std::string record(54, '\0');
+  record.replace(2, user.size(), user);
+  SetNumber(record, 18, id);
+  SetNumber(record, 20, static_cast<std::uint16_t>(data.size()));
+  record += data;
+  const auto begin = GetNumber<std::uint32_t>(bytes, 96);
+  SetNumber(bytes, 96, begin + static_cast<std::uint32_t>(record.size()));
+  SetNumber(bytes, 100, GetNumber<std::uint32_t>(bytes, 100) + 1);
+  bytes.insert(begin, record);
+}
+
+std::string MakeExtra(const std::string& name, char type, char options = 0)
+{
+  std::string entry(192, '\0');
+  entry[2] = type;
+  entry[3] = options;
+  entry.replace(4, name.size(), name);
+  return entry;
+}
+
+} // namespace
+
+TEST_CASE("LASReader: what was written comes back", "[LASReader]")
+{
+  const auto echoes = MakeLasEchoes(50000);
+  helios::SetCrs(echoes, "EPSG:25832");
+  helios::SetEpoch(echoes, 1.4e9);
+  WriteEchoes(echoes);
+  LasReading reading(Path);
+  REQUIRE(reading.Read());
+  vtkPolyData* cloud = reading.Cloud();
+  REQUIRE(cloud->GetNumberOfPoints() == 50000);
+  CHECK(cloud->GetPoints()->GetDataType() == VTK_DOUBLE);
+  CHECK(CountWrong(cloud->GetPoints()->GetData(), echoes->GetPoints()->GetData(), 0,
+          0.5 * 0.0001 + 1e-9) == 0);
+  vtkPointData* data = echoes->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = data->GetArrayName(i);
+    vtkDataArray* written = data->GetArray(i);
+    vtkDataArray* read = reading.Get(name.c_str());
+    INFO(name);
+    REQUIRE(read);
+    CHECK(read->GetDataType() == written->GetDataType());
+    if (name == names::GpsTime)
+    {
+      continue; // of another epoch
+    }
+    CHECK(CountWrong(read, written, 0, name == names::ScanAngle ? 1e-12 : 0.0) == 0);
+  }
+  helios::CoordinateSystem written, read;
+  CHECK(written.Set("EPSG:25832").empty());
+  CHECK(read.Set(helios::GetCRS(cloud)).empty());
+  CHECK(written == read);
+  const double epoch = cloud->GetFieldData()->GetArray(names::GpsEpoch)->GetTuple1(0);
+  CHECK(epoch == 1e9);
+  CHECK(epoch + reading.Get(names::GpsTime)->GetTuple1(7) ==
+    Approx(1.4e9 + data->GetArray(names::GpsTime)->GetTuple1(7)).epsilon(1e-15));
+  CHECK(vtkTypeInt64Array::SafeDownCast(reading.Get(names::PulseIds)));
+}
+
+TEST_CASE("LASReader: what is read is written to the same bytes", "[LASReader]")
+{
+  const auto echoes = MakeLasEchoes(500);
+  helios::AddVectors(echoes, vtkNew<vtkFloatArray>(), names::RGB, 0.5);
+  helios::SetCrs(echoes, "EPSG:32632");
+  const bool hasEpoch = GENERATE(true, false);
+  helios::SetEpoch(echoes, hasEpoch ? 1.4e9 : 0.0);
+  const std::string bytes = WriteEchoes(echoes);
+  LasReading reading(Path);
+  REQUIRE(reading.Read());
+  CHECK(GetNumber<std::uint8_t>(bytes, 104) == 7);
+  vtkNew<vtkPolyData> cloud;
+  cloud->DeepCopy(reading.Cloud());
+  const std::string first = WriteEchoes(cloud);
+  LasReading again(Path);
+  REQUIRE(again.Read());
+  cloud->DeepCopy(again.Cloud());
+  CHECK(first == WriteEchoes(cloud));
+  // ChannelIds stand before other arrays now; else the points are the same
+  REQUIRE(first.size() == bytes.size());
+  const auto begin = GetNumber<std::uint32_t>(bytes, 96);
+  const auto length = GetNumber<std::uint16_t>(bytes, 105);
+  CHECK(first.substr(0, 375) == bytes.substr(0, 375));
+  for (std::size_t at = begin; at < bytes.size(); at += length)
+  {
+    REQUIRE(first.substr(at, 36) == bytes.substr(at, 36));
+  }
+}
+
+TEST_CASE("LASReader: pieces in order are the whole", "[LASReader]")
+{
+  const auto echoes = MakeLasEchoes(40001);
+  WriteEchoes(echoes);
+  LasReading reading(Path);
+  const int pieces = GENERATE(1, 3, 7);
+  vtkIdType sum = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    REQUIRE(reading.Read(piece, pieces));
+    vtkDataArray* ids = reading.Get(names::PulseIds);
+    for (vtkIdType i = 0; i < reading.CountPoints(); i += 1000)
+    {
+      CHECK(ids->GetTuple1(i) == 5e9 + static_cast<double>(sum + i));
+    }
+    CHECK(std::abs(reading.CountPoints() - 40001 / pieces) <= 1);
+    sum += reading.CountPoints();
+  }
+  CHECK(sum == 40001);
+}
+
+TEST_CASE("LASReader: all versions and formats", "[LASReader]")
+{
+  const int lengths[] = { 20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67 };
+  const int format = GENERATE(range(0, 11));
+  const int minor = format > 5 ? 4 : GENERATE(range(0, 5));
+  const bool hasTime = format != 0 && format != 2;
+  const bool hasColor =
+    format == 2 || format == 3 || format == 5 || format == 7 || format == 8 || format == 10;
+  const auto length = static_cast<std::uint16_t>(lengths[format] + 3); // undocumented bytes
+  std::string bytes = MakeOld(minor, format, 2, length);
+  const std::size_t at = GetNumber<std::uint32_t>(bytes, 96) + length;
+  const bool isLong = format > 5;
+  SetNumber<std::int32_t>(bytes, at, -150);
+  SetNumber<std::int32_t>(bytes, at + 8, 2147483647);
+  SetNumber<std::uint16_t>(bytes, at + 12, 40000);
+  bytes[at + 14] = static_cast<char>(isLong ? 0xF2 : 0xEA); // return 2; 15, or 5 and both flags
+  if (isLong)
+  {
+    bytes[at + 15] = static_cast<char>(0xE4);
+    bytes[at + 16] = static_cast<char>(200);
+    SetNumber<std::int16_t>(bytes, at + 18, -15000);
+    SetNumber<std::uint16_t>(bytes, at + 20, 65535);
+  }
+  else
+  {
+    bytes[at + 15] = static_cast<char>(0x89);
+    bytes[at + 16] = static_cast<char>(-90);
+    SetNumber<std::uint16_t>(bytes, at + 18, 65535);
+  }
+  bytes[at + 17] = 7;
+  const std::size_t time = isLong ? 22 : 20;
+  const std::size_t color = isLong ? 30 : hasTime ? 28 : 20;
+  if (hasTime)
+  {
+    SetNumber(bytes, at + time, 1234.5);
+  }
+  if (hasColor)
+  {
+    SetNumber<std::uint16_t>(bytes, at + color + 2, 65535);
+  }
+  if (format == 8 || format == 10)
+  {
+    SetNumber<std::uint16_t>(bytes, at + 36, 999);
+  }
+  WriteFile(bytes);
+  LasReading reading(Path);
+  INFO("format " << format << " of LAS 1." << minor);
+  REQUIRE(reading.Read());
+  REQUIRE(reading.CountPoints() == 2);
+  const auto get = [&reading](const char* name)
+  { return reading.Get(name) ? reading.Get(name)->GetComponent(1, 0) : -99.0; };
+  CHECK(reading.Cloud()->GetPoint(1)[0] == -1.5);
+  CHECK(reading.Cloud()->GetPoint(1)[1] == 100.0);
+  CHECK(reading.Cloud()->GetPoint(1)[2] == 2147483647 * 0.01 + 200.0);
+  CHECK(get(names::Intensity) == 40000);
+  CHECK(get(names::ReturnNumber) == 2);
+  CHECK(get(names::NumberOfReturns) == (isLong ? 15 : 5));
+  CHECK(get(names::ScanDirection) == 1);
+  CHECK(get(names::EdgeOfFlightLine) == 1);
+  CHECK(get(names::ClassificationFlags) == 4); // withheld
+  CHECK(get(names::ClassificationIds) == (isLong ? 200 : 9));
+  CHECK(get(names::ChannelIds) == (isLong ? 2 : -99));
+  CHECK(get(names::ScanAngle) == -90);
+  CHECK(get(names::UserData) == 7);
+  CHECK(get(names::LegIds) == 65534);
+  CHECK(get(names::GpsTime) == (hasTime ? 1234.5 : -99));
+  CHECK((reading.Get(names::RGB) != nullptr) == hasColor);
+  CHECK((!hasColor || reading.Get(names::RGB)->GetComponent(1, 1) == 1.0));
+  CHECK(get(names::NearInfrared) == (format == 8 || format == 10 ? 999 : -99));
+  CHECK(reading.Get(names::LegIds)->GetTuple1(0) == -1);
+  CHECK_FALSE(reading.Cloud()->GetFieldData()->HasArray(names::GpsEpoch));
+  CHECK_FALSE(reading.Cloud()->GetFieldData()->HasArray(names::CRS));
+}
+
+TEST_CASE("LASReader: Extra Bytes of others", "[LASReader]")
+{
+  std::string bytes = MakeOld(2, 0, 1, 20 + 3 + 2 + 4 + 12 + 1);
+  std::string extras = MakeExtra("gap", 0, 3) + MakeExtra("Deviation", 3, 24) +
+    MakeExtra("pair", 14) + MakeExtra("normal", 29);
+  SetNumber(extras, 192 + 112, 0.01); // scale
+  SetNumber(extras, 192 + 136, -1.0); // offset
+  AddRecord(bytes, "LASF_Spec", 4, extras);
+  const std::size_t at = GetNumber<std::uint32_t>(bytes, 96) + 20;
+  SetNumber<std::uint16_t>(bytes, at + 3, 250);
+  SetNumber<std::int16_t>(bytes, at + 5, -3);
+  SetNumber<std::int16_t>(bytes, at + 7, 4);
+  SetNumber<float>(bytes, at + 17, 0.5F);
+  WriteFile(bytes);
+  LasReading reading(Path);
+  REQUIRE(reading.Read());
+  CHECK_FALSE(reading.Get("gap"));
+  REQUIRE(reading.Get("Deviation"));
+  CHECK(reading.Get("Deviation")->GetDataType() == VTK_DOUBLE);
+  CHECK(reading.Get("Deviation")->GetTuple1(0) == 1.5);
+  REQUIRE(reading.Get("pair"));
+  CHECK(reading.Get("pair")->GetDataType() == VTK_SHORT);
+  CHECK(reading.Get("pair")->GetNumberOfComponents() == 2);
+  CHECK(reading.Get("pair")->GetComponent(0, 0) == -3);
+  CHECK(reading.Get("pair")->GetComponent(0, 1) == 4);
+  REQUIRE(reading.Get("normal"));
+  CHECK(reading.Get("normal")->GetComponent(0, 2) == 0.5);
+}
+
+TEST_CASE("LASReader: systems of others", "[LASReader]")
+{
+  const auto read = [](const std::string& bytes)
+  {
+    WriteFile(bytes);
+    LasReading reading(Path);
+    REQUIRE(reading.Read());
+    return helios::GetCRS(reading.Cloud());
+  };
+  const auto keys = [](const std::vector<std::uint16_t>& words)
+  {
+    std::string bytes(2 * words.size(), '\0');
+    std::memcpy(bytes.data(), words.data(), bytes.size());
+    return bytes;
+  };
+  std::string bytes = MakeOld(2, 0, 1, 20);
+  SECTION("projected and vertical")
+  {
+    AddRecord(bytes, "LASF_Projection", 34735,
+      keys({ 1, 1, 0, 3, 1024, 0, 1, 1, 3072, 0, 1, 25832, 4096, 0, 1, 7837 }));
+    CHECK(read(bytes) == "EPSG:25832+7837");
+  }
+  SECTION("geographic")
+  {
+    AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 2048, 0, 1, 4326 }));
+    CHECK(read(bytes) == "EPSG:4326");
+  }
+  SECTION("of its own making")
+  {
+    AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 3072, 0, 1, 32767 }));
+    CHECK(read(bytes).empty());
+  }
+  SECTION("WKT goes before keys")
+  {
+    AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 2048, 0, 1, 4326 }));
+    AddRecord(bytes, "LASF_Projection", 2112, std::string("LOCAL_CS[\"x\"]\0\0", 15));
+    CHECK(read(bytes) == "LOCAL_CS[\"x\"]");
+  }
+  SECTION("WKT behind the points")
+  {
+    bytes = MakeOld(4, 6, 1, 30);
+    SetNumber<std::uint64_t>(bytes, 235, bytes.size());
+    SetNumber<std::uint32_t>(bytes, 243, 1);
+    std::string record(60, '\0');
+    record.replace(2, 15, "LASF_Projection");
+    SetNumber<std::uint16_t>(record, 18, 2112);
+    SetNumber<std::uint64_t>(record, 20, 4);
+    CHECK(FailsWith(bytes + record + "wkt", "has an extended record of 4 bytes at byte"));
+    CHECK(read(bytes + record + "wkt!") == "wkt!");
+  }
+}
+
+TEST_CASE("LASReader: files that are wrong", "[LASReader]")
+{
+  const std::string good = WriteEchoes(MakeLasEchoes(10));
+  const auto with = [&good](std::size_t at, auto value)
+  {
+    std::string bytes = good;
+    SetNumber(bytes, at, value);
+    return bytes;
+  };
+  const auto u8 = [](int value) { return static_cast<std::uint8_t>(value); };
+  const auto u16 = [](int value) { return static_cast<std::uint16_t>(value); };
+  const std::size_t length = GetNumber<std::uint16_t>(good, 105);
+  CHECK(FailsWith("", "is no LAS file: it does not start with LASF"));
+  CHECK(FailsWith("PK" + good, "is no LAS file"));
+  CHECK(FailsWith(good.substr(0, 100), "ends within its header, after 100 bytes"));
+  CHECK(FailsWith(good.substr(0, 300), "ends within its header, after 300 bytes"));
+  CHECK(FailsWith(good.substr(0, 375), "has 375 bytes, and its points begin at byte"));
+  CHECK(FailsWith(good.substr(0, good.size() - 1),
+    "has 9 whole points of the 10 that its header counts: it is cut off"));
+  CHECK(FailsWith(good.substr(0, good.size() - 3 * length), "has 7 whole points of the 10"));
+  CHECK(FailsWith(with(24, u8(2)), "is LAS 2.4; versions 1.0 to 1.4 can be read"));
+  CHECK(FailsWith(with(25, u8(5)), "is LAS 1.5; versions 1.0 to 1.4 can be read"));
+  CHECK(FailsWith(with(94, u16(227)), "has a header of 227 bytes; LAS 1.4 has 375"));
+  CHECK(FailsWith(with(96, std::uint32_t(374)), "has points from byte 374 on, within its header"));
+  CHECK(FailsWith(with(104, u8(11)), "has points of format 11; 0 to 10 can be read"));
+  CHECK(FailsWith(with(104, u8(0x86)), "is compressed (LAZ); convert it first, with laspy and"));
+  CHECK(FailsWith(with(105, u16(29)), "has points of 29 bytes; format 6 needs 30"));
+  CHECK(FailsWith(with(105, u16(30)), "has points with 0 bytes after their format, and names "));
+  CHECK(FailsWith(with(107, std::uint32_t(9)), "counts its points twice, to 10 and to 9"));
+  CHECK(FailsWith(with(247, ~std::uint64_t(0)), "has 10 whole points of the 18446744073709551615"));
+  CHECK(FailsWith(with(131, 0.0), "has a scale of 0 and an offset of 500001, with which"));
+  CHECK(FailsWith(with(139, 1e308), "has a scale of 1e+308 and an offset of 5.5e+06, with"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(FailsWith(with(171, nan), "has a scale of 0.0001 and an offset of nan, with which"));
+  CHECK(FailsWith(with(100, std::uint32_t(9)), "has a variable length record at byte"));
+  CHECK(FailsWith(with(375 + 20, u16(65535)), "has a variable length record of 65535 bytes at"));
+  CHECK(FailsWith(with(375 + 20, u16(191)), "has an Extra Bytes record of 191 bytes"));
+  CHECK(FailsWith(with(375 + 54 + 2, u8(31)), "has Extra Bytes \"PulseIds\" of type 31; types"));
+  CHECK(FailsWith(with(243, std::uint32_t(1)), "has an extended record of"));
+  std::string extended = with(243, std::uint32_t(1));
+  SetNumber(extended, 235, ~std::uint64_t(0));
+  CHECK(FailsWith(extended, "has an extended record at byte 18446744073709551615 that ends after"));
+  WriteFile(good);
+  CHECK(LasReading(Path).Read());
+}
+
+TEST_CASE("LASReader: names that are wrong", "[LASReader]")
+{
+  vtkNew<vtkHeliosLASReader> reader;
+  const auto log = helios::WatchErrors(reader);
+  const auto quiet = helios::WatchErrors(reader->GetExecutive());
+  reader->Update();
+  CHECK(log->HasError("FileName is not set"));
+  LasReading none(Folder / "none.las");
+  CHECK_FALSE(none.Read());
+  CHECK(none.Log->HasError("none.las: cannot be read: No such file or directory"));
+  LasReading folder(Folder / "");
+  CHECK_FALSE(folder.Read());
+  CHECK(folder.Log->HasError("is a folder; give the name of a file"));
+}

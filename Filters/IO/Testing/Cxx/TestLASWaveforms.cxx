@@ -1,0 +1,537 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Waveforms of a LAS file: packets in a .wdp, and what points say of them.
+#include "heliosLasTesting.h"
+#include "heliosWaveformTesting.h"
+#include "vtkHeliosLASWriter.h"
+
+#include <vtkTable.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace names = vtkHeliosArrayNames;
+namespace fs = std::filesystem;
+using helios::GetNumber;
+
+namespace
+{
+
+constexpr double SpeedOfLight = 299792458.0;
+
+/// Three points a waveform, but of each fifth pulse that has none; on the beam, a little after the
+/// first sample.
+vtkSmartPointer<vtkPolyData> MakeEchoesOf(vtkTable* waveforms)
+{
+  const vtkIdType count = 3 * waveforms->GetNumberOfRows();
+  auto echoes = helios::MakeLasEchoes(count);
+  auto* origins = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Origin));
+  auto* directions = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Direction));
+  auto* starts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::StartTime));
+  auto* pulses = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::PulseIds));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double time = starts->GetTuple1(i / 3) + 0.2 * static_cast<double>(i % 3); // [ns]
+    double point[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      point[k] = origins->GetComponent(i / 3, k) +
+        0.5e-9 * SpeedOfLight * time * directions->GetComponent(i / 3, k);
+    }
+    echoes->GetPoints()->SetPoint(i, point);
+  }
+  helios::AddColumn<vtkTypeInt64Array>(echoes->GetPointData(), names::WaveformIds, count,
+    [pulses](vtkIdType i) { return i / 3 % 5 == 4 ? -1.0 : pulses->GetTuple1(i / 3); });
+  return echoes;
+}
+
+/// What a point says of its packet, and the descriptor that it names.
+struct Packet
+{
+  int Index;
+  std::uint64_t Place;
+  std::uint32_t Size;
+  float Location;
+  std::array<float, 3> Step;
+  std::uint32_t Samples = 0;
+  std::uint32_t Spacing = 0;
+  double Gain = 0.0;
+  double Offset = 0.0;
+
+  Packet(const std::string& las, std::size_t row, std::size_t place = 30)
+  {
+    const std::size_t at =
+      GetNumber<std::uint32_t>(las, 96) + row * GetNumber<std::uint16_t>(las, 105) + place;
+    this->Index = GetNumber<std::uint8_t>(las, at);
+    this->Place = GetNumber<std::uint64_t>(las, at + 1);
+    this->Size = GetNumber<std::uint32_t>(las, at + 9);
+    this->Location = GetNumber<float>(las, at + 13);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->Step[k] = GetNumber<float>(las, at + 17 + 4 * k);
+    }
+    for (std::size_t record = 375; record < GetNumber<std::uint32_t>(las, 96);
+         record += 54 + GetNumber<std::uint16_t>(las, record + 20))
+    {
+      if (GetNumber<std::uint16_t>(las, record + 18) == 99 + this->Index && this->Index > 0)
+      {
+        this->TakeDescriptor(las, record + 54);
+      }
+    }
+  }
+
+  void TakeDescriptor(const std::string& las, std::size_t at)
+  {
+    CHECK(las.substr(at - 54 + 2, 9) == "LASF_Spec");
+    CHECK(las[at] == 32);    // bits
+    CHECK(las[at + 1] == 0); // not compressed
+    this->Samples = GetNumber<std::uint32_t>(las, at + 2);
+    this->Spacing = GetNumber<std::uint32_t>(las, at + 6);
+    this->Gain = GetNumber<double>(las, at + 10);
+    this->Offset = GetNumber<double>(las, at + 18);
+  }
+
+  double GetSample(const std::string& packets, std::size_t i) const
+  {
+    return this->Offset + this->Gain * GetNumber<std::uint32_t>(packets, this->Place + 4 * i);
+  }
+};
+
+/// The samples of points from a row on, and where their points are on them.
+void CheckPackets(const std::string& las, const std::string& packets, vtkTable* waveforms,
+  vtkPolyData* echoes, std::size_t from)
+{
+  auto* counts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Count));
+  auto* offsets = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Offset));
+  auto* samples = waveforms->GetFieldData()->GetArray(names::Samples);
+  auto* directions = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Direction));
+  for (vtkIdType row = 0; row < echoes->GetNumberOfPoints(); ++row)
+  {
+    const Packet packet(las, from + static_cast<std::size_t>(row));
+    const vtkIdType wave = row / 3;
+    if (wave % 5 == 4)
+    {
+      REQUIRE(packet.Index == 0);
+      REQUIRE((packet.Place == 0 && packet.Size == 0 && packet.Location == 0.0F));
+      continue;
+    }
+    REQUIRE(packet.Index > 0);
+    REQUIRE(packet.Spacing == 250);
+    REQUIRE(packet.Size == 4 * packet.Samples);
+    REQUIRE(packet.Place >= 60);
+    REQUIRE(packet.Place + packet.Size <= packets.size());
+    const auto count = static_cast<vtkIdType>(counts->GetTuple1(wave));
+    REQUIRE(static_cast<vtkIdType>(packet.Samples) >= count);
+    double peak = 0.0;
+    double worst = 0.0;
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(packet.Samples); ++i)
+    {
+      const auto at = static_cast<vtkIdType>(offsets->GetTuple1(wave)) + i;
+      const double expected = i < count ? samples->GetTuple1(at) : 0.0;
+      peak = std::max(peak, std::abs(expected));
+      worst = std::max(
+        worst, std::abs(packet.GetSample(packets, static_cast<std::size_t>(i)) - expected));
+    }
+    REQUIRE(worst <= std::max(std::ldexp(peak, -23), 1e-23));
+    REQUIRE(packet.Location == Approx(200.0 * static_cast<double>(row % 3)).margin(0.02)); // [ps]
+    for (int k = 0; k < 3; ++k)
+    {
+      const double step = 0.5e-12 * SpeedOfLight * directions->GetComponent(wave, k);
+      REQUIRE(packet.Step[static_cast<std::size_t>(k)] == Approx(step).epsilon(1e-6));
+    }
+    const bool isOther =
+      row % 3 > 0 && Packet(las, from + static_cast<std::size_t>(row) - 1).Place != packet.Place;
+    REQUIRE_FALSE(isOther); // one packet a pulse
+  }
+}
+
+void CheckFileHead(const std::string& packets)
+{
+  REQUIRE(packets.size() >= 60);
+  CHECK(packets.substr(2, 9) == "LASF_Spec");
+  CHECK(GetNumber<std::uint16_t>(packets, 18) == 65535);
+  CHECK(GetNumber<std::uint64_t>(packets, 20) == packets.size() - 60);
+}
+
+struct WaveWriting
+{
+  helios::TempFolder Folder;
+  std::string Path = this->Folder / "points.las";
+  std::string Packets = this->Folder / "points.wdp";
+  vtkNew<vtkHeliosLASWriter> Writer;
+  vtkSmartPointer<helios::ErrorObserver> Log = helios::WatchErrors(this->Writer);
+
+  WaveWriting()
+  {
+    this->Writer->SetFileName(this->Path.c_str());
+    this->Writer->WriteWaveformsOn();
+  }
+
+  bool Write(vtkTable* waveforms)
+  {
+    this->Writer->SetWaveforms(waveforms);
+    return this->Writer->Write(MakeEchoesOf(waveforms));
+  }
+
+  /// Whether a block fails with a message, and leaves the files as they were.
+  bool Fails(vtkPolyData* echoes, vtkTable* waveforms, const std::string& message)
+  {
+    const std::string las = helios::ReadText(this->Path + ".part");
+    const std::string packets = helios::ReadText(this->Packets + ".part");
+    this->Writer->SetWaveforms(waveforms);
+    const bool isWritten = this->Writer->Write(echoes);
+    INFO(this->Log->Errors);
+    CHECK(this->Log->HasError(message));
+    CHECK((las == helios::ReadText(this->Path + ".part")));
+    CHECK((packets == helios::ReadText(this->Packets + ".part")));
+    return !isWritten;
+  }
+};
+
+} // namespace
+
+TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto first = helios::MakeWaveforms(60);
+  const auto second = helios::MakeWaveforms(7);
+  REQUIRE((writing.Writer->Open() && writing.Write(first)));
+  CheckFileHead(helios::ReadText(writing.Packets + ".part"));
+  CheckPackets(helios::ReadText(writing.Path + ".part"),
+    helios::ReadText(writing.Packets + ".part"), first, MakeEchoesOf(first), 0);
+  REQUIRE((writing.Write(second) && writing.Writer->Flush()));
+  const std::string part = helios::ReadText(writing.Packets + ".part");
+  REQUIRE(writing.Writer->Close());
+  CHECK(writing.Log->Errors.empty());
+  const std::string las = helios::ReadText(writing.Path);
+  const std::string packets = helios::ReadText(writing.Packets);
+  CHECK((part == packets));
+  CHECK_FALSE(fs::exists(writing.Packets + ".part"));
+  CheckFileHead(packets);
+  CHECK(GetNumber<std::uint8_t>(las, 104) == 9);
+  CHECK(GetNumber<std::uint16_t>(las, 6) == (16 | 4)); // WKT, packets in another file
+  CHECK(GetNumber<std::uint64_t>(las, 227) == 0);
+  CheckPackets(las, packets, first, MakeEchoesOf(first), 0);
+  CheckPackets(las, packets, second, MakeEchoesOf(second), 180);
+  CHECK(writing.Writer->GetNumberOfBytes() == static_cast<vtkIdType>(las.size() + packets.size()));
+  helios::LasReading reading(writing.Path);
+  REQUIRE(reading.Read());
+  CHECK(reading.CountPoints() == 201);
+}
+
+TEST_CASE("LASWaveforms: samples of any strength keep 23 bits", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(200);
+  auto* samples = vtkFloatArray::SafeDownCast(waveforms->GetFieldData()->GetArray(names::Samples));
+  auto* offsets = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Offset));
+  auto* counts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Count));
+  for (vtkIdType wave = 0; wave < 200; ++wave)
+  {
+    const auto at = static_cast<vtkIdType>(offsets->GetTuple1(wave));
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(counts->GetTuple1(wave)); ++i)
+    {
+      const double strength = std::pow(10.0, -15.5 + 0.08 * static_cast<double>(wave));  // to 2.6 W
+      samples->SetValue(at + i, static_cast<float>(strength * std::sin(1.0 + 7.0 * i))); // below 0
+    }
+  }
+  REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
+  CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), waveforms,
+    MakeEchoesOf(waveforms), 0);
+}
+
+TEST_CASE("LASWaveforms: with colours the format is 10", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(20);
+  const auto echoes = MakeEchoesOf(waveforms);
+  helios::AddVectors(echoes, vtkNew<vtkFloatArray>(), names::RGB, 0.5);
+  writing.Writer->SetWaveforms(waveforms);
+  REQUIRE((writing.Writer->Open() && writing.Writer->Write(echoes) && writing.Writer->Close()));
+  const std::string las = helios::ReadText(writing.Path);
+  CHECK(GetNumber<std::uint8_t>(las, 104) == 10);
+  const Packet packet(las, 5, 38);
+  CHECK(packet.Index > 0);
+  CHECK(packet.Location == Approx(400.0).margin(0.02));
+  helios::LasReading reading(writing.Path);
+  REQUIRE(reading.Read());
+  CHECK(reading.Get(names::NearInfrared)->GetRange()[1] == 0.0);
+  CHECK(helios::CountWrong(reading.Get(names::RGB), echoes->GetPointData()->GetArray(names::RGB), 0,
+          1.0 / 65535) == 0);
+}
+
+TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  vtkHeliosLASWriter* writer = writing.Writer;
+  const auto run = [&](const std::string& name)
+  {
+    writer->SetFileName((writing.Folder / (name + ".las")).c_str());
+    // at first no pulse has a waveform: the time between samples is not known yet
+    const auto none = MakeEchoesOf(helios::MakeWaveforms(4));
+    helios::AddColumn<vtkTypeInt64Array>(
+      none->GetPointData(), names::WaveformIds, 12, [](vtkIdType) { return -1; });
+    writer->SetWaveforms(nullptr);
+    REQUIRE((writer->Open() && writer->Write(none) && writing.Write(helios::MakeWaveforms(6))));
+  };
+  run("whole");
+  const vtkIdType size = writer->GetFileSize();
+  const vtkIdType bytes = writer->GetNumberOfBytes();
+  REQUIRE((writing.Write(helios::MakeWaveforms(9)) && writer->Close()));
+  const vtkIdType all = writer->GetNumberOfBytes();
+  run("broken");
+  const bool isClosed = GENERATE(true, false);
+  REQUIRE(writing.Write(helios::MakeWaveforms(20)));
+  REQUIRE((isClosed ? writer->Close() : writer->Abandon()));
+  writer->WriteWaveformsOff();
+  CHECK_FALSE(writer->Reopen(size, 30, bytes));
+  CHECK(
+    writing.Log->HasError("broken.las.part has waveforms; switch WriteWaveforms on, as it was"));
+  writer->WriteWaveformsOn();
+  if (GENERATE(true, false))
+  {
+    fs::remove(writing.Folder / "broken.wdp");
+    fs::remove(writing.Folder / "broken.wdp.part");
+    CHECK_FALSE(writer->Reopen(size, 30, bytes));
+    CHECK(writing.Log->HasError("broken.wdp.part cannot be gone on with: No such file"));
+    CHECK_FALSE(writer->IsOpen());
+    return;
+  }
+  REQUIRE(writer->Reopen(size, 30, bytes));
+  CheckFileHead(helios::ReadText(writing.Folder / "broken.wdp.part"));
+  REQUIRE((writing.Write(helios::MakeWaveforms(9)) && writer->Close()));
+  CHECK(writer->GetNumberOfBytes() == all);
+  for (const char* ending : { ".las", ".wdp" })
+  {
+    CHECK((helios::ReadText(writing.Folder / (std::string("whole") + ending)) ==
+      helios::ReadText(writing.Folder / (std::string("broken") + ending))));
+  }
+}
+
+TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(60);
+  const auto echoes = MakeEchoesOf(waveforms);
+  auto* starts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::StartTime));
+  const bool hasRange = GENERATE(true, false);
+  if (hasRange)
+  {
+    helios::AddColumn<vtkDoubleArray>(echoes->GetPointData(), names::Range, 180,
+      [=](vtkIdType i)
+      { return 0.5e-9 * SpeedOfLight * (starts->GetTuple1(i / 3) + 0.2 * double(i % 3)); });
+  }
+  else
+  {
+    echoes->GetPointData()->RemoveArray(names::Range);
+  }
+  writing.Writer->SetWaveforms(waveforms);
+  REQUIRE((writing.Writer->Open() && writing.Writer->Write(echoes)));
+  const bool isPart = GENERATE(true, false);
+  REQUIRE((isPart ? writing.Writer->Abandon() : writing.Writer->Close()));
+  helios::LasReading reading(isPart ? writing.Path + ".part" : writing.Path);
+  REQUIRE(reading.Read());
+  auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
+  REQUIRE(table);
+  CHECK(table->GetNumberOfRows() == 0); // not asked for
+  reading.Reader->ReadWaveformsOn();
+  const int pieces = GENERATE(1, 5); // of 36 points, 12 waveforms
+  vtkIdType wave = 0;
+  vtkIdType wrong = 0;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    REQUIRE(reading.Read(piece, pieces));
+    const auto get = [table](const char* name, vtkIdType row, int k = 0)
+    {
+      auto* array = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+      return array ? array->GetComponent(row, k) : std::nan("");
+    };
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row, ++wave)
+    {
+      wave += wave % 5 == 4 ? 1 : 0; // without a packet
+      const auto expected = [&waveforms, wave](const char* name, int k = 0) {
+        return vtkDataArray::SafeDownCast(waveforms->GetColumnByName(name))->GetComponent(wave, k);
+      };
+      const double start = expected(names::StartTime);
+      const double skipped = hasRange ? 0.0 : 0.5e-9 * SpeedOfLight * start; // [m]
+      REQUIRE(get(names::PulseIds, row) == expected(names::PulseIds));
+      REQUIRE(get(names::StartTime, row) == Approx(hasRange ? start : 0.0).margin(1e-4));
+      REQUIRE(get(names::BinSize, row) == 0.25);
+      for (int k = 0; k < 3; ++k)
+      {
+        const double direction = expected(names::Direction, k);
+        REQUIRE(get(names::Direction, row, k) == Approx(direction).margin(1e-7));
+        REQUIRE(get(names::Origin, row, k) ==
+          Approx(expected(names::Origin, k) + skipped * direction).margin(2e-4));
+      }
+      auto* read = table->GetFieldData()->GetArray(names::Samples);
+      auto* written = waveforms->GetFieldData()->GetArray(names::Samples);
+      const auto from = static_cast<vtkIdType>(expected(names::Offset));
+      const auto at = static_cast<vtkIdType>(get(names::Offset, row));
+      const auto count = static_cast<vtkIdType>(get(names::Count, row));
+      REQUIRE(count <= static_cast<vtkIdType>(expected(names::Count)));
+      for (vtkIdType i = 0; i < static_cast<vtkIdType>(expected(names::Count)); ++i)
+      {
+        const double value = i < count ? read->GetTuple1(at + i) : 0.0;
+        wrong += std::abs(value - written->GetTuple1(from + i)) <= 1e-6 / (1 << 23) ? 0 : 1;
+      }
+    }
+  }
+  CHECK(wave == 59); // the last has none
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const auto waveforms = helios::MakeWaveforms(4);
+  REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
+  std::string las = helios::ReadText(writing.Path);
+  helios::SetNumber<std::uint16_t>(las, 6, 16 | 2);
+  helios::SetNumber<std::uint64_t>(las, 227, las.size());
+  helios::SetNumber<std::uint64_t>(las, 235, las.size());
+  helios::SetNumber<std::uint32_t>(las, 243, 1);
+  std::ofstream(writing.Path, std::ios::binary) << las << helios::ReadText(writing.Packets);
+  fs::remove(writing.Packets);
+  helios::LasReading reading(writing.Path);
+  reading.Reader->ReadWaveformsOn();
+  REQUIRE(reading.Read());
+  auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
+  REQUIRE(table->GetNumberOfRows() == 4);
+  const auto* last = vtkFloatArray::SafeDownCast(table->GetFieldData()->GetArray(names::Samples));
+  CHECK(last->GetValue(last->GetNumberOfValues() - 1) == Approx(9e-9)); // 1 + 2 + 3 + 4 samples
+}
+
+TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  REQUIRE(
+    (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(4)) && writing.Writer->Close()));
+  const std::string good = helios::ReadText(writing.Path);
+  const std::string packets = helios::ReadText(writing.Packets);
+  const std::size_t at = GetNumber<std::uint32_t>(good, 96) + 30;
+  const auto fails = [&](const std::string& las, const std::string& message)
+  {
+    std::ofstream(writing.Path, std::ios::binary) << las;
+    helios::LasReading reading(writing.Path);
+    const bool isPlain = reading.Read();
+    reading.Reader->ReadWaveformsOn();
+    const bool isRead = reading.Read();
+    INFO(reading.Log->Errors);
+    CHECK(reading.Log->HasError(message));
+    return isPlain && !isRead && reading.CountPoints() == 0;
+  };
+  const auto with = [&good](std::size_t place, auto value)
+  {
+    std::string las = good;
+    helios::SetNumber(las, place, value);
+    return las;
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  CHECK(fails(with(at, std::uint8_t(253)),
+    "point 0 of the piece names the waveform descriptor 253, which the file has not"));
+  CHECK(fails(with(at + 1, std::uint64_t(packets.size() - 63)),
+    "point 0 of the piece has a packet of 64 bytes at " + std::to_string(packets.size() - 63) +
+      ", beyond the end of " + writing.Packets));
+  CHECK(fails(with(at + 1, ~std::uint64_t(0)), "beyond the end of"));
+  CHECK(fails(with(at + 9, std::uint32_t(63)), "has a packet of 63 bytes; its descriptor has 64"));
+  CHECK(fails(with(at + 13, nan), "has a waveform without a direction or a place"));
+  CHECK(fails(with(at + 17, nan), "has a waveform without a direction or a place"));
+  std::size_t record = 375; // the first descriptor, after the Extra Bytes
+  record += 54 + GetNumber<std::uint16_t>(good, record + 20) + 54;
+  CHECK(
+    fails(with(record, std::uint8_t(12)), "has a waveform descriptor 1 that is not of 8, 16 or"));
+  CHECK(fails(with(record + 1, std::uint8_t(1)), "bits without compression"));
+  CHECK(fails(with(record + 10, std::nan("")), "a waveform descriptor 1 whose gain is no number"));
+  fs::remove(writing.Packets);
+  CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
+}
+
+TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const bool isCounted = GENERATE(true, false);
+  writing.Writer->SetCountOnly(isCounted);
+  REQUIRE((writing.Writer->Open() && writing.Writer->Close()));
+  CHECK(fs::exists(writing.Packets) != isCounted);
+  CHECK(writing.Writer->GetNumberOfBytes() == 60 + 375 + 252 * 80);
+  if (!isCounted)
+  {
+    CheckFileHead(helios::ReadText(writing.Packets));
+    CHECK(GetNumber<std::uint8_t>(helios::ReadText(writing.Path), 104) == 9);
+    CHECK(helios::LasReading(writing.Path).Read());
+  }
+}
+
+TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  const bool isFirst = GENERATE(true, false);
+  const auto good = helios::MakeWaveforms(6);
+  REQUIRE((writing.Writer->Open() && (isFirst || writing.Write(good))));
+  const auto waveforms = helios::MakeWaveforms(6);
+  const auto echoes = MakeEchoesOf(waveforms);
+  vtkFieldData* rows = waveforms->GetRowData();
+  auto* samples = vtkFloatArray::SafeDownCast(waveforms->GetFieldData()->GetArray(names::Samples));
+  const auto setBins = [rows](double first, double others)
+  {
+    helios::AddColumn<vtkDoubleArray>(
+      rows, names::BinSize, 6, [=](vtkIdType i) { return i == 0 ? first : others; });
+  };
+  SECTION("no ids")
+  {
+    echoes->GetPointData()->RemoveArray(names::WaveformIds);
+    CHECK(writing.Fails(echoes, waveforms, "a block has no array WaveformIds; switch"));
+  }
+  SECTION("no waveforms")
+  {
+    CHECK(writing.Fails(echoes, nullptr,
+      "point 0 of a block has WaveformIds = 40, and the waveforms of the block have no such "
+      "pulse"));
+  }
+  SECTION("a table that is none")
+  {
+    rows->RemoveArray(names::StartTime);
+    CHECK(writing.Fails(echoes, waveforms, "the table of waveforms of a block has no array"));
+  }
+  SECTION("half a picosecond")
+  {
+    setBins(0.2505, 0.2505);
+    CHECK(writing.Fails(echoes, waveforms, "have a BinSize of 0.250500 ns; LAS has whole pico"));
+  }
+  SECTION("several bins")
+  {
+    setBins(0.25, 0.5);
+    CHECK(writing.Fails(echoes, waveforms, "a BinSize of 500 ps and one of 250 ps; write them to"));
+  }
+  SECTION("other bins than before")
+  {
+    setBins(0.5, 0.5);
+    if (isFirst)
+    {
+      return;
+    }
+    CHECK(writing.Fails(echoes, waveforms, "a BinSize of 500 ps, and those before 250 ps; write"));
+  }
+  SECTION("not a number")
+  {
+    samples->SetValue(1, std::numeric_limits<float>::quiet_NaN());
+    CHECK(
+      writing.Fails(echoes, waveforms, "the waveform of pulse 43 has 2 samples of up to inf W"));
+  }
+  SECTION("too strong")
+  {
+    samples->SetValue(0, -4.0F);
+    CHECK(writing.Fails(echoes, waveforms, "pulse 40 has 1 samples of up to 4.000000 W; a packet"));
+  }
+  SECTION("a point")
+  {
+    echoes->GetPoints()->SetPoint(3, 500000, 0, std::numeric_limits<double>::infinity());
+    CHECK(writing.Fails(echoes, waveforms, "point 3 of a block has the coordinate z = inf"));
+  }
+  REQUIRE((writing.Write(good) && writing.Writer->Close())); // another block may follow
+  CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), good,
+    MakeEchoesOf(good), isFirst ? 0 : 18);
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Echoes that a LAS file holds whole, the bytes of LAS files, and their reading.
+
+#ifndef heliosLasTesting_h
+#define heliosLasTesting_h
+
+#include "heliosTempFolder.h"
+#include "heliosWriterTesting.h"
+#include "vtkHeliosLASReader.h"
+
+#include <vtkExecutive.h>
+#include <vtkFloatArray.h>
+#include <vtkStringArray.h>
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+namespace helios
+{
+
+/// A number of the bytes of a file.
+template <typename T>
+T GetNumber(const std::string& bytes, std::size_t at)
+{
+  T value = 0;
+  if (at + sizeof(T) <= bytes.size())
+  {
+    std::memcpy(&value, bytes.data() + at, sizeof(T));
+  }
+  return value;
+}
+
+template <typename T>
+void SetNumber(std::string& bytes, std::size_t at, T value)
+{
+  std::memcpy(bytes.data() + at, &value, sizeof(T));
+}
+
+inline void AddVectors(vtkPolyData* echoes, vtkDataArray* array, const char* name, double value)
+{
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(echoes->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < 3 * echoes->GetNumberOfPoints(); ++i)
+  {
+    array->SetVariantValue(i, value * (1.0 + std::sin(static_cast<double>(i))));
+  }
+  echoes->GetPointData()->AddArray(array);
+}
+
+inline void SetCrs(vtkPolyData* echoes, const std::string& crs)
+{
+  vtkNew<vtkStringArray> text;
+  text->SetName(vtkHeliosArrayNames::CRS);
+  text->InsertNextValue(crs);
+  echoes->GetFieldData()->AddArray(text);
+}
+
+inline void SetEpoch(vtkPolyData* echoes, double epoch)
+{
+  AddColumn<vtkDoubleArray>(
+    echoes->GetFieldData(), vtkHeliosArrayNames::GpsEpoch, 1, [epoch](vtkIdType) { return epoch; });
+}
+
+/// Echoes with every array of the scanner.
+inline vtkSmartPointer<vtkPolyData> MakeLasEchoes(vtkIdType count)
+{
+  namespace names = vtkHeliosArrayNames;
+  auto echoes = MakeEchoes(count);
+  vtkPointData* data = echoes->GetPointData();
+  AddColumn<vtkUnsignedCharArray>(
+    data, names::ReturnNumber, count, [](vtkIdType i) { return 1 + i % 15; });
+  AddColumn<vtkUnsignedCharArray>(
+    data, names::NumberOfReturns, count, [](vtkIdType) { return 15; });
+  AddColumn<vtkIntArray>(
+    data, names::ClassificationIds, count, [](vtkIdType i) { return 11 * i % 256; });
+  AddColumn<vtkIntArray>(data, names::LegIds, count, [](vtkIdType i) { return i % 5 - 1; });
+  AddColumn<vtkIntArray>(data, names::ChannelIds, count, [](vtkIdType i) { return i % 32; });
+  AddColumn<vtkDoubleArray>(data, names::ScanAngle, count,
+    [](vtkIdType i) { return 0.006 * static_cast<double>(i % 60001 - 30000); });
+  AddColumn<vtkTypeInt64Array>(
+    data, names::WaveformIds, count, [](vtkIdType i) { return i % 2 == 0 ? -1 : i; });
+  AddColumn<vtkFloatArray>(
+    data, names::Range, count, [](vtkIdType i) { return 0.1 * static_cast<double>(i); });
+  vtkNew<vtkDoubleArray> truth;
+  AddVectors(echoes, truth, names::TruePoint, 1e5);
+  return echoes;
+}
+
+struct LasReading
+{
+  vtkNew<vtkHeliosLASReader> Reader;
+  vtkSmartPointer<ErrorObserver> Log = WatchErrors(this->Reader);
+  vtkSmartPointer<ErrorObserver> Quiet = WatchErrors(this->Reader->GetExecutive());
+
+  explicit LasReading(const std::string& path) { this->Reader->SetFileName(path.c_str()); }
+
+  /// True if there was no error.
+  bool Read(int piece = 0, int count = 1)
+  {
+    this->Reader->Modified();
+    this->Log->Clear();
+    this->Reader->UpdatePiece(piece, count, 0);
+    return this->Log->Errors.empty();
+  }
+
+  vtkPolyData* Cloud() { return this->Reader->GetOutput(); }
+  vtkIdType CountPoints() { return this->Cloud()->GetNumberOfPoints(); }
+  vtkDataArray* Get(const char* name) { return this->Cloud()->GetPointData()->GetArray(name); }
+};
+
+/// How many numbers of an array differ by more than a tolerance from those of another, from a
+/// tuple of the first on; -1: their shapes do.
+inline vtkIdType CountWrong(
+  vtkDataArray* read, vtkDataArray* written, vtkIdType from = 0, double tolerance = 0.0)
+{
+  const vtkIdType count = written->GetNumberOfTuples();
+  if (!read || read->GetNumberOfComponents() != written->GetNumberOfComponents() ||
+    read->GetNumberOfTuples() < from + count)
+  {
+    return -1;
+  }
+  vtkIdType wrong = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (int k = 0; k < written->GetNumberOfComponents(); ++k)
+    {
+      const double difference = read->GetComponent(from + i, k) - written->GetComponent(i, k);
+      wrong += std::abs(difference) <= tolerance ? 0 : 1;
+    }
+  }
+  return wrong;
+}
+
+} // namespace helios
+
+#endif

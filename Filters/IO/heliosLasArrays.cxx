@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLasArrays.h"
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedShortArray.h>
+
+#include <new>
+
+namespace helios
+{
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// The VTK type of a type of Extra Bytes.
+constexpr int ArrayTypes[] = { VTK_VOID, VTK_TYPE_UINT8, VTK_TYPE_INT8, VTK_TYPE_UINT16,
+  VTK_TYPE_INT16, VTK_TYPE_UINT32, VTK_TYPE_INT32, VTK_TYPE_UINT64, VTK_TYPE_INT64,
+  VTK_TYPE_FLOAT32, VTK_TYPE_FLOAT64 };
+
+/// One number of Extra Bytes.
+double GetExtra(const char* bytes, int type)
+{
+  switch (type)
+  {
+    case 1:
+      return GetLas<std::uint8_t>(bytes);
+    case 2:
+      return GetLas<std::int8_t>(bytes);
+    case 3:
+      return GetLas<std::uint16_t>(bytes);
+    case 4:
+      return GetLas<std::int16_t>(bytes);
+    case 5:
+      return GetLas<std::uint32_t>(bytes);
+    case 6:
+      return GetLas<std::int32_t>(bytes);
+    case 7:
+      return static_cast<double>(GetLas<std::uint64_t>(bytes));
+    case 8:
+      return static_cast<double>(GetLas<std::int64_t>(bytes));
+    case 9:
+      return static_cast<double>(GetLas<float>(bytes));
+    default:
+      return GetLas<double>(bytes);
+  }
+}
+
+/// Whether three fields are x, y and z of one array.
+bool IsVector(const std::vector<LasExtra>& extras, std::size_t at)
+{
+  if (at + 3 > extras.size() || extras[at].Name.size() < 2)
+  {
+    return false;
+  }
+  const std::string stem = extras[at].Name.substr(0, extras[at].Name.size() - 1);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const LasExtra& extra = extras[at + k];
+    if (extra.Name != stem + "XYZ"[k] || extra.Type == 0 || extra.Type != extras[at].Type ||
+      extra.Components != 1 || extra.IsScaled)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkDataArray> MakeArray(int type, const char* name, int components, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(type == VTK_TYPE_INT64
+      ? vtkTypeInt64Array::New() // as ids are elsewhere
+      : vtkDataArray::CreateDataArray(type));
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  if (!array->Allocate(count * components) && count > 0)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetNumberOfTuples(count);
+  return array;
+}
+
+} // namespace
+
+template <typename ArrayT>
+typename ArrayT::ValueType* LasArrays::Add(const char* name, int components)
+{
+  const auto array = vtkSmartPointer<ArrayT>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  if (!array->Allocate(this->Count * components) && this->Count > 0)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetNumberOfTuples(this->Count);
+  this->Arrays.push_back(array);
+  return array->GetPointer(0);
+}
+
+template <typename ArrayT, typename GetT>
+void LasArrays::AddField(const char* name, GetT get)
+{
+  auto* values = this->Add<ArrayT>(name);
+  this->Fills.push_back(
+    [values, get, length = this->Header.PointLength](
+      const char* records, vtkIdType first, vtkIdType count)
+    {
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        values[first + i] = static_cast<typename ArrayT::ValueType>(get(records + i * length));
+      }
+    });
+}
+
+LasArrays::LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras, vtkIdType count)
+  : Header(header)
+  , Form(GetLasPointForm(header.Format))
+  , Count(count)
+{
+  this->AddPoints();
+  this->AddFields();
+  this->AddExtras(extras);
+}
+
+void LasArrays::AddPoints()
+{
+  double* points = this->Add<vtkDoubleArray>("Points", 3);
+  this->Points = this->Arrays.back();
+  this->Arrays.pop_back();
+  this->Fills.push_back(
+    [points, header = this->Header](const char* records, vtkIdType first, vtkIdType count)
+    {
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const auto number = GetLas<std::int32_t>(records + i * header.PointLength + 4 * axis);
+          points[3 * (first + i) + axis] = header.GetCoordinate(number, axis);
+        }
+      }
+    });
+}
+
+void LasArrays::AddFields()
+{
+  if (this->Form.Time >= 0)
+  {
+    this->AddField<vtkDoubleArray>(names::GpsTime,
+      [place = this->Form.Time](const char* record) { return GetLas<double>(record + place); });
+  }
+  this->AddField<vtkUnsignedShortArray>(
+    names::Intensity, [](const char* record) { return GetLas<std::uint16_t>(record + 12); });
+  if (this->Form.IsLong)
+  {
+    this->AddLongFields();
+  }
+  else
+  {
+    this->AddShortFields();
+  }
+  if (this->Form.Color >= 0)
+  {
+    this->AddColors(this->Form.Color);
+  }
+  if (this->Form.Infrared >= 0)
+  {
+    this->AddField<vtkUnsignedShortArray>(names::NearInfrared,
+      [place = this->Form.Infrared](const char* record)
+      { return GetLas<std::uint16_t>(record + place); });
+  }
+}
+
+/// Formats 6 to 10.
+void LasArrays::AddLongFields()
+{
+  using Bytes = vtkUnsignedCharArray;
+  this->AddField<Bytes>(names::ReturnNumber, [](const char* r) { return r[14] & 15; });
+  this->AddField<Bytes>(names::NumberOfReturns, [](const char* r) { return r[14] >> 4 & 15; });
+  this->AddField<Bytes>(names::ClassificationFlags, [](const char* r) { return r[15] & 15; });
+  this->AddField<vtkIntArray>(names::ChannelIds, [](const char* r) { return r[15] >> 4 & 3; });
+  this->AddField<Bytes>(names::ScanDirection, [](const char* r) { return r[15] >> 6 & 1; });
+  this->AddField<Bytes>(names::EdgeOfFlightLine, [](const char* r) { return r[15] >> 7 & 1; });
+  this->AddField<vtkIntArray>(
+    names::ClassificationIds, [](const char* r) { return GetLas<std::uint8_t>(r + 16); });
+  this->AddField<Bytes>(names::UserData, [](const char* r) { return r[17]; });
+  this->AddField<vtkDoubleArray>(
+    names::ScanAngle, [](const char* r) { return GetLas<std::int16_t>(r + 18) * 3.0 / 500.0; });
+  this->AddField<vtkIntArray>(
+    names::LegIds, [](const char* r) { return GetLas<std::uint16_t>(r + 20) - 1; });
+}
+
+/// Formats 0 to 5.
+void LasArrays::AddShortFields()
+{
+  using Bytes = vtkUnsignedCharArray;
+  this->AddField<Bytes>(names::ReturnNumber, [](const char* r) { return r[14] & 7; });
+  this->AddField<Bytes>(names::NumberOfReturns, [](const char* r) { return r[14] >> 3 & 7; });
+  this->AddField<Bytes>(names::ScanDirection, [](const char* r) { return r[14] >> 6 & 1; });
+  this->AddField<Bytes>(names::EdgeOfFlightLine, [](const char* r) { return r[14] >> 7 & 1; });
+  this->AddField<vtkIntArray>(names::ClassificationIds, [](const char* r) { return r[15] & 31; });
+  this->AddField<Bytes>(names::ClassificationFlags, [](const char* r) { return r[15] >> 5 & 7; });
+  this->AddField<vtkDoubleArray>(
+    names::ScanAngle, [](const char* r) { return GetLas<std::int8_t>(r + 16); });
+  this->AddField<Bytes>(names::UserData, [](const char* r) { return r[17]; });
+  this->AddField<vtkIntArray>(
+    names::LegIds, [](const char* r) { return GetLas<std::uint16_t>(r + 18) - 1; });
+}
+
+void LasArrays::AddColors(int place)
+{
+  float* values = this->Add<vtkFloatArray>(names::RGB, 3);
+  this->Fills.push_back(
+    [values, place, length = this->Header.PointLength](
+      const char* records, vtkIdType first, vtkIdType count)
+    {
+      for (vtkIdType i = 0; i < 3 * count; ++i)
+      {
+        const char* bytes = records + i / 3 * length + place + 2 * (i % 3);
+        values[3 * first + i] = static_cast<float>(GetLas<std::uint16_t>(bytes)) / 65535.0F;
+      }
+    });
+}
+
+/// Fields without a meaning are left out.
+void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
+{
+  int place = this->Form.Length;
+  for (std::size_t i = 0; i < extras.size();)
+  {
+    const std::size_t fields = IsVector(extras, i) ? 3 : 1;
+    LasExtra extra = extras[i];
+    if (fields == 3)
+    {
+      extra.Name.pop_back();
+      extra.Components = 3;
+      extra.Size *= 3;
+    }
+    if (extra.Type != 0 && !extra.Name.empty())
+    {
+      this->AddExtra(extra, place);
+    }
+    place += extra.Size;
+    i += fields;
+  }
+}
+
+void LasArrays::AddExtra(const LasExtra& extra, int place)
+{
+  const int type = extra.IsScaled ? VTK_DOUBLE : ArrayTypes[extra.Type];
+  const auto array = MakeArray(type, extra.Name.c_str(), extra.Components, this->Count);
+  this->Arrays.push_back(array);
+  const int length = this->Header.PointLength;
+  if (!extra.IsScaled)
+  {
+    auto* values = static_cast<char*>(array->GetVoidPointer(0));
+    this->Fills.push_back(
+      [values, length, place, size = static_cast<std::size_t>(extra.Size)](
+        const char* records, vtkIdType first, vtkIdType count)
+      {
+        char* to = values + first * static_cast<vtkIdType>(size);
+        for (vtkIdType i = 0; i < count; ++i, to += size)
+        {
+          std::memcpy(to, records + i * length + place, size);
+        }
+      });
+    return;
+  }
+  auto* values = static_cast<double*>(array->GetVoidPointer(0));
+  this->Fills.push_back(
+    [values, length, place, extra](const char* records, vtkIdType first, vtkIdType count)
+    {
+      const int size = extra.Size / extra.Components;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        for (int k = 0; k < extra.Components; ++k)
+        {
+          const double number = GetExtra(records + i * length + place + k * size, extra.Type);
+          values[(first + i) * extra.Components + k] = number * extra.Scale[k] + extra.Offset[k];
+        }
+      }
+    });
+}
+
+void LasArrays::Decode(const char* records, vtkIdType first, vtkIdType count)
+{
+  for (const Fill& fill : this->Fills)
+  {
+    fill(records, first, count);
+  }
+}
+
+void LasArrays::MoveTo(vtkPolyData* cloud)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(this->Points);
+  cloud->SetPoints(points);
+  for (const auto& array : this->Arrays)
+  {
+    cloud->GetPointData()->AddArray(array); // one of Extra Bytes replaces a field of its name
+  }
+}
+
+} // namespace helios

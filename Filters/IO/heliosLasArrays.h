@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The points of a LAS file as the arrays of a cloud.
+
+#ifndef heliosLasArrays_h
+#define heliosLasArrays_h
+
+#include "heliosLasFormat.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <functional>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace helios
+{
+
+class LasArrays
+{
+public:
+  /// Room for points of a file.
+  LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras, vtkIdType count);
+
+  /// Takes points from their bytes; first is where they go.
+  void Decode(const char* records, vtkIdType first, vtkIdType count);
+
+  /// Gives the points and arrays to a cloud.
+  void MoveTo(vtkPolyData* cloud);
+
+private:
+  /// Fills some values of an array from the bytes of points.
+  using Fill = std::function<void(const char* records, vtkIdType first, vtkIdType count)>;
+
+  template <typename ArrayT>
+  typename ArrayT::ValueType* Add(const char* name, int components = 1);
+  template <typename ArrayT, typename GetT>
+  void AddField(const char* name, GetT get);
+  void AddFields();
+  void AddLongFields();
+  void AddShortFields();
+  void AddPoints();
+  void AddColors(int place);
+  void AddExtras(const std::vector<LasExtra>& extras);
+  void AddExtra(const LasExtra& extra, int place);
+
+  LasHeader Header;
+  LasPointForm Form;
+  vtkIdType Count;
+  vtkSmartPointer<vtkDataArray> Points;
+  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  std::vector<Fill> Fills;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,452 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLasBlock.h"
+
+#include "heliosLasWaves.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace helios
+{
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr double LargestNumber = 2147483647.0;
+constexpr double AngleUnit = 0.006;         // [deg]
+constexpr double SmallestAmplitude = 1e-15; // [W], of intensity 0
+constexpr double IntensityPerDecade = 1000.0;
+constexpr int LargestReturn = 15;
+constexpr std::size_t LongestName = 32;
+
+/// What the extra fields mean, with their units.
+const char* Describe(const std::string& name)
+{
+  static const struct
+  {
+    const char* Name;
+    const char* Text;
+  } texts[] = { { names::Range, "distance [m]" }, { names::Amplitude, "peak of the echo [W]" },
+    { names::EchoWidth, "full width at half maximum [ns]" },
+    { names::Deviation, "RMS residual over amplitude" },
+    { names::IncidenceAngle, "from the normal [deg]" }, { names::PulseIds, "pulse of the run" },
+    { names::WaveformIds, "pulse with waveform, -1: none" },
+    { names::PartIds, "part of the scene" }, { names::MaterialIds, "material of the scene" },
+    { names::CellIds, "triangle of the scene" }, { names::ChannelIds, "channel of the scanner" },
+    { names::TruePoint, "without noise [m]" }, { names::Normal, "of the surface, unit vector" } };
+  const auto* text = std::find_if(
+    std::begin(texts), std::end(texts), [&name](const auto& known) { return name == known.Name; });
+  return text == std::end(texts) ? "" : text->Text;
+}
+
+/// The arrays that a point of LAS holds whole.
+bool IsField(const std::string& name)
+{
+  const char* const fields[] = { names::Intensity, names::ReturnNumber, names::NumberOfReturns,
+    names::ClassificationFlags, names::ScanDirection, names::EdgeOfFlightLine,
+    names::ClassificationIds, names::UserData, names::ScanAngle, names::LegIds, names::GpsTime,
+    names::RGB, names::NearInfrared };
+  return std::any_of(
+    std::begin(fields), std::end(fields), [&name](const char* field) { return name == field; });
+}
+
+/// The type of Extra Bytes; 0: there is none.
+int GetExtraType(vtkDataArray* array)
+{
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+      return 9;
+    case VTK_DOUBLE:
+      return 10;
+    case VTK_BIT:
+      return 0;
+    default:
+      break;
+  }
+  const int sign = array->GetDataTypeMin() < 0 ? 1 : 0;
+  switch (array->GetDataTypeSize())
+  {
+    case 1:
+      return 1 + sign;
+    case 2:
+      return 3 + sign;
+    case 4:
+      return 5 + sign;
+    default:
+      return 7 + sign;
+  }
+}
+
+template <std::size_t Size>
+void CopyColumn(const char* values, int stride, vtkIdType count, char* place, int length)
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    std::memcpy(place + i * length, values + i * stride, Size);
+  }
+}
+
+void CopyColumn(const char* values, int stride, int size, vtkIdType count, char* place, int length)
+{
+  switch (size)
+  {
+    case 1:
+      return CopyColumn<1>(values, stride, count, place, length);
+    case 2:
+      return CopyColumn<2>(values, stride, count, place, length);
+    case 4:
+      return CopyColumn<4>(values, stride, count, place, length);
+    default:
+      return CopyColumn<8>(values, stride, count, place, length);
+  }
+}
+
+/// A value of a field, or what it is where there is no array.
+vtkTypeInt64 GetInteger(const Column& column, vtkIdType row, vtkTypeInt64 otherwise)
+{
+  return column.IsSet() ? column.GetInteger(row) : otherwise;
+}
+
+int GetReturn(const Column& column, vtkIdType row)
+{
+  return static_cast<int>(std::clamp<vtkTypeInt64>(GetInteger(column, row, 1), 0, LargestReturn));
+}
+
+std::int16_t GetAngle(double degrees)
+{
+  const double angle = std::isfinite(degrees) ? std::remainder(degrees, 360.0) : 0.0;
+  return static_cast<std::int16_t>(std::lrint(angle / AngleUnit)); // 180 degrees: 30000
+}
+
+std::uint16_t GetColor(double value)
+{
+  return static_cast<std::uint16_t>(std::lrint(65535.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+std::string Show(double value)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << value;
+  return text.str();
+}
+
+} // namespace
+
+std::string LasBlock::TakeColumn(
+  vtkPolyData* echoes, const char* name, bool isInteger, Column& column)
+{
+  vtkDataArray* array = echoes->GetPointData()->GetArray(name);
+  if (!array)
+  {
+    return {};
+  }
+  const int components = &column == &this->Color ? 3 : 1;
+  if (array->GetNumberOfTuples() != this->NumberOfPoints ||
+    array->GetNumberOfComponents() != components)
+  {
+    return std::string("the array ") + name + " of a block has " +
+      std::to_string(array->GetNumberOfTuples()) + " x " +
+      std::to_string(array->GetNumberOfComponents()) + " values, not " +
+      std::to_string(this->NumberOfPoints) + " x " + std::to_string(components);
+  }
+  column = Column(array);
+  if (isInteger && !column.HasIntegers())
+  {
+    return std::string("the array ") + name + " of a block holds " + array->GetDataTypeAsString() +
+      "; it must hold integers";
+  }
+  return {};
+}
+
+std::string LasBlock::TakeFields(vtkPolyData* echoes)
+{
+  const struct
+  {
+    const char* Name;
+    bool IsInteger;
+    Column& Values;
+  } fields[] = { { names::Amplitude, false, this->Amplitude },
+    { names::Intensity, true, this->Intensity }, { names::ReturnNumber, true, this->ReturnNumber },
+    { names::NumberOfReturns, true, this->NumberOfReturns },
+    { names::ClassificationFlags, true, this->Flags }, { names::ChannelIds, true, this->Channel },
+    { names::ScanDirection, true, this->Direction }, { names::EdgeOfFlightLine, true, this->Edge },
+    { names::ClassificationIds, true, this->Class }, { names::UserData, true, this->UserData },
+    { names::ScanAngle, false, this->ScanAngle }, { names::LegIds, true, this->Leg },
+    { names::GpsTime, false, this->Time }, { names::RGB, false, this->Color },
+    { names::WaveformIds, true, this->WaveformIds } };
+  for (const auto& field : fields)
+  {
+    std::string problem = this->TakeColumn(echoes, field.Name, field.IsInteger, field.Values);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+
+std::string LasBlock::AddExtra(vtkDataArray* array)
+{
+  const std::string name = array->GetName();
+  const int components = array->GetNumberOfComponents();
+  const int type = GetExtraType(array);
+  if (array->GetNumberOfTuples() != this->NumberOfPoints || type == 0 ||
+    (components != 1 && components != 3) || name.size() + (components == 3 ? 1 : 0) > LongestName)
+  {
+    return "the array " + name +
+      " of a block cannot be Extra Bytes, which have 1 or 3 numbers a point and at most 32 "
+      "characters a name; change it, or switch WriteExtraBytes off";
+  }
+  if (!array->HasStandardMemoryLayout())
+  {
+    const auto copy =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
+    copy->DeepCopy(array);
+    this->Copies.push_back(copy);
+    array = copy;
+  }
+  const int size = array->GetDataTypeSize();
+  const auto* values = static_cast<const char*>(array->GetVoidPointer(0));
+  for (int k = 0; k < components; ++k)
+  {
+    LasExtra extra;
+    extra.Name = components == 3 ? name + "XYZ"[k] : name;
+    extra.Description = Describe(name);
+    extra.Type = type;
+    extra.Size = size;
+    this->Extras.push_back(extra);
+    this->ExtraValues.push_back({ values + k * size, components * size, size, this->Length });
+    this->Length += size;
+  }
+  return {};
+}
+
+std::string LasBlock::TakeExtras(vtkPolyData* echoes)
+{
+  vtkPointData* data = echoes->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const char* name = data->GetArrayName(i);
+    if (!array || !name || !*name)
+    {
+      return std::string("the array ") + (name ? name : "without a name") +
+        " of a block is not one of numbers with a name";
+    }
+    std::string problem = IsField(name) ? std::string() : this->AddExtra(array);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  const int limit = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<int>(this->Extras.size()) * 192 > limit || this->Length > limit
+    ? "a block has more arrays than Extra Bytes can hold, 341 numbers; switch WriteExtraBytes off"
+    : std::string();
+}
+
+std::string LasBlock::Take(vtkPolyData* echoes, bool hasExtras)
+{
+  this->NumberOfPoints = echoes->GetNumberOfPoints();
+  this->Points = Column(echoes->GetPoints()->GetData());
+  std::string problem = this->TakeFields(echoes);
+  if (this->Color.HasIntegers() && this->Color.IsSet())
+  {
+    this->FullColor = echoes->GetPointData()->GetArray(names::RGB)->GetDataTypeMax();
+  }
+  const LasPointForm form = GetLasPointForm(this->GetFormat());
+  this->Length = form.Length;
+  this->WavePlace = form.Wave;
+  return problem.empty() && hasExtras ? this->TakeExtras(echoes) : problem;
+}
+
+void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const
+{
+  double size = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (vtkIdType i = 0; i < this->NumberOfPoints; ++i)
+    {
+      const double value = this->Points.GetNumber(i, axis);
+      least = std::isfinite(value) ? std::min(least, value) : least;
+      most = std::isfinite(value) ? std::max(most, value) : most;
+    }
+    const bool isKnown = least <= most;
+    scaling.Offset[axis] = isKnown ? std::round(0.5 * least + 0.5 * most) + 0.0 : 0.0;
+    size = isKnown ? std::max(size, most - least) : size;
+  }
+  if (scale == 0.0)
+  {
+    // room for eight times the first block about its middle
+    int power = -6;
+    while (8.0 * size > LargestNumber * std::pow(10.0, power))
+    {
+      ++power;
+    }
+    scale = power < 0 ? 1.0 / std::pow(10.0, -power) : std::pow(10.0, power);
+  }
+  scaling.Scale.fill(scale);
+}
+
+std::uint16_t LasBlock::GetIntensity(const LasScaling& scaling, vtkIdType row) const
+{
+  double value = 0.0;
+  if (this->Intensity.IsSet())
+  {
+    value = static_cast<double>(this->Intensity.GetInteger(row));
+  }
+  else if (this->Amplitude.IsSet())
+  {
+    const double amplitude = this->Amplitude.GetNumber(row);
+    value = scaling.FullIntensity > 0.0
+      ? 65535.0 * amplitude / scaling.FullIntensity
+      : (amplitude > 0.0 ? IntensityPerDecade * std::log10(amplitude / SmallestAmplitude) : 0.0);
+  }
+  return static_cast<std::uint16_t>(
+    std::isnan(value) ? 0 : std::lrint(std::clamp(value, 0.0, 65535.0)));
+}
+
+void LasBlock::EncodeColor(vtkIdType row, char* record) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    PutLas(record + 30 + 2 * k, GetColor(this->Color.GetNumber(row, k) / this->FullColor));
+  }
+  if (this->Waves)
+  {
+    PutLas(record + 36, std::uint16_t(0)); // near infrared
+  }
+}
+
+bool LasBlock::EncodeFields(const LasScaling& scaling, vtkIdType row, char* record)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double number = std::nearbyint(
+      (this->Points.GetNumber(row, axis) - scaling.Offset[axis]) / scaling.Scale[axis]);
+    if (!(std::abs(number) <= LargestNumber))
+    {
+      return false;
+    }
+    PutLas(record + 4 * axis, static_cast<std::int32_t>(number));
+  }
+  const double time = this->Time.IsSet() ? this->Time.GetNumber(row) + scaling.TimeShift : 0.0;
+  const vtkTypeInt64 source = GetInteger(this->Leg, row, -1) + 1;
+  if (!std::isfinite(time) || source < 0 || source > 65535)
+  {
+    return false;
+  }
+  const vtkTypeInt64 label = GetInteger(this->Class, row, 1);
+  const bool isLate = GetInteger(this->ReturnNumber, row, 1) > LargestReturn ||
+    GetInteger(this->NumberOfReturns, row, 1) > LargestReturn;
+  const bool isOdd = label < 0 || label > 255;
+  if (isLate)
+  {
+    ++this->LateReturns;
+  }
+  if (isOdd)
+  {
+    ++this->OddClasses;
+  }
+  PutLas(record + 12, this->GetIntensity(scaling, row));
+  record[14] = static_cast<char>(
+    GetReturn(this->ReturnNumber, row) | GetReturn(this->NumberOfReturns, row) << 4);
+  record[15] = static_cast<char>((GetInteger(this->Flags, row, 0) & 15) |
+    (GetInteger(this->Channel, row, 0) & 3) << 4 | (GetInteger(this->Direction, row, 0) & 1) << 6 |
+    (GetInteger(this->Edge, row, 0) & 1) << 7);
+  record[16] = static_cast<char>(isOdd ? 1 : label);
+  record[17] = static_cast<char>(GetInteger(this->UserData, row, 0));
+  PutLas(record + 18, GetAngle(this->ScanAngle.IsSet() ? this->ScanAngle.GetNumber(row) : 0.0));
+  PutLas(record + 20, static_cast<std::uint16_t>(source));
+  PutLas(record + 22, time);
+  return true;
+}
+
+bool LasBlock::Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end, char* records)
+{
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    char* record = records + (row - begin) * this->Length;
+    if (!this->EncodeFields(scaling, row, record))
+    {
+      return false;
+    }
+    if (this->Color.IsSet())
+    {
+      this->EncodeColor(row, record);
+    }
+    if (this->Waves)
+    {
+      const double point[3] = { this->Points.GetNumber(row, 0), this->Points.GetNumber(row, 1),
+        this->Points.GetNumber(row, 2) };
+      this->Waves->EncodePoint(row, point, record + this->WavePlace);
+    }
+  }
+  for (const Extra& extra : this->ExtraValues)
+  {
+    CopyColumn(extra.Values + begin * extra.Size, extra.Size, extra.Number, end - begin,
+      records + extra.Place, this->Length);
+  }
+  return true;
+}
+
+std::string LasBlock::ExplainRow(const LasScaling& scaling, vtkIdType row) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double value = this->Points.GetNumber(row, axis);
+    const double offset = scaling.Offset[axis];
+    const double scale = scaling.Scale[axis];
+    const std::string name(1, "xyz"[axis]);
+    if (!std::isfinite(value))
+    {
+      return "has the coordinate " + name + " = " + Show(value) +
+        ", which is no number; take such points out";
+    }
+    if (std::abs(std::nearbyint((value - offset) / scale)) > LargestNumber)
+    {
+      return "has the coordinate " + name + " = " + Show(value) + ", beyond the " +
+        Show(LargestNumber * scale) + " about " + Show(offset) + " that 32 bits hold with Scale " +
+        Show(scale) + "; set a larger Scale";
+    }
+  }
+  const double time = this->Time.IsSet() ? this->Time.GetNumber(row) + scaling.TimeShift : 0.0;
+  if (!std::isfinite(time))
+  {
+    return std::string("has ") + names::GpsTime + " = " + Show(time) +
+      ", which is no number; take such points out";
+  }
+  const vtkTypeInt64 leg = GetInteger(this->Leg, row, -1);
+  return leg < -1 || leg > 65534 ? std::string("has ") + names::LegIds + " = " +
+      std::to_string(leg) + ", beyond the -1 to 65534 of a point source id; split the cloud"
+                                 : std::string();
+}
+
+std::string LasBlock::Explain(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const
+{
+  for (vtkIdType row = begin; row < end; ++row)
+  {
+    const std::string problem = this->ExplainRow(scaling, row);
+    if (!problem.empty())
+    {
+      return "point " + std::to_string(row) + " of a block " + problem;
+    }
+  }
+  return {};
+}
+
+} // namespace helios

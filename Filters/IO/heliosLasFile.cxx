@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLasFile.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <numeric>
+#include <system_error>
+
+namespace helios
+{
+
+namespace
+{
+
+///@{
+/// GeoTIFF keys of coordinate systems, each with an EPSG code where it is below Undefined.
+constexpr int GeographicKey = 2048;
+constexpr int ProjectedKey = 3072;
+constexpr int VerticalKey = 4096;
+constexpr int UndefinedCode = 32767;
+///@}
+
+/// The number of a key; 0: it has none.
+int GetGeoKey(const std::string& keys, int key)
+{
+  constexpr std::size_t entry = 8;
+  for (std::size_t at = entry; at + entry <= keys.size(); at += entry)
+  {
+    const char* bytes = keys.data() + at;
+    const int code = GetLas<std::uint16_t>(bytes + 6);
+    if (GetLas<std::uint16_t>(bytes) == key && GetLas<std::uint16_t>(bytes + 2) == 0)
+    {
+      return code > 0 && code < UndefinedCode ? code : 0;
+    }
+  }
+  return 0;
+}
+
+std::string GetGeoKeysCrs(const std::string& keys)
+{
+  const int projected = GetGeoKey(keys, ProjectedKey);
+  const int code = projected ? projected : GetGeoKey(keys, GeographicKey);
+  const int vertical = GetGeoKey(keys, VerticalKey);
+  return code == 0
+    ? std::string()
+    : "EPSG:" + std::to_string(code) + (vertical ? "+" + std::to_string(vertical) : std::string());
+}
+
+} // namespace
+
+bool LasFile::ReadBytes(std::uint64_t place, std::uint64_t count, char* bytes)
+{
+  this->File.clear();
+  this->File.seekg(static_cast<std::streamoff>(place));
+  this->File.read(bytes, static_cast<std::streamsize>(count));
+  return this->File.good();
+}
+
+/// Reads the header.
+std::string LasFile::OpenFile()
+{
+  this->Records.clear();
+  this->Extras.clear();
+  this->Header = LasHeader();
+  std::error_code error;
+  if (std::filesystem::is_directory(this->Path, error))
+  {
+    return "is a folder; give the name of a file";
+  }
+  this->File = std::ifstream(this->Path, std::ios::binary);
+  if (!this->File)
+  {
+    return "cannot be read: " + std::generic_category().message(errno);
+  }
+  this->Size = std::filesystem::file_size(this->Path, error);
+  std::string bytes(error ? 0 : std::min<std::uint64_t>(LasHeader::Size14, this->Size), '\0');
+  if (!this->ReadBytes(0, bytes.size(), bytes.data()))
+  {
+    return "cannot be read";
+  }
+  const std::string problem = this->Header.Decode(bytes);
+  return problem.empty() && this->Header.PointsBegin > this->Size
+    ? "has " + std::to_string(this->Size) + " bytes, and its points begin at byte " +
+      std::to_string(this->Header.PointsBegin) + ": it is cut off"
+    : problem;
+}
+
+std::string LasFile::CheckCount() const
+{
+  const std::uint64_t room =
+    (this->Size - this->Header.PointsBegin) / static_cast<std::uint64_t>(this->Header.PointLength);
+  return this->Header.Points.Count > room
+    ? "has " + std::to_string(room) + " whole points of the " +
+      std::to_string(this->Header.Points.Count) + " that its header counts: it is cut off"
+    : std::string();
+}
+
+std::string LasFile::Open(const std::string& path)
+{
+  this->Path = path;
+  std::string problem = this->OpenFile();
+  problem = problem.empty() ? this->CheckCount() : problem;
+  problem = problem.empty() ? this->ReadRecords() : problem;
+  problem = problem.empty() ? this->CheckExtras() : problem;
+  return problem.empty() ? problem : path + ": " + problem;
+}
+
+std::string LasFile::OpenGrowing(const std::string& path)
+{
+  this->Path = path;
+  std::string problem = this->OpenFile();
+  problem = problem.empty() ? this->ReadRecords() : problem;
+  if (problem.empty())
+  {
+    this->Header.Points.Count = (this->Size - this->Header.PointsBegin) /
+      static_cast<std::uint64_t>(this->Header.PointLength);
+  }
+  return problem.empty() ? problem : path + ": " + problem;
+}
+
+std::string LasFile::ReadRecords()
+{
+  std::uint64_t place = this->Header.HeaderSize;
+  std::string problem;
+  for (std::uint32_t i = 0; i < this->Header.NumberOfRecords && problem.empty(); ++i)
+  {
+    problem = this->ReadRecord(place, this->Header.PointsBegin, false);
+  }
+  place = this->Header.ExtendedBegin;
+  for (std::uint32_t i = 0; i < this->Header.NumberOfExtended && problem.empty(); ++i)
+  {
+    problem = this->ReadRecord(place, this->Size, true);
+  }
+  return problem;
+}
+
+/// Of extended records only those that are asked for are kept: others may be large.
+std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended)
+{
+  const std::uint64_t headSize = isExtended ? LasRecord::ExtendedHeadSize : LasRecord::HeadSize;
+  const std::string where = isExtended ? "an extended record" : "a variable length record";
+  char head[LasRecord::ExtendedHeadSize];
+  if (place > end || end - place < headSize || !this->ReadBytes(place, headSize, head))
+  {
+    return "has " + where + " at byte " + std::to_string(place) + " that ends after byte " +
+      std::to_string(end);
+  }
+  place += headSize;
+  const std::uint64_t size =
+    isExtended ? GetLas<std::uint64_t>(head + 20) : GetLas<std::uint16_t>(head + 20);
+  if (size > end - place)
+  {
+    return "has " + where + " of " + std::to_string(size) + " bytes at byte " +
+      std::to_string(place) + ", where there is room for " + std::to_string(end - place);
+  }
+  LasRecord record;
+  record.User = GetLasText({ head + 2, 16 });
+  record.Id = GetLas<std::uint16_t>(head + 18);
+  const bool isKept = !isExtended || record.User == LasProjectionUser ||
+    (record.User == LasSpecUser && record.Id == LasExtraBytesId);
+  if (isKept)
+  {
+    record.Data.resize(size);
+    if (size > 0 && !this->ReadBytes(place, size, record.Data.data()))
+    {
+      return "cannot be read at byte " + std::to_string(place);
+    }
+    this->Records.push_back(std::move(record));
+  }
+  place += size;
+  const LasRecord* extras = isKept ? &this->Records.back() : nullptr;
+  return extras && extras->User == LasSpecUser && extras->Id == LasExtraBytesId
+    ? DecodeLasExtras(extras->Data, this->Extras)
+    : std::string();
+}
+
+std::string LasFile::CheckExtras() const
+{
+  const int room = this->Header.PointLength - GetLasPointForm(this->Header.Format).Length;
+  const std::int64_t needed = std::accumulate(this->Extras.begin(), this->Extras.end(),
+    std::int64_t(0), [](std::int64_t sum, const LasExtra& extra) { return sum + extra.Size; });
+  return needed > room ? "has points with " + std::to_string(room) +
+      " bytes after their format, and names Extra Bytes of " + std::to_string(needed)
+                       : std::string();
+}
+
+std::string LasFile::Read(std::uint64_t first, std::uint64_t count, char* bytes)
+{
+  const auto length = static_cast<std::uint64_t>(this->Header.PointLength);
+  return this->ReadBytes(this->Header.PointsBegin + first * length, count * length, bytes)
+    ? std::string()
+    : this->Path + ": its points " + std::to_string(first) + " to " +
+      std::to_string(first + count - 1) + " cannot be read; has it changed?";
+}
+
+const LasRecord* LasFile::Find(const char* user, int id) const
+{
+  const auto found = std::find_if(this->Records.begin(), this->Records.end(),
+    [user, id](const LasRecord& record) { return record.User == user && record.Id == id; });
+  return found == this->Records.end() ? nullptr : &*found;
+}
+
+std::string LasFile::GetCrs() const
+{
+  const LasRecord* wkt = this->Find(LasProjectionUser, LasWktId);
+  const LasRecord* keys = this->Find(LasProjectionUser, LasGeoKeysId);
+  const std::string text = wkt ? GetLasText(wkt->Data) : std::string();
+  return !text.empty() || !keys ? text : GetGeoKeysCrs(keys->Data);
+}
+
+} // namespace helios

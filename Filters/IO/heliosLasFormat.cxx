@@ -1,0 +1,332 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLasFormat.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
+#error "LAS files are little-endian"
+#endif
+
+namespace helios
+{
+
+namespace
+{
+
+///@{
+/// Where the header has its fields.
+constexpr std::size_t AtEncoding = 6;
+constexpr std::size_t AtVersion = 24;
+constexpr std::size_t AtSystem = 26;
+constexpr std::size_t AtSoftware = 58;
+constexpr std::size_t AtDay = 90;
+constexpr std::size_t AtYear = 92;
+constexpr std::size_t AtHeaderSize = 94;
+constexpr std::size_t AtPointsBegin = 96;
+constexpr std::size_t AtNumberOfRecords = 100;
+constexpr std::size_t AtFormat = 104;
+constexpr std::size_t AtPointLength = 105;
+constexpr std::size_t AtOldCount = 107;
+constexpr std::size_t AtScale = 131;
+constexpr std::size_t AtOffset = 155;
+constexpr std::size_t AtBox = 179;
+constexpr std::size_t AtWavesBegin = 227;
+constexpr std::size_t AtExtendedBegin = 235;
+constexpr std::size_t AtNumberOfExtended = 243;
+constexpr std::size_t AtCount = 247;
+constexpr std::size_t AtByReturn = 255;
+///@}
+
+constexpr std::size_t TextSize = 32;
+constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375 }; // of 1.0 to 1.4
+
+constexpr int CompressedBits = 0xC0; // of the format, where LASzip made the file
+
+///@{
+/// An entry of Extra Bytes.
+constexpr std::size_t ExtraSize = 192;
+constexpr std::size_t AtExtraType = 2;
+constexpr std::size_t AtExtraOptions = 3;
+constexpr std::size_t AtExtraName = 4;
+constexpr std::size_t AtExtraScale = 112;
+constexpr std::size_t AtExtraOffset = 136;
+constexpr std::size_t AtExtraDescription = 160;
+constexpr int ScaleOption = 8;
+constexpr int OffsetOption = 16;
+constexpr int TypeSizes[] = { 1, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8 };
+///@}
+
+void PutText(std::string& bytes, std::size_t at, std::size_t size, const std::string& text)
+{
+  bytes.replace(at, std::min(size, text.size()), text, 0, size);
+}
+
+template <typename T>
+void Put(std::string& bytes, std::size_t at, T value)
+{
+  PutLas(bytes.data() + at, value);
+}
+
+template <typename T>
+T Get(std::string_view bytes, std::size_t at)
+{
+  return GetLas<T>(bytes.data() + at);
+}
+
+std::string Show(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::array<double, 3> GetTriple(std::string_view bytes, std::size_t at)
+{
+  return { Get<double>(bytes, at), Get<double>(bytes, at + 8), Get<double>(bytes, at + 16) };
+}
+
+} // namespace
+
+std::string GetLasText(std::string_view bytes)
+{
+  return std::string(bytes.substr(0, bytes.find('\0')));
+}
+
+LasPointForm GetLasPointForm(int format)
+{
+  static const LasPointForm forms[] = { { 20, false, -1, -1, -1, -1 },
+    { 28, false, 20, -1, -1, -1 }, { 26, false, -1, 20, -1, -1 }, { 34, false, 20, 28, -1, -1 },
+    { 57, false, 20, -1, -1, 28 }, { 63, false, 20, 28, -1, 34 }, { 30, true, 22, -1, -1, -1 },
+    { 36, true, 22, 30, -1, -1 }, { 38, true, 22, 30, 36, -1 }, { 59, true, 22, -1, -1, 30 },
+    { 67, true, 22, 30, 36, 38 } };
+  return format >= 0 && format <= 10 ? forms[format] : LasPointForm();
+}
+
+void LasSummary::Add(const char* records, std::int64_t count, std::int64_t length)
+{
+  for (const char* record = records; record != records + count * length; record += length)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto number = GetLas<std::int32_t>(record + 4 * axis);
+      const bool isFirst = this->Count == 0;
+      this->Minimum[axis] = isFirst ? number : std::min(this->Minimum[axis], number);
+      this->Maximum[axis] = isFirst ? number : std::max(this->Maximum[axis], number);
+    }
+    const int number = record[14] & 15;
+    this->ByReturn[number > 0 ? number - 1 : 0] += number > 0 ? 1 : 0;
+    ++this->Count;
+  }
+}
+
+void LasSummary::Add(const LasSummary& other)
+{
+  for (int axis = 0; axis < 3 && other.Count > 0; ++axis)
+  {
+    const bool isFirst = this->Count == 0;
+    this->Minimum[axis] =
+      isFirst ? other.Minimum[axis] : std::min(this->Minimum[axis], other.Minimum[axis]);
+    this->Maximum[axis] =
+      isFirst ? other.Maximum[axis] : std::max(this->Maximum[axis], other.Maximum[axis]);
+  }
+  this->Count += other.Count;
+  for (std::size_t i = 0; i < this->ByReturn.size(); ++i)
+  {
+    this->ByReturn[i] += other.ByReturn[i];
+  }
+}
+
+std::string LasHeader::Encode() const
+{
+  std::string bytes(Size14, '\0');
+  bytes.replace(0, 4, "LASF");
+  Put(bytes, AtEncoding, static_cast<std::uint16_t>(this->Encoding));
+  bytes[AtVersion] = 1;
+  bytes[AtVersion + 1] = 4;
+  PutText(bytes, AtSystem, TextSize, this->System);
+  PutText(bytes, AtSoftware, TextSize, this->Software);
+  Put(bytes, AtDay, static_cast<std::uint16_t>(this->CreationDay));
+  Put(bytes, AtYear, static_cast<std::uint16_t>(this->CreationYear));
+  Put(bytes, AtHeaderSize, static_cast<std::uint16_t>(Size14));
+  Put(bytes, AtPointsBegin, this->PointsBegin);
+  Put(bytes, AtNumberOfRecords, this->NumberOfRecords);
+  bytes[AtFormat] = static_cast<char>(this->Format);
+  Put(bytes, AtPointLength, static_cast<std::uint16_t>(this->PointLength));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool hasBox = this->Points.Count > 0;
+    const std::int32_t maximum = this->Points.Maximum[axis];
+    const std::int32_t minimum = this->Points.Minimum[axis];
+    Put(bytes, AtScale + 8 * axis, this->Scale[axis]);
+    Put(bytes, AtOffset + 8 * axis, this->Offset[axis]);
+    Put(bytes, AtBox + 16 * axis, hasBox ? this->GetCoordinate(maximum, axis) : 0.0);
+    Put(bytes, AtBox + 16 * axis + 8, hasBox ? this->GetCoordinate(minimum, axis) : 0.0);
+  }
+  Put(bytes, AtCount, this->Points.Count);
+  for (std::size_t i = 0; i < this->Points.ByReturn.size(); ++i)
+  {
+    Put(bytes, AtByReturn + 8 * i, this->Points.ByReturn[i]);
+  }
+  return bytes;
+}
+
+std::string LasHeader::Decode(std::string_view bytes)
+{
+  if (bytes.size() < 4 || bytes.substr(0, 4) != "LASF")
+  {
+    return "is no LAS file: it does not start with LASF";
+  }
+  if (bytes.size() < HeaderSizes[0])
+  {
+    return "ends within its header, after " + std::to_string(bytes.size()) + " bytes";
+  }
+  const int major = static_cast<unsigned char>(bytes[AtVersion]);
+  this->Minor = static_cast<unsigned char>(bytes[AtVersion + 1]);
+  if (major != 1 || this->Minor > 4)
+  {
+    return "is LAS " + std::to_string(major) + "." + std::to_string(this->Minor) +
+      "; versions 1.0 to 1.4 can be read";
+  }
+  this->HeaderSize = Get<std::uint16_t>(bytes, AtHeaderSize);
+  if (this->HeaderSize < HeaderSizes[this->Minor])
+  {
+    return "has a header of " + std::to_string(this->HeaderSize) + " bytes; LAS 1." +
+      std::to_string(this->Minor) + " has " + std::to_string(HeaderSizes[this->Minor]);
+  }
+  if (bytes.size() < HeaderSizes[this->Minor])
+  {
+    return "ends within its header, after " + std::to_string(bytes.size()) + " bytes";
+  }
+  const int format = static_cast<unsigned char>(bytes[AtFormat]);
+  if (format & CompressedBits)
+  {
+    return "is compressed (LAZ); convert it first, with laspy and lazrs: "
+           "laspy.read(\"in.laz\").write(\"out.las\")";
+  }
+  this->Encoding = Get<std::uint16_t>(bytes, AtEncoding);
+  this->System = GetLasText(bytes.substr(AtSystem, TextSize));
+  this->Software = GetLasText(bytes.substr(AtSoftware, TextSize));
+  this->CreationDay = Get<std::uint16_t>(bytes, AtDay);
+  this->CreationYear = Get<std::uint16_t>(bytes, AtYear);
+  this->PointsBegin = Get<std::uint32_t>(bytes, AtPointsBegin);
+  this->NumberOfRecords = Get<std::uint32_t>(bytes, AtNumberOfRecords);
+  this->Format = format;
+  this->PointLength = Get<std::uint16_t>(bytes, AtPointLength);
+  this->Scale = GetTriple(bytes, AtScale);
+  this->Offset = GetTriple(bytes, AtOffset);
+  const std::string problem = this->CheckNumbers();
+  return problem.empty() ? this->DecodeCounts(bytes) : problem;
+}
+
+std::string LasHeader::CheckNumbers() const
+{
+  const LasPointForm form = GetLasPointForm(this->Format);
+  if (!form.IsKnown())
+  {
+    return "has points of format " + std::to_string(this->Format) + "; 0 to 10 can be read";
+  }
+  if (this->PointLength < form.Length)
+  {
+    return "has points of " + std::to_string(this->PointLength) + " bytes; format " +
+      std::to_string(this->Format) + " needs " + std::to_string(form.Length);
+  }
+  if (this->PointsBegin < this->HeaderSize)
+  {
+    return "has points from byte " + std::to_string(this->PointsBegin) + " on, within its header";
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double largest = std::ldexp(std::abs(this->Scale[axis]), 31);
+    if (!std::isfinite(largest + std::abs(this->Offset[axis])) || this->Scale[axis] == 0.0)
+    {
+      return "has a scale of " + Show(this->Scale[axis]) + " and an offset of " +
+        Show(this->Offset[axis]) + ", with which there are no coordinates";
+    }
+  }
+  return {};
+}
+
+std::string LasHeader::DecodeCounts(std::string_view bytes)
+{
+  const auto old = Get<std::uint32_t>(bytes, AtOldCount);
+  this->Points.Count = old;
+  this->WavesBegin = this->Minor < 3 ? 0 : Get<std::uint64_t>(bytes, AtWavesBegin);
+  if (this->Minor < 4)
+  {
+    return {};
+  }
+  this->ExtendedBegin = Get<std::uint64_t>(bytes, AtExtendedBegin);
+  this->NumberOfExtended = Get<std::uint32_t>(bytes, AtNumberOfExtended);
+  this->Points.Count = Get<std::uint64_t>(bytes, AtCount);
+  if (old != 0 && old != this->Points.Count)
+  {
+    return "counts its points twice, to " + std::to_string(this->Points.Count) + " and to " +
+      std::to_string(old);
+  }
+  return {};
+}
+
+std::string LasRecord::Encode() const
+{
+  std::string bytes(HeadSize, '\0');
+  PutText(bytes, 2, 16, this->User);
+  Put(bytes, 18, static_cast<std::uint16_t>(this->Id));
+  Put(bytes, 20, static_cast<std::uint16_t>(this->Data.size()));
+  PutText(bytes, 22, TextSize, this->Description);
+  return bytes + this->Data;
+}
+
+std::string EncodeLasExtras(const std::vector<LasExtra>& extras)
+{
+  std::string data;
+  for (const LasExtra& extra : extras)
+  {
+    std::string entry(ExtraSize, '\0');
+    entry[AtExtraType] = static_cast<char>(extra.Type);
+    PutText(entry, AtExtraName, TextSize, extra.Name);
+    PutText(entry, AtExtraDescription, TextSize, extra.Description);
+    data += entry;
+  }
+  return data;
+}
+
+std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras)
+{
+  if (data.size() % ExtraSize != 0)
+  {
+    return "has an Extra Bytes record of " + std::to_string(data.size()) +
+      " bytes, which are no multiple of " + std::to_string(ExtraSize);
+  }
+  for (; !data.empty(); data.remove_prefix(ExtraSize))
+  {
+    LasExtra extra;
+    const int type = static_cast<unsigned char>(data[AtExtraType]);
+    const int options = static_cast<unsigned char>(data[AtExtraOptions]);
+    extra.Name = GetLasText(data.substr(AtExtraName, TextSize));
+    if (type > 30)
+    {
+      return "has Extra Bytes \"" + extra.Name + "\" of type " + std::to_string(type) +
+        "; types 0 to 30 can be read";
+    }
+    extra.Description = GetLasText(data.substr(AtExtraDescription, TextSize));
+    extra.Type = type == 0 ? 0 : (type - 1) % 10 + 1;
+    extra.Components = type == 0 ? options : (type - 1) / 10 + 1;
+    extra.Size = extra.Components * TypeSizes[extra.Type];
+    extra.IsScaled = type != 0 && (options & (ScaleOption | OffsetOption)) != 0;
+    if (options & ScaleOption)
+    {
+      extra.Scale = GetTriple(data, AtExtraScale);
+    }
+    if (options & OffsetOption)
+    {
+      extra.Offset = GetTriple(data, AtExtraOffset);
+    }
+    extras.push_back(extra);
+  }
+  return {};
+}
+
+} // namespace helios

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a LAS file is made of: its header, its records, the forms of its points. After the LAS
+// specification 1.4 of the ASPRS, revision 15.
+
+#ifndef heliosLasFormat_h
+#define heliosLasFormat_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace helios
+{
+
+///@{
+/// A number in bytes; LAS is little-endian, and so are the machines that this is built for.
+template <typename T>
+void PutLas(char* bytes, T value)
+{
+  std::memcpy(bytes, &value, sizeof(T));
+}
+template <typename T>
+T GetLas(const char* bytes)
+{
+  T value;
+  std::memcpy(&value, bytes, sizeof(T));
+  return value;
+}
+///@}
+
+/// Where the fields of a point are [bytes]; -1: it has none.
+struct LasPointForm
+{
+  int Length = 0;
+  bool IsLong = false; // formats 6 to 10
+  int Time = -1;
+  int Color = -1;
+  int Infrared = -1;
+  int Wave = -1;
+
+  bool IsKnown() const { return this->Length > 0; }
+};
+
+/// The form of a point data record format; not known: above 10.
+VTKHELIOSFILTERSIO_EXPORT LasPointForm GetLasPointForm(int format);
+
+/// What all points of a file come to.
+struct VTKHELIOSFILTERSIO_EXPORT LasSummary
+{
+  std::uint64_t Count = 0;
+  std::array<std::uint64_t, 15> ByReturn{};
+  std::array<std::int32_t, 3> Minimum{};
+  std::array<std::int32_t, 3> Maximum{};
+
+  /// Adds points of a long form.
+  void Add(const char* records, std::int64_t count, std::int64_t length);
+  void Add(const LasSummary& other);
+};
+
+struct VTKHELIOSFILTERSIO_EXPORT LasHeader
+{
+  static constexpr int Size14 = 375;
+
+  ///@{
+  /// Bits of Encoding.
+  static constexpr int StandardTime = 1; ///< GPS time less 1e9 s
+  static constexpr int ExternalWaves = 4;
+  static constexpr int HasWkt = 16;
+  ///@}
+
+  int Minor = 4;
+  int Encoding = 0;
+  std::string System;
+  std::string Software;
+  int CreationDay = 0;
+  int CreationYear = 0;
+  std::uint32_t HeaderSize = Size14;
+  std::uint32_t PointsBegin = 0;
+  std::uint32_t NumberOfRecords = 0;
+  int Format = 6;
+  int PointLength = 30;
+  std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
+  std::array<double, 3> Offset{};
+  std::uint64_t WavesBegin = 0; ///< of the record of packets in the file itself
+  std::uint64_t ExtendedBegin = 0;
+  std::uint32_t NumberOfExtended = 0;
+  LasSummary Points; ///< read: the count alone
+
+  /// A header of LAS 1.4, the counts of older versions 0.
+  std::string Encode() const;
+
+  /// Reads the first bytes of a file (Size14, or all), or says what is wrong with them.
+  std::string Decode(std::string_view bytes);
+
+  double GetCoordinate(std::int32_t number, int axis) const
+  {
+    return static_cast<double>(number) * this->Scale[axis] + this->Offset[axis];
+  }
+
+private:
+  std::string DecodeCounts(std::string_view bytes);
+  std::string CheckNumbers() const;
+};
+
+/// A variable length record.
+struct VTKHELIOSFILTERSIO_EXPORT LasRecord
+{
+  static constexpr int HeadSize = 54;
+  static constexpr int ExtendedHeadSize = 60;
+
+  std::string User;
+  int Id = 0;
+  std::string Description;
+  std::string Data;
+
+  std::string Encode() const;
+};
+
+/// A field of the Extra Bytes after a point, of one number.
+struct LasExtra
+{
+  std::string Name;
+  std::string Description;
+  int Type = 0; ///< 1 to 10: u8 i8 u16 i16 u32 i32 u64 i64 f32 f64; 0: bytes without a meaning
+  int Size = 0; ///< [bytes]
+  int Components = 1;
+  bool IsScaled = false;
+  std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
+  std::array<double, 3> Offset{};
+};
+
+///@{
+/// Extra Bytes as the data of their record, and back: what is wrong, or an empty text.
+VTKHELIOSFILTERSIO_EXPORT std::string EncodeLasExtras(const std::vector<LasExtra>& extras);
+VTKHELIOSFILTERSIO_EXPORT std::string DecodeLasExtras(
+  std::string_view data, std::vector<LasExtra>& extras);
+///@}
+
+///@{
+/// Who says what a record is, and which it is.
+inline constexpr const char* LasSpecUser = "LASF_Spec";
+inline constexpr int LasExtraBytesId = 4;
+inline constexpr const char* LasProjectionUser = "LASF_Projection";
+inline constexpr int LasWktId = 2112;
+inline constexpr int LasGeoKeysId = 34735;
+///@}
+
+/// The text in bytes, up to the first that is 0.
+VTKHELIOSFILTERSIO_EXPORT std::string GetLasText(std::string_view bytes);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The waveforms that the points of a LAS file name, as a table.
+
+#ifndef heliosLasPackets_h
+#define heliosLasPackets_h
+
+#include "heliosLasFile.h"
+
+#include <vtkType.h>
+
+#include <fstream>
+#include <map>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+class vtkPolyData;
+class vtkTable;
+
+namespace helios
+{
+
+class LasPackets
+{
+public:
+  /// Opens the packets of a file whose points have them, or says what is wrong.
+  std::string Open(const LasFile& file);
+
+  /// Notes the packets of points from their bytes; first is the row of the first one.
+  void Take(const char* records, vtkIdType first, vtkIdType count);
+
+  /// Reads what was noted into a table; cloud has the points. Says what is wrong, or returns an
+  /// empty text.
+  std::string Read(vtkPolyData* cloud, vtkTable* table);
+
+private:
+  struct Descriptor
+  {
+    int Bits = 0;
+    std::uint32_t Count = 0;
+    std::uint32_t Spacing = 0; // [ps]
+    double Gain = 1.0;
+    double Offset = 0.0;
+  };
+
+  /// The first point of a packet.
+  struct Packet
+  {
+    vtkIdType Row = 0;
+    int Index = 0;
+    std::uint64_t Place = 0;
+    std::uint32_t Size = 0;
+    float Location = 0.0F;       // [ps]
+    float Step[3] = { 0, 0, 0 }; // [m/ps]
+  };
+
+  std::string TakeDescriptor(const LasRecord& record);
+  std::string CheckPacket(const Packet& packet) const;
+  std::string ReadSamples(const Packet& packet, std::vector<float>& samples);
+
+  std::string Path;
+  std::ifstream File;
+  std::uint64_t Begin = 0; // of packets in the file
+  std::uint64_t End = 0;
+  LasPointForm Form;
+  int PointLength = 0;
+  std::map<int, Descriptor> Descriptors;
+  std::unordered_set<std::uint64_t> Places;
+  std::vector<Packet> Packets;
+  std::vector<char> Bytes;
+};
+
+} // namespace helios
+
+#endif

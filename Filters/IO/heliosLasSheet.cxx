@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLasSheet.h"
+
+#include "heliosLasFile.h"
+#include "heliosLasWaves.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr std::uint64_t PointsPerRound = 1 << 14;
+
+/// Where the packet of a point ends in their file; 0: it has none.
+std::uint64_t GetPacketEnd(const char* wave)
+{
+  return wave[0] ? GetLas<std::uint64_t>(wave + 1) + GetLas<std::uint32_t>(wave + 9) : 0;
+}
+
+/// The counts of all points of a file, and where the last of their packets ends.
+std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packetsEnd)
+{
+  const LasHeader& header = file.GetHeader();
+  const auto length = static_cast<std::uint64_t>(header.PointLength);
+  const int wave = GetLasPointForm(header.Format).Wave;
+  std::vector<char> bytes;
+  for (std::uint64_t first = 0; first < header.Points.Count;)
+  {
+    const auto count = std::min(PointsPerRound, header.Points.Count - first);
+    bytes.resize(count * length);
+    std::string problem = file.Read(first, count, bytes.data());
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    summary.Add(bytes.data(), static_cast<std::int64_t>(count), header.PointLength);
+    for (std::uint64_t i = 0; wave >= 0 && i < count; ++i)
+    {
+      packetsEnd = std::max(packetsEnd, GetPacketEnd(bytes.data() + i * length + wave));
+    }
+    first += count;
+  }
+  return {};
+}
+
+} // namespace
+
+std::string LasSheet::EncodeRecords(std::uint32_t& count) const
+{
+  const LasRecord wkt{ LasProjectionUser, LasWktId, "OGC coordinate system WKT", this->Wkt + '\0' };
+  const LasRecord extras{ LasSpecUser, LasExtraBytesId, "Extra Bytes", this->Arrays };
+  count = (this->Wkt.empty() ? 0 : 1) + (this->Arrays.empty() ? 0 : 1) +
+    (this->HasWaves ? LasWaves::NumberOfForms : 0);
+  return (this->Wkt.empty() ? std::string() : wkt.Encode()) +
+    (this->Arrays.empty() ? std::string() : extras.Encode()) +
+    (this->HasWaves ? LasWaves::EncodeDescriptors(this->Spacing) : std::string());
+}
+
+std::string LasSheet::ListArrays() const
+{
+  std::vector<LasExtra> extras;
+  DecodeLasExtras(this->Arrays, extras);
+  std::string text;
+  for (const LasExtra& extra : extras)
+  {
+    text += (text.empty() ? "" : ", ") + extra.Name + " (type " + std::to_string(extra.Type) + ")";
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string LasSheet::Read(
+  const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd)
+{
+  LasFile file;
+  LasSummary summary;
+  std::string problem = file.OpenGrowing(path);
+  problem = problem.empty() ? Summarize(file, summary, packetsEnd) : problem;
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  this->Header = file.GetHeader();
+  this->HasWaves = (this->Header.Encoding & LasHeader::ExternalWaves) != 0;
+  if (summary.Count != static_cast<std::uint64_t>(records))
+  {
+    return path + " has " + std::to_string(summary.Count) + " points and not " +
+      std::to_string(records) + ", and cannot be gone on with";
+  }
+  if (this->HasWaves != hasWaves)
+  {
+    return path + " has " + (hasWaves ? "no " : "") + "waveforms; switch WriteWaveforms " +
+      (hasWaves ? "off" : "on") + ", as it was";
+  }
+  const LasRecord* extras = file.Find(LasSpecUser, LasExtraBytesId);
+  const LasRecord* descriptor = file.Find(LasSpecUser, LasWaves::FirstDescriptorId);
+  this->Header.Points = summary;
+  this->Arrays = extras ? extras->Data : std::string();
+  this->Wkt = file.GetCrs();
+  this->Spacing = descriptor && descriptor->Data.size() >= 10
+    ? GetLas<std::uint32_t>(descriptor->Data.data() + 6)
+    : 0;
+  this->Scaling.Scale = this->Header.Scale;
+  this->Scaling.Offset = this->Header.Offset;
+  this->HasTime = false;
+  return {};
+}
+
+} // namespace helios

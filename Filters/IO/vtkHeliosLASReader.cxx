@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosLASReader.h"
+
+#include "heliosLasArrays.h"
+#include "heliosLasFile.h"
+#include "heliosLasPackets.h"
+#include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosLASReader);
+
+namespace
+{
+
+constexpr std::uint64_t PointsPerRound = 1 << 14;
+constexpr double StandardTimeOffset = 1e9; // [s]
+
+/// The first point of piece i of n, without the overflow of count * i.
+std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
+{
+  return count / n * i + count % n * i / n;
+}
+
+/// What the file says of all its points.
+void SetFields(const helios::LasFile& file, vtkPolyData* output)
+{
+  helios::SetCRS(output, file.GetCrs());
+  if (file.GetHeader().Encoding & helios::LasHeader::StandardTime)
+  {
+    vtkNew<vtkDoubleArray> epoch;
+    epoch->SetName(vtkHeliosArrayNames::GpsEpoch);
+    epoch->InsertNextValue(StandardTimeOffset);
+    output->GetFieldData()->AddArray(epoch);
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHeliosLASReader::vtkHeliosLASReader()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosLASReader::~vtkHeliosLASReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosLASReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n"
+     << indent << "ReadWaveforms: " << this->ReadWaveforms << "\n";
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosLASReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosLASReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    outputVector->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// Points begin to end; what went wrong, or an empty text.
+std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
+  std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
+{
+  const helios::LasHeader& header = file.GetHeader();
+  const bool hasWaves = this->ReadWaveforms && helios::GetLasPointForm(header.Format).Wave >= 0;
+  helios::LasPackets packets;
+  std::string problem = hasWaves ? packets.Open(file) : std::string();
+  helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
+  std::vector<char> bytes(
+    std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));
+  for (std::uint64_t first = begin; first < end && problem.empty();)
+  {
+    const std::uint64_t count = std::min(PointsPerRound, end - first);
+    const auto row = static_cast<vtkIdType>(first - begin);
+    problem = file.Read(first, count, bytes.data());
+    arrays.Decode(bytes.data(), row, static_cast<vtkIdType>(count));
+    if (hasWaves)
+    {
+      packets.Take(bytes.data(), row, static_cast<vtkIdType>(count));
+    }
+    first += count;
+    this->UpdateProgress(static_cast<double>(first - begin) / static_cast<double>(end - begin));
+    if (this->AbortExecute)
+    {
+      return file.GetPath() + ": reading was aborted at point " + std::to_string(first) +
+        "; update again to read it";
+    }
+  }
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  arrays.MoveTo(output);
+  SetFields(file, output);
+  problem = hasWaves ? packets.Read(output, waveforms) : std::string();
+  if (!problem.empty())
+  {
+    output->Initialize();
+    waveforms->Initialize();
+    return file.GetPath() + ": " + problem;
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosLASReader::RequestData(
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro(<< "FileName is not set; give the LAS file with SetFileName");
+    return 0;
+  }
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
+  vtkInformation* outInfo = outputVector->GetInformationObject(port);
+  const bool isPiece = outInfo->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) != 0;
+  const int count = isPiece ? std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())) : 1;
+  const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
+  if (piece < 0 || piece >= count)
+  {
+    return 1; // nothing of the file
+  }
+  helios::LasFile file;
+  std::string problem;
+  try
+  {
+    problem = file.Open(this->FileName);
+    const auto points = file.GetHeader().Points.Count;
+    const auto n = static_cast<std::uint64_t>(count);
+    const auto i = static_cast<std::uint64_t>(piece);
+    problem = problem.empty()
+      ? this->ReadPoints(file, GetPieceBegin(points, i, n), GetPieceBegin(points, i + 1, n),
+          vtkPolyData::GetData(outputVector), vtkTable::GetData(outputVector, 1))
+      : problem;
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem =
+      std::string(this->FileName) + ": not enough memory for its points; ask for it in pieces";
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return 0;
+  }
+  return 1;
+}

@@ -1,0 +1,469 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosLASWriter.h"
+
+#include "heliosCoordinateSystem.h"
+#include "heliosLasBlock.h"
+#include "heliosLasEncoder.h"
+#include "heliosLasSheet.h"
+#include "heliosLasWaves.h"
+#include "heliosPartFile.h"
+#include "heliosSceneCrs.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosVersion.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosLASWriter);
+
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr double StandardTimeOffset = 1e9; // [s]
+constexpr std::size_t LongestRecord = 65535;
+
+/// The time that GpsTime counts from; 0: it is not known. False: the array is no number.
+bool TakeEpoch(vtkPolyData* echoes, double& epoch)
+{
+  vtkAbstractArray* any = echoes->GetFieldData()->GetAbstractArray(names::GpsEpoch);
+  auto* array = vtkDataArray::SafeDownCast(any);
+  if (any && (!array || array->GetNumberOfValues() != 1 || !std::isfinite(array->GetTuple1(0))))
+  {
+    return false;
+  }
+  epoch = array ? array->GetTuple1(0) : 0.0;
+  return true;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkHeliosLASWriter::vtkHeliosLASWriter() = default;
+
+//------------------------------------------------------------------------------
+vtkHeliosLASWriter::~vtkHeliosLASWriter()
+{
+  if (this->IsOpen())
+  {
+    this->Abandon();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosLASWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scale: " << this->Scale << "\n"
+     << indent << "FullIntensity: " << this->FullIntensity << " W\n"
+     << indent << "WriteExtraBytes: " << this->WriteExtraBytes << "\n"
+     << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
+     << indent << "CreationDay: " << this->CreationDay << "\n"
+     << indent << "CreationYear: " << this->CreationYear << "\n"
+     << indent << "SystemIdentifier: " << this->SystemIdentifier << "\n";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeliosLASWriter::GetBlockSource() const
+{
+  return "the echoes of vtkHeliosScanner (output port 0)";
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
+{
+  this->Waveforms = waveforms;
+}
+
+//------------------------------------------------------------------------------
+/// What Open() and Reopen() begin with.
+void vtkHeliosLASWriter::Start()
+{
+  this->Sheet.reset();
+  this->HasWarnedReturns = this->HasWarnedClasses = false;
+  this->Packets = this->WriteWaveforms ? std::make_unique<helios::PartFile>() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosLASWriter::GetPacketsName() const
+{
+  return std::filesystem::path(this->GetOpenName()).replace_extension(".wdp").string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::Open()
+{
+  if (!this->Superclass::Open())
+  {
+    return false;
+  }
+  this->Start();
+  if (!this->Packets)
+  {
+    return true;
+  }
+  const std::string head = helios::LasWaves::EncodeFileHead(helios::LasRecord::ExtendedHeadSize);
+  const std::string path = this->GetPacketsName();
+  if (!(this->CountOnly ? this->Packets->OpenNowhere(path) : this->Packets->Open(path)) ||
+    !this->Packets->Append(head.data(), head.size()))
+  {
+    this->FailFile(this->Packets->GetProblem());
+    this->Superclass::Abandon();
+    return false;
+  }
+  this->NumberOfBytes += static_cast<vtkIdType>(head.size());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::Reopen(
+  vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes)
+{
+  if (!this->Superclass::Reopen(fileSize, numberOfRecords, numberOfBytes))
+  {
+    return false;
+  }
+  this->Start();
+  std::uint64_t packetsEnd = helios::LasRecord::ExtendedHeadSize;
+  std::string problem;
+  if (fileSize > 0)
+  {
+    this->Sheet = std::make_unique<helios::LasSheet>();
+    problem = this->Sheet->Read(
+      this->GetOpenName() + ".part", numberOfRecords, this->Packets != nullptr, packetsEnd);
+  }
+  if (problem.empty() && this->Packets &&
+    (!this->Packets->Reopen(this->GetPacketsName(), packetsEnd) || !this->WritePacketsHead()))
+  {
+    problem = this->Packets->GetProblem();
+  }
+  if (!problem.empty())
+  {
+    this->FailFile(problem);
+    this->Superclass::Abandon();
+    return false;
+  }
+  return !this->Sheet || this->OverwriteBytes(0, this->Sheet->Header.Encode());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::RefusePoints(const std::string& problem)
+{
+  vtkErrorMacro(<< this->GetOpenName() << ": " << problem);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// What the block says of the file.
+bool vtkHeliosLASWriter::MakeSheet(
+  vtkPolyData* echoes, const helios::LasBlock& block, helios::LasSheet& sheet)
+{
+  sheet.Crs = helios::GetCRS(echoes);
+  const bool isKnown = this->Sheet && this->Sheet->Crs == sheet.Crs;
+  helios::CoordinateSystem system;
+  const std::string problem = sheet.Crs.empty() || isKnown ? std::string() : system.Set(sheet.Crs);
+  if (!problem.empty())
+  {
+    return this->RefusePoints("the field array CRS of a block: " + problem);
+  }
+  sheet.Wkt = isKnown ? this->Sheet->Wkt : (system.IsSet() ? system.GetWkt() : std::string());
+  if (sheet.Wkt.size() >= LongestRecord)
+  {
+    return this->RefusePoints("the CRS of a block is longer than the 65534 characters of a record");
+  }
+  double epoch = 0.0;
+  if (!TakeEpoch(echoes, epoch))
+  {
+    return this->RefusePoints("the field array GpsEpoch of a block is not one number; give seconds "
+                              "of GPS time since 6 January 1980");
+  }
+  sheet.Scaling.TimeShift = epoch != 0.0 ? epoch - StandardTimeOffset : 0.0;
+  sheet.Arrays = helios::EncodeLasExtras(block.GetExtras());
+  sheet.Header.Encoding = helios::LasHeader::HasWkt |
+    (epoch != 0.0 ? helios::LasHeader::StandardTime : 0) |
+    (this->Packets ? helios::LasHeader::ExternalWaves : 0);
+  sheet.HasWaves = this->Packets != nullptr;
+  sheet.Header.Format = block.GetFormat();
+  sheet.Header.PointLength = block.GetPointLength();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The header and the records of the first block.
+bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* echoes)
+{
+  auto sheet = std::make_unique<helios::LasSheet>();
+  if (!this->MakeSheet(echoes, block, *sheet))
+  {
+    return false;
+  }
+  if (sheet->Wkt.empty() && !sheet->Crs.empty())
+  {
+    vtkWarningMacro(<< this->GetOpenName() << ": the CRS " << sheet->Crs
+                    << " cannot be said in WKT: the file has none");
+  }
+  sheet->Scaling.FullIntensity = this->FullIntensity;
+  block.ChooseScaling(sheet->Scaling, this->Scale);
+  sheet->Header.Scale = sheet->Scaling.Scale;
+  sheet->Header.Offset = sheet->Scaling.Offset;
+  this->Sheet = std::move(sheet);
+  return this->WriteHead();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WriteHead()
+{
+  helios::LasHeader& header = this->Sheet->Header;
+  header.System = this->SystemIdentifier;
+  header.Software = std::string("vtkHelios ") + vtkHeliosVersion::GetVersion();
+  header.CreationDay = this->CreationDay;
+  header.CreationYear = this->CreationYear;
+  const std::string records = this->Sheet->EncodeRecords(header.NumberOfRecords);
+  header.PointsBegin = static_cast<std::uint32_t>(helios::LasHeader::Size14 + records.size());
+  return this->WriteText(header.Encode() + records);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* echoes)
+{
+  helios::LasSheet next;
+  helios::LasSheet& sheet = *this->Sheet;
+  if (!this->MakeSheet(echoes, block, next))
+  {
+    return false;
+  }
+  if (next.Arrays != sheet.Arrays || next.Header.PointLength != sheet.Header.PointLength)
+  {
+    return this->RefusePoints("a block has other arrays than those before, which had the Extra "
+                              "Bytes " +
+      sheet.ListArrays() + " and points of " + std::to_string(sheet.Header.PointLength) +
+      " bytes, and not " + next.ListArrays() + " and " + std::to_string(next.Header.PointLength) +
+      " bytes; write it to another file");
+  }
+  if (next.Wkt != sheet.Wkt)
+  {
+    return this->RefusePoints("a block has the CRS \"" + next.Crs +
+      "\", another one than those before; write it to another file");
+  }
+  if (next.Header.Encoding != sheet.Header.Encoding ||
+    (sheet.HasTime && next.Scaling.TimeShift != sheet.Scaling.TimeShift))
+  {
+    return this->RefusePoints(
+      "a block has another GpsEpoch than those before; write it to another file");
+  }
+  if (!sheet.HasTime)
+  {
+    sheet.Scaling.TimeShift = next.Scaling.TimeShift;
+    sheet.Scaling.FullIntensity = this->FullIntensity;
+    sheet.HasTime = true;
+    sheet.Crs = next.Crs;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
+{
+  const vtkIdType start = this->GetFileSize();
+  helios::LasEncoder encoder(block, this->Sheet->Scaling, count);
+  std::vector<char> bytes;
+  while (encoder.HasPoints())
+  {
+    if (!encoder.NextRound(bytes))
+    {
+      this->TakeBack(start);
+      return this->RefusePoints(block.Explain(this->Sheet->Scaling, encoder.GetNext(), count));
+    }
+    if (!this->WriteBytes(bytes.data(), bytes.size(), start))
+    {
+      return false;
+    }
+  }
+  this->Sheet->Header.Points.Add(encoder.GetSummary());
+  return this->OverwriteBytes(0, this->Sheet->Header.Encode());
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosLASWriter::Warn(const helios::LasBlock& block)
+{
+  if (block.GetNumberOfLateReturns() > 0 && !this->HasWarnedReturns)
+  {
+    this->HasWarnedReturns = true;
+    vtkWarningMacro(<< this->GetOpenName() << ": " << block.GetNumberOfLateReturns()
+                    << " points of a block have a ReturnNumber or NumberOfReturns above 15, which "
+                    << "is written as 15; further ones are not reported");
+  }
+  if (block.GetNumberOfOddClasses() > 0 && !this->HasWarnedClasses)
+  {
+    this->HasWarnedClasses = true;
+    vtkWarningMacro(<< this->GetOpenName() << ": " << block.GetNumberOfOddClasses()
+                    << " points of a block have ClassificationIds beyond 0 to 255, written as 1 "
+                    << "(unclassified); further ones are not reported");
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Takes the arrays of a block and the waveforms that belong to it.
+bool vtkHeliosLASWriter::TakeBlock(
+  vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves)
+{
+  std::string problem = this->Packets ? waves.Take(this->Waveforms) : std::string();
+  points.SetWaves(this->Packets ? &waves : nullptr);
+  problem = problem.empty() ? points.Take(echoes, this->WriteExtraBytes) : problem;
+  if (problem.empty() && this->Packets)
+  {
+    problem = points.GetWaveformIds().IsSet()
+      ? waves.MakePackets(
+          points.GetWaveformIds(), echoes->GetNumberOfPoints(), this->Packets->GetSize())
+      : std::string("a block has no array ") + names::WaveformIds +
+        "; switch WriteWaveforms off, or let the scanner generate them";
+  }
+  return problem.empty() || this->RefusePoints(problem);
+}
+
+//------------------------------------------------------------------------------
+/// Brings the time between samples to the descriptors, once it is known.
+bool vtkHeliosLASWriter::CheckSpacing(const helios::LasWaves& waves)
+{
+  const std::uint32_t spacing = waves.GetSpacing();
+  if (spacing == 0 || spacing == this->Sheet->Spacing)
+  {
+    return true;
+  }
+  if (this->Sheet->Spacing != 0)
+  {
+    return this->RefusePoints("the waveforms of a block have a BinSize of " +
+      std::to_string(spacing) + " ps, and those before " + std::to_string(this->Sheet->Spacing) +
+      " ps; write them to another file");
+  }
+  this->Sheet->Spacing = spacing;
+  std::uint32_t count = 0;
+  return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count));
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WritePacketsHead()
+{
+  const std::string head = helios::LasWaves::EncodeFileHead(this->Packets->GetSize());
+  return this->Packets->Overwrite(0, head.data(), head.size());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::WritePackets(const helios::LasWaves& waves)
+{
+  const std::vector<char>& bytes = waves.GetPackets();
+  return !this->Packets ||
+    (this->Packets->Append(bytes.data(), bytes.size()) && this->WritePacketsHead()) ||
+    this->FailBlock(this->Packets->GetProblem(), this->GetFileSize());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::Write(vtkDataObject* block)
+{
+  vtkPolyData* echoes = this->CheckOpen() ? this->GetPoints(block) : nullptr;
+  if (!echoes)
+  {
+    return false;
+  }
+  const vtkIdType count = echoes->GetNumberOfPoints();
+  if (count == 0)
+  {
+    return true;
+  }
+  helios::LasBlock points;
+  helios::LasWaves waves;
+  if (!this->TakeBlock(echoes, points, waves))
+  {
+    return false;
+  }
+  const vtkIdType start = this->GetFileSize();
+  const std::uint64_t packetsStart = this->Packets ? this->Packets->GetSize() : 0;
+  const bool isFirst = !this->Sheet;
+  const bool isKept = isFirst ? this->MakeHead(points, echoes) : this->CheckSame(points, echoes);
+  if (!isKept || !this->CheckSpacing(waves) || !this->WritePackets(waves) ||
+    !this->WritePoints(points, count))
+  {
+    if (this->Packets && this->Packets->Cut(packetsStart))
+    {
+      this->WritePacketsHead();
+    }
+    if (isFirst)
+    {
+      this->Sheet.reset(); // another block may be the first
+      this->TakeBack(0);
+    }
+    return false;
+  }
+  this->NumberOfRecords += count;
+  this->NumberOfBytes += this->GetFileSize() - start +
+    static_cast<vtkIdType>(this->Packets ? this->Packets->GetSize() - packetsStart : 0);
+  this->Warn(points);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosLASWriter::Sync()
+{
+  return !this->Packets || this->Packets->Sync() ? this->Superclass::Sync()
+                                                 : this->Packets->GetProblem();
+}
+
+//------------------------------------------------------------------------------
+/// A file without points, where there was no block.
+bool vtkHeliosLASWriter::WriteEmpty()
+{
+  this->Sheet = std::make_unique<helios::LasSheet>();
+  this->Sheet->Header.Encoding = helios::LasHeader::HasWkt;
+  if (this->Packets)
+  {
+    this->Sheet->HasWaves = true;
+    this->Sheet->Header.Encoding |= helios::LasHeader::ExternalWaves;
+    this->Sheet->Header.Format = 9;
+    this->Sheet->Header.PointLength = helios::GetLasPointForm(9).Length;
+  }
+  const bool isWritten = this->WriteHead();
+  this->NumberOfBytes += this->GetFileSize();
+  return isWritten;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::Close()
+{
+  if (!this->CheckOpen())
+  {
+    this->Abandon();
+    return false;
+  }
+  if (!this->Sheet && !this->WriteEmpty())
+  {
+    this->Abandon();
+    return false;
+  }
+  if (this->Packets && !this->Packets->Close())
+  {
+    this->FailFile(this->Packets->GetProblem());
+    this->Superclass::Abandon();
+    return false;
+  }
+  return this->Superclass::Close();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::Abandon()
+{
+  bool good = !this->IsOpen() || this->Sheet || this->WriteEmpty();
+  if (this->Packets && !this->Packets->Abandon())
+  {
+    good = this->FailFile(this->Packets->GetProblem());
+  }
+  return this->Superclass::Abandon() && good;
+}
