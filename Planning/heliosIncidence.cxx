@@ -66,8 +66,8 @@ double Incidence::GetAngle(int candidate, int point) const
   const Vector d = { v[0] - p[0], v[1] - p[1], v[2] - p[2] };
   const double along = vtkMath::Dot(d.data(), this->Normals[point].data());
   const double length = vtkMath::Norm(d.data());
-  const double angle =
-    vtkMath::DegreesFromRadians(std::acos(std::min(1.0, std::abs(along) / length)));
+  const double cosine = length > 0.0 ? std::min(std::abs(along) / length, 1.0) : 1.0;
+  const double angle = vtkMath::DegreesFromRadians(std::acos(cosine));
   return std::round(angle * 1e9) / 1e9;
 }
 

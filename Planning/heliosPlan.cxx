@@ -349,6 +349,7 @@ PlanResult PlanConnected(
 {
   PlanResult best;
   best.Fault = "no connected network";
+  const double end = GetSeconds() + settings.TimeLimit;
   for (const Choice& part :
     OverlapNetwork(problem, settings.MinimumOverlap).GetAllParts(settings.Stop))
   {
@@ -360,6 +361,7 @@ PlanResult PlanConnected(
       continue;
     }
     PlanSettings partSettings = settings;
+    partSettings.TimeLimit = std::max(0.0, end - GetSeconds());
     partSettings.MeanAngles.clear();
     for (const int a : part)
     {

@@ -44,7 +44,8 @@ struct Place
     NoSurface,
     NotGround,
     TooSteep,
-    Excluded
+    Excluded,
+    Enclosed
   };
   Fates Fate = NoSurface;
   vtkIdType Cell = -1;
@@ -52,6 +53,21 @@ struct Place
   double Slope = 0.0;
   Vec3 Normal{ 0.0, 0.0, 1.0 };
 };
+
+/// Directions spread evenly over the sky: Fibonacci's spiral.
+std::vector<Vec3> GetSky()
+{
+  constexpr int Count = 128;
+  const double golden = M_PI * (3.0 - std::sqrt(5.0));
+  std::vector<Vec3> directions;
+  for (int i = 0; i < Count; ++i)
+  {
+    const double z = (i + 0.5) / Count;
+    const double r = std::sqrt(1.0 - z * z);
+    directions.push_back({ r * std::cos(golden * i), r * std::sin(golden * i), z });
+  }
+  return directions;
+}
 
 } // namespace
 
@@ -80,9 +96,7 @@ public:
       return "Surface asks for ground, and no material of the scene is one (Material.IsGround, "
              "helios_isGround); mark the ground, or take the highest surface";
     }
-    return surface == OPEN_GROUND || this->IsGround.empty()
-      ? this->Scene.Set(scene)
-      : this->Scene.Set(scene, this->IsGround);
+    return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
   }
 
   /// Makes the grid; says in words what is wrong, or returns an empty text.
@@ -135,6 +149,39 @@ public:
     return true;
   }
 
+  /// Leaves out places that are closed all around, unless all are. Says in words what is wrong.
+  std::string LeaveOutEnclosed(vtkPolyData* scene)
+  {
+    if (!this->IsBelowOthers())
+    {
+      return {}; // the way up is free
+    }
+    helios::PlanScene whole;
+    const std::string fault = whole.Set(scene);
+    if (!fault.empty())
+    {
+      return fault;
+    }
+    std::vector<unsigned char> isEnclosed(this->Places.size());
+    const std::vector<Vec3> sky = GetSky();
+    vtkSMPTools::For(0, static_cast<vtkIdType>(this->Places.size()),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          isEnclosed[i] = this->Places[i].Fate == Place::Kept &&
+            !this->SeesSky(whole.GetCaster(), this->GetPosition(i), sky);
+        }
+      });
+    const bool hasOpen =
+      std::count(isEnclosed.begin(), isEnclosed.end(), 1) < this->GetCount(Place::Kept);
+    for (std::size_t i = 0; i < isEnclosed.size() && hasOpen; ++i)
+    {
+      this->Places[i].Fate = isEnclosed[i] ? Place::Enclosed : this->Places[i].Fate;
+    }
+    return {};
+  }
+
   vtkIdType GetCount(int fate) const
   {
     return std::count_if(this->Places.begin(), this->Places.end(),
@@ -157,8 +204,7 @@ public:
       const Place& place = this->Places[static_cast<std::size_t>(i)];
       if (place.Fate == Place::Kept)
       {
-        points->InsertNextPoint(this->X.GetPlace(i % this->X.GetCount()),
-          this->Y.GetPlace(i / this->X.GetCount()), place.Height + this->Self->ScannerHeight);
+        points->InsertNextPoint(this->GetPosition(i).GetData());
         slopes->InsertNextValue(place.Slope);
         cells->InsertNextValue(this->Scene.GetCell(place.Cell));
         normals->InsertNextTuple(place.Normal.GetData());
@@ -173,6 +219,34 @@ public:
   }
 
 private:
+  /// Whether places may have surfaces above.
+  bool IsBelowOthers() const
+  {
+    return !this->IsGround.empty() && this->Self->Surface != OPEN_GROUND;
+  }
+
+  /// Of the instrument.
+  Vec3 GetPosition(vtkIdType place) const
+  {
+    return { this->X.GetPlace(place % this->X.GetCount()),
+      this->Y.GetPlace(place / this->X.GetCount()),
+      this->Places[static_cast<std::size_t>(place)].Height + this->Self->ScannerHeight };
+  }
+
+  static bool SeesSky(
+    const vtkHeliosRayCaster& caster, const Vec3& position, const std::vector<Vec3>& sky)
+  {
+    return std::any_of(sky.rbegin(), sky.rend(), // the zenith first
+      [&](const Vec3& up)
+      {
+        const vtkHeliosRay ray{ { position[0], position[1], position[2] },
+          { up[0], up[1], up[2] } };
+        unsigned char isHidden;
+        caster.Occluded(&ray, &isHidden, 1);
+        return !isHidden;
+      });
+  }
+
   void LookAtRow(vtkIdType row)
   {
     const vtkIdType count = this->X.GetCount();
@@ -267,6 +341,13 @@ int vtkHeliosScanPositionCandidates::RequestData(
     vtkErrorMacro(<< "Aborted; update again for all candidates.");
     return 0;
   }
+  fault = this->SkipEnclosed ? search.LeaveOutEnclosed(scene) : std::string();
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  this->NumberOfEnclosed = search.GetCount(Place::Enclosed);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   search.Fill(output);
   helios::SetCRS(output, helios::GetCRS(scene));
@@ -309,6 +390,8 @@ void vtkHeliosScanPositionCandidates::PrintSelf(ostream& os, vtkIndent indent)
      << this->Region[2] << " to " << this->Region[3] << " m\n"
      << indent << "MaximumSlope: " << this->MaximumSlope << " deg\n"
      << indent << "Surface: " << surfaces[this->Surface] << "\n"
+     << indent << "SkipEnclosed: " << this->SkipEnclosed << "\n"
+     << indent << "NumberOfEnclosed: " << this->NumberOfEnclosed << "\n"
      << indent << "ScannerHeight: " << this->ScannerHeight << " m\n"
      << indent << "MemoryLimit: " << this->MemoryLimit << " MiB\n";
 }

@@ -13,7 +13,9 @@
  *
  * Vertical rays go down on a grid that starts half a step inside the scene. What counts is the
  * highest surface (Bechtold and Hoefle 2016, section 10), or the highest with a ground material.
- * A surface steeper than MaximumSlope is none to stand on.
+ * A surface steeper than MaximumSlope is none to stand on. A place from which none of 128 lines, spread
+ * evenly over the sky, gets out of the scene is inside of something, e.g. of a closed house; such places
+ * count only where there are no others, as in a hall, or without SkipEnclosed.
  *
  * Errors: an empty scene or one that is not of finite triangles; GROUND without a ground material; a
  * grid beyond MemoryLimit; no candidate left, with how many places each limit took; abortion.
@@ -90,6 +92,21 @@ public:
 
   ///@{
   /**
+   * Set/Get whether places that are closed all around are left out where there are open ones.
+   * Default: on.
+   */
+  vtkSetMacro(SkipEnclosed, bool);
+  vtkGetMacro(SkipEnclosed, bool);
+  vtkBooleanMacro(SkipEnclosed, bool);
+  ///@}
+
+  /**
+   * Get how many places the last update left out because they are closed all around.
+   */
+  vtkGetMacro(NumberOfEnclosed, vtkIdType);
+
+  ///@{
+  /**
    * Set/Get how high the instrument stands above the surface [m]. Valid range: [1e-6, 1e4].
    * Default: 1.5.
    */
@@ -127,6 +144,8 @@ private:
   double Region[4] = { NotGiven, NotGiven, NotGiven, NotGiven };
   double MaximumSlope = 15.0;
   int Surface = AUTOMATIC;
+  bool SkipEnclosed = true;
+  vtkIdType NumberOfEnclosed = 0;
   double ScannerHeight = 1.5;
   double MemoryLimit = 2048.0;
 };

@@ -36,6 +36,13 @@ def test_plan_scans(capsys):
     assert least <= scans == said.count("test points more")
 
 
+def test_paper_pyramid():
+    plans = load("paper_pyramid").main()
+    by_size = sorted(map(tuple, plans["ViewshedSize"]))
+    assert by_size == [(-2, 10, 1.5), (0, 0, 3.9375), (10, -2, 1.5)]
+    assert sorted(map(tuple, plans["MeanIncidenceAngle"])) == [(-10, -10, 1.5), (10, 10, 1.5)]
+
+
 def test_every_example_is_tested():
     text = pathlib.Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

@@ -118,6 +118,25 @@ def test_a_mesh(plan, tmp_path):
     assert summary["settings"]["height_m"] == pytest.approx(1.7)
 
 
+def test_no_tripod_inside_of_a_block(plan, tmp_path, capsys):
+    (tmp_path / "yard.mtl").write_text("newmtl lawn\nhelios_isGround true\nnewmtl stone\n")
+    lawn = ["mtllib yard.mtl", "usemtl lawn", "v -5 -5 0", "v 5 -5 0", "v 5 5 0", "v -5 5 0"]
+    block = ["f 1 2 3 4", "usemtl stone", *box((-1.4, -1.4, 0), (1.4, 1.4, 3), 5)]
+    (tmp_path / "yard.obj").write_text("\n".join(lawn + block) + "\n")
+    code, outside, said = plan("yard.obj", "--grid", 1)
+    assert code == 0, said
+    assert outside["enclosed"] == 4 and outside["candidates"] == 96
+    assert all(abs(row["x"]) > 1.4 or abs(row["y"]) > 1.4 for row in outside["positions"])
+    code, anywhere, _ = plan("yard.obj", "--grid", 1, "--enclosed", "--overwrite")
+    assert code == 0 and anywhere["enclosed"] == 0 and anywhere["candidates"] == 100
+    assert anywhere["coverable"] > outside["coverable"]
+    assert any(abs(row["x"]) < 1.4 and abs(row["y"]) < 1.4 for row in anywhere["positions"])
+    assert main(["plan", "yard.obj", "--grid", "1", "--overwrite", "--no-picture"]) == 0
+    assert "without 4 places closed all around (--enclosed takes them, too)" in (
+        capsys.readouterr().out
+    )
+
+
 def test_the_survey_runs_from_the_positions(plan, tmp_path, command_line):
     code, summary, _ = plan("room.obj", "--grid", 2.5, "--resolution", 0.8)
     assert code == 0

@@ -201,6 +201,48 @@ TEST_CASE("candidates stand on the ground where there is one", "[ScanPositionCan
                        "surface."));
 }
 
+TEST_CASE(
+  "no candidate is inside of something closed, where there are others", "[ScanPositionCandidates]")
+{
+  // A box without floor, 2 m x 2 m and 5 m high, on ground of 10 m x 10 m, and alone.
+  const std::vector<std::array<double, 3>> corners = { { -5, -5, 0 }, { 5, -5, 0 }, { 5, 5, 0 },
+    { -5, 5, 0 }, { -1, -1, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 5 },
+    { 1, -1, 5 }, { 1, 1, 5 }, { -1, 1, 5 } };
+  std::vector<std::array<int, 3>> cells = { { 0, 1, 2 }, { 0, 2, 3 }, { 8, 9, 10 }, { 8, 10, 11 },
+    { 4, 5, 9 }, { 4, 9, 8 }, { 5, 6, 10 }, { 5, 10, 9 }, { 6, 7, 11 }, { 6, 11, 10 } };
+  const std::vector<std::array<int, 3>> door = { { 7, 4, 8 }, { 7, 8, 11 } };
+  const auto addMaterials = [](vtkPolyData* scene)
+  {
+    vtkNew<vtkIntArray> ids;
+    ids->SetName(names::MaterialIds);
+    for (vtkIdType i = 0; i < scene->GetNumberOfCells(); ++i)
+    {
+      ids->InsertNextValue(i < 2 ? 0 : 1);
+    }
+    scene->GetCellData()->AddArray(ids);
+    helios::MaterialTable materials(2);
+    materials[0].IsGround = true;
+    helios::SetMaterials(scene, materials);
+    return scene;
+  };
+  auto open = helios::MakeTriangles(corners, cells);
+  Candidates candidates(addMaterials(open));
+  CHECK(candidates.Update()->GetNumberOfPoints() == 100); // one side is missing
+  CHECK(candidates.Filter->GetNumberOfEnclosed() == 0);
+
+  cells.insert(cells.end(), door.begin(), door.end());
+  auto closed = helios::MakeTriangles(corners, cells);
+  candidates.Filter->SetInputData(0, addMaterials(closed));
+  CHECK(candidates.Update()->GetNumberOfPoints() == 96);
+  CHECK(candidates.Filter->GetNumberOfEnclosed() == 4);
+  candidates.Filter->SkipEnclosedOff();
+  CHECK(candidates.Update()->GetNumberOfPoints() == 100);
+  candidates.Filter->SkipEnclosedOn();
+  candidates.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0); // a hall: nothing is open
+  CHECK(candidates.Update()->GetNumberOfPoints() == 4);
+  CHECK(candidates.Filter->GetNumberOfEnclosed() == 0);
+}
+
 TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
 {
   Candidates candidates(MakeFloor(5.0, 0.0)); // places at -4.5, -3.5 ... 4.5

@@ -132,6 +132,12 @@ def add_candidate_arguments(group):
         "above), auto (if any material is ground; default)",
     )
     group.add_argument(
+        "--enclosed",
+        action="store_true",
+        help="stand in places that are closed all around, too (without it only where there are no "
+        "others)",
+    )
+    group.add_argument(
         "--height",
         metavar="M",
         type=number(1e-6, 1e4),

@@ -47,6 +47,7 @@ def make_report(plan, source):
             "angularStep_deg": document.GetLegAngularStep(),
         },
         "candidates": plan.candidates.GetOutput().GetNumberOfPoints(),
+        "enclosed": plan.candidates.GetNumberOfEnclosed(),
         "testPoints": plan.test_points.GetOutput().GetNumberOfPoints(),
         "coverable": planner.GetNumberCoverable(),
         "rays": plan.viewsheds.GetNumberOfRays(),

@@ -167,6 +167,7 @@ class Plan:
             "exclude": given.exclude,
             "maxSlope_deg": chosen(given.max_slope, document.GetMaximumSlope()),
             "ground": chosen(given.ground, document.GetGroundOnly()),
+            "enclosed": given.enclosed,
             "height_m": chosen(given.height, document.GetScannerHeight()),
             "hitTolerance_m": chosen(given.tolerance, document.GetHitTolerance()),
             "hitBehind": document.GetHitBehind() and not given.two_sided,
@@ -205,6 +206,7 @@ class Plan:
             candidates.SetRegion(*self.arguments.region)
         candidates.SetMaximumSlope(settings["maxSlope_deg"])
         getattr(candidates, f"SetSurfaceTo{GROUND[settings['ground']]}")()
+        candidates.SetSkipEnclosed(not settings["enclosed"])
         candidates.SetScannerHeight(settings["height_m"])
         candidates.SetMemoryLimit(self.arguments.memory)
         return candidates

@@ -21,6 +21,7 @@ from ._plan_report import file_lines, make_report, print_table, result_lines
 from ._planning import Plan, PlanMessages, Steps
 from ._progress import make_progress
 from ._reading import look_up, missing_folder
+from ._report import counted
 
 SUMMARY = "plan where to scan a scene from, and write the survey that does so"
 
@@ -188,6 +189,11 @@ def conclude(arguments, plan, steps, folder, messages):
         f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
         f"{report['coverable']:,} of them seen from any"
     )
+    if report["enclosed"]:
+        messages.info(
+            f"         without {counted(report['enclosed'], 'place')} closed all around (--enclosed "
+            "takes them, too)"
+        )
     if messages.results:
         print_table(report["positions"])
     for line in result_lines(report):
