@@ -583,3 +583,39 @@ def test_interrupted_while_it_is_checked(tmp_path):
     assert "interrupted while the survey was simulated; the plan itself is written" in said
     summary = json.loads((tmp_path / "output/room/plan_summary.json").read_text())
     assert "check" not in summary and summary["result"]["scans"] > 0
+
+
+# The pyramid of Bechtold and Hoefle 2016 (figure 5), a steep frustum with a flat top pyramid.
+
+
+def write_paper_pyramid(path):
+    """The ground ring to 10.5 m, the frustum from 2.5 m to 1.75 m at 2 m, the top to 2.4375 m."""
+    rings = [(10.5, 0.0), (2.5, 0.0), (1.75, 2.0)]
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    lines = [f"v {r * x} {r * y} {z}" for r, z in rings for x, y in corners] + ["v 0 0 2.4375"]
+    for ring in range(2):
+        for i in range(4):
+            a, b = 4 * ring + i + 1, 4 * ring + (i + 1) % 4 + 1
+            lines += [f"f {a} {b} {b + 4}", f"f {a} {b + 4} {a + 4}"]
+    lines += [f"f {9 + i} {9 + (i + 1) % 4} 13" for i in range(4)]
+    path.write_text("\n".join(lines) + "\n")
+
+
+@pytest.mark.parametrize(
+    "order, wanted",
+    [
+        ("viewshedSize", {(-2, 10, 1.5): 347, (0, 0, 3.9375): 401, (10, -2, 1.5): 347}),
+        ("meanIncidenceAngle", {(-10, -10, 1.5): 329, (10, 10, 1.5): 329}),
+    ],
+)
+def test_the_pyramid_of_the_paper(plan, tmp_path, order, wanted):
+    write_paper_pyramid(tmp_path / "pyramid.obj")
+    options = (
+        "--grid 1 --test-lines vertical --max-slope 30 --height 1.5 --two-sided --method reduce"
+    )
+    code, summary, said = plan("pyramid.obj", *options.split(), "--remove-order", order)
+    assert code == 0, said
+    assert (summary["candidates"], summary["testPoints"], summary["coverable"]) == (425, 441, 441)
+    found = {(row["x"], row["y"], round(row["z"], 9)): row["sees"] for row in summary["positions"]}
+    assert found == wanted
+    assert summary["result"]["covered"] == 441

@@ -46,6 +46,7 @@ struct PlannerData
   std::string TestLines = "all";
   double MaximumSlope = 15.0; ///< [deg]
   std::string GroundOnly = "auto";
+  bool TakesEnclosed = false;          ///< places that are closed all around
   double ScannerHeight = 0.0;          ///< [m]
   double HitTolerance = 0.05;          ///< [m]
   bool SeesBefore = true;              ///< what a ray ends behind is seen

@@ -76,6 +76,7 @@ const XmlNote Notes[] = {
   { "surveyPlanner", "maxSlope_deg", "steeper places are none to stand on", "15" },
   { "surveyPlanner", "groundOnly", "stand on ground only, by helios_isGround of materials; auto: if any is; open: with nothing above",
     "auto", "~auto true false 1 0 open" },
+  { "surveyPlanner", "enclosed", "whether places that are closed all around count where there are others", "false" },
   { "surveyPlanner", "scannerHeight_m", "of the instrument above the place", "as the platform carries it" },
   { "surveyPlanner", "hitTolerance_m", "how far before a point a ray may end that sees it", "0.05" },
   { "surveyPlanner", "hitBehind", "whether a ray that ends farther behind a point than that sees it, too; false is the test of Bechtold and Hoefle (2016)", "true" },

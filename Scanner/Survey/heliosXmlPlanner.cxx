@@ -136,6 +136,7 @@ void PlannerReader::ReadSettings(const XmlElement& planner, PlannerData& data)
   data.GroundOnly = data.GroundOnly == "1" ? "true"
     : data.GroundOnly == "0"               ? "false"
                                            : data.GroundOnly;
+  planner.Read("enclosed", data.TakesEnclosed);
   planner.Read("scannerHeight_m", data.ScannerHeight);
   planner.Read("hitTolerance_m", data.HitTolerance);
   planner.Read("hitBehind", data.SeesBefore);

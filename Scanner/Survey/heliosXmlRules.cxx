@@ -171,6 +171,7 @@ const std::vector<XmlElementRule> Rules = {
       { "vtpLines" },
       { "maxSlope_deg", Real, Used, "deg", RightAngle },
       { "groundOnly" },
+      { "enclosed", Boolean },
       { "scannerHeight_m", Real, Used, "m", { 1e-6, 1e4, false } },
       { "hitTolerance_m", Real, Used, "m", { 1e-6, 1e3, false } },
       { "hitBehind", Boolean },

@@ -263,6 +263,12 @@ double vtkHeliosPlannerReader::GetMaximumSlope() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosPlannerReader::GetEnclosed() const
+{
+  return this->GetData().TakesEnclosed;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosPlannerReader::GetGroundOnly() const
 {
   return this->GetData().GroundOnly;

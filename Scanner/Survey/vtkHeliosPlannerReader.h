@@ -157,7 +157,7 @@ public:
   /**
    * Where candidates and test points are: their distances along x and y [m], 0 where
    * they are not given; the lines that test points are on: all, vertical or
-   * horizontal; the largest slope [deg]; auto, true, false or open, of the
+   * horizontal; the largest slope [deg]; whether enclosed places count; auto, true, false or open, of the
    * ground; how high the instrument is above the place [m].
    */
   double GetXStep() const;
@@ -165,6 +165,7 @@ public:
   double GetTestPointStep() const;
   std::string GetTestLines() const;
   double GetMaximumSlope() const;
+  bool GetEnclosed() const;
   std::string GetGroundOnly() const;
   double GetScannerHeight() const;
   ///@}

@@ -167,7 +167,7 @@ class Plan:
             "exclude": given.exclude,
             "maxSlope_deg": chosen(given.max_slope, document.GetMaximumSlope()),
             "ground": chosen(given.ground, document.GetGroundOnly()),
-            "enclosed": given.enclosed,
+            "enclosed": given.enclosed or document.GetEnclosed(),
             "height_m": chosen(given.height, document.GetScannerHeight()),
             "hitTolerance_m": chosen(given.tolerance, document.GetHitTolerance()),
             "hitBehind": document.GetHitBehind() and not given.two_sided,

@@ -57,6 +57,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetElevationMax() == 90.0);
   CHECK(reader->GetMaximumIncidenceAngle() == 90.0);
   CHECK(reader->GetTestLines() == "all");
+  CHECK_FALSE(reader->GetEnclosed());
   CHECK(reader->GetHitBehind());
   CHECK(reader->GetMinimumPointDensity() == 0.0);
   CHECK(reader->GetLegAngularStep() == Approx(0.1));
@@ -81,7 +82,7 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   const PlannerReading reading(WritePlanner(files, R"(name="a/b" method="optimal"
  pspRemoveOrder="meanIncidenceAngle" pspRemoveFirst="largest" minCoverage_percent="95"
  coverageOf="all" gridSizePSP_m="2" gridSizePSPy_m="3" gridSizeVTP_m="0.5" maxSlope_deg="30"
- vtpLines="vertical" hitBehind="false" minPointDensity_1_m2="9"
+ vtpLines="vertical" hitBehind="false" minPointDensity_1_m2="9" enclosed="1"
  groundOnly="TRUE" scannerHeight_m="2.5" hitTolerance_m="0.1" rangeMin_m="1" rangeMax_m="80"
  elevationMin_deg="-40" elevationMax_deg="60" maxIncidence_deg="75" areaWeights="true"
  minOverlap_percent="20" timeLimit_s="5" interactive="true")",
@@ -110,6 +111,7 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   CHECK(reader->GetElevationMax() == 60.0);
   CHECK(reader->GetMaximumIncidenceAngle() == 75.0);
   CHECK(reader->GetTestLines() == "vertical");
+  CHECK(reader->GetEnclosed());
   CHECK_FALSE(reader->GetHitBehind());
   CHECK(reader->GetMinimumPointDensity() == 9.0);
   CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees a second, 60 lines
