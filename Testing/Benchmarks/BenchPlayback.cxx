@@ -4,6 +4,7 @@
 // bare scanner of the same legs and against that with the text writer and no journal. The bytes must be
 // the same. And the peak of memory for 1 and for 8 times the pulses. Usage: BenchPlayback [repetitions]
 
+#include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
 
 #include "heliosLegRunner.h"
@@ -30,9 +31,9 @@
 #include <vector>
 
 #include <sys/resource.h>
-#include <time.h>
 
 namespace fs = std::filesystem;
+using helios::Median;
 
 namespace
 {
@@ -58,12 +59,6 @@ double GetPeakMemory()
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
   return 1e-3 * static_cast<double>(usage.ru_maxrss);
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 std::string ReadText(const fs::path& path)

@@ -4,6 +4,7 @@
 // memory, against the bare rays of the same pulses in one batch; and the same pulses by tolerance
 // (1 mm and 1 %). Usage: BenchScanner [repetitions]
 
+#include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
 
 #include "vtkHeliosArrayNames.h"
@@ -25,31 +26,14 @@
 #include <string>
 #include <utility>
 
-#include <time.h>
-
 namespace names = vtkHeliosArrayNames;
+using helios::CpuSeconds;
+using helios::Median;
 using helios::Vec3;
+using helios::WallSeconds;
 
 namespace
 {
-
-double CpuSeconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double WallSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 /// A scanner ready to run over one of the scenes.
 struct Survey

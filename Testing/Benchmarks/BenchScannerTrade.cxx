@@ -9,6 +9,7 @@
 //
 // Usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]
 
+#include "heliosBenchClock.h"
 #include "heliosTradeErrors.h"
 #include "heliosTradeScenes.h"
 
@@ -26,7 +27,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <time.h>
+using helios::CpuSeconds;
+using helios::WallSeconds;
 
 namespace
 {
@@ -36,18 +38,6 @@ using helios::Vec3;
 
 constexpr double PulseLength = 4.0;                                                  // [ns]
 constexpr double Separation = helios::SpeedOfLight * PulseLength / 2.35482004503095; // c sigma [m]
-
-double CpuSeconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double WallSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// A way to sample a beam and to find its echoes.
 struct Way

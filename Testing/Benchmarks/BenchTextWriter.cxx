@@ -5,6 +5,7 @@
 // blocks are written that together are many times one block, to see that memory does not grow.
 // Usage: BenchTextWriter [repetitions [folder]]
 
+#include "heliosBenchClock.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
@@ -34,10 +35,10 @@
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-#include <time.h>
-
 namespace names = vtkHeliosArrayNames;
+using helios::CpuSeconds;
+using helios::Median;
+using helios::PeakMebibytes;
 
 namespace
 {
@@ -46,26 +47,6 @@ constexpr vtkIdType EchoCount = 1000000;
 constexpr vtkIdType WaveformCount = 20000;
 constexpr vtkIdType SamplesPerWaveform = 100;
 constexpr int BlocksForMemory = 20;
-
-double CpuSeconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double PeakMebibytes()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 template <typename ArrayT, typename ValueT>
 void AddColumn(vtkFieldData* data, const char* name, vtkIdType count, ValueT value)

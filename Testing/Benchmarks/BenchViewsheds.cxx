@@ -6,6 +6,7 @@
 //
 // Usage: BenchViewsheds [repetitions [candidates [ray caster]]]
 
+#include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
 
 #include "vtkHeliosScanPositionCandidates.h"
@@ -19,28 +20,13 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
+
+using helios::CpuSeconds;
+using helios::Median;
+using helios::WallSeconds;
 
 namespace
 {
-
-double CpuSeconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double WallSeconds()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 /// Every so many of the candidates, so that a part of them stands for all.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, vtkIdType count)
