@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosScanPositionCandidates.h"
 
-#include "heliosErrorObserver.h"
 #include "heliosMaterialTable.h"
 #include "heliosPlanningTest.h"
 #include "heliosPyramidScene.h"
@@ -22,33 +21,7 @@ using helios::MakeFloor;
 namespace
 {
 
-/// A filter whose errors are kept.
-struct Candidates
-{
-  vtkNew<vtkHeliosScanPositionCandidates> Filter;
-  vtkSmartPointer<helios::ErrorObserver> Log =
-    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
-
-  explicit Candidates(vtkPolyData* scene)
-  {
-    this->Filter->SetInputData(0, scene);
-    this->Filter->SetStep(1.0);
-    this->Log->Watch(this->Filter);
-  }
-
-  vtkPolyData* Update()
-  {
-    this->Filter->Update();
-    return this->Filter->GetOutput();
-  }
-
-  bool Fails(const std::string& text)
-  {
-    this->Update();
-    INFO(this->Log->Errors);
-    return this->Log->HasError(text);
-  }
-};
+using Candidates = helios::FilterOverScene<vtkHeliosScanPositionCandidates>;
 
 /// A roof of 2 m x 2 m, 5 m above ground of 10 m x 10 m; cells 0 and 1 are the ground.
 vtkSmartPointer<vtkPolyData> MakeCarport(bool groundIsMarked)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosVisibilityTestPoints.h"
 
-#include "heliosErrorObserver.h"
 #include "heliosPlanningTest.h"
 #include "heliosPyramidScene.h"
 #include "heliosSceneCrs.h"
@@ -22,32 +21,9 @@ using helios::MakeFloor;
 namespace
 {
 
-/// A filter whose errors are kept.
-struct TestPoints
+struct TestPoints : helios::FilterOverScene<vtkHeliosVisibilityTestPoints>
 {
-  vtkNew<vtkHeliosVisibilityTestPoints> Filter;
-  vtkSmartPointer<helios::ErrorObserver> Log =
-    vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
-
-  explicit TestPoints(vtkPolyData* scene)
-  {
-    this->Filter->SetInputData(scene);
-    this->Filter->SetStep(1.0);
-    this->Log->Watch(this->Filter);
-  }
-
-  vtkPolyData* Update()
-  {
-    this->Filter->Update();
-    return this->Filter->GetOutput();
-  }
-
-  bool Fails(const std::string& text)
-  {
-    this->Update();
-    INFO(this->Log->Errors);
-    return this->Log->HasError(text);
-  }
+  using FilterOverScene::FilterOverScene;
 
   double GetArea()
   {

@@ -5,6 +5,9 @@
 #ifndef heliosPlanningTest_h
 #define heliosPlanningTest_h
 
+#include "heliosErrorObserver.h"
+
+#include <catch2/catch.hpp>
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -14,6 +17,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace helios
@@ -53,6 +57,35 @@ inline vtkSmartPointer<vtkPolyData> MakeFloor(double half, double z)
     { { -half, -half, z }, { half, -half, z }, { half, half, z }, { -half, half, z } },
     { { 0, 1, 2 }, { 0, 2, 3 } });
 }
+
+/// A filter over a scene, with steps of 1 m, whose errors are kept.
+template <typename FilterT>
+struct FilterOverScene
+{
+  vtkNew<FilterT> Filter;
+  vtkSmartPointer<ErrorObserver> Log = vtkSmartPointer<ErrorObserver>::Take(ErrorObserver::New());
+
+  explicit FilterOverScene(vtkPolyData* scene)
+  {
+    this->Filter->SetInputData(0, scene);
+    this->Filter->SetStep(1.0);
+    this->Log->Watch(this->Filter);
+  }
+
+  vtkPolyData* Update()
+  {
+    this->Filter->Update();
+    return this->Filter->GetOutput();
+  }
+
+  /// Whether an update says this.
+  bool Fails(const std::string& text)
+  {
+    this->Update();
+    INFO(this->Log->Errors);
+    return this->Log->HasError(text);
+  }
+};
 
 /// Has a filter aborted at its next progress.
 inline void AbortAtProgress(vtkAlgorithm* filter)
