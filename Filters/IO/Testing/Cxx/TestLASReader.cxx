@@ -5,6 +5,8 @@
 #include "heliosSceneCrs.h"
 #include "vtkHeliosLASWriter.h"
 
+#include <vtkCallbackCommand.h>
+
 #include <catch2/catch.hpp>
 
 #include <limits>
@@ -400,4 +402,33 @@ TEST_CASE("LASReader: names that are wrong", "[LASReader]")
   LasReading folder(Folder / "");
   CHECK_FALSE(folder.Read());
   CHECK(folder.Log->HasError("is a folder; give the name of a file"));
+}
+
+TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")
+{
+  WriteEchoes(MakeLasEchoes(40000));
+  LasReading reading(Path);
+  const auto cut = vtkSmartPointer<helios::FileCut>::New();
+  cut->Path = Path;
+  reading.Reader->AddObserver(vtkCommand::ProgressEvent, cut);
+  CHECK_FALSE(reading.Read());
+  CHECK(
+    reading.Log->HasError(Path + ": its points 16384 to 32767 cannot be read; has it changed?"));
+  CHECK(reading.CountPoints() == 0);
+}
+
+TEST_CASE("LASReader: reading is aborted", "[LASReader]")
+{
+  WriteEchoes(MakeLasEchoes(40000));
+  LasReading reading(Path);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* reader, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(reader)->SetAbortExecute(1); });
+  const unsigned long tag = reading.Reader->AddObserver(vtkCommand::ProgressEvent, abort);
+  CHECK_FALSE(reading.Read());
+  CHECK(reading.Log->HasError(Path + ": reading was aborted at point 16384; update again"));
+  CHECK(reading.CountPoints() == 0);
+  reading.Reader->RemoveObserver(tag);
+  CHECK(reading.Read()); // and read again
+  CHECK(reading.CountPoints() == 40000);
 }

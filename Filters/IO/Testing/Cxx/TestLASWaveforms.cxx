@@ -449,6 +449,63 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
 }
 
+TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  SECTION("a folder has its name")
+  {
+    fs::create_directory(writing.Packets);
+    CHECK_FALSE(writing.Writer->Open());
+    CHECK(writing.Log->HasError(writing.Packets + " is a folder, not a file"));
+    CHECK_FALSE(writing.Writer->IsOpen());
+  }
+  SECTION("it is removed")
+  {
+    REQUIRE((writing.Writer->Open() && writing.Write(helios::MakeWaveforms(6))));
+    fs::remove(writing.Packets + ".part");
+    const bool isFlushed = GENERATE(true, false);
+    CHECK_FALSE((isFlushed ? writing.Writer->Flush() : writing.Writer->Close()));
+    CHECK(writing.Log->HasError("points.wdp.part was removed while it was written"));
+    CHECK_FALSE(writing.Writer->Close());
+    CHECK_FALSE(fs::exists(writing.Path));
+  }
+  SECTION("the disk is full")
+  {
+    const helios::SmallDisk disk(writing.Folder / "disk", 128);
+    if (!disk.IsMounted())
+    {
+      WARN("no small disk can be mounted here: not tested");
+      return;
+    }
+    const std::string path = writing.Folder / "disk/points";
+    writing.Writer->SetFileName((path + ".las").c_str());
+    REQUIRE((writing.Writer->Open() && writing.Write(helios::MakeWaveforms(6))));
+    const std::string las = helios::ReadText(path + ".las.part");
+    const std::string packets = helios::ReadText(path + ".wdp.part");
+    CHECK_FALSE(writing.Write(helios::MakeWaveforms(5000)));
+    CHECK(writing.Log->HasError("points.wdp.part cannot be written: No space left on device; 18 "
+                                "records are safe in"));
+    CHECK((las == helios::ReadText(path + ".las.part")));
+    CHECK((packets == helios::ReadText(path + ".wdp.part")));
+    CHECK_FALSE(writing.Writer->Close());
+  }
+}
+
+TEST_CASE("LASWaveforms: packets that go while they are read", "[LASWaveforms]")
+{
+  WaveWriting writing;
+  REQUIRE(
+    (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(6)) && writing.Writer->Close()));
+  helios::LasReading reading(writing.Path);
+  reading.Reader->ReadWaveformsOn();
+  const auto cut = vtkSmartPointer<helios::FileCut>::New();
+  cut->Path = writing.Packets;
+  reading.Reader->AddObserver(vtkCommand::ProgressEvent, cut);
+  CHECK_FALSE(reading.Read());
+  CHECK(reading.Log->HasError("has a packet that cannot be read; has " + writing.Packets));
+  CHECK(reading.CountPoints() == 0);
+}
+
 TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
 {
   WaveWriting writing;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCoordinateSystem.h"
 #include "heliosLasTesting.h"
 #include "vtkHeliosLASWriter.h"
 
@@ -565,6 +566,15 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
   {
     helios::SetCrs(block, "EPSG:1");
     CHECK(fails("the field array CRS of a block: \"EPSG:1\" is no coordinate system"));
+  }
+  SECTION("a system whose WKT fills more than a record")
+  {
+    helios::CoordinateSystem system;
+    REQUIRE(system.Set("EPSG:25832").empty());
+    std::string wkt = system.GetWkt();
+    wkt.insert(wkt.find("ETRS89 / UTM"), std::string(66000, 'x'));
+    helios::SetCrs(block, wkt);
+    CHECK(fails("the CRS of a block is longer than the 65534 characters of a record"));
   }
   SECTION("another epoch")
   {

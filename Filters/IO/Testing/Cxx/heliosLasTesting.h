@@ -9,6 +9,7 @@
 #include "heliosWriterTesting.h"
 #include "vtkHeliosLASReader.h"
 
+#include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkFloatArray.h>
 #include <vtkStringArray.h>
@@ -88,6 +89,25 @@ inline vtkSmartPointer<vtkPolyData> MakeLasEchoes(vtkIdType count)
   AddVectors(echoes, truth, names::TruePoint, 1e5);
   return echoes;
 }
+
+/// Cuts a file to half its size at the first progress that is made.
+class FileCut : public vtkCommand
+{
+public:
+  static FileCut* New() { return new FileCut; }
+
+  void Execute(vtkObject*, unsigned long, void* progress) override
+  {
+    if (!this->IsDone && *static_cast<double*>(progress) > 0.0)
+    {
+      this->IsDone = true;
+      std::filesystem::resize_file(this->Path, std::filesystem::file_size(this->Path) / 2);
+    }
+  }
+
+  std::string Path;
+  bool IsDone = false;
+};
 
 struct LasReading
 {
