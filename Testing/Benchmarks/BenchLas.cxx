@@ -5,6 +5,7 @@
 // before any time is printed; then it is seen that memory does not grow with the blocks.
 // Usage: BenchLas [repetitions [folder]]
 
+#include "heliosBenchClock.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
 #include "vtkHeliosLASWriter.h"
@@ -27,10 +28,10 @@
 #include <string>
 #include <vector>
 
-#include <sys/resource.h>
-#include <time.h>
-
 namespace names = vtkHeliosArrayNames;
+using helios::CpuSeconds;
+using helios::Median;
+using helios::PeakMebibytes;
 
 namespace
 {
@@ -38,26 +39,6 @@ namespace
 constexpr vtkIdType EchoCount = 1000000;
 constexpr int BlockCount = 10;
 constexpr int BlocksForMemory = 20;
-
-double CpuSeconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-double PeakMebibytes()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
 
 template <typename ArrayT, typename ValueT>
 void AddColumn(vtkFieldData* data, const char* name, ValueT value)
