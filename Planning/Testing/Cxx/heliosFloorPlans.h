@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plans of buildings as scenes to plan scans for, with lines of sight computed here, in the plan.
 
-#ifndef heliosPlanScenes_h
-#define heliosPlanScenes_h
+#ifndef heliosFloorPlans_h
+#define heliosFloorPlans_h
 
 #include "vtkHeliosArrayNames.h"
 
@@ -41,7 +41,7 @@ struct PlanTruth
 };
 
 /// Rooms (seen from inside) and solids (seen from outside), walls 3 m high, scanner at 1.5 m.
-class PlanScene
+class FloorPlan
 {
 public:
   std::string Name;
@@ -266,9 +266,9 @@ inline std::vector<PlanPolygon> MakeColumns(int nx, int ny, double stepY)
 }
 
 /// Eight scenes whose optima are proved.
-inline std::vector<PlanScene> MakePlanScenes()
+inline std::vector<FloorPlan> MakeFloorPlans()
 {
-  std::vector<PlanScene> scenes(8);
+  std::vector<FloorPlan> scenes(8);
   const auto set = [&scenes](int k, const char* name, PlanPolygon room, PlanTruth truth)
   {
     scenes[k].Name = name;
@@ -302,7 +302,7 @@ inline std::vector<PlanScene> MakePlanScenes()
   }
   scenes[7].Witness = { { 7.37, 21.41 }, { 33.37, 36.41 }, { 0.37, 39.41 }, { 22.37, 13.41 },
     { 19.37, 1.41 }, { 39.37, 13.41 } };
-  for (PlanScene& scene : scenes)
+  for (FloorPlan& scene : scenes)
   {
     scene.Build();
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The planner on eight scenes whose optima, linear bounds and greedy results are known.
 
-#include "heliosPlanScenes.h"
+#include "heliosFloorPlans.h"
 #include "heliosVisibility.h"
 #include "vtkHeliosScanPositionPlanner.h"
 
@@ -18,13 +18,13 @@ namespace
 
 using Planner = vtkHeliosScanPositionPlanner;
 
-const std::vector<helios::PlanScene>& GetScenes()
+const std::vector<helios::FloorPlan>& GetScenes()
 {
-  static const std::vector<helios::PlanScene> scenes = helios::MakePlanScenes();
+  static const std::vector<helios::FloorPlan> scenes = helios::MakeFloorPlans();
   return scenes;
 }
 
-vtkNew<Planner> MakePlanner(const helios::PlanScene& scene, int method)
+vtkNew<Planner> MakePlanner(const helios::FloorPlan& scene, int method)
 {
   vtkNew<Planner> planner;
   planner->SetInputData(0, scene.GetCandidates());
@@ -33,7 +33,7 @@ vtkNew<Planner> MakePlanner(const helios::PlanScene& scene, int method)
   return planner;
 }
 
-vtkIdType Count(const helios::PlanScene& scene, int method, int order = Planner::ASCENDING)
+vtkIdType Count(const helios::FloorPlan& scene, int method, int order = Planner::ASCENDING)
 {
   const auto planner = MakePlanner(scene, method);
   planner->SetRemovalOrder(order);
@@ -58,9 +58,9 @@ std::vector<int> GetCurve(Planner* planner)
 
 } // namespace
 
-TEST_CASE("the plan scenes are the benchmark's", "[PlanScenes]")
+TEST_CASE("the plan scenes are the benchmark's", "[FloorPlans]")
 {
-  for (const helios::PlanScene& scene : GetScenes())
+  for (const helios::FloorPlan& scene : GetScenes())
   {
     INFO(scene.Name);
     CHECK(scene.GetCandidates()->GetNumberOfPoints() == scene.Truth.Candidates);
@@ -83,7 +83,7 @@ TEST_CASE("the plan scenes are the benchmark's", "[PlanScenes]")
 
 TEST_CASE("the paper's orders and greedy give the table", "[vtkHeliosScanPositionPlanner]")
 {
-  for (const helios::PlanScene& scene : GetScenes())
+  for (const helios::FloorPlan& scene : GetScenes())
   {
     INFO(scene.Name);
     const helios::PlanTruth& truth = scene.Truth;
@@ -97,7 +97,7 @@ TEST_CASE("the paper's orders and greedy give the table", "[vtkHeliosScanPositio
 
 TEST_CASE("every method tells the linear bound", "[vtkHeliosScanPositionPlanner]")
 {
-  for (const helios::PlanScene& scene : GetScenes())
+  for (const helios::FloorPlan& scene : GetScenes())
   {
     INFO(scene.Name);
     const auto planner = MakePlanner(scene, Planner::GREEDY);
@@ -117,7 +117,7 @@ TEST_CASE("Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPl
 {
   vtkIdType total = 0;
   int optimum = 0;
-  for (const helios::PlanScene& scene : GetScenes())
+  for (const helios::FloorPlan& scene : GetScenes())
   {
     INFO(scene.Name);
     const vtkIdType count = Count(scene, Planner::BEST);
@@ -131,7 +131,7 @@ TEST_CASE("Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPl
 
 TEST_CASE("Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
 {
-  for (const helios::PlanScene& scene : GetScenes())
+  for (const helios::FloorPlan& scene : GetScenes())
   {
     if (!Planner::HasOptimal())
     {
@@ -155,7 +155,7 @@ TEST_CASE("Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
 
 TEST_CASE("of one scan the best is known by trying all", "[vtkHeliosScanPositionPlanner]")
 {
-  const helios::PlanScene& scene = GetScenes()[1];
+  const helios::FloorPlan& scene = GetScenes()[1];
   double worst = 90.0;
   double mean = 90.0;
   for (vtkIdType c = 0; c < scene.GetCandidates()->GetNumberOfPoints(); ++c)
@@ -205,7 +205,7 @@ TEST_CASE("coverage-limited reduction follows the known curves", "[vtkHeliosScan
   };
   for (const auto& [k, curve] : curves)
   {
-    const helios::PlanScene& scene = GetScenes()[k];
+    const helios::FloorPlan& scene = GetScenes()[k];
     for (std::size_t n = 0; n < curve.size(); ++n)
     {
       if (curve[n] == 0)
