@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pulses from a trajectory that was recorded.
+// Pulses from a trajectory that was recorded, or flown.
 #include "heliosScannerBench.h"
 #include "vtkHeliosInterpolatedPlatform.h"
+#include "vtkHeliosMulticopterPlatform.h"
 
 #include <catch2/catch.hpp>
 
@@ -69,4 +70,56 @@ TEST_CASE("Scanner: pulses leave from between the samples of a record", "[Scanne
       REQUIRE((Vec3(directions->GetTuple3(i)) - direction).Norm() < 1e-14);
     }
   }
+}
+
+TEST_CASE("Scanner: a flight is the same at 10 kHz and at 1 MHz", "[Scanner]")
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> speeds;
+  speeds->SetName(names::Speed);
+  for (const Vec3& p : { Vec3(0, 0, 30), Vec3(60, 0, 30), Vec3(60, 40, 35), Vec3(0, 40, 35) })
+  {
+    points->InsertNextPoint(p.GetData());
+    speeds->InsertNextValue(8.0);
+  }
+  vtkNew<vtkPolyData> path;
+  path->SetPoints(points);
+  path->GetPointData()->AddArray(speeds);
+  vtkNew<vtkHeliosMulticopterPlatform> copter;
+  copter->SetInputData(path);
+  Bench bench(MakeScene({ Wall(500, 5000) }));
+  vtkNew<StraightAhead> deflector;
+  bench.Scanner->SetInputConnection(1, copter->GetOutputPort());
+  bench.Scanner->SetBeamDeflector(deflector);
+  bench.Scanner->SetDuration(-1);
+  bench.Scanner->GeneratePulsesOn();
+  const auto run = [&](double frequency, vtkIdType first, vtkIdType last)
+  {
+    deflector->SetPulseFrequency(frequency);
+    bench.Scanner->SetPulseWindow(first, last);
+    bench.Run();
+    vtkNew<vtkPolyData> pulses;
+    pulses->DeepCopy(bench.Scanner->GetOutputDataObject(2));
+    return pulses;
+  };
+  double farthest = 0.0;
+  for (vtkIdType i = 0; i < 200000; i += 10007) // of 20 s, in turns and out of them
+  {
+    const auto slow = run(1e4, i, i + 3);
+    const auto fast = run(1e6, 100 * i, 100 * i + 201);
+    REQUIRE(slow->GetNumberOfPoints() == 3);
+    REQUIRE(fast->GetNumberOfPoints() == 201);
+    for (vtkIdType k = 0; k < 3; ++k)
+    {
+      const Vec3 a(slow->GetPoint(k));
+      const Vec3 b(fast->GetPoint(100 * k));
+      vtkDataArray* directions[] = { slow->GetPointData()->GetArray(names::Direction),
+        fast->GetPointData()->GetArray(names::Direction) };
+      farthest = std::max(farthest, (a - b).Norm());
+      REQUIRE((Vec3(directions[0]->GetTuple3(k)) - Vec3(directions[1]->GetTuple3(100 * k))).Norm() <
+        1e-9);
+    }
+  }
+  CHECK(farthest < 1e-6);
 }
