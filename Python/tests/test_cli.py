@@ -8,6 +8,7 @@ import os
 import pathlib
 import pty
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -48,7 +49,7 @@ LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any tes
         ),
         (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
-        (["run", "s.xml", "--format", "las"], "unknown 'las': known: xyz, vtp"),
+        (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, vtp"),
         (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
         (["run", "s.xml", "--energy-tolerance", "nan"], "'nan' is not a number from 0.0001 to 1"),
         (["run", "s.xml", "--sub-rays", "many"], "'many' is not a whole number from 0 to 65536"),
@@ -456,13 +457,17 @@ def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
     survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices a play
     more = ["--pulses-per-block", "4096"]
     folder = tmp_path / "out/plane"
-    run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
-    until = time.monotonic() + 60
-    while not list(folder.glob("play001/*points*")) and time.monotonic() < until:
-        time.sleep(0.01)
-    wait_for_points(folder / "play001")
-    run.send_signal(number)
-    _, errors = run.communicate(timeout=60)
+    for _ in range(10):  # where the machine is busy a play may be over before the signal comes
+        shutil.rmtree(tmp_path / "out", ignore_errors=True)
+        run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
+        until = time.monotonic() + 60
+        while not list(folder.glob("play001/*points*")) and time.monotonic() < until:
+            time.sleep(0.01)
+        wait_for_points(folder / "play001")
+        run.send_signal(number)
+        _, errors = run.communicate(timeout=60)
+        if not (folder / "play002").exists():
+            break
     assert run.returncode == (-9 if number == signal.SIGKILL else 130), errors
     assert (folder / "play001/run.journal").exists() and not (folder / "play002").exists()
 
