@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # Every package vtkHelios is built, run and tested with; README.md points here.
 helios_packages=(
   # to build
-  git g++ cmake ninja-build ccache
+  git g++ cmake ninja-build ccache pkgconf
   # libraries
   libvtk9-dev libembree-dev libpugixml-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
