@@ -30,27 +30,26 @@ constexpr std::uint8_t NoIncidence = 255;
 struct CopyWorker
 {
   template <typename Array>
-  void operator()(Array* array, std::vector<double>& values) const
+  void operator()(Array* array, vtkIdType first, std::vector<double>& values) const
   {
+    const auto end = first + static_cast<vtkIdType>(values.size());
     std::size_t i = 0;
-    for (const auto value : vtk::DataArrayValueRange(array))
+    for (const auto value : vtk::DataArrayValueRange(array, first, end))
     {
       values[i++] = static_cast<double>(value);
     }
   }
 };
 
-std::vector<double> ToDoubles(vtkDataArray* array)
+/// The numbers of the tuples [begin, end).
+std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType end)
 {
-  std::vector<double> values;
-  if (array)
+  const vtkIdType width = array->GetNumberOfComponents();
+  std::vector<double> values(static_cast<std::size_t>((end - begin) * width));
+  CopyWorker worker;
+  if (!vtkArrayDispatch::Dispatch::Execute(array, worker, begin * width, values))
   {
-    values.resize(static_cast<std::size_t>(array->GetNumberOfValues()));
-    CopyWorker worker;
-    if (!vtkArrayDispatch::Dispatch::Execute(array, worker, values))
-    {
-      worker(array, values);
-    }
+    worker(array, begin * width, values);
   }
   return values;
 }
@@ -142,16 +141,20 @@ void CloudChunk::Squeeze()
 }
 
 //------------------------------------------------------------------------------
-/// The columns of a block as doubles; empty: not there.
+/// The columns of some rows of a block as doubles; empty: not there.
 struct Cloud::Block
 {
+  vtkIdType Begin;
+  vtkIdType End;
   std::vector<double> Xyz;
   std::vector<double> Columns[NumberOfCloudColumns];
 
-  explicit Block(vtkPolyData* echoes)
+  Block(vtkPolyData* echoes, vtkIdType begin, vtkIdType end)
+    : Begin(begin)
+    , End(end)
+    , Xyz(ToDoubles(echoes->GetPoints()->GetData(), begin, end))
   {
     vtkPointData* data = echoes->GetPointData();
-    this->Xyz = ToDoubles(echoes->GetPoints()->GetData());
     const std::pair<CloudColumn, const char*> columns[] = {
       { CloudColumn::Amplitude, names::Amplitude },
       { CloudColumn::ReturnNumber, names::ReturnNumber },
@@ -175,7 +178,7 @@ struct Cloud::Block
   {
     if (array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == rows)
     {
-      this->Columns[static_cast<int>(column)] = ToDoubles(array);
+      this->Columns[static_cast<int>(column)] = ToDoubles(array, this->Begin, this->End);
     }
   }
 
@@ -227,11 +230,21 @@ void Cloud::Append(vtkPolyData* echoes)
   {
     return;
   }
-  Block block(echoes);
+  const vtkIdType size = echoes->GetNumberOfPoints();
+  for (vtkIdType begin = 0; begin < size; begin += CloudChunk::Capacity)
+  {
+    this->AppendRows(echoes, begin, std::min(size, begin + CloudChunk::Capacity));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Cloud::AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop)
+{
+  Block block(echoes, begin, stop);
   if (!block.Has(CloudColumn::Amplitude))
   {
     vtkDataArray* raw = echoes->GetPointData()->GetArray(names::Intensity);
-    block.Read(CloudColumn::Amplitude, raw, block.GetSize());
+    block.Read(CloudColumn::Amplitude, raw, echoes->GetNumberOfPoints());
     this->RawAmplitudes = this->RawAmplitudes || raw;
   }
   this->Present[static_cast<int>(CloudColumn::Height)] = true;

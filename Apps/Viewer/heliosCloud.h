@@ -157,6 +157,7 @@ private:
   };
   struct Block;
 
+  void AppendRows(vtkPolyData* echoes, vtkIdType begin, vtkIdType stop);
   void AppendRun(const Block& block, vtkIdType begin, vtkIdType end);
   CloudChunk& GetOpenChunk(const Block& block, vtkIdType row);
   void AppendPlaces(CloudChunk& chunk, const Block& block, vtkIdType begin, vtkIdType end);

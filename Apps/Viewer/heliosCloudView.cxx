@@ -9,6 +9,7 @@
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkRenderPass.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSMPTools.h>
 #include <vtkScalarBarActor.h>
@@ -355,6 +356,10 @@ void CloudView::SetEyeDomeLighting(bool on)
   if (on != this->EyeDomeLighting)
   {
     this->EyeDomeLighting = on;
+    if (this->Renderer->GetPass() && this->Renderer->GetRenderWindow())
+    {
+      this->Renderer->GetPass()->ReleaseGraphicsResources(this->Renderer->GetRenderWindow());
+    }
     this->Renderer->SetPass(on ? MakeEyeDomePass().Get() : nullptr);
   }
 }
