@@ -16,8 +16,8 @@ namespace
 vtkIdType CountUntil(const Cloud& cloud, double time)
 {
   const auto& chunks = cloud.GetChunks();
-  const auto after = std::partition_point(chunks.begin(), chunks.end(),
-    [time](const auto& chunk) { return chunk->FirstTime <= time; });
+  const auto after = std::partition_point(
+    chunks.begin(), chunks.end(), [time](const auto& chunk) { return chunk->FirstTime <= time; });
   if (after == chunks.begin())
   {
     return 0;

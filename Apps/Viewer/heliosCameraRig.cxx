@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCameraRig.h"
 
+#include <json/json.h>
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>
 #include <vtkMath.h>
 #include <vtkRenderer.h>
-#include <json/json.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,10 @@ namespace helios
 namespace
 {
 
-constexpr double ViewAngle = 45.0;         // [deg]
-constexpr double ScannerViewAngle = 75.0;  // [deg]
-constexpr double DegreesPerSecond = 6.0;   // of the orbit
-constexpr double LookSeconds = 0.4;        // that the scanner's eye takes to turn
+constexpr double ViewAngle = 45.0;        // [deg]
+constexpr double ScannerViewAngle = 75.0; // [deg]
+constexpr double DegreesPerSecond = 6.0;  // of the orbit
+constexpr double LookSeconds = 0.4;       // that the scanner's eye takes to turn
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
 Vec3 Unit(Vec3 v)

@@ -20,7 +20,8 @@ const char* const WaysOut =
 /// What Xlib calls when its server is gone; it ends the program when this returns.
 int OnLostDisplay(Display*)
 {
-  std::cerr << "error: the display is gone, and the viewer with it; nothing that was saved is lost\n";
+  std::cerr
+    << "error: the display is gone, and the viewer with it; nothing that was saved is lost\n";
   return 0;
 }
 

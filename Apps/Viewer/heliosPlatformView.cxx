@@ -176,8 +176,8 @@ void PlatformView::Place(PlatformType type, const Pose& platform, const Pose& mo
     this->HasModel = true;
   }
   const Pose local{ platform.Position - this->Origin, platform.Orientation };
-  const double size = type == PlatformType::LinearPath || type == PlatformType::Interpolated ? 7.0
-                                                                                             : 1.5;
+  const double size =
+    type == PlatformType::LinearPath || type == PlatformType::Interpolated ? 7.0 : 1.5;
   const double scale = this->FindScale(local.Position, size);
   this->Body->SetUserMatrix(MakeMatrix(local, scale));
   Pose scanner = local * Pose{ scale * mount.Position, mount.Orientation };

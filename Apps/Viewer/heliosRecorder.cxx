@@ -44,10 +44,9 @@ std::string WriteImage(vtkAlgorithmOutput* image, const std::string& fileName)
   writer->SetInputConnection(image);
   writer->SetFileName(fileName.c_str());
   writer->Write();
-  return writer->GetErrorCode() == vtkErrorCode::NoError
-    ? ""
-    : fileName + ": cannot be written: " +
-      vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
+  return writer->GetErrorCode() == vtkErrorCode::NoError ? ""
+                                                         : fileName +
+      ": cannot be written: " + vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
 }
 
 } // namespace
@@ -93,8 +92,9 @@ std::string Recorder::Open(
   const bool isSequence = std::regex_match(fileName, std::regex("[^%]*%0?[1-9]?d[^%]*[.]png"));
   if (!this->IsVideo() && !isSequence)
   {
-    return fileName + ": give a name that ends in .ogv (Ogg Theora), or one with %04d that ends in "
-                      ".png for one picture a frame";
+    return fileName +
+      ": give a name that ends in .ogv (Ogg Theora), or one with %04d that ends in "
+      ".png for one picture a frame";
   }
   const std::string problem = CheckFolder(fileName);
   if (!problem.empty())
@@ -130,8 +130,9 @@ std::string Recorder::AddFrame()
   if (this->Video)
   {
     this->Video->Write();
-    problem =
-      this->Video->GetError() ? this->FileName + ": a frame cannot be written; is the disk full?" : "";
+    problem = this->Video->GetError()
+      ? this->FileName + ": a frame cannot be written; is the disk full?"
+      : "";
   }
   else
   {

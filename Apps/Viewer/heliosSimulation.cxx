@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSimulation.h"
 
+#include "heliosErrorText.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -30,20 +29,6 @@ constexpr vtkIdType FewestPulses = 1024; // of a block
 constexpr vtkIdType MostPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // that a block is to take
 constexpr double SamplesPerLeg = 2000.0; // of the way
-
-/// Keeps the first error of an object, without VTK's frame around it.
-void KeepError(vtkObject*, unsigned long, void* kept, void* text)
-{
-  auto* message = static_cast<std::string*>(kept);
-  std::string error = static_cast<const char*>(text);
-  const std::size_t name = error.find("): ");
-  error = name == std::string::npos ? error : error.substr(name + 3);
-  error.erase(error.find_last_not_of(" \n") + 1);
-  if (message->empty())
-  {
-    *message = error;
-  }
-}
 
 Pose GetPose(vtkPolyData* way, vtkIdType sample)
 {
@@ -204,11 +189,7 @@ std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
 /// The thread: loads, then runs blocks and answers until it is to end.
 void Simulation::Work()
 {
-  vtkNew<vtkCallbackCommand> onError;
-  std::string error;
-  onError->SetCallback(KeepError);
-  onError->SetClientData(&error);
-  const unsigned long tag = this->Source->AddObserver(vtkCommand::ErrorEvent, onError);
+  const ErrorText errors(this->Source);
   bool isGood = this->Load();
   while (isGood)
   {
@@ -222,13 +203,12 @@ void Simulation::Work()
     }
     isGood = this->Answer() && this->RunBlock();
   }
-  this->Source->RemoveObserver(tag);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Questions.clear(); // their futures then throw
   if (!isGood && !this->IsEnding)
   {
     this->State = Phase::Failed;
-    this->Message = error.empty() ? "The survey cannot be run." : error;
+    this->Message = errors.Get("The survey cannot be run.");
   }
 }
 
@@ -285,8 +265,8 @@ void Simulation::ReadLegs()
 /// Under the mutex.
 bool Simulation::HasWork() const
 {
-  const bool isBefore = this->NextPulse < this->NumberOfPulses &&
-    this->Source->FindPulse(this->Target) > this->NextPulse;
+  const bool isBefore =
+    this->NextPulse<this->NumberOfPulses&& this->Source->FindPulse(this->Target)> this->NextPulse;
   return !this->Questions.empty() || (isBefore && this->Blocks.size() < LongestQueue);
 }
 
@@ -347,9 +327,8 @@ bool Simulation::Answer()
     this->Source->GenerateSubRaysOn();
     this->Source->SetPulseWindow(question.Pulse, question.Pulse + 1);
     this->Source->Update();
-    question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0),
-      Keep<vtkTable>(this->Source, 1), Keep<vtkPolyData>(this->Source, 2),
-      Keep<vtkPolyData>(this->Source, 3) });
+    question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0), Keep<vtkTable>(this->Source, 1),
+      Keep<vtkPolyData>(this->Source, 2), Keep<vtkPolyData>(this->Source, 3) });
     this->Source->GenerateWaveformsOff();
     this->Source->GeneratePulsesOff();
     this->Source->GenerateSubRaysOff();

@@ -6,9 +6,13 @@
 #define heliosSimulation_h
 
 #include "heliosPose.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveySource.h"
 
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 #include <vtkType.h>
 
 #include <condition_variable>
@@ -18,11 +22,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-class vtkHeliosSurvey;
-class vtkHeliosSurveySource;
-class vtkPolyData;
-class vtkTable;
 
 namespace helios
 {

@@ -5,14 +5,14 @@
 #ifndef heliosTimeBar_h
 #define heliosTimeBar_h
 
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
+#include <vtkSliderRepresentation2D.h>
+#include <vtkSliderWidget.h>
 
 #include <functional>
 
-class vtkCallbackCommand;
 class vtkRenderWindowInteractor;
-class vtkSliderRepresentation2D;
-class vtkSliderWidget;
 
 namespace helios
 {

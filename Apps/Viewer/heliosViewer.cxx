@@ -19,6 +19,7 @@
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -321,8 +322,16 @@ void Viewer::FinishLoading()
     return;
   }
   this->IsLoading = false;
+  vtkBoundingBox box;
   double bounds[6];
   this->Running->GetScene()->GetBounds(bounds);
+  box.SetBounds(bounds);
+  for (const SimulatedLeg& leg : this->Running->GetLegs())
+  {
+    box.AddPoint(leg.Poses.front().Position.GetData());
+    box.AddPoint(leg.Poses.back().Position.GetData());
+  }
+  box.GetBounds(bounds);
   this->Begin(bounds, this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
   this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);

@@ -12,21 +12,20 @@
 #include "heliosPose.h"
 #include "heliosRecorder.h"
 #include "heliosViewerOptions.h"
+#include "vtkHeliosSurvey.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkCallbackCommand;
-class vtkHeliosSurvey;
-class vtkObject;
 class vtkPolyData;
-class vtkRenderer;
-class vtkRenderWindow;
-class vtkRenderWindowInteractor;
 
 namespace helios
 {

@@ -113,8 +113,8 @@ void ViewerKeys::AddTime()
     { "", { "comma" }, ",", "back by a line of the scan", [&viewer] { Step(viewer, -1); } });
   this->Actions.push_back({ "", { "plus", "equal", "KP_Add" }, "+", "faster, up to all there is",
     [&clock] { clock.ChangeSpeed(1); } });
-  this->Actions.push_back({ "", { "minus", "KP_Subtract" }, "-", "slower",
-    [&clock] { clock.ChangeSpeed(-1); } });
+  this->Actions.push_back(
+    { "", { "minus", "KP_Subtract" }, "-", "slower", [&clock] { clock.ChangeSpeed(-1); } });
   this->Actions.push_back({ "", { "1" }, "1", "real time", [&clock] { clock.SetSpeed(1.0); } });
   this->Actions.push_back(
     { "", { "Home" }, "Home", "to the start", [&clock] { clock.Seek(clock.GetStart()); } });
@@ -126,8 +126,9 @@ void ViewerKeys::AddTime()
 void ViewerKeys::AddCameras()
 {
   Viewer& viewer = this->Owner;
-  const auto add = [this, &viewer](const char* heading, const char* key, const char* what,
-                     CameraMode mode) {
+  const auto add = [this, &viewer](
+                     const char* heading, const char* key, const char* what, CameraMode mode)
+  {
     this->Actions.push_back(
       { heading, { key }, key, what, [&viewer, mode] { viewer.SetCameraMode(mode); } });
   };
@@ -154,10 +155,10 @@ void ViewerKeys::AddLook()
     { "Look", { "k" }, "k", "other colours", [&viewer] { ChangeColors(viewer, 1); } });
   this->Actions.push_back(
     { "", { "K" }, "K", "the colours before", [&viewer] { ChangeColors(viewer, -1); } });
-  this->Actions.push_back({ "", { "bracketright" }, "]", "larger points",
-    [&viewer] { ChangePointSize(viewer, 1.0); } });
-  this->Actions.push_back({ "", { "bracketleft" }, "[", "smaller points",
-    [&viewer] { ChangePointSize(viewer, -1.0); } });
+  this->Actions.push_back(
+    { "", { "bracketright" }, "]", "larger points", [&viewer] { ChangePointSize(viewer, 1.0); } });
+  this->Actions.push_back(
+    { "", { "bracketleft" }, "[", "smaller points", [&viewer] { ChangePointSize(viewer, -1.0); } });
   this->Actions.push_back({ "", { "e" }, "e", "edges shaded by depth",
     [&viewer]
     { viewer.GetCloudView().SetEyeDomeLighting(!viewer.GetCloudView().GetEyeDomeLighting()); } });

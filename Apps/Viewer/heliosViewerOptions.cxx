@@ -43,8 +43,9 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
   app.add_option("inputs", options.Inputs, "a survey, a run, clouds, or a scene")
     ->required()
     ->option_text("SURVEY.xml|RUN|CLOUD...|SCENE");
-  app.add_option("--assets", options.Assets,
-       "a folder to look up scenes, scanners and platforms in; may be repeated")
+  app
+    .add_option("--assets", options.Assets,
+      "a folder to look up scenes, scanners and platforms in; may be repeated")
     ->option_text("DIR")
     ->allow_extra_args(false);
   app.add_option("--seed", options.Seed, "the key of all random numbers (default: the survey's)")
@@ -55,9 +56,10 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
 
 void AddTime(CLI::App& app, ViewerOptions& options, std::string& speed)
 {
-  app.add_option("--speed", speed,
-       "seconds of the survey a second: 0.01 to 1000, 1 is real time; max: as fast as it computes "
-       "(default: max; of a recording: the whole survey)")
+  app
+    .add_option("--speed", speed,
+      "seconds of the survey a second: 0.01 to 1000, 1 is real time; max: as fast as it computes "
+      "(default: max; of a recording: the whole survey)")
     ->option_text("X");
   app.add_option("--time", options.StartTime, "the time that is shown first [s]")
     ->check(CLI::NonNegativeNumber)
@@ -69,8 +71,9 @@ void AddLook(CLI::App& app, ViewerOptions& options, std::string& size)
 {
   app.add_option("--camera", options.Camera, "where the camera is (default: free)")
     ->check(CLI::IsMember({ "free", "fly", "follow", "scanner", "top", "side", "orbit" }));
-  app.add_option("--camera-script", options.CameraScript,
-       "key frames: JSON, a list of {\"time\", \"position\", \"focalPoint\", \"viewUp\"}")
+  app
+    .add_option("--camera-script", options.CameraScript,
+      "key frames: JSON, a list of {\"time\", \"position\", \"focalPoint\", \"viewUp\"}")
     ->option_text("FILE");
   app.add_option("--color-by", options.ColorBy, "what colours show (default: height)")
     ->check(CLI::IsMember(GetColorByNames()));
@@ -87,23 +90,27 @@ void AddLook(CLI::App& app, ViewerOptions& options, std::string& size)
 void AddOutputs(CLI::App& app, ViewerOptions& options)
 {
   app.add_flag("--offscreen", options.Offscreen, "no window: for --record and --still");
-  app.add_option("--record", options.Record,
-       "a video, .ogv (Ogg Theora), or one picture a frame, frame%04d.png")
+  app
+    .add_option("--record", options.Record,
+      "a video, .ogv (Ogg Theora), or one picture a frame, frame%04d.png")
     ->option_text("FILE");
-  app.add_option("--seconds", options.Seconds,
-       "how long the recording lasts; the survey then takes that long, unless --speed is given "
-       "(default: 10)")
+  app
+    .add_option("--seconds", options.Seconds,
+      "how long the recording lasts; the survey then takes that long, unless --speed is given "
+      "(default: 10)")
     ->check(CLI::Range(0.04, 86400.0))
     ->option_text("S");
-  app.add_option("--fps", options.FramesPerSecond, "frames a second of the recording (default: 25)")
+  app
+    .add_option("--fps", options.FramesPerSecond, "frames a second of the recording (default: 25)")
     ->check(CLI::Range(1.0, 120.0))
     ->option_text("N");
   app.add_option("--still", options.Still, "a picture (PNG) of all there is in the end")
     ->option_text("FILE.png");
   app.add_option("--state", options.State, "keep what is shown in a JSON file, for scripts")
     ->option_text("FILE.json");
-  app.add_option("--save", options.Save,
-       "where s saves a survey made by hand (default: survey.xml of this folder)")
+  app
+    .add_option("--save", options.Save,
+      "where s saves a survey made by hand (default: survey.xml of this folder)")
     ->option_text("FILE.xml");
 }
 

@@ -29,12 +29,12 @@ struct ViewerOptions
   double PointSize = 2.0;
   bool EyeDome = true;
   bool Fan = true;
-  bool Words = true; ///< over the picture
-  std::string Record; ///< video or frames
+  bool Words = true;    ///< over the picture
+  std::string Record;   ///< video or frames
   double Seconds = 0.0; ///< of the recording; 0: 10, or until the user ends it
   double FramesPerSecond = 25.0;
-  std::string Still; ///< a picture of the end
-  std::string State; ///< a JSON file that says what is shown
+  std::string Still;               ///< a picture of the end
+  std::string State;               ///< a JSON file that says what is shown
   std::string Save = "survey.xml"; ///< where a survey made by hand is saved
   long long Seed = -1;
   bool Noise = true;
@@ -44,8 +44,8 @@ struct ViewerOptions
 enum class OptionsResult
 {
   Go,
-  Done,  ///< help or version was printed
-  Wrong  ///< the reason is on standard error
+  Done, ///< help or version was printed
+  Wrong ///< the reason is on standard error
 };
 
 OptionsResult ReadOptions(int argc, char** argv, ViewerOptions& options);

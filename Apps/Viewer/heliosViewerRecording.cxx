@@ -33,7 +33,8 @@ int Viewer::RunScripted()
     const auto frames = static_cast<int>(std::lround(seconds / step));
     for (int i = 0; i < frames && problem.empty() && this->ExitCode == 0; ++i)
     {
-      this->WaitFor(std::min(this->Clock.GetEnd(), this->Clock.GetTime() + step * this->Clock.GetSpeed()));
+      this->WaitFor(
+        std::min(this->Clock.GetEnd(), this->Clock.GetTime() + step * this->Clock.GetSpeed()));
       this->Frame(step);
       this->Draw();
       problem = this->Video.AddFrame();
@@ -48,7 +49,8 @@ int Viewer::RunScripted()
   }
   if (!this->Options.Still.empty() && this->ExitCode == 0)
   {
-    const double time = this->Options.StartTime >= 0.0 ? this->Options.StartTime : this->Clock.GetEnd();
+    const double time =
+      this->Options.StartTime >= 0.0 ? this->Options.StartTime : this->Clock.GetEnd();
     this->Clock.Seek(time);
     this->WaitFor(time);
     this->Frame(0.0);

@@ -115,8 +115,7 @@ Json::Value ViewerState::Describe() const
   state["time"] = this->DescribeTime();
   state["cloud"] = this->DescribeCloud();
   state["scene"] = this->Owner.Mesh && this->Owner.Mesh->IsVisible();
-  state["beams"] = Json::Int64(
-    this->Owner.Platform && this->Owner.Platform->IsFanVisible()
+  state["beams"] = Json::Int64(this->Owner.Platform && this->Owner.Platform->IsFanVisible()
       ? this->Owner.Platform->GetNumberOfBeams()
       : 0);
   state["help"] = this->Owner.Words->IsHelpVisible();

@@ -19,7 +19,7 @@ namespace helios
 namespace
 {
 
-constexpr double RateSeconds = 0.5; // that a rate is a mean over
+constexpr double RateSeconds = 0.5;  // that a rate is a mean over
 constexpr std::size_t MostLegs = 14; // that are listed
 
 __attribute__((format(printf, 1, 2))) std::string Format(const char* format, ...)
@@ -110,8 +110,8 @@ std::string Viewer::DescribeTime() const
   const char* doing = this->Clock.IsPlaying() ? "playing" : "paused";
   std::string text = Format("%.3f of %.3f s   %s, %s\n", this->Clock.GetTime(),
     this->Clock.GetEnd(), doing, DescribeSpeed(this->Clock.GetSpeed()).c_str());
-  const bool isBehind =
-    this->Running && this->Clock.IsPlaying() && std::isfinite(this->Clock.GetSpeed()) &&
+  const bool isBehind = this->Running && this->Clock.IsPlaying() &&
+    std::isfinite(this->Clock.GetSpeed()) &&
     this->Clock.GetTime() + 0.5 * this->Clock.GetSpeed() < this->Clock.GetEnd() &&
     this->Running->GetTakenTime() <= this->Clock.GetTime();
   text += isBehind ? "slower than that: it computes no faster\n" : "";
