@@ -328,8 +328,10 @@ void Viewer::FinishLoading()
   box.SetBounds(bounds);
   for (const SimulatedLeg& leg : this->Running->GetLegs())
   {
-    box.AddPoint(leg.Poses.front().Position.GetData());
-    box.AddPoint(leg.Poses.back().Position.GetData());
+    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
+    {
+      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
+    }
   }
   box.GetBounds(bounds);
   this->Begin(bounds, this->KeepsCamera);
