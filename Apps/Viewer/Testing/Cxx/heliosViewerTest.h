@@ -38,13 +38,14 @@ inline vtkSmartPointer<vtkPolyData> MakeEchoes(const std::vector<Vec3>& places)
   return echoes;
 }
 
-inline void AddColumn(vtkPolyData* echoes, const char* name, const std::vector<double>& values)
+template <typename Array = vtkDoubleArray>
+void AddColumn(vtkPolyData* echoes, const char* name, const std::vector<double>& values)
 {
-  vtkNew<vtkDoubleArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
   for (const double value : values)
   {
-    array->InsertNextValue(value);
+    array->InsertNextValue(static_cast<typename Array::ValueType>(value));
   }
   echoes->GetPointData()->AddArray(array);
 }
