@@ -3,8 +3,10 @@
 #include "heliosCloudView.h"
 
 #include "heliosEyeDome.h"
+#include "heliosPixelMap.h"
 #include "heliosPointActor.h"
 
+#include <vtkCommand.h>
 #include <vtkLookupTable.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
@@ -66,12 +68,14 @@ CloudView::CloudView(const Cloud& cloud, vtkRenderer* renderer)
   this->Bar->SetLookupTable(this->Table);
   this->Bar->VisibilityOff();
   renderer->AddActor2D(this->Bar);
+  this->Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &CloudView::ShowVisible);
   this->Update();
 }
 
 //------------------------------------------------------------------------------
 CloudView::~CloudView()
 {
+  this->Renderer->RemoveObserver(this->Observer);
   this->Renderer->RemoveActor2D(this->Bar);
   this->SetEyeDomeLighting(false);
 }
@@ -82,6 +86,7 @@ void CloudView::Update()
   if (this->Points.GetNumberOfPoints() < this->Sampled) // it was cleared
   {
     this->Chunks.clear();
+    this->Sample->SetVisible(false);
     this->SampleRows.clear();
     this->SampleMask = 0;
     this->Sampled = this->FittedTo = 0;
@@ -184,8 +189,9 @@ void CloudView::Recolor()
 //------------------------------------------------------------------------------
 void CloudView::Refresh()
 {
+  this->Stale = true;
   const auto& chunks = this->Points.GetChunks();
-  while (this->Chunks.size() < chunks.size())
+  while (this->IsWhole() && this->Chunks.size() < chunks.size())
   {
     this->Chunks.push_back(std::make_unique<PointActor>(this->Renderer));
     PointActor& actor = *this->Chunks.back();
@@ -193,38 +199,49 @@ void CloudView::Refresh()
     actor.SetPointSize(this->PointSize);
     actor.SetPlanes(this->Window.HasBox ? this->Planes.Get() : nullptr);
   }
-  const bool isSampled = this->Interacting && this->SampleMask != 0;
-  if (isSampled)
+  if (!this->IsWhole())
+  {
+    this->Chunks.clear();
+  }
+  if (this->Interacting && this->SampleMask != 0)
   {
     for (const auto& actor : this->Chunks)
     {
       actor->SetVisible(false);
     }
     this->ShowSample();
-    return;
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
+  else if (this->IsWhole())
+  {
+    this->Colorize();
+    for (std::size_t c = 0; c < chunks.size(); ++c)
+    {
+      this->ShowChunk(c);
+    }
+    this->Sample->SetVisible(false);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CloudView::Colorize()
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Chunks.size()), 1,
+    [this](vtkIdType begin, vtkIdType end)
     {
       for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
       {
+        const CloudChunk& chunk = *this->Points.GetChunks()[c];
         PointActor& actor = *this->Chunks[c];
         const auto colored = static_cast<vtkIdType>(actor.Rgba.size() / 4);
-        const vtkIdType size = chunks[c]->GetSize();
-        if (colored < size)
+        if (colored < chunk.GetSize())
         {
-          actor.Rgba.resize(static_cast<std::size_t>(4 * size));
+          actor.Rgba.resize(static_cast<std::size_t>(4 * chunk.GetSize()));
           this->Colors.Map(
-            this->Points, *chunks[c], colored, size, actor.Rgba.data() + 4 * colored);
+            this->Points, chunk, colored, chunk.GetSize(), actor.Rgba.data() + 4 * colored);
           actor.ColorsChanged();
         }
       }
     });
-  for (std::size_t c = 0; c < chunks.size(); ++c)
-  {
-    this->ShowChunk(c);
-  }
-  this->Sample->SetVisible(false);
 }
 
 //------------------------------------------------------------------------------
@@ -272,26 +289,65 @@ void CloudView::ShowChunk(std::size_t c)
 //------------------------------------------------------------------------------
 void CloudView::ShowSample()
 {
-  std::vector<std::uint8_t>& rgba = this->Sample->Rgba;
-  rgba.resize(4 * this->SampleRows.size());
-  this->SampleXyz.resize(3 * this->SampleRows.size());
-  std::size_t shown = 0;
+  std::vector<std::uint32_t> rows;
+  const std::uint32_t mask = this->SampleMask | this->MovingMask;
   for (const std::uint32_t row : this->SampleRows)
   {
     const CloudChunk& chunk = this->Points.FindChunk(row);
-    const vtkIdType i = row - chunk.FirstRow;
-    if (this->Window.Contains(chunk, i))
+    if ((Hash(row) & mask) == 0 && this->Window.Contains(chunk, row - chunk.FirstRow))
     {
-      std::copy(
-        chunk.GetXyz() + 3 * i, chunk.GetXyz() + 3 * i + 3, this->SampleXyz.data() + 3 * shown);
-      this->Colors.Map(this->Points, chunk, i, i + 1, rgba.data() + 4 * shown);
-      ++shown;
+      rows.push_back(row);
     }
   }
+  this->ShowRows(rows);
+}
+
+//------------------------------------------------------------------------------
+void CloudView::ShowVisible()
+{
+  if (this->IsWhole() || this->Interacting || !this->Visible)
+  {
+    return;
+  }
+  const PixelMap pixels(this->Renderer);
+  if (this->Stale || !this->VisibleFrom || !(*this->VisibleFrom == pixels))
+  {
+    this->ShowRows(FindVisiblePoints(this->Points, this->Window, pixels));
+    this->VisibleFrom = std::make_unique<PixelMap>(pixels);
+    this->Stale = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void CloudView::ShowRows(const std::vector<std::uint32_t>& rows)
+{
+  std::vector<std::uint8_t>& rgba = this->Sample->Rgba;
+  rgba.resize(4 * rows.size());
+  this->SampleXyz.resize(3 * rows.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(rows.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      {
+        const CloudChunk& chunk = this->Points.FindChunk(rows[k]);
+        const vtkIdType i = rows[k] - chunk.FirstRow;
+        std::copy(
+          chunk.GetXyz() + 3 * i, chunk.GetXyz() + 3 * i + 3, this->SampleXyz.data() + 3 * k);
+        this->Colors.Map(this->Points, chunk, i, i + 1, rgba.data() + 4 * k);
+      }
+    });
   this->Sample->ColorsChanged();
   this->Sample->Show(this->SampleXyz.data(), 0); // the numbers have changed in place
-  this->Sample->Show(this->SampleXyz.data(), static_cast<vtkIdType>(shown));
+  this->Sample->Show(this->SampleXyz.data(), static_cast<vtkIdType>(rows.size()));
   this->Sample->SetVisible(this->Visible);
+}
+
+//------------------------------------------------------------------------------
+void CloudView::SetWholeLimit(vtkIdType points)
+{
+  this->WholeLimit = points;
+  this->Sample->SetVisible(false);
+  this->Refresh();
 }
 
 //------------------------------------------------------------------------------
@@ -353,14 +409,51 @@ void CloudView::SetPointSize(double size)
 //------------------------------------------------------------------------------
 void CloudView::SetEyeDomeLighting(bool on)
 {
-  if (on != this->EyeDomeLighting)
+  this->EyeDomeLighting = on;
+  this->Unshaded = false;
+  this->UpdatePass();
+}
+
+//------------------------------------------------------------------------------
+void CloudView::UpdatePass()
+{
+  const bool shaded = this->EyeDomeLighting && !(this->Interacting && this->Unshaded);
+  if (shaded == this->Shaded)
   {
-    this->EyeDomeLighting = on;
-    if (this->Renderer->GetPass() && this->Renderer->GetRenderWindow())
-    {
-      this->Renderer->GetPass()->ReleaseGraphicsResources(this->Renderer->GetRenderWindow());
-    }
-    this->Renderer->SetPass(on ? MakeEyeDomePass().Get() : nullptr);
+    return;
+  }
+  this->Shaded = shaded;
+  if (this->Renderer->GetPass() && this->Renderer->GetRenderWindow())
+  {
+    this->Renderer->GetPass()->ReleaseGraphicsResources(this->Renderer->GetRenderWindow());
+  }
+  this->Renderer->SetPass(shaded ? MakeEyeDomePass().Get() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+void CloudView::ReportFrame(double seconds)
+{
+  constexpr std::size_t fewest = 20000;
+  if (!this->Interacting)
+  {
+    return;
+  }
+  const std::uint32_t mask = this->SampleMask | this->MovingMask;
+  if (seconds > 0.08 && this->Shaded)
+  {
+    this->Unshaded = true;
+    this->UpdatePass();
+  }
+  else if (seconds > 0.08 &&
+    (this->SampleRows.size() >> 1) / (mask / (this->SampleMask + 1) + 1) >= fewest)
+  {
+    this->MovingMask = 2 * mask + 1;
+    this->Refresh();
+  }
+  else if (seconds < 0.025 && mask != this->SampleMask)
+  {
+    this->MovingMask = mask / 2;
+    this->Refresh();
   }
 }
 
@@ -421,6 +514,7 @@ void CloudView::SetInteracting(bool on)
   if (on != this->Interacting)
   {
     this->Interacting = on;
+    this->UpdatePass();
     this->Refresh();
   }
 }
@@ -429,6 +523,7 @@ void CloudView::SetInteracting(bool on)
 void CloudView::SetVisible(bool on)
 {
   this->Visible = on;
+  this->Sample->SetVisible(false);
   this->UpdateBar();
   this->Refresh();
 }

@@ -65,7 +65,7 @@ void Report(const char* what, double value, const char* unit)
 
 } // namespace
 
-TEST_CASE("CloudView: how fast it is", "[.][benchmark]")
+TEST_CASE("Benchmark: a large cloud", "[.][benchmark]")
 {
   const char* wanted = std::getenv("HELIOS_POINTS");
   const vtkIdType all = 1000000 * (wanted ? std::max(1, std::atoi(wanted)) : 20);
@@ -89,7 +89,9 @@ TEST_CASE("CloudView: how fast it is", "[.][benchmark]")
   stage.Renderer->ResetCameraClippingRange();
   const double first = Time([&] { stage.Window->Render(); });
   const double still = Time([&] { stage.Window->Render(); });
-  REQUIRE(view->GetNumberOfDrawnPoints() == all);
+  camera->Azimuth(1.0);
+  const double turned = Time([&] { stage.Window->Render(); });
+  REQUIRE(view->GetNumberOfDrawnPoints() > std::min<vtkIdType>(all, 200000));
 
   std::optional<Echo> echo;
   const double pick = Time([&] { echo = view->Pick(640, 400, 5); });
@@ -142,6 +144,7 @@ TEST_CASE("CloudView: how fast it is", "[.][benchmark]")
   Report("colours and sample", build, "s");
   Report("first picture", first, "s");
   Report("picture of all when still", still, "s");
+  Report("picture of all after a turn", turned, "s");
   Report("pick among all", pick, "s");
   Report("start to move", toMoving, "s");
   Report("moving", frames / moving, "frames/s");
