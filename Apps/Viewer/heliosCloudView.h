@@ -5,6 +5,7 @@
 #ifndef heliosCloudView_h
 #define heliosCloudView_h
 
+#include "heliosBoundsProp.h"
 #include "heliosCloud.h"
 #include "heliosCloudColors.h"
 #include "heliosCloudPicker.h"
@@ -135,6 +136,7 @@ private:
   void ShowRows(const std::vector<std::uint32_t>& rows);
   bool IsWhole() const { return this->Points.GetNumberOfPoints() <= this->WholeLimit; }
   void UpdatePass();
+  void UpdateRoom();
   void SetUpPlanes();
 
   const Cloud& Points;
@@ -162,6 +164,7 @@ private:
   std::uint32_t SampleMask = 0;
   vtkIdType Sampled = 0; // points of the cloud that were asked
   vtkIdType FittedTo = 0;
+  vtkNew<BoundsProp> Room;
   vtkNew<vtkPlaneCollection> Planes;
   vtkNew<vtkScalarBarActor> Bar;
   vtkNew<vtkLookupTable> Table;
