@@ -81,6 +81,10 @@ void CloudView::Update()
     this->SampleMask = 0;
     this->Sampled = this->FittedTo = 0;
   }
+  if (this->Sampled == 0)
+  {
+    this->SetUpPlanes(); // with the first points there is an origin
+  }
   this->UpdateSample();
   const bool hasGrown = this->Points.GetNumberOfPoints() > 1.1 * this->FittedTo;
   if (hasGrown)

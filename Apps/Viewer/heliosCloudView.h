@@ -38,7 +38,7 @@ class CloudView
 {
 public:
   /// Points drawn while moving, at most.
-  static constexpr std::size_t MaximumSample = 200000;
+  static constexpr std::size_t MaximumSample = 120000;
 
   ///@{
   /// Clouds of up to so many points are drawn as they are. Default: 2 million.

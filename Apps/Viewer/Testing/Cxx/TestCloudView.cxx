@@ -247,6 +247,23 @@ TEST_CASE("CloudView: the clip box hides what is outside it, and nothing else")
   CHECK_FALSE(view.SetClipBox(bad));
 }
 
+TEST_CASE("CloudView: a clip box set before there are points is where it was set")
+{
+  Stage stage;
+  Cloud cloud;
+  CloudView view(cloud, stage.Renderer);
+  const double box[6] = { 1000.0, 1001.0, 2000.0, 2001.0, -1.0, 1.0 };
+  REQUIRE(view.SetClipBox(box));
+  view.SetClipping(true);
+  view.SetColorBy(ColorBy::One);
+  view.SetPointSize(3.0);
+  cloud.Append(MakeEchoes({ { 1000, 2000, 0 }, { 1005, 2000, 0 } }));
+  view.Update();
+  stage.Render();
+  CHECK(stage.GetColorAt(0.05, 0.05) == Rgb{ 200, 205, 210 });
+  CHECK(stage.GetColorAt(5, 0) == Black);
+}
+
 TEST_CASE("CloudView: the time limit shows what was there by then")
 {
   Stage stage;
