@@ -26,7 +26,8 @@ void SetUpBar(vtkScalarBarActor* bar)
 {
   bar->UnconstrainedFontSizeOn();
   bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%.5g");
+  bar->SetLabelFormat("%.4g");
+  bar->SetVerticalTitleSeparation(10);
   bar->SetMaximumNumberOfColors(256);
   bar->SetWidth(0.08);
   bar->SetHeight(0.45);

@@ -146,9 +146,25 @@ void Viewer::SetUpView()
 }
 
 //------------------------------------------------------------------------------
+/// The camera that the options ask for; says what is wrong with them, or returns an empty text.
+std::string Viewer::SetUpCamera()
+{
+  const auto& names = GetCameraModeNames();
+  const auto mode = std::find(names.begin(), names.end(), this->Options.Camera) - names.begin();
+  this->SetCameraMode(static_cast<CameraMode>(mode));
+  if (this->Options.CameraScript.empty())
+  {
+    return {};
+  }
+  this->SetCameraMode(CameraMode::Script);
+  return this->Camera.ReadScript(this->Options.CameraScript);
+}
+
+//------------------------------------------------------------------------------
 bool Viewer::LoadInputs()
 {
-  const std::string problem = ShowInputs(*this);
+  std::string problem = this->SetUpCamera();
+  problem = problem.empty() ? ShowInputs(*this) : problem;
   if (!problem.empty())
   {
     std::cerr << "error: " << problem << "\n";
@@ -194,6 +210,7 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   this->Running.reset();
   this->Legs = legs;
   this->Origin = this->Points->GetOrigin();
+  this->Camera.SetOrigin(this->Origin);
   const bool hasPoints = this->Points->GetBounds(bounds);
   this->ShowBox(bounds, hasPoints);
   this->PointsView->Update();
@@ -235,6 +252,7 @@ void Viewer::Begin(const double bounds[6], bool keepCamera)
   this->Points->Clear();
   this->Points->SetOrigin(this->Origin);
   this->PointsView->Update();
+  this->Camera.SetOrigin(this->Origin);
   this->ShowBox(bounds, hasData);
   if (!keepCamera || before != this->Origin)
   {
@@ -425,6 +443,7 @@ void Viewer::PlacePlatform(double seconds)
   const Pose platform = leg->GetPose(time);
   const Pose scanner = platform * leg->Mount;
   this->Platform->Place(leg->Type, platform, leg->Mount);
+  this->Platform->SetModelVisible(this->Camera.GetMode() != CameraMode::Scanner);
   const double line =
     leg->LineFrequency > 0.0 ? std::min(1.0 / leg->LineFrequency, 0.2) : FanSeconds;
   this->LastEnds = FindNewestPoints(*this->Points, time, line, FanBeams);
@@ -448,6 +467,7 @@ void Viewer::Draw()
   this->Window->Render();
   const double end = this->Now();
   this->Budget.NoteFrame(end, end - start);
+  this->PointsView->ReportFrame(end - start);
   this->FramesPerSecond = 1.0 / std::max(1e-3, end - start);
   ++this->NumberOfFrames;
   this->IsDirty = false;

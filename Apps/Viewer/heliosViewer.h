@@ -103,6 +103,7 @@ public:
 private:
   friend class ViewerState;
 
+  std::string SetUpCamera();
   bool LoadInputs();
   void SetUpWindow();
   void SetUpEvents();

@@ -89,7 +89,8 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
 }
 
 /// The ways in the files of a run, as the legs of a replay.
-std::vector<SimulatedLeg> MakeLegs(const std::vector<vtkSmartPointer<vtkPolyData>>& ways)
+std::vector<SimulatedLeg> MakeLegs(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
 {
   std::vector<SimulatedLeg> legs;
   for (vtkPolyData* way : ways)
@@ -109,6 +110,11 @@ std::vector<SimulatedLeg> MakeLegs(const std::vector<vtkSmartPointer<vtkPolyData
   }
   std::stable_sort(legs.begin(), legs.end(),
     [](const SimulatedLeg& a, const SimulatedLeg& b) { return a.StartTime < b.StartTime; });
+  for (std::size_t i = 0; i < legs.size(); ++i) // a tripod's stand lasts until the next
+  {
+    const double next = i + 1 < legs.size() ? legs[i + 1].StartTime : end;
+    legs[i].EndTime = legs[i].IsMoving ? legs[i].EndTime : std::max(next, legs[i].EndTime);
+  }
   return legs;
 }
 
@@ -124,7 +130,9 @@ std::string ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
       return problem;
     }
   }
-  viewer.ShowCloud(MakeLegs(reader.Trajectories));
+  double times[2] = { 0.0, 0.0 };
+  viewer.GetCloud().GetTimeRange(times);
+  viewer.ShowCloud(MakeLegs(reader.Trajectories, times[1]));
   return {};
 }
 
