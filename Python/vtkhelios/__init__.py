@@ -22,8 +22,14 @@ import importlib
 import pathlib
 import pkgutil
 
+# Before _native, which links to what it loads.
+from . import vtkHeliosScannerSurvey as _  # noqa: F401
 from ._arrays import arrays
+from ._compose import Pipeline, select_ports
+from ._extend import extend
+from ._filter import filter
 from ._pipeline import PipelineError, update
+from .cloud import Cloud, Records
 
 _own = ["PipelineError", "arrays", "data_directory", "update"]
 
@@ -45,5 +51,7 @@ def _load_modules():
     return sorted(names)
 
 
-__all__ = _own + _load_modules()
+_classes = _load_modules()
+extend(globals()[name] for name in _classes)
+__all__ = _own + _classes
 __version__ = globals()["vtkHeliosVersion"].GetVersion()
