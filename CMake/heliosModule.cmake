@@ -56,3 +56,9 @@ function(helios_add_test_program module folder)
       PROPERTIES LABELS "${module};mutation" TIMEOUT 3000 ENVIRONMENT "HELIOS_MUTATIONS=${VTKHELIOS_MUTATIONS}")
   endif()
 endfunction()
+
+# Registers VTK's drawing classes in a program or library of the viewer.
+function(helios_register_drawing target)
+  list(TRANSFORM vtkhelios_viewer_components PREPEND "VTK::" OUTPUT_VARIABLE modules)
+  vtk_module_autoinit(TARGETS ${target} MODULES ${modules})
+endfunction()

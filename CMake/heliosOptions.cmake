@@ -1,6 +1,7 @@
 # The build's switches, and the directories everything goes to.
 
 option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
+option(VTKHELIOS_BUILD_VIEWER "Build the viewer" ON)
 option(VTKHELIOS_BUILD_TESTING "Build the tests" ON)
 option(VTKHELIOS_BUILD_BENCHMARKS "Build the benchmarks (they need Embree, CGAL and tinyobjloader)" OFF)
 option(VTKHELIOS_ENABLE_EMBREE "Build the ray caster on Embree 3" ON)
@@ -47,4 +48,13 @@ set(vtkhelios_vtk_components
   FiltersCore FiltersGeneral IOXML)
 if(VTKHELIOS_WRAP_PYTHON)
   list(APPEND vtkhelios_vtk_components WrappingPythonCore Python)
+endif()
+
+# What the viewer draws with; not part of the package that other projects find.
+set(vtkhelios_viewer_components)
+if(VTKHELIOS_BUILD_VIEWER)
+  set(vtkhelios_viewer_components
+    ChartsCore CommonColor FiltersModeling FiltersSources ImagingCore InteractionStyle InteractionWidgets
+    IOGeometry IOImage IOMovie IOOggTheora IOPLY RenderingAnnotation RenderingContext2D
+    RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingUI ViewsContext2D)
 endif()

@@ -32,7 +32,8 @@ namespace
 {
 
 constexpr double BytesPerKibibyte = 1024.0;
-constexpr int NumberOfPorts = 3; // echoes, waveforms, pulses
+constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, hits of sub-rays
+constexpr vtkIdType AllPulses = VTK_ID_MAX;
 constexpr auto None = static_cast<std::size_t>(-1);
 
 void SetPose(const Pose& pose, double position[3], double orientation[4])
@@ -80,6 +81,8 @@ LegScanner::LegScanner(
   , Scenes(scene, survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
+  , FirstPulse(0)
+  , LastPulse(AllPulses)
   , Motion(survey.Scene, scene, log)
   , WindowStart(-VTK_DOUBLE_MAX)
   , MoveTime(0)
@@ -120,6 +123,7 @@ void LegScanner::SetUp(const LegPlan& plan)
   }
   this->Clock = { plan.FirstShot, plan.StartTime, leg.Scans.front().PulseFrequency };
   this->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+  this->SetPulseWindow(0, AllPulses);
 }
 
 //------------------------------------------------------------------------------
@@ -180,9 +184,38 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
     channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
   }
   channel->SetSeed(this->Settings.Seed);
+  this->PutOutputs(channel);
+  return channel;
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::PutOutputs(vtkHeliosScanner* channel) const
+{
   channel->SetGenerateWaveforms(this->Settings.Waveforms);
   channel->SetGeneratePulses(this->Settings.Pulses);
-  return channel;
+  channel->SetGenerateSubRays(this->Settings.SubRays);
+  channel->SetGenerateTruth(this->Settings.Truth);
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::SetOutputs(const RunSettings& settings)
+{
+  this->Settings.Waveforms = settings.Waveforms;
+  this->Settings.Pulses = settings.Pulses;
+  this->Settings.SubRays = settings.SubRays;
+  this->Settings.Truth = settings.Truth;
+  for (vtkHeliosScanner* channel : this->Channels)
+  {
+    this->PutOutputs(channel);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool LegScanner::HasPort(int port) const
+{
+  const bool isThere[NumberOfPorts] = { true, this->Settings.Waveforms, this->Settings.Pulses,
+    this->Settings.SubRays };
+  return isThere[port];
 }
 
 //------------------------------------------------------------------------------
@@ -205,6 +238,14 @@ vtkIdType LegScanner::CountPulses()
 //------------------------------------------------------------------------------
 void LegScanner::SetPulseWindow(vtkIdType first, vtkIdType last)
 {
+  this->FirstPulse = first;
+  this->LastPulse = last;
+  this->PutWindow(first, last);
+}
+
+//------------------------------------------------------------------------------
+void LegScanner::PutWindow(vtkIdType first, vtkIdType last)
+{
   for (vtkHeliosScanner* channel : this->Channels)
   {
     channel->SetPulseWindow(first, last);
@@ -225,8 +266,8 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
   this->ReleaseOutput();
   this->Gathered.assign(this->Channels.size(), std::vector<PiecePile>(NumberOfPorts));
   const vtkIdType count = std::max<vtkIdType>(0, this->Channels.front()->GetNumberOfPulses());
-  const vtkIdType begin =
-    helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate);
+  const vtkIdType begin = std::max(this->FirstPulse,
+    helios::CountPulses(this->WindowStart - this->Clock.StartTime, this->Clock.Rate));
   vtkIdType pulse = begin + SplitPulses(count, piece, pieces);
   const vtkIdType end = begin + SplitPulses(count, piece + 1, pieces);
   bool isGood = true;
@@ -234,12 +275,12 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
   {
     const vtkIdType next = std::min(end, this->Motion.MoveTo(this->Clock, pulse));
     this->PutParts();
-    this->SetPulseWindow(pulse, next);
+    this->PutWindow(pulse, next);
     isGood = this->UpdateAll(0, 1);
     this->Gather();
     pulse = next;
   } while (isGood && pulse < end);
-  this->SetPulseWindow(0, VTK_ID_MAX);
+  this->PutWindow(this->FirstPulse, this->LastPulse);
   for (std::vector<PiecePile>& ports : this->Gathered)
   {
     for (PiecePile& pile : ports)
@@ -277,9 +318,7 @@ void LegScanner::Gather()
   {
     for (int port = 0; port < NumberOfPorts; ++port)
     {
-      const bool isThere =
-        port == 0 || (port == 1 ? this->Settings.Waveforms : this->Settings.Pulses);
-      if (isThere)
+      if (this->HasPort(port))
       {
         this->Gathered[k][static_cast<std::size_t>(port)].Add(
           this->Channels[k]->GetOutputDataObject(port));

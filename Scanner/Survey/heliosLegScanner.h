@@ -45,7 +45,14 @@ public:
   /// The part [t0, t1) of the leg that is run [s]; all of it after SetUp().
   void SetTimeWindow(double t0, double t1);
 
-  /// The pulses of all channels.
+  /// The part [first, last) of the pulses of each channel that is run, of those in the window of time;
+  /// all of it after SetUp().
+  void SetPulseWindow(vtkIdType first, vtkIdType last);
+
+  /// Which outputs the settings ask for beside the echoes, from now on.
+  void SetOutputs(const RunSettings& settings);
+
+  /// The pulses of all channels in the windows.
   vtkIdType CountPulses();
 
   /// Runs a piece of the leg; false after an error.
@@ -73,7 +80,9 @@ private:
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);
-  void SetPulseWindow(vtkIdType first, vtkIdType last);
+  void PutOutputs(vtkHeliosScanner* channel) const;
+  bool HasPort(int port) const;
+  void PutWindow(vtkIdType first, vtkIdType last);
   bool UpdateMoving(int piece, int pieces);
   bool UpdateAll(int piece, int pieces);
   void PutParts();
@@ -87,6 +96,8 @@ private:
   std::size_t Scanner; // of the survey, that the channels are of
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;
+  vtkIdType FirstPulse;
+  vtkIdType LastPulse;
 
   // Where parts move: the leg's clock, the window of time, and what the windows of one scene gave.
   MovingScene Motion;

@@ -7,6 +7,7 @@
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveyPlayer.h"
+#include "vtkHeliosSurveySource.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -28,13 +29,15 @@ bool IsToleranceOrZero(double tolerance, double least)
 }
 
 //------------------------------------------------------------------------------
-std::string TakeReceiver(vtkHeliosSurveyPlayer* player, ReceiverChoice& choice)
+/// Of a player or a source.
+template <typename Runner>
+std::string TakeReceiver(Runner* runner, ReceiverChoice& choice)
 {
-  choice.Noise = player->GetNoise();
-  choice.RangeTolerance = player->GetRangeTolerance();
-  choice.EnergyTolerance = player->GetEnergyTolerance();
-  choice.NumberOfSubRays = player->GetNumberOfSubRays();
-  choice.EchoDetector = TextOf(player->GetEchoDetector());
+  choice.Noise = runner->GetNoise();
+  choice.RangeTolerance = runner->GetRangeTolerance();
+  choice.EnergyTolerance = runner->GetEnergyTolerance();
+  choice.NumberOfSubRays = runner->GetNumberOfSubRays();
+  choice.EchoDetector = TextOf(runner->GetEchoDetector());
   Sentence fault;
   if (!IsToleranceOrZero(choice.RangeTolerance, 1e-6))
   {
@@ -62,10 +65,11 @@ std::string TakeReceiver(vtkHeliosSurveyPlayer* player, ReceiverChoice& choice)
 }
 
 //------------------------------------------------------------------------------
-std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
+template <typename Runner>
+std::string TakeRayCaster(Runner* runner, RunSettings& settings)
 {
-  const SurveyData& survey = player->GetSurvey()->GetData();
-  const std::string given = TextOf(player->GetRayCaster());
+  const SurveyData& survey = runner->GetSurvey()->GetData();
+  const std::string given = TextOf(runner->GetRayCaster());
   const std::string name = given.empty() ? survey.RayCaster : given;
   if (name.empty())
   {
@@ -84,6 +88,26 @@ std::string TakeRayCaster(vtkHeliosSurveyPlayer* player, RunSettings& settings)
   settings.RayCaster =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
   return {};
+}
+
+//------------------------------------------------------------------------------
+/// What is the same whether a run goes to files or not.
+template <typename Runner>
+std::string TakeCommon(Runner* runner, RunSettings& settings)
+{
+  const int plays = runner->GetSurvey()->GetNumberOfPlays();
+  if (runner->GetPlay() >= plays)
+  {
+    Sentence fault;
+    fault << "Play is " << runner->GetPlay() << ", and the survey has " << plays
+          << (plays > 1 ? " plays" : " play") << "; give 0 to " << plays - 1;
+    return fault.str();
+  }
+  settings.Play = plays > 1 ? runner->GetPlay() : -1;
+  const vtkIdType own = runner->GetSurvey()->GetData().Seed;
+  settings.Seed = std::max<vtkIdType>(0, runner->GetSeed() >= 0 ? runner->GetSeed() : own);
+  const std::string fault = TakeReceiver(runner, settings.Receiver);
+  return fault.empty() ? TakeRayCaster(runner, settings) : fault;
 }
 
 } // namespace
@@ -110,24 +134,22 @@ std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings)
   {
     return "Format is \"" + settings.Format + "\"; give xyz, las or vtp.";
   }
-  const int plays = player->GetSurvey()->GetNumberOfPlays();
-  if (player->GetPlay() >= plays)
-  {
-    Sentence fault;
-    fault << "Play is " << player->GetPlay() << ", and the survey has " << plays
-          << (plays > 1 ? " plays" : " play") << "; give 0 to " << plays - 1;
-    return fault.str();
-  }
-  settings.Play = plays > 1 ? player->GetPlay() : -1;
   settings.Folder = MakeRunFolder(player);
-  const vtkIdType own = player->GetSurvey()->GetData().Seed;
-  settings.Seed = std::max<vtkIdType>(0, player->GetSeed() >= 0 ? player->GetSeed() : own);
   settings.Waveforms = player->GetWriteWaveforms();
   settings.Pulses = player->GetWritePulses();
   settings.SplitByChannel = player->GetSplitByChannel();
   settings.PulsesPerBlock = player->GetPulsesPerBlock();
-  const std::string fault = TakeReceiver(player, settings.Receiver);
-  return fault.empty() ? TakeRayCaster(player, settings) : fault;
+  return TakeCommon(player, settings);
+}
+
+//------------------------------------------------------------------------------
+std::string TakeSettings(vtkHeliosSurveySource* source, RunSettings& settings)
+{
+  settings.Waveforms = source->GetGenerateWaveforms();
+  settings.Pulses = source->GetGeneratePulses();
+  settings.SubRays = source->GetGenerateSubRays();
+  settings.Truth = source->GetGenerateTruth();
+  return TakeCommon(source, settings);
 }
 
 } // namespace helios

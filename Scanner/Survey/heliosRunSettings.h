@@ -15,6 +15,7 @@
 
 class vtkHeliosRayCaster;
 class vtkHeliosSurveyPlayer;
+class vtkHeliosSurveySource;
 class vtkImageData;
 
 namespace helios
@@ -29,6 +30,8 @@ struct RunSettings
   ReceiverChoice Receiver;
   bool Waveforms = false;
   bool Pulses = false;
+  bool SubRays = false; ///< their hits; not written
+  bool Truth = false;   ///< with the echoes; not written
   bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
@@ -41,6 +44,9 @@ std::string MakeRunFolder(vtkHeliosSurveyPlayer* player);
 /// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns
 /// an empty text.
 std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings);
+
+/// The same of a source.
+std::string TakeSettings(vtkHeliosSurveySource* source, RunSettings& settings);
 
 } // namespace helios
 

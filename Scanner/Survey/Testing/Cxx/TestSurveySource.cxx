@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surveys in memory: the echoes that a player writes, in any parts.
+#include "vtkHeliosSurveySource.h"
+
+#include "heliosSurveyPlaying.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace names = vtkHeliosArrayNames;
+using helios::ErrorObserver;
+using namespace helios::test;
+
+namespace
+{
+
+/// Two tripods: 100,000 pulses each.
+const char* const TwoLegs = R"(<leg><platformSettings x="1" y="2" z="3"/>
+<scannerSettings scanFreq_hz="50" headRotatePerSec_deg="10" headRotateStop_deg="10"/></leg>
+<leg><platformSettings x="-4" y="2" z="3"/>
+<scannerSettings scanFreq_hz="50" headRotatePerSec_deg="10" headRotateStop_deg="10"/></leg>)";
+
+/// Two lasers on one head.
+const char* const TwoChannels = R"(<document><scanner id="two" optics="conic" pulseFreqs_Hz="20000"
+ scanAngleMax_deg="20" scanFreqMax_Hz="80"><channels><channel id="0"/>
+<channel id="1"><beamOrigin x="0" y="0" z="0.1"/></channel></channels></scanner></document>)";
+
+struct Source
+{
+  vtkNew<vtkHeliosSurveySource> Filter;
+  vtkSmartPointer<ErrorObserver> Log = Observe(Filter);
+
+  explicit Source(const Reading& reading) { this->Filter->SetSurvey(reading.Reader->GetSurvey()); }
+
+  vtkSmartPointer<vtkPolyData> Run(vtkIdType first, vtkIdType last)
+  {
+    this->Filter->SetPulseWindow(first, last);
+    this->Filter->Update();
+    vtkSmartPointer<vtkPolyData> echoes = vtkSmartPointer<vtkPolyData>::New();
+    echoes->ShallowCopy(this->Filter->GetOutput());
+    return echoes;
+  }
+};
+
+/// A number of each echo, one after the other.
+std::vector<double> Get(vtkPolyData* echoes, const char* name, int component = 0)
+{
+  vtkDataArray* array = echoes->GetPointData()->GetArray(name);
+  std::vector<double> values;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    values.push_back(array->GetComponent(i, component));
+  }
+  return values;
+}
+
+std::vector<double> Join(std::vector<double> a, const std::vector<double>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+class CountProgress : public vtkCommand
+{
+public:
+  static CountProgress* New() { return new CountProgress; }
+
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    if (++this->Events == this->AbortAt)
+    {
+      static_cast<vtkHeliosSurveySource*>(caller)->Abort();
+    }
+  }
+
+  int Events = 0;
+  int AbortAt = -1;
+};
+
+} // namespace
+
+TEST_CASE("SurveySource: the echoes that a player writes", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, TwoLegs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  REQUIRE(playing.Player->Run());
+  std::vector<Point> written = ReadPoints(files / "out/test/leg000_points.xyz");
+  const std::size_t ofFirst = written.size();
+  for (const Point& point : ReadPoints(files / "out/test/leg001_points.xyz"))
+  {
+    written.push_back(point);
+  }
+
+  Source source(reading);
+  const auto echoes = source.Run(0, VTK_ID_MAX);
+  INFO(source.Log->Errors);
+  REQUIRE(static_cast<std::size_t>(echoes->GetNumberOfPoints()) == written.size());
+  CHECK(source.Filter->GetNumberOfPulses() == playing.Player->GetNumberOfPulses());
+  const std::vector<double> pulses = Get(echoes, names::PulseIds);
+  const std::vector<double> legs = Get(echoes, names::LegIds);
+  bool isSame = true;
+  for (std::size_t i = 0; i < written.size(); ++i)
+  {
+    double p[3];
+    echoes->GetPoint(static_cast<vtkIdType>(i), p);
+    isSame = isSame && static_cast<double>(written[i].Pulse) == pulses[i] &&
+      std::abs(p[0] - written[i].X) < 1e-4 && std::abs(p[1] - written[i].Y) < 1e-4 &&
+      std::abs(p[2] - written[i].Z) < 1e-4 && legs[i] == (i < ofFirst ? 0.0 : 1.0);
+  }
+  CHECK(isSame);
+}
+
+TEST_CASE("SurveySource: windows and pieces are the whole, byte for byte", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, TwoLegs);
+  Source source(reading);
+  const auto whole = source.Run(0, VTK_ID_MAX);
+  const auto first = source.Run(0, 33333);
+  const auto second = source.Run(33333, 133333); // the end of one leg and the start of the next
+  const auto third = source.Run(133333, VTK_ID_MAX);
+  for (const char* name : { names::GpsTime, names::Range, names::Amplitude, names::PulseIds })
+  {
+    CAPTURE(name);
+    CHECK(Get(whole, name) == Join(Join(Get(first, name), Get(second, name)), Get(third, name)));
+  }
+  source.Filter->SetPulseWindow(0, VTK_ID_MAX);
+  std::vector<double> ranges;
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    source.Filter->UpdatePiece(piece, 3, 0);
+    ranges = Join(ranges, Get(source.Filter->GetOutput(), names::Range));
+  }
+  CHECK(ranges == Get(whole, names::Range));
+}
+
+TEST_CASE("SurveySource: one pulse, with all that is known of it", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, TwoLegs);
+  Source source(reading);
+  const auto whole = source.Run(0, VTK_ID_MAX);
+  const auto pulse = static_cast<vtkIdType>(Get(whole, names::PulseIds)[500]);
+  source.Filter->GenerateWaveformsOn();
+  source.Filter->GeneratePulsesOn();
+  source.Filter->GenerateSubRaysOn();
+  source.Filter->GenerateTruthOn();
+  const auto echo = source.Run(pulse, pulse + 1);
+  REQUIRE(echo->GetNumberOfPoints() == 1);
+  CHECK(Get(echo, names::Range)[0] == Get(whole, names::Range)[500]);
+  CHECK(Get(echo, names::TruePoint).size() == 1);
+  auto* waveforms = vtkTable::SafeDownCast(source.Filter->GetOutputDataObject(1));
+  CHECK(waveforms->GetNumberOfRows() == 1);
+  auto* pulses = vtkPolyData::SafeDownCast(source.Filter->GetOutputDataObject(2));
+  CHECK(pulses->GetNumberOfPoints() == 1);
+  auto* hits = vtkPolyData::SafeDownCast(source.Filter->GetOutputDataObject(3));
+  CHECK(hits->GetNumberOfPoints() == 7); // beamSampleQuality 2
+  CHECK(source.Filter->GetPulseTime(pulse) == Get(echo, names::GpsTime)[0]);
+
+  source.Filter->GenerateWaveformsOff();
+  source.Filter->GenerateSubRaysOff();
+  CAPTURE(pulse, source.Log->Errors);
+  CHECK(source.Run(pulse, pulse + 1)->GetNumberOfPoints() == 1);
+  CHECK(vtkTable::SafeDownCast(source.Filter->GetOutputDataObject(1))->GetNumberOfRows() == 0);
+  CHECK(vtkPolyData::SafeDownCast(source.Filter->GetOutputDataObject(3))->GetNumberOfPoints() == 0);
+}
+
+TEST_CASE("SurveySource: when a leg fires which pulses", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  Source source(reading);
+  CHECK(source.Filter->GetScene() == nullptr);
+  CHECK(source.Filter->GetNumberOfPulses() == 0);
+  REQUIRE(source.Filter->Load());
+  CHECK(source.Filter->GetScene()->GetNumberOfPolys() == 2);
+  CHECK(source.Filter->GetNumberOfPulses() == 80000);
+  vtkIdType ids[2];
+  double times[2];
+  source.Filter->GetLegPulses(1, ids);
+  source.Filter->GetLegTimes(1, times);
+  CHECK(ids[0] == 40000);
+  CHECK(ids[1] == 80000);
+  CHECK(times[0] == Approx(0.2)); // 10 m at 50 m/s
+  CHECK(times[1] == Approx(0.4));
+  source.Filter->GetLegPulses(2, ids); // an end point
+  CHECK(ids[0] == ids[1]);
+  CHECK(source.Filter->GetPulseTime(50000) == Approx(0.25)); // at 200 kHz
+  CHECK(source.Filter->FindPulse(0.25) == 50000);
+  CHECK(source.Filter->FindPulse(-1.0) == 0);
+  CHECK(source.Filter->FindPulse(9.0) == 80000);
+  const auto way = source.Filter->GetTrajectory(1, 0.05);
+  REQUIRE(way->GetNumberOfPoints() == 5);
+  CHECK(way->GetNumberOfLines() == 1);
+  CHECK(way->GetPoint(2)[0] == Approx(15.0));
+  CHECK(source.Filter->GetTrajectory(2, 0.05) == nullptr);
+}
+
+TEST_CASE("SurveySource: windows hold whole shots of channels", "[SurveySource]")
+{
+  const Files files;
+  files.Write("two.xml", TwoChannels);
+  const Reading reading(files, R"(platform="assets.xml#plane" scanner="two.xml#two")", ThreeLegs);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  Source source(reading);
+  const auto whole = source.Run(0, VTK_ID_MAX);
+  CHECK(source.Filter->GetNumberOfPulses() == 16000);
+  CHECK(source.Filter->FindPulse(source.Filter->GetPulseTime(4001)) == 4000);
+  const auto a = source.Run(0, 4001); // with pulse 4001, which leaves with pulse 4000
+  CHECK(Get(a, names::PulseIds).back() == 4001.0);
+  const auto b = source.Run(4001, VTK_ID_MAX);
+  CHECK(Get(b, names::PulseIds).front() == 4002.0);
+  CHECK(Get(whole, names::Range) == Join(Get(a, names::Range), Get(b, names::Range)));
+}
+
+TEST_CASE("SurveySource: parts have moved by when the window is", "[SurveySource]")
+{
+  const Files files;
+  files.Replace("scene.xml", "</part>",
+    R"(<dmotion id="all" loop="0"><motion type="translation" vec="0;0;0.01"/></dmotion></part>)");
+  files.Replace("scene.xml", "<scene id=\"s\"", "<scene id=\"s\" dynStep=\"100\"");
+  const Reading reading(files, Flight, ThreeLegs);
+  REQUIRE(reading.Good);
+  Source source(reading);
+  source.Filter->NoiseOff();
+  const auto part = source.Run(39950, 40150); // over the end of a leg, and a step
+  REQUIRE(part->GetNumberOfPoints() == 200);
+  const std::vector<double> pulses = Get(part, names::PulseIds);
+  CHECK(pulses.front() == 39950.0);
+  bool isThere = true;
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    const double z = 0.01 * std::floor(pulses[static_cast<std::size_t>(i)] / 100.0);
+    isThere = isThere && std::abs(part->GetPoint(i)[2] - z) < 1e-3;
+  }
+  CHECK(isThere);
+}
+
+TEST_CASE("SurveySource: what has not changed is not loaded again", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  Source source(reading);
+  source.Run(0, 10);
+  vtkPolyData* scene = source.Filter->GetScene();
+  files.Write("plane.obj", "v -50 -50 1\nv 50 -50 1\nv 50 50 1\nf 1 2 3\n");
+  source.Filter->NoiseOff();
+  source.Filter->GenerateTruthOn();
+  source.Run(10, 20);
+  CHECK(source.Filter->GetScene() == scene);
+  source.Filter->SetSeed(7); // materials by chance depend on it
+  source.Run(10, 20);
+  CHECK(source.Filter->GetScene()->GetNumberOfPolys() == 1);
+}
+
+TEST_CASE("SurveySource: noise, seed and sampling are those asked for", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  Source source(reading);
+  const auto noisy = Get(source.Run(0, 2000), names::Range);
+  source.Filter->SetSeed(5);
+  const auto other = Get(source.Run(0, 2000), names::Range);
+  source.Filter->NoiseOff();
+  const auto exact = Get(source.Run(0, 2000), names::Range);
+  CHECK(noisy != other);
+  CHECK(exact != other);
+  source.Filter->SetNumberOfSubRays(19);
+  source.Filter->GenerateSubRaysOn();
+  const auto pulse = static_cast<vtkIdType>(Get(source.Run(0, 2000), names::PulseIds)[200]);
+  CHECK(source.Run(pulse, pulse + 1)->GetNumberOfPoints() == 1);
+  CHECK(
+    vtkPolyData::SafeDownCast(source.Filter->GetOutputDataObject(3))->GetNumberOfPoints() == 19);
+  CHECK(source.Filter->DescribeSampling().find("19 sub-rays") != std::string::npos);
+}
+
+TEST_CASE("SurveySource: an abort leaves nothing, and the next update all", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, TwoLegs);
+  Source source(reading);
+  vtkNew<CountProgress> progress;
+  source.Filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  const auto whole = source.Run(0, VTK_ID_MAX);
+  const int events = progress->Events;
+  CHECK(events > 2);
+  progress->Events = 0;
+  progress->AbortAt = 2; // of the second leg
+  CHECK(source.Run(1, VTK_ID_MAX)->GetNumberOfPoints() == 0);
+  CHECK(source.Log->Errors.empty());
+  progress->AbortAt = -1;
+  CHECK(source.Run(0, VTK_ID_MAX)->GetNumberOfPoints() == whole->GetNumberOfPoints());
+}
+
+TEST_CASE("SurveySource: what is wrong is said", "[SurveySource]")
+{
+  const Files files;
+  const Reading reading(files, Tripod, OneLeg);
+  vtkNew<vtkHeliosSurveySource> empty;
+  auto log = Observe(empty);
+  empty->Update();
+  CHECK(log->HasError("Survey is not set or has no legs"));
+
+  Source source(reading);
+  source.Run(5, 4);
+  CHECK(source.Log->HasError("PulseWindow is [5, 4); give 0 <= i0 <= i1"));
+  source.Filter->SetRangeTolerance(2.0);
+  source.Run(0, 4);
+  CHECK(source.Log->HasError("RangeTolerance is 2; give 0.000001 to 1 m"));
+  source.Filter->SetRangeTolerance(0.0);
+  source.Filter->SetRayCaster("nonesuch");
+  source.Run(0, 5);
+  CHECK(source.Log->HasError("RayCaster=\"nonesuch\" is not in this build"));
+  source.Filter->SetRayCaster(nullptr);
+  source.Filter->SetPlay(3);
+  source.Run(0, 6);
+  CHECK(source.Log->HasError("Play is 3, and the survey has 1 play"));
+  source.Filter->SetPlay(0);
+  files.Write("plane.obj", "no mesh\n");
+  CHECK_FALSE(source.Filter->Load());
+  CHECK(source.Log->HasError("scene.xml:1: The scene is empty"));
+  CHECK(source.Filter->GetScene() == nullptr);
+}

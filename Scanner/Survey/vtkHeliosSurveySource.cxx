@@ -1,0 +1,523 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosSurveySource.h"
+
+#include "heliosLegRunner.h"
+#include "heliosMessages.h"
+#include "heliosPathCell.h"
+#include "heliosPiecePile.h"
+#include "heliosPlays.h"
+#include "heliosPulseCount.h"
+#include "heliosSceneBuilder.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosScanner.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkCommand.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosSurveySource);
+
+namespace
+{
+
+constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, hits of sub-rays
+constexpr int WaveformPort = 1;
+constexpr vtkIdType PulsesPerStep = 1048576; // between two reports of progress
+
+/// Pulses [First, Last) of each channel of a leg.
+struct Shots
+{
+  vtkIdType First;
+  vtkIdType Last;
+};
+
+} // namespace
+
+/// A survey that is loaded.
+class vtkHeliosSurveySource::Internals
+{
+public:
+  explicit Internals(vtkHeliosSurveySource* source)
+    : Source(source)
+    , Log(source)
+  {
+  }
+
+  /// Loads what has changed; false after an error or an abort.
+  bool Prepare();
+
+  /// Runs a window of pulses into the outputs; false after an error.
+  bool Run(vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
+
+  const helios::LegPlan* FindLeg(int leg) const;
+  const helios::LegPlan* FindPulse(vtkIdType pulse) const;
+  double GetRate(const helios::LegPlan& plan) const;
+  vtkIdType GetChannels(const helios::LegPlan& plan) const;
+
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::unique_ptr<helios::LegRunner> Runner;
+
+private:
+  using Piles = std::vector<helios::PiecePile>;
+
+  bool CheckSettings();
+  bool LoadScene();
+  bool PlanLegs();
+  void ChooseRayCaster();
+  Shots FindShots(const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const;
+  bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
+  bool Tell(double progress);
+
+  vtkHeliosSurveySource* Source;
+  helios::Messages Log;
+  helios::SurveyData Survey; // of the play
+  helios::RunSettings Settings;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  vtkSmartPointer<vtkHeliosRayCaster> Caster; // whose tree is kept
+  std::string CasterName;                     // that was asked for
+  std::string SceneKey;                       // what the scene depends on
+  std::string RunKey;                         // what the legs and channels depend on
+  double PulsesDone = 0.0;
+  double PulsesToDo = 1.0;
+};
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::Prepare()
+{
+  return this->CheckSettings() && this->LoadScene() && this->PlanLegs();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::CheckSettings()
+{
+  vtkHeliosSurveySource* source = this->Source;
+  if (!source->Survey || source->Survey->GetNumberOfLegs() == 0)
+  {
+    this->Log.Error(
+      "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
+    return false;
+  }
+  this->Settings = helios::RunSettings();
+  const std::string fault = helios::TakeSettings(source, this->Settings);
+  if (!fault.empty())
+  {
+    this->Log.Error(fault);
+  }
+  return fault.empty();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::LoadScene()
+{
+  helios::Sentence key;
+  key << this->Source->Survey.Get() << " " << this->Source->Survey->GetMTime() << " "
+      << this->Source->Play << " " << this->Settings.Seed;
+  if (this->Scene && key.str() == this->SceneKey)
+  {
+    return true;
+  }
+  this->Runner.reset();
+  this->Survey = helios::MakePlay(this->Source->Survey->GetData(), this->Source->Play);
+  helios::SceneBuilder builder(this->Survey.Scene, this->Log, this->Settings.Seed);
+  this->Scene = builder.Build([this](const std::string&) { return this->Tell(0.0); });
+  this->Grids = this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
+  this->SceneKey = key.str();
+  return this->Scene != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::PlanLegs()
+{
+  const helios::ReceiverChoice& choice = this->Settings.Receiver;
+  helios::Sentence key;
+  key << choice.Noise << " " << choice.RangeTolerance << " " << choice.EnergyTolerance << " "
+      << choice.NumberOfSubRays << " " << choice.EchoDetector << " "
+      << (this->Source->RayCaster ? this->Source->RayCaster : "");
+  if (this->Runner && key.str() == this->RunKey)
+  {
+    return true;
+  }
+  this->ChooseRayCaster();
+  this->Settings.Grids = this->Grids;
+  this->Runner =
+    std::make_unique<helios::LegRunner>(this->Survey, this->Scene, this->Settings, this->Log);
+  this->RunKey = key.str();
+  if (!this->Runner->Plan())
+  {
+    return false;
+  }
+  if (this->Runner->GetNumberOfPulses() == 0)
+  {
+    this->Log.Error(this->Runner->ExplainNoEchoes());
+  }
+  return this->Runner->GetNumberOfPulses() > 0;
+}
+
+//------------------------------------------------------------------------------
+/// The one that is there goes on, with its tree, unless another kind is asked for.
+void vtkHeliosSurveySource::Internals::ChooseRayCaster()
+{
+  const vtkSmartPointer<vtkHeliosRayCaster> given = this->Settings.RayCaster;
+  const std::string name = given ? given->GetName() : "";
+  if (!this->Caster || name != this->CasterName)
+  {
+    this->Caster = given ? given.Get() : vtkNew<vtkHeliosScanner>()->GetRayCaster();
+    this->CasterName = name;
+  }
+  this->Settings.RayCaster = this->Caster;
+}
+
+//------------------------------------------------------------------------------
+const helios::LegPlan* vtkHeliosSurveySource::Internals::FindLeg(int leg) const
+{
+  if (!this->Runner)
+  {
+    return nullptr;
+  }
+  const auto& plans = this->Runner->GetPlans();
+  const auto found = std::find_if(plans.begin(), plans.end(),
+    [leg](const helios::LegPlan& plan) { return plan.Leg == static_cast<std::size_t>(leg); });
+  return found == plans.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
+const helios::LegPlan* vtkHeliosSurveySource::Internals::FindPulse(vtkIdType pulse) const
+{
+  if (!this->Runner)
+  {
+    return nullptr;
+  }
+  const auto& plans = this->Runner->GetPlans();
+  const auto found = std::find_if(plans.begin(), plans.end(),
+    [pulse](const helios::LegPlan& plan)
+    { return pulse >= plan.FirstPulse && pulse < plan.FirstPulse + plan.NumberOfPulses; });
+  return found == plans.end() ? nullptr : &*found;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSurveySource::Internals::GetRate(const helios::LegPlan& plan) const
+{
+  return this->Survey.Legs[plan.Leg].Scans.front().PulseFrequency;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosSurveySource::Internals::GetChannels(const helios::LegPlan& plan) const
+{
+  return static_cast<vtkIdType>(this->Survey.GetScanner(plan.Leg).GetNumberOfChannels());
+}
+
+//------------------------------------------------------------------------------
+/// The shots of a leg whose first pulses are in a window of ids.
+Shots vtkHeliosSurveySource::Internals::FindShots(
+  const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const
+{
+  const vtkIdType channels = this->GetChannels(plan);
+  const auto find = [&plan, channels](vtkIdType pulse)
+  {
+    const vtkIdType own = std::clamp<vtkIdType>(pulse - plan.FirstPulse, 0, plan.NumberOfPulses);
+    return (own + channels - 1) / channels;
+  };
+  return { find(first), find(last) };
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::Run(
+  vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
+{
+  this->PulsesDone = 0.0;
+  this->PulsesToDo = std::max(1.0, static_cast<double>(last - first));
+  Piles piles(NumberOfPorts);
+  for (const helios::LegPlan& plan : this->Runner->GetPlans())
+  {
+    const Shots shots = this->FindShots(plan, first, last);
+    if (shots.Last > shots.First && !this->RunLeg(plan, shots, piles))
+    {
+      return !this->Log.HasError();
+    }
+  }
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    helios::PiecePile& pile = piles[static_cast<std::size_t>(port)];
+    pile.Finish();
+    if (pile.Get())
+    {
+      vtkDataObject::GetData(outputs, port)->ShallowCopy(pile.Get());
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::RunLeg(
+  const helios::LegPlan& plan, const Shots& shots, Piles& piles)
+{
+  helios::LegScanner& scanner = this->Runner->Prepare(plan);
+  scanner.SetOutputs(this->Settings);
+  const vtkIdType channels = this->GetChannels(plan);
+  const vtkIdType step = std::max<vtkIdType>(1, PulsesPerStep / channels);
+  const bool isAsked[NumberOfPorts] = { true, this->Settings.Waveforms, this->Settings.Pulses,
+    this->Settings.SubRays };
+  for (vtkIdType shot = shots.First; shot < shots.Last; shot += step)
+  {
+    const vtkIdType end = std::min(shots.Last, shot + step);
+    scanner.SetPulseWindow(shot, end);
+    if (!this->Tell(this->PulsesDone / this->PulsesToDo) || !scanner.Update(0, 1))
+    {
+      return false;
+    }
+    for (int port = 0; port < NumberOfPorts; ++port)
+    {
+      if (isAsked[port])
+      {
+        piles[static_cast<std::size_t>(port)].Add(scanner.GetOutput(port));
+      }
+    }
+    scanner.ReleaseOutput();
+    this->PulsesDone += static_cast<double>(channels * (end - shot));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Internals::Tell(double progress)
+{
+  this->Source->UpdateProgress(progress);
+  return !this->Source->AbortRequested && !this->Source->GetAbortExecute();
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveySource::vtkHeliosSurveySource()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(NumberOfPorts);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveySource::~vtkHeliosSurveySource()
+{
+  this->SetEchoDetector(nullptr);
+  this->SetRayCaster(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::SetSurvey(vtkHeliosSurvey* survey)
+{
+  if (this->Survey != survey)
+  {
+    this->Survey = survey;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurvey* vtkHeliosSurveySource::GetSurvey() const
+{
+  return this->Survey;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkHeliosSurveySource::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Survey ? std::max(own, this->Survey->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::Load()
+{
+  this->AbortRequested = false;
+  return this->Prepare();
+}
+
+//------------------------------------------------------------------------------
+/// What is loaded after an error is no longer trusted.
+bool vtkHeliosSurveySource::Prepare()
+{
+  if (!this->Loaded)
+  {
+    this->Loaded = std::make_unique<Internals>(this);
+  }
+  bool isGood = false;
+  try
+  {
+    isGood = this->Loaded->Prepare();
+  }
+  catch (const std::exception& error) // of libraries: no memory
+  {
+    vtkErrorMacro("The survey cannot be loaded: " << error.what());
+  }
+  if (!isGood)
+  {
+    this->Loaded.reset();
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkHeliosSurveySource::GetScene() const
+{
+  return this->Loaded ? this->Loaded->Scene.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosSurveySource::GetNumberOfPulses() const
+{
+  return this->Loaded ? this->Loaded->Runner->GetNumberOfPulses() : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::GetLegPulses(int leg, vtkIdType ids[2]) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  ids[0] = plan ? plan->FirstPulse : 0;
+  ids[1] = plan ? plan->FirstPulse + plan->NumberOfPulses : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::GetLegTimes(int leg, double times[2]) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  times[0] = plan ? plan->StartTime : 0.0;
+  times[1] = plan ? plan->StartTime + plan->Duration : 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosSurveySource::GetPulseTime(vtkIdType pulse) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindPulse(pulse) : nullptr;
+  if (!plan)
+  {
+    return 0.0;
+  }
+  const vtkIdType shot = (pulse - plan->FirstPulse) / this->Loaded->GetChannels(*plan);
+  return plan->StartTime + static_cast<double>(shot) / this->Loaded->GetRate(*plan);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosSurveySource::FindPulse(double time) const
+{
+  if (!this->Loaded)
+  {
+    return 0;
+  }
+  for (const helios::LegPlan& plan : this->Loaded->Runner->GetPlans())
+  {
+    if (time < plan.StartTime + plan.Duration)
+    {
+      const double rate = this->Loaded->GetRate(plan);
+      const vtkIdType shot = helios::CountPulses(std::max(0.0, time - plan.StartTime), rate);
+      return plan.FirstPulse +
+        std::min(plan.NumberOfPulses, shot * this->Loaded->GetChannels(plan));
+    }
+  }
+  return this->GetNumberOfPulses();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, double interval) const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->FindLeg(leg) : nullptr;
+  if (!plan)
+  {
+    return nullptr;
+  }
+  const helios::TrajectorySampler sampler(*plan, std::max(0.0, interval));
+  const auto way = sampler.GetSamples(0, sampler.GetNumberOfSamples());
+  helios::AddPathCell(way);
+  return way;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurveySource::DescribeSampling()
+{
+  return this->Loaded ? this->Loaded->Runner->DescribeSampling() : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurveySource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == WaveformPort ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurveySource::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurveySource::RequestData(
+  vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->AbortRequested = false;
+  if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])
+  {
+    vtkErrorMacro("PulseWindow is [" << this->PulseWindow[0] << ", " << this->PulseWindow[1]
+                                     << "); give 0 <= i0 <= i1");
+    return 0;
+  }
+  if (!this->Prepare())
+  {
+    return this->AbortRequested || this->GetAbortExecute() ? 1 : 0;
+  }
+  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  vtkInformation* info = outputs->GetInformationObject(from);
+  const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+  const int pieces =
+    std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
+  const vtkIdType end = std::min(this->PulseWindow[1], this->GetNumberOfPulses());
+  const vtkIdType begin = std::min(this->PulseWindow[0], end);
+  const vtkIdType first = begin + helios::SplitPulses(end - begin, piece, pieces);
+  const vtkIdType last = begin + helios::SplitPulses(end - begin, piece + 1, pieces);
+  try
+  {
+    if (this->Loaded->Run(first, last, outputs))
+    {
+      return 1;
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The survey cannot be run: " << error.what());
+  }
+  this->Loaded.reset();
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Survey: " << (this->Survey ? this->Survey->GetName() : "(none)") << "\n"
+     << indent << "Play: " << this->Play << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
+     << indent << "Noise: " << this->Noise << "\n"
+     << indent << "RangeTolerance: " << this->RangeTolerance << "\n"
+     << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
+     << indent << "NumberOfSubRays: " << this->NumberOfSubRays << "\n"
+     << indent << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector : "(none)") << "\n"
+     << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
+     << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
+     << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
+     << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
+     << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
+     << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n";
+}
