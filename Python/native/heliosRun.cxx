@@ -5,6 +5,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkHeliosSurveyPlayer.h"
+#include "vtkHeliosSurveySource.h"
 #include "vtkObjectFactory.h"
 #include "vtkPythonAlgorithm.h"
 #include "vtkPythonUtil.h"
@@ -55,6 +56,10 @@ void Abort(vtkObject* object)
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
   {
     algorithm->SetAbortExecute(1);
+  }
+  if (auto* source = vtkHeliosSurveySource::SafeDownCast(object))
+  {
+    source->Abort();
   }
   if (auto* player = vtkHeliosSurveyPlayer::SafeDownCast(object))
   {
@@ -232,6 +237,11 @@ bool RunTarget(vtkObject* target, int argument)
   if (auto* player = vtkHeliosSurveyPlayer::SafeDownCast(target))
   {
     return player->Run();
+  }
+  auto* source = vtkHeliosSurveySource::SafeDownCast(target);
+  if (source && argument < 0)
+  {
+    return source->Load();
   }
   auto* algorithm = vtkAlgorithm::SafeDownCast(target);
   algorithm->Update(argument);

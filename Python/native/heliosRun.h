@@ -8,8 +8,8 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * run(target, argument, watched, on_progress, interval): Update(argument) of an algorithm, Run() of
- * a vtkHeliosSurveyPlayer. Every object of watched is listened to: at its ProgressEvent, at most
+ * run(target, argument, watched, on_progress, interval): Update(argument) of an algorithm, Load() of
+ * a vtkHeliosSurveySource where argument is negative, Run() of a vtkHeliosSurveyPlayer. Every object of watched is listened to: at its ProgressEvent, at most
  * every interval seconds, pending signals are handled and on_progress (or None) is called with the
  * object and its progress; where either raises, all of them are told to abort, and run() raises the
  * same. The interpreter lock is released meanwhile, unless a Python filter that does not take it

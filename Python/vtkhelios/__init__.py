@@ -29,7 +29,10 @@ from ._compose import Pipeline, select_ports
 from ._extend import extend
 from ._filter import filter
 from ._pipeline import PipelineError, update
+from .by_hand import make_survey, scan
 from .cloud import Cloud, Records
+from .scene import Scene
+from .survey import Survey, read_survey
 
 _own = ["PipelineError", "arrays", "data_directory", "update"]
 

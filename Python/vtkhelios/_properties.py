@@ -57,7 +57,11 @@ class Choice(int):
     def __repr__(self):
         return repr(self.name)
 
-    __str__ = __format__ = lambda self, *_: self.name
+    def __str__(self):
+        return self.name
+
+    def __format__(self, spec):
+        return format(self.name, spec)
 
 
 class Property(property):
@@ -166,13 +170,23 @@ def _choices(cls, camel):
 
 
 def _doc(cls, camel):
-    """What C++ says of a property: under its first Set or Get that says anything."""
-    for method in (f"Set{camel}", f"Get{camel}"):
-        text = getattr(getattr(cls, method, None), "__doc__", None) or ""
-        said = text.split("\n\n", 1)[1].strip() if "\n\n" in text else ""
-        if said:
-            return said
-    return None
+    """What C++ says of a property, by itself or of the group that it stands in."""
+    told = _texts(cls)
+    return told.get(f"Set{camel}") or told.get(f"Get{camel}") or None
+
+
+@functools.lru_cache(maxsize=None)
+def _texts(cls):
+    """The text of every method; one without is in the group of the one above it."""
+    texts, last = {}, ""
+    for base in reversed(cls.__mro__):
+        for name, method in vars(base).items():
+            text = getattr(method, "__doc__", None) or ""
+            last = text.split("\n\n", 1)[1].strip() if "\n\n" in text else ""
+            if not last and base.__module__.startswith("vtkhelios."):
+                last = texts.get("", "")
+            texts[name] = texts[""] = last
+    return texts
 
 
 def _plain(value, before):
@@ -217,7 +231,7 @@ def make_properties(cls):
     bases = [base for base in cls.__mro__[1:] if not base.__module__.startswith("vtkhelios.")]
     inherited = dir(bases[0]) if cls.__mro__[1] is bases[0] else ()
     made = {}
-    for method in {*own, *inherited}:
+    for method in dict.fromkeys([*own, *inherited]):
         if method[:3] != "Get" or method.endswith(("MinValue", "MaxValue", "AsString")):
             continue
         camel = method[3:]

@@ -237,8 +237,7 @@ class Records:
 
 
 def _ids(values):
-    array = numpy_to_vtk(values, array_type=vtkIdTypeArray().GetDataType())
-    return array
+    return numpy_to_vtk(values, 1, vtkIdTypeArray().GetDataType())
 
 
 def _width(values):
