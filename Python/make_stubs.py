@@ -107,7 +107,7 @@ def make_class(cls, types):
     keywords = [
         f"{name}: {_annotation(value, types)} = ..."
         for name, value in module.properties(cls).items()
-        if value.fset
+        if value.setter_name
     ]
     if keywords:
         lines.append(f"    def __init__(self, *, {', '.join(keywords)}) -> None: ...")
@@ -138,14 +138,14 @@ def _annotation(value, types):
     if value.choices:
         names = ", ".join(f'"{name}"' for name in value.choices)
         return f"Union[Literal[{names}], int]"
-    kind = types.of(value.annotation, taken=bool(value.fset))
+    kind = types.of(value.annotation, taken=bool(value.setter_name))
     return f"Optional[{kind}]" if kind.startswith("vtk") or kind == "str" else kind
 
 
 def _property(value, types):
     kind = _annotation(value, types)
     doc = _docstring(value.__doc__, "    ") if value.__doc__ else []
-    if value.fset:
+    if value.setter_name:
         return [f"    {value.name}: {kind}", *doc]
     inner = [f"    {line}" if line else line for line in doc] or ["        ..."]
     return ["    @property", f"    def {value.name}(self) -> {kind}:", *inner]

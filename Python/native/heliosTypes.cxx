@@ -56,6 +56,19 @@ int SetAttribute(PyObject* self, PyObject* name, PyObject* value)
   return text ? PyObject_GenericSetAttr(self, name, value) : -1;
 }
 
+/// Names what is near where there is no such name.
+PyObject* GetAttribute(PyObject* self, PyObject* name)
+{
+  PyObject* value = PyObject_GenericGetAttr(self, name);
+  const bool isMissing = !value && PyErr_ExceptionMatches(PyExc_AttributeError);
+  if (isMissing && !IsPythonClass(Py_TYPE(self)) && PyUnicode_READ_CHAR(name, 0) != '_')
+  {
+    PyErr_Clear();
+    Py_XDECREF(PyObject_CallFunctionObjArgs(Hooks[Refuse], self, name, nullptr));
+  }
+  return value;
+}
+
 PyObject* Shift(PyObject* left, PyObject* right)
 {
   return PyObject_CallFunctionObjArgs(Hooks[Compose], left, right, nullptr);
@@ -120,6 +133,7 @@ PyObject* heliosExtend(PyObject*, PyObject* args)
   }
   type->tp_new = New;
   type->tp_init = Init;
+  type->tp_getattro = GetAttribute;
   type->tp_setattro = SetAttribute;
   type->tp_repr = Represent;
   if (isAlgorithm && !type->tp_as_number)

@@ -11,7 +11,7 @@
 /**
  * set_hooks(configure, refuse, compose, describe): the functions that extended classes call:
  * configure(object, keywords) after construction with keywords, refuse(object, name) to raise where
- * a name that the class does not have is assigned to, compose(left, right) for >>, and
+ * a name that the class does not have is read or assigned to, compose(left, right) for >>, and
  * describe(object) for repr().
  */
 PyObject* heliosSetHooks(PyObject* self, PyObject* args);

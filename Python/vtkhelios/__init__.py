@@ -11,6 +11,20 @@ update(algorithm)
 arrays(data)
     the points and arrays of a data object as numpy arrays, without a copy.
 
+Properties of all classes are attributes and keywords, and ``>>`` connects:
+
+>>> scanner = vtkhelios.vtkHeliosScanner(range_max=600)
+>>> cloud = vtkhelios.Cloud(((scene, trajectory) >> scanner)())
+
+read_survey(), make_survey(), scan()
+    surveys from files and by hand, which run in memory (Survey).
+Cloud, Scene
+    thin views of vtkPolyData, and numpy arrays.
+filter
+    makes a filter of a function on data.
+
+Docs/python.md tells all of it.
+
 The classes work with those of stock vtkmodules in one process:
 
 >>> import vtkhelios
@@ -34,7 +48,10 @@ from .cloud import Cloud, Records
 from .scene import Scene
 from .survey import Survey, read_survey
 
-_own = ["PipelineError", "arrays", "data_directory", "update"]
+_own = [
+    "Cloud", "Pipeline", "PipelineError", "Records", "Scene", "Survey", "arrays", "data_directory",
+    "filter", "make_survey", "read_survey", "scan", "select_ports", "update",
+]  # fmt: skip
 
 
 def data_directory():

@@ -236,10 +236,11 @@ class vtkHeliosClearance(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -261,7 +262,7 @@ class vtkHeliosClearance(vtkPolyDataAlgorithm):
     """Set/Get how far apart places are at most that are looked down
     from [m]. Valid range: [1e-3, 1e6]. Default: 1.
     """
-    def __init__(self, *, abort_execute: int = ..., direction: Union[Literal["all_around", "down"], int] = ..., fail_below_minimum: bool = ..., minimum_clearance: float = ..., progress: float = ..., progress_text: Optional[str] = ..., radius: float = ..., spacing: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., direction: Union[Literal["all_around", "down"], int] = ..., fail_below_minimum: bool = ..., minimum_clearance: float = ..., progress_text: Optional[str] = ..., radius: float = ..., spacing: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -448,10 +449,11 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -468,7 +470,7 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     """Set/Get which echoes of a pulse are kept, as vtkHeliosInstrument
     has them. Default: ALL.
     """
-    def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., maximum_number_of_returns: int = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_length: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., maximum_number_of_returns: int = ..., progress_text: Optional[str] = ..., pulse_length: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -737,10 +739,11 @@ class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -748,7 +751,7 @@ class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., band: int = ..., file_name: Optional[str] = ..., height_unit: float = ..., no_data_value: float = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., band: int = ..., file_name: Optional[str] = ..., height_unit: float = ..., no_data_value: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -802,10 +805,11 @@ class vtkHeliosGroundSnap(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -813,7 +817,7 @@ class vtkHeliosGroundSnap(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., height_above_ground: float = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., height_above_ground: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -871,7 +875,7 @@ class vtkHeliosGroundVehiclePlatform(vtkHeliosPlatform):
     """Set/Get the distance of the axles [m]. Valid range: [0.1, 100].
     Default: 2.5.
     """
-    def __init__(self, *, abort_execute: int = ..., brake_force: float = ..., drag: float = ..., engine_force: float = ..., lateral_acceleration: float = ..., mass: float = ..., maximum_steering_angle: float = ..., progress: float = ..., progress_text: Optional[str] = ..., start_time: float = ..., steering_rate: float = ..., turn_deviation: float = ..., wheelbase: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., brake_force: float = ..., drag: float = ..., engine_force: float = ..., lateral_acceleration: float = ..., mass: float = ..., maximum_steering_angle: float = ..., progress_text: Optional[str] = ..., start_time: float = ..., steering_rate: float = ..., turn_deviation: float = ..., wheelbase: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1020,10 +1024,11 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     """Set/Get the efficiency of the optics. Valid range: (0, 1].
     Default: 0.99.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1099,7 +1104,7 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     """Set/Get the wavelength [nm]. Valid range: [200, 20000]. Default:
     1064.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., solar_irradiance: float = ..., wavelength: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., bin_size: float = ..., detector_noise: float = ..., field_of_view: float = ..., filter_bandwidth: float = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., number_of_bins: int = ..., optical_efficiency: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_length: float = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., solar_irradiance: float = ..., wavelength: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1198,7 +1203,7 @@ class vtkHeliosInterpolatedPlatform(vtkHeliosPlatform):
         before. Its LegIds are FirstLegId and those after it. Default:
         none, all is one leg.
         """
-    def __init__(self, *, abort_execute: int = ..., first_leg_id: int = ..., interpolation: Union[Literal["cubic", "linear"], int] = ..., keep_file_times: bool = ..., progress: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., first_leg_id: int = ..., interpolation: Union[Literal["cubic", "linear"], int] = ..., keep_file_times: bool = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1255,10 +1260,11 @@ class vtkHeliosLASReader(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1268,7 +1274,7 @@ class vtkHeliosLASReader(vtkPolyDataAlgorithm):
     """
     read_waveforms: bool
     """Set/Get whether waveforms are read to output 1. Default: off."""
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ..., read_waveforms: bool = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ..., read_waveforms: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1413,7 +1419,7 @@ class vtkHeliosLeadingEdgeDetector(vtkHeliosEchoDetector):
 
 class vtkHeliosLinearPathPlatform(vtkHeliosPlatform):
     """vtkHeliosLinearPathPlatform - a platform that goes straight from waypoint to waypoint"""
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1461,10 +1467,11 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1480,7 +1487,7 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     """Set/Get the key of the random numbers. Valid range: [0, 2^62].
     Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., material_name: Optional[str] = ..., number_of_materials: int = ..., progress: float = ..., progress_text: Optional[str] = ..., random_range: float = ..., seed: int = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., material_name: Optional[str] = ..., number_of_materials: int = ..., progress_text: Optional[str] = ..., random_range: float = ..., seed: int = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1589,10 +1596,11 @@ class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
         holds, in this order), points that no triangle uses, points that
         became one with another.
         """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1600,7 +1608,7 @@ class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., generate_edge_defects: bool = ..., merge_points: bool = ..., merge_tolerance: float = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., generate_edge_defects: bool = ..., merge_points: bool = ..., merge_tolerance: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1691,10 +1699,11 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
         patches that have points inside, and those of them that stayed as
         they were.
         """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1707,7 +1716,7 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
         """A bound of the distance of the last input and output [m], proven:
         see above.
         """
-    def __init__(self, *, abort_execute: int = ..., maximum_distance: float = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., maximum_distance: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1781,7 +1790,7 @@ class vtkHeliosMulticopterPlatform(vtkHeliosPlatform):
     """Set/Get how fast it turns on the spot, and at most in turns
     [deg/s]. Valid range: [0.1, 1000]. Default: 85.94.
     """
-    def __init__(self, *, abort_execute: int = ..., drag_coefficient: float = ..., mass: float = ..., maximum_pitch: float = ..., maximum_roll: float = ..., maximum_thrust: float = ..., pitch_rate: float = ..., progress: float = ..., progress_text: Optional[str] = ..., roll_rate: float = ..., slowdown_distance: float = ..., slowdown_enabled: bool = ..., start_time: float = ..., time_step: float = ..., yaw_rate: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., drag_coefficient: float = ..., mass: float = ..., maximum_pitch: float = ..., maximum_roll: float = ..., maximum_thrust: float = ..., pitch_rate: float = ..., progress_text: Optional[str] = ..., roll_rate: float = ..., slowdown_distance: float = ..., slowdown_enabled: bool = ..., start_time: float = ..., time_step: float = ..., yaw_rate: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1885,10 +1894,11 @@ class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1901,7 +1911,7 @@ class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
     points are (x, -z, y). Valid range: UP_AXIS_Y, UP_AXIS_Z.
     Default: UP_AXIS_Z.
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ..., up_axis: Union[Literal["y", "z"], int] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ..., up_axis: Union[Literal["y", "z"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -1950,10 +1960,11 @@ class vtkHeliosObjSceneWriter(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -1961,7 +1972,7 @@ class vtkHeliosObjSceneWriter(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2303,10 +2314,11 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         for a folder; where the scene, the platform and the scanner come
         from, file.xml#id. The scene's is empty where the file is a mesh.
         """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -2446,7 +2458,7 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         enclosed places count; auto, true, false or open, of the ground;
         how high the instrument is above the place [m].
         """
-    def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., platform: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_scanner_limits: bool = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_scanner_limits: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2550,10 +2562,11 @@ class vtkHeliosPlatform(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -2565,7 +2578,7 @@ class vtkHeliosPlatform(vtkPolyDataAlgorithm):
     """Set/Get the time of the first waypoint [s]. Valid range: [0,
     1e12]. Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2703,10 +2716,11 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     many points a piece has about, if the number of pieces is 0.
     Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -2723,7 +2737,7 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     """Set/Get the edge of a cell [m]. Valid range: greater than 0.
     Default: 1.
     """
-    def __init__(self, *, abort_execute: int = ..., default_normal: Sequence[float] = ..., estimate_normals: bool = ..., generate_voxel_ids: bool = ..., maximum_number_of_cells: int = ..., minimum_number_of_points: int = ..., number_of_materials: int = ..., number_of_pieces: int = ..., points_per_piece: int = ..., progress: float = ..., progress_text: Optional[str] = ..., snap_neighbor_normal: bool = ..., voxel_size: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., default_normal: Sequence[float] = ..., estimate_normals: bool = ..., generate_voxel_ids: bool = ..., maximum_number_of_cells: int = ..., minimum_number_of_points: int = ..., number_of_materials: int = ..., number_of_pieces: int = ..., points_per_piece: int = ..., progress_text: Optional[str] = ..., snap_neighbor_normal: bool = ..., voxel_size: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -2878,10 +2892,11 @@ class vtkHeliosReproject(vtkPointSetAlgorithm):
     @property
     def poly_data_output(self) -> Optional[vtkPolyData]:
         """Get the output as vtkPolyData."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -2903,7 +2918,7 @@ class vtkHeliosReproject(vtkPointSetAlgorithm):
     @property
     def unstructured_grid_output(self) -> Optional[vtkUnstructuredGrid]:
         """Get the output as vtkUnstructuredGrid."""
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ..., source_crs: Optional[str] = ..., target_crs: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., source_crs: Optional[str] = ..., target_crs: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3041,10 +3056,11 @@ class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -3075,7 +3091,7 @@ class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
     """Set/Get the distance of candidates along x and y [m]. Valid
     range: [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
-    def __init__(self, *, abort_execute: int = ..., maximum_slope: float = ..., memory_limit: float = ..., progress: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., scanner_height: float = ..., skip_enclosed: bool = ..., surface: Union[Literal["automatic", "ground", "highest", "open_ground"], int] = ..., x_step: float = ..., y_step: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., maximum_slope: float = ..., memory_limit: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., scanner_height: float = ..., skip_enclosed: bool = ..., surface: Union[Literal["automatic", "ground", "highest", "open_ground"], int] = ..., x_step: float = ..., y_step: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3253,10 +3269,11 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     are counter-based: results do not depend on the number of
     threads. Valid range: [1, 1000]. Default: 4.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -3284,7 +3301,7 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
         many scans has a smaller largest one, and none of these a smaller
         mean.
         """
-    def __init__(self, *, abort_execute: int = ..., coverage_of: Union[Literal["all", "coverable"], int] = ..., method: Union[Literal["best", "greedy", "mean_incidence_angle", "optimal", "viewshed_size"], int] = ..., minimum_coverage: float = ..., minimum_overlap: float = ..., number_of_starts: int = ..., progress: float = ..., progress_text: Optional[str] = ..., removal_order: Union[Literal["ascending", "descending"], int] = ..., time_limit: float = ..., use_areas: bool = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., coverage_of: Union[Literal["all", "coverable"], int] = ..., method: Union[Literal["best", "greedy", "mean_incidence_angle", "optimal", "viewshed_size"], int] = ..., minimum_coverage: float = ..., minimum_overlap: float = ..., number_of_starts: int = ..., progress_text: Optional[str] = ..., removal_order: Union[Literal["ascending", "descending"], int] = ..., time_limit: float = ..., use_areas: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3582,7 +3599,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """Set/Get the part [t0, t1) of the scan that is computed [s].
     Default: all of it.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., beam_deflector: Optional[vtkHeliosBeamDeflector] = ..., beam_orientation: Sequence[float] = ..., beam_origin: Sequence[float] = ..., beam_sampler: Optional[vtkHeliosBeamSampler] = ..., bin_size: float = ..., channel_id: int = ..., detector_noise: float = ..., duration: float = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., energy_tolerance: float = ..., error_model: Optional[vtkHeliosErrorModel] = ..., field_of_view: float = ..., filter_bandwidth: float = ..., first_pulse_id: int = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., head_rotate_axis: Sequence[float] = ..., head_rotate_speed: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., leg_id: int = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., mount_orientation: Sequence[float] = ..., mount_position: Sequence[float] = ..., number_of_bins: int = ..., optical_efficiency: float = ..., platform_noise: Optional[vtkHeliosPlatformNoise] = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_id_stride: int = ..., pulse_length: float = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., pulse_window: Sequence[int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., range_tolerance: float = ..., ray_caster: Optional[vtkHeliosRayCaster] = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., sampling: Union[Literal["fixed", "tolerance"], int] = ..., seed: int = ..., solar_irradiance: float = ..., start_time: float = ..., time_window: Sequence[float] = ..., wavelength: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., beam_deflector: Optional[vtkHeliosBeamDeflector] = ..., beam_orientation: Sequence[float] = ..., beam_origin: Sequence[float] = ..., beam_sampler: Optional[vtkHeliosBeamSampler] = ..., bin_size: float = ..., channel_id: int = ..., detector_noise: float = ..., duration: float = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., energy_tolerance: float = ..., error_model: Optional[vtkHeliosErrorModel] = ..., field_of_view: float = ..., filter_bandwidth: float = ..., first_pulse_id: int = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., head_rotate_axis: Sequence[float] = ..., head_rotate_speed: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., leg_id: int = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., mount_orientation: Sequence[float] = ..., mount_position: Sequence[float] = ..., number_of_bins: int = ..., optical_efficiency: float = ..., platform_noise: Optional[vtkHeliosPlatformNoise] = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_id_stride: int = ..., pulse_length: float = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., pulse_window: Sequence[int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., range_tolerance: float = ..., ray_caster: Optional[vtkHeliosRayCaster] = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., sampling: Union[Literal["fixed", "tolerance"], int] = ..., seed: int = ..., solar_irradiance: float = ..., start_time: float = ..., time_window: Sequence[float] = ..., wavelength: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3738,10 +3755,11 @@ class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -3749,7 +3767,7 @@ class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3789,10 +3807,11 @@ class vtkHeliosSceneMotion(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -3804,7 +3823,7 @@ class vtkHeliosSceneMotion(vtkPolyDataAlgorithm):
     """Set/Get the time between two steps [s]; 0: the output does not
     depend on time. Valid range: [0, 1e9]. Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ..., time_step: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., time_step: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3851,10 +3870,11 @@ class vtkHeliosSceneTransform(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -3874,7 +3894,7 @@ class vtkHeliosSceneTransform(vtkPolyDataAlgorithm):
     """Set/Get by how much the part is moved, after all [m]. Valid
     range: finite. Default: 0, 0, 0.
     """
-    def __init__(self, *, abort_execute: int = ..., progress: float = ..., progress_text: Optional[str] = ..., rotation: Sequence[float] = ..., scale: float = ..., translation: Sequence[float] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., rotation: Sequence[float] = ..., scale: float = ..., translation: Sequence[float] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -3946,7 +3966,7 @@ class vtkHeliosStaticPlatform(vtkHeliosPlatform):
     """Set/Get where the platform's y axis points, clockwise from north
     (world y) [deg]. Valid range: [-360, 360]. Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., heading: float = ..., progress: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., heading: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4471,10 +4491,11 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     scene have. Valid range: [0, the survey's GetNumberOfPlays() -
     1]. Default: 0.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -4511,7 +4532,7 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey to run. No default: an error without."""
-    def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[str] = ..., energy_tolerance: float = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., noise: bool = ..., number_of_sub_rays: int = ..., play: int = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_window: Sequence[int] = ..., range_tolerance: float = ..., ray_caster: Optional[str] = ..., seed: int = ..., survey: Optional[vtkHeliosSurvey] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[str] = ..., energy_tolerance: float = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., noise: bool = ..., number_of_sub_rays: int = ..., play: int = ..., progress_text: Optional[str] = ..., pulse_window: Sequence[int] = ..., range_tolerance: float = ..., ray_caster: Optional[str] = ..., seed: int = ..., survey: Optional[vtkHeliosSurvey] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4627,10 +4648,11 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     """Set/Get what carries the scanner, and the scanner: file.xml#id.
     The platform must stand. Default: none.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -4673,7 +4695,7 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     the window that pulses leave through [deg]. Valid range: as the
     scanner can. Default: NaN, which is left to the scanner.
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., head_rotate_per_second: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., platform: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., scan_angle: float = ..., scan_frequency: float = ..., scanner: Optional[str] = ..., scene: Optional[str] = ..., survey_name: Optional[str] = ..., vertical_angle_max: float = ..., vertical_angle_min: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., head_rotate_per_second: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., scan_angle: float = ..., scan_frequency: float = ..., scanner: Optional[str] = ..., scene: Optional[str] = ..., survey_name: Optional[str] = ..., vertical_angle_max: float = ..., vertical_angle_min: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4765,10 +4787,11 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     """Set/Get where the scene stands [m], added to every point at the
     end. Default: 0, 0, 0.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -4792,7 +4815,7 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     """Set/Get the species of a Tree. Valid range: BROADLEAF to SHRUB.
     Default: BROADLEAF.
     """
-    def __init__(self, *, abort_execute: int = ..., height: float = ..., kind: Union[Literal["blocks", "canopy", "house", "plane", "pyramid", "sphere", "step", "terrain", "tree"], int] = ..., number_of_leaves: int = ..., number_of_trees: int = ..., origin: Sequence[float] = ..., progress: float = ..., progress_text: Optional[str] = ..., resolution: int = ..., seed: int = ..., size: float = ..., species: Union[Literal["broadleaf", "conifer", "shrub"], int] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., height: float = ..., kind: Union[Literal["blocks", "canopy", "house", "plane", "pyramid", "sphere", "step", "terrain", "tree"], int] = ..., number_of_leaves: int = ..., number_of_trees: int = ..., origin: Sequence[float] = ..., progress_text: Optional[str] = ..., resolution: int = ..., seed: int = ..., size: float = ..., species: Union[Literal["broadleaf", "conifer", "shrub"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4889,10 +4912,11 @@ class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -4906,7 +4930,7 @@ class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
     """
     surface: Union[Literal["ground", "top"], int]
     """Set/Get what is flown over. Default: GROUND."""
-    def __init__(self, *, abort_execute: int = ..., height: float = ..., maximum_slope: float = ..., progress: float = ..., progress_text: Optional[str] = ..., spacing: float = ..., surface: Union[Literal["ground", "top"], int] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., height: float = ..., maximum_slope: float = ..., progress_text: Optional[str] = ..., spacing: float = ..., surface: Union[Literal["ground", "top"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4980,10 +5004,11 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     those that are not are 0 to 6 in this order, and comments are not
     asked. Valid range: [-1, 999]. Default: -1.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5034,7 +5059,7 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     those that are not are 0 to 6 in this order, and comments are not
     asked. Valid range: [-1, 999]. Default: -1.
     """
-    def __init__(self, *, abort_execute: int = ..., angle_convention: Union[Literal["arinc705", "canonical"], int] = ..., angle_unit: Union[Literal["degrees", "radians"], int] = ..., domain: Union[Literal["position", "position_and_attitude"], int] = ..., file_name: Optional[str] = ..., minimum_speed: float = ..., pitch_column: int = ..., progress: float = ..., progress_text: Optional[str] = ..., roll_column: int = ..., separators: Optional[str] = ..., slope_filter_threshold: float = ..., time_column: int = ..., x_column: int = ..., y_column: int = ..., yaw_column: int = ..., z_column: int = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angle_convention: Union[Literal["arinc705", "canonical"], int] = ..., angle_unit: Union[Literal["degrees", "radians"], int] = ..., domain: Union[Literal["position", "position_and_attitude"], int] = ..., file_name: Optional[str] = ..., minimum_speed: float = ..., pitch_column: int = ..., progress_text: Optional[str] = ..., roll_column: int = ..., separators: Optional[str] = ..., slope_filter_threshold: float = ..., time_column: int = ..., x_column: int = ..., y_column: int = ..., yaw_column: int = ..., z_column: int = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5218,10 +5243,11 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     @property
     def number_of_rays(self) -> int:
         """Get the number of rays cast in the last update."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5231,7 +5257,7 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     """
     ray_caster: Optional[vtkHeliosRayCaster]
     """Set/Get what casts the rays. Default: the default backend."""
-    def __init__(self, *, abort_execute: int = ..., angular_step: float = ..., both_sides: bool = ..., hit_tolerance: float = ..., maximum_elevation: float = ..., maximum_incidence_angle: float = ..., maximum_range: float = ..., memory_limit: float = ..., minimum_elevation: float = ..., minimum_point_density: float = ..., minimum_range: float = ..., progress: float = ..., progress_text: Optional[str] = ..., ray_caster: Optional[vtkHeliosRayCaster] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., angular_step: float = ..., both_sides: bool = ..., hit_tolerance: float = ..., maximum_elevation: float = ..., maximum_incidence_angle: float = ..., maximum_range: float = ..., memory_limit: float = ..., minimum_elevation: float = ..., minimum_point_density: float = ..., minimum_range: float = ..., progress_text: Optional[str] = ..., ray_caster: Optional[vtkHeliosRayCaster] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5327,10 +5353,11 @@ class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5359,7 +5386,7 @@ class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
     """Set/Get the distance of lines along x, y and z [m]. Valid range:
     [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
-    def __init__(self, *, abort_execute: int = ..., generate_areas: bool = ..., horizontal: bool = ..., memory_limit: float = ..., merge_tolerance: float = ..., progress: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., vertical: bool = ..., x_step: float = ..., y_step: float = ..., z_step: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., generate_areas: bool = ..., horizontal: bool = ..., memory_limit: float = ..., merge_tolerance: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., vertical: bool = ..., x_step: float = ..., y_step: float = ..., z_step: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5453,10 +5480,11 @@ class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5472,7 +5500,7 @@ class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
     """Set/Get the key of the random numbers. Valid range: [0, 2^62].
     Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., exponent: float = ..., maximum_number_of_cubes: int = ..., mode: Union[Literal["fixed", "scaled"], int] = ..., number_of_materials: int = ..., progress: float = ..., progress_text: Optional[str] = ..., random_shift: bool = ..., seed: int = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., exponent: float = ..., maximum_number_of_cubes: int = ..., mode: Union[Literal["fixed", "scaled"], int] = ..., number_of_materials: int = ..., progress_text: Optional[str] = ..., random_shift: bool = ..., seed: int = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5552,10 +5580,11 @@ class vtkHeliosVoxelReader(vtkImageAlgorithm):
     """Set/Get the name of the column that holds the density; upper and
     lower case are equal. Default: PadBVTotal.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5563,7 +5592,7 @@ class vtkHeliosVoxelReader(vtkImageAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., leaf_table_file_name: Optional[str] = ..., maximum_number_of_cells: int = ..., pad_column: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., leaf_table_file_name: Optional[str] = ..., maximum_number_of_cells: int = ..., pad_column: Optional[str] = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5635,10 +5664,11 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
         """Shows the waveforms of some pulses only, before EveryNth.
         Default: none added, which shows all.
         """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5651,7 +5681,7 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
     that the largest one of the input is displaced by Height. Valid
     range: [0, 1e30]. Default: 0.
     """
-    def __init__(self, *, abort_execute: int = ..., displacement_direction: Sequence[float] = ..., every_nth: int = ..., height: float = ..., progress: float = ..., progress_text: Optional[str] = ..., scale: float = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., displacement_direction: Sequence[float] = ..., every_nth: int = ..., height: float = ..., progress_text: Optional[str] = ..., scale: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5720,10 +5750,11 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
     """Set/Get whether the times of the file are those of the way out
     alone, as in files of HELIOS++. Default: off.
     """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5731,7 +5762,7 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., bin_size: float = ..., file_name: Optional[str] = ..., one_way_times: bool = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., bin_size: float = ..., file_name: Optional[str] = ..., one_way_times: bool = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5800,10 +5831,11 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
         """Get the number of pieces that the file has, after
         UpdateInformation().
         """
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5811,7 +5843,7 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
     modify the algorithm object. Algorithms are not allowed to modify
     themselves from inside RequestData().
     """
-    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress: float = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -5909,10 +5941,11 @@ class vtkHeliosXyzReader(vtkPolyDataAlgorithm):
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
-    progress: float
-    """`SetProgress` is deprecated. Subclasses should use
-    `UpdateProgress` to report progress updates.
-    """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
     progress_text: Optional[str]
     """Set the current text message associated with the progress state.
     This may be used by a calling process/GUI. Note: Because
@@ -5946,7 +5979,7 @@ class vtkHeliosXyzReader(vtkPolyDataAlgorithm):
     there is an empty column. Valid range: none of digits, letters, +
     - . # /. Default: blank and tab.
     """
-    def __init__(self, *, abort_execute: int = ..., maximum_color_value: float = ..., normal_x_index: int = ..., normal_y_index: int = ..., normal_z_index: int = ..., progress: float = ..., progress_text: Optional[str] = ..., read_colors: bool = ..., read_normals: bool = ..., rgb_b_index: int = ..., rgb_g_index: int = ..., rgb_r_index: int = ..., separators: Optional[str] = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., maximum_color_value: float = ..., normal_x_index: int = ..., normal_y_index: int = ..., normal_z_index: int = ..., progress_text: Optional[str] = ..., read_colors: bool = ..., read_normals: bool = ..., rgb_b_index: int = ..., rgb_g_index: int = ..., rgb_r_index: int = ..., separators: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...

@@ -18,8 +18,9 @@ class Pipeline:
     """Algorithms that are connected, from ``first`` to ``last``.
 
     ``pipeline()`` brings it up to date and gives the data of the last one (a tuple
-    where it has several outputs that hold data); ``pipeline(data)`` gives data to the
-    first one before. ``pipeline.update().output`` is the same in two steps.
+    where it has several outputs that hold data), which later updates do not change;
+    ``pipeline(data)`` gives data to the first one before. ``pipeline.update().output``
+    is the output itself, which they do.
     """
 
     def __init__(self, first, last, port=None):
@@ -34,7 +35,7 @@ class Pipeline:
     def __call__(self, data=None):
         if data is not None:
             connect(data, self.first)
-        return self.update().output
+        return _kept(self.update().output)
 
     def update(self):
         """Brings the last algorithm up to date; raises PipelineError. Returns the pipeline."""
@@ -195,7 +196,16 @@ def _call(algorithm, data=None):
     """The output, brought up to date; with data as the input, where given."""
     if data is not None:
         connect(data, algorithm)
-    return _output(_update(algorithm))
+    return _kept(_output(_update(algorithm)))
+
+
+def _kept(output):
+    """The data as it is now: shallow copies, which share all arrays."""
+    if isinstance(output, tuple):
+        return tuple(map(_kept, output))
+    copy = output.NewInstance()
+    copy.ShallowCopy(output)
+    return copy
 
 
 # What algorithms get; newer versions of VTK have it.

@@ -19,10 +19,15 @@ def extend(classes):
         if not issubclass(cls, vtkObjectBase):
             continue  # a struct
         is_algorithm = issubclass(cls, vtkAlgorithm)
-        attributes = make_properties(cls)
+        attributes = {**make_properties(cls), "__init__": _init}
         if is_algorithm and not hasattr(vtkAlgorithm, "update"):
             attributes |= METHODS
         _native.extend(cls, attributes, is_algorithm)
+
+
+def _init(self, *_, **keywords):
+    """Keywords are properties; for classes written in Python on top."""
+    set_properties(self, keywords)
 
 
 def describe(vtk_object):
@@ -36,9 +41,9 @@ def describe(vtk_object):
 def state(vtk_object):
     """What can be set, and is, as words."""
     return {
-        name: _short(value.fget(vtk_object))
+        name: _short(value.read(vtk_object))
         for name, value in properties(type(vtk_object)).items()
-        if value.fset and name not in _NOT_STATE
+        if value.setter_name and name not in _NOT_STATE
     }
 
 

@@ -126,9 +126,14 @@ def conclude(log, exceptions=(), stacklevel=3):
     for message in dict.fromkeys(log.warnings):
         warnings.warn(message, RuntimeWarning, stacklevel=stacklevel)
     if exceptions:
-        told = [f"{type(exception).__name__}: {exception}" for exception in exceptions]
+        told = [_as_text(exception) for exception in exceptions]
         roots = [error for error in log.root_errors() if not is_executive_message(error)]
         raise PipelineError(told + roots) from exceptions[0]
     if log.errors:
         raise PipelineError(log.root_errors())
 
+
+def _as_text(exception):
+    """Its class and its message; a KeyError's would have quotes around it."""
+    message = exception.args[0] if isinstance(exception, KeyError) else exception
+    return f"{type(exception).__name__}: {message}"

@@ -11,6 +11,8 @@ import functools
 import math
 import re
 
+from ._pipeline import MessageLog
+
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 
 _WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
@@ -23,8 +25,10 @@ _LEFT_OUT = set(
     "total_number_of_input_connections update_extent update_ghost_level update_number_of_pieces "
     "update_piece using_memkind".split()
 )
+_NOT_SET = {"Progress"}  # by others than the algorithm itself
 # "Valid range: (0, 1e6]. ", and nothing else beside the numbers.
-_INTERVAL = re.compile(r"Valid\s+range:\s*([\[(])([-+\d.e]+),\s*([-+\d.e]+)([\])])\.(?:\s|$)")
+_NUMBER = r"([-+]?(?:infinity|[\d.]+(?:e[-+]?\d+)?))"
+_INTERVAL = re.compile(rf"Valid\s+range:\s*([\[(]){_NUMBER},\s*{_NUMBER}([\])])\.(?:\s|$)")
 _KINDS = {
     "float": "a number",
     "int": "a whole number",
@@ -64,33 +68,45 @@ class Choice(int):
         return format(self.name, spec)
 
 
-class Property(property):
-    """A pair of Set and Get, or a Get alone."""
+class Property:
+    """A pair of Set and Get, or a Get alone: a descriptor, which reads texts when they are asked for."""
 
     def __init__(self, cls, camel):
         self.cls, self.camel = cls, camel
-        self.setter_name = f"Set{camel}" if hasattr(cls, f"Set{camel}") else None
-        self.choices = _choices(cls, camel)
-        write = self._write if self.setter_name else None
-        super().__init__(self._read, write)
-        self.__doc__ = _doc(cls, camel)
+        can_set = hasattr(cls, f"Set{camel}") and camel not in _NOT_SET
+        self.setter_name = f"Set{camel}" if can_set else None
+
+    def __get__(self, vtk_object, _cls=None):
+        return self if vtk_object is None else self.read(vtk_object)
+
+    def __set__(self, vtk_object, value):
+        if self.setter_name is None:
+            raise AttributeError(f"{self._where(vtk_object)} is read only")
+        if self.choices and isinstance(value, str):
+            self._choose(vtk_object, value)
+        else:
+            self._set(vtk_object, value)
+
+    @property
+    def __doc__(self):
+        return _doc(self.cls, self.camel)
+
+    @functools.cached_property
+    def choices(self):
+        """Name: (number, method) of its values, where it has SetXToName()."""
+        return _choices(self.cls, self.camel)
 
     @property
     def name(self):
         return snake_case(self.camel)
 
-    def _read(self, vtk_object):
+    def read(self, vtk_object):
+        """The value; out of a few, a Choice."""
         value = getattr(vtk_object, f"Get{self.camel}")()
         if self.choices and isinstance(value, int):
             name = next((name for name, (number, _) in self.choices.items() if number == value), None)
             return value if name is None else Choice(value, name)
         return value
-
-    def _write(self, vtk_object, value):
-        if self.choices and isinstance(value, str):
-            self._choose(vtk_object, value)
-        else:
-            self._set(vtk_object, value)
 
     def _choose(self, vtk_object, name):
         if name not in self.choices:
@@ -99,13 +115,17 @@ class Property(property):
         getattr(vtk_object, self.choices[name][1])()
 
     def _set(self, vtk_object, value):
-        before, setter = self._read(vtk_object), getattr(vtk_object, self.setter_name)
+        before, setter = self.read(vtk_object), getattr(vtk_object, self.setter_name)
         try:
-            setter(_plain(value, before))
+            with MessageLog() as log:
+                log.watch(vtk_object)
+                setter(_plain(value, before))
         except (TypeError, ValueError, OverflowError) as error:
             told = f"{self._where(vtk_object)} is {value!r}; give {self.kind}"
             raise type(error)(told) from error
-        if not (_is_as_given(self._read(vtk_object), value) and self._is_told_valid(value)):
+        if log.errors:
+            raise ValueError(f"{self._where(vtk_object)}: {log.errors[0]}")
+        if not (_is_as_given(self.read(vtk_object), value) and self._is_told_valid(value)):
             setter(_plain(before, before))
             limits = self.valid_range(vtk_object)
             raise ValueError(f"{self._where(vtk_object)} is {value!r}; {limits}; {before!r} is kept")
@@ -181,6 +201,8 @@ def _texts(cls):
     texts, last = {}, ""
     for base in reversed(cls.__mro__):
         for name, method in vars(base).items():
+            if isinstance(method, Property):
+                continue
             text = getattr(method, "__doc__", None) or ""
             last = text.split("\n\n", 1)[1].strip() if "\n\n" in text else ""
             if not last and base.__module__.startswith("vtkhelios."):
@@ -258,7 +280,7 @@ def set_properties(vtk_object, values):
 def refuse(vtk_object, name):
     """Raises AttributeError for a name that the class does not have."""
     cls = type(vtk_object)
-    settable = [key for key, value in properties(cls).items() if value.fset]
+    settable = [key for key, value in properties(cls).items() if value.setter_name]
     near = difflib.get_close_matches(snake_case(name), settable, 1, 0.6)
     hint = f"; did you mean {near[0]}?" if near else f"; it has: {', '.join(settable)}"
     raise AttributeError(f"{vtk_object.GetClassName()} has no property {name}{hint}")

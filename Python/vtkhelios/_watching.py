@@ -12,7 +12,7 @@ class ProgressLine:
     """One line that is written over: a bar, the share done, the time that is left."""
 
     def __init__(self, file=None):
-        self._file = file or sys.stderr
+        self._file = sys.stderr if file is None else file
         self._start = time.monotonic()
         self._next = 0.0
         self._width = 0
