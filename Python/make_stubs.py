@@ -18,15 +18,15 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 STUB = ROOT / "Python/vtkhelios/__init__.pyi"
 
-HEAD = '''\
+HEAD = """\
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Made by Python/make_stubs.py; do not edit.
 from pathlib import Path
 from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Union, overload
 
-'''
-THIN_LAYER = '''\
+"""
+THIN_LAYER = """\
 from ._arrays import arrays as arrays
 from ._compose import Pipeline as Pipeline, select_ports as select_ports
 from ._filter import filter as filter
@@ -39,15 +39,15 @@ from .survey import Survey as Survey, read_survey as read_survey
 __version__: str
 
 def data_directory() -> Path: ...
-'''
-PIPELINE_METHODS = '''\
+"""
+PIPELINE_METHODS = """\
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
     def update(self) -> Any: ...
     @property
     def output(self) -> Any: ...
-'''
+"""
 # name(arguments) -> result, up to the line that says what it is in C++
 SIGNATURE = re.compile(r"^(\w+)\(([^\n]*(?:\n(?!C\+\+)[^\n]*)*?)\)\s*->\s*([^\n]+)\nC\+\+:", re.M)
 # A name and a type, which may be a tuple or a list.
@@ -91,7 +91,8 @@ class Types:
         for name in sorted(self.used):
             lines.setdefault(self.stock[name], []).append(name)
         return "".join(
-            f"from vtkmodules.{module} import {', '.join(names)}\n" for module, names in sorted(lines.items())
+            f"from vtkmodules.{module} import {', '.join(names)}\n"
+            for module, names in sorted(lines.items())
         )
 
 
@@ -114,7 +115,12 @@ def make_class(cls, types):
     if "__call__" in vars(cls):
         lines += PIPELINE_METHODS.rstrip("\n").split("\n")
     for name, method in sorted(vars(cls).items()):
-        if callable(method) and name[0] != "_" and name[0].isupper() and not isinstance(method, type):
+        if (
+            callable(method)
+            and name[0] != "_"
+            and name[0].isupper()
+            and not isinstance(method, type)
+        ):
             lines += _methods(name, method, types)
     return "\n".join(lines) + "\n"
 
@@ -131,7 +137,11 @@ def _docstring(text, indent):
     wrapped = [part for line in lines for part in textwrap.wrap(line, 96) or [""]]
     if len(wrapped) == 1:
         return [f'{indent}"""{wrapped[0]}"""']
-    return [f'{indent}"""{wrapped[0]}', *(f"{indent}{line}".rstrip() for line in wrapped[1:]), f'{indent}"""']
+    return [
+        f'{indent}"""{wrapped[0]}',
+        *(f"{indent}{line}".rstrip() for line in wrapped[1:]),
+        f'{indent}"""',
+    ]
 
 
 def _annotation(value, types):

@@ -55,7 +55,9 @@ def main():
         points += len(kept)
         add_heights(raster, kept)
     filled = np.isfinite(raster)
-    print(f"{survey.number_of_pulses:,} pulses, {points:,} points kept, one block in memory at a time")
+    print(
+        f"{survey.number_of_pulses:,} pulses, {points:,} points kept, one block in memory at a time"
+    )
     print(f"{filled.mean():.1%} of the cells have a height, the highest is {raster.max():.2f} m")
     return raster, survey
 

@@ -62,7 +62,9 @@ def main():
     scene = make_scene()
     scanner = make_scanner(scene, make_platform(scene, 0.0, 0.0))
 
-    cloud = vtkhelios.Cloud(scanner())  # views: nothing is copied; an error would raise PipelineError
+    cloud = vtkhelios.Cloud(
+        scanner()
+    )  # views: nothing is copied; an error would raise PipelineError
     first = cloud["ReturnNumber"] == 1
     ranges = cloud["Range"]
     print(f"{scanner.number_of_pulses:,} pulses, {len(cloud):,} echoes, {first.sum():,} first ones")

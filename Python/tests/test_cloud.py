@@ -88,7 +88,10 @@ def test_records(cloud):
 
 def test_filter(cloud):
     kept = cloud[cloud["Range"] >= 3]
-    assert kept["PulseIds"].tolist() == [6, 8] and kept.points.tolist() == [[9, 10, 11], [12, 13, 14]]
+    assert kept["PulseIds"].tolist() == [6, 8] and kept.points.tolist() == [
+        [9, 10, 11],
+        [12, 13, 14],
+    ]
     assert cloud[[4, 0]]["Range"].tolist() == [4, 0] and len(cloud[1:3]) == 2
     assert len(cloud.filter(np.zeros(5, bool))) == 0
     with pytest.raises(ValueError, match="the mask has 4 rows; give one a point: 5"):
@@ -109,9 +112,13 @@ def test_arrays_are_added(cloud):
 
 
 def test_what_is_no_cloud():
-    with pytest.raises(TypeError, match="made of a vtkPolyData, not of ndarray; see Cloud.from_arrays"):
+    with pytest.raises(
+        TypeError, match="made of a vtkPolyData, not of ndarray; see Cloud.from_arrays"
+    ):
         Cloud(np.zeros((3, 3)))
-    with pytest.raises(ValueError, match=r"points has the shape \(3, 2\); give an array of \(n, 3\)"):
+    with pytest.raises(
+        ValueError, match=r"points has the shape \(3, 2\); give an array of \(n, 3\)"
+    ):
         Cloud.from_arrays(np.zeros((3, 2)))
     with pytest.raises(TypeError, match="use points, records or arrays by name"):
         iter(Cloud())

@@ -227,8 +227,14 @@ def test_what_a_function_raises_is_the_cause():
 @pytest.mark.parametrize(
     "make, message",
     [
-        (lambda: blocks() >> no_table, "no_table() returns vtkPolyData; return a Cloud, a vtkTable"),
-        (lambda: nothing_to_mask >> transform(1), "returns an array, but its first input is no cloud"),
+        (
+            lambda: blocks() >> no_table,
+            "no_table() returns vtkPolyData; return a Cloud, a vtkTable",
+        ),
+        (
+            lambda: nothing_to_mask >> transform(1),
+            "returns an array, but its first input is no cloud",
+        ),
     ],
 )
 def test_a_wrong_result(make, message):

@@ -70,7 +70,9 @@ def test_notebook(name):
     if name == "first_survey.ipynb":
         assert namespace["noise"].std() == pytest.approx(0.005, rel=0.1)
     else:
-        assert list(namespace["sizes"].values()) == sorted(namespace["sizes"].values(), reverse=True)
+        assert list(namespace["sizes"].values()) == sorted(
+            namespace["sizes"].values(), reverse=True
+        )
         assert "did you mean Range?" in namespace["message"]
 
 

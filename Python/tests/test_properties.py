@@ -67,9 +67,27 @@ MIRROR = vtkhelios.vtkHeliosConicMirror
 @pytest.mark.parametrize(
     "cls, name, value, error, message",
     [
-        (SCANNER, "range_mni", 1, AttributeError, "has no property range_mni; did you mean range_min?"),
-        (SCANNER, "RangeMin", 1, AttributeError, "has no property RangeMin; did you mean range_min?"),
-        (MIRROR, "colour", 1, AttributeError, "has no property colour; it has: pulse_frequency, scan"),
+        (
+            SCANNER,
+            "range_mni",
+            1,
+            AttributeError,
+            "has no property range_mni; did you mean range_min?",
+        ),
+        (
+            SCANNER,
+            "RangeMin",
+            1,
+            AttributeError,
+            "has no property RangeMin; did you mean range_min?",
+        ),
+        (
+            MIRROR,
+            "colour",
+            1,
+            AttributeError,
+            "has no property colour; it has: pulse_frequency, scan",
+        ),
         (SCANNER, "number_of_pulses", 1, AttributeError, "number_of_pulses is read only"),
         (SCANNER, "range_min", "far", TypeError, "range_min is 'far'; give a number"),
         (SCANNER, "seed", 1.5, TypeError, "seed is 1.5; give a whole number"),
@@ -79,8 +97,20 @@ MIRROR = vtkhelios.vtkHeliosConicMirror
         (SCANNER, "beam_deflector", 5, TypeError, "is 5; give a vtkHeliosBeamDeflector or None"),
         (SCANNER, "beam_deflector", SCANNER(), TypeError, "give a vtkHeliosBeamDeflector or None"),
         (SCANNER, "sampling", "some", ValueError, "is 'some'; give one of: fixed, tolerance"),
-        (SCANNER, "sampling", 9, ValueError, "is 9; give one of: fixed, tolerance; 'tolerance' is kept"),
-        (MIRROR, "scan_angle", 200, ValueError, r"is 200; its valid range is \[0, 180\]; 20.0 is kept"),
+        (
+            SCANNER,
+            "sampling",
+            9,
+            ValueError,
+            "is 9; give one of: fixed, tolerance; 'tolerance' is kept",
+        ),
+        (
+            MIRROR,
+            "scan_angle",
+            200,
+            ValueError,
+            r"is 200; its valid range is \[0, 180\]; 20.0 is kept",
+        ),
         (SCANNER, "seed", -1, ValueError, r"seed is -1; its valid range is \[0, 4.6"),
     ],
 )
@@ -98,7 +128,9 @@ def test_what_is_wrong_is_said(cls, name, value, error, message):
 def test_range_that_only_the_documentation_tells():
     scanner = vtkhelios.vtkHeliosScanner()
     assert not hasattr(scanner, "GetAveragePowerMinValue")
-    with pytest.raises(ValueError, match=r"average_power is -1; its valid range is .*; 4.0 is kept"):
+    with pytest.raises(
+        ValueError, match=r"average_power is -1; its valid range is .*; 4.0 is kept"
+    ):
         scanner.average_power = -1
     assert scanner.average_power == 4
 
@@ -142,7 +174,9 @@ def test_every_property_can_be_read_and_says_what_it_is():
         if not name.startswith("vtkHelios") or not hasattr(cls, "IsA"):
             continue
         for key, value in properties(cls).items():
-            assert value.setter_name is None or value.__doc__ or key in ("progress", "error_code"), key
+            assert (
+                value.setter_name is None or value.__doc__ or key in ("progress", "error_code")
+            ), key
         try:
             made = cls()
         except TypeError:

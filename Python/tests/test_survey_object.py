@@ -172,7 +172,11 @@ def test_what_a_callback_raises_ends_the_run(three, tmp_path):
     [
         (lambda s: s.run(sede=1), TypeError, "sede is no option; options are: seed, noise, tol"),
         (lambda s: s.run(seed=-7), ValueError, r"seed is -7; its valid range is \[-1"),
-        (lambda s: s.run(detector="best"), vtkhelios.PipelineError, 'EchoDetector is "best"; give peak'),
+        (
+            lambda s: s.run(detector="best"),
+            vtkhelios.PipelineError,
+            'EchoDetector is "best"; give peak',
+        ),
         (lambda s: s.run(tolerance=7), (ValueError, vtkhelios.PipelineError), "is 7"),
         (lambda s: s.run_to("x", hits=True), TypeError, "hits is no option"),
         (lambda s: s.run_to("x", format="pdf"), vtkhelios.PipelineError, "pdf"),
@@ -199,7 +203,9 @@ def test_in_a_pipeline(survey):
     cloud = vtkhelios.Cloud((survey >> far)())
     assert len(cloud) and cloud["Range"].min() > 20
     source = survey.source(waveforms=True)
-    again = vtkhelios.Cloud((vtkhelios.select_ports(source, 1) >> vtkhelios.vtkHeliosEchoDetection())())
+    again = vtkhelios.Cloud(
+        (vtkhelios.select_ports(source, 1) >> vtkhelios.vtkHeliosEchoDetection())()
+    )
     assert len(again) == len(survey.run())
 
 
@@ -284,20 +290,48 @@ def test_temporary_folders_go_away():
 @pytest.mark.parametrize(
     "make, error, message",
     [
-        (lambda: vtkhelios.Scene([[0, 0]], [[0, 0, 0]]), ValueError, r"points has the shape \(1, 2\)"),
-        (lambda: vtkhelios.Scene([[0, 0, 0]], [[0, 0, 1]]), ValueError, "indices from 0 to 1; the po"),
-        (lambda: vtkhelios.Scene([[0, 0, 0]], [[0, 0, 0.5]]), TypeError, "float64; give whole numb"),
+        (
+            lambda: vtkhelios.Scene([[0, 0]], [[0, 0, 0]]),
+            ValueError,
+            r"points has the shape \(1, 2\)",
+        ),
+        (
+            lambda: vtkhelios.Scene([[0, 0, 0]], [[0, 0, 1]]),
+            ValueError,
+            "indices from 0 to 1; the po",
+        ),
+        (
+            lambda: vtkhelios.Scene([[0, 0, 0]], [[0, 0, 0.5]]),
+            TypeError,
+            "float64; give whole numb",
+        ),
         (lambda: vtkhelios.Scene([[0, 0, np.nan]], [[0, 0, 0]]), ValueError, "has NaN or infinity"),
-        (lambda: vtkhelios.Scene(*FLAT, reflectance=2), ValueError, r"is 2; its valid range is \[0, 1\]"),
-        (lambda: vtkhelios.Scene(*FLAT, reflectance=[1]), ValueError, "give one number, or 2 of them"),
+        (
+            lambda: vtkhelios.Scene(*FLAT, reflectance=2),
+            ValueError,
+            r"is 2; its valid range is \[0, 1\]",
+        ),
+        (
+            lambda: vtkhelios.Scene(*FLAT, reflectance=[1]),
+            ValueError,
+            "give one number, or 2 of them",
+        ),
         (lambda: vtkhelios.Scene("x"), TypeError, "made of points and triangles, .* not of str"),
         (lambda: _scan(scan_freq=9), TypeError, "scan_freq is neither a setting of a leg"),
-        (lambda: _scan(scan_frequency=1), vtkhelios.PipelineError, '^leg 0: scan_frequency="1" is below'),
+        (
+            lambda: _scan(scan_frequency=1),
+            vtkhelios.PipelineError,
+            '^leg 0: scan_frequency="1" is below',
+        ),
         (lambda: _scan(position=(1,)), ValueError, "give x, y, or x, y, z"),
         (lambda: _scan(scanner="laser"), vtkhelios.PipelineError, "laser"),
         (lambda: _scan(position=None), TypeError, "a position to stand at, or a path"),
         (lambda: _make([{}]), TypeError, "a leg has no position"),
-        (lambda: _make([dict(position=(0, 0), colour=1)]), TypeError, "a leg has no setting colour"),
+        (
+            lambda: _make([dict(position=(0, 0), colour=1)]),
+            TypeError,
+            "a leg has no setting colour",
+        ),
     ],
 )
 def test_what_is_wrong_is_said(make, error, message):

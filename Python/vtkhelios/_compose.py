@@ -162,7 +162,11 @@ def _is_source(item):
         return all(part is None or _is_source(part) for part in item)
     kinds = (vtkAlgorithm, vtkAlgorithmOutput, vtkDataObject, Pipeline, _Ports)
     data = getattr(item, "polydata", None)
-    return isinstance(item, kinds) or hasattr(item, "make_algorithm") or isinstance(data, vtkDataObject)
+    return (
+        isinstance(item, kinds)
+        or hasattr(item, "make_algorithm")
+        or isinstance(data, vtkDataObject)
+    )
 
 
 def _first(source):

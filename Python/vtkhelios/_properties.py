@@ -104,7 +104,9 @@ class Property:
         """The value; out of a few, a Choice."""
         value = getattr(vtk_object, f"Get{self.camel}")()
         if self.choices and isinstance(value, int):
-            name = next((name for name, (number, _) in self.choices.items() if number == value), None)
+            name = next(
+                (name for name, (number, _) in self.choices.items() if number == value), None
+            )
             return value if name is None else Choice(value, name)
         return value
 
@@ -128,7 +130,9 @@ class Property:
         if not (_is_as_given(self.read(vtk_object), value) and self._is_told_valid(value)):
             setter(_plain(before, before))
             limits = self.valid_range(vtk_object)
-            raise ValueError(f"{self._where(vtk_object)} is {value!r}; {limits}; {before!r} is kept")
+            raise ValueError(
+                f"{self._where(vtk_object)} is {value!r}; {limits}; {before!r} is kept"
+            )
 
     @property
     def kind(self):
@@ -144,7 +148,9 @@ class Property:
     def annotation(self):
         """The type that VTK's wrapper tells, of the setter, or else of the getter."""
         if self.setter_name:
-            found = re.findall(r"\(self, \w+:(.+?)\)\s*->", self._signatures(self.setter_name), re.S)
+            found = re.findall(
+                r"\(self, \w+:(.+?)\)\s*->", self._signatures(self.setter_name), re.S
+            )
         else:
             found = re.findall(r"\(self\) ->\s*(.+)", self._signatures(f"Get{self.camel}"))
         return found[-1] if found else "object"
@@ -157,12 +163,17 @@ class Property:
         if self.choices:
             return f"give {self.kind}"
         limits = [
-            getattr(vtk_object, f"Get{self.camel}{end}Value", lambda: None)() for end in ("Min", "Max")
+            getattr(vtk_object, f"Get{self.camel}{end}Value", lambda: None)()
+            for end in ("Min", "Max")
         ]
         if None not in limits:
             return f"its valid range is [{limits[0]:g}, {limits[1]:g}]"
         told = re.search(r"Valid\s+range:\s*(.*?)\.(?:\s|$)", self.__doc__ or "", re.S)
-        return f"its valid range is {' '.join(told.group(1).split())}" if told else "it is out of range"
+        return (
+            f"its valid range is {' '.join(told.group(1).split())}"
+            if told
+            else "it is out of range"
+        )
 
     def _is_told_valid(self, value):
         """Whether a number is within the range that the documentation tells, where it tells one."""
@@ -258,7 +269,12 @@ def make_properties(cls):
             continue
         camel = method[3:]
         name = snake_case(camel)
-        if name and name not in _LEFT_OUT and not hasattr(cls, name) and _takes_nothing(cls, method):
+        if (
+            name
+            and name not in _LEFT_OUT
+            and not hasattr(cls, name)
+            and _takes_nothing(cls, method)
+        ):
             made[name] = Property(cls, camel)
     return made
 

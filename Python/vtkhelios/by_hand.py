@@ -100,7 +100,9 @@ def make_survey(
     return survey
 
 
-def scan(scene, position=None, path=None, scanner="vz400_class_tls", platform=None, assets=(), **more):
+def scan(
+    scene, position=None, path=None, scanner="vz400_class_tls", platform=None, assets=(), **more
+):
     """Puts a scanner into a scene and returns its echoes as a Cloud.
 
     It stands at a position (on a tripod), or moves along a path of positions (on
@@ -160,7 +162,9 @@ def _by_hand(message, path):
     names = {}
     for name, target in {**_PLATFORM, **_SCANNER}.items():
         targets = (target,) if isinstance(target, str) else target
-        names |= {key: f"{name}[{i}]" if len(targets) > 1 else name for i, key in enumerate(targets)}
+        names |= {
+            key: f"{name}[{i}]" if len(targets) > 1 else name for i, key in enumerate(targets)
+        }
     pattern = "|".join(sorted(names, key=len, reverse=True))
     text = re.sub(rf"\b({pattern})\b", lambda found: names[found.group()], message[place.end() :])
     return f"leg {leg}: {text}" if leg >= 0 else text

@@ -36,7 +36,9 @@ class Cloud:
         self.polydata = vtkPolyData() if polydata is None else polydata
         if not hasattr(self.polydata, "IsA") or not self.polydata.IsA("vtkPolyData"):
             kind = type(polydata).__name__
-            raise TypeError(f"a Cloud is made of a vtkPolyData, not of {kind}; see Cloud.from_arrays()")
+            raise TypeError(
+                f"a Cloud is made of a vtkPolyData, not of {kind}; see Cloud.from_arrays()"
+            )
         self.waveforms, self.pulses, self.sub_rays = waveforms, pulses, sub_rays
 
     @classmethod
@@ -78,7 +80,9 @@ class Cloud:
         array = self.polydata.GetPointData().GetArray(key)
         if array is None:
             near = difflib.get_close_matches(key, self.names, 1, 0.5)
-            hint = f"did you mean {near[0]}?" if near else f"it has: {', '.join(self.names) or 'none'}"
+            hint = (
+                f"did you mean {near[0]}?" if near else f"it has: {', '.join(self.names) or 'none'}"
+            )
             raise KeyError(f"the cloud has no array {key}; {hint}")
         return vtk_to_numpy(array)
 
@@ -123,7 +127,9 @@ class Cloud:
         keep = keep if isinstance(keep, slice) else np.asarray(keep)
         if isinstance(keep, np.ndarray):
             if keep.dtype.kind not in "biu" or keep.ndim != 1:
-                raise TypeError(f"a cloud is filtered by true and false or by indices, not {keep.dtype}")
+                raise TypeError(
+                    f"a cloud is filtered by true and false or by indices, not {keep.dtype}"
+                )
             if keep.dtype.kind == "b" and len(keep) != len(self):
                 raise ValueError(f"the mask has {len(keep)} rows; give one a point: {len(self)}")
         columns = arrays(self.polydata)
@@ -226,7 +232,11 @@ class Records:
     def _fill(columns, rows):
         taken = {name: values[rows] for name, values in columns.items()}
         kinds = [(name, columns[name].dtype, columns[name].shape[1:]) for name in columns]
-        count = np.shape(next(iter(taken.values())))[:1] if np.ndim(rows) or isinstance(rows, slice) else ()
+        count = (
+            np.shape(next(iter(taken.values())))[:1]
+            if np.ndim(rows) or isinstance(rows, slice)
+            else ()
+        )
         table = np.empty(count, dtype=kinds)
         for name, values in taken.items():
             table[name] = values

@@ -106,7 +106,9 @@ def _data_of(source):
         data = update(data)
     if not (hasattr(data, "IsA") and data.IsA("vtkPolyData")):
         kind = type(source).__name__
-        raise TypeError(f"a Scene is made of points and triangles, or of a vtkPolyData, not of {kind}")
+        raise TypeError(
+            f"a Scene is made of points and triangles, or of a vtkPolyData, not of {kind}"
+        )
     return data
 
 
@@ -173,7 +175,9 @@ def _for_each(name, values, count):
     if values.ndim == 0:
         return np.full(count, values)
     if values.shape != (count,):
-        raise ValueError(f"{name} has the shape {values.shape}; give one number, or {count} of them")
+        raise ValueError(
+            f"{name} has the shape {values.shape}; give one number, or {count} of them"
+        )
     return values
 
 

@@ -207,9 +207,7 @@ class Survey:
         set_properties(player, _translate(options, known))
         with MessageLog() as log, Progress(progress) as watched:
             log.watch(player)
-            succeeded, _ = _native.run(
-                player, 0, [player], watched.callback, SECONDS_BETWEEN_SIGNS
-            )
+            succeeded, _ = _native.run(player, 0, [player], watched.callback, SECONDS_BETWEEN_SIGNS)
         conclude(log)
         if not succeeded:
             raise PipelineError([player.GetMessage()])
