@@ -3,6 +3,7 @@
 // The Python module vtkhelios._native: what the thin layer needs and Python cannot do.
 
 #include "heliosRun.h"
+#include "heliosTrajectory.h"
 #include "heliosTypes.h"
 
 namespace
@@ -11,6 +12,7 @@ namespace
 PyMethodDef Methods[] = {
   { "run", heliosRun, METH_VARARGS, "run(target, argument, watched, on_progress, interval)" },
   { "guard", heliosGuard, METH_NOARGS, "guard(): Python filters take the interpreter lock" },
+  { "trajectory", heliosGetTrajectory, METH_VARARGS, "trajectory(source, leg, interval)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
   { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },
   { nullptr, nullptr, 0, nullptr },

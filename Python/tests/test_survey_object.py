@@ -178,6 +178,7 @@ def test_what_a_callback_raises_ends_the_run(three, tmp_path):
             'EchoDetector is "best"; give peak',
         ),
         (lambda s: s.run(tolerance=7), (ValueError, vtkhelios.PipelineError), "is 7"),
+        (lambda s: s.run(tolerance=0.1, sub_rays=7), ValueError, "give one of them"),
         (lambda s: s.run_to("x", hits=True), TypeError, "hits is no option"),
         (lambda s: s.run_to("x", format="pdf"), vtkhelios.PipelineError, "pdf"),
     ],
@@ -243,6 +244,22 @@ def test_scan_along_a_path():
     )
     assert np.ptp(cloud["GpsTime"]) == pytest.approx(2, abs=0.1)
     assert cloud.points[:, 0].min() == pytest.approx(-20, abs=1)
+
+
+def test_trajectory(three):
+    way = [(-20, 0, 40), (20, 0, 40), (20, 30, 40)]
+    flight = vtkhelios.make_survey(
+        vtkhelios.Scene(*FLAT), way, "copter_uls", "copter_linearpath", speed=20, scan_frequency=50
+    )
+    leg = flight.trajectory(0, interval=0.5)
+    assert np.allclose(leg.points, [(x, 0, 40) for x in (-20, -10, 0, 10, 20)])
+    assert np.allclose(leg["GpsTime"], [0, 0.5, 1, 1.5, 2]) and leg["Orientation"].shape == (5, 4)
+    assert flight.trajectory(1, interval=0)["GpsTime"].tolist() == pytest.approx([2, 3.5])
+    assert len(three.trajectory(0)) == 1
+    with pytest.raises(ValueError, match="leg 1 fires no pulses and has no trajectory"):
+        three.trajectory(1)
+    with pytest.raises(ValueError, match="interval is -1; give seconds"):
+        three.trajectory(0, interval=-1)
 
 
 def test_scene_keeps_memory_and_bits():

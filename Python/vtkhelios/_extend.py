@@ -13,14 +13,16 @@ from ._properties import make_properties, properties, refuse, set_properties
 
 def extend(classes):
     """Extends the wrapped classes, bases before what is made of them."""
-    _native.set_hooks(set_properties, refuse, compose, describe)
     _native.guard()
+    if hasattr(vtkAlgorithm, "abort_execute"):
+        return  # a VTK that has all of it
+    _native.set_hooks(set_properties, refuse, compose, describe)
     for cls in sorted(set(classes), key=lambda cls: len(cls.__mro__)):
         if not issubclass(cls, vtkObjectBase):
             continue  # a struct
         is_algorithm = issubclass(cls, vtkAlgorithm)
         attributes = {**make_properties(cls), "__init__": _init}
-        if is_algorithm and not hasattr(vtkAlgorithm, "update"):
+        if is_algorithm:
             attributes |= METHODS
         _native.extend(cls, attributes, is_algorithm)
 

@@ -286,9 +286,8 @@ def _takes_nothing(cls, method):
 
 def set_properties(vtk_object, values):
     """Sets properties by name, in the order given."""
-    known = properties(type(vtk_object))
     for name, value in values.items():
-        if name not in known:
+        if not hasattr(type(vtk_object), name):
             refuse(vtk_object, name)
         setattr(vtk_object, name, value)
 

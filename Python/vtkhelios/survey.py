@@ -123,6 +123,19 @@ class Survey:
         self._load().GetLegPulses(leg, ids)
         return tuple(ids)
 
+    def trajectory(self, leg, interval=0.1):
+        """The way of a leg, a sample every interval [s] and at both ends; loads the scene.
+
+        A Cloud of the platform's positions with GpsTime [s] and Orientation (quaternion w,
+        x, y, z); of a platform that stands one point.
+        """
+        if not interval >= 0:
+            raise ValueError(f"interval is {interval!r}; give seconds, 0 for both ends only")
+        first, last = self.leg_pulses(leg)
+        if first == last:
+            raise ValueError(f"leg {leg} fires no pulses and has no trajectory of its own")
+        return Cloud(_native.trajectory(self._load(), leg, interval))
+
     def source(self, **options):
         """The survey as a source of a pipeline (vtkHeliosSurveySource), with the options of run()."""
         source = _class("vtkHeliosSurveySource")(survey=self.vtk)
@@ -302,7 +315,12 @@ def _translate(options, known, wrong="no option"):
     for name in options:
         if name not in known:
             raise TypeError(f"{name} is {wrong}; options are: {', '.join(known)}")
-    return {known[name]: value for name, value in options.items() if value is not None}
+    given = {name: value for name, value in options.items() if value is not None}
+    if given.get("sub_rays") and (given.get("tolerance") or given.get("energy_tolerance")):
+        raise ValueError(
+            "sub_rays is always that many, and a tolerance chooses how many: give one of them"
+        )
+    return {known[name]: value for name, value in given.items()}
 
 
 def _take(source):
