@@ -9,6 +9,7 @@ import signal
 import threading
 import time
 
+import numpy as np
 import pytest
 
 import vtkhelios
@@ -107,6 +108,24 @@ def test_two_threads_run_at_once(blocks):
     for thread in threads:
         thread.join()
     assert all((found[index] == alone[index]).all() for index in (0, 1))
+
+
+def test_threads_take_turns_at_one_survey(blocks):
+    survey = vtkhelios.make_survey(
+        blocks, [(0, 0)], **{**SURVEY, "head_speed": 60, "head": (0, 60)}
+    )
+    alone = [survey.run(seed=seed).points for seed in range(4)]
+    found = {}
+
+    def run(seed):
+        found[seed] = [block.points for block in survey.blocks(40_000, seed=seed)]
+
+    threads = [threading.Thread(target=run, args=(seed,)) for seed in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all((np.concatenate(found[seed]) == alone[seed]).all() for seed in range(4))
 
 
 def test_interrupt_stops_a_run_and_the_next_is_whole(long_survey, blocks):

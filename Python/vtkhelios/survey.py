@@ -12,6 +12,7 @@ import importlib
 import json
 import os
 import pathlib
+import threading
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
@@ -84,6 +85,7 @@ class Survey:
     def __init__(self, vtk_survey, path=None):
         self.vtk, self.path = vtk_survey, path
         self._source = None
+        self._lock = threading.RLock()
 
     @property
     def name(self):
@@ -174,13 +176,12 @@ class Survey:
 
         Raises PipelineError with what any filter says.
         """
-        source = self._prepare(options)
         with Progress(progress) as watched:
             clouds = []
             windows = self._windows(legs)
             for number, window in enumerate(windows):
                 watched.begin, watched.end = number / len(windows), (number + 1) / len(windows)
-                clouds.append(self._run_window(source, window, watched))
+                clouds.append(self._run_window(options, window, watched))
         return clouds[0] if len(clouds) == 1 else _join(clouds)
 
     def blocks(self, pulses=1_000_000, progress=None, legs=None, **options):
@@ -190,8 +191,7 @@ class Survey:
         """
         if pulses != int(pulses) or pulses < 1:
             raise ValueError(f"pulses is {pulses!r}; give a whole number of 1 or more")
-        source = self._prepare(options)
-        total = self._load().GetNumberOfPulses()
+        total = self._load(options).GetNumberOfPulses()
         windows = [
             (begin, min(begin + int(pulses), last))
             for first, last in self._windows(legs)
@@ -200,7 +200,7 @@ class Survey:
         with Progress(progress) as watched:
             for first, last in windows:
                 watched.begin, watched.end = first / total, last / total
-                yield self._run_window(source, (first, last), watched)
+                yield self._run_window(options, (first, last), watched)
 
     def run_to(self, folder, format="xyz", progress=None, **options):
         """Runs the survey and writes a folder named as the survey below that folder; returns a report.
@@ -238,11 +238,14 @@ class Survey:
                 setattr(self._source, name, value)
         return self._source
 
-    def _load(self):
-        source = self._source or self._prepare({})
-        if not source.GetNumberOfPulses():
-            self._run_source(source, LOAD, None)
-        return source
+    def _load(self, options=None):
+        """The source, loaded, with the options, or with those that it has."""
+        with self._lock:
+            keeps = options is None and self._source is not None
+            source = self._source if keeps else self._prepare(options or {})
+            if not source.GetNumberOfPulses():
+                self._run_source(source, LOAD, None)
+            return source
 
     def _check_leg(self, leg):
         count = self.vtk.GetNumberOfLegs()
@@ -266,10 +269,12 @@ class Survey:
             raise ValueError("legs is empty; give the index of a leg, or None for all")
         return windows
 
-    def _run_window(self, source, window, progress):
-        source.SetPulseWindow(*window)
-        self._run_source(source, 0, progress.callback)
-        return _take(source)
+    def _run_window(self, options, window, progress):
+        with self._lock:  # threads that run the same survey take turns
+            source = self._prepare(options)
+            source.SetPulseWindow(*window)
+            self._run_source(source, 0, progress.callback)
+            return _take(source)
 
     def _run_source(self, source, what, callback):
         with MessageLog() as log:
