@@ -3,7 +3,6 @@
 """Functions on data as filters, anywhere in a pipeline."""
 
 import functools
-import inspect
 
 import numpy as np
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
@@ -43,6 +42,8 @@ class _FilterFunction:
     """Makes algorithms that call a function."""
 
     def __init__(self, function, output):
+        import inspect
+
         functools.update_wrapper(self, function)
         self.function, self._output = function, output
         parameters = inspect.signature(function).parameters.values()

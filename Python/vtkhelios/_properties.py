@@ -6,7 +6,6 @@
 class offers is found in its methods; what it accepts, it is asked.
 """
 
-import difflib
 import functools
 import math
 import re
@@ -294,6 +293,8 @@ def set_properties(vtk_object, values):
 
 def refuse(vtk_object, name):
     """Raises AttributeError for a name that the class does not have."""
+    import difflib
+
     cls = type(vtk_object)
     settable = [key for key, value in properties(cls).items() if value.setter_name]
     near = difflib.get_close_matches(snake_case(name), settable, 1, 0.6)

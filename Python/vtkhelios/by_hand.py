@@ -5,10 +5,8 @@
 >>> cloud = vtkhelios.scan(scene, position=(0, 0), head=(0, 360), head_speed=60, scan_frequency=100)
 """
 
-import html
 import pathlib
 import re
-import tempfile
 
 from ._pipeline import PipelineError
 from .scene import Scene
@@ -88,6 +86,8 @@ def make_survey(
         scanner=_quoted(_reference("scanners.xml", scanner)),
         legs="\n".join(_leg(leg, settings) for leg in legs),
     )
+    import tempfile
+
     folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
     path = pathlib.Path(folder.name) / "survey.xml"
     path.write_text(text, encoding="utf-8")
@@ -175,6 +175,8 @@ def _attributes(values):
 
 
 def _quoted(text):
+    import html
+
     return f'"{html.escape(text)}"'
 
 

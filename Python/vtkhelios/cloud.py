@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds: a vtkPolyData of points, and its arrays as numpy sees them."""
 
-import difflib
-import html
 import os
 
 import numpy as np
@@ -79,6 +77,8 @@ class Cloud:
             return self.points
         array = self.polydata.GetPointData().GetArray(key)
         if array is None:
+            import difflib
+
             near = difflib.get_close_matches(key, self.names, 1, 0.5)
             hint = (
                 f"did you mean {near[0]}?" if near else f"it has: {', '.join(self.names) or 'none'}"
@@ -173,6 +173,8 @@ class Cloud:
         return f"Cloud({len(self):,} points, {box} m; {', '.join(self.names) or 'no arrays'}{more})"
 
     def _repr_html_(self):
+        import html
+
         rows = [
             f"<tr><td>{html.escape(name)}</td><td>{values.dtype}{_width(values)}</td>"
             f"<td>{_extent(values)}</td><td>{_UNITS.get(name, '')}</td></tr>"

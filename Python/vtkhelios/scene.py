@@ -8,7 +8,6 @@
 import importlib
 import os
 import pathlib
-import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -87,6 +86,8 @@ class Scene:
     def save_for_surveys(self):
         """The OBJ file of the scene as it is, in a temporary folder that goes with the Scene."""
         if self._saved is None or self._saved[1] != self.polydata.GetMTime():
+            import tempfile
+
             folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
             self.write(pathlib.Path(folder.name) / "scene.obj")
             self._saved = folder, self.polydata.GetMTime()

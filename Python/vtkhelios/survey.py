@@ -6,13 +6,12 @@
 >>> cloud = survey.run(progress=True)
 """
 
-import dataclasses
-import html
 import importlib
 import json
 import os
 import pathlib
 import threading
+import typing
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
@@ -63,8 +62,7 @@ def read_survey(path, assets=()):
     return Survey(reader.GetSurvey(), os.fspath(path))
 
 
-@dataclasses.dataclass(frozen=True)
-class Leg:
+class Leg(typing.NamedTuple):
     """A leg as its survey has it."""
 
     index: int
@@ -292,6 +290,8 @@ class Survey:
         )
 
     def _repr_html_(self):
+        import html
+
         head = "<tr><th>leg</th><th>x, y, z [m]</th><th>pulses/s</th><th>lines/s</th></tr>"
         rows = [
             f"<tr><td>{leg.index}</td><td>{', '.join(f'{x:g}' for x in leg.position)}"
