@@ -215,6 +215,10 @@ bool Unpack(PyObject* sequence, Objects& objects)
   for (Py_ssize_t i = 0; items && i < PySequence_Fast_GET_SIZE(items); ++i)
   {
     objects.emplace_back(GetVtkObject(PySequence_Fast_GET_ITEM(items, i)));
+    if (!objects.back() && !PyErr_Occurred())
+    {
+      PyErr_SetString(PyExc_TypeError, "None cannot be watched");
+    }
   }
   Py_XDECREF(items);
   return !PyErr_Occurred();

@@ -218,6 +218,8 @@ def test_run_takes_algorithms_and_players_only():
 
     with pytest.raises(TypeError, match="an algorithm or a vtkHeliosSurveyPlayer is run"):
         _native.run(vtkhelios.vtkHeliosConicMirror(), 0, [], None, 0.1)
+    with pytest.raises(TypeError, match="None cannot be watched"):
+        _native.run(vtkhelios.vtkHeliosSyntheticScene(), 0, [None], None, 0.1)
     with pytest.raises(TypeError, match="is no wrapped class of VTK"):
         _native.extend(dict, {}, False)
 

@@ -81,7 +81,7 @@ class Property:
     def __set__(self, vtk_object, value):
         if self.setter_name is None:
             raise AttributeError(f"{self._where(vtk_object)} is read only")
-        if self.choices and isinstance(value, str):
+        if isinstance(value, str) and self.choices:
             self._choose(vtk_object, value)
         else:
             self._set(vtk_object, value)
@@ -102,7 +102,7 @@ class Property:
     def read(self, vtk_object):
         """The value; out of a few, a Choice."""
         value = getattr(vtk_object, f"Get{self.camel}")()
-        if self.choices and isinstance(value, int):
+        if isinstance(value, int) and self.choices:
             name = next(
                 (name for name, (number, _) in self.choices.items() if number == value), None
             )
