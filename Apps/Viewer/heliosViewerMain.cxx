@@ -1,11 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosColorMaps.h"
+#include "heliosDisplay.h"
+#include "heliosViewer.h"
+#include "heliosViewerOptions.h"
 
+#include <vtkObject.h>
+
+#include <exception>
 #include <iostream>
 
-int main()
+int main(int argc, char** argv)
 {
-  std::cout << "vtkhelios-viewer: nothing to show yet\n";
-  return 0;
+  helios::ViewerOptions options;
+  const helios::OptionsResult result = helios::ReadOptions(argc, argv, options);
+  if (result != helios::OptionsResult::Go)
+  {
+    return result == helios::OptionsResult::Done ? 0 : 2;
+  }
+  const std::string problem = helios::CheckDisplay();
+  if (!problem.empty())
+  {
+    std::cerr << "error: " << problem << "\n";
+    return 1;
+  }
+  helios::ExplainLostDisplay();
+  try
+  {
+    helios::Viewer viewer(options);
+    return viewer.Run();
+  }
+  catch (const std::exception& error) // of libraries: no memory
+  {
+    std::cerr << "error: " << error.what() << "\n";
+    return 1;
+  }
 }

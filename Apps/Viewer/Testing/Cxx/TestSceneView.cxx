@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMaterialColors.h"
+#include "heliosSceneView.h"
+#include "heliosViewerTest.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkStringArray.h>
+
+#include <cmath>
+#include <cstdlib>
+
+using namespace helios;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+const Vec3 Far(500000.0, 5400000.0, 300.0);
+
+/// Two squares of 4 m: material 0, part 0 around x = -4; material 1, part 1 around x = 4, 2 m up.
+vtkSmartPointer<vtkPolyData> MakeScene(const Vec3& origin)
+{
+  std::vector<Vec3> corners;
+  for (const double x : { -4.0, 4.0 })
+  {
+    for (const Vec3& c : { Vec3(-2, -2, 0), Vec3(2, -2, 0), Vec3(2, 2, 0), Vec3(-2, 2, 0) })
+    {
+      corners.push_back(origin + c + Vec3(x, 0.0, x > 0.0 ? 2.0 : 0.0));
+    }
+  }
+  auto scene = MakeEchoes(corners);
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> materials, parts;
+  materials->SetName(names::MaterialIds);
+  parts->SetName(names::PartIds);
+  for (int square = 0; square < 2; ++square)
+  {
+    for (int half = 0; half < 2; ++half)
+    {
+      cells->InsertNextCell({ 4 * square, 4 * square + 1 + half, 4 * square + 2 + half });
+      materials->InsertNextValue(square);
+      parts->InsertNextValue(square);
+    }
+  }
+  scene->SetPolys(cells);
+  scene->GetCellData()->AddArray(materials);
+  scene->GetCellData()->AddArray(parts);
+  MaterialTable table(2);
+  table[0].Name = "old_asphalt";
+  table[1].Name = "x";
+  table[1].Classification = 6;
+  SetMaterials(scene, table);
+  vtkNew<vtkStringArray> partNames;
+  partNames->SetName(names::PartName);
+  partNames->InsertNextValue("street");
+  partNames->InsertNextValue("house 7");
+  scene->GetFieldData()->AddArray(partNames);
+  return scene;
+}
+
+bool IsNear(const Rgb& a, const Rgb& b)
+{
+  return std::abs(a[0] - b[0]) <= 2 && std::abs(a[1] - b[1]) <= 2 && std::abs(a[2] - b[2]) <= 2;
+}
+
+} // namespace
+
+TEST_CASE("SceneView: triangles are at their pixels in the colours of their materials")
+{
+  Stage stage;
+  SceneView view(stage.Renderer);
+  view.SetOrigin(Far);
+  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  stage.Render();
+  const Rgb asphalt = { 104, 106, 112 };
+  CHECK(IsNear(stage.GetColorAt(-4, 0), asphalt));
+  CHECK(IsNear(stage.GetColorAt(4, 0), GetClassColor(6)));
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40);
+  CHECK(stage.GetColorAt(-1.9, 0) == Black);
+  CHECK(stage.GetColorAt(0, 0) == Black);
+  view.SetColoring(SceneView::Coloring::ByPart);
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(-4, 0), GetDistinctColor(0)));
+  CHECK(IsNear(stage.GetColorAt(4, 0), GetDistinctColor(1)));
+  view.SetHighlightedPart(1);
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(-4, 0), GetDistinctColor(0)));
+  CHECK(IsNear(stage.GetColorAt(4, 0), Rgb{ 255, 205, 60 }));
+  view.SetSmooth(true);
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(4, 0), Rgb{ 255, 205, 60 }));
+  view.SetHighlightedPart(-1);
+  view.SetWireframe(true);
+  stage.Render();
+  CHECK(stage.GetColorAt(4, 1) == Black);
+  CHECK(stage.CountPixels(Black) < 200 * 200 - 300);
+  view.SetWireframe(false);
+  view.SetOpacity(0.5);
+  stage.Render();
+  CHECK(std::abs(stage.GetColorAt(4, 1)[0] - GetDistinctColor(1)[0] / 2) <= 3);
+  view.SetVisible(false);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+}
+
+TEST_CASE("SceneView: a pick tells place, normal, part and material in double precision")
+{
+  Stage stage;
+  SceneView view(stage.Renderer);
+  view.SetOrigin(Far);
+  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  stage.Render();
+  const auto pick = view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(-1.0));
+  REQUIRE(pick);
+  const Vec3 place = pick->Position - Far;
+  CHECK(std::abs(place[0] - 4.5) < 0.051); // a pixel is 0.1 m
+  CHECK(std::abs(place[1] + 1.0) < 0.051);
+  CHECK(std::abs(place[2] - 2.0) < 1e-6);
+  CHECK(pick->Normal[2] == 1.0);
+  CHECK(pick->Cell == 2);
+  CHECK(pick->Part == 1);
+  CHECK(pick->PartName == "house 7");
+  CHECK(pick->Material == 1);
+  CHECK(pick->MaterialName == "x");
+  CHECK_FALSE(view.Pick(Stage::ToPixel(0.0), Stage::ToPixel(0.0)));
+  double bounds[6];
+  REQUIRE(view.GetBounds(bounds));
+  CHECK(bounds[0] == Far[0] - 6.0);
+  CHECK(view.GetPartName(5) == "5");
+  view.SetVisible(false);
+  CHECK_FALSE(view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(-1.0)));
+}
+
+TEST_CASE("SceneView: a scene without arrays is shown in one colour")
+{
+  Stage stage;
+  auto scene = MakeScene({ 0, 0, 0 });
+  scene->GetCellData()->Initialize();
+  scene->SetFieldData(vtkNew<vtkFieldData>());
+  SceneView view(stage.Renderer);
+  REQUIRE(view.SetScene(scene).empty());
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(-4, 0), GetDistinctColor(0)));
+  CHECK(stage.GetColorAt(-4, 0) == stage.GetColorAt(4, 0));
+  CHECK(view.Pick(Stage::ToPixel(4), Stage::ToPixel(0))->Part == -1);
+}
+
+TEST_CASE("SceneView: what cannot be shown is said, and nothing is shown")
+{
+  Stage stage;
+  SceneView view(stage.Renderer);
+  REQUIRE(view.SetScene(MakeScene({ 0, 0, 0 })).empty());
+  CHECK(view.SetScene(vtkNew<vtkPolyData>()) ==
+    "the scene has no triangles: nothing of it can be shown");
+  CHECK_FALSE(view.IsVisible());
+  auto quad = MakeEchoes({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1, 2, 3 });
+  quad->SetPolys(cells);
+  CHECK(view.SetScene(quad).find("the scene cannot be shown: ") == 0);
+  CHECK(view.SetScene(nullptr).empty());
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+  double bounds[6];
+  CHECK_FALSE(view.GetBounds(bounds));
+}
+
+TEST_CASE("SceneView: colours of materials come from class, name, ground, row")
+{
+  Material material;
+  CHECK(GetMaterialColor(material, 3) == GetDistinctColor(3));
+  material.IsGround = true;
+  CHECK(GetMaterialColor(material, 3) == GetClassColor(2));
+  material.Name = "Oak_LEAF";
+  CHECK(GetMaterialColor(material, 3) == Rgb{ 84, 150, 76 });
+  material.Classification = 9;
+  CHECK(GetMaterialColor(material, 3) == GetClassColor(9));
+}

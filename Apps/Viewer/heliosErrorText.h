@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a VTK object complains of, as text.
+
+#ifndef heliosErrorText_h
+#define heliosErrorText_h
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkWeakPointer.h>
+
+#include <string>
+
+namespace helios
+{
+
+/// Keeps the errors of an object, a line each, without VTK's frame around them.
+class ErrorText
+{
+public:
+  explicit ErrorText(vtkObject* object)
+    : Object(object)
+  {
+    this->Observer->SetClientData(this);
+    this->Observer->SetCallback(Keep);
+    this->Tag = object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  }
+  ~ErrorText()
+  {
+    if (this->Object)
+    {
+      this->Object->RemoveObserver(this->Tag);
+    }
+  }
+  ErrorText(const ErrorText&) = delete;
+  void operator=(const ErrorText&) = delete;
+
+  bool IsEmpty() const { return this->Text.empty(); }
+
+  /// The errors; where there are none, a text instead.
+  std::string Get(const std::string& instead) const
+  {
+    return this->Text.empty() ? instead : this->Text;
+  }
+
+private:
+  static void Keep(vtkObject*, unsigned long, void* self, void* text)
+  {
+    std::string& kept = static_cast<ErrorText*>(self)->Text;
+    std::string error = static_cast<const char*>(text);
+    const std::size_t name = error.find("): ");
+    error = name == std::string::npos ? error : error.substr(name + 3);
+    error.erase(error.find_last_not_of(" \n") + 1);
+    kept += (kept.empty() ? "" : "\n") + error;
+  }
+
+  vtkWeakPointer<vtkObject> Object;
+  vtkNew<vtkCallbackCommand> Observer;
+  unsigned long Tag = 0;
+  std::string Text;
+};
+
+} // namespace helios
+
+#endif

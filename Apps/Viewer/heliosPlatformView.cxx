@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPlatformView.h"
+
+#include "heliosPlatformModel.h"
+#include "heliosSurveyData.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double SmallestShare = 0.04; // of the view's height
+
+void Show(vtkActor* actor, vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  actor->SetMapper(mapper);
+}
+
+/// A pose, with everything s times as large, as a matrix.
+vtkSmartPointer<vtkMatrix4x4> MakeMatrix(const Pose& pose, double s)
+{
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  const Rotation rotation(pose.Orientation);
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      matrix->SetElement(row, column, s * rotation.M[row][column]);
+    }
+    matrix->SetElement(row, 3, pose.Position[row]);
+  }
+  return matrix;
+}
+
+void SetFlat(vtkActor* actor, double r, double g, double b)
+{
+  actor->GetProperty()->SetColor(r, g, b);
+  actor->GetProperty()->LightingOff();
+  actor->PickableOff();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+PlatformView::PlatformView(vtkRenderer* renderer, const Vec3& origin)
+  : Renderer(renderer)
+  , Origin(origin)
+  , Type(PlatformType::Static)
+{
+  this->Body->GetProperty()->SetColor(0.85, 0.87, 0.9);
+  this->Scanner->GetProperty()->SetColor(0.95, 0.55, 0.1);
+  this->Body->PickableOff();
+  this->Scanner->PickableOff();
+  SetFlat(this->Ways, 0.95, 0.75, 0.2);
+  SetFlat(this->Stands, 0.95, 0.75, 0.2);
+  SetFlat(this->Fan, 0.2, 1.0, 0.35);
+  this->Ways->GetProperty()->SetLineWidth(1.5F);
+  this->Stands->GetProperty()->SetPointSize(7.0F);
+  this->Fan->GetProperty()->SetOpacity(0.35);
+  Show(this->Scanner, MakeScannerModel());
+  Show(this->Fan, this->Beams);
+  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get() })
+  {
+    actor->VisibilityOff(); // until it is placed
+  }
+  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(),
+         this->Stands.Get(), this->Fan.Get() })
+  {
+    renderer->AddActor(actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+PlatformView::~PlatformView()
+{
+  for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(),
+         this->Stands.Get(), this->Fan.Get() })
+  {
+    this->Renderer->RemoveActor(actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
+{
+  vtkNew<vtkPolyData> ways;
+  vtkNew<vtkPolyData> stands;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkCellArray> vertices;
+  for (const SimulatedLeg& leg : legs)
+  {
+    std::vector<vtkIdType> ids;
+    for (const Pose& pose : leg.Poses)
+    {
+      ids.push_back(points->InsertNextPoint((pose.Position - this->Origin).GetData()));
+    }
+    vtkCellArray* cells = leg.IsMoving ? lines : vertices;
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  ways->SetPoints(points);
+  ways->SetLines(lines);
+  stands->SetPoints(points);
+  stands->SetVerts(vertices);
+  Show(this->Ways, ways);
+  Show(this->Stands, stands);
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::SetVisible(bool visible)
+{
+  for (vtkActor* actor :
+    { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(), this->Stands.Get() })
+  {
+    actor->SetVisibility(visible);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PlatformView::IsVisible() const
+{
+  return this->Body->GetVisibility() != 0;
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::SetFanVisible(bool visible)
+{
+  this->Fan->SetVisibility(visible);
+}
+
+//------------------------------------------------------------------------------
+bool PlatformView::IsFanVisible() const
+{
+  return this->Fan->GetVisibility() != 0;
+}
+
+//------------------------------------------------------------------------------
+/// How many times its size a thing has to have, not to be too small to see.
+double PlatformView::FindScale(const Vec3& position, double size) const
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const double height = camera->GetParallelProjection()
+    ? 2.0 * camera->GetParallelScale()
+    : 2.0 * (position - Vec3(camera->GetPosition())).Norm() *
+      std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  return std::max(1.0, SmallestShare * height / size);
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::Place(PlatformType type, const Pose& platform, const Pose& mount)
+{
+  if (!this->HasModel || type != this->Type)
+  {
+    Show(this->Body, MakePlatformModel(type));
+    this->Body->SetVisibility(this->Ways->GetVisibility());
+    this->Scanner->SetVisibility(this->Ways->GetVisibility());
+    this->Type = type;
+    this->HasModel = true;
+  }
+  const Pose local{ platform.Position - this->Origin, platform.Orientation };
+  const double size =
+    type == PlatformType::LinearPath || type == PlatformType::Interpolated ? 7.0 : 1.5;
+  const double scale = this->FindScale(local.Position, size);
+  this->Body->SetUserMatrix(MakeMatrix(local, scale));
+  Pose scanner = local * Pose{ scale * mount.Position, mount.Orientation };
+  this->Scanner->SetUserMatrix(MakeMatrix(scanner, scale));
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::SetFan(const Vec3& scanner, const std::vector<Vec3>& ends)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType center = points->InsertNextPoint((scanner - this->Origin).GetData());
+  for (const Vec3& end : ends)
+  {
+    const vtkIdType ids[2] = { center, points->InsertNextPoint((end - this->Origin).GetData()) };
+    lines->InsertNextCell(2, ids);
+  }
+  this->Beams->SetPoints(points);
+  this->Beams->SetLines(lines);
+  this->Beams->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType PlatformView::GetNumberOfBeams() const
+{
+  return this->Beams->GetNumberOfLines();
+}
+
+} // namespace helios

@@ -1,0 +1,479 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosViewer.h"
+
+#include "heliosBeamFan.h"
+#include "heliosCloudView.h"
+#include "heliosColorNames.h"
+#include "heliosHud.h"
+#include "heliosInteractorStyles.h"
+#include "heliosPlatformView.h"
+#include "heliosSceneView.h"
+#include "heliosSimulation.h"
+#include "heliosSurveyData.h"
+#include "heliosTimeBar.h"
+#include "heliosViewerInputs.h"
+#include "heliosViewerKeys.h"
+#include "heliosViewerState.h"
+#include "heliosViewerTool.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkPolyData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <thread>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr int TimerMilliseconds = 15;
+constexpr double MessageSeconds = 6.0; // that a message stays
+constexpr std::size_t FanBeams = 90;
+constexpr double FanSeconds = 0.02; // of beams, where the scan has no lines
+
+double GetSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The middle of a box, in whole metres.
+Vec3 FindOrigin(const double bounds[6])
+{
+  return { std::round(0.5 * (bounds[0] + bounds[1])), std::round(0.5 * (bounds[2] + bounds[3])),
+    std::round(0.5 * (bounds[4] + bounds[5])) };
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Viewer::Viewer(const ViewerOptions& options)
+  : Options(options)
+  , Camera(this->Renderer)
+  , Points(std::make_unique<Cloud>())
+{
+  this->Clock.SetPlaying(!options.Paused);
+  this->Clock.SetSpeed(options.FullSpeed ? PlayClock::AsFastAsItComputes : options.Speed);
+}
+
+//------------------------------------------------------------------------------
+Viewer::~Viewer()
+{
+  this->Tools.clear();
+}
+
+//------------------------------------------------------------------------------
+double Viewer::Now() const
+{
+  return GetSeconds();
+}
+
+//------------------------------------------------------------------------------
+int Viewer::Run()
+{
+  this->SetUpWindow();
+  this->SetUpView();
+  if (!this->LoadInputs())
+  {
+    return 1;
+  }
+  const bool isScripted = this->Options.Offscreen || !this->Options.Record.empty();
+  return isScripted ? this->RunScripted() : this->RunInteractively();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetUpWindow()
+{
+  this->Window->SetSize(this->Options.Width, this->Options.Height);
+  this->Window->SetWindowName("vtkHelios");
+  this->Window->SetMultiSamples(0);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->SetOffScreenRendering(this->Options.Offscreen);
+  this->Renderer->SetBackground(0.09, 0.1, 0.13);
+  this->Renderer->SetBackground2(0.2, 0.23, 0.28);
+  this->Renderer->GradientBackgroundOn();
+  if (!this->Options.Offscreen)
+  {
+    this->Interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
+    this->Interactor->SetRenderWindow(this->Window);
+    this->SetUpEvents();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetUpView()
+{
+  this->PointsView = std::make_unique<CloudView>(*this->Points, this->Renderer);
+  this->Words = std::make_unique<Hud>(this->Renderer);
+  this->Words->Resize(this->Options.Width, this->Options.Height);
+  this->Words->SetVisible(this->Options.Words);
+  this->PointsView->SetScalarBarVisible(this->Options.Words);
+  this->PointsView->SetPointSize(this->Options.PointSize);
+  this->PointsView->SetEyeDomeLighting(this->Options.EyeDome);
+  for (const auto& coloring : GetColorings())
+  {
+    if (coloring.first == this->Options.ColorBy)
+    {
+      this->PointsView->SetColorBy(coloring.second);
+    }
+  }
+  if (this->Interactor)
+  {
+    this->Interactor->Initialize();
+    this->Bar = std::make_unique<TimeBar>(this->Interactor,
+      [this](double time)
+      {
+        this->Clock.Seek(time);
+        this->Redraw();
+      });
+  }
+  this->Tools = MakeTools(*this);
+  this->Keys = std::make_unique<ViewerKeys>(*this, this->Tools);
+  this->Words->SetHelp(this->Keys->GetHelp());
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::LoadInputs()
+{
+  const std::string problem = ShowInputs(*this);
+  if (!problem.empty())
+  {
+    std::cerr << "error: " << problem << "\n";
+  }
+  return problem.empty();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
+{
+  for (auto& tool : this->Tools)
+  {
+    tool->OnNewSurvey();
+  }
+  this->Survey = survey;
+  this->KeepsCamera = keepCamera;
+  this->Running = std::make_unique<Simulation>(survey);
+  this->Running->GetSource()->SetSeed(this->Options.Seed);
+  this->Running->GetSource()->SetNoise(this->Options.Noise);
+  this->Running->Start();
+  this->IsLoading = true;
+  this->Clock.SetSpan(0.0, 0.0);
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowScene(vtkPolyData* scene, bool keepCamera)
+{
+  double bounds[6];
+  scene->GetBounds(bounds);
+  this->Running.reset();
+  this->Legs.clear();
+  this->Begin(bounds, keepCamera);
+  this->ShowMesh(scene);
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
+{
+  double bounds[6];
+  double times[2];
+  this->Running.reset();
+  this->Legs = legs;
+  this->Origin = this->Points->GetOrigin();
+  const bool hasPoints = this->Points->GetBounds(bounds);
+  this->ShowBox(bounds, hasPoints);
+  this->PointsView->Update();
+  this->ShowWays();
+  this->SetCameraMode(this->Camera.GetMode());
+  this->Camera.Reset();
+  if (this->Points->GetTimeRange(times))
+  {
+    this->SetSpan(times[0], times[1]);
+    this->Clock.Seek(this->Options.StartTime >= 0.0 ? this->Options.StartTime : times[1]);
+  }
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowMesh(vtkPolyData* scene)
+{
+  this->Mesh = std::make_unique<SceneView>(this->Renderer);
+  this->Mesh->SetOrigin(this->Origin);
+  const std::string problem = this->Mesh->SetScene(scene);
+  if (!problem.empty())
+  {
+    this->Complain(problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// What was shown goes; the origin is in the middle of a box [m].
+void Viewer::Begin(const double bounds[6], bool keepCamera)
+{
+  const bool hasData = std::isfinite(bounds[0]) && bounds[0] <= bounds[1];
+  const Vec3 before = this->Origin;
+  if (!keepCamera)
+  {
+    this->Origin = hasData ? FindOrigin(bounds) : Vec3(0.0, 0.0, 0.0);
+  }
+  this->Mesh.reset();
+  this->Platform.reset();
+  this->Points->Clear();
+  this->Points->SetOrigin(this->Origin);
+  this->PointsView->Update();
+  this->ShowBox(bounds, hasData);
+  if (!keepCamera || before != this->Origin)
+  {
+    this->SetCameraMode(this->Camera.GetMode());
+    this->Camera.Reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A box [m], where there is one, and all ways are in the picture.
+void Viewer::ShowBox(const double bounds[6], bool hasData)
+{
+  vtkBoundingBox box;
+  hasData ? box.SetBounds(bounds) : void();
+  for (const SimulatedLeg& leg : this->Legs)
+  {
+    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
+    {
+      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
+    }
+  }
+  double whole[6];
+  box.GetBounds(whole);
+  double local[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  for (int i = 0; box.IsValid() && i < 6; ++i)
+  {
+    local[i] = whole[i] - this->Origin[i / 2];
+  }
+  this->Camera.SetBounds(local);
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::IsComputing() const
+{
+  return this->Running && this->Running->GetPhase() == Simulation::Phase::Running &&
+    this->Clock.GetTarget() > this->Running->GetTakenTime();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetCameraMode(CameraMode mode)
+{
+  this->Camera.SetMode(mode);
+  if (this->Interactor)
+  {
+    UseStyle(this->Interactor, mode == CameraMode::Fly);
+  }
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+int Viewer::RunInteractively()
+{
+  this->Draw();
+  this->Interactor->CreateRepeatingTimer(TimerMilliseconds);
+  this->LastFrame = this->Now();
+  this->Interactor->Start();
+  this->Bar.reset();
+  const std::string problem = this->Video.Close();
+  if (!problem.empty())
+  {
+    this->Complain(problem);
+  }
+  return this->ExitCode;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnTimer()
+{
+  const double now = this->Now();
+  const double seconds = now - this->LastFrame;
+  this->LastFrame = now;
+  this->Frame(seconds);
+  const bool isMoving = this->Budget.IsBusy(now);
+  this->PointsView->SetInteracting(isMoving);
+  if (this->IsDirty && this->Budget.IsDue(now, this->IsComputing()))
+  {
+    this->Draw();
+  }
+  this->AddVideoFrame(now);
+  if (this->IsClosing)
+  {
+    this->Interactor->TerminateApp();
+  }
+}
+
+//------------------------------------------------------------------------------
+/// All that happens between two pictures.
+void Viewer::Frame(double seconds)
+{
+  const double before = this->Clock.GetTime();
+  if (this->Running)
+  {
+    this->FinishLoading();
+    this->TakeWhatIsNew();
+    this->Clock.Advance(seconds, this->Running->GetTakenTime());
+    this->Running->SetTarget(this->Clock.GetTarget());
+  }
+  else
+  {
+    this->Clock.Advance(seconds, this->Clock.GetEnd());
+  }
+  if (this->Clock.GetTime() != before)
+  {
+    this->Redraw();
+  }
+  this->PlacePlatform(seconds);
+  for (auto& tool : this->Tools)
+  {
+    this->IsDirty = tool->OnFrame() || this->IsDirty;
+  }
+  this->WriteWords();
+}
+
+//------------------------------------------------------------------------------
+/// When the thread has loaded the survey, or has failed to.
+void Viewer::FinishLoading()
+{
+  const Simulation::Phase phase = this->Running->GetPhase();
+  if (phase == Simulation::Phase::Failed && this->ExitCode == 0)
+  {
+    this->Complain(this->Running->GetMessage());
+    this->ExitCode = 1;
+    this->IsLoading = false;
+  }
+  if (!this->IsLoading || phase == Simulation::Phase::Loading)
+  {
+    return;
+  }
+  this->IsLoading = false;
+  double bounds[6];
+  this->Running->GetScene()->GetBounds(bounds);
+  this->Legs = this->Running->GetLegs();
+  this->Begin(bounds, this->KeepsCamera);
+  this->ShowMesh(this->Running->GetScene());
+  this->ShowWays();
+  this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowWays()
+{
+  this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
+  this->Platform->SetWays(this->Legs);
+  this->Platform->SetFanVisible(this->Options.Fan);
+}
+
+//------------------------------------------------------------------------------
+/// What the time bar goes from and to [s].
+void Viewer::SetSpan(double start, double end)
+{
+  this->Clock.SetSpan(start, end);
+  this->Clock.Seek(std::max(this->Options.StartTime, start));
+  if (this->Bar)
+  {
+    this->Bar->SetSpan(start, end);
+    this->Bar->SetVisible(this->Words->IsVisible());
+  }
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::TakeWhatIsNew()
+{
+  const auto blocks = this->Running->TakeEchoes();
+  for (const auto& block : blocks)
+  {
+    this->Points->Append(block);
+  }
+  if (!blocks.empty())
+  {
+    this->PointsView->Update();
+    this->Redraw();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::PlacePlatform(double seconds)
+{
+  const double time = this->Clock.GetTime();
+  const bool isAll = this->Clock.GetTime() >= this->Clock.GetEnd();
+  this->PointsView->SetTimeLimit(isAll ? std::numeric_limits<double>::infinity() : time);
+  const SimulatedLeg* leg = this->Platform ? FindLeg(this->Legs, time) : nullptr;
+  if (!leg)
+  {
+    this->Camera.Update(seconds, nullptr);
+    return;
+  }
+  const Pose platform = leg->GetPose(time);
+  const Pose scanner = platform * leg->Mount;
+  this->Platform->Place(leg->Type, platform, leg->Mount);
+  const double line =
+    leg->LineFrequency > 0.0 ? std::min(1.0 / leg->LineFrequency, 0.2) : FanSeconds;
+  this->LastEnds = FindNewestPoints(*this->Points, time, line, FanBeams);
+  this->Platform->SetFan(scanner.Position, this->LastEnds);
+  CameraRig::Subject subject;
+  subject.Platform = { platform.Position - this->Origin, platform.Orientation };
+  subject.Scanner = { scanner.Position - this->Origin, scanner.Orientation };
+  subject.HasTarget = !this->LastEnds.empty();
+  for (const Vec3& end : this->LastEnds)
+  {
+    subject.Target = subject.Target + (1.0 / double(this->LastEnds.size())) * (end - this->Origin);
+  }
+  this->Camera.Update(this->Clock.IsPlaying() ? seconds : 0.0, &subject);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Draw()
+{
+  const double start = this->Now();
+  this->Renderer->ResetCameraClippingRange();
+  this->Window->Render();
+  const double end = this->Now();
+  this->Budget.NoteFrame(end, end - start);
+  this->FramesPerSecond = 1.0 / std::max(1e-3, end - start);
+  ++this->NumberOfFrames;
+  this->IsDirty = false;
+  ViewerState(*this).Write(this->Options.State);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Tell(const std::string& message)
+{
+  this->Message = message;
+  this->MessageUntil = this->Now() + MessageSeconds;
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Complain(const std::string& error)
+{
+  std::cerr << "error: " << error << "\n";
+  this->Tell(error);
+  this->MessageUntil = std::numeric_limits<double>::infinity();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::Close()
+{
+  this->IsClosing = true;
+}
+
+} // namespace helios

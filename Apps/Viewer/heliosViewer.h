@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The viewer: one window on a survey that runs, a cloud that was made, or a scene.
+
+#ifndef heliosViewer_h
+#define heliosViewer_h
+
+#include "heliosCameraRig.h"
+#include "heliosCloud.h"
+#include "heliosFrameBudget.h"
+#include "heliosPlayClock.h"
+#include "heliosPose.h"
+#include "heliosRecorder.h"
+#include "heliosSimulation.h"
+#include "heliosViewerOptions.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace helios
+{
+
+class CloudView;
+class Hud;
+class PlatformView;
+class SceneView;
+class TimeBar;
+class ViewerKeys;
+class ViewerTool;
+
+class Viewer
+{
+public:
+  explicit Viewer(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  void operator=(const Viewer&) = delete;
+
+  /// Shows the inputs until the user closes the window or the recording ends; returns an exit code.
+  int Run();
+
+  ///@{
+  /// What tools and keys work on.
+  const ViewerOptions& GetOptions() const { return this->Options; }
+  vtkRenderer* GetRenderer() const { return this->Renderer; }
+  vtkRenderWindow* GetWindow() const { return this->Window; }
+  vtkRenderWindowInteractor* GetInteractor() const { return this->Interactor; }
+  const Vec3& GetOrigin() const { return this->Origin; } ///< of all that is drawn [m]
+  Cloud& GetCloud() { return *this->Points; }
+  CloudView& GetCloudView() { return *this->PointsView; }
+  SceneView* GetSceneView() { return this->Mesh.get(); } ///< null: no scene is there (yet)
+  PlatformView* GetPlatformView() { return this->Platform.get(); }
+  Simulation* GetSimulation() { return this->Running.get(); } ///< null: nothing runs
+  vtkHeliosSurvey* GetSurvey() const { return this->Survey; }
+  const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
+  CameraRig& GetCamera() { return this->Camera; }
+  PlayClock& GetClock() { return this->Clock; }
+  Hud& GetHud() { return *this->Words; }
+  TimeBar* GetTimeBar() { return this->Bar.get(); }
+  Recorder& GetRecorder() { return this->Video; }
+  ///@}
+
+  /// Shows a survey instead of what is shown, and runs it. The camera stays with keepCamera.
+  void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
+
+  /// Shows a scene without a survey [m].
+  void ShowScene(vtkPolyData* scene, bool keepCamera = false);
+
+  /// Shows a message for a while; errors go to standard error, too.
+  void Tell(const std::string& message);
+  void Complain(const std::string& error);
+
+  /// Asks for a picture soon.
+  void Redraw() { this->IsDirty = true; }
+
+  /// Shows what the cloud holds, and the ways it was scanned from; the cloud's origin counts.
+  void ShowCloud(const std::vector<SimulatedLeg>& legs);
+
+  /// Sets the camera and the style of its handling.
+  void SetCameraMode(CameraMode mode);
+
+  /// Writes a PNG of what is shown.
+  void SaveStill(const std::string& fileName);
+
+  /// Starts to record what is shown, or ends it.
+  void ToggleRecording();
+
+  void Close();
+
+  int GetExitCode() const { return this->ExitCode; }
+
+private:
+  friend class ViewerState;
+
+  bool LoadInputs();
+  void SetUpWindow();
+  void SetUpEvents();
+  void SetUpView();
+  void Begin(const double bounds[6], bool keepCamera);
+  void ShowMesh(vtkPolyData* scene);
+  void ShowWays();
+  void ShowBox(const double bounds[6], bool hasData);
+  void SetSpan(double start, double end);
+  int RunInteractively();
+  int RunScripted();
+  void Frame(double seconds);
+  void TakeWhatIsNew();
+  void FinishLoading();
+  void PlacePlatform(double seconds);
+  void WriteWords();
+  void CountRates();
+  std::string DescribeTime() const;
+  std::string DescribeCloud() const;
+  std::string DescribeLegs() const;
+  void Draw();
+  void WaitFor(double time);
+  bool IsComputing() const;
+  void AddVideoFrame(double now);
+  double Now() const;
+
+  static void OnEvent(vtkObject*, unsigned long event, void* self, void*);
+  void OnKey();
+  void OnRelease();
+  void OnTimer();
+  void OnResize();
+
+  ViewerOptions Options;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkCallbackCommand> Observer;
+  CameraRig Camera;
+  PlayClock Clock;
+  FrameBudget Budget;
+  Recorder Video;
+  Vec3 Origin{ 0.0, 0.0, 0.0 };
+
+  vtkSmartPointer<vtkHeliosSurvey> Survey;
+  std::unique_ptr<Simulation> Running;
+  std::vector<SimulatedLeg> Legs;
+  std::unique_ptr<Cloud> Points;
+  std::unique_ptr<CloudView> PointsView;
+  std::unique_ptr<SceneView> Mesh;
+  std::unique_ptr<PlatformView> Platform;
+  std::unique_ptr<Hud> Words;
+  std::unique_ptr<TimeBar> Bar;
+  std::unique_ptr<ViewerKeys> Keys;
+  std::vector<std::unique_ptr<ViewerTool>> Tools;
+  std::vector<Vec3> LastEnds; // of the newest beams
+
+  bool IsLoading = false;
+  bool KeepsCamera = false;
+  bool IsDirty = true;
+  bool IsClosing = false;
+  bool IsDragging = false;
+  int ExitCode = 0;
+  int PressedAt[2] = { 0, 0 };
+  int Size[2] = { 0, 0 };
+  double LastFrame = 0.0;
+  double LastVideoFrame = 0.0;
+  double FramesPerSecond = 0.0;
+  vtkIdType NumberOfFrames = 0;
+  double RateSince = 0.0; // of what is counted a second
+  vtkIdType RatePulses = 0;
+  vtkIdType RatePoints = 0;
+  double PulsesPerSecond = 0.0;
+  double PointsPerSecond = 0.0;
+  std::string Message;
+  double MessageUntil = 0.0;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user does: keys, clicks, drags.
+#include "heliosViewer.h"
+
+#include "heliosHud.h"
+#include "heliosViewerKeys.h"
+#include "heliosViewerTool.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr int ClickPixels = 4; // that a click may move
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void Viewer::SetUpEvents()
+{
+  this->Observer->SetClientData(this);
+  this->Observer->SetCallback(OnEvent);
+  for (const unsigned long event : { vtkCommand::KeyPressEvent, vtkCommand::LeftButtonPressEvent,
+         vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
+         vtkCommand::RightButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
+         vtkCommand::MouseWheelBackwardEvent, vtkCommand::TimerEvent, vtkCommand::ConfigureEvent,
+         vtkCommand::ExitEvent, vtkCommand::MouseMoveEvent, vtkCommand::MiddleButtonReleaseEvent,
+         vtkCommand::RightButtonReleaseEvent })
+  {
+    this->Interactor->AddObserver(event, this->Observer, 10.0F);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
+{
+  auto* viewer = static_cast<Viewer*>(self);
+  if (event == vtkCommand::TimerEvent)
+  {
+    viewer->OnTimer();
+    return;
+  }
+  const bool isMove = event == vtkCommand::MouseMoveEvent;
+  if (!isMove || viewer->IsDragging)
+  {
+    viewer->Budget.NoteInput(viewer->Now());
+    viewer->Redraw();
+  }
+  switch (event)
+  {
+    case vtkCommand::KeyPressEvent:
+      viewer->OnKey();
+      break;
+    case vtkCommand::LeftButtonPressEvent:
+      viewer->Interactor->GetEventPosition(viewer->PressedAt[0], viewer->PressedAt[1]);
+      viewer->IsDragging = true;
+      break;
+    case vtkCommand::MiddleButtonPressEvent:
+    case vtkCommand::RightButtonPressEvent:
+      viewer->IsDragging = true;
+      break;
+    case vtkCommand::LeftButtonReleaseEvent:
+      viewer->OnRelease();
+      break;
+    case vtkCommand::MiddleButtonReleaseEvent:
+    case vtkCommand::RightButtonReleaseEvent:
+      viewer->IsDragging = false;
+      break;
+    case vtkCommand::ConfigureEvent:
+      viewer->OnResize();
+      break;
+    case vtkCommand::ExitEvent:
+      viewer->Close();
+      break;
+    default:
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnKey()
+{
+  const char* key = this->Interactor->GetKeySym();
+  if (key)
+  {
+    this->Keys->Press(key, this->Interactor->GetControlKey() != 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// A click, where the mouse was not dragged.
+void Viewer::OnRelease()
+{
+  this->IsDragging = false;
+  int at[2];
+  this->Interactor->GetEventPosition(at[0], at[1]);
+  const int moved =
+    std::max(std::abs(at[0] - this->PressedAt[0]), std::abs(at[1] - this->PressedAt[1]));
+  for (std::size_t i = 0; moved <= ClickPixels && i < this->Tools.size(); ++i)
+  {
+    if (this->Tools[i]->OnClick(at[0], at[1]))
+    {
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::OnResize()
+{
+  const int* size = this->Window->GetSize();
+  if (size[0] != this->Size[0] || size[1] != this->Size[1])
+  {
+    std::copy_n(size, 2, this->Size);
+    this->Words->Resize(size[0], size[1]);
+  }
+}
+
+} // namespace helios

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosViewerInputs.h"
+
+#include "heliosCloudReader.h"
+#include "heliosErrorText.h"
+#include "heliosSimulation.h"
+#include "heliosViewer.h"
+#include "heliosViewerTool.h"
+#include "vtkHeliosPlannerReader.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveyReader.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace helios
+{
+
+namespace
+{
+
+// What a scene by itself would be scanned with; the reader asks for it.
+const char* const DefaultPlatform = "platforms.xml#tripod";
+const char* const DefaultScanner = "scanners.xml#vz400_class_tls";
+
+/// A file's extension in small letters.
+std::string GetExtension(const fs::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+bool HasSurvey(const fs::path& path)
+{
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str().find("<survey ") != std::string::npos;
+}
+
+/// Where a file of XML looks for others.
+template <typename Reader>
+void LookUp(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
+{
+  reader->SetFileName(fileName.c_str());
+  for (const std::string& folder : assets)
+  {
+    reader->AddAssetDirectory(folder.c_str());
+  }
+}
+
+std::string ShowSurveyFile(Viewer& viewer, const std::string& fileName)
+{
+  vtkNew<vtkHeliosSurveyReader> reader;
+  ErrorText errors(reader);
+  LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
+  if (!reader->Read())
+  {
+    return errors.Get(fileName + ": cannot be read");
+  }
+  viewer.ShowSurvey(reader->GetSurvey());
+  return {};
+}
+
+std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
+{
+  vtkNew<vtkHeliosPlannerReader> reader;
+  ErrorText errors(reader);
+  LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
+  reader->SetDefaultPlatform(DefaultPlatform);
+  reader->SetDefaultScanner(DefaultScanner);
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    return errors.Get(fileName + ": has nothing to show; give a scene with triangles");
+  }
+  viewer.ShowScene(reader->GetOutput());
+  return {};
+}
+
+/// The ways in the files of a run, as the legs of a replay.
+std::vector<SimulatedLeg> MakeLegs(const std::vector<vtkSmartPointer<vtkPolyData>>& ways)
+{
+  std::vector<SimulatedLeg> legs;
+  for (vtkPolyData* way : ways)
+  {
+    SimulatedLeg leg;
+    leg.Leg = static_cast<int>(legs.size());
+    SetWay(way, leg);
+    if (leg.Times.empty())
+    {
+      continue;
+    }
+    leg.StartTime = leg.Times.front();
+    leg.EndTime = leg.Times.back();
+    leg.IsMoving = leg.Times.size() > 1;
+    leg.Type = leg.IsMoving ? PlatformType::LinearPath : PlatformType::Static;
+    legs.push_back(leg);
+  }
+  std::stable_sort(legs.begin(), legs.end(),
+    [](const SimulatedLeg& a, const SimulatedLeg& b) { return a.StartTime < b.StartTime; });
+  return legs;
+}
+
+/// Finished runs and clouds, all together.
+std::string ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
+{
+  CloudReader reader;
+  for (const std::string& input : inputs)
+  {
+    const std::string problem = reader.Read(input, viewer.GetCloud());
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  viewer.ShowCloud(MakeLegs(reader.Trajectories));
+  return {};
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string ShowInputs(Viewer& viewer)
+{
+  const std::vector<std::string>& inputs = viewer.GetOptions().Inputs;
+  for (const std::string& input : inputs)
+  {
+    std::error_code error;
+    if (!fs::exists(input, error))
+    {
+      return input + ": no such file; check the name";
+    }
+  }
+  const std::string extension = GetExtension(inputs.front());
+  const bool isXml = extension == ".xml";
+  const bool isScene = isXml || extension == ".obj" || extension == ".tif" || extension == ".tiff";
+  if (isScene && inputs.size() > 1)
+  {
+    return inputs.front() + ": a survey or a scene is shown by itself; leave out " + inputs[1];
+  }
+  if (isXml && HasSurvey(inputs.front()))
+  {
+    return ShowSurveyFile(viewer, inputs.front());
+  }
+  return isScene ? ShowSceneFile(viewer, inputs.front()) : ShowClouds(viewer, inputs);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer&)
+{
+  return {};
+}
+
+} // namespace helios

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The keys of the viewer: one table, which the help comes from.
+
+#ifndef heliosViewerKeys_h
+#define heliosViewerKeys_h
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+class Viewer;
+class ViewerTool;
+
+class ViewerKeys
+{
+public:
+  ViewerKeys(Viewer& viewer, const std::vector<std::unique_ptr<ViewerTool>>& tools);
+
+  /// Does what a key is for, as X names it; tools come first. False: it is for nothing.
+  bool Press(const std::string& key, bool control);
+
+  /// All keys, a line each.
+  std::string GetHelp() const;
+
+private:
+  struct Action
+  {
+    std::string Heading; ///< of those that follow; empty: goes on
+    std::vector<std::string> Keys;
+    std::string Shown; ///< for the help
+    std::string What;
+    std::function<void()> Do;
+  };
+
+  void AddTime();
+  void AddCameras();
+  void AddLook();
+  void AddFiles();
+
+  Viewer& Owner;
+  const std::vector<std::unique_ptr<ViewerTool>>& Tools;
+  std::vector<Action> Actions;
+};
+
+} // namespace helios
+
+#endif
