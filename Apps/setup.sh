@@ -53,6 +53,7 @@ helios_make_venv() {
     echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
   done
   helios_install_laspy
+  helios_install_pyvista
 }
 
 # LAS and LAZ files as scenes, which Debian has no package for. Without it the tests of them are skipped.
@@ -61,6 +62,13 @@ helios_install_laspy() {
   build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
+}
+
+# A PyVista of the time of VTK 9.1, for the test that it takes our data; newer ones bring a vtk of their own.
+helios_install_pyvista() {
+  build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+    'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be had here: its test is skipped" >&2
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

@@ -47,7 +47,7 @@ set(vtkhelios_vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms CommonSystem
   FiltersCore FiltersGeneral IOXML)
 if(VTKHELIOS_WRAP_PYTHON)
-  list(APPEND vtkhelios_vtk_components WrappingPythonCore Python)
+  list(APPEND vtkhelios_vtk_components FiltersPython WrappingPythonCore Python)
 endif()
 
 # What the viewer draws with; not part of the package that other projects find.

@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The examples run, and do what they say."""
 
+import ast
 import importlib.util
+import json
 import pathlib
 import re
 
+import numpy as np
 import pytest
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
@@ -41,6 +44,53 @@ def test_paper_pyramid():
     by_size = sorted(map(tuple, plans["ViewshedSize"]))
     assert by_size == [(-2, 10, 1.5), (0, 0, 3.9375), (10, -2, 1.5)]
     assert sorted(map(tuple, plans["MeanIncidenceAngle"])) == [(-10, -10, 1.5), (10, 10, 1.5)]
+
+
+def test_next_position(capsys):
+    shares = load("next_position").main()
+    assert len(shares) == capsys.readouterr().out.count("scan ") == 5
+    assert shares == sorted(shares) and shares[0] < 0.9 and shares[-1] > 0.97
+
+
+def test_stream_blocks():
+    example = load("stream_blocks")
+    raster, survey = example.main()
+    assert np.isfinite(raster).mean() > 0.9
+    # The whole at once gives the same raster; of blocks, medians differ a little.
+    whole = np.full_like(raster, -np.inf)
+    cloud = survey.run(seed=1)
+    example.add_heights(whole, cloud[cloud["ReturnNumber"] == 1])
+    both = np.isfinite(raster) & np.isfinite(whole)
+    assert np.median(np.abs(whole[both] - 0.5 - raster[both])) < 0.01
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in EXAMPLES.glob("*.ipynb")))
+def test_notebook(name):
+    namespace = run_notebook(EXAMPLES / name)
+    if name == "first_survey.ipynb":
+        assert namespace["noise"].std() == pytest.approx(0.005, rel=0.1)
+    else:
+        assert list(namespace["sizes"].values()) == sorted(
+            namespace["sizes"].values(), reverse=True
+        )
+        assert "did you mean Range?" in namespace["message"]
+
+
+def run_notebook(path):
+    """Runs the cells one after the other, shows what Jupyter would show, and returns the names."""
+    cells = json.loads(path.read_text())["cells"]
+    assert all(not cell.get("outputs") for cell in cells), f"{path.name} has outputs; clear them"
+    namespace = {"__name__": "__main__"}
+    for number, cell in enumerate(cells):
+        if cell["cell_type"] != "code":
+            continue
+        tree = ast.parse("".join(cell["source"]), f"{path.name}, cell {number}")
+        shown = tree.body.pop().value if isinstance(tree.body[-1], ast.Expr) else None
+        exec(compile(tree, tree_name := f"{path.name}, cell {number}", "exec"), namespace)
+        if shown is not None:
+            value = eval(compile(ast.Expression(shown), tree_name, "eval"), namespace)
+            assert repr(value) and getattr(value, "_repr_html_", lambda: "-")()
+    return namespace
 
 
 def test_every_example_is_tested():

@@ -11,6 +11,20 @@ update(algorithm)
 arrays(data)
     the points and arrays of a data object as numpy arrays, without a copy.
 
+Properties of all classes are attributes and keywords, and ``>>`` connects:
+
+>>> scanner = vtkhelios.vtkHeliosScanner(range_max=600)
+>>> cloud = vtkhelios.Cloud(((scene, trajectory) >> scanner)())
+
+read_survey(), make_survey(), scan()
+    surveys from files and by hand, which run in memory (Survey).
+Cloud, Scene
+    thin views of vtkPolyData, and numpy arrays.
+filter
+    makes a filter of a function on data.
+
+Docs/python.md tells all of it.
+
 The classes work with those of stock vtkmodules in one process:
 
 >>> import vtkhelios
@@ -22,10 +36,22 @@ import importlib
 import pathlib
 import pkgutil
 
+# Before _native, which links to what it loads.
+from . import vtkHeliosScannerSurvey as _  # noqa: F401
 from ._arrays import arrays
+from ._compose import Pipeline, select_ports
+from ._extend import extend
+from ._filter import filter
 from ._pipeline import PipelineError, update
+from .by_hand import make_survey, scan
+from .cloud import Cloud, Records
+from .scene import Scene
+from .survey import Survey, read_survey
 
-_own = ["PipelineError", "arrays", "data_directory", "update"]
+_own = [
+    "Cloud", "Pipeline", "PipelineError", "Records", "Scene", "Survey", "arrays", "data_directory",
+    "filter", "make_survey", "read_survey", "scan", "select_ports", "update",
+]  # fmt: skip
 
 
 def data_directory():
@@ -45,5 +71,7 @@ def _load_modules():
     return sorted(names)
 
 
-__all__ = _own + _load_modules()
+_classes = _load_modules()
+extend(globals()[name] for name in _classes)
+__all__ = _own + _classes
 __version__ = globals()["vtkHeliosVersion"].GetVersion()

@@ -5,13 +5,21 @@
 import re
 import warnings
 
+from vtkmodules.vtkCommonCore import vtkObject
+
+from . import _native
+
+SECONDS_BETWEEN_SIGNS = 0.1
+
 # "ERROR: In file, line n\nvtkClass (0x1234): the message"
 _HEAD = re.compile(
     r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I
 )
 _ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
 # What an executive adds when a filter has failed already.
-_EXECUTIVE = re.compile(r"returned failure for request|No update piece number has been set")
+_EXECUTIVE = re.compile(
+    r"returned failure for request|No update piece number has been set|Failure when calling method"
+)
 # The strategies of an algorithm report their own errors.
 _STRATEGIES = ("RayCaster", "BeamDeflector", "BeamSampler", "EchoDetector")
 
@@ -52,6 +60,14 @@ class MessageLog:
             collect.CallDataType = "string0"
             self._observers.append((vtk_object, vtk_object.AddObserver(event, collect)))
 
+    def watch_with_strategies(self, algorithm):
+        self.watch(algorithm)
+        self.watch(algorithm.GetExecutive())
+        for strategy in _STRATEGIES:
+            held = getattr(algorithm, f"Get{strategy}", lambda: None)()
+            if isinstance(held, vtkObject):
+                self.watch(held)
+
     def root_errors(self):
         """The errors without those by which an executive repeats them, each once."""
         roots = [error for error in self.errors if not is_executive_message(error)]
@@ -80,25 +96,44 @@ def upstream(algorithm):
     return found
 
 
-def update(algorithm, port=0):
+def update(algorithm, port=0, progress=None):
     """Brings an algorithm up to date and returns the data of an output port.
 
     Raises PipelineError, with the message, where it or anything upstream reports
     an error; the warnings of the pipeline become Python's RuntimeWarning.
 
+    Other Python threads go on meanwhile. Ctrl-C stops the pipeline at its next sign
+    of progress and raises KeyboardInterrupt, as does whatever the function progress
+    raises: it is called with an algorithm and its share of work done (0 to 1), some
+    ten times a second.
+
     >>> echoes = vtkhelios.update(scanner)
     """
     with MessageLog() as log:
-        for member in upstream(algorithm):
-            log.watch(member)
-            log.watch(member.GetExecutive())
-            for strategy in _STRATEGIES:
-                held = getattr(member, f"Get{strategy}", lambda: None)()
-                if held is not None:
-                    log.watch(held)
-        algorithm.Update()
+        members = upstream(algorithm)
+        for member in members:
+            log.watch_with_strategies(member)
+        _, raised = _native.run(algorithm, port, members, progress, SECONDS_BETWEEN_SIGNS)
+    conclude(log, raised)
+    return algorithm.GetOutputDataObject(port)
+
+
+def conclude(log, exceptions=(), stacklevel=3):
+    """Warns of what was warned of, and raises what went wrong."""
+    for exception in exceptions:
+        if not isinstance(exception, Exception):
+            raise exception  # KeyboardInterrupt, SystemExit
     for message in dict.fromkeys(log.warnings):
-        warnings.warn(message, RuntimeWarning, stacklevel=2)
+        warnings.warn(message, RuntimeWarning, stacklevel=stacklevel)
+    if exceptions:
+        told = [_as_text(exception) for exception in exceptions]
+        roots = [error for error in log.root_errors() if not is_executive_message(error)]
+        raise PipelineError(told + roots) from exceptions[0]
     if log.errors:
         raise PipelineError(log.root_errors())
-    return algorithm.GetOutputDataObject(port)
+
+
+def _as_text(exception):
+    """Its class and its message; a KeyError's would have quotes around it."""
+    message = exception.args[0] if isinstance(exception, KeyError) else exception
+    return f"{type(exception).__name__}: {message}"

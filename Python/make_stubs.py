@@ -1,0 +1,200 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes vtkhelios/__init__.pyi: what editors and type checkers know of the wrapped classes.
+
+    build/venv/bin/python Python/make_stubs.py
+
+Methods come from the signatures that VTK's wrapper tells, properties and their texts, with units
+and ranges, from the C++ documentation. A test says when the file is no longer current.
+"""
+
+import importlib
+import inspect
+import pathlib
+import re
+import sys
+import textwrap
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+STUB = ROOT / "Python/vtkhelios/__init__.pyi"
+
+HEAD = """\
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by Python/make_stubs.py; do not edit.
+from pathlib import Path
+from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Union, overload
+
+"""
+THIN_LAYER = """\
+from ._arrays import arrays as arrays
+from ._compose import Pipeline as Pipeline, select_ports as select_ports
+from ._filter import filter as filter
+from ._pipeline import PipelineError as PipelineError, update as update
+from .by_hand import make_survey as make_survey, scan as scan
+from .cloud import Cloud as Cloud, Records as Records
+from .scene import Scene as Scene
+from .survey import Survey as Survey, read_survey as read_survey
+
+__version__: str
+
+def data_directory() -> Path: ...
+"""
+PIPELINE_METHODS = """\
+    def __rshift__(self, right: Any) -> Pipeline: ...
+    def __rrshift__(self, left: Any) -> Pipeline: ...
+    def __call__(self, data: Any = None) -> Any: ...
+    def update(self) -> Any: ...
+    @property
+    def output(self) -> Any: ...
+"""
+# name(arguments) -> result, up to the line that says what it is in C++
+SIGNATURE = re.compile(r"^(\w+)\(([^\n]*(?:\n(?!C\+\+)[^\n]*)*?)\)\s*->\s*([^\n]+)\nC\+\+:", re.M)
+# A name and a type, which may be a tuple or a list.
+ARGUMENT = re.compile(r"(\w+):(\((?:[^()]|\([^()]*\))*\)|\[[^\]]*\]|[\w.]+)")
+PLAIN = {"int", "float", "str", "bool", "None", "bytes"}
+STOCK = ["vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkCommonMath",
+         "vtkCommonTransforms"]  # fmt: skip
+
+
+class Types:
+    """Types as the wrapper spells them, as Python spells them; notes what is to be imported."""
+
+    def __init__(self, package):
+        self.own = {name for name in package.__all__ if name.startswith("vtkHelios")}
+        self.stock = {}
+        for name in STOCK:
+            module = importlib.import_module(f"vtkmodules.{name}")
+            self.stock |= {key: name for key in vars(module) if key.startswith("vtk")}
+        self.used = set()
+
+    def of(self, text, taken=False):
+        """taken: of an argument, where any sequence does for a tuple."""
+        text = " ".join(text.split())
+        if text[:1] in "([":
+            inner = text[1:-1].split(",")
+            element = self.of(inner[0].strip("([ "), taken)
+            if text[0] == "[":
+                return f"MutableSequence[{element}]"
+            if taken:
+                return f"Sequence[{element}]"
+            return f"Tuple[{', '.join([element] * len(inner))}]"
+        if text in PLAIN or text in self.own:
+            return text
+        if text in self.stock:
+            self.used.add(text)
+            return text
+        return "Any"
+
+    def imports(self):
+        lines = {}
+        for name in sorted(self.used):
+            lines.setdefault(self.stock[name], []).append(name)
+        return "".join(
+            f"from vtkmodules.{module} import {', '.join(names)}\n"
+            for module, names in sorted(lines.items())
+        )
+
+
+def make_class(cls, types):
+    """The block of a class."""
+    base = cls.__mro__[1].__name__
+    base = "" if base == "object" else f"({types.of(base)})"
+    lines = [f"class {cls.__name__}{base}:", *_docstring(_brief(cls), "    ")]
+    module = sys.modules["vtkhelios._properties"]
+    mine = {name: value for name, value in vars(cls).items() if isinstance(value, module.Property)}
+    for name in sorted(mine):
+        lines += _property(mine[name], types)
+    keywords = [
+        f"{name}: {_annotation(value, types)} = ..."
+        for name, value in module.properties(cls).items()
+        if value.setter_name
+    ]
+    if keywords:
+        lines.append(f"    def __init__(self, *, {', '.join(keywords)}) -> None: ...")
+    if "__call__" in vars(cls):
+        lines += PIPELINE_METHODS.rstrip("\n").split("\n")
+    for name, method in sorted(vars(cls).items()):
+        if (
+            callable(method)
+            and name[0] != "_"
+            and name[0].isupper()
+            and not isinstance(method, type)
+        ):
+            lines += _methods(name, method, types)
+    return "\n".join(lines) + "\n"
+
+
+def _brief(cls):
+    """The first sentence of the class's documentation."""
+    text = inspect.cleandoc(cls.__doc__ or cls.__name__).split("\n\n")[0]
+    return " ".join(text.split())
+
+
+def _docstring(text, indent):
+    text = text.replace("\\", "\\\\").replace('"""', "'''")
+    lines = text.split("\n")
+    wrapped = [part for line in lines for part in textwrap.wrap(line, 96) or [""]]
+    if len(wrapped) == 1:
+        return [f'{indent}"""{wrapped[0]}"""']
+    return [
+        f'{indent}"""{wrapped[0]}',
+        *(f"{indent}{line}".rstrip() for line in wrapped[1:]),
+        f'{indent}"""',
+    ]
+
+
+def _annotation(value, types):
+    if value.choices:
+        names = ", ".join(f'"{name}"' for name in value.choices)
+        return f"Union[Literal[{names}], int]"
+    kind = types.of(value.annotation, taken=bool(value.setter_name))
+    return f"Optional[{kind}]" if kind.startswith("vtk") or kind == "str" else kind
+
+
+def _property(value, types):
+    kind = _annotation(value, types)
+    doc = _docstring(value.__doc__, "    ") if value.__doc__ else []
+    if value.setter_name:
+        return [f"    {value.name}: {kind}", *doc]
+    inner = [f"    {line}" if line else line for line in doc] or ["        ..."]
+    return ["    @property", f"    def {value.name}(self) -> {kind}:", *inner]
+
+
+def _methods(name, method, types):
+    """A line an overload."""
+    lines = []
+    for found, arguments, result in SIGNATURE.findall(method.__doc__ or ""):
+        if found != name:
+            continue
+        given = [f"{key}: {types.of(kind, True)}" for key, kind in ARGUMENT.findall(arguments)]
+        if "self" in arguments.split(":")[0]:
+            line = f"    def {name}({', '.join(['self', *given])}) -> {types.of(result)}: ..."
+            lines.append([line])
+        else:
+            line = f"    def {name}({', '.join(given)}) -> {types.of(result)}: ..."
+            lines.append(["    @staticmethod", line])
+    unique = [list(item) for item in dict.fromkeys(map(tuple, lines))]
+    mark = ["    @overload"] if len(unique) > 1 else []
+    return [line for item in unique for line in (*mark, *item)]
+
+
+def make_blocks(package):
+    """Blocks of text by class, and the whole head."""
+    types = Types(package)
+    classes = [getattr(package, name) for name in package.__all__ if name.startswith("vtkHelios")]
+    blocks = {cls.__name__: make_class(cls, types) for cls in classes if isinstance(cls, type)}
+    return HEAD + types.imports() + THIN_LAYER, blocks
+
+
+def main():
+    import vtkhelios
+
+    head, blocks = make_blocks(vtkhelios)
+    STUB.write_text(head + "".join(f"\n{block}" for block in blocks.values()))
+    print(f"{STUB.relative_to(ROOT)}: {len(blocks)} classes")
+
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(ROOT / "build/lib/python3/dist-packages"))
+    main()

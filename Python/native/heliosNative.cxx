@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The Python module vtkhelios._native: what the thin layer needs and Python cannot do.
+
+#include "heliosRun.h"
+#include "heliosTrajectory.h"
+#include "heliosTypes.h"
+
+namespace
+{
+
+PyMethodDef Methods[] = {
+  { "run", heliosRun, METH_VARARGS, "run(target, argument, watched, on_progress, interval)" },
+  { "guard", heliosGuard, METH_NOARGS, "guard(): Python filters take the interpreter lock" },
+  { "trajectory", heliosGetTrajectory, METH_VARARGS, "trajectory(source, leg, interval)" },
+  { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
+  { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },
+  { nullptr, nullptr, 0, nullptr },
+};
+
+PyModuleDef Module = { PyModuleDef_HEAD_INIT, "_native",
+  "Wrapped classes extended, and run without the interpreter lock.", -1, Methods, nullptr, nullptr,
+  nullptr, nullptr };
+
+} // namespace
+
+//------------------------------------------------------------------------------
+PyMODINIT_FUNC PyInit__native()
+{
+  return PyModule_Create(&Module);
+}

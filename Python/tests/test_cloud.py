@@ -1,0 +1,189 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds: views of VTK's memory, tables of records, files."""
+
+import gc
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonCore import vtkFloatArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import vtkhelios
+from vtkhelios import Cloud
+
+
+@pytest.fixture
+def cloud():
+    """Five points with arrays."""
+    points = np.arange(15.0).reshape(5, 3)
+    return Cloud.from_arrays(
+        points, Range=np.arange(5.0), PulseIds=np.arange(5) * 2, Normal=points.copy()
+    )
+
+
+def address(array):
+    """The address that VTK tells of an array, without its prefix."""
+    return int(array.GetVoidPointer(0).split("_")[1], 16)
+
+
+def test_nothing_is_copied_on_the_way_in_and_out():
+    points, ranges = np.random.default_rng(1).random((7, 3)), np.arange(7.0)
+    cloud = Cloud.from_arrays(points, Range=ranges)
+    inside = cloud.polydata
+    assert address(inside.GetPoints().GetData()) == points.ctypes.data == cloud.points.ctypes.data
+    column = inside.GetPointData().GetArray("Range")
+    assert address(column) == ranges.ctypes.data == cloud["Range"].ctypes.data
+    records = cloud.records
+    assert records["Range"].ctypes.data == ranges.ctypes.data
+    assert records["z"].ctypes.data == points.ctypes.data + 16
+    assert records[2:]["y"].ctypes.data == points.ctypes.data + 2 * 24 + 8
+    records["Range"][3] = 99
+    assert ranges[3] == 99
+
+
+def test_echoes_of_a_scanner_are_not_copied():
+    scene = vtkhelios.vtkHeliosSyntheticScene(kind="blocks")()
+    cloud = Cloud(scene)
+    assert cloud.polydata is scene
+    assert cloud.points.ctypes.data == address(scene.GetPoints().GetData())
+
+
+def test_memory_outlives_whoever_made_it():
+    def make():
+        return Cloud.from_arrays(np.full((1000, 3), 7.0), Range=np.full(1000, 3.0)).polydata
+
+    data = make()
+    gc.collect()
+    np.full((1000, 3), 1.0)  # what would take the place
+    assert (Cloud(data).points == 7).all() and (Cloud(data)["Range"] == 3).all()
+    view = Cloud(make()).points
+    gc.collect()
+    assert (view == 7).all()
+
+
+def test_to_structured(cloud):
+    table = cloud.to_structured()
+    assert table.dtype.names == ("x", "y", "z", "Range", "PulseIds", "Normal")
+    assert table["PulseIds"].dtype == np.int64 and table["Normal"].shape == (5, 3)
+    assert np.array_equal(table["y"], cloud.points[:, 1])
+    assert cloud.to_structured(["Range", "x"]).dtype.names == ("Range", "x")
+    table["Range"] = -1
+    assert cloud["Range"][1] == 1  # a copy
+    with pytest.raises(KeyError, match="there is no field Rang; there are: x, y, z, Range"):
+        cloud.to_structured(["Rang"])
+
+
+def test_records(cloud):
+    records = cloud.records
+    assert len(records) == 5 and records.dtype == cloud.to_structured().dtype
+    assert records[3]["Range"] == 3 and records[3]["Normal"].tolist() == [9, 10, 11]
+    assert records[[0, 2]]["x"].tolist() == [0, 6]
+    assert records[cloud["Range"] > 2].shape == (2,)
+    assert [row["PulseIds"] for row in records] == [0, 2, 4, 6, 8]
+    assert np.asarray(records)["z"].tolist() == [2, 5, 8, 11, 14]
+    assert repr(records) == "Records(5 rows: x, y, z, Range, PulseIds, Normal)"
+
+
+def test_filter(cloud):
+    kept = cloud[cloud["Range"] >= 3]
+    assert kept["PulseIds"].tolist() == [6, 8] and kept.points.tolist() == [
+        [9, 10, 11],
+        [12, 13, 14],
+    ]
+    assert cloud[[4, 0]]["Range"].tolist() == [4, 0] and len(cloud[1:3]) == 2
+    assert len(cloud.filter(np.zeros(5, bool))) == 0
+    with pytest.raises(ValueError, match="the mask has 4 rows; give one a point: 5"):
+        cloud.filter(np.ones(4, bool))
+    with pytest.raises(TypeError, match="filtered by true and false or by indices, not float64"):
+        cloud.filter(np.ones(5))
+
+
+def test_arrays_are_added(cloud):
+    cloud["Near"] = cloud["Range"] < 2
+    assert cloud["Near"].dtype == np.uint8 and "Near" in cloud
+    with pytest.raises(ValueError, match=r"Far has the shape \(3,\); give 5 rows"):
+        cloud["Far"] = [1, 2, 3]
+    with pytest.raises(TypeError, match="Name is of <U1; give numbers"):
+        cloud["Name"] = list("abcde")
+    with pytest.raises(KeyError, match="has no array Rnge; did you mean Range?"):
+        cloud["Rnge"]
+
+
+def test_what_is_no_cloud():
+    with pytest.raises(
+        TypeError, match="made of a vtkPolyData, not of ndarray; see Cloud.from_arrays"
+    ):
+        Cloud(np.zeros((3, 3)))
+    with pytest.raises(
+        ValueError, match=r"points has the shape \(3, 2\); give an array of \(n, 3\)"
+    ):
+        Cloud.from_arrays(np.zeros((3, 2)))
+    with pytest.raises(TypeError, match="use points, records or arrays by name"):
+        iter(Cloud())
+
+
+def test_repr(cloud):
+    assert repr(cloud) == "Cloud(5 points, 0 to 12, 1 to 13, 2 to 14 m; Range, PulseIds, Normal)"
+    assert repr(Cloud()) == "Cloud(no points)" and Cloud().points.shape == (0, 3)
+    shown = cloud._repr_html_()
+    assert "<b>Cloud</b>, 5 points" in shown
+    assert "<td>Range</td><td>float64</td><td>0 to 4</td><td>m</td>" in shown
+    assert "<td>Normal</td><td>float64 x 3</td>" in shown
+
+
+def test_single_precision_is_kept():
+    data = vtkPolyData()
+    cloud = Cloud.from_arrays(np.zeros((2, 3)))
+    data.ShallowCopy(cloud.polydata)
+    column = vtkFloatArray()
+    column.SetName("Samples")
+    column.InsertNextValue(0.5)
+    column.InsertNextValue(1.5)
+    data.GetPointData().AddArray(column)
+    assert Cloud(data)["Samples"].dtype == np.float32
+
+
+def test_write(cloud, tmp_path):
+    cloud.write(tmp_path / "cloud.vtp")
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(tmp_path / "cloud.vtp"))
+    reader.Update()
+    read = Cloud(reader.GetOutput())
+    assert np.array_equal(read.points, cloud.points)
+    assert np.array_equal(read["PulseIds"], cloud["PulseIds"])
+    assert reader.GetOutput().GetNumberOfVerts() == 5
+    assert cloud.polydata.GetNumberOfVerts() == 0
+    cloud.write(tmp_path / "cloud.las")
+    las = vtkhelios.vtkHeliosLASReader(file_name=tmp_path / "cloud.las")
+    assert np.allclose(Cloud(las()).points, cloud.points, atol=1e-3)
+
+
+def test_write_text(tmp_path):
+    zeros = np.zeros(2)
+    whole = np.zeros(2, np.int64)
+    names = ("ReturnNumber", "NumberOfReturns", "PulseIds", "PartIds", "ClassificationIds")
+    cloud = Cloud.from_arrays(
+        np.array([[1, 2, 3], [4, 5, 6.5]]), Amplitude=zeros, EchoWidth=zeros, GpsTime=zeros,
+        **{name: whole for name in names},
+    )  # fmt: skip
+    cloud.write(str(tmp_path / "cloud.xyz"))
+    rows = np.loadtxt(tmp_path / "cloud.xyz")
+    assert rows[:, :3].tolist() == [[1, 2, 3], [4, 5, 6.5]]
+
+
+def test_write_what_cannot_be(cloud, tmp_path):
+    with pytest.raises(ValueError, match="ends in '.e58'; give one of: .xyz, .las, .vtp"):
+        cloud.write(tmp_path / "cloud.e58")
+    with pytest.raises(vtkhelios.PipelineError, match="Amplitude"):
+        cloud.write(tmp_path / "cloud.xyz")
+    (tmp_path / "file").write_text("")
+    with pytest.raises((vtkhelios.PipelineError, OSError), match="file"):
+        cloud.write(tmp_path / "file" / "cloud.las")
+
+
+def test_pyvista_takes_it(cloud):
+    pyvista = pytest.importorskip("pyvista")
+    wrapped = pyvista.wrap(cloud.polydata)
+    assert np.shares_memory(wrapped.points, cloud.points)

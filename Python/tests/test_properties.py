@@ -1,0 +1,204 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Properties as attributes and keywords; what is wrong with a name or a value is said."""
+
+import pathlib
+
+import numpy as np
+import pytest
+
+import vtkhelios
+from vtkhelios._properties import make_properties, properties, snake_case
+
+
+@pytest.mark.parametrize(
+    "camel, snake",
+    [
+        ("RangeMin", "range_min"),
+        ("MTime", "m_time"),
+        ("NumberOfSubRays", "number_of_sub_rays"),
+        ("CRS", "crs"),
+        ("M2", "m2"),
+    ],
+)
+def test_names_are_spelled_as_in_newer_vtk(camel, snake):
+    assert snake_case(camel) == snake
+
+
+def test_numbers_vectors_truths_texts_and_objects():
+    scanner = vtkhelios.vtkHeliosScanner()
+    scanner.range_accuracy = 0.01
+    scanner.mount_position = np.array([1.0, 2.0, 3.0])
+    scanner.generate_truth = True
+    scanner.seed = np.int64(2**40)
+    scanner.pulse_file_name = pathlib.Path("pulse.txt")
+    scanner.beam_deflector = vtkhelios.vtkHeliosConicMirror(scan_angle=15)
+    assert scanner.GetRangeAccuracy() == scanner.range_accuracy == 0.01
+    assert scanner.GetMountPosition() == scanner.mount_position == (1, 2, 3)
+    assert scanner.GetGenerateTruth() is scanner.generate_truth is True
+    assert scanner.GetSeed() == 2**40
+    assert scanner.GetPulseFileName() == "pulse.txt"
+    assert scanner.beam_deflector is scanner.GetBeamDeflector()
+    assert scanner.beam_deflector.scan_angle == 15
+
+
+def test_keywords():
+    scanner = vtkhelios.vtkHeliosScanner(range_min=2, sampling="fixed", mount_position=(0, 0, 1))
+    assert (scanner.GetRangeMin(), scanner.GetSampling()) == (2, scanner.FIXED)
+    assert scanner.GetMountPosition() == (0, 0, 1)
+
+
+def test_choices_go_by_name_and_by_number():
+    scene = vtkhelios.vtkHeliosSyntheticScene(kind="blocks")
+    assert scene.kind == "blocks" and scene.kind == scene.GetKind() and scene.kind != "plane"
+    assert repr(scene.kind) == "'blocks'" and f"{scene.kind}" == "blocks"
+    scene.kind = int(vtkhelios.vtkHeliosSyntheticScene(kind="terrain").kind)
+    assert scene.kind == "terrain"
+
+
+def test_objects_made_by_cpp_have_them():
+    assert vtkhelios.vtkHeliosScanner().beam_sampler.beam_divergence == pytest.approx(3e-4)
+
+
+SCANNER = vtkhelios.vtkHeliosScanner
+MIRROR = vtkhelios.vtkHeliosConicMirror
+
+
+@pytest.mark.parametrize(
+    "cls, name, value, error, message",
+    [
+        (
+            SCANNER,
+            "range_mni",
+            1,
+            AttributeError,
+            "has no property range_mni; did you mean range_min?",
+        ),
+        (
+            SCANNER,
+            "RangeMin",
+            1,
+            AttributeError,
+            "has no property RangeMin; did you mean range_min?",
+        ),
+        (
+            MIRROR,
+            "colour",
+            1,
+            AttributeError,
+            "has no property colour; it has: pulse_frequency, scan",
+        ),
+        (SCANNER, "number_of_pulses", 1, AttributeError, "number_of_pulses is read only"),
+        (SCANNER, "range_min", "far", TypeError, "range_min is 'far'; give a number"),
+        (SCANNER, "seed", 1.5, TypeError, "seed is 1.5; give a whole number"),
+        (SCANNER, "generate_truth", "no", TypeError, "generate_truth is 'no'; give True or False"),
+        (SCANNER, "mount_position", (1, 2), TypeError, r"is \(1, 2\); give 3 numbers"),
+        (SCANNER, "pulse_file_name", 5, TypeError, "pulse_file_name is 5; give text"),
+        (SCANNER, "beam_deflector", 5, TypeError, "is 5; give a vtkHeliosBeamDeflector or None"),
+        (SCANNER, "beam_deflector", SCANNER(), TypeError, "give a vtkHeliosBeamDeflector or None"),
+        (SCANNER, "sampling", "some", ValueError, "is 'some'; give one of: fixed, tolerance"),
+        (
+            SCANNER,
+            "sampling",
+            9,
+            ValueError,
+            "is 9; give one of: fixed, tolerance; 'tolerance' is kept",
+        ),
+        (
+            MIRROR,
+            "scan_angle",
+            200,
+            ValueError,
+            r"is 200; its valid range is \[0, 180\]; 20.0 is kept",
+        ),
+        (SCANNER, "seed", -1, ValueError, r"seed is -1; its valid range is \[0, 4.6"),
+    ],
+)
+def test_what_is_wrong_is_said(cls, name, value, error, message):
+    made = cls()
+    before = getattr(made, name, None)
+    with pytest.raises(error, match=message) as caught:
+        setattr(made, name, value)
+    assert made.GetClassName() in str(caught.value)
+    assert getattr(made, name, None) == before
+    with pytest.raises(error, match=message):
+        cls(**{name: value})
+
+
+def test_range_that_only_the_documentation_tells():
+    scanner = vtkhelios.vtkHeliosScanner()
+    assert not hasattr(scanner, "GetAveragePowerMinValue")
+    with pytest.raises(
+        ValueError, match=r"average_power is -1; its valid range is .*; 4.0 is kept"
+    ):
+        scanner.average_power = -1
+    assert scanner.average_power == 4
+
+
+def test_what_a_setter_says_is_passed_on(capfd):
+    sampler = vtkhelios.vtkHeliosBeamSampler()
+    with pytest.raises(ValueError, match="beam_quality_factor: BeamQualityFactor is 0.5"):
+        sampler.beam_quality_factor = 0.5
+    assert sampler.beam_quality_factor == 0 and capfd.readouterr().err == ""
+
+
+def test_reading_a_wrong_name_names_the_right_one():
+    with pytest.raises(AttributeError, match="has no property range_mni; did you mean range_min?"):
+        vtkhelios.vtkHeliosScanner().range_mni
+    assert not hasattr(vtkhelios.vtkHeliosScanner(), "range_mni")
+
+
+def test_a_class_of_ones_own_may_keep_more():
+    class Mine(vtkhelios.vtkHeliosScanner):
+        def __init__(self, label):
+            super().__init__(range_min=3)
+            self.label = label
+
+    mine = Mine("x")
+    assert (mine.label, mine.range_min, mine.GetRangeMin()) == ("x", 3, 3)
+    mine.range_max = 10
+    assert mine.GetRangeMax() == 10
+
+
+def test_stock_classes_are_left_alone():
+    from vtkmodules.vtkCommonCore import vtkObject
+
+    made = vtkObject()
+    made.anything = 1
+    assert "m_time" not in dir(vtkObject) or make_properties(vtkObject) == {}
+
+
+def test_every_property_can_be_read_and_says_what_it_is():
+    for name in vtkhelios.__all__:
+        cls = getattr(vtkhelios, name)
+        if not name.startswith("vtkHelios") or not hasattr(cls, "IsA"):
+            continue
+        for key, value in properties(cls).items():
+            assert (
+                value.setter_name is None or value.__doc__ or key in ("progress", "error_code")
+            ), key
+        try:
+            made = cls()
+        except TypeError:
+            continue  # abstract
+        for key, value in properties(cls).items():
+            before = getattr(made, key)
+            if value.setter_name and before is not None and key != "progress_text":
+                setattr(made, key, before)
+                assert repr(getattr(made, key)) == repr(before), (name, key)
+
+
+def test_units_are_told():
+    assert "[Hz]" in vtkhelios.vtkHeliosConicMirror.scan_frequency.__doc__
+    # one text for a group of properties
+    assert "[m]" in vtkhelios.vtkHeliosScanner.mount_orientation.__doc__
+
+
+def test_repr_tells_what_is_not_as_it_was_made():
+    assert repr(vtkhelios.vtkHeliosScanner()) == "vtkHeliosScanner()"
+    scanner = vtkhelios.vtkHeliosScanner(range_accuracy=0.01, sampling="fixed")
+    scanner.echo_detector = vtkhelios.vtkHeliosGaussianDecomposition()
+    assert repr(scanner) == (
+        "vtkHeliosScanner(echo_detector=vtkHeliosGaussianDecomposition, range_accuracy=0.01, "
+        "sampling='fixed')"
+    )

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""__init__.pyi tells of the classes as they are, and is Python."""
+
+import ast
+import importlib.util
+import pathlib
+
+import pytest
+
+import vtkhelios
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CURE = "run build/venv/bin/python Python/make_stubs.py"
+
+
+@pytest.fixture(scope="module")
+def stubs():
+    spec = importlib.util.spec_from_file_location("make_stubs", ROOT / "Python/make_stubs.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_stub_is_current(stubs):
+    text = stubs.STUB.read_text()
+    head, blocks = stubs.make_blocks(vtkhelios)
+    for name, block in blocks.items():  # a class of an optional module may lack here, not there
+        assert f"\n{block}" in text, f"{name} has changed: {CURE}"
+    assert stubs.THIN_LAYER in text, CURE
+
+
+def test_stub_is_python_and_types_are_known(stubs):
+    tree = ast.parse(stubs.STUB.read_text())
+    classes = {node.name: node for node in tree.body if isinstance(node, ast.ClassDef)}
+    mirror = classes["vtkHeliosConicMirror"].body
+    fields = {node.target.id: node for node in mirror if isinstance(node, ast.AnnAssign)}
+    assert fields["scan_frequency"].annotation.id == "float"
+    at = mirror.index(fields["scan_frequency"])
+    assert "[Hz]" in mirror[at + 1].value.value
+    imported = {
+        alias.asname or alias.name
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    public = {name for name in vtkhelios.__all__ if not name.startswith("vtkHelios")}
+    defined = imported | {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    assert public <= defined | {"data_directory"}
+
+
+def test_package_says_that_it_has_types():
+    assert (pathlib.Path(vtkhelios.__file__).parent / "py.typed").is_file()
+    assert (pathlib.Path(vtkhelios.__file__).parent / "__init__.pyi").is_file()

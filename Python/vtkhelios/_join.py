@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds and tables of waveforms put one after the other."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkTable
+
+from ._arrays import arrays
+from .cloud import Cloud
+
+_SAMPLES, _OFFSET = "Samples", "Offset"  # as in vtkHeliosArrayNames.h
+
+
+def join_clouds(clouds):
+    """One cloud of the points of all; arrays that all have. A copy."""
+    full = [cloud for cloud in clouds if len(cloud)] or clouds[:1]
+    names = [name for name in full[0].names if all(name in cloud for cloud in full)]
+    columns = {name: np.concatenate([cloud[name] for cloud in full]) for name in names}
+    joined = Cloud.from_arrays(np.concatenate([cloud.points for cloud in full]), **columns)
+    joined.polydata.GetFieldData().ShallowCopy(full[0].polydata.GetFieldData())
+    return joined
+
+
+def join_tables(tables):
+    """One table of waveforms, with all samples one after the other. A copy."""
+    joined = vtkTable()
+    joined.GetFieldData().ShallowCopy(tables[0].GetFieldData())
+    samples = [vtk_to_numpy(table.GetFieldData().GetArray(_SAMPLES)) for table in tables]
+    starts = np.cumsum([0] + [len(part) for part in samples])
+    _add(joined.GetFieldData(), _SAMPLES, np.concatenate(samples))
+    rows = [arrays(table) for table in tables]
+    for index in range(tables[0].GetNumberOfColumns()):
+        name = tables[0].GetColumn(index).GetName()
+        parts = [row[name] for row in rows]
+        if name == _OFFSET:
+            parts = [part + start for part, start in zip(parts, starts)]
+        _add(joined.GetRowData(), name, np.concatenate(parts))
+    return joined
+
+
+def _add(attributes, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values))
+    array.SetName(name)
+    attributes.AddArray(array)

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ``progress=`` may be: nothing, True for a line on standard error, a function."""
+
+import sys
+import time
+
+SECONDS_BETWEEN_LINES = 0.2
+
+
+class ProgressLine:
+    """One line that is written over: a bar, the share done, the time that is left."""
+
+    def __init__(self, file=None):
+        self._file = sys.stderr if file is None else file
+        self._start = time.monotonic()
+        self._next = 0.0
+        self._width = 0
+
+    def __call__(self, share):
+        now = time.monotonic()
+        if now >= self._next:
+            self._next = now + SECONDS_BETWEEN_LINES
+            self._show(share, now - self._start)
+
+    def _show(self, share, elapsed):
+        share = min(1.0, max(0.0, share))
+        left = f", {elapsed / share - elapsed:.0f} s left" if share > 0.02 else ""
+        line = f"[{'#' * round(24 * share):24}] {100 * share:3.0f} %{left}"
+        self._file.write("\r" + line.ljust(self._width))
+        self._file.flush()
+        self._width = len(line)
+
+    def close(self):
+        """Wipes the line."""
+        if self._width:
+            self._file.write("\r" + " " * self._width + "\r")
+            self._file.flush()
+
+
+class Progress:
+    """Entered: what VTK's progress is told to, or None; ``begin`` and ``end`` say which part it is."""
+
+    def __init__(self, progress):
+        if not (progress in (None, True, False) or callable(progress)):
+            raise TypeError(
+                f"progress is {progress!r}; give True, False or a function of the share done"
+            )
+        self._line = ProgressLine() if progress is True else None
+        self._tell = self._line or progress or None
+        self.begin, self.end = 0.0, 1.0
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._line:
+            self._line.close()
+
+    @property
+    def callback(self):
+        """A function of the object and its share, for _native.run()."""
+        return self._pass_on if self._tell else None
+
+    def _pass_on(self, _object, share):
+        self._tell(self.begin + (self.end - self.begin) * min(1.0, max(0.0, share)))

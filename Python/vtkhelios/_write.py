@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes a cloud to a file, in the form that its ending names."""
+
+import importlib
+import os
+
+from ._pipeline import MessageLog, conclude
+
+
+def write(cloud, path):
+    """Writes a Cloud to .xyz, .las or .vtp; raises PipelineError and ValueError."""
+    ending = os.path.splitext(path)[1].lower()
+    writers = {".xyz": _write_text, ".las": _write_las, ".vtp": _write_vtp}
+    if ending not in writers:
+        raise ValueError(f"{path} ends in {ending!r}; give one of: {', '.join(writers)}")
+    with MessageLog() as log:
+        succeeded = writers[ending](cloud, path, log)
+    conclude(log)
+    if not succeeded:
+        raise OSError(f"{path} cannot be written; is its folder there?")
+
+
+def _write_text(cloud, path, log):
+    return _write_block(_class("vtkHeliosPointTextWriter")(), cloud, path, log)
+
+
+def _write_las(cloud, path, log):
+    writer = _class("vtkHeliosLASWriter")()
+    if cloud.waveforms is not None:
+        writer.SetWriteWaveforms(True)
+        writer.SetWaveforms(cloud.waveforms)
+    return _write_block(writer, cloud, path, log)
+
+
+def _write_block(writer, cloud, path, log):
+    log.watch(writer)
+    writer.SetFileName(path)
+    if writer.Open() and writer.Write(cloud.polydata) and writer.Close():
+        return True
+    writer.Abandon()
+    return False
+
+
+def _write_vtp(cloud, path, log):
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    writer = vtkXMLPolyDataWriter()
+    log.watch(writer)
+    writer.SetFileName(path)
+    writer.SetInputData(cloud.with_vertices().polydata)
+    return writer.Write()
+
+
+def _class(name):
+    return getattr(importlib.import_module(__package__), name)

@@ -1,0 +1,260 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clouds: a vtkPolyData of points, and its arrays as numpy sees them."""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from ._arrays import arrays
+
+__all__ = ["Cloud", "Records"]
+
+_UNITS = {
+    "Amplitude": "W", "BeamDivergence": "rad", "EchoWidth": "ns", "GpsTime": "s",
+    "IncidenceAngle": "deg", "Range": "m", "ScanAngle": "deg", "TruePoint": "m", "points": "m",
+}  # fmt: skip
+
+
+class Cloud:
+    """A thin view of a vtkPolyData: nothing is copied, and writing to an array writes to the data.
+
+    polydata
+        the vtkPolyData, for VTK, ParaView's writers, ``pyvista.wrap()``.
+    waveforms, pulses, sub_rays
+        what came with the echoes of a survey (a vtkTable and two Clouds), else None.
+
+    >>> cloud.points[cloud["ReturnNumber"] == 1]
+    """
+
+    def __init__(self, polydata=None, waveforms=None, pulses=None, sub_rays=None):
+        self.polydata = vtkPolyData() if polydata is None else polydata
+        if not hasattr(self.polydata, "IsA") or not self.polydata.IsA("vtkPolyData"):
+            kind = type(polydata).__name__
+            raise TypeError(
+                f"a Cloud is made of a vtkPolyData, not of {kind}; see Cloud.from_arrays()"
+            )
+        self.waveforms, self.pulses, self.sub_rays = waveforms, pulses, sub_rays
+
+    @classmethod
+    def from_arrays(cls, points, **columns):
+        """A cloud of points (n x 3) and arrays of n rows, which it shares where it can.
+
+        float64 points and contiguous arrays of numbers are not copied. Arrays of true
+        and false become uint8.
+        """
+        cloud = cls()
+        holder = vtkPoints()
+        holder.SetDataType(VTK_DOUBLE)
+        array = np.ascontiguousarray(points, dtype=np.float64)
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"points has the shape {array.shape}; give an array of (n, 3)")
+        holder.SetData(numpy_to_vtk(array))
+        cloud.polydata.SetPoints(holder)
+        for name, values in columns.items():
+            cloud[name] = values
+        return cloud
+
+    @property
+    def points(self):
+        """The coordinates [m], n x 3."""
+        holder = self.polydata.GetPoints()
+        return vtk_to_numpy(holder.GetData()) if holder else np.empty((0, 3))
+
+    @property
+    def names(self):
+        """The names of the arrays of the points; text is left out."""
+        return [name for name in arrays(self.polydata) if name != "points"]
+
+    def __getitem__(self, key):
+        """An array by its name, without a copy; by a mask, a slice or indices, a Cloud of points."""
+        if not isinstance(key, str):
+            return self.filter(key)
+        if key == "points":
+            return self.points
+        array = self.polydata.GetPointData().GetArray(key)
+        if array is None:
+            import difflib
+
+            near = difflib.get_close_matches(key, self.names, 1, 0.5)
+            hint = (
+                f"did you mean {near[0]}?" if near else f"it has: {', '.join(self.names) or 'none'}"
+            )
+            raise KeyError(f"the cloud has no array {key}; {hint}")
+        return vtk_to_numpy(array)
+
+    def __setitem__(self, name, values):
+        """Adds an array of as many rows as there are points, or takes the place of one."""
+        array = np.asarray(values)
+        if len(array.shape) not in (1, 2) or len(array) != len(self):
+            raise ValueError(f"{name} has the shape {array.shape}; give {len(self)} rows")
+        if array.dtype.kind not in "iufb":
+            raise TypeError(f"{name} is of {array.dtype}; give numbers")
+        array = np.ascontiguousarray(array.view(np.uint8) if array.dtype.kind == "b" else array)
+        column = numpy_to_vtk(array)
+        column.SetName(name)
+        self.polydata.GetPointData().AddArray(column)
+
+    def __contains__(self, name):
+        return name in self.names
+
+    def __len__(self):
+        return self.polydata.GetNumberOfPoints()
+
+    def __bool__(self):
+        return True
+
+    @property
+    def records(self):
+        """All arrays as the fields of one table, without a copy: see Records."""
+        columns = arrays(self.polydata)
+        columns.setdefault("points", self.points)
+        return Records(columns)
+
+    def to_structured(self, names=None):
+        """A structured array of all, or some, arrays; x, y and z are the first fields.
+
+        This is a copy: its rows lie together in memory, and in VTK those of an array
+        do. ``records`` is the same without one; ``points`` and ``[name]`` are, too.
+        """
+        return self.records.to_structured(names)
+
+    def filter(self, keep):
+        """A new cloud of the points where a mask is true, or of those with the indices given."""
+        keep = keep if isinstance(keep, slice) else np.asarray(keep)
+        if isinstance(keep, np.ndarray):
+            if keep.dtype.kind not in "biu" or keep.ndim != 1:
+                raise TypeError(
+                    f"a cloud is filtered by true and false or by indices, not {keep.dtype}"
+                )
+            if keep.dtype.kind == "b" and len(keep) != len(self):
+                raise ValueError(f"the mask has {len(keep)} rows; give one a point: {len(self)}")
+        columns = arrays(self.polydata)
+        kept = Cloud.from_arrays(self.points[keep])
+        for name, values in columns.items():
+            if name != "points":
+                kept[name] = values[keep]
+        kept.polydata.GetFieldData().ShallowCopy(self.polydata.GetFieldData())
+        kept.waveforms, kept.pulses, kept.sub_rays = self.waveforms, self.pulses, self.sub_rays
+        return kept
+
+    def with_vertices(self):
+        """The same points and arrays with a cell each, which some viewers want."""
+        count = len(self)
+        cells = vtkCellArray()
+        offsets = np.arange(count + 1, dtype=np.int64)
+        cells.SetData(_ids(offsets), _ids(offsets[:-1]))
+        shown = vtkPolyData()
+        shown.ShallowCopy(self.polydata)
+        shown.SetVerts(cells)
+        return Cloud(shown, self.waveforms, self.pulses, self.sub_rays)
+
+    def write(self, path):
+        """Writes a file; its ending says which: .xyz (text), .las, .vtp (ParaView).
+
+        Docs/files.md says what is in them.
+        """
+        from . import _write
+
+        _write.write(self, os.fspath(path))
+
+    def __iter__(self):
+        raise TypeError("a cloud is no sequence of points; use points, records or arrays by name")
+
+    def __repr__(self):
+        if not len(self):
+            return "Cloud(no points)"
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
+        more = ", waveforms" if self.waveforms is not None else ""
+        return f"Cloud({len(self):,} points, {box} m; {', '.join(self.names) or 'no arrays'}{more})"
+
+    def _repr_html_(self):
+        import html
+
+        rows = [
+            f"<tr><td>{html.escape(name)}</td><td>{values.dtype}{_width(values)}</td>"
+            f"<td>{_extent(values)}</td><td>{_UNITS.get(name, '')}</td></tr>"
+            for name, values in {"points": self.points, **arrays(self.polydata)}.items()
+        ]
+        head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"
+        return f"<b>Cloud</b>, {len(self):,} points<table>{head}{''.join(rows)}</table>"
+
+
+class Records:
+    """The columns of a cloud as a table whose rows are records, without a copy.
+
+    ``records["Range"]`` is the array of the cloud itself, and so is x (a strided view
+    of the points); writing to it writes to the cloud. ``records[7]`` and
+    ``records[mask]`` are structured numpy arrays: copies, as rows do not lie together
+    in memory. numpy functions that want a structured array get one, copied.
+    """
+
+    def __init__(self, columns):
+        points = columns["points"]
+        axes = {name: points[:, axis] for axis, name in enumerate("xyz")}
+        rest = {name: values for name, values in columns.items() if name != "points"}
+        self._columns = {**axes, **rest}
+        self.dtype = np.dtype(
+            [(name, values.dtype, values.shape[1:]) for name, values in self._columns.items()]
+        )
+
+    def __len__(self):
+        return len(self._columns["x"])
+
+    def __getitem__(self, key):
+        if isinstance(key, str):
+            return self._columns[key]
+        if isinstance(key, slice):
+            view = object.__new__(Records)
+            view._columns = {name: values[key] for name, values in self._columns.items()}
+            view.dtype = self.dtype
+            return view
+        rows = self._fill(self._columns, np.asarray(key))
+        return rows if rows.ndim else rows[()]
+
+    def __iter__(self):
+        return (self[index] for index in range(len(self)))
+
+    def __array__(self, dtype=None, copy=None):
+        return self.to_structured() if dtype is None else self.to_structured().astype(dtype)
+
+    def to_structured(self, names=None):
+        """One structured array of all, or some, columns; a copy."""
+        for name in names or ():
+            if name not in self._columns:
+                raise KeyError(f"there is no field {name}; there are: {', '.join(self._columns)}")
+        chosen = {name: self._columns[name] for name in names or self._columns}
+        return self._fill(chosen, slice(None))
+
+    @staticmethod
+    def _fill(columns, rows):
+        taken = {name: values[rows] for name, values in columns.items()}
+        kinds = [(name, columns[name].dtype, columns[name].shape[1:]) for name in columns]
+        count = (
+            np.shape(next(iter(taken.values())))[:1]
+            if np.ndim(rows) or isinstance(rows, slice)
+            else ()
+        )
+        table = np.empty(count, dtype=kinds)
+        for name, values in taken.items():
+            table[name] = values
+        return table
+
+    def __repr__(self):
+        return f"Records({len(self):,} rows: {', '.join(self._columns)})"
+
+
+def _ids(values):
+    return numpy_to_vtk(values, 1, vtkIdTypeArray().GetDataType())
+
+
+def _width(values):
+    return f" x {values.shape[1]}" if values.ndim == 2 else ""
+
+
+def _extent(values):
+    return f"{values.min():.6g} to {values.max():.6g}" if values.size else ""

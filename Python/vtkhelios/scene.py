@@ -1,0 +1,186 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scenes made of arrays.
+
+>>> scene = vtkhelios.Scene(points, triangles, reflectance=0.4)
+"""
+
+import importlib
+import os
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from ._pipeline import MessageLog, conclude, update
+
+__all__ = ["Scene"]
+
+
+class Scene:
+    """Triangles to scan: ``scene.polydata`` is a vtkPolyData with materials, ready for a pipeline.
+
+    points
+        the vertices [m], n x 3; or a vtkPolyData of triangles, which is taken as it is,
+        or an algorithm that makes one.
+    triangles
+        three indices of vertices each, m x 3; the order does not matter to the scanner.
+    reflectance
+        [0, 1], one number, or one a triangle. Default: 0.5.
+    ground
+        whether the triangles are ground that a tripod is put on: true or false, or one
+        a triangle. Without any ground everything is.
+    """
+
+    def __init__(self, points, triangles=None, reflectance=None, ground=False):
+        self._saved = None
+        if triangles is None:
+            self.polydata = _data_of(points)
+            if reflectance is None and ground is False:
+                return
+            count = self.polydata.GetNumberOfCells()
+        else:
+            self.polydata = _make_mesh(points, triangles)
+            count = len(triangles)
+        _add_materials(self.polydata, count, reflectance, ground)
+
+    @property
+    def points(self):
+        """The vertices [m], n x 3, without a copy."""
+        return vtk_to_numpy(self.polydata.GetPoints().GetData())
+
+    @property
+    def triangles(self):
+        """The indices of vertices, m x 3, without a copy."""
+        return vtk_to_numpy(self.polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+    @property
+    def bounds(self):
+        """The box: (lowest x, y, z), (highest x, y, z) [m]."""
+        return self.points.min(axis=0), self.points.max(axis=0)
+
+    def __len__(self):
+        return self.polydata.GetNumberOfCells()
+
+    def __add__(self, other):
+        """Both scenes as one."""
+        composer = _class("vtkHeliosSceneComposer")()
+        composer.AddInputDataObject(0, self.polydata)
+        composer.AddInputDataObject(0, Scene(other).polydata)
+        joined = vtkPolyData()
+        joined.ShallowCopy(update(composer))
+        return Scene(joined)
+
+    def write(self, path):
+        """Writes an OBJ file, and the materials beside it, from which the same scene is read."""
+        writer = _class("vtkHeliosObjSceneWriter")()
+        writer.SetFileName(os.fspath(path))
+        writer.SetInputDataObject(self.polydata)
+        with MessageLog() as log:
+            log.watch(writer)
+            writer.Write()
+        conclude(log)
+
+    def save_for_surveys(self):
+        """The OBJ file of the scene as it is, in a temporary folder that goes with the Scene."""
+        if self._saved is None or self._saved[1] != self.polydata.GetMTime():
+            import tempfile
+
+            folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
+            self.write(pathlib.Path(folder.name) / "scene.obj")
+            self._saved = folder, self.polydata.GetMTime()
+        return pathlib.Path(self._saved[0].name) / "scene.obj"
+
+    def __repr__(self):
+        if not len(self):
+            return "Scene(no triangles)"
+        low, high = self.bounds
+        box = ", ".join(f"{a:.6g} to {b:.6g}" for a, b in zip(low, high))
+        return f"Scene({len(self):,} triangles, {box} m)"
+
+
+def _data_of(source):
+    data = getattr(source, "polydata", source)
+    if hasattr(data, "GetOutputPort"):
+        data = update(data)
+    if not (hasattr(data, "IsA") and data.IsA("vtkPolyData")):
+        kind = type(source).__name__
+        raise TypeError(
+            f"a Scene is made of points and triangles, or of a vtkPolyData, not of {kind}"
+        )
+    return data
+
+
+def _make_mesh(points, triangles):
+    points = np.ascontiguousarray(points, dtype=np.float64)
+    triangles = np.asarray(triangles)
+    for name, array in (("points", points), ("triangles", triangles)):
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"{name} has the shape {array.shape}; give an array of (n, 3)")
+    if triangles.dtype.kind not in "iu":
+        raise TypeError(f"triangles is of {triangles.dtype}; give whole numbers, indices of points")
+    if not np.isfinite(points).all():
+        raise ValueError("points has NaN or infinity; give finite coordinates")
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(points):
+        raise ValueError(
+            f"triangles has indices from {triangles.min()} to {triangles.max()}; "
+            f"the points are 0 to {len(points) - 1}"
+        )
+    mesh, holder, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    holder.SetDataType(VTK_DOUBLE)
+    holder.SetData(numpy_to_vtk(points))
+    mesh.SetPoints(holder)
+    corners = np.ascontiguousarray(triangles, dtype=np.int64).reshape(-1)
+    offsets = np.arange(0, len(corners) + 1, 3, dtype=np.int64)
+    id_type = vtkIdTypeArray().GetDataType()
+    # Copies: the cells take the memory of these arrays, and not the arrays.
+    cells.SetData(numpy_to_vtk(offsets, 1, id_type), numpy_to_vtk(corners, 1, id_type))
+    mesh.SetPolys(cells)
+    return mesh
+
+
+def _add_materials(mesh, count, reflectance, ground):
+    """A material for every pair of reflectance and ground that there is."""
+    reflectance = _for_each("reflectance", 0.5 if reflectance is None else reflectance, count)
+    if reflectance.size and not (reflectance.min() >= 0 and reflectance.max() <= 1):
+        worst = reflectance[~((reflectance >= 0) & (reflectance <= 1))][0]
+        raise ValueError(f"reflectance is {worst:g}; its valid range is [0, 1]")
+    ground = _for_each("ground", ground, count)
+    pairs, ids = np.unique(np.stack([reflectance, ground]), axis=1, return_inverse=True)
+    names, spectra = vtkStringArray(), vtkStringArray()
+    for index in range(pairs.shape[1]):
+        names.InsertNextValue(f"material{index}")
+        spectra.InsertNextValue("")
+    is_ground = pairs[1].astype(np.int32)
+    columns = {
+        "Material.Name": names,
+        "Material.Reflectance": numpy_to_vtk(pairs[0], deep=1),
+        "Material.Specularity": numpy_to_vtk(0.0 * pairs[0], deep=1),
+        "Material.SpecularExponent": numpy_to_vtk(0.0 * pairs[0] + 10, deep=1),
+        "Material.Classification": numpy_to_vtk(2 * is_ground, deep=1),
+        "Material.IsGround": numpy_to_vtk(is_ground, deep=1),
+        "Material.Spectrum": spectra,
+    }
+    for name, column in columns.items():
+        column.SetName(name)
+        mesh.GetFieldData().AddArray(column)
+    material_ids = numpy_to_vtk(ids.reshape(-1).astype(np.int32), deep=1)
+    material_ids.SetName("MaterialIds")
+    mesh.GetCellData().AddArray(material_ids)
+
+
+def _for_each(name, values, count):
+    values = np.asarray(values, dtype=np.float64)
+    if values.ndim == 0:
+        return np.full(count, values)
+    if values.shape != (count,):
+        raise ValueError(
+            f"{name} has the shape {values.shape}; give one number, or {count} of them"
+        )
+    return values
+
+
+def _class(name):
+    return getattr(importlib.import_module(__package__), name)

@@ -1,0 +1,362 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surveys: read from a file or made by hand, run in memory, block by block, or to files.
+
+>>> survey = vtkhelios.read_survey("survey.xml")
+>>> cloud = survey.run(progress=True)
+"""
+
+import importlib
+import json
+import os
+import pathlib
+import threading
+import typing
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+
+from . import _native
+from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
+from ._properties import set_properties
+from ._watching import Progress
+from .cloud import Cloud
+
+__all__ = ["Leg", "Survey", "read_survey"]
+
+# What a run may be told, and the property of vtkHeliosSurveySource (or Player) that it is.
+_OPTIONS = {
+    "seed": "seed",
+    "noise": "noise",
+    "tolerance": "range_tolerance",
+    "energy_tolerance": "energy_tolerance",
+    "sub_rays": "number_of_sub_rays",
+    "detector": "echo_detector",
+    "ray_caster": "ray_caster",
+    "play": "play",
+}
+_OUTPUTS = {
+    "waveforms": "generate_waveforms",
+    "pulses": "generate_pulses",
+    "hits": "generate_sub_rays",
+    "truth": "generate_truth",
+}
+
+
+def read_survey(path, assets=()):
+    """Reads a survey (HELIOS XML); raises PipelineError with every fault, at file:line.
+
+    Names of files are looked up in the folders of assets, beside the survey, in the
+    working directory, and in what comes with vtkHelios.
+    """
+    from .cli._reading import make_reader, missing_folder
+
+    assets = [assets] if isinstance(assets, (str, os.PathLike)) else assets
+    assets = [os.fspath(folder) for folder in assets]
+    if problem := missing_folder(assets):
+        raise FileNotFoundError(problem.replace("--assets", "assets:"))
+    reader = make_reader(os.fspath(path), assets)
+    with MessageLog() as log:
+        log.watch(reader)
+        reader.Read()
+    conclude(log)
+    return Survey(reader.GetSurvey(), os.fspath(path))
+
+
+class Leg(typing.NamedTuple):
+    """A leg as its survey has it."""
+
+    index: int
+    position: tuple  # [m]; z is not yet on the ground where on_ground
+    on_ground: bool
+    active: bool
+    pulse_frequency: float  # [Hz]
+    scan_frequency: float  # [Hz]
+
+
+class Survey:
+    """A survey that can be run: ``survey.vtk`` is the vtkHeliosSurvey.
+
+    The scene and the tree that rays go through are made by the first run and kept for
+    those that follow.
+    """
+
+    def __init__(self, vtk_survey, path=None):
+        self.vtk, self.path = vtk_survey, path
+        self._source = None
+        self._lock = threading.RLock()
+
+    @property
+    def name(self):
+        return self.vtk.GetName()
+
+    @property
+    def legs(self):
+        """All legs, the inactive ones included."""
+        return [self._leg(index) for index in range(self.vtk.GetNumberOfLegs())]
+
+    def _leg(self, index):
+        position = [0.0, 0.0, 0.0]
+        self.vtk.GetLegPosition(index, position)
+        return Leg(
+            index,
+            tuple(position),
+            self.vtk.IsLegOnGround(index),
+            self.vtk.IsLegActive(index),
+            self.vtk.GetLegPulseFrequency(index),
+            self.vtk.GetLegScanFrequency(index),
+        )
+
+    @property
+    def scene(self):
+        """The scene as one mesh (vtkPolyData); loads it."""
+        return self._load().GetScene()
+
+    @property
+    def number_of_pulses(self):
+        """The pulses of all legs; loads the scene."""
+        return self._load().GetNumberOfPulses()
+
+    def leg_pulses(self, leg):
+        """The pulse ids (first, last + 1) of a leg; loads the scene."""
+        self._check_leg(leg)
+        ids = [0, 0]
+        self._load().GetLegPulses(leg, ids)
+        return tuple(ids)
+
+    def trajectory(self, leg, interval=0.1):
+        """The way of a leg, a sample every interval [s] and at both ends; loads the scene.
+
+        A Cloud of the platform's positions with GpsTime [s] and Orientation (quaternion w,
+        x, y, z); of a platform that stands one point.
+        """
+        if not interval >= 0:
+            raise ValueError(f"interval is {interval!r}; give seconds, 0 for both ends only")
+        first, last = self.leg_pulses(leg)
+        if first == last:
+            raise ValueError(f"leg {leg} fires no pulses and has no trajectory of its own")
+        return Cloud(_native.trajectory(self._load(), leg, interval))
+
+    def source(self, **options):
+        """The survey as a source of a pipeline (vtkHeliosSurveySource), with the options of run()."""
+        source = _class("vtkHeliosSurveySource")(survey=self.vtk)
+        set_properties(source, _translate(options, {**_OPTIONS, **_OUTPUTS}))
+        return source
+
+    def __rshift__(self, right):
+        return self.source() >> right
+
+    def run(self, progress=None, legs=None, **options):
+        """Runs the survey in memory and returns its echoes as a Cloud.
+
+        progress
+            True for a line on standard error, or a function of the share done (0 to 1).
+            What the function raises ends the run, and so does Ctrl-C.
+        legs
+            the index of a leg, or several; None: all.
+        waveforms, pulses, hits, truth
+            True: they come, too, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
+            ``cloud.sub_rays``, and as the arrays TruePoint and Normal.
+        seed
+            the key of all random numbers: the survey's, else 0.
+        noise
+            False: exact ranges.
+        tolerance, energy_tolerance
+            how far sampling of the beam may put a range off [m], an amplitude (share):
+            the survey's, else 0.001 and 0.01.
+        sub_rays
+            always that many instead.
+        detector
+            "peak", "gaussian", "cfd" or "leadingEdge".
+        ray_caster
+            by name: "beam", "embree", "bvh" ...
+        play
+            which play, of a survey whose scene swaps parts.
+
+        Raises PipelineError with what any filter says.
+        """
+        with Progress(progress) as watched:
+            clouds = []
+            windows = self._windows(legs)
+            for number, window in enumerate(windows):
+                watched.begin, watched.end = number / len(windows), (number + 1) / len(windows)
+                clouds.append(self._run_window(options, window, watched))
+        return clouds[0] if len(clouds) == 1 else _join(clouds)
+
+    def blocks(self, pulses=1_000_000, progress=None, legs=None, **options):
+        """The echoes as Clouds of that many pulses each, one after the other: memory holds one.
+
+        Options are those of run(); the blocks in order are what it returns.
+        """
+        if pulses != int(pulses) or pulses < 1:
+            raise ValueError(f"pulses is {pulses!r}; give a whole number of 1 or more")
+        total = self._load(options).GetNumberOfPulses()
+        windows = [
+            (begin, min(begin + int(pulses), last))
+            for first, last in self._windows(legs)
+            for begin in range(first, min(last, total), int(pulses))
+        ]
+        with Progress(progress) as watched:
+            for first, last in windows:
+                watched.begin, watched.end = first / total, last / total
+                yield self._run_window(options, (first, last), watched)
+
+    def run_to(self, folder, format="xyz", progress=None, **options):
+        """Runs the survey and writes a folder named as the survey below that folder; returns a report.
+
+        format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
+        sub_rays, detector, ray_caster and play as run() has them; waveforms, pulses,
+        split_by_channel, overwrite, resume, pulses_per_block as vtkHeliosSurveyPlayer
+        has them. Memory holds a block of pulses at a time. The report (a dictionary) is
+        that of run_summary.json, and has the "folder".
+        """
+        player = _class("vtkHeliosSurveyPlayer")(
+            survey=self.vtk, output_directory=os.fspath(folder), format=format
+        )
+        known = {**_OPTIONS, "waveforms": "write_waveforms", "pulses": "write_pulses"}
+        for name in ("split_by_channel", "overwrite", "resume", "pulses_per_block"):
+            known[name] = name
+        set_properties(player, _translate(options, known))
+        with MessageLog() as log, Progress(progress) as watched:
+            log.watch(player)
+            succeeded, _ = _native.run(player, 0, [player], watched.callback, SECONDS_BETWEEN_SIGNS)
+        conclude(log)
+        if not succeeded:
+            raise PipelineError([player.GetMessage()])
+        return {**json.loads(player.GetReport()), "folder": pathlib.Path(player.GetRunFolder())}
+
+    def _prepare(self, options):
+        """The source that is kept, with the options, and all others as they are by themselves."""
+        values = _translate(options, {**_OPTIONS, **_OUTPUTS})
+        if self._source is None:
+            self._source = self.source()
+        fresh = _class("vtkHeliosSurveySource")()
+        for name in {**_OPTIONS, **_OUTPUTS}.values():
+            value = values.get(name, getattr(fresh, name))
+            if getattr(self._source, name) != value:
+                setattr(self._source, name, value)
+        return self._source
+
+    def _load(self, options=None):
+        """The source, loaded, with the options, or with those that it has."""
+        with self._lock:
+            keeps = options is None and self._source is not None
+            source = self._source if keeps else self._prepare(options or {})
+            if not source.GetNumberOfPulses():
+                self._run_source(source, LOAD, None)
+            return source
+
+    def _check_leg(self, leg):
+        count = self.vtk.GetNumberOfLegs()
+        if not (isinstance(leg, int) and 0 <= leg < count):
+            raise ValueError(f"there is no leg {leg!r}; legs are 0 to {count - 1}")
+
+    def _windows(self, legs):
+        """The runs of pulse ids of legs; those that follow each other as one."""
+        if legs is None:
+            return [(0, _ALL)]
+        windows = []
+        for leg in [legs] if isinstance(legs, int) else sorted(set(legs)):
+            first, last = self.leg_pulses(leg)
+            if first == last:
+                raise ValueError(f"leg {leg} fires no pulses; leave it out of legs")
+            if windows and windows[-1][1] == first:
+                windows[-1] = (windows[-1][0], last)
+            else:
+                windows.append((first, last))
+        if not windows:
+            raise ValueError("legs is empty; give the index of a leg, or None for all")
+        return windows
+
+    def _run_window(self, options, window, progress):
+        with self._lock:  # threads that run the same survey take turns
+            source = self._prepare(options)
+            source.SetPulseWindow(*window)
+            self._run_source(source, 0, progress.callback)
+            return _take(source)
+
+    def _run_source(self, source, what, callback):
+        with MessageLog() as log:
+            log.watch(source)
+            log.watch(source.GetExecutive())
+            _native.run(source, what, [source], callback, SECONDS_BETWEEN_SIGNS)
+        conclude(log, stacklevel=5)
+
+    def __repr__(self):
+        legs = self.legs
+        active = sum(leg.active for leg in legs)
+        return (
+            f"Survey({self.name!r}: {self.vtk.GetScannerName()} on {self.vtk.GetPlatformName()}, "
+            f"{len(legs)} legs, {active} active, scene {self.vtk.GetSceneName()!r})"
+        )
+
+    def _repr_html_(self):
+        import html
+
+        head = "<tr><th>leg</th><th>x, y, z [m]</th><th>pulses/s</th><th>lines/s</th></tr>"
+        rows = [
+            f"<tr><td>{leg.index}</td><td>{', '.join(f'{x:g}' for x in leg.position)}"
+            f"{' on the ground' if leg.on_ground else ''}</td>"
+            + (
+                f"<td>{leg.pulse_frequency:,.0f}</td><td>{leg.scan_frequency:g}</td></tr>"
+                if leg.active
+                else "<td colspan=2>not active</td></tr>"
+            )
+            for leg in self.legs
+        ]
+        return f"{html.escape(repr(self))}<table>{head}{''.join(rows)}</table>"
+
+
+LOAD = -1  # for _native.run(): load a survey, and no more
+_ALL = 2**62
+
+
+def check_options(options, wrong="no option"):
+    """Raises TypeError for an option that Survey.run() does not have."""
+    _translate(options, {**_OPTIONS, **_OUTPUTS, "progress": "", "legs": ""}, wrong)
+
+
+def _translate(options, known, wrong="no option"):
+    """Options as properties; raises TypeError for one that there is not."""
+    for name in options:
+        if name not in known:
+            raise TypeError(f"{name} is {wrong}; options are: {', '.join(known)}")
+    given = {name: value for name, value in options.items() if value is not None}
+    if given.get("sub_rays") and (given.get("tolerance") or given.get("energy_tolerance")):
+        raise ValueError(
+            "sub_rays is always that many, and a tolerance chooses how many: give one of them"
+        )
+    return {known[name]: value for name, value in given.items()}
+
+
+def _take(source):
+    """The outputs of a source as a Cloud; the source forgets them."""
+    taken = []
+    for port in range(source.GetNumberOfOutputPorts()):
+        output = source.GetOutputDataObject(port)
+        copy = vtkTable() if output.IsA("vtkTable") else vtkPolyData()
+        copy.ShallowCopy(output)
+        output.ReleaseData()
+        taken.append(copy)
+    return Cloud(
+        taken[0],
+        taken[1] if source.GetGenerateWaveforms() else None,
+        Cloud(taken[2]) if source.GetGeneratePulses() else None,
+        Cloud(taken[3]) if source.GetGenerateSubRays() else None,
+    )
+
+
+def _join(clouds):
+    """Clouds of legs that do not follow each other, as one."""
+    from ._join import join_clouds, join_tables
+
+    joined = join_clouds(clouds)
+    if clouds[0].waveforms is not None:
+        joined.waveforms = join_tables([cloud.waveforms for cloud in clouds])
+    for name in ("pulses", "sub_rays"):
+        if getattr(clouds[0], name) is not None:
+            setattr(joined, name, join_clouds([getattr(cloud, name) for cloud in clouds]))
+    return joined
+
+
+def _class(name):
+    return getattr(importlib.import_module(__package__), name)
