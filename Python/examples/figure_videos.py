@@ -5,7 +5,7 @@
     build/venv/bin/python Python/examples/figure_videos.py OUT [SECONDS]
 
 A multicopter, an aeroplane, a tripod and a car scan the village; the viewer films each for SECONDS (default: 8) with
-the camera that suits it, and takes a still of it half way. OUT gets village_*.ogv and village_*.png.
+the camera that suits it, and takes a still of the end. OUT gets village_*.ogv and village_*.png.
 Without a display it draws on one of its own (xvfb-run).
 """
 
@@ -17,36 +17,35 @@ import sys
 import vtkhelios
 from vtkhelios.cli import view
 
-# Survey, when its still is taken [share of its time is half], camera, colours.
+# Survey, camera, colours.
 FILMS = [
     ("village_uls", "follow", "height"),
     ("village_als", "free", "height"),
     ("village_tls", "orbit", "amplitude"),
     ("village_mls", "follow", "incidence"),
 ]
-SIZE = "960x600"
 
 
 def make_scene(folder):
     """The village, unless it is there."""
     if not (folder / "village_scene.xml").exists():
+        folder.mkdir(parents=True, exist_ok=True)
         maker = vtkhelios.data_directory() / "Scenes" / "make_village.py"
         subprocess.run([sys.executable, maker, folder], check=True)
+    return folder
 
 
-def show(survey, scene, *arguments):
-    """Runs the viewer on a survey."""
-    path = vtkhelios.data_directory() / "Surveys" / f"{survey}.xml"
-    words = [str(path), "--assets", str(scene), "--offscreen", "--size", SIZE, *arguments]
+def show(survey, *arguments):
+    """Runs the viewer on a survey, without a window."""
+    words = [str(survey), "--offscreen", *map(str, arguments)]
     subprocess.run(view.command(view.find_viewer(), words, os.environ), check=True)
 
 
-def film(survey, camera, colors, scene, out, seconds):
-    look = ["--camera", camera, "--color-by", colors]
-    video = out / f"{survey}.ogv"
-    show(survey, scene, *look, "--record", str(video), "--seconds", f"{seconds:g}")
-    show(survey, scene, *look, "--still", str(out / f"{survey}.png"))
-    return video
+def film(survey, out, seconds, *look):
+    """A film of a survey from its start to its end, and a still of all of it; their paths."""
+    video, still = (out / f"{survey.stem}{ending}" for ending in (".ogv", ".png"))
+    show(survey, *look, "--record", video, "--seconds", seconds, "--still", still)
+    return video, still
 
 
 def main(arguments):
@@ -55,11 +54,11 @@ def main(arguments):
         return 2
     out = pathlib.Path(arguments[0])
     seconds = float(arguments[1]) if len(arguments) == 2 else 8.0
-    scene = out / "scene"
-    scene.mkdir(parents=True, exist_ok=True)
-    make_scene(scene)
-    for survey, camera, colors in FILMS:
-        print(film(survey, camera, colors, scene, out, seconds))
+    scene = make_scene(out / "scene")
+    for name, camera, colors in FILMS:
+        survey = vtkhelios.data_directory() / "Surveys" / f"{name}.xml"
+        look = ["--assets", scene, "--size", "960x600", "--camera", camera, "--color-by", colors]
+        print(*film(survey, out, seconds, *look), sep="\n")
     return 0
 
 

@@ -7,6 +7,7 @@ import importlib.util
 import json
 import pathlib
 import re
+import shutil
 
 import numpy as np
 import pytest
@@ -91,6 +92,18 @@ def run_notebook(path):
             value = eval(compile(ast.Expression(shown), tree_name, "eval"), namespace)
             assert repr(value) and getattr(value, "_repr_html_", lambda: "-")()
     return namespace
+
+
+def test_figure_videos(make_survey, tmp_path):
+    from vtkhelios.cli import view
+
+    if view.find_viewer() is None or not shutil.which("xvfb-run"):
+        pytest.skip("the viewer or xvfb-run is missing")
+    survey = make_survey(speed=600)  # the village takes minutes
+    look = ["--size", "160x120", "--camera", "orbit"]
+    video, still = load("figure_videos").film(survey, tmp_path, 0.08, *look)
+    assert video.read_bytes()[:4] == b"OggS"
+    assert still.read_bytes()[1:4] == b"PNG"
 
 
 def test_every_example_is_tested():
