@@ -1,0 +1,259 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""LAS and LAZ as records: bytes that are copied as they are, so that nothing is lost."""
+
+import logging
+import os
+import pathlib
+import struct
+
+import numpy as np
+
+from ._base import ROWS, FormatError, need
+
+WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
+LASZIP = (b"laszip encoded", 22204)
+HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
+INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: where packets are
+
+
+class RecordReader:
+    """The header of a file as laspy knows it, its head as bytes, and its points as records."""
+
+    def __init__(self, path):
+        self.path = str(path)
+        laspy = need("laspy", "LAS and LAZ files")
+        logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
+        self._size = os.path.getsize(self.path)
+        try:
+            self._reader = laspy.open(self.path, read_evlrs=False)
+            self.header = self._reader.header
+            self._take_head()
+        except FormatError:
+            raise
+        except Exception as error:  # whatever laspy raises for bytes that cannot be
+            self.fail(f"is no LAS or LAZ file, or its header is damaged: {error}; write it again")
+        if self.header.are_points_compressed:
+            need("lazrs", "LAZ files")
+        self._check_size()
+
+    def fail(self, problem):
+        raise FormatError(f"{self.path}: {problem}")
+
+    def _take_head(self):
+        with open(self.path, "rb") as file:
+            start = file.read(375)
+            self.minor = start[25]
+            self.encoding = struct.unpack_from("<H", start, 6)[0]
+            self.date = start[90:94]
+            header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
+            file.seek(header_size)
+            self.records = list(_split(file.read(self._points_begin - header_size), count))
+            self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
+            self.extended = self._find_extended(file, start) if self.minor >= 4 else []
+
+    def _find_extended(self, file, start):
+        """The extended records: user, id, place, size with the head."""
+        place, count = struct.unpack_from("<QI", start, 235)
+        found = []
+        for _ in range(count):
+            file.seek(place)
+            head = file.read(EXTENDED_HEAD)
+            if len(head) < EXTENDED_HEAD:
+                self.fail(f"is cut off: an extended record at byte {place} is missing; copy it again")
+            size = EXTENDED_HEAD + struct.unpack_from("<Q", head, 20)[0]
+            if place + size > self._size:
+                self.fail(
+                    f"is cut off: it has {self._size} bytes, and an extended record ends after "
+                    f"{place + size}; copy it again"
+                )
+            user = head[2:18].split(b"\0")[0]
+            found.append((user, struct.unpack_from("<H", head, 18)[0], place, size))
+            place += size
+        return found
+
+    def _check_size(self):
+        header = self.header
+        if header.are_points_compressed:
+            return
+        room = (self._size - self._points_begin) // header.point_format.size
+        if header.point_count > room:
+            self.fail(
+                f"is cut off: it has {max(0, room)} whole points of the {header.point_count} that "
+                "its header counts; copy it again"
+            )
+
+    def packets(self):
+        """Where the waveform packets are: file, place, size with a head of 60 bytes; or None."""
+        if not self.header.point_format.has_waveform_packet:
+            return None
+        for user, number, place, size in self.extended:
+            if (user, number) == WAVES:
+                return self.path, place, size
+        if self.encoding & INTERNAL and self._waves_begin:
+            return self.path, self._waves_begin, self._size - self._waves_begin
+        beside = pathlib.Path(self.path).with_suffix(".wdp")
+        if not beside.is_file():
+            self.fail(f"its waveforms should be in {beside}, which is missing; keep it beside")
+        return str(beside), 0, beside.stat().st_size
+
+    def chunks(self, rows=ROWS):
+        """Yields the points as structured arrays."""
+        total, done = self.header.point_count, 0
+        while done < total:
+            count = min(rows, total - done)
+            try:
+                records = self._reader.read_points(count).array
+            except Exception as error:  # of lazrs
+                self.fail(
+                    f"points {done} to {done + count} of {total} cannot be read: {error}; the file "
+                    "is cut off or damaged, copy it again"
+                )
+            if len(records) != count:
+                self.fail(f"ends after {done + len(records)} of {total} points; copy it again")
+            done += count
+            yield records
+
+    def close(self):
+        self._reader.close()
+
+
+def _split(data, count):
+    """The variable length records of a head: (user, id), bytes."""
+    at = 0
+    for _ in range(count):
+        size = HEAD + struct.unpack_from("<H", data, at + 20)[0]
+        user = data[at + 2 : at + 18].split(b"\0")[0]
+        yield (user, struct.unpack_from("<H", data, at + 18)[0]), data[at : at + size]
+        at += size
+
+
+class RecordWriter:
+    """Points as records, with the head of the file that they come from."""
+
+    def __init__(self, file, reader, compress):
+        import laspy
+
+        self.file = file
+        self._model = reader
+        self._ranges = []  # of waveform packets
+        if compress:
+            need("lazrs", "LAZ files")
+        self._writer = laspy.LasWriter(
+            file, reader.header, do_compress=compress, closefd=False
+        )
+        self._laspy = laspy
+
+    def write(self, records):
+        form = self._writer.header.point_format
+        self._writer.write_points(self._laspy.PackedPointRecord(records, form))
+
+    def shift(self, records, reader):
+        """Brings coordinates to the offset of this file; False where they do not fit in exactly."""
+        ours, theirs = self._model.header, reader.header
+        steps = (theirs.offsets - ours.offsets) / ours.scales
+        whole = np.rint(steps)
+        if np.abs(steps - whole).max() > 1e-4:
+            return False
+        for name, step in zip("XYZ", whole.astype(np.int64)):
+            moved = records[name].astype(np.int64) + step
+            if len(moved) and max(abs(moved.min()), abs(moved.max())) >= 2**31:
+                return False
+            records[name] = moved
+        return True
+
+    def add_packets(self, packets):
+        """Takes the packets of a file along; what their places in points grow by."""
+        before = sum(size - EXTENDED_HEAD for _, _, size in self._ranges)
+        self._ranges.append(packets)
+        return before
+
+    def close(self, internal=True, beside=None, bare=False):
+        """Ends the file; the packets go into it, or into another one that is open. Bare: without
+        extended records."""
+        self._writer.close()
+        self._restore_head()
+        if bare:
+            return
+        others = [
+            (self._model.path, place, size)
+            for user, number, place, size in self._model.extended
+            if (user, number) != WAVES
+        ]
+        if self._model.minor >= 4 or self._ranges:
+            self._append(others, internal, beside)
+
+    def _restore_head(self):
+        """The day and the records as they were, to the byte."""
+        self.file.seek(90)
+        self.file.write(self._model.date)
+        kept = b"".join(data for key, data in self._model.records if key != LASZIP)
+        place = self._header_size()
+        self.file.seek(place)
+        ours = self.file.read(len(kept))
+        if len(ours) == len(kept):
+            self.file.seek(place)
+            self.file.write(kept)
+
+    def _header_size(self):
+        self.file.seek(94)
+        return struct.unpack("<H", self.file.read(2))[0]
+
+    def _append(self, others, internal, beside):
+        self.file.seek(0, os.SEEK_END)
+        first, count, waves = self.file.tell(), len(others), 0
+        for path, place, size in others:
+            _copy(path, place, size, self.file)
+        if self._ranges and internal:
+            waves, count = self.file.tell(), count + 1
+            self._write_packets(self.file)
+        elif self._ranges:
+            self._write_packets(beside)
+        self._patch("<Q", 227, waves)
+        if self._model.minor >= 4:
+            self._patch("<QI", 235, first if count else 0, count)
+        bits = (INTERNAL if internal else EXTERNAL) if self._ranges else 0
+        self._patch("<H", 6, self._model.encoding & ~(INTERNAL | EXTERNAL) | bits)
+
+    def _write_packets(self, file):
+        path, place, _ = self._ranges[0]
+        start = file.tell()
+        _copy(path, place, EXTENDED_HEAD, file)
+        for path, place, size in self._ranges:
+            _copy(path, place + EXTENDED_HEAD, size - EXTENDED_HEAD, file)
+        end = file.tell()
+        file.seek(start + 20)
+        file.write(struct.pack("<Q", end - start - EXTENDED_HEAD))
+        file.seek(end)
+
+    def _patch(self, form, place, *values):
+        self.file.seek(place)
+        self.file.write(struct.pack(form, *values))
+
+
+def _copy(path, place, size, file, block=1 << 24):
+    """Copies bytes of a file to the end of another one."""
+    with open(path, "rb") as source:
+        source.seek(place)
+        while size > 0:
+            data = source.read(min(block, size))
+            if not data:
+                raise FormatError(f"{path}: is cut off; copy it again")
+            file.write(data)
+            size -= len(data)
+
+
+def same_form(one, other):
+    """Why the records of two files do not fit into one, or an empty text."""
+    ours, theirs = one.header, other.header
+    if ours.point_format != theirs.point_format or ours.version != theirs.version:
+        return "other point formats or Extra Bytes"
+    if not np.array_equal(ours.scales, theirs.scales):
+        return "other scales"
+    if (one.encoding ^ other.encoding) & ~(INTERNAL | EXTERNAL):
+        return "another kind of GPS time"
+    kept = [[data for key, data in each.records if key != LASZIP] for each in (one, other)]
+    if kept[0] != kept[1]:
+        return "other header records"
+    return ""
+
