@@ -22,6 +22,7 @@ import importlib
 import pathlib
 
 from ._base import Chunk, FormatError, Header, Reader, Scan, Writer
+from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
 __all__ += ["FORMATS", "ending", "open_reader", "open_writer"]
@@ -56,7 +57,9 @@ def _find(path, index):
 
 
 def open_reader(path):
-    """The reader of a file."""
+    """The reader of a file, or of the folder of a run."""
+    if is_run(path):
+        return RunReader(path)
     kind = _find(path, 1)
     if not pathlib.Path(path).is_file():
         raise FormatError(f"{path}: no such file; check its name")

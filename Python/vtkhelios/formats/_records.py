@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LAS and LAZ as records: bytes that are copied as they are, so that nothing is lost."""
 
+import copy
 import logging
 import os
 import pathlib
@@ -12,7 +13,7 @@ import numpy as np
 from ._base import ROWS, FormatError, need
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
-LASZIP = (b"laszip encoded", 22204)
+NOT_KEPT = (b"laszip encoded", b"copc")  # users of records that say how points are compressed
 HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
 INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: where packets are
 
@@ -27,7 +28,10 @@ class RecordReader:
         self._size = os.path.getsize(self.path)
         try:
             self._reader = laspy.open(self.path, read_evlrs=False)
-            self.header = self._reader.header
+            self.header = copy.deepcopy(self._reader.header)
+            self.header.vlrs = [
+                each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
+            ]
             self._take_head()
         except FormatError:
             raise
@@ -48,7 +52,8 @@ class RecordReader:
             self.date = start[90:94]
             header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
             file.seek(header_size)
-            self.records = list(_split(file.read(self._points_begin - header_size), count))
+            data = file.read(self._points_begin - header_size)
+            self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
             self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
             self.extended = self._find_extended(file, start) if self.minor >= 4 else []
 
@@ -68,7 +73,8 @@ class RecordReader:
                     f"{place + size}; copy it again"
                 )
             user = head[2:18].split(b"\0")[0]
-            found.append((user, struct.unpack_from("<H", head, 18)[0], place, size))
+            if user not in NOT_KEPT:
+                found.append((user, struct.unpack_from("<H", head, 18)[0], place, size))
             place += size
         return found
 
@@ -119,12 +125,12 @@ class RecordReader:
 
 
 def _split(data, count):
-    """The variable length records of a head: (user, id), bytes."""
+    """The variable length records of a head: user, bytes."""
     at = 0
     for _ in range(count):
         size = HEAD + struct.unpack_from("<H", data, at + 20)[0]
         user = data[at + 2 : at + 18].split(b"\0")[0]
-        yield (user, struct.unpack_from("<H", data, at + 18)[0]), data[at : at + size]
+        yield user, data[at : at + size]
         at += size
 
 
@@ -187,7 +193,7 @@ class RecordWriter:
         """The day and the records as they were, to the byte."""
         self.file.seek(90)
         self.file.write(self._model.date)
-        kept = b"".join(data for key, data in self._model.records if key != LASZIP)
+        kept = b"".join(data for _, data in self._model.records)
         place = self._header_size()
         self.file.seek(place)
         ours = self.file.read(len(kept))
@@ -252,8 +258,7 @@ def same_form(one, other):
         return "other scales"
     if (one.encoding ^ other.encoding) & ~(INTERNAL | EXTERNAL):
         return "another kind of GPS time"
-    kept = [[data for key, data in each.records if key != LASZIP] for each in (one, other)]
-    if kept[0] != kept[1]:
+    if one.records != other.records:
         return "other header records"
     return ""
 
