@@ -21,16 +21,18 @@ def is_run(path):
 
 
 class RunReader(Reader):
-    """All points of a run, leg by leg; LegIds are added where files do not have them."""
+    """All points of a run, leg by leg, or of one of its files; LegIds are added where files do not have them."""
 
     kind = "run"
 
-    def __init__(self, path):
+    def __init__(self, path, only=None):
         super().__init__(path)
         self.folder = pathlib.Path(path)
         self.summary = self._read_summary()
         names = [file["name"] for leg in self.summary["legs"] for file in leg["files"]]
-        self.files = [name for name in dict.fromkeys(names) if POINTS.fullmatch(name)]
+        self.files = [
+            name for name in dict.fromkeys(names) if POINTS.fullmatch(name) and only in (None, name)
+        ]
         if not self.files:
             self.fail("its run_summary.json names no files of points; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
@@ -38,9 +40,15 @@ class RunReader(Reader):
         self.notes = []
         self._readers = [self._open(name) for name in self.files]
         self.header = self._readers[0].header
-        counts = {leg["leg"]: leg["points"] for leg in self.summary["legs"]}
-        self.count = sum(counts.values())
+        self.count = self._count()
         self.kind = f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
+
+    def _count(self):
+        """The points of the files, as the summary has them."""
+        return sum(
+            file["records"] for leg in self.summary["legs"] for file in leg["files"]
+            if file["name"] in self.files
+        )  # fmt: skip
 
     def _read_summary(self):
         path = self.folder / "run_summary.json"
