@@ -9,7 +9,7 @@ import numpy as np
 BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#9aa3ab"  # of Okabe and Ito's palette
 WIDTH, HEIGHT = 5.6, 3.1  # of a chart [inches]
 DOTS = 144  # an inch
-COLOURS_OF_STRIPS = ["#dce9f3", "#8fbfe0", "#3d8dc4", "#0b5a94", "#06335a"]
+COLOURS_OF_STRIPS = ["#b9d3e8", "#7fb2d9", "#3d8dc4", "#0b5a94", "#06335a"]
 
 
 def load():
@@ -60,7 +60,7 @@ def density_map(raster, paths=()):
     for places in paths:
         stands = len(places) == 1 or np.ptp(places[:, :2], axis=0).max() == 0.0
         axes.plot(places[:, 0], places[:, 1], color=ORANGE, linewidth=1.2,
-                  marker="^" if stands else None, markeredgecolor="white")  # fmt: skip
+                  marker="^" if stands else None, markersize=8, markeredgecolor="white")  # fmt: skip
     west, east, south, north = raster.box
     axes.set_xlim(west, east)
     axes.set_ylim(south, north)
@@ -101,11 +101,11 @@ def _map_figure(raster):
 
 def _add_scale(figure, axes, image, label):
     """The scale of a logarithmic map."""
-    from matplotlib.ticker import LogFormatter, LogLocator
+    from matplotlib.ticker import FuncFormatter, LogLocator
 
     bar = figure.colorbar(image, ax=axes, shrink=0.8, extend="both")
     bar.locator = LogLocator(subs=(1, 2, 5))
-    bar.formatter = LogFormatter(labelOnlyBase=False, minor_thresholds=(9, 3))
+    bar.formatter = FuncFormatter(lambda value, _: f"{value:g}")
     bar.minorticks_off()
     bar.update_ticks()
     bar.set_label(label)
@@ -129,11 +129,17 @@ def _few_ticks():
     return MaxNLocator(5)
 
 
-def histogram(edges, counts, label, median=None, unit=""):
-    """Bars that touch; the median as a line."""
+def histogram(edges, counts, label, median=None, unit="", log=False):
+    """Bars that touch; the median as a line. Shares may be on a logarithmic scale."""
     figure, axes = _figure()
     total = max(1, counts.sum())
     axes.bar(edges[:-1], 100 * counts / total, np.diff(edges), align="edge", color=BLUE, linewidth=0)
+    if log:
+        from matplotlib.ticker import FuncFormatter
+
+        axes.set_yscale("log")
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.yaxis.get_minor_locator().set_params(subs=[])
     axes.set_xlabel(label)
     axes.set_ylabel("share of points [%]")
     axes.set_xlim(edges[0], edges[-1])

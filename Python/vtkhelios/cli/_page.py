@@ -34,6 +34,7 @@ td.text, th.text { text-align: left; } code { font-size: .82rem; overflow-wrap: 
 @media print { body { margin: 0; } figure, .tile { break-inside: avoid; } }
 """
 
+MOST_ECHOES = 6  # from which on pulses are one bar
 OUTER = 0.003  # share of points at either end that histograms leave out
 HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
     "range": ("Range", "range [m]", "m", ""),
@@ -43,7 +44,7 @@ HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
     ),
     "amplitude": ("Amplitude", "amplitude [dB above 1 nW]", "dB", "10 dB are ten times the power"),
     "width": ("Echo width", "full width at half maximum [ns]", "ns",
-              "wider than the pulse: slopes, and leaves in one beam"),
+              "wider than the pulse: slopes, and leaves in one beam; shares on a logarithmic scale"),
 }  # fmt: skip
 
 
@@ -140,7 +141,7 @@ def _histograms(figures):
         if key == "range" and figures.range_is_reckoned:
             note = "from the platform: text has no ranges"
         median = histogram.quantile(0.5)
-        png = _charts.histogram(*_focus(histogram), axis, median, unit)
+        png = _charts.histogram(*_focus(histogram), axis, median, unit, log=key == "width")
         shown.append(_figure(title, note, png, f"{title}: histogram, median {median:.4g} {unit}"))
     shown += _bars(figures)
     note = (
@@ -169,9 +170,11 @@ def _focus(histogram):
 def _bars(figures):
     found = []
     if figures.echoes.any():
-        numbers = [i for i in range(256) if figures.echoes[i]][:12]
-        png = _charts.bars([str(i) for i in numbers], [int(figures.echoes[i]) for i in numbers],
-                           "echoes", "share of the pulses with an echo [%]")  # fmt: skip
+        names = [str(i) for i in range(1, MOST_ECHOES)]
+        counts = [int(count) for count in figures.echoes[1:MOST_ECHOES]]
+        rest = int(figures.echoes[MOST_ECHOES:].sum())
+        png = _charts.bars([*names, f"{MOST_ECHOES} or more"], [*counts, rest], "echoes",
+                           "share of the pulses with an echo [%]")  # fmt: skip
         found.append(_figure("Echoes a pulse", "", png, "pulses by their number of echoes"))
     if figures.classes.any():
         numbers = sorted(range(256), key=lambda i: -figures.classes[i])[:12]

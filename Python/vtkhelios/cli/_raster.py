@@ -114,7 +114,7 @@ class Raster:
         total = np.zeros(self.counts.shape, np.int64)
         for plane in self._scans:
             bits = np.unpackbits(plane.view(np.uint8).reshape(*plane.shape, 8), axis=2)
-            total += bits.sum(axis=2)
+            total += bits.sum(axis=2, dtype=np.int64)
         return total
 
     def outline(self):
