@@ -140,11 +140,10 @@ class CopcWriter(FileWriter):
 
     def _open_writer(self, model, records, low, high, size):
         copc, header = self._copc, model.header
-        form = self._extra_bytes(model)
         box = [low * header.scales + header.offsets, high * header.scales + header.offsets]
         config = copc.CopcConfigWriter(
             header.point_format.id, copc.Vector3(list(header.scales)),
-            copc.Vector3(list(header.offsets)), form.wkt, form.extra_bytes_vlr,
+            copc.Vector3(list(header.offsets)), self._wkt(model), self._extra_bytes(model),
         )  # fmt: skip
         las, info = config.las_header, config.copc_info
         las.min, las.max = (copc.Vector3([float(x) for x in corner]) for corner in box)
@@ -158,16 +157,19 @@ class CopcWriter(FileWriter):
         info.spacing = size / 2**GRID
         return copc.FileWriter(self.part, config)
 
+    def _wkt(self, model):
+        found = model.header.vlrs.get("WktCoordinateSystemVlr")
+        return found[0].string.rstrip("\0") if found else ""
+
     def _extra_bytes(self, model):
-        """WKT and Extra Bytes as copclib knows them, which reads them only from a LAZ file."""
+        """Extra Bytes as copclib knows them: their names it takes from a LAZ file only."""
         import laspy
 
         path = os.path.join(tempfile.gettempdir(), f"vtkhelios-{os.getpid()}.laz")
         try:
             with laspy.open(path, "w", header=model.header, do_compress=True) as empty:
                 empty.write_points(laspy.ScaleAwarePointRecord.zeros(1, header=model.header))
-            reader = self._copc.LazReader(path)
-            return reader.laz_config
+            return self._copc.LazReader(path).laz_config.extra_bytes_vlr
         finally:
             pathlib.Path(path).unlink(missing_ok=True)
 

@@ -149,9 +149,8 @@ class E57Reader(Reader):
 class E57Writer(FileWriter):
     def __init__(self, path, header):
         super().__init__(path, header)
-        self._pye57 = need("pye57", "E57 files")
-        self._libe57 = self._pye57.libe57
-        self._file = None  # of pye57
+        self._libe57 = need("pye57", "E57 files").libe57
+        self._image = None  # of libE57Format
         self._writer = None  # of the points of a scan
         self._rows = 0  # room in the buffers
 
@@ -160,7 +159,7 @@ class E57Writer(FileWriter):
         self.scan = scan
 
     def write(self, chunk):
-        if self._file is None:
+        if self._image is None:
             self._open()
         for name in chunk:
             if name not in STANDARD:
@@ -177,10 +176,19 @@ class E57Writer(FileWriter):
     def _open(self):
         self.open_part()  # that it can be written
         self.file.close()
-        self._file = self._pye57.E57(self.part, "w")
-        if self.header.crs:
-            image = self._file.image_file
-            self._file.root.set("coordinateMetadata", self._libe57.StringNode(image, self.header.crs))
+        libe57 = self._libe57
+        self._image = image = libe57.ImageFile(self.part, "w")
+        image.extensionsAdd("", libe57.E57_V1_0_URI)
+        root = image.root()
+        root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
+        root.set("guid", libe57.StringNode(image, "{%s}" % uuid.uuid4()))
+        root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
+        root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
+        root.set("e57LibraryVersion", libe57.StringNode(image, libe57.E57_LIBRARY_ID))
+        root.set("coordinateMetadata", libe57.StringNode(image, self.header.crs))
+        self._scans = libe57.VectorNode(image, True)
+        root.set("data3D", self._scans)
+        root.set("images2D", libe57.VectorNode(image, True))
 
     def _begin_scan(self, chunk):
         scan = self.scan
@@ -190,7 +198,7 @@ class E57Writer(FileWriter):
         self._bounds = {}  # of fields: lowest, highest
         fields = self._fields({name: values[:1] for name, values in chunk.items()})
         self._node = self._make_scan(scan)
-        image, libe57 = self._file.image_file, self._libe57
+        image, libe57 = self._image, self._libe57
         prototype = libe57.StructureNode(image)
         self._buffers, vector = {}, libe57.VectorSourceDestBuffer()
         for name, values in fields.items():
@@ -203,12 +211,12 @@ class E57Writer(FileWriter):
         codecs = libe57.VectorNode(image, True)
         points = libe57.CompressedVectorNode(image, prototype, codecs)
         self._node.set("points", points)
-        self._file.data3d.append(self._node)
+        self._scans.append(self._node)
         self._bounds = {}
         self._writer = points.writer(vector)
 
     def _prototype(self, name, values):
-        libe57, image = self._libe57, self._file.image_file
+        libe57, image = self._libe57, self._image
         if values.dtype.kind == "f":
             return libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE)
         highest = {"cartesianInvalidState": 2, "rowIndex": 2**32 - 1, "columnIndex": 2**32 - 1}
@@ -261,7 +269,7 @@ class E57Writer(FileWriter):
 
     def _make_scan(self, scan):
         node = self._structure()
-        libe57, image = self._libe57, self._file.image_file
+        libe57, image = self._libe57, self._image
         node.set("guid", libe57.StringNode(image, "{%s}" % uuid.uuid4()))
         node.set("name", libe57.StringNode(image, scan.name))
         words = f"{OURS} ({vtkhelios.__version__})"
@@ -277,7 +285,7 @@ class E57Writer(FileWriter):
 
     def _structure(self, numbers=()):
         """A structure of real numbers."""
-        image = self._file.image_file
+        image = self._image
         node = self._libe57.StructureNode(image)
         for name, value in dict(numbers).items():
             node.set(name, self._libe57.FloatNode(image, float(value)))
@@ -303,7 +311,7 @@ class E57Writer(FileWriter):
         self._set_index_bounds(bounds)
 
     def _set_index_bounds(self, bounds):
-        image, node = self._file.image_file, self._structure()
+        image, node = self._image, self._structure()
         for name, field in (("row", "rowIndex"), ("column", "columnIndex"), ("return", "returnIndex")):
             for end, value in zip(("Minimum", "Maximum"), bounds.get(field, ())):
                 node.set(f"{name}{end}", self._libe57.IntegerNode(image, int(value)))
@@ -315,12 +323,12 @@ class E57Writer(FileWriter):
             self.abandon()
             self.fail("would have no points; choose points that there are")
         self._end_scan()
-        self._file.close()
+        self._image.close()
         self.keep_part()
 
     def abandon(self):
-        if self._file is not None:
+        if self._image is not None:
             if self._writer is not None:
                 self._writer.close()
-            self._file.close()
+            self._image.close()
         pathlib.Path(self.part).unlink(missing_ok=True)

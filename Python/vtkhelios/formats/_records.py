@@ -190,20 +190,19 @@ class RecordWriter:
             self._append(others, internal, beside)
 
     def _restore_head(self):
-        """The day and the records as they were, to the byte."""
+        """The day and the records as they were, to the byte, where laspy has made as many bytes."""
         self.file.seek(90)
         self.file.write(self._model.date)
+        size, begin, count = struct.unpack("<HII", self.file.read(10))
+        self.file.seek(size)
+        made = b"".join(
+            data for user, data in _split(self.file.read(begin - size), count)
+            if user not in NOT_KEPT
+        )  # fmt: skip
         kept = b"".join(data for _, data in self._model.records)
-        place = self._header_size()
-        self.file.seek(place)
-        ours = self.file.read(len(kept))
-        if len(ours) == len(kept):
-            self.file.seek(place)
+        if len(made) == len(kept):
+            self.file.seek(size)
             self.file.write(kept)
-
-    def _header_size(self):
-        self.file.seek(94)
-        return struct.unpack("<H", self.file.read(2))[0]
 
     def _append(self, others, internal, beside):
         self.file.seek(0, os.SEEK_END)
