@@ -1,0 +1,395 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios convert: points of a run through all formats."""
+
+import json
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import vtkhelios
+from vtkhelios import cli, formats
+
+
+@pytest.fixture
+def convert(capsys):
+    """Converts and returns (exit code, standard output, standard error)."""
+
+    def call(*arguments):
+        capsys.readouterr()
+        try:
+            code = cli.main(["convert", *map(str, arguments)])
+        except SystemExit as wrong:
+            code = wrong.code
+        return code, *capsys.readouterr()
+
+    return call
+
+
+@pytest.fixture
+def las(small_runs, tmp_path):
+    """A copy of the LAS file of the first leg, with its packets."""
+    if "laspy" not in sys.modules:
+        pytest.importorskip("lazrs")
+    for ending in ("las", "wdp"):
+        shutil.copy(small_runs["las"] / f"leg000_points.{ending}", tmp_path / f"a.{ending}")
+    return tmp_path / "a.las"
+
+
+def read(path):
+    with formats.open_reader(path) as reader:
+        chunks = list(reader.chunks())
+        return {name: np.concatenate([each[name] for each in chunks]) for name in chunks[0]}
+
+
+def read_waveforms(path):
+    reader = vtkhelios.vtkHeliosLASReader()
+    reader.SetFileName(str(path))
+    reader.ReadWaveformsOn()
+    vtkhelios.update(reader)
+    return vtkhelios.arrays(reader.GetOutputDataObject(1)), reader
+
+
+# Records
+
+
+def test_las_to_laz_and_back_is_the_same_file(las, convert, tmp_path):
+    code, out, err = convert(las, tmp_path / "b.laz")
+    assert code == 0 and err == "" and "lost" not in out
+    assert (tmp_path / "b.laz").stat().st_size < 0.5 * las.stat().st_size
+    assert convert(tmp_path / "b.laz", tmp_path / "c.las")[0] == 0
+    assert (tmp_path / "c.las").read_bytes() == las.read_bytes()
+    assert (tmp_path / "c.wdp").read_bytes() == las.with_suffix(".wdp").read_bytes()
+
+
+def test_laspy_reads_the_laz(las, convert, tmp_path):
+    laspy = pytest.importorskip("laspy")
+    convert(las, tmp_path / "b.laz")
+    ours, theirs = laspy.read(tmp_path / "b.laz"), laspy.read(las)
+    assert ours.points.array.tobytes() == theirs.points.array.tobytes()
+    assert ours.header.point_format.id == 9 and ours.header.global_encoding.wkt
+    assert any("25832" in v.string for v in ours.header.vlrs.get("WktCoordinateSystemVlr"))
+
+
+def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
+    inside = tmp_path / "b.las"
+    assert convert(las, inside, "--waveforms", "internal")[0] == 0
+    assert not inside.with_suffix(".wdp").exists()
+    data = inside.read_bytes()
+    encoding, begin = struct.unpack_from("<H", data, 6)[0], struct.unpack_from("<Q", data, 227)[0]
+    assert encoding & 2 and not encoding & 4  # internal, and not external
+    assert data[begin + 2 : begin + 11] == b"LASF_Spec"
+    assert struct.unpack_from("<H", data, begin + 18)[0] == 65535
+    outside, one = read_waveforms(las)
+    found, two = read_waveforms(inside)
+    assert set(found) == set(outside)
+    for name, values in outside.items():
+        assert np.array_equal(found[name], values), name
+    assert convert(inside, tmp_path / "c.laz")[0] == 0  # stay inside
+    assert convert(tmp_path / "c.laz", tmp_path / "d.las", "--waveforms", "external")[0] == 0
+    assert (tmp_path / "d.las").read_bytes() == las.read_bytes()
+    assert (tmp_path / "d.wdp").read_bytes() == las.with_suffix(".wdp").read_bytes()
+    del one, two
+
+
+def test_waveforms_inside_by_laspy(las, convert, tmp_path):
+    """A packet found and decoded by what laspy says alone."""
+    laspy = pytest.importorskip("laspy")
+    convert(las, tmp_path / "b.laz", "--waveforms", "internal")
+    file = laspy.read(tmp_path / "b.laz")
+    packets = next(v for v in file.evlrs if v.record_id == 65535)
+    data = packets.record_data_bytes()
+    table, _ = read_waveforms(las)
+    rows = {int(pulse): row for row, pulse in enumerate(table["PulseIds"])}
+    descriptors = {
+        v.record_id - 99: v.record_data_bytes()
+        for v in file.header.vlrs
+        if 100 <= v.record_id < 355
+    }
+    for i in range(0, len(file.points), 997):
+        form = descriptors[int(file["wavepacket_index"][i])]
+        bits, _, count, spacing, gain, offset = struct.unpack("<BBIIdd", form)
+        place = int(file["wavepacket_offset"][i]) - 60
+        assert bits == 32 and spacing > 0
+        numbers = np.frombuffer(data, "<u4", count, place)
+        row = rows[int(file["WaveformIds"][i])]
+        begin, size = int(table["Offset"][row]), int(table["Count"][row])
+        expected = table["Samples"][begin : begin + size]
+        assert np.abs(offset + gain * numbers[:size] - expected).max() <= gain
+
+
+def test_waveforms_detected_anew_are_the_same_echoes(las, convert, tmp_path):
+    echoes = []
+    for path in (las, tmp_path / "b.las"):
+        if path != las:
+            convert(las, path, "--waveforms", "internal")
+        _, reader = read_waveforms(path)
+        detection = vtkhelios.vtkHeliosEchoDetection()
+        detection.SetInputData(reader.GetOutputDataObject(1))
+        detector = vtkhelios.vtkHeliosPeakDetector()
+        detector.SetDetectionThreshold(1e-13)
+        detection.SetEchoDetector(detector)
+        detection.SetPulseLength(4.0)
+        echoes.append(vtkhelios.arrays(vtkhelios.update(detection)))
+    assert len(echoes[0]["points"]) > 1000
+    for name, values in echoes[0].items():
+        assert np.array_equal(values, echoes[1][name]), name
+
+
+def test_two_files_in_one_with_their_waveforms(small_runs, convert, tmp_path):
+    pytest.importorskip("lazrs")
+    code, out, _ = convert(small_runs["las"], tmp_path / "all.las")
+    assert code == 0 and "lost" not in out
+    parts = [small_runs["las"] / f"leg00{k}_points.las" for k in range(2)]
+    whole, pieces = read(tmp_path / "all.las"), [read(path) for path in parts]
+    for name, values in whole.items():
+        expected = np.concatenate([piece[name] for piece in pieces])
+        assert np.allclose(values, expected, rtol=0, atol=1e-9), name
+    assert set(whole["LegIds"]) == {0, 1}
+    waves, _ = read_waveforms(tmp_path / "all.las")
+    each = [read_waveforms(path)[0] for path in parts]
+    assert np.array_equal(waves["Samples"], np.concatenate([one["Samples"] for one in each]))
+
+
+# Choices
+
+
+def test_returns_classes_and_every_nth(las, convert, tmp_path):
+    whole = read(las)
+    number, count = whole["ReturnNumber"], whole["NumberOfReturns"]
+    assert (count > 1).any()
+    masks = {
+        "first": number == 1,
+        "last": number == count,
+        "single": count == 1,
+    }
+    for returns, mask in masks.items():
+        for ending in ("laz", "ply"):  # as records, and as arrays
+            path = tmp_path / f"{returns}.{ending}"
+            assert convert(las, path, "--returns", returns)[0] == 0
+            assert np.array_equal(read(path)["GpsTime"], whole["GpsTime"][mask])
+    assert convert(las, tmp_path / "n.las", "--every", 7, "--class", "0,2")[0] == 0
+    found = read(tmp_path / "n.las")
+    assert np.array_equal(found["GpsTime"], whole["GpsTime"][::7])
+    with formats.open_reader(tmp_path / "n.las") as reader:
+        assert reader.count == len(found["GpsTime"])  # and so does the header
+    code, _, err = convert(las, tmp_path / "x.las", "--class", "9")
+    assert code == 1 and "none of the" in err and not list(tmp_path.glob("x.*"))
+
+
+def test_coordinate_systems(small_runs, convert, tmp_path):
+    source = small_runs["vtp"] / "leg000_points.pvtp"
+    assert convert(source, tmp_path / "a.ply", "--crs", "EPSG:25833")[0] == 0
+    assert convert(tmp_path / "a.ply", tmp_path / "b.ply", "--crs", "EPSG:25832")[0] == 0
+    assert np.allclose(read(tmp_path / "b.ply")["points"], read(source)["points"], atol=1e-3)
+    assert np.abs(read(tmp_path / "a.ply")["points"] - read(source)["points"]).max() > 1e4
+    code, _, err = convert(source, tmp_path / "c.ply", "--crs", "EPSG:nonsense")
+    assert code == 1 and "EPSG:nonsense" in err and not (tmp_path / "c.ply").exists()
+    assert convert(small_runs["xyz"], tmp_path / "d.ply", "--crs", "EPSG:4978")[0] == 0
+    with formats.open_reader(tmp_path / "d.ply") as reader:  # text does not say: it is what it is
+        assert reader.header.crs == "EPSG:4978"
+    code, _, err = convert(tmp_path / "a.ply", tmp_path / "b.ply", tmp_path / "e.ply", "--merge")
+    assert code == 1 and "give" not in err.split(";")[0] and "with --crs" in err
+
+
+# Runs
+
+
+def test_runs_of_every_format_are_the_same_cloud(small_runs, convert, tmp_path):
+    clouds = []
+    for kind, folder in small_runs.items():
+        assert convert(folder, tmp_path / f"{kind}.ply")[0] == 0
+        clouds.append(read(tmp_path / f"{kind}.ply"))
+    for cloud in clouds[1:]:
+        assert np.allclose(cloud["points"], clouds[0]["points"], rtol=0, atol=1.1e-4)
+        for name in ("PulseIds", "ReturnNumber", "LegIds", "PartIds"):
+            assert np.array_equal(cloud[name], clouds[0][name]), name
+
+
+def test_a_file_a_leg(small_runs, convert, tmp_path):
+    assert convert(small_runs["xyz"], tmp_path / "legs", "--format", "las")[0] == 0
+    names = sorted(path.name for path in (tmp_path / "legs").iterdir())
+    assert names == ["leg000_points.las", "leg001_points.las"]
+    assert set(read(tmp_path / "legs" / names[1])["LegIds"]) == {1}
+
+
+def test_a_scan_a_setup(small_runs, convert, tmp_path):
+    """E57: poses from the trajectories, a grid and invalid points from the pulses."""
+    pye57 = pytest.importorskip("pye57")
+    for kind in ("vtp", "xyz"):
+        assert convert(small_runs[kind], tmp_path / f"{kind}.e57")[0] == 0
+        summary = json.loads((small_runs[kind] / "run_summary.json").read_text())
+        with pye57.E57(str(tmp_path / f"{kind}.e57")) as file:
+            assert file.scan_count == 2
+            for leg in range(2):
+                check_scan(file, leg, summary["legs"][leg], small_runs[kind])
+
+
+def check_scan(file, leg, told, folder):
+    header = file.get_header(leg)
+    raw = file.read_scan_raw(leg, ignore_unsupported_fields=True)
+    world = file.read_scan(leg, row_column=True)
+    state = raw["cartesianInvalidState"].astype(int)
+    assert header["name"].value() == f"leg00{leg}"
+    assert np.allclose(header.translation[:2], [(0, 0), (-8, 3)][leg])
+    turn = np.degrees(2 * np.arctan2(header.rotation[3], header.rotation[0]))
+    assert np.isclose(turn, [0, 30][leg], atol=1e-3)
+    assert np.count_nonzero(state == 0) == told["points"]
+    assert np.count_nonzero(state == 1) == told["pulsesFired"] - told["pulsesHit"]
+    local = np.column_stack([raw[f"cartesian{a}"] for a in "XYZ"])
+    assert np.allclose(np.linalg.norm(local[state == 1], axis=1), 1.0, atol=1e-6)  # directions
+    rows, columns = raw["rowIndex"].astype(int), raw["columnIndex"].astype(int)
+    assert columns.max() + 1 == 101  # 100 lines a second for a second, which begins amid one
+    assert rows.max() + 1 == told["pulsesFired"] / 100 == 125
+    first = state == 0
+    cells = rows[state == 1] * 10_000 + columns[state == 1]
+    assert len(np.unique(cells)) == len(cells)  # a pulse a cell
+    up = np.degrees(np.arcsin(local[first, 2] / np.linalg.norm(local[first], axis=1)))
+    step = 60.0 / 125
+    assert np.abs(up - (rows[first] * step + up[rows[first] == rows[first].min()].mean()
+                        - rows[first].min() * step)).max() < 3 * step  # fmt: skip
+    xyz = np.column_stack([world[f"cartesian{a}"] for a in "XYZ"])
+    name = f"leg00{leg}_points.{'pvtp' if (folder / 'leg000_points.pvtp').exists() else 'xyz'}"
+    assert np.allclose(xyz, read(folder / name)["points"], rtol=0, atol=1e-6)
+
+
+def test_what_is_lost_is_said(small_runs, convert, tmp_path):
+    _, out, _ = convert(small_runs["vtp"], tmp_path / "a.xyz")
+    lost = [line for line in out.splitlines() if line.startswith("lost")]
+    assert "Range, " in lost[0] and "text has no column for it" in lost[0]
+    assert any("CRS" in line and "text has no header" in line for line in lost)
+    _, out, _ = convert(small_runs["vtp"], tmp_path / "a.las")
+    assert "lost     Material.Name, Part.Name: points keep the numbers" in out
+
+
+def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
+    program = shutil.which("CloudCompare") or shutil.which("cloudcompare")
+    if not program:
+        pytest.skip("CloudCompare is not here")
+    for ending in ("ply", "xyz"):
+        path = tmp_path / f"a.{ending}"
+        assert convert(small_runs["vtp"], path)[0] == 0
+        done = subprocess.run(
+            [program, "-SILENT", "-AUTO_SAVE", "OFF", "-C_EXPORT_FMT", "ASC", "-PREC", "6", "-O",
+             path, "-SAVE_CLOUDS", "FILE", tmp_path / f"{ending}.asc"],
+            env={"QT_QPA_PLATFORM": "offscreen", "HOME": str(tmp_path)}, capture_output=True,
+            timeout=120,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        found = np.loadtxt(tmp_path / f"{ending}.asc")
+        assert np.allclose(found[:, :3], read(path)["points"], rtol=0, atol=1e-5)
+
+
+# What is wrong
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["none.las", "b.laz"], "none.las: no such file or folder; check its name"),
+        (["a.las", "b.shp"], "b.shp: its ending is of no format that is known"),
+        (["notes.txt", "b.las"], "notes.txt: its ending is of no format that is known"),
+        (["a.las", "a.las"], "a.las: is an input, too; give another name"),
+        (["a.las", "there.laz"], "there.laz: is there already; give --overwrite to replace it"),
+        (["a.las", "there.laz", "b.laz"], "b.laz: is one file for 2 inputs; give --merge"),
+        (["a.las", "folder"], "folder: is a folder; give --format for files in it"),
+        (["a.las", "there.laz", "--format", "ply"], "there.laz: is a file; with --format"),
+        (["a.las", "out", "--format", "ply", "--merge"], "leave --merge or --format out"),
+        (["a.las", "folder/a.las", "out", "--format", "ply"], "would be of .*a.las and of"),
+        (["folder", "b.las"], "folder: is a folder without run_summary.json; give the folder of"),
+        (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume goes on"),
+        (["plays", "b.las"], "plays: holds several plays; give the folder of one: play000"),
+        (["broken", "b.las"], "broken: run_summary.json is no JSON: .*; run the survey again"),
+        (["a.las", "b.ply", "--waveforms", "internal"], "waveforms go from LAS or LAZ to LAS or"),
+        (["bare.las", "b.las", "--waveforms", "internal"], "bare.las: has no waveforms; leave"),
+        (["three.xyz", "b.las", "--returns", "last"], "three.xyz: has no ReturnNumber; leave --r"),
+        (["nan.ply", "b.las"], r"nan.ply: point 1 is \(nan, 0, 0\), not finite; correct it, or"),
+    ],
+)
+def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    for folder in ("folder", "begun", "plays/play000", "broken"):
+        (tmp_path / folder).mkdir(parents=True)
+    shutil.copy(las, "folder/a.las")
+    for name in ("there.laz", "notes.txt", "begun/run.journal", "plays/play000/run_summary.json"):
+        (tmp_path / name).write_text("")
+    (tmp_path / "broken/run_summary.json").write_text("{")
+    (tmp_path / "three.xyz").write_text("1 2 3\n")
+    formats_of = {"three.xyz": "bare.las"}
+    for source, target in formats_of.items():
+        with formats.open_writer(target) as writer:
+            writer.write({"points": np.zeros((2, 3))})
+        del source
+    with formats.open_writer("nan.ply") as writer:
+        writer.write({"points": np.array([[0, 0, 0], [np.nan, 0, 0]])})
+    before = sorted(tmp_path.rglob("*"))
+    code, _, err = convert(*arguments)
+    assert code == 1
+    import re
+
+    assert re.search(message, err), err
+    assert sorted(tmp_path.rglob("*")) == before  # nothing is left behind
+
+
+def test_packets_that_are_missing(las, convert, tmp_path):
+    las.with_suffix(".wdp").unlink()
+    code, _, err = convert(las, tmp_path / "b.laz")
+    assert code == 1 and "a.wdp, which is missing; keep it beside" in err
+
+
+def test_laz_that_is_cut_off(las, convert, tmp_path):
+    convert(las, tmp_path / "b.laz")
+    data = (tmp_path / "b.laz").read_bytes()
+    (tmp_path / "b.laz").write_bytes(data[: len(data) // 2])
+    code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
+    assert code == 1 and "b.laz: points 0 to" in err and "is cut off or damaged" in err
+    assert not list(tmp_path.glob("c.*"))
+
+
+def test_points_that_are_not_finite_can_be_skipped(convert, tmp_path):
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write({"points": np.array([[0, 0, 0], [np.nan, 0, 0], [1, 1, 1.0]])})
+    code, out, _ = convert(tmp_path / "a.ply", tmp_path / "b.las", "--skip-invalid")
+    assert code == 0 and "skipped  1 points that are not finite" in out
+    assert read(tmp_path / "b.las")["points"].tolist() == [[0, 0, 0], [1, 1, 1]]
+
+
+@pytest.mark.parametrize("option", [["--class", "300"], ["--every", "0"], ["--returns", "second"]])
+def test_options_that_are_wrong(convert, option):
+    code, _, err = convert("a.las", "b.las", *option)
+    assert code == 2 and option[1] in err
+
+
+def test_replacing(las, convert, tmp_path):
+    (tmp_path / "b.ply").write_text("old")
+    assert convert(las, tmp_path / "b.ply", "--overwrite")[0] == 0
+    assert len(read(tmp_path / "b.ply")["points"]) > 1000
+
+
+def test_interrupted(tmp_path):
+    """Ctrl-C leaves nothing."""
+    count = 3_000_000
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write({"points": np.random.default_rng(1).uniform(0, 100, (count, 3))})
+    process = subprocess.Popen(
+        [sys.executable, "-P", "-m", "vtkhelios", "convert", tmp_path / "a.ply", tmp_path / "b.xyz"],
+        stderr=subprocess.PIPE, text=True, env={**__import__("os").environ, "PYTHONPATH": PACKAGE},
+    )  # fmt: skip
+    part = tmp_path / "b.xyz.part"
+    for _ in range(2000):
+        if part.exists() and part.stat().st_size > 0 or process.poll() is not None:
+            break
+        time.sleep(0.005)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=120)
+    assert process.returncode == 130 and "interrupted" in err and "was not written" in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.ply"]
+
+
+PACKAGE = str(__import__("pathlib").Path(vtkhelios.__file__).absolute().parents[1])
