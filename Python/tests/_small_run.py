@@ -8,13 +8,13 @@ SURVEY = """\
     scanner="scanners.xml#vz400_class_tls">
     <leg>
       <platformSettings x="0" y="0" z="2" onGround="false"/>
-      <scannerSettings active="true" pulseFreq_hz="50000" scanFreq_hz="100"
+      <scannerSettings active="true" pulseFreq_hz="100000" scanFreq_hz="100"
         verticalAngleMin_deg="-40" verticalAngleMax_deg="20"
         headRotatePerSec_deg="60" headRotateStart_deg="0" headRotateStop_deg="60"/>
     </leg>
     <leg>
-      <platformSettings x="-8" y="3" z="2" onGround="false" yaw_deg="30"/>
-      <scannerSettings active="true" pulseFreq_hz="50000" scanFreq_hz="100"
+      <platformSettings x="-8" y="3" z="2" onGround="false"/>
+      <scannerSettings active="true" pulseFreq_hz="100000" scanFreq_hz="100"
         verticalAngleMin_deg="-40" verticalAngleMax_deg="20"
         headRotatePerSec_deg="60" headRotateStart_deg="0" headRotateStop_deg="60"/>
     </leg>

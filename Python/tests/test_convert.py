@@ -238,20 +238,19 @@ def check_scan(file, leg, told, folder):
     state = raw["cartesianInvalidState"].astype(int)
     assert header["name"].value() == f"leg00{leg}"
     assert np.allclose(header.translation[:2], [(0, 0), (-8, 3)][leg])
-    turn = np.degrees(2 * np.arctan2(header.rotation[3], header.rotation[0]))
-    assert np.isclose(turn, [0, 30][leg], atol=1e-3)
+    assert np.allclose(np.abs(header.rotation), [1, 0, 0, 0])  # a tripod
     assert np.count_nonzero(state == 0) == told["points"]
     assert np.count_nonzero(state == 1) == told["pulsesFired"] - told["pulsesHit"]
     local = np.column_stack([raw[f"cartesian{a}"] for a in "XYZ"])
     assert np.allclose(np.linalg.norm(local[state == 1], axis=1), 1.0, atol=1e-6)  # directions
     rows, columns = raw["rowIndex"].astype(int), raw["columnIndex"].astype(int)
     assert columns.max() + 1 == 101  # 100 lines a second for a second, which begins amid one
-    assert rows.max() + 1 == told["pulsesFired"] / 100 == 125
+    assert rows.max() + 1 == told["pulsesFired"] / 100 == 250
     first = state == 0
     cells = rows[state == 1] * 10_000 + columns[state == 1]
     assert len(np.unique(cells)) == len(cells)  # a pulse a cell
     up = np.degrees(np.arcsin(local[first, 2] / np.linalg.norm(local[first], axis=1)))
-    step = 60.0 / 125
+    step = 60.0 / 250
     assert np.abs(up - (rows[first] * step + up[rows[first] == rows[first].min()].mean()
                         - rows[first].min() * step)).max() < 3 * step  # fmt: skip
     xyz = np.column_stack([world[f"cartesian{a}"] for a in "XYZ"])
