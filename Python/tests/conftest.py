@@ -85,7 +85,7 @@ def read_pixels():
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(height, width, 3).astype(int)
+        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)  # without opacity
 
     return read
 
