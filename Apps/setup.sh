@@ -15,7 +15,7 @@ helios_packages=(
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
   coinor-libcbc-dev
   # Python
-  python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich
+  python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   # to test
   catch2 python3-pytest python3-gdal python3-lxml
   # pictures without a display
@@ -53,6 +53,7 @@ helios_make_venv() {
     echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
   done
   helios_install_laspy
+  helios_install_formats
 }
 
 # LAS and LAZ files as scenes, which Debian has no package for. Without it the tests of them are skipped.
@@ -61,6 +62,16 @@ helios_install_laspy() {
   build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
+}
+
+# COPC and E57 files, and what reads PLY files in tests. Without them the tests of these are skipped.
+helios_install_formats() {
+  build/venv/bin/python -c 'import copclib, pye57, plyfile' 2>/dev/null && return
+  local package
+  for package in copclib pye57 pyquaternion plyfile; do
+    build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+      "$package" || echo "$package cannot be had here: COPC or E57 files cannot be converted" >&2
+  done
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.
