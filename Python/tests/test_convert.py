@@ -157,6 +157,21 @@ def test_two_files_in_one_with_their_waveforms(small_runs, convert, tmp_path):
     assert np.array_equal(waves["Samples"], np.concatenate([one["Samples"] for one in each]))
 
 
+def test_files_of_other_forms_in_one(las, convert, tmp_path):
+    """What cannot be copied goes through arrays, and that is said."""
+    cloud = read(las)
+    with formats.open_reader(las) as reader:
+        with formats.open_writer(tmp_path / "b.las", reader.header) as writer:
+            writer.write(cloud)
+    code, out, err = convert(las, tmp_path / "b.las", tmp_path / "c.laz", "--merge")
+    assert code == 0 and "b.las: has other point formats or Extra Bytes than" in err
+    assert "lost     waveforms: they pass from LAS and LAZ to LAS and LAZ only" in out
+    both = read(tmp_path / "c.laz")
+    for name, values in cloud.items():
+        assert np.allclose(both[name], np.concatenate([values, values]), rtol=0, atol=1e-9), name
+    assert out.count("input ") == 2
+
+
 # Choices
 
 

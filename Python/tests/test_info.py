@@ -59,7 +59,7 @@ def test_header_of_las(small_runs, info):
     assert facts["waveforms"]["bytes"] == path.with_suffix(".wdp").stat().st_size - 60
     extra = {each["name"]: each["description"] for each in facts["extraBytes"]}
     assert extra["EchoWidth"] == "full width at half maximum [ns]"
-    assert {"user": "LASF_Projection", "id": 2112} .items() <= facts["headerRecords"][0].items()
+    assert {"user": "LASF_Projection", "id": 2112}.items() <= facts["headerRecords"][0].items()
 
 
 @pytest.mark.parametrize("spacing", [0.1, 0.5, 2.0])

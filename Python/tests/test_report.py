@@ -154,7 +154,9 @@ def test_numbers_of_two_strips(tmp_path, report):
     assert numbers["density_per_m2"] == pytest.approx(4 * 120 / 100)
     assert numbers["echoesPerPulse"] == {"1": numbers["points"]}
     assert numbers["medians"]["amplitude"] == pytest.approx(10.0, abs=0.3)  # dB above 1 nW
-    distances = np.linalg.norm(np.concatenate([strip(-50, 10), strip(-10, 50)]) - [0, 0, 100], axis=1)
+    distances = np.linalg.norm(
+        np.concatenate([strip(-50, 10), strip(-10, 50)]) - [0, 0, 100], axis=1
+    )
     assert numbers["medians"]["range"] == pytest.approx(np.median(distances), abs=0.1)
     assert numbers["pointsOfFiles"] == [24_000, 24_000]
 

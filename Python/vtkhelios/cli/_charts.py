@@ -133,7 +133,9 @@ def histogram(edges, counts, label, median=None, unit="", log=False):
     """Bars that touch; the median as a line. Shares may be on a logarithmic scale."""
     figure, axes = _figure()
     total = max(1, counts.sum())
-    axes.bar(edges[:-1], 100 * counts / total, np.diff(edges), align="edge", color=BLUE, linewidth=0)
+    axes.bar(
+        edges[:-1], 100 * counts / total, np.diff(edges), align="edge", color=BLUE, linewidth=0
+    )
     if log:
         from matplotlib.ticker import FuncFormatter
 

@@ -82,6 +82,7 @@ class Conversion:
                 grown = writer.add_packets(packet) if packet else 0
                 if not self._copy_file(reader, writer, grown, task):
                     output.abandon()
+                    self.kinds.clear()
                     return False
             self._check_count()
             task.tell("finishing")
@@ -209,6 +210,8 @@ class Conversion:
             )
 
     def _note_lost(self, readers):
+        if any(reader.has_waveforms for reader in readers):
+            self.lost["waveforms"] = "they pass from LAS and LAZ to LAS and LAZ only, as records"
         kind = formats.ending(self.output)
         fields = {reader.header.fields.GetArrayName(i) for reader in readers
                   for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
@@ -217,7 +220,9 @@ class Conversion:
             for name in sorted((NAMES & fields) - kept):
                 self.lost[name] = "points keep the numbers, the names are in VTK files only"
         if kind == ".xyz" and fields & {"CRS", "GpsEpoch"}:
-            self.lost |= {name: "text has no header" for name in ("CRS", "GpsEpoch") if name in fields}
+            self.lost |= {
+                name: "text has no header" for name in ("CRS", "GpsEpoch") if name in fields
+            }
 
 
 class Output:

@@ -46,7 +46,9 @@ class Figures:
             self.legs += [0] * (reader.scan + 1 - len(self.legs))
         points = chunk["points"]
         if not np.isfinite(points).all():
-            raise FormatError(f"{reader.path}: has points that are not finite; run the survey again")
+            raise FormatError(
+                f"{reader.path}: has points that are not finite; run the survey again"
+            )
         if not self.raster.add(points[:, :2], reader.scan):
             raise FormatError(
                 f"{reader.path}: with cells of {self.raster.cell:g} m the maps would be too large; "

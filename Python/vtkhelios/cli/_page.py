@@ -208,7 +208,15 @@ def _legs(summary):
         )
         for leg, spent in zip(summary["legs"], seconds)
     ]  # fmt: skip
-    heads = ("leg", "start [s]", "lasts [s]", "pulses", "with echo [%]", "points", "computed in [s]")
+    heads = (
+        "leg",
+        "start [s]",
+        "lasts [s]",
+        "pulses",
+        "with echo [%]",
+        "points",
+        "computed in [s]",
+    )
     return _table(heads, rows)
 
 

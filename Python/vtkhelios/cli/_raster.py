@@ -118,7 +118,7 @@ class Raster:
         return total
 
     def outline(self):
-        """The cells between the first and the last with a point, of their row and of their column."""
+        """The cells between the first and the last with a point, of their row and column."""
         hit = self.counts > 0
         return _between(hit, 0) & _between(hit, 1)
 

@@ -87,7 +87,9 @@ def point_lines(facts):
     yield f"crs        {'not known' if not crs else ' '.join(crs.split())[:100]}"
     if "gpsTime_s" in facts:
         first, last = facts["gpsTime_s"].values()
-        epoch = f", from {facts['gpsEpoch_s']:.0f} s of GPS time on" if "gpsEpoch_s" in facts else ""
+        epoch = (
+            f", from {facts['gpsEpoch_s']:.0f} s of GPS time on" if "gpsEpoch_s" in facts else ""
+        )
         yield f"time       {first:.6f} to {last:.6f} s{epoch}"
     for name in ("returns", "classes"):
         if facts[name]:

@@ -3,6 +3,7 @@
 """What all formats share."""
 
 import dataclasses
+import importlib
 import os
 import pathlib
 
@@ -103,6 +104,7 @@ class Reader(_Closing):
         self.count = None
         self.scans = [Scan(pathlib.Path(path).name.split(".")[0])]
         self.scan = 0  # whose points the latest chunk has
+        self.has_waveforms = False  # that chunks do not have
         self.notes = []  # what is not read, or otherwise than it may seem
 
     def chunks(self, rows=ROWS):
@@ -237,8 +239,6 @@ def call(owner, vtk_object, action):
 
 def need(module, what):
     """Imports an optional package, or says how to get it."""
-    import importlib
-
     packages = {"laspy": "laspy lazrs", "lazrs": "laspy lazrs"}
     packages |= {"copclib": "copclib laspy lazrs", "pye57": "pye57 pyquaternion"}
     try:

@@ -60,7 +60,7 @@ def gather(code):
 
 
 def nodes_of(codes, few=FEW):
-    """Yields the nodes of an octree over sorted Morton codes: level, code of the node, positions."""
+    """Yields the nodes of an octree over sorted Morton codes: level, code, positions."""
     left = np.arange(len(codes))
     for level in range(LEVELS - GRID + 1):
         if not len(left):
@@ -111,13 +111,14 @@ class CopcWriter(FileWriter):
         codes = self._codes(records, low, model.header.scales, size)
         order = np.argsort(codes, kind="stable")
         writer = self._open_writer(model, records, low, high, size)
-        for level, node, places in nodes_of(codes[order]):
-            key = [level, *(gather(int(node) >> axis) for axis in range(3))]
-            data = records[np.sort(order[places])]
-            writer.AddNode(
-                self._copc.VoxelKey(*key), self._copc.VectorChar(data.view(np.int8))
-            )
-        writer.Close()
+        try:
+            for level, node, places in nodes_of(codes[order]):
+                key = [level, *(gather(int(node) >> axis) for axis in range(3))]
+                data = records[np.sort(order[places])]
+                writer.AddNode(self._copc.VoxelKey(*key), self._copc.VectorChar(data.view(np.int8)))
+            writer.Close()
+        except RuntimeError as error:  # of copclib
+            self.fail(f"cannot be written: {error}; see that the disk has room")
         self._encoder.close()
         self._scratch.close()
         self.keep_part()

@@ -155,10 +155,21 @@ class E57Writer(FileWriter):
         self._rows = 0  # room in the buffers
 
     def begin(self, scan):
-        self._end_scan()
+        self._try(self._end_scan)
         self.scan = scan
 
     def write(self, chunk):
+        self._try(lambda: self._write(chunk))
+
+    def _try(self, action):
+        """Errors of libE57Format, a full disk among them, name the file."""
+        try:
+            action()
+        except self._libe57.E57Exception as error:
+            words = str(error).strip().splitlines()[0]
+            self.fail(f"cannot be written: {words}; see that the disk has room")
+
+    def _write(self, chunk):
         if self._image is None:
             self._open()
         for name in chunk:
@@ -312,7 +323,11 @@ class E57Writer(FileWriter):
 
     def _set_index_bounds(self, bounds):
         image, node = self._image, self._structure()
-        for name, field in (("row", "rowIndex"), ("column", "columnIndex"), ("return", "returnIndex")):
+        for name, field in (
+            ("row", "rowIndex"),
+            ("column", "columnIndex"),
+            ("return", "returnIndex"),
+        ):
             for end, value in zip(("Minimum", "Maximum"), bounds.get(field, ())):
                 node.set(f"{name}{end}", self._libe57.IntegerNode(image, int(value)))
         if node.childCount():
@@ -322,13 +337,11 @@ class E57Writer(FileWriter):
         if not self.count:
             self.abandon()
             self.fail("would have no points; choose points that there are")
-        self._end_scan()
-        self._image.close()
+        self._try(self._end_scan)
+        self._try(self._image.close)
         self.keep_part()
 
     def abandon(self):
         if self._image is not None:
-            if self._writer is not None:
-                self._writer.close()
-            self._image.close()
+            self._image.cancel()
         pathlib.Path(self.part).unlink(missing_ok=True)

@@ -16,17 +16,19 @@ import numpy as np
 import vtkhelios
 
 from ..points import _find_crs
-from ._base import ROWS, FileWriter, Header, Reader, Writer, call, from_cloud, need, rows_of, to_cloud
+from ._base import ROWS, FileWriter, Header, Reader, Writer
+from ._base import call, from_cloud, need, rows_of, to_cloud
 from ._records import RecordReader, RecordWriter
 
 
-def _count(path):
-    """The number of points that a header tells, and its version and format in words."""
+def _head(path):
+    """What a header tells: number of points, version and format in words, whether waveforms."""
     with open(path, "rb") as file:
         start = file.read(375).ljust(375, b"\0")
     old, new = struct.unpack_from("<I", start, 107)[0], struct.unpack_from("<Q", start, 247)[0]
-    count = new if start[25] >= 4 and (new or start[104] & 63 >= 6) else old
-    return count, f"{start[24]}.{start[25]}, point format {start[104] & 63}"
+    form = start[104] & 63
+    count = new if start[25] >= 4 and (new or form >= 6) else old
+    return count, f"{start[24]}.{start[25]}, point format {form}", form in (4, 5, 9, 10)
 
 
 class LasReader(Reader):
@@ -34,7 +36,7 @@ class LasReader(Reader):
         super().__init__(path)
         self._reader = vtkhelios.vtkHeliosLASReader()
         self._reader.SetFileName(self.path)
-        self.count, words = _count(self.path)
+        self.count, words, self.has_waveforms = _head(self.path)
         self.kind = f"LAS {words}"
         some = self._piece(0, min(max(1, self.count), 2**31 - 1))  # finds what is wrong, too
         self.header = Header(some.GetFieldData())
@@ -55,7 +57,7 @@ class LazReader(Reader):
     def __init__(self, path):
         super().__init__(path)
         self.records = RecordReader(path)
-        self.count, words = _count(self.path)
+        self.count, words, self.has_waveforms = _head(self.path)
         self.kind = f"LAZ {words}"
         if self.count == 0:
             self.fail("has no points; give a file with points")
@@ -144,9 +146,7 @@ class Encoder:
         if self.model is None:
             self.model = RecordReader(self._part)
             self._begin = self.model.header.offset_to_point_data
-        return np.fromfile(
-            self._part, self.model.header.point_format.dtype(), offset=self._begin
-        )
+        return np.fromfile(self._part, self.model.header.point_format.dtype(), offset=self._begin)
 
     def close(self):
         shutil.rmtree(self._folder, ignore_errors=True)

@@ -65,7 +65,9 @@ class RecordReader:
             file.seek(place)
             head = file.read(EXTENDED_HEAD)
             if len(head) < EXTENDED_HEAD:
-                self.fail(f"is cut off: an extended record at byte {place} is missing; copy it again")
+                self.fail(
+                    f"is cut off: an extended record at byte {place} is missing; copy it again"
+                )
             size = EXTENDED_HEAD + struct.unpack_from("<Q", head, 20)[0]
             if place + size > self._size:
                 self.fail(
@@ -145,9 +147,7 @@ class RecordWriter:
         self._ranges = []  # of waveform packets
         if compress:
             need("lazrs", "LAZ files")
-        self._writer = laspy.LasWriter(
-            file, reader.header, do_compress=compress, closefd=False
-        )
+        self._writer = laspy.LasWriter(file, reader.header, do_compress=compress, closefd=False)
         self._laspy = laspy
 
     def write(self, records):
@@ -260,4 +260,3 @@ def same_form(one, other):
     if one.records != other.records:
         return "other header records"
     return ""
-

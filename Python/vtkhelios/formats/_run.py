@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The folder of a run: its summary, and the points of its legs as one cloud."""
 
+import itertools
 import json
 import pathlib
 import re
@@ -11,6 +12,8 @@ import numpy as np
 import vtkhelios
 
 from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
+from ._text import TextReader
+from ._vtp import PiecesReader
 
 POINTS = re.compile(r"((leg|strip)(-?\d+))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
 
@@ -21,7 +24,7 @@ def is_run(path):
 
 
 class RunReader(Reader):
-    """All points of a run, leg by leg, or of one of its files; LegIds are added where files do not have them."""
+    """All points of a run, leg by leg, or of one of its files; all have LegIds."""
 
     kind = "run"
 
@@ -40,8 +43,13 @@ class RunReader(Reader):
         self.notes = []
         self._readers = [self._open(name) for name in self.files]
         self.header = self._readers[0].header
+        self.has_waveforms = any(reader.has_waveforms for reader in self._readers) or any(
+            self.folder.glob("*_fullwave*")
+        )
         self.count = self._count()
-        self.kind = f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
+        self.kind = (
+            f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
+        )
 
     def _count(self):
         """The points of the files, as the summary has them."""
@@ -65,7 +73,6 @@ class RunReader(Reader):
 
     def _open(self, name):
         from . import open_reader
-        from ._text import TextReader
 
         path = self.folder / name
         if path.suffix == ".xyz" and path.is_file():
@@ -98,8 +105,6 @@ class RunReader(Reader):
     def _read_trajectory(self, path):
         if path.suffix == ".txt":
             return _text_trajectory(self, path)
-        from ._vtp import PiecesReader
-
         chunk = next(PiecesReader(path).chunks(10**7))
         return chunk["GpsTime"], chunk["points"], chunk["Orientation"]
 
@@ -118,8 +123,6 @@ class RunReader(Reader):
 
     def _pulses(self, stem):
         """A function that reads the pulses of a leg in chunks; None: there are none."""
-        from ._vtp import PiecesReader
-
         path = self.folder / f"{stem}_pulse.pvtp"
         if path.is_file():
             return lambda: PiecesReader(path).chunks()
@@ -133,8 +136,6 @@ class RunReader(Reader):
 
 def _text_pulses(path, rows=ROWS):
     """Origin x y z, direction x y z, time [ns], pulse, channel."""
-    import itertools
-
     with open(path) as file:
         while lines := list(itertools.islice(file, rows)):
             table = np.loadtxt(lines, ndmin=2)

@@ -3,12 +3,13 @@
 """Text: the eleven columns of vtkHeliosPointTextWriter, or any whose first three are x y z."""
 
 import itertools
+import pathlib
 
 import numpy as np
 
 import vtkhelios
 
-from ._base import Reader, Writer, call, rows_of, to_cloud
+from ._base import ROWS, FormatError, Reader, Writer, call, rows_of, to_cloud
 
 COLUMNS = 11
 
@@ -54,7 +55,7 @@ class TextReader(Reader):
                 "the first three are read as x y z, and no others"
             )
 
-    def chunks(self, rows=500_000):
+    def chunks(self, rows=ROWS):
         line = 1
         with open(self.path, "rb") as file:
             while lines := list(itertools.islice(file, rows)):
@@ -129,8 +130,6 @@ class TextReader(Reader):
         self.fail("cannot be read; correct it")
 
     def fail_at(self, line, problem):
-        from ._base import FormatError
-
         raise FormatError(f"{self.path}:{line}: {problem}")
 
 
@@ -186,8 +185,6 @@ class TextWriter(Writer):
         call(self, self._writer, self._writer.Close)
 
     def abandon(self):
-        import pathlib
-
         if self._writer.IsOpen():
             self._writer.Abandon()
         pathlib.Path(f"{self.path}.part").unlink(missing_ok=True)

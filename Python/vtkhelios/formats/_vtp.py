@@ -8,6 +8,8 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
@@ -131,7 +133,9 @@ class VtpWriter(Writer):
         if not self.count:
             self.fail("would have no points; choose points that there are")
         names = self._chunks[0]
-        cloud = to_cloud({n: np.concatenate([c[n] for c in self._chunks]) for n in names}, self.header)
+        cloud = to_cloud(
+            {n: np.concatenate([c[n] for c in self._chunks]) for n in names}, self.header
+        )
         self._add_vertices(cloud)
         pathlib.Path(self.path).parent.mkdir(parents=True, exist_ok=True)
         writer = vtkXMLPolyDataWriter()
@@ -143,9 +147,6 @@ class VtpWriter(Writer):
 
     def _add_vertices(self, cloud):
         """A vertex a point, so that viewers show it."""
-        from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
-        from vtkmodules.vtkCommonDataModel import vtkCellArray
-
         places = np.arange(self.count + 1, dtype=np.int64)
         cells = vtkCellArray()
         cells.SetData(
