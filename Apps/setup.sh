@@ -64,13 +64,14 @@ helios_install_laspy() {
     'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
 }
 
-# COPC and E57 files, and what reads PLY files in tests. Without them the tests of these are skipped.
+# COPC and E57 files, LAZ with waveforms of several channels, and what reads PLY files in tests.
+# Without them the tests of these are skipped.
 helios_install_formats() {
-  build/venv/bin/python -c 'import copclib, pye57, plyfile' 2>/dev/null && return
+  build/venv/bin/python -c 'import copclib, laszip, pye57, plyfile' 2>/dev/null && return
   local package
-  for package in copclib pye57 pyquaternion plyfile; do
+  for package in copclib laszip pye57 pyquaternion plyfile; do
     build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-      "$package" || echo "$package cannot be had here: COPC or E57 files cannot be converted" >&2
+      "$package" || echo "$package cannot be had here: some formats of vtkhelios convert are missing" >&2
   done
 }
 

@@ -77,6 +77,38 @@ def test_laspy_reads_the_laz(las, convert, tmp_path):
     assert any("25832" in v.string for v in ours.header.vlrs.get("WktCoordinateSystemVlr"))
 
 
+@pytest.mark.parametrize(
+    "version, form",
+    [("1.2", f) for f in range(4)] + [("1.3", f) for f in (4, 5)] + [("1.4", f) for f in range(11)],
+)
+def test_every_field_of_every_format(convert, tmp_path, version, form):
+    """Random bits in all fields, records of others, Extra Bytes with a scale."""
+    laspy = pytest.importorskip("laspy")
+    pytest.importorskip("laszip" if form in (9, 10) else "lazrs")
+    header = laspy.LasHeader(version=version, point_format=form)
+    header.scales, header.offsets = [0.001, 0.002, 0.01], [4e5, 5e6, -10.0]
+    header.system_identifier, header.generating_software = "OTHER", "somebody's"
+    header.vlrs.append(laspy.VLR("somebody", 77, "theirs", b"x" * 100))
+    header.add_extra_dim(laspy.ExtraBytesParams("Height", "i2", "scaled", [0.5], [0.01]))
+    points = laspy.ScaleAwarePointRecord.zeros(2000, header=header)
+    raw = points.array.view(np.uint8).reshape(2000, -1)
+    raw[:] = np.random.default_rng(form).integers(0, 256, raw.shape)
+    if header.point_format.has_waveform_packet:
+        points.array["wavepacket_index"] = 0
+        (tmp_path / "a.wdp").write_bytes(bytes(2) + b"LASF_Spec" + bytes(49))
+    with laspy.open(tmp_path / "a.las", "w", header=header) as writer:
+        writer.write_points(points)
+    for source, target in (("a.las", "b.laz"), ("b.laz", "c.las")):
+        code, _, err = convert(tmp_path / source, tmp_path / target)
+        assert code == 0, err
+    assert (tmp_path / "c.las").read_bytes()[375:] == (tmp_path / "a.las").read_bytes()[375:]
+    one, two = (laspy.read(tmp_path / name) for name in ("a.las", "b.laz"))
+    assert two.points.array.tobytes() == points.array.tobytes()
+    assert two.header.generating_software == "somebody's" and two.header.version == version
+    assert np.array_equal(one["Height"], two["Height"])
+    assert [v.record_data_bytes() for v in one.vlrs] == [v.record_data_bytes() for v in two.vlrs]
+
+
 def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
     inside = tmp_path / "b.las"
     assert convert(las, inside, "--waveforms", "internal")[0] == 0
@@ -363,6 +395,41 @@ def test_laz_that_is_cut_off(las, convert, tmp_path):
     (tmp_path / "b.laz").write_bytes(data[: len(data) // 2])
     code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
     assert code == 1 and "b.laz: points 0 to" in err and "is cut off or damaged" in err
+    assert not list(tmp_path.glob("c.*"))
+
+
+def test_channels_that_lazrs_confuses(convert, tmp_path, monkeypatch):
+    """Formats 9 and 10: without laszip an error where there is more than one channel."""
+    laspy = pytest.importorskip("laspy")
+    pytest.importorskip("lazrs")
+    monkeypatch.setattr(
+        laspy.LazBackend.Laszip.__class__, "is_available", lambda self: "Lazrs" in self.name
+    )
+    for channels in (1, 2):
+        header = laspy.LasHeader(version="1.4", point_format=9)
+        points = laspy.ScaleAwarePointRecord.zeros(100, header=header)
+        points.array["classification_flags"] = (np.arange(100) % channels) << 4
+        (tmp_path / "a.wdp").write_bytes(bytes(60))
+        with laspy.open(tmp_path / "a.las", "w", header=header) as writer:
+            writer.write_points(points)
+        code, _, err = convert(tmp_path / "a.las", tmp_path / "b.laz", "--overwrite")
+        assert code == channels - 1
+    assert "has waveforms of several scanner channels" in err
+    assert "pip install --no-deps laszip" in err
+
+
+def test_las_that_is_cut_off(las, convert, tmp_path):
+    data = las.read_bytes()
+    las.write_bytes(data[: len(data) // 2])
+    code, _, err = convert(las, tmp_path / "c.laz")
+    assert code == 1 and "a.las: is cut off: it has" in err and "that its header counts" in err
+    convert_from = tmp_path / "in.las"
+    las.write_bytes(data)
+    convert(las, convert_from, "--waveforms", "internal")
+    whole = convert_from.read_bytes()
+    convert_from.write_bytes(whole[:-1000])
+    code, _, err = convert(convert_from, tmp_path / "c.laz")
+    assert code == 1 and "in.las: is cut off: it has" in err and "an extended record ends" in err
     assert not list(tmp_path.glob("c.*"))
 
 

@@ -253,10 +253,13 @@ def test_pye57_reads_the_scan(tmp_path):
 def test_e57_comes_back(tmp_path):
     pytest.importorskip("pye57")
     chunk = make_chunk()
-    write(tmp_path / "a.e57", chunk)
+    turn = np.array([0.8, -0.2, 0.4, np.sqrt(1 - 0.84)])
+    scan = formats.Scan("tripod", (476050.0, 5473050.0, 120.0), tuple(turn), True)
+    write(tmp_path / "a.e57", chunk, scan=scan)
     reader, back = read(tmp_path / "a.e57")
+    assert np.allclose(reader.scans[0].rotation, turn) and reader.scans[0].name == "tripod"
     assert reader.header.crs == CRS and reader.header.epoch == EPOCH
-    assert np.allclose(back["points"], chunk["points"], rtol=0, atol=1e-9)
+    assert np.allclose(back["points"], chunk["points"], rtol=0, atol=3e-9)
     for name in ("GpsTime", "Amplitude", "ReturnNumber", "NumberOfReturns"):
         assert np.array_equal(back[name], chunk[name]), name
 

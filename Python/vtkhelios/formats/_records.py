@@ -49,7 +49,7 @@ class RecordReader:
             start = file.read(375)
             self.minor = start[25]
             self.encoding = struct.unpack_from("<H", start, 6)[0]
-            self.date = start[90:94]
+            self.start = start
             header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
             file.seek(header_size)
             data = file.read(self._points_begin - header_size)
@@ -145,12 +145,38 @@ class RecordWriter:
         self.file = file
         self._model = reader
         self._ranges = []  # of waveform packets
+        self._channel = None
         if compress:
             need("lazrs", "LAZ files")
-        self._writer = laspy.LasWriter(file, reader.header, do_compress=compress, closefd=False)
+        backend = self._choose_backend(laspy, reader.header.point_format) if compress else None
+        self._writer = laspy.LasWriter(
+            file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
+        )
         self._laspy = laspy
 
+    def _choose_backend(self, laspy, form):
+        """lazrs, but for waveforms laszip where it is there: lazrs loses the waveform fields of
+        formats 9 and 10 where scanner channels change."""
+        backends = laspy.LazBackend
+        if form.id not in (9, 10):
+            return backends.LazrsParallel
+        if backends.Laszip.is_available():
+            return backends.Laszip
+        self._channel = -1
+        return backends.LazrsParallel
+
+    def _check_channel(self, records):
+        channels = np.unique(records["classification_flags"] >> 4 & 3)
+        if len(channels) > 1 or (len(channels) and self._channel not in (-1, channels[0])):
+            raise FormatError(
+                f"{self._model.path}: has waveforms of several scanner channels, which lazrs does "
+                "not compress without loss; pip install --no-deps laszip, which does"
+            )
+        self._channel = channels[0] if len(channels) else self._channel
+
     def write(self, records):
+        if self._channel is not None:
+            self._check_channel(records)
         form = self._writer.header.point_format
         self._writer.write_points(self._laspy.PackedPointRecord(records, form))
 
@@ -190,9 +216,11 @@ class RecordWriter:
             self._append(others, internal, beside)
 
     def _restore_head(self):
-        """The day and the records as they were, to the byte, where laspy has made as many bytes."""
-        self.file.seek(90)
-        self.file.write(self._model.date)
+        """Who made the file, the day and the records as they were, to the byte; records only where
+        there are as many bytes of them."""
+        for first, last in ((4, 6), (8, 24), (26, 94)):
+            self.file.seek(first)
+            self.file.write(self._model.start[first:last])
         size, begin, count = struct.unpack("<HII", self.file.read(10))
         self.file.seek(size)
         made = b"".join(
