@@ -31,7 +31,7 @@ formats, by the end of a name, in and out:
 
 From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost.
 Everything else goes through arrays; what the output has no room for is said. Points pass in
-chunks: memory does not grow with files, but for .vtp, and for .copc.laz (about 40 bytes a point).
+chunks: memory does not grow with files, but for .vtp, and for .copc.laz (about 70 bytes a point).
 
 The output has the name's .part until it is whole; Ctrl-C and errors remove it. Docs/files.md has the
 whole of it.

@@ -63,7 +63,8 @@ class TextReader(Reader):
                 line += len(lines)
 
     def _parse(self, lines, first):
-        if any(b"#" in line or b"//" in line for line in lines):
+        data = b"".join(lines)
+        if b"#" in data or b"//" in data:
             lines = [b" ".join(_words(line)) + b"\n" for line in lines]
         table = self._table(lines, first)
         chunk = {"points": np.ascontiguousarray(table[:, :3])}
