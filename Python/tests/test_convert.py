@@ -15,6 +15,7 @@ import pytest
 
 import vtkhelios
 from vtkhelios import cli, formats
+from vtkhelios.cli._points import Selection
 
 
 @pytest.fixture
@@ -230,6 +231,21 @@ def test_returns_classes_and_every_nth(las, convert, tmp_path):
     assert code == 1 and "none of the" in err and not list(tmp_path.glob("x.*"))
 
 
+def test_every_nth_across_chunks():
+    """Points are counted over chunks, whatever else is chosen."""
+    for every in (1, 3, 7):
+        selection = Selection(every=every, classes=[1])
+        kept = []
+        for begin in range(0, 100, 11):
+            numbers = np.arange(begin, min(begin + 11, 100))
+            chunk = {
+                "points": np.column_stack([numbers] * 3).astype(float),
+                "ClassificationIds": numbers % 2,
+            }
+            kept += numbers[selection.of_chunk(chunk, "a")].tolist()
+        assert kept == [i for i in range(100) if i % every == 0 and i % 2 == 1]
+
+
 def test_coordinate_systems(small_runs, convert, tmp_path):
     source = small_runs["vtp"] / "leg000_points.pvtp"
     assert convert(source, tmp_path / "a.ply", "--crs", "EPSG:25833")[0] == 0
@@ -257,6 +273,39 @@ def test_runs_of_every_format_are_the_same_cloud(small_runs, convert, tmp_path):
         assert np.allclose(cloud["points"], clouds[0]["points"], rtol=0, atol=1.1e-4)
         for name in ("PulseIds", "ReturnNumber", "LegIds", "PartIds"):
             assert np.array_equal(cloud[name], clouds[0][name]), name
+
+
+def test_objects_of_text_by_name(tmp_path):
+    """A name is the same object in all legs, whichever comes first."""
+    row = "{} 0 0 1 4 1 1 0 {} 0 0\n"
+    (tmp_path / "leg000_points.xyz").write_text(row.format(1, "wall") + row.format(2, "tree"))
+    (tmp_path / "leg001_points.xyz").write_text(row.format(3, "roof") + row.format(4, "wall"))
+    files = [{"name": f"leg00{k}_points.xyz", "records": 2} for k in range(2)]
+    summary = {"legs": [{"leg": k, "files": [files[k]]} for k in range(2)]}
+    (tmp_path / "run_summary.json").write_text(json.dumps(summary))
+    with formats.open_reader(tmp_path) as reader:
+        ids = np.concatenate([chunk["PartIds"] for chunk in reader.chunks()])
+        names = reader.header.part_names
+    assert [names[i] for i in ids] == ["wall", "tree", "roof", "wall"]
+
+
+@pytest.mark.parametrize("kind", ["vtp", "xyz"])
+def test_strips(small_runs, convert, tmp_path, kind):
+    """Legs that share files: one cloud, and one trajectory through both positions."""
+    folder = small_runs[kind].parents[1]
+    for name in ("scene.xml", "fence.obj"):
+        shutil.copy(folder / name, tmp_path)
+    survey = (folder / "survey.xml").read_text().replace("<leg>", '<leg stripId="4">')
+    (tmp_path / "survey.xml").write_text(survey)
+    arguments = ["run", tmp_path / "survey.xml", "--format", kind, "--output", tmp_path, "--quiet"]
+    assert cli.main([*map(str, arguments)]) == 0
+    with formats.open_reader(tmp_path / "fence") as reader:
+        _, places, _ = reader.trajectory(reader.files[0])
+        assert np.allclose(places[:, :2], [[0, 0], [-8, 3]])
+        assert len(reader.scans) == 1 and reader.scans[0].name == "strip004"
+    assert convert(tmp_path / "fence", tmp_path / "a.ply")[0] == 0
+    expected = read(small_runs[kind] / f"leg000_points.{'p' if kind == 'vtp' else ''}{kind}")
+    assert np.allclose(read(tmp_path / "a.ply")["points"][:100], expected["points"][:100])
 
 
 def test_a_file_a_leg(small_runs, convert, tmp_path):

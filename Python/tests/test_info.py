@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from vtkhelios import cli, formats
+from vtkhelios.cli._inspect import Inspection
 
 
 @pytest.fixture
@@ -122,11 +123,13 @@ def broken(small_runs, tmp_path):
 
 
 def test_boxes_and_counts_that_are_wrong(broken, info):
-    _, facts, _ = info(broken(179, "<d", 1e6))
+    _, facts, _ = info(broken(104, "<B", 9))  # as it is
+    highest, lowest = facts["bounds"]["maximum"][1], facts["bounds"]["minimum"][1]
+    _, facts, _ = info(broken(195, "<d", highest + 2e-4))
     assert len(facts["warnings"]) == 1
-    assert facts["warnings"][0].startswith("the maximum in the header is (1000000, ")
-    _, facts, _ = info(broken(187, "<d", -1e6))
-    assert facts["warnings"][0].startswith("the minimum in the header is (-1000000, ")
+    assert facts["warnings"][0].startswith("the maximum in the header is (")
+    _, facts, _ = info(broken(203, "<d", lowest - 2e-4))
+    assert facts["warnings"][0].startswith("the minimum in the header is (")
     _, facts, _ = info(broken(255, "<Q", 5))
     assert facts["warnings"][0].startswith("the header counts [5, ")
 
@@ -156,6 +159,24 @@ def test_points_that_are_odd(tmp_path, info):
         "GPS times go back 1 times from point to point: points are not in the order they were "
         "measured",
     ]
+
+
+def test_times_that_go_back_between_chunks():
+    inspection = Inspection("a")
+    for first in (5.0, 7.0, 6.0, 8.0):
+        inspection._add_times(np.array([first, first + 0.1]))
+    assert inspection._backward == 1
+
+
+def test_strips(tmp_path, info):
+    """Legs that share a file count their points together."""
+    (tmp_path / "strip004_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)
+    legs = [
+        {"leg": k, "files": [{"name": "strip004_points.xyz", "records": 2 + 3 * k}]} for k in (0, 1)
+    ]
+    (tmp_path / "run_summary.json").write_text(json.dumps({"legs": legs}))
+    _, facts, _ = info(tmp_path)
+    assert facts["points"] == 5 and facts["legs"] == {"4": 5} and facts["warnings"] == []
 
 
 def test_names_that_are_wrong(tmp_path, info):

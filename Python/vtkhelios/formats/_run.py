@@ -52,11 +52,10 @@ class RunReader(Reader):
         )
 
     def _count(self):
-        """The points of the files, as the summary has them."""
-        return sum(
-            file["records"] for leg in self.summary["legs"] for file in leg["files"]
-            if file["name"] in self.files
-        )  # fmt: skip
+        """The points of the files; what legs of a strip write to the same one adds up there."""
+        records = {file["name"]: file["records"] for leg in self.summary["legs"]
+                   for file in leg["files"]}  # fmt: skip
+        return sum(records[name] for name in self.files)
 
     def _read_summary(self):
         path = self.folder / "run_summary.json"
@@ -105,8 +104,9 @@ class RunReader(Reader):
     def _read_trajectory(self, path):
         if path.suffix == ".txt":
             return _text_trajectory(self, path)
-        chunk = next(PiecesReader(path).chunks(10**7))
-        return chunk["GpsTime"], chunk["points"], chunk["Orientation"]
+        pieces = list(PiecesReader(path).chunks())
+        names = ("GpsTime", "points", "Orientation")
+        return tuple(np.concatenate([piece[name] for piece in pieces]) for name in names)
 
     def _make_scan(self, name):
         stem = pathlib.Path(name).name.split("_points")[0]
