@@ -3,6 +3,9 @@
 """vtkhelios convert: points of a run through all formats."""
 
 import json
+import os
+import re
+import resource
 import shutil
 import signal
 import struct
@@ -426,8 +429,6 @@ def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     before = sorted(tmp_path.rglob("*"))
     code, _, err = convert(*arguments)
     assert code == 1
-    import re
-
     assert re.search(message, err), err
     assert sorted(tmp_path.rglob("*")) == before  # nothing is left behind
 
@@ -502,6 +503,24 @@ def test_replacing(las, convert, tmp_path):
     assert len(read(tmp_path / "b.ply")["points"]) > 1000
 
 
+@pytest.mark.parametrize("ending", [kind[1:] for kind in formats.FORMATS])
+def test_disks_that_are_full(small_runs, tmp_path, ending):
+    """A file that cannot grow beyond 200 kB: an error that names it, and nothing is left."""
+    for package in {"laz": ["lazrs"], "copc.laz": ["copclib"], "e57": ["pye57"]}.get(ending, []):
+        pytest.importorskip(package)
+    sources = [small_runs["vtp"] / "leg000_points.pvtp", small_runs["las"] / "leg000_points.las"]
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))  # noqa: E731
+    for source in sources:
+        done = subprocess.run(
+            [sys.executable, "-P", "-m", "vtkhelios", "convert", source, f"b.{ending}"],
+            cwd=tmp_path, capture_output=True, text=True, preexec_fn=limit, timeout=120,
+            env={**os.environ, "PYTHONPATH": PACKAGE, "TMPDIR": str(tmp_path)},
+        )  # fmt: skip
+        assert done.returncode == 1, done.stderr
+        assert "Traceback" not in done.stderr and f"b.{ending}" in done.stderr, done.stderr
+        assert list(tmp_path.iterdir()) == []
+
+
 def test_interrupted(tmp_path):
     """Ctrl-C leaves nothing."""
     count = 3_000_000
@@ -509,7 +528,7 @@ def test_interrupted(tmp_path):
         writer.write({"points": np.random.default_rng(1).uniform(0, 100, (count, 3))})
     process = subprocess.Popen(
         [sys.executable, "-P", "-m", "vtkhelios", "convert", tmp_path / "a.ply", tmp_path / "b.xyz"],
-        stderr=subprocess.PIPE, text=True, env={**__import__("os").environ, "PYTHONPATH": PACKAGE},
+        stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": PACKAGE},
     )  # fmt: skip
     part = tmp_path / "b.xyz.part"
     for _ in range(2000):

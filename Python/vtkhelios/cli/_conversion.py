@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points of some files into another one: as LAS records where both ends are LAS, else as arrays."""
 
+import contextlib
 import os
 import pathlib
 
@@ -254,7 +255,8 @@ class Output:
 
     def abandon(self):
         for path, file in zip(self._paths, self._files):
-            file.close()
+            with contextlib.suppress(OSError):  # of a full disk, which is told already
+                file.close()
             pathlib.Path(f"{path}.part").unlink(missing_ok=True)
 
 

@@ -112,7 +112,10 @@ def run(arguments):
         except formats.FormatError as error:
             messages.error(str(error))
         except OSError as error:
-            messages.error(f"{error.filename or arguments.output}: {error.strerror}")
+            messages.error(
+                f"{error.filename or arguments.output}: cannot be read or written: "
+                f"{error.strerror or error}; see that it may be, and that the disk has room"
+            )
         except MemoryError:
             messages.error("the memory does not suffice; give --every, or fewer inputs")
         return 1

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What all formats share."""
 
+import contextlib
 import dataclasses
 import importlib
 import os
@@ -156,10 +157,14 @@ class Writer(_Closing):
         raise FormatError(f"{self.path}: {problem}")
 
     def __exit__(self, kind, *_):
-        if kind is None:
-            self.close()
-        else:
+        if kind is not None:
             self.abandon()
+            return
+        try:
+            self.close()
+        except BaseException:
+            self.abandon()
+            raise
 
 
 class FileWriter(Writer):
@@ -183,7 +188,8 @@ class FileWriter(Writer):
 
     def abandon(self):
         if self.file is not None and not self.file.closed:
-            self.file.close()
+            with contextlib.suppress(OSError):  # of a full disk, which is told already
+                self.file.close()
         pathlib.Path(self.part).unlink(missing_ok=True)
 
 

@@ -178,7 +178,19 @@ class RecordWriter:
         if self._channel is not None:
             self._check_channel(records)
         form = self._writer.header.point_format
-        self._writer.write_points(self._laspy.PackedPointRecord(records, form))
+        self._try(lambda: self._writer.write_points(self._laspy.PackedPointRecord(records, form)))
+
+    def _try(self, action):
+        """Errors of lazrs and laszip, of which a full disk is one, name the file."""
+        try:
+            action()
+        except (OSError, FormatError):
+            raise
+        except Exception as error:
+            raise FormatError(
+                f"{self.file.name.removesuffix('.part')}: cannot be written: {error}; see that the "
+                "disk has room"
+            ) from error
 
     def shift(self, records, reader):
         """Brings coordinates to the offset of this file; False where they do not fit in exactly."""
@@ -203,7 +215,7 @@ class RecordWriter:
     def close(self, internal=True, beside=None, bare=False):
         """Ends the file; the packets go into it, or into another one that is open. Bare: without
         extended records."""
-        self._writer.close()
+        self._try(self._writer.close)
         self._restore_head()
         if bare:
             return

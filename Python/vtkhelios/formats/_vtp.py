@@ -10,10 +10,12 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
+from .._pipeline import MessageLog
 from ._base import ROWS, Header, Reader, Writer, call, from_cloud, rows_of, select, to_cloud
 
 HEAD = 1_000_000  # bytes of a file in which its number of points is
@@ -142,7 +144,13 @@ class VtpWriter(Writer):
         writer.SetFileName(f"{self.path}.part")
         writer.SetInputData(cloud)
         writer.SetHeaderTypeToUInt64()
-        call(self, writer, writer.Write)
+        with MessageLog() as log:  # what VTK says of a full disk is many lines
+            log.watch(writer)
+            log.watch(writer.GetExecutive())
+            writer.Write()
+        if log.errors or writer.GetErrorCode():
+            problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
+            self.fail(f"cannot be written: {problem}; see that the disk has room")
         os.replace(f"{self.path}.part", self.path)
 
     def _add_vertices(self, cloud):
