@@ -403,6 +403,12 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
         (["folder", "b.las"], "folder: is a folder without run_summary.json; give the folder of"),
         (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume goes on"),
         (["plays", "b.las"], "plays: holds several plays; give the folder of one: play000"),
+        (["other", "b.las"], "other: run_summary.json is none of vtkhelios run; run the survey"),
+        (["bare", "b.las"], "bare: its run_summary.json names no files of points; run the"),
+        (
+            ["early.ply", "late.ply", "b.las", "--merge"],
+            "late.ply: its times count from 2000000000 s",
+        ),
         (["broken", "b.las"], "broken: run_summary.json is no JSON: .*; run the survey again"),
         (["a.las", "b.ply", "--waveforms", "internal"], "waveforms go from LAS or LAZ to LAS or"),
         (["bare.las", "b.las", "--waveforms", "internal"], "bare.las: has no waveforms; leave"),
@@ -412,18 +418,20 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
 )
 def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     monkeypatch.chdir(tmp_path)
-    for folder in ("folder", "begun", "plays/play000", "broken"):
+    for folder in ("folder", "begun", "plays/play000", "broken", "other", "bare"):
         (tmp_path / folder).mkdir(parents=True)
     shutil.copy(las, "folder/a.las")
     for name in ("there.laz", "notes.txt", "begun/run.journal", "plays/play000/run_summary.json"):
         (tmp_path / name).write_text("")
     (tmp_path / "broken/run_summary.json").write_text("{")
+    (tmp_path / "other/run_summary.json").write_text("[1]")
+    (tmp_path / "bare/run_summary.json").write_text('{"legs": []}')
     (tmp_path / "three.xyz").write_text("1 2 3\n")
-    formats_of = {"three.xyz": "bare.las"}
-    for source, target in formats_of.items():
-        with formats.open_writer(target) as writer:
+    for name, epoch in (("bare.las", 0.0), ("early.ply", 1e9), ("late.ply", 2e9)):
+        header = formats.Header()
+        header.epoch = epoch
+        with formats.open_writer(name, header) as writer:
             writer.write({"points": np.zeros((2, 3))})
-        del source
     with formats.open_writer("nan.ply") as writer:
         writer.write({"points": np.array([[0, 0, 0], [np.nan, 0, 0]])})
     before = sorted(tmp_path.rglob("*"))

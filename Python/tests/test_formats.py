@@ -387,6 +387,94 @@ def test_ply_that_is_wrong(tmp_path, head, message):
         read(path)
 
 
+@pytest.mark.parametrize(
+    "content, message",
+    [
+        ("solid x", "is no PLY file: it does not start with ply; check its name"),
+        ("ply\nformat ascii 1.0\n", "ends within its header; copy it again"),
+        ("ply\nformat ascii 1.0\nelement face 2\n", 'has "face" before its vertices'),
+        (PLY.format(form="ascii", count=1, properties=XYZ) + "1 x 3\n", "0 to 1 cannot be read"),
+    ],
+)
+def test_ply_that_is_none(tmp_path, content, message):
+    (tmp_path / "a.ply").write_text(content)
+    with pytest.raises(FormatError, match=message):
+        read(tmp_path / "a.ply")
+
+
+INDEX = '<VTKFile type="{kind}"><PPolyData>{pieces}</PPolyData></VTKFile>'
+
+
+@pytest.mark.parametrize(
+    "content, message",
+    [
+        ("<VTKFile>", "is no XML: .*; write it again"),
+        (INDEX.format(kind="PImageData", pieces=""), r"in pieces \(PPolyData\); name that one"),
+        (INDEX.format(kind="PPolyData", pieces=""), "names no pieces, so it has no points"),
+        (
+            INDEX.format(kind="PPolyData", pieces='<Piece Source="b.vtp"/>'),
+            "b.vtp is missing; keep",
+        ),
+        (
+            INDEX.format(kind="PPolyData", pieces='<Piece Source="c.vtp"/>'),
+            "c.vtp is no VTK XML fi",
+        ),
+    ],
+)
+def test_pieces_that_are_wrong(tmp_path, content, message):
+    (tmp_path / "a.pvtp").write_text(content)
+    (tmp_path / "c.vtp").write_text("<VTKFile type='ImageData'/>")
+    with pytest.raises(FormatError, match=message):
+        read(tmp_path / "a.pvtp")
+
+
+def write_e57(path, fields):
+    """A scan of any fields, by libE57Format alone."""
+    pye57 = pytest.importorskip("pye57")
+    libe57 = pye57.libe57
+    with pye57.E57(str(path), "w") as file:
+        image = file.image_file
+        prototype, buffers = libe57.StructureNode(image), libe57.VectorSourceDestBuffer()
+        for name, values in fields.items():
+            prototype.set(name, libe57.FloatNode(image))
+            buffers.append(libe57.SourceDestBuffer(image, name, values, len(values), True, True))
+        node = libe57.StructureNode(image)
+        points = libe57.CompressedVectorNode(image, prototype, libe57.VectorNode(image, True))
+        node.set("guid", libe57.StringNode(image, "{1}"))
+        node.set("points", points)
+        file.data3d.append(node)
+        writer = points.writer(buffers)
+        writer.write(len(next(iter(fields.values()))))
+        writer.close()
+
+
+def test_e57_of_others(tmp_path):
+    """Ranges and angles, no pose; intensities of any scale become 16 bits."""
+    fields = {
+        "sphericalRange": np.array([2.0, 10.0]),
+        "sphericalAzimuth": np.radians([0.0, 90.0]),
+        "sphericalElevation": np.radians([30.0, 0.0]),
+        "intensity": np.array([0.0, 65535.0]),
+    }
+    write_e57(tmp_path / "a.e57", fields)
+    _, back = read(tmp_path / "a.e57")
+    assert np.allclose(back["points"], [[np.sqrt(3.0), 0.0, 1.0], [0.0, 10.0, 0.0]])
+    assert back["Intensity"].tolist() == [0, 65535] and back["Intensity"].dtype == np.uint16
+
+
+def test_e57_without_coordinates(tmp_path):
+    write_e57(tmp_path / "a.e57", {"intensity": np.array([1.0])})
+    with pytest.raises(FormatError, match="has a scan without coordinates; leave that scan out"):
+        read(tmp_path / "a.e57")
+
+
+def test_e57_without_scans(tmp_path):
+    pye57 = pytest.importorskip("pye57")
+    pye57.E57(str(tmp_path / "a.e57"), "w").close()
+    with pytest.raises(FormatError, match="a.e57: has no points; give a file with points"):
+        read(tmp_path / "a.e57")
+
+
 def test_ply_of_large_numbers(tmp_path):
     chunk = {"points": np.zeros((1, 3)), "PulseIds": np.array([2**60])}
     with pytest.raises(FormatError, match=r"whole numbers to 2\^53, and PulseIds has larger ones"):

@@ -61,9 +61,12 @@ class RunReader(Reader):
         path = self.folder / "run_summary.json"
         if path.is_file():
             try:
-                return json.loads(path.read_text())
+                summary = json.loads(path.read_text())
             except ValueError as error:
                 self.fail(f"run_summary.json is no JSON: {error}; run the survey again")
+            if not isinstance(summary, dict) or "legs" not in summary:
+                self.fail("run_summary.json is none of vtkhelios run; run the survey again")
+            return summary
         if (self.folder / "run.journal").is_file():
             self.fail("the run is not finished; vtkhelios run --resume goes on with it")
         if any(self.folder.glob("play[0-9]*/run_summary.json")):
