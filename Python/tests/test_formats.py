@@ -494,6 +494,33 @@ def test_chunks_of_other_arrays(tmp_path, ending):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.parametrize(
+    "arrays, message",
+    [
+        ({"points": np.zeros((2, 2))}, r"points has the shape \(2, 2\); give an array of \(n, 3\)"),
+        ({"points": np.zeros(3)}, r"points has the shape \(3,\)"),
+        ({}, r"points has the shape \(\); give"),
+        ({"points": np.array([["a", "b", "c"]])}, "points is of the type <U1; give whole or real"),
+        (
+            {"Range": np.zeros(3)},
+            r"Range has the shape \(3,\), and there are 2 points; give one row",
+        ),
+        ({"Range": np.zeros((2, 1, 1))}, r"Range has the shape \(2, 1, 1\)"),
+        ({"Range": [1.0, 2.0]}, "Range is of the type list; give whole or real numbers"),
+        ({"Range": np.zeros(2, complex)}, "Range is of the type complex128"),
+        ({"Range": np.zeros(2, np.float16)}, "Range is of the type float16"),
+        ({"Range": np.zeros(2, ">f8")}, "Range is of the type >f8"),
+    ],
+)
+def test_arrays_that_are_wrong(tmp_path, arrays, message):
+    chunk = {"points": np.zeros((2, 3)), **arrays} if arrays else {}
+    with pytest.raises(FormatError, match="a.ply: " + message):
+        write(tmp_path / "a.ply", chunk) if chunk else formats.open_writer(
+            tmp_path / "a.ply"
+        ).write(chunk)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_no_points(tmp_path, full_format):
     with pytest.raises(FormatError, match="would have no points"):
         with formats.open_writer(tmp_path / f"a.{full_format}", make_header()):

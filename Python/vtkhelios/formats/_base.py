@@ -18,6 +18,8 @@ from .._pipeline import MessageLog
 
 ROWS = 500_000  # points of a chunk
 
+NUMBERS = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8")  # types of arrays
+
 Chunk = dict  # name: numpy array; "points" is among them
 
 
@@ -139,6 +141,12 @@ class Writer(_Closing):
 
     def write(self, chunk):
         """Appends points."""
+        if problem := find_problem(chunk):
+            self.fail(problem)
+        self.put(chunk)
+
+    def put(self, chunk):
+        """Appends points that are checked; of subclasses."""
         raise NotImplementedError
 
     def close(self):
@@ -191,6 +199,25 @@ class FileWriter(Writer):
             with contextlib.suppress(OSError):  # of a full disk, which is told already
                 self.file.close()
         pathlib.Path(self.part).unlink(missing_ok=True)
+
+
+def find_problem(chunk):
+    """What is wrong with the shapes and types of a chunk, or None."""
+    points = chunk.get("points")
+    shape = np.shape(points)
+    if len(shape) != 2 or shape[1] != 3:
+        return f"points has the shape {shape}; give an array of (n, 3)"
+    for name, values in chunk.items():
+        known = isinstance(values, np.ndarray) and values.dtype.str[1:] in NUMBERS
+        if not known or not values.dtype.isnative:
+            kind = getattr(values, "dtype", type(values).__name__)
+            return f"{name} is of the type {kind}; give whole or real numbers of 8 to 64 bits"
+        if values.ndim not in (1, 2) or len(values) != shape[0]:
+            return (
+                f"{name} has the shape {values.shape}, and there are {shape[0]} points; give one "
+                "row a point"
+            )
+    return None
 
 
 def rows_of(chunk):

@@ -88,7 +88,7 @@ class CopcWriter(FileWriter):
         self._encoder = Encoder(self, header)
         self._scratch = None
 
-    def write(self, chunk):
+    def put(self, chunk):
         self.write_records(self._encoder.encode(chunk))
 
     def write_records(self, records):

@@ -158,7 +158,7 @@ class E57Writer(FileWriter):
         self._try(self._end_scan)
         self.scan = scan
 
-    def write(self, chunk):
+    def put(self, chunk):
         self._try(lambda: self._write(chunk))
 
     def _try(self, action):

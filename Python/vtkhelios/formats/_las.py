@@ -100,7 +100,7 @@ class LasWriter(Writer):
         self._writer = vtkhelios.vtkHeliosLASWriter()
         self._writer.SetFileName(self.path)
 
-    def write(self, chunk):
+    def put(self, chunk):
         if not self._writer.IsOpen():
             call(self, self._writer, self._writer.Open)
         cloud = to_cloud(chunk, self.header)
@@ -160,7 +160,7 @@ class LazWriter(FileWriter):
         self._encoder = Encoder(self, header)
         self._records = None
 
-    def write(self, chunk):
+    def put(self, chunk):
         records = self._encoder.encode(chunk)
         if self._records is None:
             self.open_part()

@@ -146,7 +146,7 @@ class PlyWriter(FileWriter):
         self._type = None
         self._wide = {}  # arrays of 64 bits: type
 
-    def write(self, chunk):
+    def put(self, chunk):
         fields = dict(self._fields(chunk))
         kinds = [(name, "<" + values.dtype.str[1:]) for name, values in fields.items()]
         if self._type is None:

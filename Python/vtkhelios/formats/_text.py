@@ -157,7 +157,7 @@ class TextWriter(Writer):
         self._writer = vtkhelios.vtkHeliosPointTextWriter()
         self._writer.SetFileName(self.path)
 
-    def write(self, chunk):
+    def put(self, chunk):
         if not self._writer.IsOpen():
             call(self, self._writer, self._writer.Open)
         cloud = to_cloud({"points": chunk["points"], **self._columns(chunk)}, self.header)

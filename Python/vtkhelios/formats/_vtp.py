@@ -94,7 +94,7 @@ class PiecesWriter(Writer):
         self._writer.SetFileName(self.path)
         self._pieces = 0
 
-    def write(self, chunk):
+    def put(self, chunk):
         if not self._writer.IsOpen():
             call(self, self._writer, self._writer.Open)
         cloud = to_cloud(chunk, self.header)
@@ -124,7 +124,7 @@ class VtpWriter(Writer):
         super().__init__(path, header)
         self._chunks = []
 
-    def write(self, chunk):
+    def put(self, chunk):
         if self._chunks and set(chunk) != set(self._chunks[0]):
             odd = ", ".join(sorted(set(chunk) ^ set(self._chunks[0])))
             self.fail(f"not all points have {odd}; convert the files one by one")
