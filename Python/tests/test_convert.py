@@ -39,8 +39,8 @@ def convert(capsys):
 @pytest.fixture
 def las(small_runs, tmp_path):
     """A copy of the LAS file of the first leg, with its packets."""
-    if "laspy" not in sys.modules:
-        pytest.importorskip("lazrs")
+    pytest.importorskip("laspy")
+    pytest.importorskip("lazrs")
     for ending in ("las", "wdp"):
         shutil.copy(small_runs["las"] / f"leg000_points.{ending}", tmp_path / f"a.{ending}")
     return tmp_path / "a.las"
@@ -514,7 +514,12 @@ def test_replacing(las, convert, tmp_path):
 @pytest.mark.parametrize("ending", [kind[1:] for kind in formats.FORMATS])
 def test_disks_that_are_full(small_runs, tmp_path, ending):
     """A file that cannot grow beyond 200 kB: an error that names it, and nothing is left."""
-    for package in {"laz": ["lazrs"], "copc.laz": ["copclib"], "e57": ["pye57"]}.get(ending, []):
+    for package in {
+        "las": ["laspy"],
+        "laz": ["lazrs"],
+        "copc.laz": ["copclib"],
+        "e57": ["pye57"],
+    }.get(ending, []):
         pytest.importorskip(package)
     sources = [small_runs["vtp"] / "leg000_points.pvtp", small_runs["las"] / "leg000_points.las"]
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))  # noqa: E731

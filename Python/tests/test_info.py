@@ -33,6 +33,7 @@ def read(path):
 
 
 def test_las(small_runs, info):
+    pytest.importorskip("laspy")
     path = small_runs["las"] / "leg000_points.las"
     cloud = read(path)
     code, facts, _ = info(path)
