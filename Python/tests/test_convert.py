@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios convert: points of a run through all formats."""
 
+import gc
 import json
 import os
 import re
@@ -11,6 +12,7 @@ import signal
 import struct
 import subprocess
 import sys
+import tempfile
 import time
 
 import numpy as np
@@ -447,13 +449,19 @@ def test_packets_that_are_missing(las, convert, tmp_path):
     assert code == 1 and "a.wdp, which is missing; keep it beside" in err
 
 
-def test_laz_that_is_cut_off(las, convert, tmp_path):
+def test_laz_that_is_cut_off(las, convert, tmp_path, monkeypatch):
+    (tmp_path / "scratch").mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "scratch"))
     convert(las, tmp_path / "b.laz")
     data = (tmp_path / "b.laz").read_bytes()
     (tmp_path / "b.laz").write_bytes(data[: len(data) // 2])
     code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
     assert code == 1 and "b.laz: points 0 to" in err and "is cut off or damaged" in err
+    code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.ply")
+    assert code == 1 and "b.laz: points 0 to" in err
     assert not list(tmp_path.glob("c.*"))
+    gc.collect()
+    assert not list((tmp_path / "scratch").iterdir())
 
 
 def test_channels_that_lazrs_confuses(convert, tmp_path, monkeypatch):

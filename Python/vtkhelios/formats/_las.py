@@ -7,7 +7,6 @@ and fields arrays, in one place only: in C++.
 """
 
 import pathlib
-import shutil
 import struct
 import tempfile
 
@@ -61,7 +60,7 @@ class LazReader(Reader):
         self.kind = f"LAZ {words}"
         if self.count == 0:
             self.fail("has no points; give a file with points")
-        self._folder = tempfile.mkdtemp(prefix="vtkhelios-")
+        self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
         first = next(RecordReader(path).chunks(1))
         self.header = Header(self._to_cloud(first).GetFieldData())
         self.header.crs = self.header.crs or self._find_crs()
@@ -73,7 +72,7 @@ class LazReader(Reader):
             return _find_crs(reader)
 
     def _to_cloud(self, records):
-        path = pathlib.Path(self._folder) / "points.las"
+        path = pathlib.Path(self._folder.name) / "points.las"
         with open(path, "w+b") as file:
             writer = RecordWriter(file, self.records, compress=False)
             writer.write(records)
@@ -91,7 +90,7 @@ class LazReader(Reader):
 
     def close(self):
         self.records.close()
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._folder.cleanup()
 
 
 class LasWriter(Writer):
@@ -125,8 +124,8 @@ class Encoder:
     def __init__(self, owner, header):
         self._owner = owner
         self._header = header
-        self._folder = tempfile.mkdtemp(prefix="vtkhelios-")
-        self._las = pathlib.Path(self._folder) / "points.las"
+        self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
+        self._las = pathlib.Path(self._folder.name) / "points.las"
         self._part = pathlib.Path(f"{self._las}.part")
         self._writer = vtkhelios.vtkHeliosLASWriter()
         self._writer.SetFileName(str(self._las))
@@ -149,7 +148,7 @@ class Encoder:
         return np.fromfile(self._part, self.model.header.point_format.dtype(), offset=self._begin)
 
     def close(self):
-        shutil.rmtree(self._folder, ignore_errors=True)
+        self._folder.cleanup()
 
 
 class LazWriter(FileWriter):
