@@ -15,7 +15,7 @@ helios_packages=(
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
   coinor-libcbc-dev
   # Python
-  python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich
+  python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   # to test
   catch2 python3-pytest python3-gdal python3-lxml
   # pictures without a display
@@ -54,6 +54,7 @@ helios_make_venv() {
   done
   helios_install_laspy
   helios_install_pyvista
+  helios_install_formats
 }
 
 # LAS and LAZ files as scenes, which Debian has no package for. Without it the tests of them are skipped.
@@ -69,6 +70,17 @@ helios_install_pyvista() {
   build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be had here: its test is skipped" >&2
+}
+
+# COPC and E57 files, LAZ with waveforms of several channels, and what reads PLY files in tests.
+# Without them the tests of these are skipped.
+helios_install_formats() {
+  build/venv/bin/python -c 'import copclib, laszip, pye57, plyfile' 2>/dev/null && return
+  local package
+  for package in copclib laszip pye57 pyquaternion plyfile; do
+    build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+      "$package" || echo "$package cannot be had here: some formats of vtkhelios convert are missing" >&2
+  done
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

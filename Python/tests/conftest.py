@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import runpy
 import subprocess
 import sys
 
@@ -84,6 +85,23 @@ def read_pixels():
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(height, width, 3).astype(int)
+        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)  # without opacity
 
     return read
+
+
+@pytest.fixture(scope="session")
+def small_runs(tmp_path_factory):
+    """Two scan positions before a fence, run in every format with waveforms and pulses."""
+    from vtkhelios import cli
+
+    folder = tmp_path_factory.mktemp("runs")
+    small_run = runpy.run_path(pathlib.Path(__file__).with_name("_small_run.py"))
+    survey = small_run["write_survey"](folder)
+    runs = {}
+    for kind in ("las", "xyz", "vtp"):
+        output = folder / kind
+        arguments = ["run", survey, "--format", kind, "--output", output, "--waveforms"]
+        assert cli.main([*map(str, arguments), "--pulses", "--quiet"]) == 0
+        runs[kind] = output / "fence"
+    return runs

@@ -274,9 +274,10 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
     writer->Abandon();
     return false;
   }
-  const bool good = this->EndsFiles(plan) ? writer->Close() : writer->Flush() && writer->Abandon();
-  written = GetProgress(writer);
-  return good;
+  const bool ends = this->EndsFiles(plan);
+  const bool good = ends ? writer->Close() : writer->Flush();
+  written = GetProgress(writer); // without the foot of an index: there the next leg goes on
+  return (ends || writer->Abandon()) && good;
 }
 
 //------------------------------------------------------------------------------

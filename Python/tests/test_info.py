@@ -1,0 +1,188 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios info: facts of files, runs and surveys, and what is wrong with them."""
+
+import json
+import shutil
+import struct
+
+import numpy as np
+import pytest
+
+from vtkhelios import cli, formats
+from vtkhelios.cli._inspect import Inspection
+
+
+@pytest.fixture
+def info(capsys):
+    """The facts of a path, and standard error."""
+
+    def call(path, *options):
+        capsys.readouterr()
+        code = cli.main(["info", str(path), "--json", *map(str, options)])
+        out, err = capsys.readouterr()
+        return code, json.loads(out) if out else None, err
+
+    return call
+
+
+def read(path):
+    with formats.open_reader(path) as reader:
+        chunks = list(reader.chunks())
+        return {name: np.concatenate([each[name] for each in chunks]) for name in chunks[0]}
+
+
+def test_las(small_runs, info):
+    pytest.importorskip("laspy")
+    path = small_runs["las"] / "leg000_points.las"
+    cloud = read(path)
+    code, facts, _ = info(path)
+    assert code == 0 and facts["warnings"] == []
+    assert facts["format"] == "LAS 1.4, point format 9"
+    assert facts["points"] == len(cloud["points"])
+    assert facts["bounds"]["minimum"] == cloud["points"].min(axis=0).tolist()
+    assert facts["bounds"]["maximum"] == cloud["points"].max(axis=0).tolist()
+    times = facts["gpsTime_s"]
+    assert [times["first"], times["last"]] == [cloud["GpsTime"].min(), cloud["GpsTime"].max()]
+    counts = np.bincount(cloud["ReturnNumber"])
+    assert facts["returns"] == {str(i): int(n) for i, n in enumerate(counts) if n}
+    assert facts["legs"] == {"0": facts["points"]}
+    assert "25832" in facts["crs"] and facts["gpsTimeKind"] == "not adjusted"
+    amplitude = next(each for each in facts["arrays"] if each["name"] == "Amplitude")
+    assert amplitude == {"name": "Amplitude", "type": "float64", "unit": "W", "components": 1}
+
+
+def test_header_of_las(small_runs, info):
+    pytest.importorskip("laspy")
+    path = small_runs["las"] / "leg000_points.las"
+    _, facts, _ = info(path)
+    assert facts["scale"] == [1e-4] * 3 and facts["system"] == "SIMULATION"
+    assert facts["waveforms"]["packets"].endswith("leg000_points.wdp")
+    assert facts["waveforms"]["bytes"] == path.with_suffix(".wdp").stat().st_size - 60
+    extra = {each["name"]: each["description"] for each in facts["extraBytes"]}
+    assert extra["EchoWidth"] == "full width at half maximum [ns]"
+    assert {"user": "LASF_Projection", "id": 2112}.items() <= facts["headerRecords"][0].items()
+
+
+@pytest.mark.parametrize("spacing", [0.1, 0.5, 2.0])
+def test_spacing(tmp_path, info, spacing):
+    grid = np.indices((200, 200, 1)).reshape(3, -1).T * spacing
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write({"points": grid})
+    _, facts, _ = info(tmp_path / "a.ply")
+    assert facts["spacing_m"] == pytest.approx(spacing, rel=0.35)
+
+
+@pytest.mark.parametrize("kind", ["las", "xyz", "vtp"])
+def test_runs(small_runs, info, kind):
+    summary = json.loads((small_runs[kind] / "run_summary.json").read_text())
+    code, facts, _ = info(small_runs[kind])
+    assert code == 0 and facts["warnings"] == []
+    assert facts["points"] == summary["totals"]["points"]
+    assert facts["legs"] == {str(leg["leg"]): leg["points"] for leg in summary["legs"]}
+    assert facts["format"].startswith("run of 2 files of points")
+
+
+def test_surveys(small_runs, info):
+    survey = small_runs["las"].parents[1] / "survey.xml"
+    code, facts, _ = info(survey)
+    assert code == 0
+    assert (facts["name"], facts["moving"], facts["plays"]) == ("fence", False, 1)
+    assert facts["scene"] == "fence" and "VZ-400" in facts["scanner"]
+    assert [leg["position_m"] for leg in facts["legs"]] == [[0, 0, 2], [-8, 3, 2]]
+    assert facts["legs"][0]["pulseFrequency_Hz"] == 100_000
+    code, facts, err = info(small_runs["las"].parents[1] / "scene.xml")
+    assert code == 1 and "scene.xml" in err
+
+
+def test_as_text(small_runs, capsys):
+    for path in (small_runs["xyz"], small_runs["las"].parents[1] / "survey.xml"):
+        assert cli.main(["info", str(path)]) == 0
+    out = capsys.readouterr().out
+    assert "spacing    about" in out and "EchoWidth [ns] (float64)" in out
+    assert "returns    1: " in out and "legs       0: " in out
+    assert "leg 1      (-8, 3, 2) m, 100000 pulses/s, 100 lines/s" in out
+
+
+# What is wrong
+
+
+@pytest.fixture
+def broken(small_runs, tmp_path):
+    """A LAS file with bytes of its header replaced: place, format, value."""
+    pytest.importorskip("laspy")
+
+    def make(place, form, value):
+        for ending in ("las", "wdp"):
+            shutil.copy(small_runs["las"] / f"leg000_points.{ending}", tmp_path / f"a.{ending}")
+        with open(tmp_path / "a.las", "r+b") as file:
+            file.seek(place)
+            file.write(struct.pack(form, value))
+        return tmp_path / "a.las"
+
+    return make
+
+
+def test_boxes_and_counts_that_are_wrong(broken, info):
+    _, facts, _ = info(broken(104, "<B", 9))  # as it is
+    highest, lowest = facts["bounds"]["maximum"][1], facts["bounds"]["minimum"][1]
+    _, facts, _ = info(broken(195, "<d", highest + 2e-4))
+    assert len(facts["warnings"]) == 1
+    assert facts["warnings"][0].startswith("the maximum in the header is (")
+    _, facts, _ = info(broken(203, "<d", lowest - 2e-4))
+    assert facts["warnings"][0].startswith("the minimum in the header is (")
+    _, facts, _ = info(broken(255, "<Q", 5))
+    assert facts["warnings"][0].startswith("the header counts [5, ")
+
+
+def test_sizes_that_are_wrong(broken, info):
+    code, _, err = info(broken(247, "<Q", 10**9))
+    assert code == 1 and "that its header counts: it is cut off" in err
+    code, _, err = info(broken(105, "<H", 20))
+    assert code == 1 and "has points of 20 bytes; format 9 needs 59" in err
+
+
+def test_points_that_are_odd(tmp_path, info):
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write(
+            {
+                "points": np.array([[0, 0, 0], [1, 1, 1], [np.inf, 0, 0]]),
+                "GpsTime": np.array([1.0, 3.0, 2.0]),
+                "ReturnNumber": np.array([1, 3, 0], np.uint8),
+                "NumberOfReturns": np.array([1, 2, 1], np.uint8),
+            }
+        )
+    _, facts, _ = info(tmp_path / "a.ply")
+    assert facts["warnings"] == [
+        "1 points are not finite; vtkhelios convert --skip-invalid leaves them out",
+        "1 points have a return number above their number of returns",
+        "1 points have the return number 0",
+        "GPS times go back 1 times from point to point: points are not in the order they were "
+        "measured",
+    ]
+
+
+def test_times_that_go_back_between_chunks():
+    inspection = Inspection("a")
+    for first in (5.0, 7.0, 6.0, 8.0):
+        inspection._add_times(np.array([first, first + 0.1]))
+    assert inspection._backward == 1
+
+
+def test_strips(tmp_path, info):
+    """Legs that share a file count their points together."""
+    (tmp_path / "strip004_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)
+    legs = [
+        {"leg": k, "files": [{"name": "strip004_points.xyz", "records": 2 + 3 * k}]} for k in (0, 1)
+    ]
+    (tmp_path / "run_summary.json").write_text(json.dumps({"legs": legs}))
+    _, facts, _ = info(tmp_path)
+    assert facts["points"] == 5 and facts["legs"] == {"4": 5} and facts["warnings"] == []
+
+
+def test_names_that_are_wrong(tmp_path, info):
+    code, _, err = info(tmp_path / "none.las")
+    assert code == 1 and "none.las: no such file or folder; check its name" in err
+    (tmp_path / "a.txt").write_text("")
+    code, _, err = info(tmp_path / "a.txt")
+    assert code == 1 and "a.txt: its ending is of no format that is known" in err

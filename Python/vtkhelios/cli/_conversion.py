@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Points of some files into another one: as LAS records where both ends are LAS, else as arrays."""
+
+import contextlib
+import os
+import pathlib
+
+import vtkhelios
+
+from .. import formats
+from ..formats._base import call, from_cloud, rows_of, select, to_cloud
+from ..formats._records import RecordReader, RecordWriter, same_form
+from ..formats._run import RunReader
+
+RECORDS = (".las", ".laz", ".copc.laz")
+NAMES = {"Part.Name", "Material.Name"}  # field arrays that only VTK files keep
+
+
+class Conversion:
+    """One output and the inputs that go into it."""
+
+    def __init__(self, inputs, output, selection, crs=None, waveforms=None):
+        self.inputs = inputs
+        self.output = str(output)
+        self.selection = selection
+        self.crs = crs
+        self.waveforms = waveforms
+        self.kinds = []  # of inputs: path, kind, count
+        self.notes = []
+        self.lost = {}
+        self.count = 0
+
+    def files(self):
+        """All that the output will be."""
+        path = pathlib.Path(self.output)
+        beside = [path.with_suffix(".wdp")] if formats.ending(path) in (".las", ".laz") else []
+        return [path, *beside]
+
+    def run(self, task):
+        """Converts; raises FormatError, OSError or Interrupted, and then leaves no output."""
+        paths = self._record_files()
+        if paths and self._copy_records(paths, task):
+            return
+        if self.waveforms:
+            raise formats.FormatError(
+                f"{self.output}: waveforms go from LAS or LAZ to LAS or LAZ only, of one form where "
+                "there are several; leave --waveforms out"
+            )
+        self._convert(task)
+
+    # Records.
+
+    def _record_files(self):
+        """The files whose records can be copied; none where arrays are needed."""
+        if formats.ending(self.output) not in (".las", ".laz") or self.crs:
+            return []
+        paths = []
+        for each in self.inputs:
+            run = isinstance(each, RunReader)
+            paths += [str(each.folder / name) for name in each.files] if run else [each]
+        return paths if all(formats.ending(path) in RECORDS for path in paths) else []
+
+    def _copy_records(self, paths, task):
+        readers = [RecordReader(path) for path in paths]
+        for reader in readers[1:]:
+            if why := same_form(readers[0], reader):
+                self.notes.append(
+                    f"{reader.path}: has {why} than {paths[0]}: points are converted as arrays, "
+                    "header records of other programs are not kept"
+                )
+                return False
+        packets = [reader.packets() for reader in readers]
+        if self.waveforms and not all(packets):
+            raise formats.FormatError(f"{paths[0]}: has no waveforms; leave --waveforms out")
+        task.total = sum(reader.header.point_count for reader in readers)
+        self.kinds = [(r.path, _words(r), r.header.point_count) for r in readers]
+        with Output(self.output, self._is_internal(packets)) as output:
+            writer = RecordWriter(
+                output.file, readers[0], compress=self.output.lower().endswith(".laz")
+            )
+            for reader, packet in zip(readers, packets):
+                grown = writer.add_packets(packet) if packet else 0
+                if not self._copy_file(reader, writer, grown, task):
+                    output.abandon()
+                    self.kinds.clear()
+                    return False
+            self._check_count()
+            task.tell("finishing")
+            writer.close(output.internal, output.beside)
+        return True
+
+    def _is_internal(self, packets):
+        """Whether packets go into the file; None: there are none."""
+        found = [packet for packet in packets if packet]
+        if not found:
+            return None
+        return self.waveforms == "internal" or (
+            self.waveforms is None and not found[0][0].lower().endswith(".wdp")
+        )
+
+    def _copy_file(self, reader, writer, grown, task):
+        is_long = reader.header.point_format.id >= 6
+        for records in reader.chunks():
+            total = len(records)
+            mask = self.selection.of_records(records, is_long)
+            records = records if mask is None else records[mask]
+            if grown:
+                named = records["wavepacket_index"] > 0
+                records["wavepacket_offset"][named] += grown
+            if not writer.shift(records, reader):
+                self.notes.append(
+                    f"{reader.path}: its coordinates do not fit the scale and offset of the first "
+                    "file: points are converted as arrays"
+                )
+                self.count = self.selection.seen = 0
+                task.done = 0
+                return False
+            writer.write(records)
+            self.count += len(records)
+            task.advance(total)
+        reader.close()
+        return True
+
+    # Arrays.
+
+    def _convert(self, task):
+        readers = [
+            each if isinstance(each, RunReader) else formats.open_reader(each)
+            for each in self.inputs
+        ]
+        self._check_headers(readers)
+        counts = [reader.count for reader in readers]
+        task.total = None if None in counts else sum(counts)
+        header = readers[0].header
+        move = self._make_move(header)
+        try:
+            with formats.open_writer(self.output, header) as writer:
+                for reader in readers:
+                    self._convert_file(reader, writer, move, task)
+                self._check_count()
+                task.tell("finishing")
+            self.lost |= writer.lost
+            self.notes += writer.notes
+        finally:
+            for reader in readers:
+                self.notes += reader.notes
+                reader.close()
+        self._note_lost(readers)
+
+    def _convert_file(self, reader, writer, move, task):
+        scan, count = None, 0
+        for chunk in reader.chunks():
+            if scan != reader.scan:
+                scan = reader.scan
+                writer.begin(reader.scans[scan])
+            total = rows_of(chunk)
+            mask = self.selection.of_chunk(chunk, reader.path)
+            chunk = chunk if mask is None else select(chunk, mask)
+            if rows_of(chunk):
+                writer.write(move(chunk))
+            self.count += rows_of(chunk)
+            count += total
+            task.advance(total)
+        self.kinds.append((reader.path, reader.kind, count))
+
+    def _check_headers(self, readers):
+        first = readers[0]
+        for other in readers[1:]:
+            if other.header.crs != first.header.crs and not (self.crs and not other.header.crs):
+                raise formats.FormatError(
+                    f"{other.path}: has the coordinate system {other.header.crs[:60] or 'none'}, "
+                    f"and {first.path} {first.header.crs[:60] or 'none'}; convert one of them "
+                    "first, with --crs"
+                )
+            if other.header.epoch != first.header.epoch:
+                raise formats.FormatError(
+                    f"{other.path}: its times count from {other.header.epoch:.17g} s of GPS time, "
+                    f"and those of {first.path} from {first.header.epoch:.17g} s; convert each to a "
+                    "file of its own"
+                )
+
+    def _make_move(self, header):
+        """What brings chunks to the coordinate system of the output."""
+        if not self.crs or self.crs == header.crs:
+            return lambda chunk: chunk
+        source = formats.Header(header.fields)
+        header.crs = self.crs
+        if not source.crs:
+            return lambda chunk: chunk  # theirs, from now on
+        reproject = vtkhelios.vtkHeliosReproject()
+        reproject.SetTargetCRS(self.crs)
+
+        def move(chunk):
+            reproject.SetInputData(to_cloud(chunk, source))
+            call(self, reproject, reproject.Update)
+            return from_cloud(reproject.GetOutput())
+
+        return move
+
+    @property
+    def path(self):
+        """What errors of the reprojection name."""
+        return self.output
+
+    def _check_count(self):
+        if self.count == 0:
+            raise formats.FormatError(
+                f"{self.output}: none of the {self.selection.seen:,} points is wanted; choose other "
+                "--returns, --class or --every"
+            )
+
+    def _note_lost(self, readers):
+        if any(reader.has_waveforms for reader in readers):
+            self.lost["waveforms"] = "they pass from LAS and LAZ to LAS and LAZ only, as records"
+        kind = formats.ending(self.output)
+        fields = {reader.header.fields.GetArrayName(i) for reader in readers
+                  for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
+        if kind not in (".vtp", ".pvtp"):
+            kept = {"Part.Name"} if kind == ".xyz" else set()
+            for name in sorted((NAMES & fields) - kept):
+                self.lost[name] = "points keep the numbers, the names are in VTK files only"
+        if kind == ".xyz" and fields & {"CRS", "GpsEpoch"}:
+            self.lost |= {
+                name: "text has no header" for name in ("CRS", "GpsEpoch") if name in fields
+            }
+
+
+class Output:
+    """A LAS or LAZ file, and maybe packets beside it, under names that end in .part."""
+
+    def __init__(self, path, internal):
+        self.path = pathlib.Path(path)
+        self.internal = bool(internal)
+        self._paths = [self.path]
+        if internal is False:
+            self._paths.append(self.path.with_suffix(".wdp"))
+        self._files = []
+
+    def __enter__(self):
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        for path in self._paths:
+            self._files.append(open(f"{path}.part", "w+b"))  # noqa: SIM115
+        self.file = self._files[0]
+        self.beside = self._files[-1]
+        return self
+
+    def __exit__(self, kind, *_):
+        if kind is not None or self.file.closed:
+            self.abandon()
+            return
+        for path, file in zip(self._paths, self._files):
+            file.close()
+            os.replace(f"{path}.part", path)
+
+    def abandon(self):
+        for path, file in zip(self._paths, self._files):
+            with contextlib.suppress(OSError):  # of a full disk, which is told already
+                file.close()
+            pathlib.Path(f"{path}.part").unlink(missing_ok=True)
+
+
+def _words(reader):
+    header = reader.header
+    kind = "LAZ" if header.are_points_compressed else "LAS"
+    return f"{kind} {header.version}, point format {header.point_format.id}"

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a report counts in the points of a run, chunk by chunk."""
+
+import numpy as np
+
+from ..formats import FormatError
+from ..formats._base import rows_of
+from ._raster import Histogram, Raster
+
+# Of ASPRS; those that scenes use.
+CLASSES = {
+    0: "never classified", 1: "unclassified", 2: "ground", 3: "low vegetation",
+    4: "medium vegetation", 5: "high vegetation", 6: "building", 7: "low noise", 9: "water",
+    10: "rail", 11: "road", 13: "wire, guard", 14: "wire, conductor", 15: "tower", 17: "bridge",
+}  # fmt: skip
+HISTOGRAMS = {  # key: finest bin
+    "range": 0.01,
+    "incidence": 0.5,
+    "amplitude": 0.25,
+    "width": 0.005,
+}
+
+
+class Figures:
+    """Numbers of a run, all in memory that does not grow with its points."""
+
+    def __init__(self, cell=None):
+        self.raster = Raster(cell)
+        self.histograms = {key: Histogram(width) for key, width in HISTOGRAMS.items()}
+        self.echoes = np.zeros(256, np.int64)  # pulses by their number of returns
+        self.classes = np.zeros(256, np.int64)
+        self.count = 0
+        self.legs = []  # points of each file
+        self.low = np.full(3, np.inf)
+        self.high = np.full(3, -np.inf)
+        self.range_is_reckoned = False
+        self._path = None  # of the platform: times, places
+        self._scan = None
+
+    def add(self, chunk, reader):
+        """Counts the points of a chunk."""
+        if self._scan != reader.scan:
+            self._scan = reader.scan
+            self._path = self._load_path(reader, chunk)
+            self.legs += [0] * (reader.scan + 1 - len(self.legs))
+        points = chunk["points"]
+        if not np.isfinite(points).all():
+            raise FormatError(
+                f"{reader.path}: has points that are not finite; run the survey again"
+            )
+        if not self.raster.add(points[:, :2], reader.scan):
+            raise FormatError(
+                f"{reader.path}: with cells of {self.raster.cell:g} m the maps would be too large; "
+                "give a larger --cell"
+            )
+        self.count += rows_of(chunk)
+        self.legs[reader.scan] += rows_of(chunk)
+        if len(points):
+            self.low = np.minimum(self.low, points.min(axis=0))
+            self.high = np.maximum(self.high, points.max(axis=0))
+        self._add_values(chunk)
+
+    def _add_values(self, chunk):
+        histograms = self.histograms
+        if (ranges := self._ranges(chunk)) is not None:
+            histograms["range"].add(ranges)
+        if "IncidenceAngle" in chunk:
+            histograms["incidence"].add(chunk["IncidenceAngle"])
+        if "Amplitude" in chunk:
+            with np.errstate(divide="ignore", invalid="ignore"):
+                histograms["amplitude"].add(10.0 * np.log10(1e9 * chunk["Amplitude"]))
+        if "EchoWidth" in chunk:
+            histograms["width"].add(chunk["EchoWidth"])
+        if "ReturnNumber" in chunk and "NumberOfReturns" in chunk:
+            first = chunk["NumberOfReturns"][chunk["ReturnNumber"] == 1]
+            self.echoes += np.bincount(first, minlength=256)[:256]
+        if "ClassificationIds" in chunk:
+            known = np.clip(chunk["ClassificationIds"], 0, 255)
+            self.classes += np.bincount(known, minlength=256)
+
+    def _load_path(self, reader, chunk):
+        if "Range" in chunk or "GpsTime" not in chunk:
+            return None
+        trajectory = reader.trajectory(reader.files[reader.scan])
+        self.range_is_reckoned |= trajectory is not None
+        return trajectory and trajectory[:2]
+
+    def _ranges(self, chunk):
+        """Of the array, else the distance from the platform [m]."""
+        if "Range" in chunk or self._path is None:
+            return chunk.get("Range")
+        times, places = self._path
+        at = [np.interp(chunk["GpsTime"], times, places[:, axis]) for axis in range(3)]
+        return np.linalg.norm(chunk["points"] - np.column_stack(at), axis=1)
+
+    def mean_density(self):
+        """Points a square metre of the cells that have some."""
+        hit = np.count_nonzero(self.raster.counts)
+        return self.count / max(1, hit) / self.raster.cell**2
+
+    def overlap(self):
+        """The share of the cells with a point that two scans saw, or None of one scan."""
+        if len(self.legs) < 2:
+            return None
+        scans = self.raster.scans()
+        return float((scans >= 2).sum() / max(1, (scans >= 1).sum()))
+
+    def to_dict(self):
+        """The numbers, for tests and --json."""
+        return {
+            "points": self.count,
+            "cell_m": self.raster.cell,
+            "density_per_m2": self.mean_density(),
+            "coverage": self.raster.coverage(),
+            "overlap": self.overlap(),
+            "bounds": {"minimum": self.low.tolist(), "maximum": self.high.tolist()},
+            "echoesPerPulse": {str(i): int(n) for i, n in enumerate(self.echoes) if n},
+            "classes": {str(i): int(n) for i, n in enumerate(self.classes) if n},
+            "medians": {
+                key: each.quantile(0.5) for key, each in self.histograms.items() if len(each.counts)
+            },
+            "pointsOfFiles": self.legs,
+        }

@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a file of points holds, and whether it agrees with itself."""
+
+import numpy as np
+
+from .. import formats
+from ..formats._base import rows_of
+from ..formats._records import RecordReader
+from ..formats._run import is_run
+from ._raster import Raster
+
+RECORDS = (".las", ".laz", ".copc.laz")
+UNITS = {
+    "GpsTime": "s", "Range": "m", "Amplitude": "W", "EchoWidth": "ns", "ScanAngle": "deg",
+    "IncidenceAngle": "deg", "TruePoint": "m",
+}  # fmt: skip
+POINTS_A_CELL = 8  # for the spacing
+
+
+class Inspection:
+    """Reads all points once; ``facts`` is what --json prints, ``warnings`` what is wrong."""
+
+    def __init__(self, path):
+        self.path = path
+        self.facts = {}
+        self.warnings = []
+        self._low = np.full(3, np.inf)
+        self._high = np.full(3, -np.inf)
+        self._returns = np.zeros(256, np.int64)
+        self._classes = np.zeros(256, np.int64)
+        self._legs = {}
+        self._times = [np.inf, -np.inf]
+        self._last_time = -np.inf
+        self._backward = self._invalid = self._impossible = self._count = 0
+        self._raster = Raster(limit=1024)
+
+    def run(self, task):
+        with formats.open_reader(self.path) as reader:
+            task.total = reader.count
+            arrays = None
+            for chunk in reader.chunks():
+                arrays = arrays or {name: values[:0] for name, values in chunk.items()}
+                self._add(chunk, reader.scan)
+                task.advance(rows_of(chunk))
+            self._tell(reader, arrays)
+        if not is_run(self.path) and formats.ending(self.path) in RECORDS:
+            self._tell_head()
+        self._check(reader)
+
+    def _add(self, chunk, scan):
+        points = chunk["points"]
+        finite = np.isfinite(points).all(axis=1)
+        self._invalid += int(np.count_nonzero(~finite))
+        points = points[finite]
+        self._count += rows_of(chunk)
+        if len(points):
+            self._low = np.minimum(self._low, points.min(axis=0))
+            self._high = np.maximum(self._high, points.max(axis=0))
+            self._raster.add(points[:, :2], scan)
+        if "ReturnNumber" in chunk:
+            self._returns += np.bincount(chunk["ReturnNumber"], minlength=256)[:256]
+            if "NumberOfReturns" in chunk:
+                odd = chunk["ReturnNumber"] > chunk["NumberOfReturns"]
+                self._impossible += int(np.count_nonzero(odd))
+        if "ClassificationIds" in chunk:
+            known = np.clip(chunk["ClassificationIds"], 0, 255)
+            self._classes += np.bincount(known, minlength=256)
+        if "LegIds" in chunk:
+            for leg, count in zip(*np.unique(chunk["LegIds"], return_counts=True)):
+                self._legs[int(leg)] = self._legs.get(int(leg), 0) + int(count)
+        if "GpsTime" in chunk and rows_of(chunk):
+            self._add_times(chunk["GpsTime"])
+
+    def _add_times(self, times):
+        self._times = [min(self._times[0], times.min()), max(self._times[1], times.max())]
+        self._backward += int(np.count_nonzero(np.diff(times) < 0) + (times[0] < self._last_time))
+        self._last_time = times[-1]
+
+    def _tell(self, reader, arrays):
+        facts = self.facts
+        facts["file"] = str(self.path)
+        facts["format"] = reader.kind
+        facts["points"] = self._count
+        if self._count > self._invalid:
+            facts["bounds"] = {"minimum": self._low.tolist(), "maximum": self._high.tolist()}
+            facts["spacing_m"] = self._spacing()
+        facts["crs"] = reader.header.crs or None
+        if reader.header.epoch:
+            facts["gpsEpoch_s"] = reader.header.epoch
+        if np.isfinite(self._times).all():
+            facts["gpsTime_s"] = {"first": self._times[0], "last": self._times[1]}
+        facts["returns"] = {str(i): int(n) for i, n in enumerate(self._returns) if n}
+        facts["classes"] = {str(i): int(n) for i, n in enumerate(self._classes) if n}
+        facts["legs"] = {str(leg): count for leg, count in sorted(self._legs.items())}
+        facts["arrays"] = [
+            {"name": name, "type": values.dtype.name, "unit": UNITS.get(name),
+             "components": int(np.prod(values.shape[1:], dtype=int))}
+            for name, values in (arrays or {}).items() if name != "points"
+        ]  # fmt: skip
+
+    def _spacing(self):
+        """About, from above: of the median cell with points, of some points a cell."""
+        raster = self._raster
+        while raster.counts.sum() < POINTS_A_CELL * np.count_nonzero(raster.counts):
+            if min(raster.counts.shape) <= 2:
+                break
+            raster.coarsen()
+        counts = raster.counts[raster.counts > 0]
+        return float(raster.cell / np.sqrt(np.median(counts)))
+
+    # Of LAS and LAZ.
+
+    def _tell_head(self):
+        try:
+            reader = RecordReader(self.path)
+        except formats.FormatError as error:
+            if "pip install" not in str(error):
+                raise
+            self.warnings.append(f"the header is not checked: {error}")
+            return
+        header, facts = reader.header, self.facts
+        facts["software"] = header.generating_software
+        facts["system"] = header.system_identifier
+        facts["scale"] = [float(x) for x in header.scales]
+        facts["offset"] = [float(x) for x in header.offsets]
+        facts["globalEncoding"] = reader.encoding
+        facts["gpsTimeKind"] = "adjusted standard" if reader.encoding & 1 else "not adjusted"
+        facts["headerRecords"] = [
+            {"user": each.user_id, "id": int(each.record_id), "description": each.description}
+            for each in header.vlrs if not 100 <= each.record_id < 355
+        ]  # fmt: skip
+        facts["extraBytes"] = [
+            {"name": each.name, "type": str(each.dtype), "description": each.description}
+            for each in header.point_format.extra_dimensions
+        ]
+        self._tell_waveforms(reader)
+        self._check_head(header)
+        reader.close()
+
+    def _tell_waveforms(self, reader):
+        if not reader.header.point_format.has_waveform_packet:
+            return
+        try:
+            path, place, size = reader.packets()
+        except formats.FormatError as error:
+            self.warnings.append(str(error))
+            return
+        where = "internal" if path == reader.path else path
+        self.facts["waveforms"] = {"packets": where, "bytes": size - 60}
+
+    def _check_head(self, header):
+        steps = np.abs(np.asarray(header.scales))
+        if self._count:
+            for name, told, found in (
+                ("minimum", header.mins, self._low), ("maximum", header.maxs, self._high),
+            ):  # fmt: skip
+                if (np.abs(np.asarray(told) - found) > 0.75 * steps).any():
+                    self.warnings.append(
+                        f"the {name} in the header is {_triple(told)}, that of the points "
+                        f"{_triple(found)}; vtkhelios convert writes it anew"
+                    )
+        told = np.asarray(header.number_of_points_by_return)
+        found = self._returns[1 : len(told) + 1]
+        if not np.array_equal(told, found) and self._returns.sum():
+            self.warnings.append(
+                f"the header counts {told.tolist()} points by return, and there are "
+                f"{found.tolist()}; vtkhelios convert writes it anew"
+            )
+
+    def _check(self, reader):
+        if reader.count is not None and reader.count != self._count and "E57" not in reader.kind:
+            self.warnings.append(f"{reader.count:,} points are promised, and {self._count:,} there")
+        if self._invalid:
+            self.warnings.append(
+                f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid leaves "
+                "them out"
+            )
+        if self._impossible:
+            self.warnings.append(
+                f"{self._impossible:,} points have a return number above their number of returns"
+            )
+        if self._returns[0]:
+            self.warnings.append(f"{self._returns[0]:,} points have the return number 0")
+        if self._backward and "COPC" not in reader.kind:
+            self.warnings.append(
+                f"GPS times go back {self._backward:,} times from point to point: points are not in "
+                "the order they were measured"
+            )
+        self.warnings += reader.notes
+
+
+def _triple(values):
+    return "(" + ", ".join(f"{value:.12g}" for value in values) + ")"
+
+
+def inspect_survey(path, assets, messages):
+    """What a survey asks for, or None after an error."""
+    from ._reading import make_reader
+
+    reader = make_reader(str(path), assets)
+    messages.watch(reader)
+    if not reader.Read():
+        messages.error_unless_told(f"{path}: cannot be read")
+        return None
+    survey = reader.GetSurvey()
+    legs = []
+    for leg in range(survey.GetNumberOfLegs()):
+        position = [0.0, 0.0, 0.0]
+        survey.GetLegPosition(leg, position)
+        legs.append({
+            "leg": leg, "active": survey.IsLegActive(leg), "position_m": position,
+            "onGround": survey.IsLegOnGround(leg),
+            "pulseFrequency_Hz": survey.GetLegPulseFrequency(leg),
+            "scanFrequency_Hz": survey.GetLegScanFrequency(leg),
+        })  # fmt: skip
+    return {
+        "file": str(path),
+        "format": "survey (HELIOS XML)",
+        "name": survey.GetName(),
+        "scanner": survey.GetScannerName(),
+        "platform": survey.GetPlatformName(),
+        "moving": survey.IsMoving(),
+        "scene": survey.GetSceneName(),
+        "plays": survey.GetNumberOfPlays(),
+        "seed": survey.GetSeed(),
+        "legs": legs,
+    }

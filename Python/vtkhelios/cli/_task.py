@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Work on many points as a player: what shows progress and what interrupts can watch it."""
+
+import time
+
+from ._progress import Pace, duration
+
+
+class Interrupted(Exception):
+    """Ctrl-C came; raised between two chunks."""
+
+
+class Task:
+    """Counts points. ``total`` may be None: then nothing is said of the end."""
+
+    def __init__(self, name, total=None):
+        self.name = name
+        self.total = total
+        self.done = 0
+        self._pace = Pace()
+        self._stopped = False
+        self._callback = None
+
+    def advance(self, count):
+        """So many points more are done; raises Interrupted where that was asked for."""
+        self.done += count
+        self._pace.add(time.monotonic(), self.done)
+        self.tell()
+
+    def tell(self, name=None):
+        """Shows where it is; with a name, what it is at."""
+        self.name = name or self.name
+        if self._callback:
+            self._callback()
+        if self._stopped:
+            raise Interrupted
+
+    # What a player has, too.
+
+    def Abort(self):
+        self._stopped = True
+
+    def AddObserver(self, _event, callback):
+        self._callback = callback
+        return 1
+
+    def RemoveObserver(self, _tag):
+        self._callback = None
+
+    def GetNumberOfPulsesDone(self):
+        return 0  # there is a message instead
+
+    def GetProgress(self):
+        return self.done / self.total if self.total else 0.0
+
+    def GetMessage(self):
+        rate = self._pace.rate()
+        pace = f", {rate / 1e6:.2f} M points/s" if rate else ""
+        left = f", {duration(self._pace.remaining(self.total))} left" if self.total else ""
+        return f"{self.name}, {self.done / 1e6:.2f} M points{pace}{left}"

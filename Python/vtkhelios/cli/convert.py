@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios convert: points from one format to another."""
+
+import argparse
+import pathlib
+import time
+
+from .. import formats
+from ..formats._run import RunReader, is_run
+from ._conversion import Conversion
+from ._interrupt import Interrupt
+from ._messages import Messages
+from ._points import RETURNS, Selection
+from ._progress import make_progress
+from ._report import readable
+from ._task import Interrupted, Task
+from .run import whole_number
+
+SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, E57, and whole runs"
+
+EPILOG = """\
+formats, by the end of a name, in and out:
+  .xyz        text, the eleven columns of vtkhelios run (in: any text that begins with x y z)
+  .las .laz   LAS, and compressed; LAZ needs laspy and lazrs
+  .copc.laz   COPC, LAZ in an octree for viewers; needs copclib, too
+  .pvtp .vtp  VTK XML, in pieces, and in one (which is in memory as a whole)
+  .ply        PLY, binary; every array is a property
+  .e57        E57, a scan a leg or input, with its pose; needs pye57
+  in, too: the folder of a run, with all its legs; every point knows its leg.
+
+From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost.
+Everything else goes through arrays; what the output has no room for is said. Points pass in
+chunks: memory does not grow with files, but for .vtp, and for .copc.laz (about 70 bytes a point).
+
+The output has the name's .part until it is whole; Ctrl-C and errors remove it. Docs/files.md has the
+whole of it.
+
+examples:
+  vtkhelios convert output/village leg.laz             all legs of a run in one file
+  vtkhelios convert output/village scans.e57           one scan a setup
+  vtkhelios convert output/village clouds --format laz a file a leg
+  vtkhelios convert a.las b.las both.copc.laz --merge
+  vtkhelios convert a.las ground.ply --class 2 --returns last
+  vtkhelios convert a.las internal.las --waveforms internal
+
+exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
+"""
+
+
+def class_list(text):
+    """An argparse type: classes, as 2 or 2,6."""
+    try:
+        classes = [int(word) for word in text.split(",")]
+    except ValueError:
+        classes = [-1]
+    if not all(0 <= each <= 255 for each in classes):
+        raise argparse.ArgumentTypeError(f"{text!r} is no list of classes 0 to 255, as 2 or 2,6")
+    return classes
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("inputs", metavar="INPUT", nargs="+", help="a file, or the folder of a run")
+    parser.add_argument("output", metavar="OUTPUT", help="a file; with --format, a folder")
+    parser.add_argument(
+        "--format",
+        choices=[kind[1:] for kind in formats.FORMATS],
+        help="OUTPUT is a folder: a file of this format for every input, or leg of a run",
+    )
+    parser.add_argument("--merge", action="store_true", help="several inputs go into one file")
+    parser.add_argument("--overwrite", action="store_true", help="replace files that are there")
+    parser.add_argument(
+        "--crs",
+        metavar="CRS",
+        help="the coordinate system of the output (EPSG:n ...): points of another one are brought "
+        "there; where an input says none, it is what its points are in",
+    )
+    parser.add_argument(
+        "--returns",
+        choices=RETURNS,
+        default="all",
+        help="of the returns of a pulse: all, first, last, or single ones (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--class", dest="classes", metavar="N,N", type=class_list, help="points of these classes"
+    )
+    parser.add_argument(
+        "--every",
+        metavar="N",
+        type=whole_number(10**9, lowest=1),
+        default=1,
+        help="every Nth point, before other choices (default: %(default)s)",
+    )
+    parser.add_argument(
+        "--skip-invalid", action="store_true", help="leave out points that are not finite"
+    )
+    parser.add_argument(
+        "--waveforms",
+        choices=["internal", "external"],
+        help="of LAS and LAZ: packets in the file itself, or beside it as .wdp (default: as they are)",
+    )
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def run(arguments):
+    with Messages(quiet=arguments.quiet) as messages:
+        try:
+            conversions = plan(arguments)
+            refuse(conversions, arguments.overwrite)
+            return convert_all(conversions, arguments, messages)
+        except formats.FormatError as error:
+            messages.error(str(error))
+        except OSError as error:
+            messages.error(
+                f"{error.filename or arguments.output}: cannot be read or written: "
+                f"{error.strerror or error}; see that it may be, and that the disk has room"
+            )
+        except MemoryError:
+            messages.error("the memory does not suffice; give --every, or fewer inputs")
+        return 1
+
+
+def plan(arguments):
+    """What goes where."""
+    for path in arguments.inputs:
+        if not pathlib.Path(path).exists():
+            raise formats.FormatError(f"{path}: no such file or folder; check its name")
+        if not is_run(path):
+            formats.ending(path)
+    output = arguments.output
+    if arguments.format:
+        return plan_folder(arguments)
+    if pathlib.Path(output).is_dir():
+        raise formats.FormatError(f"{output}: is a folder; give --format for files in it")
+    if len(arguments.inputs) > 1 and not arguments.merge and formats.ending(output) != ".e57":
+        raise formats.FormatError(
+            f"{output}: is one file for {len(arguments.inputs)} inputs; give --merge, or a folder "
+            "and --format"
+        )
+    formats.ending(output)
+    inputs = [RunReader(path) if is_run(path) else path for path in arguments.inputs]
+    return [make_conversion(arguments, inputs, output)]
+
+
+def plan_folder(arguments):
+    if pathlib.Path(arguments.output).is_file():
+        raise formats.FormatError(f"{arguments.output}: is a file; with --format give a folder")
+    if arguments.merge:
+        raise formats.FormatError(
+            f"{arguments.output}: is a folder, for a file an input; leave --merge or --format out"
+        )
+    conversions, names = [], {}
+    for path in arguments.inputs:
+        legs = RunReader(path).files if is_run(path) else [None]
+        for leg in legs:
+            name = pathlib.Path(leg or path).name
+            stem = name[: -len(formats.ending(name))]
+            target = pathlib.Path(arguments.output) / f"{stem}.{arguments.format}"
+            if target in names:
+                raise formats.FormatError(
+                    f"{target}: would be of {names[target]} and of {path}; convert these one by one"
+                )
+            names[target] = path
+            source = RunReader(path, leg) if leg else path
+            conversions.append(make_conversion(arguments, [source], target))
+    return conversions
+
+
+def make_conversion(arguments, inputs, output):
+    selection = Selection(
+        arguments.returns, arguments.classes, arguments.every, arguments.skip_invalid
+    )
+    return Conversion(inputs, output, selection, arguments.crs, arguments.waveforms)
+
+
+def refuse(conversions, overwrite):
+    """Inputs are never written to, nor other files without being told."""
+    for conversion in conversions:
+        sources = []
+        for each in conversion.inputs:
+            run = isinstance(each, RunReader)
+            sources += [each.folder / name for name in each.files] if run else [pathlib.Path(each)]
+        inputs = {path.resolve() for path in sources}
+        inputs |= {path.with_suffix(".wdp") for path in inputs}
+        for path in conversion.files():
+            if path.resolve() in inputs and (path.exists() or path == conversion.files()[0]):
+                raise formats.FormatError(f"{path}: is an input, too; give another name")
+        path = conversion.files()[0]
+        if path.exists() and not overwrite:
+            raise formats.FormatError(f"{path}: is there already; give --overwrite to replace it")
+
+
+def convert_all(conversions, arguments, messages):
+    for conversion in conversions:
+        task = Task(pathlib.Path(conversion.output).name)
+        start = time.monotonic()
+        with Interrupt(task, messages) as interrupt:
+            try:
+                with make_progress(task, messages, quiet=arguments.quiet):
+                    conversion.run(task)
+            except Interrupted:
+                messages.error(f"interrupted; {conversion.output} was not written")
+                return 128 + interrupt.signal
+        conclude(conversion, time.monotonic() - start, messages)
+    return 0
+
+
+def conclude(conversion, seconds, messages):
+    """What has become of it."""
+    for note in dict.fromkeys(conversion.notes):
+        messages.warning(note)
+    for path, kind, count in conversion.kinds:
+        messages.info(f"input    {path}: {kind}, {count:,} points")
+    reasons = {}
+    for name, reason in conversion.lost.items():
+        reasons.setdefault(reason, []).append(name)
+    for reason, names in reasons.items():
+        messages.info(f"lost     {', '.join(names)}: {reason}")
+    if conversion.selection.invalid:
+        messages.info(f"skipped  {conversion.selection.invalid:,} points that are not finite")
+    size = sum(path.stat().st_size for path in conversion.files() if path.exists())
+    messages.info(
+        f"output   {conversion.output}: {conversion.count:,} points, {readable(size)}, "
+        f"{seconds:.2f} s, {conversion.count / max(seconds, 1e-9) / 1e6:.2f} M points/s"
+    )

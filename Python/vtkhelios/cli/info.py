@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios info: what a file of points, a run or a survey holds."""
+
+import json
+import pathlib
+
+from .. import formats
+from ._inspect import Inspection, inspect_survey
+from ._interrupt import Interrupt
+from ._messages import Messages
+from ._progress import make_progress
+from ._reading import add_assets_argument
+from ._task import Interrupted, Task
+
+SUMMARY = "say what a file of points, a run or a survey holds, and check it"
+
+EPILOG = """\
+Of points, in any format of vtkhelios convert, and of the folder of a run: format, bounds, spacing,
+coordinate system, times, returns, classes, arrays; of LAS and LAZ also scale and offset, Extra Bytes,
+waveforms and header records. All points are read, in chunks, and checked: counts and box of the
+header, return numbers, times that go back, points that are not finite. What is wrong is a warning.
+
+Of a survey (.xml): legs, scanner, platform, scene; vtkhelios validate says what is wrong with it.
+
+examples:
+  vtkhelios info leg000_points.laz
+  vtkhelios info output/village --json
+  vtkhelios info survey.xml --assets my_scenes
+
+exit codes: 0 done (with warnings or without), 1 failed, 2 wrong usage, 130 interrupted.
+"""
+
+MOST = 12  # legs that are listed
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("path", metavar="FILE|RUN|SURVEY", help="points, a run, or a survey (.xml)")
+    add_assets_argument(parser)
+    parser.add_argument("--json", action="store_true", help="print it as a JSON object")
+
+
+def run(arguments):
+    with Messages(results=not arguments.json) as messages:
+        if not pathlib.Path(arguments.path).exists():
+            messages.error(f"{arguments.path}: no such file or folder; check its name")
+            return 1
+        if arguments.path.lower().endswith(".xml"):
+            facts = inspect_survey(arguments.path, arguments.assets, messages)
+            return tell(facts, [], arguments, messages) if facts else 1
+        inspection = Inspection(arguments.path)
+        task = Task("reading")
+        with Interrupt(task, messages) as interrupt:
+            try:
+                with make_progress(task, messages):
+                    inspection.run(task)
+            except Interrupted:
+                messages.error("interrupted")
+                return 128 + interrupt.signal
+            except (formats.FormatError, OSError) as error:
+                messages.error(str(error))
+                return 1
+        return tell(inspection.facts, inspection.warnings, arguments, messages)
+
+
+def tell(facts, warnings, arguments, messages):
+    if arguments.json:
+        print(json.dumps({**facts, "warnings": warnings}, indent=2))
+        return 0
+    for line in survey_lines(facts) if "scanner" in facts else point_lines(facts):
+        messages.info(line)
+    for warning in warnings:
+        messages.warning(warning)
+    return 0
+
+
+def point_lines(facts):
+    """Of points."""
+    yield f"format     {facts['format']}"
+    yield f"points     {facts['points']:,}"
+    if "bounds" in facts:
+        for axis, low, high in zip("xyz", *facts["bounds"].values()):
+            yield f"{axis:10} {low:.4f} to {high:.4f} m"
+        yield f"spacing    about {facts['spacing_m']:.3g} m, from above"
+    crs = facts["crs"]
+    yield f"crs        {'not known' if not crs else ' '.join(crs.split())[:100]}"
+    if "gpsTime_s" in facts:
+        first, last = facts["gpsTime_s"].values()
+        epoch = (
+            f", from {facts['gpsEpoch_s']:.0f} s of GPS time on" if "gpsEpoch_s" in facts else ""
+        )
+        yield f"time       {first:.6f} to {last:.6f} s{epoch}"
+    for name in ("returns", "classes"):
+        if facts[name]:
+            total = max(1, sum(facts[name].values()))
+            shares = (f"{key}: {n:,} ({100 * n / total:.1f} %)" for key, n in facts[name].items())
+            yield f"{name:10} {', '.join(shares)}"
+    yield from leg_lines(facts["legs"])
+    if "scale" in facts:
+        yield f"scale      {facts['scale']}, offset {facts['offset']}"
+        yield f"written by {facts['software'] or '?'} ({facts['system'] or '?'})"
+    if "waveforms" in facts:
+        yield f"waveforms  {facts['waveforms']['packets']}, {facts['waveforms']['bytes']:,} bytes"
+    yield from array_lines(facts["arrays"])
+    for extra in facts.get("extraBytes", []):
+        yield f"extra      {extra['name']} ({extra['type']}): {extra['description'] or 'no description'}"
+    for record in facts.get("headerRecords", []):
+        yield f"record     {record['user']} {record['id']}: {record['description']}"
+
+
+def leg_lines(legs):
+    if legs:
+        shown = [f"{leg}: {count:,}" for leg, count in list(legs.items())[:MOST]]
+        more = f", and {len(legs) - MOST} more" if len(legs) > MOST else ""
+        yield f"legs       {', '.join(shown)}{more}"
+
+
+def array_lines(arrays):
+    words = []
+    for array in arrays:
+        size = f" x {array['components']}" if array["components"] > 1 else ""
+        unit = f" [{array['unit']}]" if array["unit"] else ""
+        words.append(f"{array['name']}{unit} ({array['type']}{size})")
+    if words:
+        yield f"arrays     {', '.join(words)}"
+
+
+def survey_lines(facts):
+    yield f"survey     {facts['name']} ({facts['file']})"
+    yield f"scanner    {facts['scanner']}"
+    yield f"platform   {facts['platform']}, {'moving' if facts['moving'] else 'standing'}"
+    yield f"scene      {facts['scene']}"
+    if facts["plays"] > 1:
+        yield f"plays      {facts['plays']}"
+    yield f"legs       {len(facts['legs'])}, {sum(leg['active'] for leg in facts['legs'])} active"
+    for leg in facts["legs"][:MOST]:
+        x, y, z = leg["position_m"]
+        state = "" if leg["active"] else ", not active"
+        ground = " above ground" if leg["onGround"] else ""
+        yield (
+            f"leg {leg['leg']:<6} ({x:g}, {y:g}, {z:g}) m{ground}, "
+            f"{leg['pulseFrequency_Hz']:g} pulses/s, {leg['scanFrequency_Hz']:g} lines/s{state}"
+        )
+    if len(facts["legs"]) > MOST:
+        yield f"           and {len(facts['legs']) - MOST} more"

@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios report: a run as a page of maps, histograms and numbers."""
+
+import json
+import os
+import pathlib
+
+from .. import formats
+from ..formats._base import rows_of
+from ..formats._run import RunReader, is_run
+from . import _charts
+from ._figures import Figures
+from ._interrupt import Interrupt
+from ._messages import Messages
+from ._page import write_page
+from ._progress import make_progress
+from ._report import readable
+from ._task import Interrupted, Task
+from .run import number
+
+SUMMARY = "write one HTML page on a run: maps, histograms, timings, inputs"
+
+EPILOG = """\
+what the page shows: a map of the density and one of the overlap, coverage, range, angle of incidence,
+amplitude, echo width, echoes a pulse, classes, a table of the legs, timings, options, and the inputs
+with their SHA-256. It is one file that needs no other, and no network.
+
+Of text runs (.xyz) ranges are reckoned from the trajectory, and incidence is not known: run with
+--format las or vtp for all of it. Points are read once, in chunks: memory does not grow with the run.
+
+Needs matplotlib: apt-get install python3-matplotlib.
+
+examples:
+  vtkhelios report output/village_als
+  vtkhelios report output/village_als --output village.html --cell 0.5
+
+exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
+"""
+
+
+def add_arguments(parser):
+    parser.epilog = EPILOG
+    parser.add_argument("folder", metavar="RUN", help="the folder of a run")
+    parser.add_argument(
+        "--output", metavar="FILE", help="the page (default: report.html in the folder of the run)"
+    )
+    parser.add_argument(
+        "--cell",
+        metavar="M",
+        type=number(1e-3, 1e5),
+        help="the side of the cells of maps, coverage and overlap [m] (default: a power of two, for "
+        "at most 512 cells a side)",
+    )
+    parser.add_argument("--overwrite", action="store_true", help="replace a page that is there")
+    parser.add_argument("--json", action="store_true", help="print the numbers as JSON, too")
+    parser.add_argument("--quiet", action="store_true", help="print errors only")
+
+
+def run(arguments):
+    with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
+        try:
+            return make_report(arguments, messages)
+        except ImportError:
+            messages.error(
+                "reports need matplotlib, which is not installed: apt-get install "
+                "python3-matplotlib, or pip install matplotlib"
+            )
+        except formats.FormatError as error:
+            messages.error(str(error))
+        except OSError as error:
+            messages.error(f"{error.filename}: {error.strerror}; choose another --output")
+        return 1
+
+
+def make_report(arguments, messages):
+    folder = pathlib.Path(arguments.folder)
+    if not is_run(folder):
+        problem = "is a file" if folder.is_file() else "no such folder"
+        raise formats.FormatError(f"{folder}: {problem}; give the folder of a run")
+    page = pathlib.Path(arguments.output or folder / "report.html")
+    if page.exists() and not arguments.overwrite:
+        raise formats.FormatError(f"{page}: is there already; give --overwrite to replace it")
+    _charts.load()  # before all points are read
+    figures = Figures(arguments.cell)
+    with RunReader(folder) as reader:
+        task = Task("reading", reader.count)
+        with Interrupt(task, messages) as interrupt:
+            try:
+                with make_progress(task, messages, quiet=arguments.quiet):
+                    for chunk in reader.chunks():
+                        figures.add(chunk, reader)
+                        task.advance(rows_of(chunk))
+            except Interrupted:
+                messages.error(f"interrupted; {page} was not written")
+                return 128 + interrupt.signal
+        if figures.count == 0:
+            raise formats.FormatError(f"{folder}: has no points; run the survey again")
+        text = write_page(reader.summary, figures, reader)
+    page.parent.mkdir(parents=True, exist_ok=True)
+    part = page.with_name(f"{page.name}.part")
+    part.write_text(text)
+    os.replace(part, page)
+    for note in reader.notes:
+        messages.warning(note)
+    messages.info(f"report   {page} ({readable(len(text.encode()))}), {figures.count:,} points")
+    if arguments.json:
+        print(json.dumps(figures.to_dict(), indent=2))
+    return 0

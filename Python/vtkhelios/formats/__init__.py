@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Point files of many formats, read and written in chunks.
+
+A chunk is what vtkhelios.arrays() gives: a dict of numpy arrays, ``points`` (n x 3, float64, [m])
+and every array of the points by its name in vtkHeliosArrayNames.h.
+
+>>> from vtkhelios import formats
+>>> with formats.open_reader("leg000_points.laz") as reader:
+...     with formats.open_writer("leg000_points.ply", reader.header) as writer:
+...         for chunk in reader.chunks():
+...             writer.write(chunk)
+
+Writers write to a file whose name ends in .part, and give it its own name when they are closed;
+an exception inside ``with`` removes it. Everything that is wrong is a FormatError that names the
+file and the cure.
+
+To add a format: a module with a Reader and a Writer (see _base.py), and its line in FORMATS.
+"""
+
+import importlib
+import pathlib
+
+from ._base import Chunk, FormatError, Header, Reader, Scan, Writer
+from ._run import RunReader, is_run
+
+__all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
+__all__ += ["FORMATS", "ending", "open_reader", "open_writer"]
+
+# By the end of a name, the longest first: module, reader, writer.
+FORMATS = {
+    ".copc.laz": ("_copc", "CopcReader", "CopcWriter"),
+    ".las": ("_las", "LasReader", "LasWriter"),
+    ".laz": ("_las", "LazReader", "LazWriter"),
+    ".xyz": ("_text", "TextReader", "TextWriter"),
+    ".pvtp": ("_vtp", "PiecesReader", "PiecesWriter"),
+    ".vtp": ("_vtp", "VtpReader", "VtpWriter"),
+    ".ply": ("_ply", "PlyReader", "PlyWriter"),
+    ".e57": ("_e57", "E57Reader", "E57Writer"),
+}
+
+
+def ending(path):
+    """Which of FORMATS a name ends in."""
+    name = pathlib.Path(path).name.lower()
+    for known in FORMATS:
+        if name.endswith(known):
+            return known
+    raise FormatError(
+        f"{path}: its ending is of no format that is known; known are {', '.join(FORMATS)}"
+    )
+
+
+def _find(path, index):
+    module = FORMATS[ending(path)]
+    return getattr(importlib.import_module(f"{__name__}.{module[0]}"), module[index])
+
+
+def open_reader(path):
+    """The reader of a file, or of the folder of a run."""
+    if is_run(path):
+        return RunReader(path)
+    kind = _find(path, 1)
+    if not pathlib.Path(path).is_file():
+        raise FormatError(f"{path}: no such file; check its name")
+    return kind(path)
+
+
+def open_writer(path, header=None):
+    """The writer of a file, which is made with the first chunk."""
+    return _find(path, 2)(path, header or Header())

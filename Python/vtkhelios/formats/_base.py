@@ -1,0 +1,283 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What all formats share."""
+
+import contextlib
+import dataclasses
+import importlib
+import os
+import pathlib
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
+
+from .._arrays import arrays
+from .._pipeline import MessageLog
+
+ROWS = 500_000  # points of a chunk
+
+NUMBERS = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8")  # types of arrays
+
+Chunk = dict  # name: numpy array; "points" is among them
+
+
+class FormatError(ValueError):
+    """A file that cannot be read or written; says which, why, and what to do."""
+
+
+class Header:
+    """What is the same for all points of a file: field arrays, as VTK has them."""
+
+    def __init__(self, fields=None):
+        self.fields = vtkFieldData()
+        if fields is not None:
+            self.fields.ShallowCopy(fields)
+
+    @property
+    def crs(self):
+        """The coordinate system: WKT or EPSG:n; empty: not known."""
+        array = self.fields.GetAbstractArray("CRS")
+        return array.GetValue(0) if array and array.GetNumberOfValues() else ""
+
+    @crs.setter
+    def crs(self, text):
+        self._set_text("CRS", [text] if text else [])
+
+    @property
+    def epoch(self):
+        """What GpsTime counts from [s], GPS time since 6 January 1980; 0: not known."""
+        array = self.fields.GetArray("GpsEpoch")
+        return array.GetTuple1(0) if array and array.GetNumberOfValues() else 0.0
+
+    @epoch.setter
+    def epoch(self, seconds):
+        self.fields.RemoveArray("GpsEpoch")
+        if seconds:
+            array = vtkDoubleArray()
+            array.SetName("GpsEpoch")
+            array.InsertNextValue(seconds)
+            self.fields.AddArray(array)
+
+    @property
+    def part_names(self):
+        """The names of scene parts, by PartIds."""
+        array = self.fields.GetAbstractArray("Part.Name")
+        return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
+
+    @part_names.setter
+    def part_names(self, names):
+        self._set_text("Part.Name", names)
+
+    def _set_text(self, name, values):
+        self.fields.RemoveArray(name)
+        if values:
+            array = vtkStringArray()
+            array.SetName(name)
+            for value in values:
+                array.InsertNextValue(value)
+            self.fields.AddArray(array)
+
+
+@dataclasses.dataclass
+class Scan:
+    """Where points come from: a leg, or a file."""
+
+    name: str
+    translation: tuple = (0.0, 0.0, 0.0)  # of the scanner or platform [m]
+    rotation: tuple = (1.0, 0.0, 0.0, 0.0)  # w x y z, body to world
+    has_pose: bool = False
+    pulses: object = None  # a function of an iterator over chunks of pulses; None: not known
+
+
+class _Closing:
+    def __enter__(self):
+        return self
+
+
+class Reader(_Closing):
+    """Points of a file. ``count`` is their number, None where only reading tells."""
+
+    kind = ""  # for people
+
+    def __init__(self, path):
+        self.path = str(path)
+        self.header = Header()
+        self.count = None
+        self.scans = [Scan(pathlib.Path(path).name.split(".")[0])]
+        self.scan = 0  # whose points the latest chunk has
+        self.has_waveforms = False  # that chunks do not have
+        self.notes = []  # what is not read, or otherwise than it may seem
+
+    def chunks(self, rows=ROWS):
+        """Yields the points, at most so many at a time."""
+        raise NotImplementedError
+
+    def close(self):
+        """Ends the reading."""
+
+    def fail(self, problem):
+        raise FormatError(f"{self.path}: {problem}")
+
+    def __exit__(self, *_):
+        self.close()
+
+
+class Writer(_Closing):
+    """Points into a file."""
+
+    def __init__(self, path, header):
+        self.path = str(path)
+        self.header = header
+        self.count = 0  # of points written
+        self.lost = {}  # what the format has no room for: name to reason
+        self.notes = []
+        self.scan = Scan(pathlib.Path(path).name.split(".")[0])
+
+    def begin(self, scan):
+        """Says where the next chunks come from; formats that know scans start a new one."""
+        self.scan = scan
+
+    def write(self, chunk):
+        """Appends points."""
+        if problem := find_problem(chunk):
+            self.fail(problem)
+        self.put(chunk)
+
+    def put(self, chunk):
+        """Appends points that are checked; of subclasses."""
+        raise NotImplementedError
+
+    def close(self):
+        """Ends the file and gives it its name. Without any points: an error, and no file."""
+        raise NotImplementedError
+
+    def abandon(self):
+        """Removes what there is."""
+        raise NotImplementedError
+
+    def names(self):
+        """The files that close() leaves, as far as names can be told."""
+        return [self.path]
+
+    def fail(self, problem):
+        raise FormatError(f"{self.path}: {problem}")
+
+    def __exit__(self, kind, *_):
+        if kind is not None:
+            self.abandon()
+            return
+        try:
+            self.close()
+        except BaseException:
+            self.abandon()
+            raise
+
+
+class FileWriter(Writer):
+    """A writer of one binary file of its own. Subclasses write to ``file``."""
+
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        self.part = f"{path}.part"
+        self.file = None
+
+    def open_part(self):
+        try:
+            pathlib.Path(self.part).parent.mkdir(parents=True, exist_ok=True)
+            self.file = open(self.part, "w+b")  # noqa: SIM115  closed by close() and abandon()
+        except OSError as error:
+            self.fail(f"cannot be written: {error.strerror}; choose another folder")
+
+    def keep_part(self):
+        """Gives the finished file its name."""
+        os.replace(self.part, self.path)
+
+    def abandon(self):
+        if self.file is not None and not self.file.closed:
+            with contextlib.suppress(OSError):  # of a full disk, which is told already
+                self.file.close()
+        pathlib.Path(self.part).unlink(missing_ok=True)
+
+
+def find_problem(chunk):
+    """What is wrong with the shapes and types of a chunk, or None."""
+    points = chunk.get("points")
+    shape = np.shape(points)
+    if len(shape) != 2 or shape[1] != 3:
+        return f"points has the shape {shape}; give an array of (n, 3)"
+    for name, values in chunk.items():
+        known = isinstance(values, np.ndarray) and values.dtype.str[1:] in NUMBERS
+        if not known or not values.dtype.isnative:
+            kind = getattr(values, "dtype", type(values).__name__)
+            return f"{name} is of the type {kind}; give whole or real numbers of 8 to 64 bits"
+        if values.ndim not in (1, 2) or len(values) != shape[0]:
+            return (
+                f"{name} has the shape {values.shape}, and there are {shape[0]} points; give one "
+                "row a point"
+            )
+    return None
+
+
+def rows_of(chunk):
+    """The number of points of a chunk."""
+    return len(chunk["points"])
+
+
+def select(chunk, rows):
+    """Some points of a chunk: a mask, indices or a slice."""
+    return {name: values[rows] for name, values in chunk.items()}
+
+
+def to_cloud(chunk, header=None):
+    """A chunk as vtkPolyData that shares its memory."""
+    cloud = vtkPolyData()
+    holder = vtkPoints()
+    holder.SetData(numpy_to_vtk(np.ascontiguousarray(chunk["points"], np.float64)))
+    cloud.SetPoints(holder)
+    for name, values in chunk.items():
+        if name != "points":
+            array = numpy_to_vtk(np.ascontiguousarray(values))
+            array.SetName(name)
+            cloud.GetPointData().AddArray(array)
+    if header is not None:
+        cloud.GetFieldData().ShallowCopy(header.fields)
+    return cloud
+
+
+def from_cloud(cloud):
+    """vtkPolyData as a chunk that shares its memory."""
+    chunk = arrays(cloud)
+    if "points" not in chunk:
+        chunk["points"] = np.empty((0, 3))
+    elif chunk["points"].dtype != np.float64:
+        chunk["points"] = chunk["points"].astype(np.float64)
+    return chunk
+
+
+def call(owner, vtk_object, action):
+    """What an action of a VTK object returns; its errors become FormatErrors of owner.path."""
+    with MessageLog() as log:
+        log.watch(vtk_object)
+        if hasattr(vtk_object, "GetExecutive"):
+            log.watch(vtk_object.GetExecutive())
+        result = action()
+    owner.notes += [note for note in dict.fromkeys(log.warnings) if note not in owner.notes]
+    if log.errors:
+        message = "; ".join(log.root_errors())
+        raise FormatError(message if owner.path in message else f"{owner.path}: {message}")
+    return result
+
+
+def need(module, what):
+    """Imports an optional package, or says how to get it."""
+    packages = {"laspy": "laspy lazrs", "lazrs": "laspy lazrs"}
+    packages |= {"copclib": "copclib laspy lazrs", "pye57": "pye57 pyquaternion"}
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise FormatError(
+            f"{what} need the package {module}, which is not installed: "
+            f"pip install --no-deps {packages[module]}"
+        ) from error

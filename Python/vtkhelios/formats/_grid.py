@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The rows and columns of a scan, from its pulses, those that hit nothing among them."""
+
+import numpy as np
+
+JUMP = 10.0  # of the angle, in usual steps: a new line
+
+
+class Grid:
+    """Row and column of every pulse of a scan: 17 bytes a pulse."""
+
+    def __init__(self, first, rows, columns):
+        self._first = first
+        self._rows = rows
+        self._columns = columns
+        self._hit = np.zeros(len(rows), bool)
+
+    def place(self, ids):
+        """The fields of E57 of pulses by their ids."""
+        at = np.clip(ids - self._first, 0, len(self._rows) - 1)
+        return {"rowIndex": self._rows[at], "columnIndex": self._columns[at]}
+
+    def note(self, ids):
+        """Pulses that have an echo."""
+        self._hit[np.clip(ids - self._first, 0, len(self._hit) - 1)] = True
+
+    def misses(self, chunks, turn, rows):
+        """Yields the pulses that have none: directions in the frame of the scanner."""
+        for chunk in chunks:
+            for begin in range(0, len(chunk["PulseIds"]), rows):
+                ids = chunk["PulseIds"][begin : begin + rows]
+                lost = ~self._hit[ids - self._first]
+                local = chunk["Direction"][begin : begin + rows][lost] @ turn
+                yield {
+                    "cartesianX": local[:, 0],
+                    "cartesianY": local[:, 1],
+                    "cartesianZ": local[:, 2],
+                    "timeStamp": chunk["GpsTime"][begin : begin + rows][lost],
+                    **self.place(ids[lost]),
+                }
+
+
+def find_grid(chunks, turn):
+    """The grid of pulses, or None where they are in no lines.
+
+    A line ends where the angle of the mirror jumps, or where pulses are left out; rows are steps
+    of that angle. Of a scanner of several channels a channel is a row.
+    """
+    parts = [
+        (chunk["PulseIds"].copy(), _angles(chunk, turn), chunk["ChannelIds"].copy())
+        for chunk in chunks
+    ]
+    if not parts:
+        return None
+    ids, angles, channels = (np.concatenate(each) for each in zip(*parts))
+    count = int(channels.max()) + 1
+    if count > 1:
+        rows, columns = channels, (ids - ids[0]) // count
+    else:
+        steps = np.diff(angles)
+        usual = float(np.median(np.abs(steps))) if len(steps) else 0.0
+        new = (np.abs(steps) > JUMP * usual) | (np.diff(ids) > 1)
+        if usual == 0.0 or not new.any():
+            return None
+        columns = np.r_[0, np.cumsum(new)]
+        rows = np.rint((angles - angles.min()) / usual)
+    size = int(ids[-1] - ids[0]) + 1
+    placed = [np.zeros(size, np.int64) for _ in range(2)]
+    for target, values in zip(placed, (rows, columns)):
+        target[ids - ids[0]] = values
+    return Grid(int(ids[0]), *placed)
+
+
+def _angles(chunk, turn):
+    """Of the mirror, else the elevation in the frame of the scanner [deg]."""
+    if "ScanAngle" in chunk:
+        return chunk["ScanAngle"].copy()
+    up = chunk["Direction"] @ turn[:, 2]
+    return np.degrees(np.arcsin(np.clip(up, -1.0, 1.0)))

@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""LAS by vtkHeliosLASReader and vtkHeliosLASWriter; LAZ as LAS that laspy and lazrs compress.
+
+A chunk of LAZ passes through a small LAS file in a temporary folder, so that arrays become fields,
+and fields arrays, in one place only: in C++.
+"""
+
+import pathlib
+import struct
+import tempfile
+
+import numpy as np
+
+import vtkhelios
+
+from ..points import _find_crs
+from ._base import ROWS, FileWriter, Header, Reader, Writer
+from ._base import call, from_cloud, need, rows_of, to_cloud
+from ._records import RecordReader, RecordWriter
+
+
+def _head(path):
+    """What a header tells: number of points, version and format in words, whether waveforms."""
+    with open(path, "rb") as file:
+        start = file.read(375).ljust(375, b"\0")
+    old, new = struct.unpack_from("<I", start, 107)[0], struct.unpack_from("<Q", start, 247)[0]
+    form = start[104] & 63
+    count = new if start[25] >= 4 and (new or form >= 6) else old
+    return count, f"{start[24]}.{start[25]}, point format {form}", form in (4, 5, 9, 10)
+
+
+class LasReader(Reader):
+    def __init__(self, path):
+        super().__init__(path)
+        self._reader = vtkhelios.vtkHeliosLASReader()
+        self._reader.SetFileName(self.path)
+        self.count, words, self.has_waveforms = _head(self.path)
+        self.kind = f"LAS {words}"
+        some = self._piece(0, min(max(1, self.count), 2**31 - 1))  # finds what is wrong, too
+        self.header = Header(some.GetFieldData())
+        if self.count == 0:
+            self.fail("has no points; give a file with points")
+
+    def _piece(self, piece, pieces):
+        call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
+        return self._reader.GetOutput()
+
+    def chunks(self, rows=ROWS):
+        pieces = -(-self.count // rows)
+        for piece in range(pieces):
+            yield from_cloud(self._piece(piece, pieces))
+
+
+class LazReader(Reader):
+    def __init__(self, path):
+        super().__init__(path)
+        self.records = RecordReader(path)
+        self.count, words, self.has_waveforms = _head(self.path)
+        self.kind = f"LAZ {words}"
+        if self.count == 0:
+            self.fail("has no points; give a file with points")
+        self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
+        first = next(RecordReader(path).chunks(1))
+        self.header = Header(self._to_cloud(first).GetFieldData())
+        self.header.crs = self.header.crs or self._find_crs()
+
+    def _find_crs(self):
+        import laspy
+
+        with laspy.open(self.path) as reader:  # with extended records
+            return _find_crs(reader)
+
+    def _to_cloud(self, records):
+        path = pathlib.Path(self._folder.name) / "points.las"
+        with open(path, "w+b") as file:
+            writer = RecordWriter(file, self.records, compress=False)
+            writer.write(records)
+            writer.close(bare=True)
+        reader = vtkhelios.vtkHeliosLASReader()
+        reader.SetFileName(str(path))
+        call(self, reader, reader.Update)
+        return reader.GetOutput()
+
+    def chunks(self, rows=ROWS):
+        reader = RecordReader(self.path)
+        for records in reader.chunks(rows):
+            yield from_cloud(self._to_cloud(records))
+        reader.close()
+
+    def close(self):
+        self.records.close()
+        self._folder.cleanup()
+
+
+class LasWriter(Writer):
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        self._writer = vtkhelios.vtkHeliosLASWriter()
+        self._writer.SetFileName(self.path)
+
+    def put(self, chunk):
+        if not self._writer.IsOpen():
+            call(self, self._writer, self._writer.Open)
+        cloud = to_cloud(chunk, self.header)
+        call(self, self._writer, lambda: self._writer.Write(cloud))
+        self.count += rows_of(chunk)
+
+    def close(self):
+        if not self.count:
+            self.abandon()
+            self.fail("would have no points; choose points that there are")
+        call(self, self._writer, self._writer.Close)
+
+    def abandon(self):
+        if self._writer.IsOpen():
+            self._writer.Abandon()
+        pathlib.Path(f"{self.path}.part").unlink(missing_ok=True)
+
+
+class Encoder:
+    """Chunks as LAS records: those that vtkHeliosLASWriter writes. One header for all of them."""
+
+    def __init__(self, owner, header):
+        self._owner = owner
+        self._header = header
+        self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
+        self._las = pathlib.Path(self._folder.name) / "points.las"
+        self._part = pathlib.Path(f"{self._las}.part")
+        self._writer = vtkhelios.vtkHeliosLASWriter()
+        self._writer.SetFileName(str(self._las))
+        self._begin = 0  # of points in the file
+        self.model = None  # a RecordReader of the first chunk: the head
+
+    def encode(self, chunk):
+        """A chunk as a structured array."""
+        writer = self._writer
+        opened = (lambda: writer.Reopen(self._begin, 0, 0)) if self._begin else writer.Open
+        call(self._owner, writer, opened)
+        cloud = to_cloud(chunk, self._header)
+        try:
+            call(self._owner, writer, lambda: writer.Write(cloud))
+        finally:
+            writer.Abandon()
+        if self.model is None:
+            self.model = RecordReader(self._part)
+            self._begin = self.model.header.offset_to_point_data
+        return np.fromfile(self._part, self.model.header.point_format.dtype(), offset=self._begin)
+
+    def close(self):
+        self._folder.cleanup()
+
+
+class LazWriter(FileWriter):
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        need("laspy", "LAZ files")
+        need("lazrs", "LAZ files")
+        self._encoder = Encoder(self, header)
+        self._records = None
+
+    def put(self, chunk):
+        records = self._encoder.encode(chunk)
+        if self._records is None:
+            self.open_part()
+            self._records = RecordWriter(self.file, self._encoder.model, compress=True)
+        self._records.write(records)
+        self.count += len(records)
+
+    def close(self):
+        if not self.count:
+            self.abandon()
+            self.fail("would have no points; choose points that there are")
+        self._records.close(bare=True)
+        self.file.close()
+        self._encoder.close()
+        self.keep_part()
+
+    def abandon(self):
+        self._encoder.close()
+        super().abandon()

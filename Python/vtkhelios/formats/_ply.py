@@ -1,0 +1,223 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""PLY: binary, little endian, every array a property of the vertices.
+
+VTK's writer has floats for coordinates and leaves arrays out; a vertex of fixed size is a numpy
+record, so reading and writing are a header and copies.
+"""
+
+import numpy as np
+
+from ._base import ROWS, FileWriter, Reader, rows_of
+
+TYPES = {
+    "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4",
+    "float": "f4", "double": "f8", "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2",
+    "int32": "i4", "uint32": "u4", "float32": "f4", "float64": "f8",
+}  # fmt: skip
+WORDS = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int", "u4": "uint"}
+WORDS |= {"f4": "float", "f8": "double"}
+MARK = "vtkhelios"  # of the comments that say what PLY does not
+
+# Names that others know.
+NORMALS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
+LARGEST = 2**53  # whole numbers that doubles hold
+COUNT_WIDTH = 20  # room for the number of vertices, filled with a comment
+
+
+class PlyReader(Reader):
+    def __init__(self, path):
+        super().__init__(path)
+        self._properties = []  # name, type
+        self._marks = {}  # what our comments say
+        with open(self.path, "rb") as file:
+            self._read_head(file)
+            self._begin = file.tell()
+            file.seek(0, 2)
+            size = file.tell() - self._begin
+        if self.count is None or not {"x", "y", "z"} <= {name for name, _ in self._properties}:
+            self.fail("has no vertices with x, y and z; give a file with points")
+        if self.count == 0:
+            self.fail("has no points; give a file with points")
+        order = ">" if self._form == "binary_big_endian" else "<"
+        self._type = np.dtype([(name, order + kind) for name, kind in self._properties])
+        if self._form != "ascii" and size < self.count * self._type.itemsize:
+            self.fail(
+                f"is cut off: it has {size // self._type.itemsize} whole points of the "
+                f"{self.count} that its header counts; copy it again"
+            )
+        self.kind = f"PLY {self._form}"
+        self.header.crs = self._marks.get("crs", "")
+        self.header.epoch = float(self._marks.get("epoch", 0.0))
+
+    def _read_head(self, file):
+        if file.readline().split() != [b"ply"]:
+            self.fail("is no PLY file: it does not start with ply; check its name")
+        self._form, element = None, None
+        for _ in range(10_000):
+            line = file.readline(100_000)
+            words = line.decode("latin-1").split()
+            if words == ["end_header"]:
+                break
+            if not line:
+                self.fail("ends within its header; copy it again")
+            if words[:1] == ["format"] and len(words) == 3:
+                self._form = words[1]
+            elif words[:2] == ["comment", MARK]:
+                self._marks[words[2]] = " ".join(words[3:])
+            elif words[:1] == ["element"] and len(words) == 3:
+                element = words[1]
+                if element == "vertex":
+                    self.count = self._whole(words[2])
+                elif self.count is None and self._whole(words[2]):
+                    self.fail(f'has "{element}" before its vertices; write the vertices first')
+            elif words[:1] == ["property"] and element == "vertex":
+                self._take_property(words)
+        if self._form not in ("ascii", "binary_little_endian", "binary_big_endian"):
+            self.fail(f'has the format "{self._form}"; give ascii or binary')
+
+    def _whole(self, word):
+        if not word.isdigit():
+            self.fail(f'counts "{word}" elements, which is no number; write it again')
+        return int(word)
+
+    def _take_property(self, words):
+        if len(words) != 3 or words[1] not in TYPES:
+            self.fail(f'has a vertex with "{" ".join(words)}"; only plain numbers can be read')
+        self._properties.append((words[2], TYPES[words[1]]))
+
+    def chunks(self, rows=ROWS):
+        done = 0
+        with open(self.path, "rb") as file:
+            file.seek(self._begin)
+            while done < self.count:
+                number = min(rows, self.count - done)
+                yield self._to_chunk(self._take(file, number, done))
+                done += number
+
+    def _take(self, file, number, done):
+        if self._form != "ascii":
+            return np.fromfile(file, self._type, number)
+        lines = [file.readline() for _ in range(number)]
+        try:
+            table = np.loadtxt(lines, ndmin=2, comments=None)
+        except ValueError as error:
+            self.fail(f"vertices {done} to {done + number} cannot be read: {error}; correct them")
+        if table.shape != (number, len(self._properties)):
+            self.fail(f"has {done + len(table)} whole points of {self.count}; copy it again")
+        vertices = np.empty(number, self._type)
+        for column, (name, _) in enumerate(self._properties):
+            vertices[name] = table[:, column]
+        return vertices
+
+    def _to_chunk(self, vertices):
+        fields = {name: vertices[name].astype(vertices[name].dtype.newbyteorder("="))
+                  for name, _ in self._properties}  # fmt: skip
+        chunk = {"points": _stack(fields, ("x", "y", "z")).astype(np.float64)}
+        if all(name in fields for name in NORMALS):
+            chunk["Normals"] = _stack(fields, NORMALS)
+        if all(name in fields for name in COLOURS):
+            colours = _stack(fields, COLOURS)
+            full = np.iinfo(colours.dtype).max if colours.dtype.kind in "iu" else 1.0
+            chunk["RGB"] = (colours / full).astype(np.float32)
+        for name in list(fields):
+            if name in fields:
+                self._add(chunk, fields, name)
+        return chunk
+
+    def _add(self, chunk, fields, name):
+        """A property, or three of them, as an array."""
+        three = [name[:-1] + axis for axis in "XYZ"]
+        if name == three[0] and name[:-1] and all(each in fields for each in three):
+            chunk[name[:-1]] = _stack(fields, three)
+            return
+        values = fields.pop(name)
+        wide = self._marks.get(f"type:{name}")
+        chunk[name] = values.astype(wide) if wide in ("int64", "uint64") else values
+
+
+def _stack(fields, names):
+    return np.column_stack([fields.pop(name) for name in names])
+
+
+class PlyWriter(FileWriter):
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        self._type = None
+        self._wide = {}  # arrays of 64 bits: type
+
+    def put(self, chunk):
+        fields = dict(self._fields(chunk))
+        kinds = [(name, "<" + values.dtype.str[1:]) for name, values in fields.items()]
+        if self._type is None:
+            self._type = np.dtype(kinds)
+            self.open_part()
+            self.file.write(self._head(0))
+        elif np.dtype(kinds) != self._type:
+            self.fail(
+                f"points have the properties {', '.join(fields)} and those before "
+                f"{', '.join(self._type.names)}; convert the files one by one"
+            )
+        vertices = np.empty(rows_of(chunk), self._type)
+        for name, values in fields.items():
+            vertices[name] = values
+        vertices.tofile(self.file)
+        self.count += len(vertices)
+
+    def _fields(self, chunk):
+        """The properties of a chunk: name, values."""
+        yield from zip("xyz", np.asarray(chunk["points"], np.float64).T)
+        for name, values in chunk.items():
+            if name == "points":
+                continue
+            if name == "Normals":
+                yield from zip(NORMALS, values.T)
+            elif name == "RGB":
+                yield from zip(COLOURS, self._colours(values).T)
+            elif values.ndim == 2 and values.shape[1] == 3:
+                yield from zip([name + axis for axis in "XYZ"], self._fit(name, values).T)
+            elif values.ndim == 2:
+                yield from zip([f"{name}{i}" for i in range(values.shape[1])],
+                               self._fit(name, values).T)  # fmt: skip
+            else:
+                yield name, self._fit(name, values)
+
+    def _colours(self, values):
+        bytes_of = np.rint(np.clip(values, 0, 1) * 255).astype(np.uint8)
+        if np.abs(bytes_of / 255.0 - values).max(initial=0) > 1e-6:
+            self.lost["RGB"] = "8 bits of each colour are kept"
+        return bytes_of
+
+    def _fit(self, name, values):
+        """Whole numbers of 64 bits as doubles, which hold those to 2^53."""
+        if values.dtype.itemsize < 8 or values.dtype.kind == "f":
+            return values
+        if len(values) and max(abs(int(values.min())), abs(int(values.max()))) > LARGEST:
+            self.fail(f"PLY holds whole numbers to 2^53, and {name} has larger ones; leave it out")
+        if values.ndim == 1:
+            self._wide[name] = values.dtype.name
+        return values.astype(np.float64)
+
+    def _head(self, count):
+        """The header, of the same size whatever the count."""
+        text = str(count)
+        lines = ["ply", "format binary_little_endian 1.0"]
+        lines.append("comment " + "." * (COUNT_WIDTH - len(text)))
+        if self.header.crs:
+            lines.append(f"comment {MARK} crs {' '.join(self.header.crs.split())}")
+        if self.header.epoch:
+            lines.append(f"comment {MARK} epoch {self.header.epoch!r}")
+        lines += [f"comment {MARK} type:{name} {kind}" for name, kind in self._wide.items()]
+        lines.append(f"element vertex {text}")
+        lines += [f"property {WORDS[kind.str[1:]]} {name}" for name, (kind, _) in
+                  self._type.fields.items()]  # fmt: skip
+        return ("\n".join([*lines, "end_header"]) + "\n").encode()
+
+    def close(self):
+        if not self.count:
+            self.abandon()
+            self.fail("would have no points; choose points that there are")
+        self.file.seek(0)
+        self.file.write(self._head(self.count))
+        self.file.close()
+        self.keep_part()

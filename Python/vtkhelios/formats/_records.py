@@ -1,0 +1,302 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""LAS and LAZ as records: bytes that are copied as they are, so that nothing is lost."""
+
+import copy
+import logging
+import os
+import pathlib
+import struct
+
+import numpy as np
+
+from ._base import ROWS, FormatError, need
+
+WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
+NOT_KEPT = (b"laszip encoded", b"copc")  # users of records that say how points are compressed
+HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
+INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: where packets are
+
+
+class RecordReader:
+    """The header of a file as laspy knows it, its head as bytes, and its points as records."""
+
+    def __init__(self, path):
+        self.path = str(path)
+        laspy = need("laspy", "LAS and LAZ files")
+        logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
+        self._size = os.path.getsize(self.path)
+        try:
+            self._reader = laspy.open(self.path, read_evlrs=False)
+            self.header = copy.deepcopy(self._reader.header)
+            self.header.vlrs = [
+                each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
+            ]
+            self._take_head()
+        except FormatError:
+            raise
+        except Exception as error:  # whatever laspy raises for bytes that cannot be
+            self.fail(f"is no LAS or LAZ file, or its header is damaged: {error}; write it again")
+        if self.header.are_points_compressed:
+            need("lazrs", "LAZ files")
+        self._check_size()
+
+    def fail(self, problem):
+        raise FormatError(f"{self.path}: {problem}")
+
+    def _take_head(self):
+        with open(self.path, "rb") as file:
+            start = file.read(375)
+            self.minor = start[25]
+            self.encoding = struct.unpack_from("<H", start, 6)[0]
+            self.start = start
+            header_size, self._points_begin, count = struct.unpack_from("<HII", start, 94)
+            file.seek(header_size)
+            data = file.read(self._points_begin - header_size)
+            self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
+            self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
+            self.extended = self._find_extended(file, start) if self.minor >= 4 else []
+
+    def _find_extended(self, file, start):
+        """The extended records: user, id, place, size with the head."""
+        place, count = struct.unpack_from("<QI", start, 235)
+        found = []
+        for _ in range(count):
+            file.seek(place)
+            head = file.read(EXTENDED_HEAD)
+            if len(head) < EXTENDED_HEAD:
+                self.fail(
+                    f"is cut off: an extended record at byte {place} is missing; copy it again"
+                )
+            size = EXTENDED_HEAD + struct.unpack_from("<Q", head, 20)[0]
+            if place + size > self._size:
+                self.fail(
+                    f"is cut off: it has {self._size} bytes, and an extended record ends after "
+                    f"{place + size}; copy it again"
+                )
+            user = head[2:18].split(b"\0")[0]
+            if user not in NOT_KEPT:
+                found.append((user, struct.unpack_from("<H", head, 18)[0], place, size))
+            place += size
+        return found
+
+    def _check_size(self):
+        header = self.header
+        if header.are_points_compressed:
+            return
+        room = (self._size - self._points_begin) // header.point_format.size
+        if header.point_count > room:
+            self.fail(
+                f"is cut off: it has {max(0, room)} whole points of the {header.point_count} that "
+                "its header counts; copy it again"
+            )
+
+    def packets(self):
+        """Where the waveform packets are: file, place, size with a head of 60 bytes; or None."""
+        if not self.header.point_format.has_waveform_packet:
+            return None
+        for user, number, place, size in self.extended:
+            if (user, number) == WAVES:
+                return self.path, place, size
+        if self.encoding & INTERNAL and self._waves_begin:
+            return self.path, self._waves_begin, self._size - self._waves_begin
+        beside = pathlib.Path(self.path).with_suffix(".wdp")
+        if not beside.is_file():
+            self.fail(f"its waveforms should be in {beside}, which is missing; keep it beside")
+        return str(beside), 0, beside.stat().st_size
+
+    def chunks(self, rows=ROWS):
+        """Yields the points as structured arrays."""
+        total, done = self.header.point_count, 0
+        while done < total:
+            count = min(rows, total - done)
+            try:
+                records = self._reader.read_points(count).array
+            except Exception as error:  # of lazrs
+                self.fail(
+                    f"points {done} to {done + count} of {total} cannot be read: {error}; the file "
+                    "is cut off or damaged, copy it again"
+                )
+            if len(records) != count:
+                self.fail(f"ends after {done + len(records)} of {total} points; copy it again")
+            done += count
+            yield records
+
+    def close(self):
+        self._reader.close()
+
+
+def _split(data, count):
+    """The variable length records of a head: user, bytes."""
+    at = 0
+    for _ in range(count):
+        size = HEAD + struct.unpack_from("<H", data, at + 20)[0]
+        user = data[at + 2 : at + 18].split(b"\0")[0]
+        yield user, data[at : at + size]
+        at += size
+
+
+class RecordWriter:
+    """Points as records, with the head of the file that they come from."""
+
+    def __init__(self, file, reader, compress):
+        import laspy
+
+        self.file = file
+        self._model = reader
+        self._ranges = []  # of waveform packets
+        self._channel = None
+        if compress:
+            need("lazrs", "LAZ files")
+        backend = self._choose_backend(laspy, reader.header.point_format) if compress else None
+        self._writer = laspy.LasWriter(
+            file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
+        )
+        self._laspy = laspy
+
+    def _choose_backend(self, laspy, form):
+        """lazrs, but for waveforms laszip where it is there: lazrs loses the waveform fields of
+        formats 9 and 10 where scanner channels change."""
+        backends = laspy.LazBackend
+        if form.id not in (9, 10):
+            return backends.LazrsParallel
+        if backends.Laszip.is_available():
+            return backends.Laszip
+        self._channel = -1
+        return backends.LazrsParallel
+
+    def _check_channel(self, records):
+        channels = np.unique(records["classification_flags"] >> 4 & 3)
+        if len(channels) > 1 or (len(channels) and self._channel not in (-1, channels[0])):
+            raise FormatError(
+                f"{self._model.path}: has waveforms of several scanner channels, which lazrs does "
+                "not compress without loss; pip install --no-deps laszip, which does"
+            )
+        self._channel = channels[0] if len(channels) else self._channel
+
+    def write(self, records):
+        if self._channel is not None:
+            self._check_channel(records)
+        form = self._writer.header.point_format
+        self._try(lambda: self._writer.write_points(self._laspy.PackedPointRecord(records, form)))
+
+    def _try(self, action):
+        """Errors of lazrs and laszip, of which a full disk is one, name the file."""
+        try:
+            action()
+        except (OSError, FormatError):
+            raise
+        except Exception as error:
+            raise FormatError(
+                f"{self.file.name.removesuffix('.part')}: cannot be written: {error}; see that the "
+                "disk has room"
+            ) from error
+
+    def shift(self, records, reader):
+        """Brings coordinates to the offset of this file; False where they do not fit in exactly."""
+        ours, theirs = self._model.header, reader.header
+        steps = (theirs.offsets - ours.offsets) / ours.scales
+        whole = np.rint(steps)
+        if np.abs(steps - whole).max() > 1e-4:
+            return False
+        for name, step in zip("XYZ", whole.astype(np.int64)):
+            moved = records[name].astype(np.int64) + step
+            if len(moved) and max(abs(moved.min()), abs(moved.max())) >= 2**31:
+                return False
+            records[name] = moved
+        return True
+
+    def add_packets(self, packets):
+        """Takes the packets of a file along; what their places in points grow by."""
+        before = sum(size - EXTENDED_HEAD for _, _, size in self._ranges)
+        self._ranges.append(packets)
+        return before
+
+    def close(self, internal=True, beside=None, bare=False):
+        """Ends the file; the packets go into it, or into another one that is open. Bare: without
+        extended records."""
+        self._try(self._writer.close)
+        self._restore_head()
+        if bare:
+            return
+        others = [
+            (self._model.path, place, size)
+            for user, number, place, size in self._model.extended
+            if (user, number) != WAVES
+        ]
+        if self._model.minor >= 4 or self._ranges:
+            self._append(others, internal, beside)
+
+    def _restore_head(self):
+        """Who made the file, the day and the records as they were, to the byte; records only where
+        there are as many bytes of them."""
+        for first, last in ((4, 6), (8, 24), (26, 94)):
+            self.file.seek(first)
+            self.file.write(self._model.start[first:last])
+        size, begin, count = struct.unpack("<HII", self.file.read(10))
+        self.file.seek(size)
+        made = b"".join(
+            data for user, data in _split(self.file.read(begin - size), count)
+            if user not in NOT_KEPT
+        )  # fmt: skip
+        kept = b"".join(data for _, data in self._model.records)
+        if len(made) == len(kept):
+            self.file.seek(size)
+            self.file.write(kept)
+
+    def _append(self, others, internal, beside):
+        self.file.seek(0, os.SEEK_END)
+        first, count, waves = self.file.tell(), len(others), 0
+        for path, place, size in others:
+            _copy(path, place, size, self.file)
+        if self._ranges and internal:
+            waves, count = self.file.tell(), count + 1
+            self._write_packets(self.file)
+        elif self._ranges:
+            self._write_packets(beside)
+        self._patch("<Q", 227, waves)
+        if self._model.minor >= 4:
+            self._patch("<QI", 235, first if count else 0, count)
+        bits = (INTERNAL if internal else EXTERNAL) if self._ranges else 0
+        self._patch("<H", 6, self._model.encoding & ~(INTERNAL | EXTERNAL) | bits)
+
+    def _write_packets(self, file):
+        path, place, _ = self._ranges[0]
+        start = file.tell()
+        _copy(path, place, EXTENDED_HEAD, file)
+        for path, place, size in self._ranges:
+            _copy(path, place + EXTENDED_HEAD, size - EXTENDED_HEAD, file)
+        end = file.tell()
+        file.seek(start + 20)
+        file.write(struct.pack("<Q", end - start - EXTENDED_HEAD))
+        file.seek(end)
+
+    def _patch(self, form, place, *values):
+        self.file.seek(place)
+        self.file.write(struct.pack(form, *values))
+
+
+def _copy(path, place, size, file, block=1 << 24):
+    """Copies bytes of a file to the end of another one."""
+    with open(path, "rb") as source:
+        source.seek(place)
+        while size > 0:
+            data = source.read(min(block, size))
+            if not data:
+                raise FormatError(f"{path}: is cut off; copy it again")
+            file.write(data)
+            size -= len(data)
+
+
+def same_form(one, other):
+    """Why the records of two files do not fit into one, or an empty text."""
+    ours, theirs = one.header, other.header
+    if ours.point_format != theirs.point_format or ours.version != theirs.version:
+        return "other point formats or Extra Bytes"
+    if not np.array_equal(ours.scales, theirs.scales):
+        return "other scales"
+    if (one.encoding ^ other.encoding) & ~(INTERNAL | EXTERNAL):
+        return "another kind of GPS time"
+    if one.records != other.records:
+        return "other header records"
+    return ""

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK XML: .pvtp with pieces, which streams, and .vtp, which is in memory as a whole."""
+
+import os
+import pathlib
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+import vtkhelios
+
+from .._pipeline import MessageLog
+from ._base import ROWS, Header, Reader, Writer, call, from_cloud, rows_of, select, to_cloud
+
+HEAD = 1_000_000  # bytes of a file in which its number of points is
+
+
+class VtpReader(Reader):
+    kind = "VTK XML"
+
+    def __init__(self, path):
+        super().__init__(path)
+        self._files = self._find_files()
+        self._first = self._read(self._open(self._files[0]))
+        self.count = sum(self._count_of(name) for name in self._files)
+        self.header = Header(self._first.GetFieldData())
+
+    def _find_files(self):
+        return [self.path]
+
+    def _open(self, name):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(name)
+        if not reader.CanReadFile(name):
+            self.fail(f"{name} is no VTK XML file of points (vtkPolyData); convert that one first")
+        call(self, reader, reader.UpdateInformation)
+        return reader
+
+    def _read(self, reader):
+        expected = self._count_of(reader.GetFileName())
+        call(self, reader, reader.Update)
+        cloud = reader.GetOutput()
+        if cloud.GetNumberOfPoints() != expected:
+            self.fail(
+                f"{reader.GetFileName()} is damaged: {cloud.GetNumberOfPoints()} of {expected} "
+                "points can be read; write it again"
+            )
+        return cloud
+
+    def _count_of(self, name):
+        with open(name, "rb") as file:
+            counts = re.findall(rb'<Piece\b[^>]*?NumberOfPoints="(\d+)"', file.read(HEAD))
+        return sum(map(int, counts))
+
+    def chunks(self, rows=ROWS):
+        for index, name in enumerate(self._files):
+            chunk = from_cloud(self._read(self._open(name)) if index else self._first)
+            for begin in range(0, rows_of(chunk), rows):
+                yield select(chunk, slice(begin, begin + rows))
+
+
+class PiecesReader(VtpReader):
+    kind = "VTK XML in pieces"
+
+    def _find_files(self):
+        try:
+            root = ElementTree.parse(self.path).getroot()
+        except ElementTree.ParseError as error:
+            self.fail(f"is no XML: {error}; write it again")
+        if root.get("type") != "PPolyData":
+            self.fail("is no VTK XML file of points in pieces (PPolyData); name that one")
+        folder = pathlib.Path(self.path).parent
+        files = [str(folder / piece.get("Source", "")) for piece in root.iter("Piece")]
+        if not files:
+            self.fail("names no pieces, so it has no points; give a file with points")
+        for name in files:
+            if not pathlib.Path(name).is_file():
+                self.fail(f"its piece {name} is missing; keep the pieces beside it")
+        return files
+
+
+class PiecesWriter(Writer):
+    """A piece a chunk."""
+
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        self._writer = vtkhelios.vtkHeliosPointXMLWriter()
+        self._writer.SetFileName(self.path)
+        self._pieces = 0
+
+    def put(self, chunk):
+        if not self._writer.IsOpen():
+            call(self, self._writer, self._writer.Open)
+        cloud = to_cloud(chunk, self.header)
+        self._pieces += 1
+        call(self, self._writer, lambda: self._writer.Write(cloud))
+        self.count += rows_of(chunk)
+
+    def close(self):
+        if not self.count:
+            self.abandon()
+            self.fail("would have no points; choose points that there are")
+        call(self, self._writer, self._writer.Close)
+
+    def abandon(self):
+        if self._writer.IsOpen():
+            self._writer.Abandon()
+        path = pathlib.Path(self.path)
+        path.with_name(f"{path.name}.part").unlink(missing_ok=True)
+        for piece in range(self._pieces):
+            path.with_name(f"{path.stem}_{piece:04}.vtp").unlink(missing_ok=True)
+
+
+class VtpWriter(Writer):
+    """All chunks at once."""
+
+    def __init__(self, path, header):
+        super().__init__(path, header)
+        self._chunks = []
+
+    def put(self, chunk):
+        if self._chunks and set(chunk) != set(self._chunks[0]):
+            odd = ", ".join(sorted(set(chunk) ^ set(self._chunks[0])))
+            self.fail(f"not all points have {odd}; convert the files one by one")
+        self._chunks.append({name: values.copy() for name, values in chunk.items()})
+        self.count += rows_of(chunk)
+
+    def close(self):
+        if not self.count:
+            self.fail("would have no points; choose points that there are")
+        names = self._chunks[0]
+        cloud = to_cloud(
+            {n: np.concatenate([c[n] for c in self._chunks]) for n in names}, self.header
+        )
+        self._add_vertices(cloud)
+        pathlib.Path(self.path).parent.mkdir(parents=True, exist_ok=True)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(f"{self.path}.part")
+        writer.SetInputData(cloud)
+        writer.SetHeaderTypeToUInt64()
+        with MessageLog() as log:  # what VTK says of a full disk is many lines
+            log.watch(writer)
+            log.watch(writer.GetExecutive())
+            writer.Write()
+        if log.errors or writer.GetErrorCode():
+            problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
+            self.fail(f"cannot be written: {problem}; see that the disk has room")
+        os.replace(f"{self.path}.part", self.path)
+
+    def _add_vertices(self, cloud):
+        """A vertex a point, so that viewers show it."""
+        places = np.arange(self.count + 1, dtype=np.int64)
+        cells = vtkCellArray()
+        cells.SetData(
+            numpy_to_vtkIdTypeArray(places, deep=True),
+            numpy_to_vtkIdTypeArray(places[:-1].copy(), deep=True),
+        )
+        cloud.SetVerts(cells)
+
+    def abandon(self):
+        self._chunks.clear()
+        pathlib.Path(f"{self.path}.part").unlink(missing_ok=True)
