@@ -19,7 +19,7 @@ namespace
 
 constexpr double SmallMotion = 1e-6;    // [m]
 constexpr double SmallDistance = 1e-5;  // [m], from a plane
-constexpr double LargestRatio = 3.0;    // of a distance to the median
+constexpr double LargestRatio = 3.0;    // of a distance to the residual
 constexpr float LeastCosine = 0.866F;   // between normals of a pair
 constexpr std::size_t LeastPairs = 6;
 
@@ -39,6 +39,16 @@ double GetPlaneDistance(const PointT& p, const PointT& q)
 {
   return static_cast<double>(
     std::abs((p.getVector3fMap() - q.getVector3fMap()).dot(q.getNormalVector3fMap())));
+}
+
+Eigen::Vector3d GetCentre(const pcl::PointCloud<PointT>& cloud)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const PointT& p : cloud)
+  {
+    sum += p.getVector3fMap().cast<double>();
+  }
+  return sum / static_cast<double>(cloud.size());
 }
 
 template <typename T>
@@ -125,20 +135,12 @@ void PclIcp::Reject(const Cloud& moved, pcl::Correspondences& pairs)
       return !this->IsFlat(p) || !this->IsFlat(q) ||
         std::abs(p.getNormalVector3fMap().dot(q.getNormalVector3fMap())) < LeastCosine;
     });
-  if (pairs.empty())
-  {
-    return;
-  }
-  std::vector<double> distances;
-  distances.reserve(pairs.size());
-  const auto getDistance = [this, &moved](const pcl::Correspondence& pair)
-  { return GetPlaneDistance(At(moved, pair.index_query), At(*this->Fixed, pair.index_match)); };
-  std::transform(pairs.begin(), pairs.end(), std::back_inserter(distances), getDistance);
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  const double limit = std::max(SmallDistance, LargestRatio * *middle);
-  removeIf([&getDistance, limit](const pcl::Correspondence& pair)
-    { return getDistance(pair) > limit; });
+  removeIf(
+    [this, &moved](const pcl::Correspondence& pair)
+    {
+      return GetPlaneDistance(At(moved, pair.index_query), At(*this->Fixed, pair.index_match)) >
+        this->Limit;
+    });
 }
 
 void PclIcp::Measure(const Cloud& moved, const pcl::Correspondences& pairs)
@@ -170,6 +172,15 @@ Eigen::Isometry3d PclIcp::Estimate(const Cloud& moved, const pcl::Correspondence
   return MakeMotion(step);
 }
 
+/// Where the scans have settled, pairs far off are of two surfaces. False where there are none.
+bool PclIcp::LowerLimit()
+{
+  const double limit = std::max(SmallDistance, LargestRatio * this->Residual);
+  const bool isLower = this->PointToPlane && limit < 0.7 * this->Limit;
+  this->Limit = isLower ? limit : this->Limit;
+  return isLower;
+}
+
 std::string PclIcp::Run()
 {
   double reach = 1.0;
@@ -199,14 +210,16 @@ std::string PclIcp::Run()
         "plane; align the scans better before, or set a larger MaximumDistance or MaximumCurvature";
     }
     const Eigen::Isometry3d step = this->Estimate(*moved, pairs);
-    if (!step.matrix().allFinite())
+    const Eigen::Vector3d centre = GetCentre(*moved);
+    const double shift = (step * centre - centre).norm();
+    if (!step.matrix().allFinite() || !(shift <= 2.0 * this->MaximumDistance))
     {
       return "the " + std::to_string(pairs.size()) + " pairs of points do not say how to move; " +
         "scans need surfaces in three directions";
     }
     this->Motion = step * this->Motion;
     const double angle = std::abs(Eigen::AngleAxisd(step.linear()).angle());
-    this->Settled = step.translation().norm() + angle * reach < small;
+    this->Settled = step.translation().norm() + angle * reach < small && !this->LowerLimit();
     if (this->OnIteration && !this->OnIteration(i))
     {
       this->Stopped = true;

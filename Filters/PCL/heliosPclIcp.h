@@ -10,6 +10,7 @@
 #include <pcl/point_types.h>
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,7 @@ private:
   Cloud::Ptr Move() const;
   bool IsFlat(const pcl::PointNormal& point) const;
   void Reject(const Cloud& moved, pcl::Correspondences& pairs);
+  bool LowerLimit();
   void Measure(const Cloud& moved, const pcl::Correspondences& pairs);
   Eigen::Isometry3d Estimate(const Cloud& moved, const pcl::Correspondences& pairs) const;
 
@@ -63,6 +65,7 @@ private:
   std::vector<Eigen::Vector3d> Moving;
   Cloud::Ptr MovingNormals; // and their curvatures, as they came
   Eigen::Isometry3d Motion = Eigen::Isometry3d::Identity();
+  double Limit = std::numeric_limits<double>::infinity(); // of distances from planes
   bool Stopped = false;
   bool Settled = false;
   double Residual = 0.0;

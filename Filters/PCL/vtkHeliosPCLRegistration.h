@@ -19,8 +19,8 @@
  * Scans from two places do not hit the same spots: point to plane is right there, point to point
  * only for copies. The planes are fitted to NumberOfNeighbors points. Pairs that are not of one
  * plane are left out: where the curvature at one of them is above MaximumCurvature (edges, leaves),
- * their normals are more than 30 degrees apart, or the distance from the plane is above three times
- * the median. A rough alignment is needed: within MaximumDistance, and some ten degrees.
+ * their normals are more than 30 degrees apart, or, once the scans have settled, the distance from the
+ * plane is above three times the residual; then they settle again, until that changes little. A rough alignment is needed: within MaximumDistance, and some ten degrees.
  *
  * Errors: no points, fewer than 6 pairs, pairs that leave a motion open; a warning where
  * MaximumNumberOfIterations came first. Points that are not finite are dropped, with a warning.

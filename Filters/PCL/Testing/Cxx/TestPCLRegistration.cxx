@@ -126,7 +126,9 @@ TEST_CASE("PCLRegistration: scans from two places, misaligned by 0.3 m and 3 deg
   const auto fixed = helios::MakeCloud(ScanRoom({ -1.0, -1.0, 1.5 }, 140, 0.0));
   const auto motion = MakeMotion(3.0, { 0.2, -0.2, 0.1 });
   Registering run(fixed, Move(truth, motion));
-  REQUIRE(run.Run());
+  const bool isGood = run.Run();
+  INFO(run.Log->Errors);
+  REQUIRE(isGood);
   CHECK(run.Log->Warnings.empty());
   const double error = GetLargestError(run, truth);
   CHECK(error < 1e-3);
@@ -208,6 +210,17 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     run.Filter->SetMaximumCurvature(0.0);
     CHECK(run.FailsWith("only 500 points of input 1 have one of input 0 within MaximumDistance, and 0 "
                         "of these pairs are of one plane"));
+  }
+  SECTION("planes of one direction only")
+  {
+    helios::Triples floor;
+    for (int i = 0; i < 2500; ++i)
+    {
+      floor.push_back(helios::Utm + helios::Triple{ 0.1 * (i % 50), 0.1 * (i / 50), 0.0 });
+    }
+    Registering run(
+      helios::MakeCloud(floor), Move(floor, MakeMotion(0.0, { 0.03, 0.02, 0.1 })));
+    CHECK(run.FailsWith("pairs of points do not say how to move; scans need surfaces in three"));
   }
   SECTION("too few iterations")
   {
