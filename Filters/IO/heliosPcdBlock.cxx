@@ -158,7 +158,7 @@ void PcdBlock::GetMiddle(double origin[3]) const
   for (int axis = 0; axis < 3; ++axis)
   {
     const double middle = low[axis] + 0.5 * (high[axis] - low[axis]);
-    origin[axis] = low[axis] <= high[axis] ? std::round(middle / OriginStep) * OriginStep : 0.0;
+    origin[axis] = low[axis] <= high[axis] ? std::round(middle / OriginStep) * OriginStep + 0.0 : 0.0;
   }
 }
 

@@ -245,7 +245,7 @@ void ChooseOrigin(vtkPolyData* echoes, double origin[3], double step)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double centre = low[axis] + 0.5 * (high[axis] - low[axis]);
-    origin[axis] = low[axis] <= high[axis] ? std::round(centre / step) * step : 0.0;
+    origin[axis] = low[axis] <= high[axis] ? std::round(centre / step) * step + 0.0 : 0.0;
   }
 }
 
