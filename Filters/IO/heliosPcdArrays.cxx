@@ -264,8 +264,9 @@ std::string PcdArrays::AddLine(std::string_view line)
         return "the point has " + std::to_string(number) + " numbers, but FIELDS and COUNT make " +
           std::to_string(this->Header.GetNumberOfColumns()) + "; complete the line";
       }
-      const bool isGood = axis < 0 ? WriteNumber(field, word, to)
-                                   : WriteNumber<double>(word, reinterpret_cast<char*>(point + axis));
+      const bool isGood = axis < 0
+        ? WriteNumber(field, word, to)
+        : WriteNumber<double>(word, reinterpret_cast<char*>(point + axis));
       if (!isGood)
       {
         return Quote(word) + " is no number of type " + field.Type + " and size " +

@@ -82,7 +82,8 @@ void PcdBlock::AddField(
   PcdField field;
   field.Name = name;
   std::replace_if(
-    field.Name.begin(), field.Name.end(), [](unsigned char c) { return c <= ' ' || c == 127; }, '_');
+    field.Name.begin(), field.Name.end(), [](unsigned char c) { return c <= ' ' || c == 127; },
+    '_');
   field.Type = IsReal(array) ? 'F' : IsSigned(array) ? 'I' : 'U';
   field.Size = isFloat && IsFloatField(name) && IsReal(array) ? 4 : array->GetDataTypeSize();
   field.Count = count;
@@ -158,7 +159,8 @@ void PcdBlock::GetMiddle(double origin[3]) const
   for (int axis = 0; axis < 3; ++axis)
   {
     const double middle = low[axis] + 0.5 * (high[axis] - low[axis]);
-    origin[axis] = low[axis] <= high[axis] ? std::round(middle / OriginStep) * OriginStep + 0.0 : 0.0;
+    origin[axis] =
+      low[axis] <= high[axis] ? std::round(middle / OriginStep) * OriginStep + 0.0 : 0.0;
   }
 }
 
@@ -173,8 +175,7 @@ double PcdBlock::RoundCoordinate(double value, double origin)
   return rounded;
 }
 
-void PcdBlock::Append(
-  vtkIdType begin, vtkIdType end, const PcdHeader& header, std::string& text)
+void PcdBlock::Append(vtkIdType begin, vtkIdType end, const PcdHeader& header, std::string& text)
 {
   const bool isText = header.Storage == PcdStorage::Ascii;
   for (vtkIdType i = begin; i < end; ++i)

@@ -39,7 +39,8 @@ public:
   double GetLargestError() const { return this->LargestError; }
 
 private:
-  void AddField(const std::string& name, vtkDataArray* array, int component, int count, bool isFloat);
+  void AddField(
+    const std::string& name, vtkDataArray* array, int component, int count, bool isFloat);
   double RoundCoordinate(double value, double origin);
   void AppendBinary(vtkIdType point, const double place[3], std::string& text) const;
   void AppendText(vtkIdType point, const double place[3], std::string& text) const;

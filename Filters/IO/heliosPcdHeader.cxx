@@ -60,9 +60,9 @@ std::string FormatNumber(double value)
 
 bool IsSizeOfType(char type, int size)
 {
-  return type == 'F' ? size == 4 || size == 8
-                     : (type == 'I' || type == 'U') &&
-      (size == 1 || size == 2 || size == 4 || size == 8);
+  return type == 'F'
+    ? size == 4 || size == 8
+    : (type == 'I' || type == 'U') && (size == 1 || size == 2 || size == 4 || size == 8);
 }
 
 /// Reads the lines of a header one after the other.
@@ -180,7 +180,8 @@ private:
       if (!words.empty())
       {
         const char* end = words.back().data() + words.back().size();
-        header.Crs.assign(words.front().data(), static_cast<std::size_t>(end - words.front().data()));
+        header.Crs.assign(
+          words.front().data(), static_cast<std::size_t>(end - words.front().data()));
       }
     }
     header.HasAmplitude = header.HasAmplitude || StartsWith(line, AmplitudeMark);
@@ -235,7 +236,8 @@ private:
       return this->TakeStorage(words);
     }
     return "unknown entry " + Quote(key) +
-      "; a PCD header has VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS, DATA";
+      "; a PCD header has VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS, "
+      "DATA";
   }
 
   std::string TakeVersion(const Words& words) const
@@ -294,7 +296,8 @@ private:
 
   std::string CheckSizes(const std::string& key) const
   {
-    const bool isWhole = (key == "TYPE" && this->Has("SIZE")) || (key == "SIZE" && this->Has("TYPE"));
+    const bool isWhole =
+      (key == "TYPE" && this->Has("SIZE")) || (key == "SIZE" && this->Has("TYPE"));
     for (const PcdField& field : this->Header.Fields)
     {
       if (isWhole && !IsSizeOfType(field.Type, field.Size))

@@ -52,8 +52,8 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   /// In comments, so that other programs read the file as well.
   double Origin[3] = { 0.0, 0.0, 0.0 }; ///< to be added to x y z
   bool HasEpoch = false;
-  double Epoch = 0.0; ///< that GpsTime counts from
-  std::string Crs;    ///< one line
+  double Epoch = 0.0;        ///< that GpsTime counts from
+  std::string Crs;           ///< one line
   bool HasAmplitude = false; ///< the field intensity is the amplitude [W]
   ///@}
 

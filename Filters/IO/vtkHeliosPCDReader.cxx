@@ -143,10 +143,10 @@ private:
         return this->DescribeAbort(done);
       }
     }
-    return done == count ? std::string()
-                         : helios::Place(this->Path, number) + "the file ends after " +
-        std::to_string(done) + " of " + std::to_string(count) +
-        " points; it is cut off, or POINTS is wrong";
+    return done == count
+      ? std::string()
+      : helios::Place(this->Path, number) + "the file ends after " + std::to_string(done) + " of " +
+        std::to_string(count) + " points; it is cut off, or POINTS is wrong";
   }
 
   std::string ReadRows()
@@ -182,8 +182,8 @@ private:
   std::string ReadCompressed()
   {
     std::uint32_t sizes[2] = { 0, 0 }; // in the file, and unpacked
-    const bool hasSizes =
-      this->DataSize >= sizeof(sizes) && this->File.read(reinterpret_cast<char*>(sizes), sizeof(sizes));
+    const bool hasSizes = this->DataSize >= sizeof(sizes) &&
+      this->File.read(reinterpret_cast<char*>(sizes), sizeof(sizes));
     if (!hasSizes || sizes[0] > this->DataSize - sizeof(sizes))
     {
       return this->Path + ": the compressed data need " + std::to_string(sizes[0]) +

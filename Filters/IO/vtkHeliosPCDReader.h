@@ -51,8 +51,7 @@ protected:
   vtkHeliosPCDReader();
   ~vtkHeliosPCDReader() override;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:

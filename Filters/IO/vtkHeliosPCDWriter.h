@@ -36,7 +36,6 @@
 #include <memory> // For the header
 #include <string> // For messages
 
-
 namespace helios
 {
 class PcdBlock;

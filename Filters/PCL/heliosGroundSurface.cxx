@@ -44,8 +44,7 @@ double GroundSurface::GetHeight(float x, float y) const
   {
     const auto index = static_cast<std::size_t>(i);
     const pcl::PointXYZ& p = (*this->Places)[index];
-    const Eigen::Vector3d row(
-      1.0, static_cast<double>(p.x - x), static_cast<double>(p.y - y));
+    const Eigen::Vector3d row(1.0, static_cast<double>(p.x - x), static_cast<double>(p.y - y));
     const double weight = 1.0 / (row[1] * row[1] + row[2] * row[2] + smoothing);
     sums += weight * row * row.transpose();
     right += weight * static_cast<double>(this->Heights[index]) * row;

@@ -68,9 +68,9 @@ private:
     }
     this->Problem = std::string("the point array ") + name + " holds " +
       std::to_string(array->GetNumberOfTuples()) + " x " +
-      std::to_string(array->GetNumberOfComponents()) + " values (" +
-      array->GetDataTypeAsString() + "), not " + std::to_string(count) + " x " +
-      std::to_string(components) + " numbers; give it that shape, or remove it";
+      std::to_string(array->GetNumberOfComponents()) + " values (" + array->GetDataTypeAsString() +
+      "), not " + std::to_string(count) + " x " + std::to_string(components) +
+      " numbers; give it that shape, or remove it";
     return false;
   }
 
@@ -148,8 +148,8 @@ void FillAttributes(EchoArrays& arrays, pcl::PointCloud<PointEcho>& cloud)
   FillIntensity(arrays, cloud);
   Fill(cloud, arrays.Get({ names::EchoWidth }),
     [](PointEcho& p, double value) { p.width = static_cast<float>(value); });
-  Fill(cloud, arrays.Get({ names::GpsTime }),
-    [](PointEcho& p, double value) { p.gps_time = value; });
+  Fill(
+    cloud, arrays.Get({ names::GpsTime }), [](PointEcho& p, double value) { p.gps_time = value; });
   Fill(cloud, arrays.Get({ names::ClassificationIds }),
     [](PointEcho& p, double value) { p.classification = ToWhole<std::int32_t>(value); });
   Fill(cloud, arrays.Get({ names::ReturnNumber }),
@@ -165,8 +165,8 @@ void FillAttributes(EchoArrays& arrays, pcl::PointCloud<PointEcho>& cloud)
 
 /// Adds an array of value(point).
 template <typename ArrayT, typename PointT, typename ValueT>
-void AddArray(const pcl::PointCloud<PointT>& cloud, vtkPolyData* echoes, const char* name,
-  const ValueT& value)
+void AddArray(
+  const pcl::PointCloud<PointT>& cloud, vtkPolyData* echoes, const char* name, const ValueT& value)
 {
   vtkNew<ArrayT> array;
   array->SetName(name);

@@ -31,13 +31,13 @@ namespace helios
 struct EIGEN_ALIGN16 PointEcho
 {
   PCL_ADD_POINT4D
-  float intensity = 0.0F;            ///< the amplitude [W]
-  float width = 0.0F;                ///< full width at half maximum [ns]
-  double gps_time = 0.0;             ///< [s]
-  std::int64_t pulse_id = 0;         ///< over the run
-  std::int32_t classification = 0;   ///< as LAS has it
-  std::uint8_t return_number = 0;    ///< from 1
-  std::uint8_t number_of_returns = 0;///< of the pulse
+  float intensity = 0.0F;             ///< the amplitude [W]
+  float width = 0.0F;                 ///< full width at half maximum [ns]
+  double gps_time = 0.0;              ///< [s]
+  std::int64_t pulse_id = 0;          ///< over the run
+  std::int32_t classification = 0;    ///< as LAS has it
+  std::uint8_t return_number = 0;     ///< from 1
+  std::uint8_t number_of_returns = 0; ///< of the pulse
 
   PointEcho() { x = y = z = 0.0F, data[3] = 1.0F; }
   PCL_MAKE_ALIGNED_OPERATOR_NEW
@@ -56,13 +56,11 @@ VTKHELIOSFILTERSPCL_EXPORT void ChooseOrigin(
  * or an empty text.
  */
 template <typename PointT>
-std::string ToPcl(
-  vtkPolyData* echoes, const double origin[3], pcl::PointCloud<PointT>& cloud);
+std::string ToPcl(vtkPolyData* echoes, const double origin[3], pcl::PointCloud<PointT>& cloud);
 
 /// The points of a cloud as echoes with double points and the arrays its type has.
 template <typename PointT>
-void FromPcl(
-  const pcl::PointCloud<PointT>& cloud, const double origin[3], vtkPolyData* echoes);
+void FromPcl(const pcl::PointCloud<PointT>& cloud, const double origin[3], vtkPolyData* echoes);
 
 } // namespace helios
 

@@ -17,10 +17,10 @@ namespace helios
 namespace
 {
 
-constexpr double SmallMotion = 1e-6;    // [m]
-constexpr double SmallDistance = 1e-5;  // [m], from a plane
-constexpr double LargestRatio = 3.0;    // of a distance to the residual
-constexpr float LeastCosine = 0.866F;   // between normals of a pair
+constexpr double SmallMotion = 1e-6;   // [m]
+constexpr double SmallDistance = 1e-5; // [m], from a plane
+constexpr double LargestRatio = 3.0;   // of a distance to the residual
+constexpr float LeastCosine = 0.866F;  // between normals of a pair
 constexpr std::size_t LeastPairs = 6;
 
 using PointT = pcl::PointNormal;

@@ -80,7 +80,8 @@ bool vtkHeliosPCLGroundFilter::CheckCells(const helios::PclInput& input)
     return true;
   }
   vtkErrorMacro(<< "CellSize is " << this->CellSize << " m, which makes more cells than PCL can "
-                << "count; set " << 2.0 * input.GetReach() / 46000.0 << " m or more, or work at the "
+                << "count; set " << 2.0 * input.GetReach() / 46000.0
+                << " m or more, or work at the "
                 << "points in tiles");
   return false;
 }

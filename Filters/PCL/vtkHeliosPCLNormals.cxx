@@ -95,8 +95,8 @@ bool vtkHeliosPCLNormals::Process(helios::PclInput& input, vtkPolyData* output)
     const float sign = isFound ? (towards < 0.0 ? -1.0F : 1.0F) : 0.0F;
     for (int axis = 0; axis < 3; ++axis)
     {
-      normals->SetComponent(i, axis,
-        isFound ? static_cast<double>(sign * normal.normal[axis]) : 0.0);
+      normals->SetComponent(
+        i, axis, isFound ? static_cast<double>(sign * normal.normal[axis]) : 0.0);
     }
     curvatures->SetValue(i, isFound ? normal.curvature : 0.0F);
   }

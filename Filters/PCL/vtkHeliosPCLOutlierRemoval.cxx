@@ -28,8 +28,8 @@ bool vtkHeliosPCLOutlierRemoval::Process(helios::PclInput& input, vtkPolyData* o
 {
   if (input.GetSize() < 3) // none of them lies apart from the others
   {
-    helios::SelectPoints(input.GetData(),
-      this->SelectOutliers ? std::vector<vtkIdType>() : input.GetIds(), output);
+    helios::SelectPoints(
+      input.GetData(), this->SelectOutliers ? std::vector<vtkIdType>() : input.GetIds(), output);
     return true;
   }
   pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;

@@ -44,8 +44,8 @@ Points GetLocalPoints(const helios::PclInput& input, const double origin[3])
   return points;
 }
 
-void MovePoints(const Points& local, const Eigen::Isometry3d& motion, const double origin[3],
-  vtkPolyData* output)
+void MovePoints(
+  const Points& local, const Eigen::Isometry3d& motion, const double origin[3], vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

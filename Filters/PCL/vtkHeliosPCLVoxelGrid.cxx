@@ -125,7 +125,8 @@ bool vtkHeliosPCLVoxelGrid::CheckSize(const helios::PclInput& input)
   double cells = 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    cells *= std::floor(static_cast<double>(high.data[axis] - low.data[axis]) / this->VoxelSize) + 2;
+    cells *=
+      std::floor(static_cast<double>(high.data[axis] - low.data[axis]) / this->VoxelSize) + 2;
   }
   if (cells < static_cast<double>(std::numeric_limits<int>::max()))
   {

@@ -43,6 +43,15 @@ def test_paper_pyramid():
     assert sorted(map(tuple, plans["MeanIncidenceAngle"])) == [(-10, -10, 1.5), (10, 10, 1.5)]
 
 
+def test_pcl_filters():
+    pytest.importorskip("vtkhelios.pcl")
+    results = load("pcl_filters").main()
+    assert results["error"] < 1e-3
+    assert results["right"] > 0.95
+    assert results["ground plane"] == pytest.approx((0, 0, 1, 0), abs=1e-3)
+    assert not results["cloud"].points.flags.owndata
+
+
 def test_every_example_is_tested():
     text = pathlib.Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

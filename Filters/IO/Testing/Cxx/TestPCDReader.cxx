@@ -170,8 +170,8 @@ TEST_CASE("PCDReader: the comments of the writer", "[PCDReader]")
   CHECK(reading.Get(names::Amplitude)->GetTuple1(0) == 0.5);
   CHECK(reading.Get(names::Intensity) == nullptr);
   CHECK(reading.Cloud()->GetFieldData()->GetArray(names::GpsEpoch)->GetTuple1(0) == 1e9);
-  auto* crs = vtkStringArray::SafeDownCast(
-    reading.Cloud()->GetFieldData()->GetAbstractArray(names::CRS));
+  auto* crs =
+    vtkStringArray::SafeDownCast(reading.Cloud()->GetFieldData()->GetAbstractArray(names::CRS));
   REQUIRE(crs);
   CHECK(crs->GetValue(0) == "EPSG:25832");
   CHECK(reading.FailsWith(Replace(marks, "476000", "east") + AsciiPcd, ":1",
@@ -198,13 +198,15 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     { "SIZE 4 4 4 4 2", "SIZE 4 4 4", ":4", "SIZE has 3 entries for 5 FIELDS; give one for each" },
     { "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 3", ":5", "the field \"label\" is of type U and size 3" },
     { "SIZE 4 4 4 4 2", "SIZE 4 4 4 2 2", ":5", "the field \"intensity\" is of type F and size 2" },
-    { "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 x", ":4", "SIZE of the field \"label\" is \"x\"; give a whole" },
+    { "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 x", ":4",
+      "SIZE of the field \"label\" is \"x\"; give a whole" },
     { "SIZE 4 4 4 4 2\n", "", ":10", "the header has no line SIZE; it must say what a point is" },
     { "TYPE F F F F U", "TYPE F F F F D", ":5", "TYPE of the field \"label\" is \"D\"; types are" },
     { "TYPE F F F F U", "TYPE I F F F U", ":11", "x has TYPE I and COUNT 1; x, y and z are one" },
     { "COUNT 1 1 1 1 2", "COUNT 2 1 1 1 1", ":11", "x has TYPE F and COUNT 2; x, y and z are one" },
     { "COUNT 1 1 1 1 2", "COUNT 1 1 1 1 0", ":6", "COUNT of the field \"label\" is \"0\"" },
-    { "WIDTH 2", "WIDTH 3", ":11", "POINTS is 4, but WIDTH times HEIGHT is 6; correct one of them" },
+    { "WIDTH 2", "WIDTH 3", ":11",
+      "POINTS is 4, but WIDTH times HEIGHT is 6; correct one of them" },
     { "WIDTH 2", "WIDTH -2", ":7", "WIDTH is not one whole number of at most 2^40; correct it" },
     { "WIDTH 2\n", "WIDTH 2\nWIDTH 2\n", ":8", "WIDTH is given twice; take one out" },
     { "HEIGHT 2", "HEIGHT 1099511627776", ":11", "WIDTH 2 times HEIGHT 1099511627776 is more" },
@@ -219,7 +221,8 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     INFO(fault.To);
     CHECK(reading.FailsWith(Replace(AsciiPcd, fault.From, fault.To), fault.Place, fault.Part));
   }
-  CHECK(reading.FailsWith("VERSION 0.7\n", ":1", "the file ends before the line DATA; it is no PCD"));
+  CHECK(
+    reading.FailsWith("VERSION 0.7\n", ":1", "the file ends before the line DATA; it is no PCD"));
   CHECK(reading.FailsWith("", ":0", "the file ends before the line DATA"));
   CHECK(reading.FailsWith("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nDATA ascii\n1 2 3\n", ":4",
     "the header has neither WIDTH nor POINTS; it must say how many points there are"));
@@ -238,8 +241,8 @@ TEST_CASE("PCDReader: lines that are wrong", "[PCDReader]")
     "\"65536\" is no number of type U and size 2, as the field \"label\" has"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "\n4 5 6 1 2 3", "\n"), ":15",
     "the file ends after 3 of 4 points; it is cut off, or POINTS is wrong"));
-  CHECK(reading.FailsWith(AsciiPcd + "\n7 8 9 1 2 3", ":16",
-    "a point more than the 4 of POINTS; correct POINTS"));
+  CHECK(reading.FailsWith(
+    AsciiPcd + "\n7 8 9 1 2 3", ":16", "a point more than the 4 of POINTS; correct POINTS"));
 }
 
 TEST_CASE("PCDReader: data that are cut off or damaged", "[PCDReader]")
@@ -248,16 +251,17 @@ TEST_CASE("PCDReader: data that are cut off or damaged", "[PCDReader]")
   const std::string binary = MakeHeader("binary") + MakeRows();
   CHECK(reading.FailsWith(binary.substr(0, binary.size() - 1), "",
     "has 68 bytes of data, but its 3 points need 69; it is cut off, or POINTS is wrong"));
-  const std::string many = Replace(
-    Replace(binary, "WIDTH 3", "WIDTH 1099511627776"), "POINTS 3", "POINTS 1099511627776");
+  const std::string many =
+    Replace(Replace(binary, "WIDTH 3", "WIDTH 1099511627776"), "POINTS 3", "POINTS 1099511627776");
   CHECK(reading.FailsWith(many, "", "has 69 bytes of data, but its 1099511627776 points need"));
-  const std::string manyLines = Replace(Replace(AsciiPcd, "WIDTH 2", "WIDTH 2000000"), "POINTS 4",
-    "POINTS 4000000");
+  const std::string manyLines =
+    Replace(Replace(AsciiPcd, "WIDTH 2", "WIDTH 2000000"), "POINTS 4", "POINTS 4000000");
   CHECK(reading.FailsWith(manyLines, "", "has 78 bytes of data, but its 4000000 points need"));
 
   const std::string header = MakeHeader("binary_compressed");
   const std::string packed = Compress(MakeFields());
-  CHECK(reading.FailsWith(header + packed.substr(0, packed.size() - 1), "", "the compressed data need"));
+  CHECK(reading.FailsWith(
+    header + packed.substr(0, packed.size() - 1), "", "the compressed data need"));
   CHECK(reading.FailsWith(header + "abc", "", "the compressed data need 0 bytes and two sizes"));
   CHECK(reading.FailsWith(header + Compress(MakeFields() + "x"), "",
     "the data unpack to 70 bytes, but 3 points need 69; FIELDS, SIZE, COUNT or POINTS is wrong"));
@@ -275,7 +279,8 @@ TEST_CASE("PCDReader: no file, a folder, an abort", "[PCDReader]")
   CHECK(reading.Log->HasError("FileName is not set; give the PCD file with SetFileName"));
   reading.Reader->SetFileName((reading.Folder / "none.pcd").c_str());
   CHECK_FALSE(reading.Read());
-  CHECK(reading.Log->HasError("none.pcd: cannot be read: No such file or directory; check the file"));
+  CHECK(
+    reading.Log->HasError("none.pcd: cannot be read: No such file or directory; check the file"));
   reading.Reader->SetFileName((reading.Folder / "").c_str());
   CHECK_FALSE(reading.Read());
   CHECK(reading.Log->HasError("cannot be read: it is a folder; give the name of a file"));

@@ -95,8 +95,8 @@ TEST_CASE("PCDWriter: as float UTM survives by the origin", "[PCDWriter]")
   REQUIRE(reading.Read());
   CHECK(CountMoved(reading.Cloud(), echoes, 1e-4) == 0);
   CHECK(CountMoved(reading.Cloud(), echoes, 0.0) > 0);
-  CHECK(helios::CountWrong(reading.Get(names::GpsTime), echoes->GetPointData()->GetArray(
-          names::GpsTime)) == 0);
+  CHECK(helios::CountWrong(
+          reading.Get(names::GpsTime), echoes->GetPointData()->GetArray(names::GpsTime)) == 0);
   CHECK(reading.Get(names::Amplitude)->GetDataType() == VTK_FLOAT);
   CHECK(helios::CountWrong(reading.Get(names::Amplitude),
           echoes->GetPointData()->GetArray(names::Amplitude), 0, 1e-13) == 0);
@@ -106,7 +106,8 @@ TEST_CASE("PCDWriter: as float UTM survives by the origin", "[PCDWriter]")
   REQUIRE(writing.Write(echoes));
   CHECK(helios::ReadText(writing.Path).find("# vtkHelios origin: 5e+05 5e+06 0\n") !=
     std::string::npos);
-  CHECK(writing.Log->HasWarning("mm off; set Precision to Double, or an Origin nearer to the points"));
+  CHECK(
+    writing.Log->HasWarning("mm off; set Precision to Double, or an Origin nearer to the points"));
   REQUIRE(reading.Read());
   CHECK(CountMoved(reading.Cloud(), echoes, 0.02) == 0);
 }
@@ -186,8 +187,9 @@ TEST_CASE("PCDWriter: what cannot be written", "[PCDWriter]")
   const auto other = helios::MakeEchoes(10);
   other->GetPointData()->RemoveArray(names::PulseIds);
   CHECK_FALSE(writing.Writer->Write(other));
-  CHECK(writing.Log->HasError("a block has other point arrays than the first one, or of other types; "
-                              "write it to another file"));
+  CHECK(
+    writing.Log->HasError("a block has other point arrays than the first one, or of other types; "
+                          "write it to another file"));
   helios::AddColumn<vtkIntArray>(other->GetPointData(), "Own", 9, [](vtkIdType) { return 0; });
   CHECK_FALSE(writing.Writer->Write(other));
   CHECK(writing.Log->HasError("the point array Own of a block has 9 tuples for 10 points"));

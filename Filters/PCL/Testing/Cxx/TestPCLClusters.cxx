@@ -68,7 +68,6 @@ TEST_CASE("PCLClusters: sizes and steps", "[PCLClusters]")
   CHECK(run.Filter->GetNumberOfClusters() == 105);
   run.Filter->SetMaximumClusterSize(4);
   run.Filter->SetMinimumClusterSize(5);
-  CHECK(run.FailsWith(
-    "MinimumClusterSize is 5, above MaximumClusterSize, 4; set a smaller one"));
+  CHECK(run.FailsWith("MinimumClusterSize is 5, above MaximumClusterSize, 4; set a smaller one"));
   CHECK(run.Filter->GetNumberOfClusters() == 0);
 }

@@ -99,8 +99,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
   SECTION("an array of another length is an error")
   {
     const auto cloud = helios::MakeCloud(MakePoints(100));
-    helios::AddColumn<vtkFloatArray>(
-      cloud->GetPointData(), "Own", 99, [](vtkIdType) { return 0; });
+    helios::AddColumn<vtkFloatArray>(cloud->GetPointData(), "Own", 99, [](vtkIdType) { return 0; });
     Filtering run(cloud);
     CHECK(run.FailsWith("Input: the point array Own has 99 tuples for 100 points; give it one a "
                         "point, or remove it"));

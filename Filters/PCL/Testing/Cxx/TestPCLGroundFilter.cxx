@@ -27,10 +27,7 @@ struct Landscape
     this->Points.push_back(helios::Utm + helios::Triple{ x, y, z });
     this->Classes.push_back(id);
   }
-  vtkSmartPointer<vtkPolyData> MakeCloud() const
-  {
-    return helios::MakeCloud(this->Points);
-  }
+  vtkSmartPointer<vtkPolyData> MakeCloud() const { return helios::MakeCloud(this->Points); }
 };
 
 /// Hills up to 40 % steep with houses, cars and trees, scanned from above with 8 points a square metre

@@ -31,7 +31,8 @@ helios::Triples MakeRoofWithOutliers()
 
 } // namespace
 
-TEST_CASE("PCLOutlierRemoval: planted outliers are found, and hardly any other", "[PCLOutlierRemoval]")
+TEST_CASE(
+  "PCLOutlierRemoval: planted outliers are found, and hardly any other", "[PCLOutlierRemoval]")
 {
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(MakeRoofWithOutliers());
   run.Filter->SetStandardDeviations(1.0);

@@ -35,8 +35,8 @@ helios::Triples ScanRoom(const helios::Triple& scanner, int rows, double turn)
     {
       const double polar = M_PI * (i + 0.5) / rows;
       const double azimuth = M_PI * j / rows + turn;
-      const double d[3] = { std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
-        std::cos(polar) };
+      const double d[3] = { std::sin(polar) * std::cos(azimuth),
+        std::sin(polar) * std::sin(azimuth), std::cos(polar) };
       const auto cross = [&scanner, &d](const Box& box, double& enter, double& leave)
       {
         enter = -1e9;
@@ -64,8 +64,8 @@ helios::Triples ScanRoom(const helios::Triple& scanner, int rows, double turn)
           range = std::min(range, enter);
         }
       }
-      points.push_back(helios::Utm + scanner +
-        helios::Triple{ range * d[0], range * d[1], range * d[2] });
+      points.push_back(
+        helios::Utm + scanner + helios::Triple{ range * d[0], range * d[1], range * d[2] });
     }
   }
   return points;
@@ -111,15 +111,16 @@ double GetLargestError(Registering& run, const helios::Triples& truth)
   {
     double p[3];
     run.Output()->GetPoint(i, p);
-    largest = std::max(
-      largest, std::sqrt(vtkMath::Distance2BetweenPoints(p, truth[static_cast<std::size_t>(i)].data())));
+    largest = std::max(largest,
+      std::sqrt(vtkMath::Distance2BetweenPoints(p, truth[static_cast<std::size_t>(i)].data())));
   }
   return largest;
 }
 
 } // namespace
 
-TEST_CASE("PCLRegistration: scans from two places, misaligned by 0.3 m and 3 degrees, to below 1 mm",
+TEST_CASE(
+  "PCLRegistration: scans from two places, misaligned by 0.3 m and 3 degrees, to below 1 mm",
   "[PCLRegistration]")
 {
   const helios::Triples truth = ScanRoom({ 3.5, -2.5, 1.6 }, 110, 0.3);
@@ -195,8 +196,9 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
   SECTION("too far apart")
   {
     Registering run(cloud, Move(room, MakeMotion(0.0, { 100.0, 0.0, 0.0 })));
-    CHECK(run.FailsWith("only 0 points of input 1 have one of input 0 within MaximumDistance, and 0 of "
-                        "these pairs are of one plane; align the scans better before"));
+    CHECK(
+      run.FailsWith("only 0 points of input 1 have one of input 0 within MaximumDistance, and 0 of "
+                    "these pairs are of one plane; align the scans better before"));
   }
   SECTION("no planes")
   {
@@ -208,8 +210,9 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     }
     Registering run(helios::MakeCloud(leaves), helios::MakeCloud(leaves));
     run.Filter->SetMaximumCurvature(0.0);
-    CHECK(run.FailsWith("only 500 points of input 1 have one of input 0 within MaximumDistance, and 0 "
-                        "of these pairs are of one plane"));
+    CHECK(
+      run.FailsWith("only 500 points of input 1 have one of input 0 within MaximumDistance, and 0 "
+                    "of these pairs are of one plane"));
   }
   SECTION("planes of one direction only")
   {
@@ -218,8 +221,7 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     {
       floor.push_back(helios::Utm + helios::Triple{ 0.1 * (i % 50), 0.1 * (i / 50), 0.0 });
     }
-    Registering run(
-      helios::MakeCloud(floor), Move(floor, MakeMotion(0.0, { 0.03, 0.02, 0.1 })));
+    Registering run(helios::MakeCloud(floor), Move(floor, MakeMotion(0.0, { 0.03, 0.02, 0.1 })));
     CHECK(run.FailsWith("pairs of points do not say how to move; scans need surfaces in three"));
   }
   SECTION("too few iterations")

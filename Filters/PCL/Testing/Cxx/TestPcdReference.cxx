@@ -110,9 +110,9 @@ TEST_CASE("PcdReference: we read PCL's files", "[PcdReference]")
   cloud.width = 50;
   cloud.height = 20;
   pcl::PCDWriter pclWriter;
-  REQUIRE((kind == 0 ? pclWriter.writeASCII(file.Path, cloud, 9)
-      : kind == 1    ? pclWriter.writeBinary(file.Path, cloud)
-                     : pclWriter.writeBinaryCompressed(file.Path, cloud)) == 0);
+  REQUIRE((kind == 0      ? pclWriter.writeASCII(file.Path, cloud, 9)
+              : kind == 1 ? pclWriter.writeBinary(file.Path, cloud)
+                          : pclWriter.writeBinaryCompressed(file.Path, cloud)) == 0);
 
   vtkNew<vtkHeliosPCDReader> reader;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());

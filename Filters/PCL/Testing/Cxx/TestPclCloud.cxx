@@ -107,9 +107,8 @@ TEST_CASE("PclCloud: echoes come back with their arrays", "[PclCloud]")
   CHECK(IsSame(withNormals, echoes, names::Normals));
 
   const auto back = GoThereAndBack<helios::PointEcho>(echoes);
-  for (const char* name :
-    { names::Amplitude, names::EchoWidth, names::GpsTime, names::PulseIds,
-      names::ClassificationIds, names::ReturnNumber, names::NumberOfReturns })
+  for (const char* name : { names::Amplitude, names::EchoWidth, names::GpsTime, names::PulseIds,
+         names::ClassificationIds, names::ReturnNumber, names::NumberOfReturns })
   {
     INFO(name);
     CHECK(IsSame(back, echoes, name));
@@ -158,8 +157,8 @@ TEST_CASE("PclCloud: points that are not finite stay, and the cloud is not dense
 TEST_CASE("PclCloud: numbers beyond a field stop at its ends", "[PclCloud]")
 {
   const auto echoes = helios::MakeCloud({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } });
-  helios::AddColumn<vtkIntArray>(echoes->GetPointData(), names::ReturnNumber, 2,
-    [](vtkIdType i) { return i == 0 ? 300 : -1; });
+  helios::AddColumn<vtkIntArray>(
+    echoes->GetPointData(), names::ReturnNumber, 2, [](vtkIdType i) { return i == 0 ? 300 : -1; });
   const double origin[3] = { 0.0, 0.0, 0.0 };
   pcl::PointCloud<helios::PointEcho> cloud;
   REQUIRE(helios::ToPcl(echoes, origin, cloud).empty());

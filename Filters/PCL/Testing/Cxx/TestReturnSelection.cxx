@@ -18,10 +18,10 @@ vtkSmartPointer<vtkPolyData> MakeEchoes()
   const auto cloud = helios::MakeCloud(helios::Triples(6, helios::Utm));
   const int numbers[] = { 1, 1, 2, 1, 2, 3 };
   const int totals[] = { 1, 2, 2, 3, 3, 3 };
-  helios::AddColumn<vtkUnsignedCharArray>(cloud->GetPointData(), names::ReturnNumber, 6,
-    [&numbers](vtkIdType i) { return numbers[i]; });
-  helios::AddColumn<vtkUnsignedCharArray>(cloud->GetPointData(), names::NumberOfReturns, 6,
-    [&totals](vtkIdType i) { return totals[i]; });
+  helios::AddColumn<vtkUnsignedCharArray>(
+    cloud->GetPointData(), names::ReturnNumber, 6, [&numbers](vtkIdType i) { return numbers[i]; });
+  helios::AddColumn<vtkUnsignedCharArray>(
+    cloud->GetPointData(), names::NumberOfReturns, 6, [&totals](vtkIdType i) { return totals[i]; });
   const int classes[] = { 2, 5, 6, 2, 5, 6 };
   helios::AddColumn<vtkIntArray>(cloud->GetPointData(), names::ClassificationIds, 6,
     [&classes](vtkIdType i) { return classes[i]; });

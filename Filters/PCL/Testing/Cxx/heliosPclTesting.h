@@ -132,10 +132,7 @@ struct Filtering
     return !this->Run() && this->Log->HasError(part) && this->Count() == 0;
   }
 
-  vtkPolyData* Output()
-  {
-    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0));
-  }
+  vtkPolyData* Output() { return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(0)); }
   vtkIdType Count() { return this->Output()->GetNumberOfPoints(); }
   vtkDataArray* Get(const char* name) { return this->Output()->GetPointData()->GetArray(name); }
   vtkDataArray* GetField(const char* name)
