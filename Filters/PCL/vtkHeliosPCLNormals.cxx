@@ -22,6 +22,31 @@
 
 vtkStandardNewMacro(vtkHeliosPCLNormals);
 
+namespace
+{
+
+void Estimate(const helios::PclInput& input, double radius, int numberOfNeighbors,
+  pcl::PointCloud<pcl::Normal>& normals)
+{
+  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setNumberOfThreads(
+    static_cast<unsigned int>(vtkSMPTools::GetEstimatedNumberOfThreads()));
+  estimation.setInputCloud(input.GetCloud());
+  estimation.setSearchMethod(
+    pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+  if (radius > 0.0)
+  {
+    estimation.setRadiusSearch(radius);
+  }
+  else
+  {
+    estimation.setKSearch(std::min(numberOfNeighbors, input.GetSize()));
+  }
+  estimation.compute(normals);
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 void vtkHeliosPCLNormals::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -47,25 +72,26 @@ bool vtkHeliosPCLNormals::CheckProperties()
 }
 
 //------------------------------------------------------------------------------
+/// How far a normal points to where it should; below 0 it is the wrong way round.
+double vtkHeliosPCLNormals::GetTowards(const double point[3], const float normal[3]) const
+{
+  if (this->Side == Up)
+  {
+    return static_cast<double>(normal[2]);
+  }
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sum += (this->Viewpoint[axis] - point[axis]) * static_cast<double>(normal[axis]);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosPCLNormals::Process(helios::PclInput& input, vtkPolyData* output)
 {
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setNumberOfThreads(
-    static_cast<unsigned int>(vtkSMPTools::GetEstimatedNumberOfThreads()));
-  estimation.setInputCloud(input.GetCloud());
-  estimation.setSearchMethod(
-    pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
-  if (this->Radius > 0.0)
-  {
-    estimation.setRadiusSearch(this->Radius);
-  }
-  else
-  {
-    estimation.setKSearch(std::min(this->NumberOfNeighbors, input.GetSize()));
-  }
   pcl::PointCloud<pcl::Normal> found;
-  estimation.compute(found);
-
+  Estimate(input, this->Radius, this->NumberOfNeighbors, found);
   helios::SelectPoints(input.GetData(), input.GetIds(), output);
   vtkNew<vtkFloatArray> normals;
   normals->SetName(vtkHeliosArrayNames::Normals);
@@ -77,28 +103,20 @@ bool vtkHeliosPCLNormals::Process(helios::PclInput& input, vtkPolyData* output)
   vtkIdType numberOfNone = 0;
   for (vtkIdType i = 0; i < input.GetSize(); ++i)
   {
-    const pcl::Normal& normal = found[static_cast<std::size_t>(i)];
-    const bool isFound =
-      std::isfinite(normal.normal_x + normal.normal_y + normal.normal_z + normal.curvature);
-    numberOfNone += isFound ? 0 : 1;
+    pcl::Normal& normal = found[static_cast<std::size_t>(i)];
+    if (!std::isfinite(normal.normal_x + normal.normal_y + normal.normal_z + normal.curvature))
+    {
+      normal = pcl::Normal(0.0F, 0.0F, 0.0F);
+      ++numberOfNone;
+    }
     double p[3];
     output->GetPoint(i, p);
-    double towards = static_cast<double>(normal.normal_z);
-    if (this->Side == ToViewpoint)
-    {
-      towards = 0.0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        towards += (this->Viewpoint[axis] - p[axis]) * static_cast<double>(normal.normal[axis]);
-      }
-    }
-    const float sign = isFound ? (towards < 0.0 ? -1.0F : 1.0F) : 0.0F;
+    const double sign = this->GetTowards(p, normal.normal) < 0.0 ? -1.0 : 1.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      normals->SetComponent(
-        i, axis, isFound ? static_cast<double>(sign * normal.normal[axis]) : 0.0);
+      normals->SetComponent(i, axis, sign * static_cast<double>(normal.normal[axis]));
     }
-    curvatures->SetValue(i, isFound ? normal.curvature : 0.0F);
+    curvatures->SetValue(i, normal.curvature);
   }
   output->GetPointData()->SetNormals(normals);
   output->GetPointData()->AddArray(curvatures);

@@ -85,6 +85,8 @@ private:
   vtkHeliosPCLNormals(const vtkHeliosPCLNormals&) = delete;
   void operator=(const vtkHeliosPCLNormals&) = delete;
 
+  double GetTowards(const double point[3], const float normal[3]) const;
+
   int NumberOfNeighbors = 16;
   double Radius = 0.0;
   int Side = Up;

@@ -133,26 +133,34 @@ int vtkHeliosPCLRegistration::FillInputPortInformation(int, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosPCLRegistration::TakeInput(int port, vtkPolyData* data, helios::PclInput& input)
+{
+  std::string problem = input.Take(data, 1.0);
+  if (problem.empty() && input.GetSize() == 0)
+  {
+    problem = "there are no finite points; connect a scan";
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< "Input " << port << ": " << problem);
+    return false;
+  }
+  if (input.GetNumberOfDropped() > 0)
+  {
+    vtkWarningMacro(<< "Input " << port << ": " << input.GetNumberOfDropped()
+                    << " points are not finite: dropped");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosPCLRegistration::Register(
   vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output)
 {
   helios::PclInput inputs[2];
-  vtkPolyData* const data[2] = { fixed, moving };
-  for (int port = 0; port < 2; ++port)
+  if (!this->TakeInput(0, fixed, inputs[0]) || !this->TakeInput(1, moving, inputs[1]))
   {
-    const std::string problem = inputs[port].Take(data[port], 1.0);
-    const bool isEmpty = problem.empty() && inputs[port].GetSize() == 0;
-    if (!problem.empty() || isEmpty)
-    {
-      vtkErrorMacro(<< "Input " << port << ": "
-                    << (isEmpty ? "there are no finite points; connect a scan" : problem));
-      return false;
-    }
-    if (inputs[port].GetNumberOfDropped() > 0)
-    {
-      vtkWarningMacro(<< "Input " << port << ": " << inputs[port].GetNumberOfDropped()
-                      << " points are not finite: dropped");
-    }
+    return false;
   }
   const double* origin = inputs[0].GetOrigin();
 

@@ -38,6 +38,11 @@
 #include <vtkMatrix4x4.h> // For the motion
 #include <vtkNew.h>       // For the motion
 
+namespace helios
+{
+class PclInput;
+}
+
 class VTKHELIOSFILTERSPCL_EXPORT vtkHeliosPCLRegistration : public vtkPolyDataAlgorithm
 {
 public:
@@ -106,6 +111,7 @@ private:
   vtkHeliosPCLRegistration(const vtkHeliosPCLRegistration&) = delete;
   void operator=(const vtkHeliosPCLRegistration&) = delete;
 
+  bool TakeInput(int port, vtkPolyData* data, helios::PclInput& input);
   bool Register(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output);
 
   double MaximumDistance = 1.0;

@@ -69,7 +69,7 @@ def misalign(scan):
     moved = vtkTransformPolyDataFilter()
     moved.SetTransform(motion)
     moved.SetInputData(scan)
-    return moved
+    return vtkhelios.update(moved)
 
 
 def thin_out(scan):
@@ -88,7 +88,7 @@ def main():
     # Scan positions onto each other: point to plane.
     registration = vtkhelios.vtkHeliosPCLRegistration()
     registration.SetInputData(0, fixed)
-    registration.SetInputConnection(1, misalign(truth).GetOutputPort())
+    registration.SetInputData(1, misalign(truth))
     aligned = vtkhelios.arrays(vtkhelios.update(registration))["points"]
     error = np.linalg.norm(aligned - vtkhelios.arrays(truth)["points"], axis=1).max()
     print(f"registration: {registration.GetNumberOfPairs():,} pairs, {1000 * error:.3f} mm off")
