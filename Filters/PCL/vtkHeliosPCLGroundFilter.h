@@ -11,7 +11,7 @@
  * 1. The lowest point of each CellSize x CellSize is taken (pcl::GridMinimum).
  * 2. Of these the progressive morphological filter keeps ground (pcl::ProgressiveMorphologicalFilter;
  *    K. Zhang et al. 2003, A progressive morphological filter for removing nonground measurements
- *    from airborne lidar data): windows of 3, 5, 9, 17 ... cells up to MaximumWindowSize are opened,
+ *    from airborne lidar data): windows of 3, 5, 9, 17 ... cells, until MaximumWindowSize is reached, are opened,
  *    and a point more than Slope * (growth of the window) + InitialDistance, or MaximumDistance
  *    where that is less, above the opened surface goes.
  * 3. A point is ground if it is within Tolerance of the plane through the 12 nearest of those that are

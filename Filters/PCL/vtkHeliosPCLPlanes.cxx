@@ -28,6 +28,9 @@ namespace names = vtkHeliosPCLArrayNames;
 namespace
 {
 
+// Points that a sample is judged by: a plane that few of these are on is not found by samples of three.
+constexpr std::size_t MostJudges = 20000;
+
 struct Plane
 {
   double Centre[3] = { 0.0, 0.0, 0.0 };
@@ -144,8 +147,15 @@ public:
   }
 
 private:
+  /// The points left that are on the plane which most of some of them are on.
   void FindOne(pcl::PointIndices& found)
   {
+    const auto step = (this->Left->size() + MostJudges - 1) / MostJudges;
+    pcl::IndicesPtr judges(new pcl::Indices);
+    for (std::size_t i = 0; i < this->Left->size(); i += step)
+    {
+      judges->push_back((*this->Left)[i]);
+    }
     pcl::SACSegmentation<pcl::PointXYZ> segmentation; // the same random numbers each time
     segmentation.setModelType(pcl::SACMODEL_PLANE);
     segmentation.setMethodType(pcl::SAC_RANSAC);
@@ -154,9 +164,29 @@ private:
     segmentation.setMaxIterations(this->Settings.MaximumNumberOfIterations);
     segmentation.setProbability(this->Settings.Probability);
     segmentation.setInputCloud(this->Input.GetCloud());
-    segmentation.setIndices(this->Left);
-    pcl::ModelCoefficients coefficients;
-    segmentation.segment(found, coefficients);
+    segmentation.setIndices(judges);
+    pcl::ModelCoefficients plane;
+    segmentation.segment(found, plane);
+    if (found.indices.empty() || plane.values.size() != 4)
+    {
+      found.indices.clear();
+      return;
+    }
+    this->TakeNear(plane.values, found.indices);
+  }
+
+  void TakeNear(const std::vector<float>& plane, pcl::Indices& near) const
+  {
+    near.clear();
+    const auto threshold = static_cast<float>(this->Settings.DistanceThreshold);
+    for (const pcl::index_t i : *this->Left)
+    {
+      const pcl::PointXYZ& p = (*this->Input.GetCloud())[static_cast<std::size_t>(i)];
+      if (std::abs(plane[0] * p.x + plane[1] * p.y + plane[2] * p.z + plane[3]) <= threshold)
+      {
+        near.push_back(i);
+      }
+    }
   }
 
   void Add(const Plane& plane)

@@ -12,6 +12,7 @@
  *
  * Planes are found one after the other among the points not yet on one by random sample consensus
  * (pcl::SACSegmentation; M. A. Fischler, R. C. Bolles 1981), always with the same random numbers,
+ * samples being judged by 20,000 evenly taken points where there are more,
  * until there are MaximumNumberOfPlanes or the next one has fewer than MinimumNumberOfPoints. The
  * coefficients are then those of the least squares plane of its points, in double: for n points with
  * noise s along the normal, spread by u across it, the angle's standard deviation is
