@@ -13,7 +13,7 @@ helios_packages=(
   # libraries
   libvtk9-dev libembree-dev libpugixml-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
-  coinor-libcbc-dev
+  coinor-libcbc-dev liblzf-dev libpcl-dev pybind11-dev
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   # to test

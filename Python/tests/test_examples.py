@@ -106,6 +106,15 @@ def test_figure_videos(make_survey, tmp_path):
     assert still.read_bytes()[1:4] == b"PNG"
 
 
+def test_pcl_filters():
+    pytest.importorskip("vtkhelios.pcl")
+    results = load("pcl_filters").main()
+    assert results["error"] < 1e-3
+    assert results["right"] > 0.95
+    assert results["ground plane"] == pytest.approx((0, 0, 1, 0), abs=1e-3)
+    assert not results["cloud"].points.flags.owndata
+
+
 def test_every_example_is_tested():
     text = pathlib.Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

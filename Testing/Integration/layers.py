@@ -30,6 +30,7 @@ HOMES = {
     r"pugixml": "ScannerSurvey",
     r"json/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
+    r"lzf": "FiltersIO",
     r"Random123/": "FiltersCore",
     r"pcl/": "FiltersPCL",
     r"(unsupported/)?Eigen/": "ScannerDetectors",

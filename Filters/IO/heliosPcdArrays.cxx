@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPcdArrays.h"
+
+#include "heliosSceneCrs.h"
+#include "heliosTextFile.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <new>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+int GetVtkType(const PcdField& field)
+{
+  if (field.Type == 'F')
+  {
+    return field.Size == 4 ? VTK_FLOAT : VTK_DOUBLE;
+  }
+  const bool isSigned = field.Type == 'I';
+  switch (field.Size)
+  {
+    case 1:
+      return isSigned ? VTK_SIGNED_CHAR : VTK_UNSIGNED_CHAR;
+    case 2:
+      return isSigned ? VTK_SHORT : VTK_UNSIGNED_SHORT;
+    case 4:
+      return isSigned ? VTK_INT : VTK_UNSIGNED_INT;
+    default:
+      return isSigned ? VTK_TYPE_INT64 : VTK_TYPE_UINT64;
+  }
+}
+
+int GetNormalAxis(const std::string& name)
+{
+  return name == "normal_x" ? 0 : name == "normal_y" ? 1 : name == "normal_z" ? 2 : -1;
+}
+
+template <typename T>
+bool WriteNumber(std::string_view word, char* to)
+{
+  T value = 0;
+  const char* end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  std::memcpy(to, &value, sizeof(T));
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+/// A word as a number of a field; false where it is none, or does not fit.
+bool WriteNumber(const PcdField& field, std::string_view word, char* to)
+{
+  switch (GetVtkType(field))
+  {
+    case VTK_FLOAT:
+      return WriteNumber<float>(word, to);
+    case VTK_DOUBLE:
+      return WriteNumber<double>(word, to);
+    case VTK_SIGNED_CHAR:
+      return WriteNumber<std::int8_t>(word, to);
+    case VTK_UNSIGNED_CHAR:
+      return WriteNumber<std::uint8_t>(word, to);
+    case VTK_SHORT:
+      return WriteNumber<std::int16_t>(word, to);
+    case VTK_UNSIGNED_SHORT:
+      return WriteNumber<std::uint16_t>(word, to);
+    case VTK_INT:
+      return WriteNumber<std::int32_t>(word, to);
+    case VTK_UNSIGNED_INT:
+      return WriteNumber<std::uint32_t>(word, to);
+    case VTK_TYPE_INT64:
+      return WriteNumber<std::int64_t>(word, to);
+    default:
+      return WriteNumber<std::uint64_t>(word, to);
+  }
+}
+
+double ReadReal(const char* from, int size)
+{
+  if (size == 8)
+  {
+    double value;
+    std::memcpy(&value, from, sizeof(value));
+    return value;
+  }
+  float value;
+  std::memcpy(&value, from, sizeof(value));
+  return static_cast<double>(value);
+}
+
+std::string_view TakeWord(std::string_view& line)
+{
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos)
+  {
+    line = {};
+    return {};
+  }
+  const std::size_t end = std::min(line.size(), line.find_first_of(" \t\r", begin));
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+} // namespace
+
+PcdArrays::PcdArrays(const PcdHeader& header)
+  : Header(header)
+  , Points(vtkSmartPointer<vtkDoubleArray>::New())
+  , Bytes(header.GetRowSize())
+{
+  this->Points->SetNumberOfComponents(3);
+  if (!this->Points->Resize(static_cast<vtkIdType>(header.GetNumberOfPoints())) &&
+    header.GetNumberOfPoints() > 0)
+  {
+    throw std::bad_alloc();
+  }
+  std::size_t offset = 0;
+  for (const PcdField& field : header.Fields)
+  {
+    Column column = this->MakeColumn(field);
+    column.From = offset;
+    this->Columns.push_back(column);
+    offset += field.GetBytes();
+  }
+}
+
+PcdArrays::~PcdArrays() = default;
+
+bool PcdArrays::HasNormals() const
+{
+  const int x = this->Header.Find("normal_x");
+  for (const char* name : { "normal_x", "normal_y", "normal_z" })
+  {
+    const int i = this->Header.Find(name);
+    if (i < 0 || this->Header.Fields[static_cast<std::size_t>(i)].Type != 'F' ||
+      this->Header.Fields[static_cast<std::size_t>(i)].Count != 1 ||
+      this->Header.Fields[static_cast<std::size_t>(i)].Size !=
+        this->Header.Fields[static_cast<std::size_t>(x)].Size)
+    {
+      return false;
+    }
+  }
+  return this->Header.Find(names::Normals) < 0;
+}
+
+std::string PcdArrays::FindName(const std::string& field) const
+{
+  const char* own = this->Header.HasAmplitude ? names::Amplitude : names::Intensity;
+  return field == "intensity" && this->Header.Find(own) < 0 ? own : field;
+}
+
+vtkDataArray* PcdArrays::AddArray(const PcdField& field, const std::string& name, int components)
+{
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVtkType(field)));
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  const auto count = static_cast<vtkIdType>(this->Header.GetNumberOfPoints());
+  if (!array->Resize(count) && count > 0)
+  {
+    throw std::bad_alloc();
+  }
+  this->Arrays.push_back(array);
+  return array;
+}
+
+PcdArrays::Column PcdArrays::MakeColumn(const PcdField& field)
+{
+  Column column;
+  if (field.Name == "x" || field.Name == "y" || field.Name == "z")
+  {
+    column.Axis = field.Name[0] - 'x';
+    return column;
+  }
+  if (field.Name == "_")
+  {
+    return column;
+  }
+  const int axis = GetNormalAxis(field.Name);
+  if (axis >= 0 && this->HasNormals())
+  {
+    this->Normals = this->Normals ? this->Normals : this->AddArray(field, names::Normals, 3);
+    column.Array = this->Normals;
+    column.To = static_cast<std::size_t>(axis * field.Size);
+    column.TupleSize = static_cast<std::size_t>(3 * field.Size);
+    return column;
+  }
+  column.Array = this->AddArray(field, this->FindName(field.Name), field.Count);
+  column.TupleSize = field.GetBytes();
+  return column;
+}
+
+void PcdArrays::Append(const char* row, const double point[3])
+{
+  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+  {
+    ++this->NumberOfDropped;
+    return;
+  }
+  const double* origin = this->Header.Origin;
+  double* place = this->Points->GetPointer(3 * this->Row);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = origin[axis] + point[axis];
+  }
+  for (std::size_t i = 0; i < this->Columns.size(); ++i)
+  {
+    const Column& column = this->Columns[i];
+    if (column.Array)
+    {
+      char* tuples = static_cast<char*>(column.Array->GetVoidPointer(0));
+      std::memcpy(tuples + static_cast<std::size_t>(this->Row) * column.TupleSize + column.To,
+        row + column.From, this->Header.Fields[i].GetBytes());
+    }
+  }
+  ++this->Row;
+}
+
+void PcdArrays::AddRow(const char* row)
+{
+  double point[3];
+  for (std::size_t i = 0; i < this->Columns.size(); ++i)
+  {
+    if (this->Columns[i].Axis >= 0)
+    {
+      point[this->Columns[i].Axis] =
+        ReadReal(row + this->Columns[i].From, this->Header.Fields[i].Size);
+    }
+  }
+  this->Append(row, point);
+}
+
+std::string PcdArrays::AddLine(std::string_view line)
+{
+  double point[3];
+  std::int64_t number = 0;
+  for (std::size_t i = 0; i < this->Columns.size(); ++i)
+  {
+    const PcdField& field = this->Header.Fields[i];
+    const int axis = this->Columns[i].Axis;
+    char* to = this->Bytes.data() + this->Columns[i].From;
+    for (int k = 0; k < field.Count; ++k, to += field.Size, ++number)
+    {
+      const std::string_view word = TakeWord(line);
+      if (word.empty())
+      {
+        return "the point has " + std::to_string(number) + " numbers, but FIELDS and COUNT make " +
+          std::to_string(this->Header.GetNumberOfColumns()) + "; complete the line";
+      }
+      const bool isGood = axis < 0
+        ? WriteNumber(field, word, to)
+        : WriteNumber<double>(word, reinterpret_cast<char*>(point + axis));
+      if (!isGood)
+      {
+        return Quote(word) + " is no number of type " + field.Type + " and size " +
+          std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it";
+      }
+    }
+  }
+  if (!TakeWord(line).empty())
+  {
+    return "the point has more than the " + std::to_string(number) +
+      " numbers that FIELDS and COUNT make; take the others out";
+  }
+  this->Append(this->Bytes.data(), point);
+  return {};
+}
+
+void PcdArrays::MoveTo(vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  this->Points->SetNumberOfTuples(this->Row);
+  points->SetData(this->Points);
+  output->SetPoints(points);
+  for (const auto& array : this->Arrays)
+  {
+    array->SetNumberOfTuples(this->Row);
+    output->GetPointData()->AddArray(array);
+  }
+  if (this->Normals)
+  {
+    output->GetPointData()->SetNormals(this->Normals);
+  }
+  SetCRS(output, this->Header.Crs);
+  if (this->Header.HasEpoch)
+  {
+    vtkNew<vtkDoubleArray> epoch;
+    epoch->SetName(names::GpsEpoch);
+    epoch->InsertNextValue(this->Header.Epoch);
+    output->GetFieldData()->AddArray(epoch);
+  }
+}
+
+} // namespace helios

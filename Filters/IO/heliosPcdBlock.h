@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A block of echoes as rows of a PCD file.
+
+#ifndef heliosPcdBlock_h
+#define heliosPcdBlock_h
+
+#include "heliosPcdHeader.h"
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace helios
+{
+
+class PcdBlock
+{
+public:
+  /// Takes the arrays that are written; what is wrong, or an empty text.
+  std::string Take(vtkPolyData* echoes, bool isFloat);
+
+  const std::vector<PcdField>& GetFields() const { return this->Fields; }
+  bool HasAmplitude() const { return this->Amplitude; }
+
+  /// The middle of the finite points, to whole multiples of 100 m.
+  void GetMiddle(double origin[3]) const;
+
+  /// Formats some points behind what is there; points that are not finite are counted, not added.
+  void Append(vtkIdType begin, vtkIdType end, const PcdHeader& header, std::string& text);
+
+  vtkIdType GetNumberOfWritten() const { return this->NumberOfWritten; }
+  vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
+  /// The largest difference of a coordinate that was rounded [m].
+  double GetLargestError() const { return this->LargestError; }
+
+private:
+  void AddField(
+    const std::string& name, vtkDataArray* array, int component, int count, bool isFloat);
+  double RoundCoordinate(double value, double origin);
+  void AppendBinary(vtkIdType point, const double place[3], std::string& text) const;
+  void AppendText(vtkIdType point, const double place[3], std::string& text) const;
+
+  struct Source
+  {
+    vtkDataArray* Array = nullptr; // null: x y z
+    int Component = 0;             // the first
+  };
+
+  vtkPolyData* Echoes = nullptr;
+  std::vector<PcdField> Fields;
+  std::vector<Source> Sources; // by field
+  bool IsFloat = true;
+  bool Amplitude = false;
+  vtkIdType NumberOfWritten = 0;
+  vtkIdType NumberOfDropped = 0;
+  double LargestError = 0.0;
+};
+
+} // namespace helios
+
+#endif

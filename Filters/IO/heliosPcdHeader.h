@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The header of PCD files, version 0.7, and what vtkHelios says in its comments.
+
+#ifndef heliosPcdHeader_h
+#define heliosPcdHeader_h
+
+#include "vtkHeliosFiltersIOModule.h" // For export macro
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// A column of a point: Count numbers of a type.
+struct PcdField
+{
+  std::string Name;
+  int Size = 4;    ///< of a number [bytes]
+  char Type = 'F'; ///< F: real, I: integer, U: not negative
+  int Count = 1;
+
+  std::size_t GetBytes() const
+  {
+    return static_cast<std::size_t>(this->Size) * static_cast<std::size_t>(this->Count);
+  }
+  bool operator==(const PcdField& other) const
+  {
+    return this->Name == other.Name && this->Size == other.Size && this->Type == other.Type &&
+      this->Count == other.Count;
+  }
+};
+
+enum class PcdStorage
+{
+  Ascii,
+  Binary,    ///< point by point
+  Compressed ///< field by field, in LZF
+};
+
+struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
+{
+  std::vector<PcdField> Fields;
+  std::uint64_t Width = 0;
+  std::uint64_t Height = 1;
+  PcdStorage Storage = PcdStorage::Binary;
+
+  ///@{
+  /// In comments, so that other programs read the file as well.
+  double Origin[3] = { 0.0, 0.0, 0.0 }; ///< to be added to x y z
+  bool HasEpoch = false;
+  double Epoch = 0.0;        ///< that GpsTime counts from
+  std::string Crs;           ///< one line
+  bool HasAmplitude = false; ///< the field intensity is the amplitude [W]
+  ///@}
+
+  std::uint64_t DataBegin = 0; ///< the byte after the header
+  std::int64_t DataLine = 0;   ///< and its line, from 1
+
+  std::uint64_t GetNumberOfPoints() const { return this->Width * this->Height; }
+  std::size_t GetRowSize() const;
+  std::int64_t GetNumberOfColumns() const;
+  /// The number of a field, or -1.
+  int Find(const std::string& name) const;
+
+  /// The header of a file that is being read; what is wrong, with path:line, or an empty text.
+  std::string Read(const std::string& path, std::istream& file);
+
+  /// As text; the same length for any number of points below 1e15.
+  std::string Format() const;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosPCDReader.h"
+
+#include "heliosPcdArrays.h"
+#include "heliosTextFile.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <lzf.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosPCDReader);
+
+namespace
+{
+
+constexpr std::uint64_t PointsPerRound = 1 << 14;
+constexpr std::uint64_t MostLzfRatio = 100; // 264 bytes of 3, at most
+
+} // namespace
+
+/// The reading of one file; texts say what is wrong, or are empty.
+class vtkHeliosPCDReader::Work
+{
+public:
+  Work(vtkHeliosPCDReader* reader, const std::string& path)
+    : Reader(reader)
+    , Path(path)
+  {
+  }
+
+  std::string Run()
+  {
+    std::error_code error;
+    if (std::filesystem::is_directory(this->Path, error))
+    {
+      return this->Path + ": cannot be read: it is a folder; give the name of a file";
+    }
+    this->File.open(this->Path, std::ios::binary);
+    const auto size = std::filesystem::file_size(this->Path, error);
+    if (!this->File || error)
+    {
+      return this->Path + ": cannot be read: " + std::strerror(errno ? errno : ENOENT) +
+        "; check the file name";
+    }
+    std::string problem = this->Header.Read(this->Path, this->File);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    this->DataSize = size > this->Header.DataBegin ? size - this->Header.DataBegin : 0;
+    problem = this->CheckSize();
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    this->Arrays = std::make_unique<helios::PcdArrays>(this->Header);
+    switch (this->Header.Storage)
+    {
+      case helios::PcdStorage::Ascii:
+        return this->ReadLines();
+      case helios::PcdStorage::Binary:
+        return this->ReadRows();
+      default:
+        return this->ReadCompressed();
+    }
+  }
+
+  helios::PcdArrays& GetArrays() { return *this->Arrays; }
+
+  /// Of bytes behind the last point, or an empty text.
+  std::string Warning;
+
+private:
+  /// Whether there can be as many points, before there is room made for them.
+  std::string CheckSize() const
+  {
+    const std::uint64_t count = this->Header.GetNumberOfPoints();
+    const auto columns = static_cast<std::uint64_t>(this->Header.GetNumberOfColumns());
+    const std::uint64_t row = this->Header.Storage == helios::PcdStorage::Ascii
+      ? 2 * columns // a digit and a blank each; the last line may lack its end
+      : this->Header.GetRowSize();
+    const std::uint64_t most = this->Header.Storage == helios::PcdStorage::Compressed
+      ? this->DataSize * MostLzfRatio
+      : this->DataSize + 1;
+    return count == 0 || row <= most / count ? std::string() : this->DescribeShort(count * row);
+  }
+
+  std::string DescribeShort(std::uint64_t needed) const
+  {
+    return this->Path + ": has " + std::to_string(this->DataSize) + " bytes of data, but its " +
+      std::to_string(this->Header.GetNumberOfPoints()) + " points need " + std::to_string(needed) +
+      (this->Header.Storage == helios::PcdStorage::Binary ? "" : " or more") +
+      "; it is cut off, or POINTS is wrong";
+  }
+
+  bool GoOn(std::uint64_t done)
+  {
+    const auto count = static_cast<double>(this->Header.GetNumberOfPoints());
+    this->Reader->UpdateProgress(count > 0.0 ? static_cast<double>(done) / count : 1.0);
+    return !this->Reader->AbortExecute;
+  }
+
+  std::string DescribeAbort(std::uint64_t point) const
+  {
+    return this->Path + ": reading was aborted at point " + std::to_string(point) +
+      "; update again to read it";
+  }
+
+  std::string ReadLines()
+  {
+    const std::uint64_t count = this->Header.GetNumberOfPoints();
+    std::uint64_t done = 0;
+    std::int64_t number = this->Header.DataLine;
+    for (std::string line; std::getline(this->File, line); ++number)
+    {
+      if (line.find_first_not_of(" \t\r") == std::string::npos)
+      {
+        continue;
+      }
+      std::string problem = done < count
+        ? this->Arrays->AddLine(line)
+        : "a point more than the " + std::to_string(count) + " of POINTS; correct POINTS";
+      if (!problem.empty())
+      {
+        return helios::Place(this->Path, number) + problem;
+      }
+      ++done;
+      if (done % PointsPerRound == 0 && !this->GoOn(done))
+      {
+        return this->DescribeAbort(done);
+      }
+    }
+    return done == count
+      ? std::string()
+      : helios::Place(this->Path, number) + "the file ends after " + std::to_string(done) + " of " +
+        std::to_string(count) + " points; it is cut off, or POINTS is wrong";
+  }
+
+  std::string ReadRows()
+  {
+    const std::size_t row = this->Header.GetRowSize();
+    const std::uint64_t count = this->Header.GetNumberOfPoints();
+    if (count * row > this->DataSize)
+    {
+      return this->DescribeShort(count * row);
+    }
+    this->WarnOfRest(count * row);
+    std::vector<char> bytes(row * std::min(PointsPerRound, count));
+    for (std::uint64_t done = 0; done < count;)
+    {
+      const std::uint64_t round = std::min(PointsPerRound, count - done);
+      if (!this->File.read(bytes.data(), static_cast<std::streamsize>(round * row)))
+      {
+        return this->Path + ": cannot be read any further; check the disk";
+      }
+      for (std::uint64_t i = 0; i < round; ++i)
+      {
+        this->Arrays->AddRow(bytes.data() + i * row);
+      }
+      done += round;
+      if (!this->GoOn(done))
+      {
+        return this->DescribeAbort(done);
+      }
+    }
+    return {};
+  }
+
+  std::string ReadCompressed()
+  {
+    std::uint32_t sizes[2] = { 0, 0 }; // in the file, and unpacked
+    const bool hasSizes = this->DataSize >= sizeof(sizes) &&
+      this->File.read(reinterpret_cast<char*>(sizes), sizeof(sizes));
+    if (!hasSizes || sizes[0] > this->DataSize - sizeof(sizes))
+    {
+      return this->Path + ": the compressed data need " + std::to_string(sizes[0]) +
+        " bytes and two sizes, but the file has " + std::to_string(this->DataSize) +
+        " of them; it is cut off";
+    }
+    const std::uint64_t count = this->Header.GetNumberOfPoints();
+    const std::uint64_t size = count * this->Header.GetRowSize();
+    if (sizes[1] != size)
+    {
+      return this->Path + ": the data unpack to " + std::to_string(sizes[1]) + " bytes, but " +
+        std::to_string(count) + " points need " + std::to_string(size) +
+        "; FIELDS, SIZE, COUNT or POINTS is wrong";
+    }
+    this->WarnOfRest(sizeof(sizes) + sizes[0]);
+    std::vector<char> packed(sizes[0]);
+    std::vector<char> data(size);
+    if (!this->File.read(packed.data(), sizes[0]))
+    {
+      return this->Path + ": cannot be read any further; check the disk";
+    }
+    if (size > 0 && lzf_decompress(packed.data(), sizes[0], data.data(), sizes[1]) != sizes[1])
+    {
+      return this->Path + ": the compressed data are damaged; get or write the file again";
+    }
+    return this->TakeFields(data, count);
+  }
+
+  /// Field by field: the numbers of all points one after the other.
+  std::string TakeFields(const std::vector<char>& data, std::uint64_t count)
+  {
+    std::vector<char> row(this->Header.GetRowSize());
+    for (std::uint64_t i = 0; i < count; ++i)
+    {
+      std::size_t to = 0;
+      for (const helios::PcdField& field : this->Header.Fields)
+      {
+        const std::size_t bytes = field.GetBytes();
+        std::memcpy(row.data() + to, data.data() + to * count + i * bytes, bytes);
+        to += bytes;
+      }
+      this->Arrays->AddRow(row.data());
+      if ((i + 1) % PointsPerRound == 0 && !this->GoOn(i + 1))
+      {
+        return this->DescribeAbort(i + 1);
+      }
+    }
+    return {};
+  }
+
+  void WarnOfRest(std::uint64_t used)
+  {
+    if (used < this->DataSize)
+    {
+      this->Warning = this->Path + ": " + std::to_string(this->DataSize - used) +
+        " bytes behind the last point are left out; is POINTS right?";
+    }
+  }
+
+  vtkHeliosPCDReader* Reader;
+  std::string Path;
+  std::ifstream File;
+  helios::PcdHeader Header;
+  std::uint64_t DataSize = 0;
+  std::unique_ptr<helios::PcdArrays> Arrays;
+};
+
+//------------------------------------------------------------------------------
+vtkHeliosPCDReader::vtkHeliosPCDReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosPCDReader::~vtkHeliosPCDReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPCDReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCDReader::Read(vtkPolyData* output)
+{
+  Work work(this, this->FileName);
+  const std::string problem = work.Run();
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return false;
+  }
+  if (!work.Warning.empty())
+  {
+    vtkWarningMacro(<< work.Warning);
+  }
+  helios::PcdArrays& arrays = work.GetArrays();
+  if (arrays.GetNumberOfDropped() > 0)
+  {
+    vtkWarningMacro(<< this->FileName << ": " << arrays.GetNumberOfDropped() << " of "
+                    << arrays.GetNumberOfRows() << " points are not finite: dropped");
+  }
+  arrays.MoveTo(output);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosPCDReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro(<< "FileName is not set; give the PCD file with SetFileName");
+    return 0;
+  }
+  try
+  {
+    return this->Read(vtkPolyData::GetData(outputVector)) ? 1 : 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< this->FileName << ": not enough memory for its points; split the file");
+  }
+  return 0;
+}

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPclIcp.h"
+
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/registration/correspondence_estimation.h>
+#include <pcl/registration/transformation_estimation_point_to_plane_lls.h>
+#include <pcl/registration/transformation_estimation_svd.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double SmallMotion = 1e-6;   // [m]
+constexpr double SmallDistance = 1e-5; // [m], from a plane
+constexpr double LargestRatio = 3.0;   // of a distance to the residual
+constexpr float LeastCosine = 0.866F;  // between normals of a pair
+constexpr std::size_t LeastPairs = 6;
+
+using PointT = pcl::PointNormal;
+
+/// A motion in float as an exact one in double.
+Eigen::Isometry3d MakeMotion(const Eigen::Matrix4f& matrix)
+{
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  const Eigen::Matrix3d turn = matrix.topLeftCorner<3, 3>().cast<double>();
+  motion.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
+  motion.translation() = matrix.topRightCorner<3, 1>().cast<double>();
+  return motion;
+}
+
+double GetPlaneDistance(const PointT& p, const PointT& q)
+{
+  return static_cast<double>(
+    std::abs((p.getVector3fMap() - q.getVector3fMap()).dot(q.getNormalVector3fMap())));
+}
+
+Eigen::Vector3d GetCentre(const pcl::PointCloud<PointT>& cloud)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const PointT& p : cloud)
+  {
+    sum += p.getVector3fMap().cast<double>();
+  }
+  return sum / static_cast<double>(cloud.size());
+}
+
+template <typename T>
+const PointT& At(const pcl::PointCloud<PointT>& cloud, T index)
+{
+  return cloud[static_cast<std::size_t>(index)];
+}
+
+} // namespace
+
+/// With normals and curvatures where planes are asked for.
+PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points) const
+{
+  Cloud::Ptr cloud(new Cloud);
+  cloud->resize(points->size());
+  pcl::PointCloud<pcl::Normal> normals;
+  if (this->PointToPlane)
+  {
+    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
+    estimation.setInputCloud(points);
+    estimation.setSearchMethod(
+      pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+    estimation.setKSearch(std::min(this->NumberOfNeighbors, static_cast<int>(points->size())));
+    estimation.compute(normals);
+  }
+  for (std::size_t i = 0; i < points->size(); ++i)
+  {
+    PointT& point = (*cloud)[i];
+    point.getVector3fMap() = (*points)[i].getVector3fMap();
+    if (this->PointToPlane)
+    {
+      point.getNormalVector3fMap() = normals[i].getNormalVector3fMap();
+      point.curvature = normals[i].curvature;
+    }
+  }
+  return cloud;
+}
+
+void PclIcp::SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points)
+{
+  this->Fixed = this->MakeCloud(points);
+}
+
+void PclIcp::SetMoving(
+  std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local)
+{
+  this->Moving = std::move(points);
+  this->MovingNormals = this->MakeCloud(local);
+}
+
+bool PclIcp::IsFlat(const PointT& point) const
+{
+  return point.getNormalVector3fMap().allFinite() &&
+    static_cast<double>(point.curvature) <= this->MaximumCurvature;
+}
+
+PclIcp::Cloud::Ptr PclIcp::Move() const
+{
+  Cloud::Ptr moved(new Cloud);
+  moved->resize(this->Moving.size());
+  const Eigen::Matrix3f turn = this->Motion.linear().cast<float>();
+  for (std::size_t i = 0; i < this->Moving.size(); ++i)
+  {
+    const PointT& from = (*this->MovingNormals)[i];
+    PointT& to = (*moved)[i];
+    to.getVector3fMap() = (this->Motion * this->Moving[i]).cast<float>();
+    to.getNormalVector3fMap() = turn * from.getNormalVector3fMap();
+    to.curvature = from.curvature;
+  }
+  return moved;
+}
+
+/// Takes out pairs that are not of one plane: at edges, across corners, of surfaces that only one of
+/// the scans sees.
+void PclIcp::Reject(const Cloud& moved, pcl::Correspondences& pairs)
+{
+  const auto removeIf = [&pairs](const auto& isBad)
+  { pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isBad), pairs.end()); };
+  removeIf(
+    [this, &moved](const pcl::Correspondence& pair)
+    {
+      const PointT& p = At(moved, pair.index_query);
+      const PointT& q = At(*this->Fixed, pair.index_match);
+      return !this->IsFlat(p) || !this->IsFlat(q) ||
+        std::abs(p.getNormalVector3fMap().dot(q.getNormalVector3fMap())) < LeastCosine;
+    });
+  removeIf(
+    [this, &moved](const pcl::Correspondence& pair)
+    {
+      return GetPlaneDistance(At(moved, pair.index_query), At(*this->Fixed, pair.index_match)) >
+        this->Limit;
+    });
+}
+
+void PclIcp::Measure(const Cloud& moved, const pcl::Correspondences& pairs)
+{
+  double sum = 0.0;
+  for (const pcl::Correspondence& pair : pairs)
+  {
+    const double distance =
+      GetPlaneDistance(At(moved, pair.index_query), At(*this->Fixed, pair.index_match));
+    sum += this->PointToPlane ? distance * distance : static_cast<double>(pair.distance);
+  }
+  this->NumberOfPairs = pairs.size();
+  this->Residual = pairs.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(pairs.size()));
+}
+
+Eigen::Isometry3d PclIcp::Estimate(const Cloud& moved, const pcl::Correspondences& pairs) const
+{
+  Eigen::Matrix4f step = Eigen::Matrix4f::Identity();
+  if (this->PointToPlane)
+  {
+    pcl::registration::TransformationEstimationPointToPlaneLLS<PointT, PointT>()
+      .estimateRigidTransformation(moved, *this->Fixed, pairs, step);
+  }
+  else
+  {
+    pcl::registration::TransformationEstimationSVD<PointT, PointT>().estimateRigidTransformation(
+      moved, *this->Fixed, pairs, step);
+  }
+  return MakeMotion(step);
+}
+
+/// Where the scans have settled, pairs far off are of two surfaces. False where there are none.
+bool PclIcp::LowerLimit()
+{
+  const double limit = std::max(SmallDistance, LargestRatio * this->Residual);
+  const bool isLower = this->PointToPlane && limit < 0.7 * this->Limit;
+  this->Limit = isLower ? limit : this->Limit;
+  return isLower;
+}
+
+std::string PclIcp::Run()
+{
+  double reach = 1.0;
+  for (const Eigen::Vector3d& p : this->Moving)
+  {
+    reach = std::max(reach, p.norm());
+  }
+  const double small = std::max(SmallMotion, 1e-7 * reach); // as float has it
+  pcl::registration::CorrespondenceEstimation<PointT, PointT> estimation;
+  estimation.setInputTarget(this->Fixed);
+  for (int i = 1; i <= this->MaximumNumberOfIterations && !this->Settled; ++i)
+  {
+    const Cloud::Ptr moved = this->Move();
+    pcl::Correspondences pairs;
+    estimation.setInputSource(moved);
+    estimation.determineCorrespondences(pairs, this->MaximumDistance);
+    const std::size_t near = pairs.size();
+    if (this->PointToPlane)
+    {
+      this->Reject(*moved, pairs);
+    }
+    this->Measure(*moved, pairs);
+    if (pairs.size() < LeastPairs)
+    {
+      return "only " + std::to_string(near) + " points of input 1 have one of input 0 within " +
+        "MaximumDistance, and " + std::to_string(pairs.size()) + " of these pairs are of one " +
+        "plane; align the scans better before, or set a larger MaximumDistance or MaximumCurvature";
+    }
+    const Eigen::Isometry3d step = this->Estimate(*moved, pairs);
+    const Eigen::Vector3d centre = GetCentre(*moved);
+    const double shift = (step * centre - centre).norm();
+    if (!step.matrix().allFinite() || !(shift <= 2.0 * this->MaximumDistance))
+    {
+      return "the " + std::to_string(pairs.size()) + " pairs of points do not say how to move; " +
+        "scans need surfaces in three directions";
+    }
+    this->Motion = step * this->Motion;
+    const double angle = std::abs(Eigen::AngleAxisd(step.linear()).angle());
+    this->Settled = step.translation().norm() + angle * reach < small && !this->LowerLimit();
+    if (this->OnIteration && !this->OnIteration(i))
+    {
+      this->Stopped = true;
+      return {};
+    }
+  }
+  return {};
+}
+
+} // namespace helios

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The iterative closest point method, of PCL's parts, put together in double.
+
+#ifndef heliosPclIcp_h
+#define heliosPclIcp_h
+
+#include <pcl/correspondence.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+class PclIcp
+{
+public:
+  double MaximumDistance = 1.0;
+  int MaximumNumberOfIterations = 100;
+  bool PointToPlane = true;
+  int NumberOfNeighbors = 16;
+  double MaximumCurvature = 0.01;
+
+  /// Called after every iteration with their number; false ends the work.
+  std::function<bool(int)> OnIteration;
+
+  /// Points that stay, relative to an origin.
+  void SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points);
+
+  /// Points that move, relative to the same origin; and the same ones to any.
+  void SetMoving(
+    std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local);
+
+  /// Finds the motion; what is wrong, or an empty text.
+  std::string Run();
+
+  const Eigen::Isometry3d& GetMotion() const { return this->Motion; }
+  bool IsStopped() const { return this->Stopped; }
+  bool HasSettled() const { return this->Settled; }
+  const std::vector<Eigen::Vector3d>& GetMoving() const { return this->Moving; }
+
+  ///@{
+  /// After the last motion but one, which differ by little once it has settled.
+  double GetResidual() const { return this->Residual; }
+  std::size_t GetNumberOfPairs() const { return this->NumberOfPairs; }
+  ///@}
+
+private:
+  using Cloud = pcl::PointCloud<pcl::PointNormal>;
+
+  Cloud::Ptr MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points) const;
+  Cloud::Ptr Move() const;
+  bool IsFlat(const pcl::PointNormal& point) const;
+  void Reject(const Cloud& moved, pcl::Correspondences& pairs);
+  bool LowerLimit();
+  void Measure(const Cloud& moved, const pcl::Correspondences& pairs);
+  Eigen::Isometry3d Estimate(const Cloud& moved, const pcl::Correspondences& pairs) const;
+
+  Cloud::Ptr Fixed;
+  std::vector<Eigen::Vector3d> Moving;
+  Cloud::Ptr MovingNormals; // and their curvatures, as they came
+  Eigen::Isometry3d Motion = Eigen::Isometry3d::Identity();
+  double Limit = std::numeric_limits<double>::infinity(); // of distances from planes
+  bool Stopped = false;
+  bool Settled = false;
+  double Residual = 0.0;
+  std::size_t NumberOfPairs = 0;
+};
+
+} // namespace helios
+
+#endif

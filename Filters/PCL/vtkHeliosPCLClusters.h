@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosPCLClusters
+ * @brief   groups of points with a gap around them
+ *
+ * Input 0: a vtkPolyData with points. Output 0: the same, with the point array ClusterIds (int):
+ * points that a chain of steps of at most Tolerance joins have one number, from 0 for the largest
+ * cluster on; -1 in clusters below MinimumClusterSize or above MaximumClusterSize
+ * (pcl::EuclideanClusterExtraction).
+ *
+ * @sa
+ * vtkHeliosPCLFilter vtkHeliosPCLGroundFilter
+ */
+
+#ifndef vtkHeliosPCLClusters_h
+#define vtkHeliosPCLClusters_h
+
+#include "vtkHeliosFiltersPCLModule.h" // For export macro
+#include "vtkHeliosPCLFilter.h"
+
+class VTKHELIOSFILTERSPCL_EXPORT vtkHeliosPCLClusters : public vtkHeliosPCLFilter
+{
+public:
+  static vtkHeliosPCLClusters* New();
+  vtkTypeMacro(vtkHeliosPCLClusters, vtkHeliosPCLFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the longest step within a cluster [m]. Valid range: [1e-4, 1000]. Default: 0.5.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-4, 1000.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many points a cluster has at least, and at most. Valid range: [1, 2147483647].
+   * Default: 10; 2147483647.
+   */
+  vtkSetClampMacro(MinimumClusterSize, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MinimumClusterSize, int);
+  vtkSetClampMacro(MaximumClusterSize, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumClusterSize, int);
+  ///@}
+
+  /**
+   * Get how many clusters the last update found.
+   */
+  vtkGetMacro(NumberOfClusters, int);
+
+protected:
+  vtkHeliosPCLClusters() = default;
+  ~vtkHeliosPCLClusters() override = default;
+
+  bool Process(helios::PclInput& input, vtkPolyData* output) override;
+  bool CheckProperties() override;
+
+private:
+  vtkHeliosPCLClusters(const vtkHeliosPCLClusters&) = delete;
+  void operator=(const vtkHeliosPCLClusters&) = delete;
+
+  double Tolerance = 0.5;
+  int MinimumClusterSize = 10;
+  int MaximumClusterSize = VTK_INT_MAX;
+  int NumberOfClusters = 0;
+};
+
+#endif

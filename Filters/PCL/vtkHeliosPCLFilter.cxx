@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosPCLFilter.h"
+
+#include "heliosPclInput.h"
+#include "heliosPointSelection.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkPolyData.h>
+
+#include <exception>
+#include <new>
+
+namespace
+{
+constexpr double FarAway = 8192.0; // [m], from where on float is 0.5 mm off
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosPCLFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDroppedPoints: " << this->NumberOfDroppedPoints << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLFilter::GoOn(double progress)
+{
+  this->UpdateProgress(progress);
+  if (this->AbortExecute)
+  {
+    vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
+                  << " %; update again for the whole");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLFilter::Run(vtkPolyData* data, vtkPolyData* output)
+{
+  helios::PclInput input;
+  const std::string problem = input.Take(data, this->GetStep());
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< "Input: " << problem);
+    return false;
+  }
+  this->NumberOfDroppedPoints = input.GetNumberOfDropped();
+  if (this->NumberOfDroppedPoints > 0)
+  {
+    vtkWarningMacro(<< "Input: " << this->NumberOfDroppedPoints << " of "
+                    << data->GetNumberOfPoints() << " points are not finite: dropped");
+  }
+  if (input.GetReach() >= FarAway)
+  {
+    vtkWarningMacro(<< "Input: points are up to " << input.GetReach()
+                    << " m from the middle along an axis, where PCL's float coordinates are 0.5 mm "
+                    << "off or more; work at them in tiles");
+  }
+  if (input.GetSize() == 0)
+  {
+    helios::SelectPoints(data, {}, output);
+    return true;
+  }
+  return this->GoOn(0.1) && this->Process(input, output) && this->GoOn(1.0);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosPCLFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->NumberOfDroppedPoints = 0;
+  bool isGood = false;
+  try
+  {
+    isGood = this->CheckProperties() && this->Run(vtkPolyData::GetData(inputVector[0]), output);
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< "Not enough memory for the points of the input; work at them in pieces");
+  }
+  catch (const std::exception& error) // what PCL throws
+  {
+    vtkErrorMacro(<< "PCL cannot work at the input: " << error.what());
+  }
+  if (!isGood)
+  {
+    output->Initialize();
+  }
+  return isGood ? 1 : 0;
+}

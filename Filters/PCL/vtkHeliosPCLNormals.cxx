@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosPCLNormals.h"
+
+#include "heliosPclInput.h"
+#include "heliosPointSelection.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPCLArrayNames.h"
+
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <pcl/features/normal_3d_omp.h>
+#include <pcl/search/kdtree.h>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkHeliosPCLNormals);
+
+namespace
+{
+
+void Estimate(const helios::PclInput& input, double radius, int numberOfNeighbors,
+  pcl::PointCloud<pcl::Normal>& normals)
+{
+  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
+  estimation.setNumberOfThreads(
+    static_cast<unsigned int>(vtkSMPTools::GetEstimatedNumberOfThreads()));
+  estimation.setInputCloud(input.GetCloud());
+  estimation.setSearchMethod(
+    pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+  if (radius > 0.0)
+  {
+    estimation.setRadiusSearch(radius);
+  }
+  else
+  {
+    estimation.setKSearch(std::min(numberOfNeighbors, input.GetSize()));
+  }
+  estimation.compute(normals);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkHeliosPCLNormals::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const double* v = this->Viewpoint;
+  os << indent << "NumberOfNeighbors: " << this->NumberOfNeighbors << "\n"
+     << indent << "Radius: " << this->Radius << " m\n"
+     << indent << "Side: " << (this->Side == Up ? "Up" : "ToViewpoint") << "\n"
+     << indent << "Viewpoint: " << v[0] << " " << v[1] << " " << v[2] << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLNormals::CheckProperties()
+{
+  const double* v = this->Viewpoint;
+  if (!std::isfinite(v[0]) || !std::isfinite(v[1]) || !std::isfinite(v[2]))
+  {
+    vtkErrorMacro(<< "Viewpoint is (" << v[0] << ", " << v[1] << ", " << v[2]
+                  << "); set finite numbers");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// How far a normal points to where it should; below 0 it is the wrong way round.
+double vtkHeliosPCLNormals::GetTowards(const double point[3], const float normal[3]) const
+{
+  if (this->Side == Up)
+  {
+    return static_cast<double>(normal[2]);
+  }
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sum += (this->Viewpoint[axis] - point[axis]) * static_cast<double>(normal[axis]);
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLNormals::Process(helios::PclInput& input, vtkPolyData* output)
+{
+  pcl::PointCloud<pcl::Normal> found;
+  Estimate(input, this->Radius, this->NumberOfNeighbors, found);
+  helios::SelectPoints(input.GetData(), input.GetIds(), output);
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName(vtkHeliosArrayNames::Normals);
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(input.GetSize());
+  vtkNew<vtkFloatArray> curvatures;
+  curvatures->SetName(vtkHeliosPCLArrayNames::Curvature);
+  curvatures->SetNumberOfValues(input.GetSize());
+  vtkIdType numberOfNone = 0;
+  for (vtkIdType i = 0; i < input.GetSize(); ++i)
+  {
+    pcl::Normal& normal = found[static_cast<std::size_t>(i)];
+    if (!std::isfinite(normal.normal_x + normal.normal_y + normal.normal_z + normal.curvature))
+    {
+      normal = pcl::Normal(0.0F, 0.0F, 0.0F);
+      ++numberOfNone;
+    }
+    double p[3];
+    output->GetPoint(i, p);
+    const double sign = this->GetTowards(p, normal.normal) < 0.0 ? -1.0 : 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normals->SetComponent(i, axis, sign * static_cast<double>(normal.normal[axis]));
+    }
+    curvatures->SetValue(i, normal.curvature);
+  }
+  output->GetPointData()->SetNormals(normals);
+  output->GetPointData()->AddArray(curvatures);
+  if (numberOfNone > 0)
+  {
+    vtkWarningMacro(<< numberOfNone << " of " << input.GetSize()
+                    << " points have too few neighbours for a normal: 0 0 0; set a larger Radius");
+  }
+  return true;
+}

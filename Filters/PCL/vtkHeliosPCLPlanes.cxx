@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosPCLPlanes.h"
+
+#include "heliosPclInput.h"
+#include "heliosPointSelection.h"
+#include "vtkHeliosPCLArrayNames.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <pcl/segmentation/sac_segmentation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosPCLPlanes);
+
+namespace names = vtkHeliosPCLArrayNames;
+
+namespace
+{
+
+// Points that a sample is judged by: a plane that few of these are on is not found by samples of three.
+constexpr std::size_t MostJudges = 20000;
+
+struct Plane
+{
+  double Centre[3] = { 0.0, 0.0, 0.0 };
+  double Normal[3];
+  double Deviation = 0.0; // root mean square
+};
+
+/// The least squares plane of points, in double: the smallest axis of their covariance.
+Plane FitPlane(vtkPolyData* data, const std::vector<vtkIdType>& ids)
+{
+  Plane plane;
+  double p[3];
+  double first[3];
+  data->GetPoint(ids[0], first); // sums stay small
+  const auto count = static_cast<double>(ids.size());
+  for (const vtkIdType id : ids)
+  {
+    data->GetPoint(id, p);
+    for (int i = 0; i < 3; ++i)
+    {
+      plane.Centre[i] += (p[i] - first[i]) / count;
+    }
+  }
+  vtkMath::Add(plane.Centre, first, plane.Centre);
+  double sums[3][3] = {};
+  for (const vtkIdType id : ids)
+  {
+    data->GetPoint(id, p);
+    vtkMath::Subtract(p, plane.Centre, p);
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        sums[i][j] += p[i] * p[j] / count;
+      }
+    }
+  }
+  double values[3];
+  double vectors[3][3];
+  double* rows[3] = { sums[0], sums[1], sums[2] };
+  double* axes[3] = { vectors[0], vectors[1], vectors[2] };
+  vtkMath::Jacobi(rows, values, axes); // the smallest is the last
+  const double sign = vectors[2][2] < 0.0 ? -1.0 : 1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    plane.Normal[i] = sign * vectors[i][2];
+  }
+  plane.Deviation = std::sqrt(std::max(0.0, values[2]));
+  return plane;
+}
+
+vtkSmartPointer<vtkDoubleArray> MakeRows(const char* name, int components)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  return array;
+}
+
+} // namespace
+
+/// Finds one plane after the other.
+class vtkHeliosPCLPlanes::Search
+{
+public:
+  Search(const vtkHeliosPCLPlanes& settings, helios::PclInput& input)
+    : Settings(settings)
+    , Input(input)
+    , Left(new pcl::Indices(static_cast<std::size_t>(input.GetSize())))
+  {
+    for (std::size_t i = 0; i < this->Left->size(); ++i)
+    {
+      (*this->Left)[i] = static_cast<pcl::index_t>(i);
+    }
+    this->Ids->SetName(names::PlaneIds);
+    this->Ids->SetNumberOfValues(input.GetSize());
+    this->Ids->FillValue(-1);
+  }
+
+  /// False where there is none any more.
+  bool Next()
+  {
+    const int least = this->Settings.MinimumNumberOfPoints;
+    pcl::PointIndices found;
+    if (static_cast<int>(this->Left->size()) >= least)
+    {
+      this->FindOne(found);
+    }
+    if (static_cast<int>(found.indices.size()) < least)
+    {
+      return false;
+    }
+    for (const pcl::index_t i : found.indices)
+    {
+      this->Ids->SetValue(i, this->Number);
+    }
+    ++this->Number;
+    this->Add(FitPlane(this->Input.GetData(), this->Input.GetIds(found.indices)));
+    this->Left->erase(std::remove_if(this->Left->begin(), this->Left->end(),
+                        [this](pcl::index_t i) { return this->Ids->GetValue(i) >= 0; }),
+      this->Left->end());
+    return true;
+  }
+
+  int GetNumber() const { return this->Number; }
+
+  void MoveTo(vtkPolyData* output)
+  {
+    output->GetPointData()->AddArray(this->Ids);
+    for (vtkDoubleArray* rows : { &*this->Coefficients, &*this->Centres, &*this->Deviations })
+    {
+      output->GetFieldData()->AddArray(rows);
+    }
+  }
+
+private:
+  /// The points left that are on the plane which most of some of them are on.
+  void FindOne(pcl::PointIndices& found)
+  {
+    const auto step = (this->Left->size() + MostJudges - 1) / MostJudges;
+    pcl::IndicesPtr judges(new pcl::Indices);
+    for (std::size_t i = 0; i < this->Left->size(); i += step)
+    {
+      judges->push_back((*this->Left)[i]);
+    }
+    pcl::SACSegmentation<pcl::PointXYZ> segmentation; // the same random numbers each time
+    segmentation.setModelType(pcl::SACMODEL_PLANE);
+    segmentation.setMethodType(pcl::SAC_RANSAC);
+    segmentation.setOptimizeCoefficients(true);
+    segmentation.setDistanceThreshold(this->Settings.DistanceThreshold);
+    segmentation.setMaxIterations(this->Settings.MaximumNumberOfIterations);
+    segmentation.setProbability(this->Settings.Probability);
+    segmentation.setInputCloud(this->Input.GetCloud());
+    segmentation.setIndices(judges);
+    pcl::ModelCoefficients plane;
+    segmentation.segment(found, plane);
+    if (found.indices.empty() || plane.values.size() != 4)
+    {
+      found.indices.clear();
+      return;
+    }
+    this->TakeNear(plane.values, found.indices);
+  }
+
+  void TakeNear(const std::vector<float>& plane, pcl::Indices& near) const
+  {
+    near.clear();
+    const auto threshold = static_cast<float>(this->Settings.DistanceThreshold);
+    for (const pcl::index_t i : *this->Left)
+    {
+      const pcl::PointXYZ& p = (*this->Input.GetCloud())[static_cast<std::size_t>(i)];
+      if (std::abs(plane[0] * p.x + plane[1] * p.y + plane[2] * p.z + plane[3]) <= threshold)
+      {
+        near.push_back(i);
+      }
+    }
+  }
+
+  void Add(const Plane& plane)
+  {
+    const double* n = plane.Normal;
+    this->Coefficients->InsertNextTuple4(n[0], n[1], n[2], -vtkMath::Dot(n, plane.Centre));
+    this->Centres->InsertNextTuple(plane.Centre);
+    this->Deviations->InsertNextValue(plane.Deviation);
+  }
+
+  const vtkHeliosPCLPlanes& Settings;
+  helios::PclInput& Input;
+  pcl::IndicesPtr Left; // points on no plane yet
+  vtkNew<vtkIntArray> Ids;
+  int Number = 0;
+  vtkSmartPointer<vtkDoubleArray> Coefficients = MakeRows(names::PlaneCoefficients, 4);
+  vtkSmartPointer<vtkDoubleArray> Centres = MakeRows(names::PlaneCentre, 3);
+  vtkSmartPointer<vtkDoubleArray> Deviations = MakeRows(names::PlaneDeviation, 1);
+};
+
+//------------------------------------------------------------------------------
+void vtkHeliosPCLPlanes::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DistanceThreshold: " << this->DistanceThreshold << " m\n"
+     << indent << "MaximumNumberOfPlanes: " << this->MaximumNumberOfPlanes << "\n"
+     << indent << "MinimumNumberOfPoints: " << this->MinimumNumberOfPoints << "\n"
+     << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n"
+     << indent << "Probability: " << this->Probability << "\n"
+     << indent << "NumberOfPlanes: " << this->NumberOfPlanes << "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLPlanes::CheckProperties()
+{
+  this->NumberOfPlanes = 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLPlanes::Process(helios::PclInput& input, vtkPolyData* output)
+{
+  Search search(*this, input);
+  while (search.GetNumber() < this->MaximumNumberOfPlanes && search.Next())
+  {
+    const double share = static_cast<double>(search.GetNumber()) / this->MaximumNumberOfPlanes;
+    if (!this->GoOn(0.1 + 0.85 * share))
+    {
+      return false;
+    }
+  }
+  this->NumberOfPlanes = search.GetNumber();
+  helios::SelectPoints(input.GetData(), input.GetIds(), output);
+  search.MoveTo(output);
+  return true;
+}

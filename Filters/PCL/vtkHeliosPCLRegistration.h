@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosPCLRegistration
+ * @brief   lays one scan onto another
+ *
+ * Input 0: the points that stay, a vtkPolyData. Input 1: the points that move, a vtkPolyData. Output
+ * 0: those of input 1 in their new place (double points), their arrays passed on and Normals,
+ * Normal and Direction turned with them, and the field array Registration.Matrix (double, 16, row
+ * by row): x' = M x in the coordinates of the points. TruePoint, where there is one, stays.
+ *
+ * The iterative closest point method (P. J. Besl, N. D. McKay 1992), of PCL's parts: every point of
+ * input 1 is paired with the nearest of input 0 that is at most MaximumDistance away
+ * (pcl::registration::CorrespondenceEstimation), and the rigid motion is taken that makes the sum of
+ * the pairs' squared distances least, or with PointToPlane that of the distances from the plane at
+ * the point of input 0 (Y. Chen, G. Medioni 1992; pcl's linear least squares); and again, until it
+ * moves less than a micrometre, or 1e-7 of the size. The motions are put together in double.
+ *
+ * Scans from two places do not hit the same spots: point to plane is right there, point to point
+ * only for copies. The planes are fitted to NumberOfNeighbors points. Pairs that are not of one
+ * plane are left out: where the curvature at one of them is above MaximumCurvature (edges, leaves),
+ * their normals are more than 30 degrees apart, or, once the scans have settled, the distance from the
+ * plane is above three times the residual; then they settle again, until that changes little. A rough alignment is needed: within MaximumDistance, and some ten degrees.
+ *
+ * Errors: no points, fewer than 6 pairs, pairs that leave a motion open; a warning where
+ * MaximumNumberOfIterations came first. Points that are not finite are dropped, with a warning.
+ *
+ * @sa
+ * vtkHeliosPCLFilter vtkHeliosPCLNormals
+ */
+
+#ifndef vtkHeliosPCLRegistration_h
+#define vtkHeliosPCLRegistration_h
+
+#include "vtkHeliosFiltersPCLModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <vtkMatrix4x4.h> // For the motion
+#include <vtkNew.h>       // For the motion
+
+namespace helios
+{
+class PclInput;
+}
+
+class VTKHELIOSFILTERSPCL_EXPORT vtkHeliosPCLRegistration : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHeliosPCLRegistration* New();
+  vtkTypeMacro(vtkHeliosPCLRegistration, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get how far apart pairs may be [m]. Valid range: [1e-4, 1e4]. Default: 1.
+   */
+  vtkSetClampMacro(MaximumDistance, double, 1e-4, 1e4);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how often pairs are looked for. Valid range: [1, 10000]. Default: 100.
+   */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 10000);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether distances are from planes, and not from points. Default: on.
+   */
+  vtkSetMacro(PointToPlane, bool);
+  vtkGetMacro(PointToPlane, bool);
+  vtkBooleanMacro(PointToPlane, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how many points a plane is fitted to, and how curved its surroundings may be. Valid
+   * range: [3, 1000]; [0, 1]. Default: 16; 0.01.
+   */
+  vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
+  vtkGetMacro(NumberOfNeighbors, int);
+  vtkSetClampMacro(MaximumCurvature, double, 0.0, 1.0);
+  vtkGetMacro(MaximumCurvature, double);
+  ///@}
+
+  /**
+   * Get the motion that the last update found: points of input 1 to their new place.
+   */
+  vtkMatrix4x4* GetMatrix() { return this->Matrix; }
+
+  ///@{
+  /**
+   * Get the root mean square distance of the pairs of the last update [m], from the planes with
+   * PointToPlane; and how many there were.
+   */
+  vtkGetMacro(Residual, double);
+  vtkGetMacro(NumberOfPairs, vtkIdType);
+  ///@}
+
+protected:
+  vtkHeliosPCLRegistration();
+  ~vtkHeliosPCLRegistration() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHeliosPCLRegistration(const vtkHeliosPCLRegistration&) = delete;
+  void operator=(const vtkHeliosPCLRegistration&) = delete;
+
+  bool TakeInput(int port, vtkPolyData* data, helios::PclInput& input);
+  bool Register(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output);
+
+  double MaximumDistance = 1.0;
+  int MaximumNumberOfIterations = 100;
+  bool PointToPlane = true;
+  int NumberOfNeighbors = 16;
+  double MaximumCurvature = 0.01;
+  vtkNew<vtkMatrix4x4> Matrix;
+  double Residual = 0.0;
+  vtkIdType NumberOfPairs = 0;
+};
+
+#endif

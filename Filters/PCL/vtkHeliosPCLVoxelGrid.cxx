@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHeliosPCLVoxelGrid.h"
+
+#include "heliosPclInput.h"
+#include "heliosPointSelection.h"
+#include "vtkHeliosPCLArrayNames.h"
+
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <pcl/common/common.h>
+#include <pcl/filters/voxel_grid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+vtkStandardNewMacro(vtkHeliosPCLVoxelGrid);
+
+namespace
+{
+
+using Cloud = helios::PclInput::Cloud;
+
+/// The points of a cloud by their cells: cell c has those of Order from Begin[c] to Begin[c + 1].
+struct CellPoints
+{
+  std::vector<int> Order;
+  std::vector<std::size_t> Begin;
+
+  // PCL gives its cells in the order of this number.
+  CellPoints(pcl::VoxelGrid<pcl::PointXYZ>& grid, const Cloud& cloud)
+    : Order(cloud.size())
+  {
+    const Eigen::Vector3i low = grid.getMinBoxCoordinates();
+    const Eigen::Vector3i multiplier = grid.getDivisionMultiplier();
+    std::vector<int> cells;
+    cells.reserve(cloud.size());
+    for (const pcl::PointXYZ& p : cloud)
+    {
+      cells.push_back((grid.getGridCoordinates(p.x, p.y, p.z) - low).dot(multiplier));
+    }
+    std::iota(this->Order.begin(), this->Order.end(), 0);
+    const auto getCell = [&cells](int i) { return cells[static_cast<std::size_t>(i)]; };
+    std::stable_sort(this->Order.begin(), this->Order.end(),
+      [&getCell](int a, int b) { return getCell(a) < getCell(b); });
+    for (std::size_t i = 0; i < this->Order.size(); ++i)
+    {
+      if (i == 0 || getCell(this->Order[i]) != getCell(this->Order[i - 1]))
+      {
+        this->Begin.push_back(i);
+      }
+    }
+    this->Begin.push_back(this->Order.size());
+  }
+
+  std::size_t GetNumberOfCells() const { return this->Begin.size() - 1; }
+
+  /// The point of a cell that is nearest to a place; the first of equals.
+  int GetNearest(std::size_t cell, const Cloud& cloud, const pcl::PointXYZ& place) const
+  {
+    const auto distance = [&cloud, &place](int i)
+    {
+      const pcl::PointXYZ& p = cloud[static_cast<std::size_t>(i)];
+      return (p.getVector3fMap() - place.getVector3fMap()).squaredNorm();
+    };
+    const auto begin = this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin[cell]);
+    const auto end = this->Order.begin() + static_cast<std::ptrdiff_t>(this->Begin[cell + 1]);
+    return *std::min_element(
+      begin, end, [&distance](int a, int b) { return distance(a) < distance(b); });
+  }
+};
+
+void SetMeanPoints(const Cloud& means, const double origin[3], vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(means.size()));
+  for (std::size_t i = 0; i < means.size(); ++i)
+  {
+    const pcl::PointXYZ& p = means[i];
+    points->SetPoint(static_cast<vtkIdType>(i), origin[0] + static_cast<double>(p.x),
+      origin[1] + static_cast<double>(p.y), origin[2] + static_cast<double>(p.z));
+  }
+  output->SetPoints(points);
+}
+
+void AddCounts(const CellPoints& cells, vtkPolyData* output)
+{
+  vtkNew<vtkIntArray> counts;
+  counts->SetName(vtkHeliosPCLArrayNames::NumberOfPoints);
+  counts->SetNumberOfValues(static_cast<vtkIdType>(cells.GetNumberOfCells()));
+  for (std::size_t c = 0; c < cells.GetNumberOfCells(); ++c)
+  {
+    counts->SetValue(
+      static_cast<vtkIdType>(c), static_cast<int>(cells.Begin[c + 1] - cells.Begin[c]));
+  }
+  output->GetPointData()->AddArray(counts);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+void vtkHeliosPCLVoxelGrid::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VoxelSize: " << this->VoxelSize << " m\n"
+     << indent << "UseMeanPoints: " << this->UseMeanPoints << "\n";
+}
+
+//------------------------------------------------------------------------------
+/// PCL numbers cells by an int, and where that is too small it gives back what it got.
+bool vtkHeliosPCLVoxelGrid::CheckSize(const helios::PclInput& input)
+{
+  pcl::PointXYZ low;
+  pcl::PointXYZ high;
+  pcl::getMinMax3D(*input.GetCloud(), low, high);
+  double cells = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cells *=
+      std::floor(static_cast<double>(high.data[axis] - low.data[axis]) / this->VoxelSize) + 2;
+  }
+  if (cells < static_cast<double>(std::numeric_limits<int>::max()))
+  {
+    return true;
+  }
+  vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m, which makes " << cells
+                << " cells in the box of the points; the most is 2147483647: set a larger one, or "
+                << "work at the points in tiles");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosPCLVoxelGrid::Process(helios::PclInput& input, vtkPolyData* output)
+{
+  if (!this->CheckSize(input))
+  {
+    return false;
+  }
+  const auto size = static_cast<float>(this->VoxelSize);
+  pcl::VoxelGrid<pcl::PointXYZ> grid;
+  grid.setInputCloud(input.GetCloud());
+  grid.setLeafSize(size, size, size);
+  Cloud means;
+  grid.filter(means);
+  const CellPoints cells(grid, *input.GetCloud());
+  if (means.size() != cells.GetNumberOfCells())
+  {
+    vtkErrorMacro(<< "PCL made " << means.size() << " points of " << cells.GetNumberOfCells()
+                  << " cells; use another VoxelSize than " << this->VoxelSize << " m");
+    return false;
+  }
+  std::vector<vtkIdType> nearest;
+  nearest.reserve(means.size());
+  for (std::size_t c = 0; c < means.size(); ++c)
+  {
+    nearest.push_back(input.GetId(cells.GetNearest(c, *input.GetCloud(), means[c])));
+  }
+  helios::SelectPoints(input.GetData(), nearest, output);
+  if (this->UseMeanPoints)
+  {
+    SetMeanPoints(means, input.GetOrigin(), output);
+  }
+  AddCounts(cells, output);
+  return true;
+}

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosReturnSelection
+ * @brief   points by their return and class
+ *
+ * Input 0: a vtkPolyData with points. Output 0: those that all of these let through, bit by bit, with
+ * their arrays and the field data; vertices, one a point, where the input has vertices:
+ * - Returns, by the point arrays ReturnNumber and NumberOfReturns;
+ * - ReturnRange, by ReturnNumber;
+ * - the classes of AddClass(), by ClassificationIds.
+ *
+ * Arrays are needed only for what is asked. Errors: one of them is not there, or is not one integer
+ * a point.
+ *
+ * @sa
+ * vtkHeliosPCLGroundFilter
+ */
+
+#ifndef vtkHeliosReturnSelection_h
+#define vtkHeliosReturnSelection_h
+
+#include "vtkHeliosFiltersPCLModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <vector> // For the classes
+
+class VTKHELIOSFILTERSPCL_EXPORT vtkHeliosReturnSelection : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHeliosReturnSelection* New();
+  vtkTypeMacro(vtkHeliosReturnSelection, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Which echoes of a pulse. */
+  enum ReturnKinds
+  {
+    AllReturns = 0,
+    FirstReturns = 1,        ///< number 1
+    LastReturns = 2,         ///< number = number of returns
+    OnlyReturns = 3,         ///< the only one of their pulse
+    IntermediateReturns = 4, ///< neither first nor last
+    FirstOfMany = 5,         ///< first of several
+    LastOfMany = 6           ///< last of several
+  };
+
+  ///@{
+  /**
+   * Set/Get which echoes of a pulse pass. Valid range: ReturnKinds. Default: AllReturns.
+   */
+  vtkSetClampMacro(Returns, int, AllReturns, LastOfMany);
+  vtkGetMacro(Returns, int);
+  void SetReturnsToAll() { this->SetReturns(AllReturns); }
+  void SetReturnsToFirst() { this->SetReturns(FirstReturns); }
+  void SetReturnsToLast() { this->SetReturns(LastReturns); }
+  void SetReturnsToOnly() { this->SetReturns(OnlyReturns); }
+  void SetReturnsToIntermediate() { this->SetReturns(IntermediateReturns); }
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the least and the greatest ReturnNumber that pass. Valid range: the first not above the
+   * second. Default: 0 255: all.
+   */
+  vtkSetVector2Macro(ReturnRange, int);
+  vtkGetVector2Macro(ReturnRange, int);
+  ///@}
+
+  ///@{
+  /**
+   * Add a class (ClassificationIds) that passes, or take all out; without any, all pass. Valid
+   * range: any integer. Default: none.
+   */
+  void AddClass(int id);
+  void RemoveAllClasses();
+  int GetNumberOfClasses() const { return static_cast<int>(this->Classes.size()); }
+  int GetClass(int index) const;
+  ///@}
+
+protected:
+  vtkHeliosReturnSelection() = default;
+  ~vtkHeliosReturnSelection() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHeliosReturnSelection(const vtkHeliosReturnSelection&) = delete;
+  void operator=(const vtkHeliosReturnSelection&) = delete;
+
+  class Test;
+
+  int Returns = AllReturns;
+  int ReturnRange[2] = { 0, 255 };
+  std::vector<int> Classes;
+};
+
+#endif
