@@ -13,13 +13,13 @@ helios_packages=(
   # libraries
   libvtk9-dev libembree-dev libpugixml-dev librandom123-dev libjsoncpp-dev libssl-dev
   libgdal-dev libgeographiclib-dev libproj-dev libopenmesh-dev libcgal-dev libeigen3-dev
-  coinor-libcbc-dev liblzf-dev libpcl-dev pybind11-dev
+  coinor-libcbc-dev liblzf-dev libpcl-dev pybind11-dev libcli11-dev libx11-dev
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   # to test
   catch2 python3-pytest python3-gdal python3-lxml
   # pictures without a display
-  xvfb xauth libgl1-mesa-dri
+  xvfb xauth libgl1-mesa-dri xdotool
 )
 
 helios_say() { printf '\n== %s\n' "$*"; }
