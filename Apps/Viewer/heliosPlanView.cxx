@@ -9,8 +9,9 @@
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCoordinate.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -18,6 +19,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLPolyDataReader.h>
@@ -38,8 +40,8 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double Lift = 0.05;        // [m], of test points off their surface
-constexpr double TripodShare = 0.02; // of the plan's diagonal, that a tripod is high at least
+constexpr double Lift = 0.05;         // [m], of test points off their surface
+constexpr double TripodShare = 0.045; // of the plan's diagonal, that a tripod is high at least
 
 fs::path GetFolder(const std::string& path)
 {
@@ -90,6 +92,24 @@ void Show(vtkActor* actor, vtkPoints* points, vtkUnsignedCharArray* colors, floa
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetPointSize(size);
   actor->PickableOff();
+}
+
+/// A number over the picture, at a place of the renderer's coordinates.
+vtkSmartPointer<vtkTextActor> MakeLabel(const std::string& text, const Vec3& place)
+{
+  auto label = vtkSmartPointer<vtkTextActor>::New();
+  label->SetInput((" " + text + " ").c_str());
+  label->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  label->GetPositionCoordinate()->SetValue(place[0], place[1], place[2]);
+  vtkTextProperty* letters = label->GetTextProperty();
+  letters->SetFontSize(18);
+  letters->SetColor(0.08, 0.08, 0.1);
+  letters->SetBackgroundColor(1.0, 0.72, 0.25);
+  letters->SetBackgroundOpacity(1.0);
+  letters->BoldOn();
+  letters->SetJustificationToCentered();
+  label->PickableOff();
+  return label;
 }
 
 double FindDiagonal(const Plan& plan)
@@ -153,7 +173,7 @@ PlanView::~PlanView()
   }
   for (const auto& label : this->Labels)
   {
-    this->Renderer->RemoveActor(label);
+    this->Renderer->RemoveActor2D(label);
   }
 }
 
@@ -223,17 +243,9 @@ void PlanView::AddPositions(vtkPolyData* positions, double size)
     tripod->PickableOff();
     this->Renderer->AddActor(tripod);
     this->Tripods.push_back(tripod);
-    auto label = vtkSmartPointer<vtkBillboardTextActor3D>::New();
-    label->SetInput(std::to_string(i + 1).c_str());
-    label->SetPosition(place[0], place[1], place[2] - bounds[5] + 1.25 * scale * bounds[5]);
-    label->GetTextProperty()->SetFontSize(20);
-    label->GetTextProperty()->SetColor(1.0, 0.95, 0.8);
-    label->GetTextProperty()->SetBackgroundColor(0.08, 0.09, 0.12);
-    label->GetTextProperty()->SetBackgroundOpacity(0.8);
-    label->GetTextProperty()->BoldOn();
-    label->GetTextProperty()->SetJustificationToCentered();
-    label->PickableOff();
-    this->Renderer->AddActor(label);
+    const Vec3 head = place + Vec3(0.0, 0.0, (1.1 * scale - 1.0) * bounds[5]);
+    auto label = MakeLabel(std::to_string(i + 1), head);
+    this->Renderer->AddActor2D(label);
     this->Labels.push_back(label);
   }
 }
@@ -251,6 +263,19 @@ void PlanView::SetVisible(bool visible)
   for (const auto& label : this->Labels)
   {
     label->SetVisibility(visible);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PlanView::Update()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  const Vec3 ahead(camera->GetDirectionOfProjection());
+  for (const auto& label : this->Labels)
+  {
+    const Vec3 place(label->GetPositionCoordinate()->GetValue());
+    const bool isAhead = (place - Vec3(camera->GetPosition())).Dot(ahead) > 0.0;
+    label->SetVisibility(this->Visible && isAhead);
   }
 }
 
@@ -315,6 +340,7 @@ bool PlanTool::OnFrame()
   const Vec3 origin = this->Owner.GetOrigin();
   if (!this->IsWanted || (this->View && origin == this->Origin))
   {
+    this->View ? this->View->Update() : void();
     return false;
   }
   this->Origin = origin;

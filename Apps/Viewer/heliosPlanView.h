@@ -18,9 +18,9 @@
 #include <vector>
 
 class vtkActor;
-class vtkBillboardTextActor3D;
 class vtkPolyData;
 class vtkRenderer;
+class vtkTextActor;
 
 namespace helios
 {
@@ -55,6 +55,9 @@ public:
   void SetVisible(bool visible);
   bool IsVisible() const { return this->Visible; }
 
+  /// Hides the numbers behind the camera; before every picture.
+  void Update();
+
   /// Of no position at all, of none chosen, of 1, 2, and 3 or more scans.
   static const Rgb& GetColor(bool isCoverable, int scans);
 
@@ -80,7 +83,7 @@ private:
   vtkNew<vtkActor> TestPoints;
   vtkNew<vtkActor> Candidates;
   std::vector<vtkSmartPointer<vtkActor>> Tripods;
-  std::vector<vtkSmartPointer<vtkBillboardTextActor3D>> Labels;
+  std::vector<vtkSmartPointer<vtkTextActor>> Labels;
 };
 
 /// Shows the plan among the inputs of a viewer, over its scene.

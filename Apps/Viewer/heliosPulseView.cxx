@@ -47,6 +47,20 @@ void SetUp(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data, bool hasCo
   renderer->AddActor(actor);
 }
 
+/// Draws lines and points over the picture, whatever hides them.
+void SetUpOverlay(vtkRenderer* renderer, vtkActor2D* actor, vtkPolyData* data, bool hasColors)
+{
+  vtkNew<vtkCoordinate> world;
+  world->SetCoordinateSystemToWorld();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  mapper->SetTransformCoordinate(world);
+  mapper->SetScalarVisibility(hasColors);
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  renderer->AddActor2D(actor);
+}
+
 void SetUpRing(vtkActor2D* actor)
 {
   vtkNew<vtkRegularPolygonSource> ring;
@@ -81,12 +95,16 @@ PulseView::PulseView(vtkRenderer* renderer)
   : Renderer(renderer)
 {
   SetUp(renderer, this->BeamActor, this->Beams, true);
-  SetUp(renderer, this->HitActor, this->Hits, true);
   SetUp(renderer, this->WaveformActor, this->Waveforms, false);
   this->BeamActor->GetProperty()->SetOpacity(0.55);
-  this->HitActor->GetProperty()->SetPointSize(6.0F);
   this->WaveformActor->GetProperty()->SetColor(0.35, 0.85, 1.0);
-  this->WaveformActor->GetProperty()->SetLineWidth(2.0F);
+  this->WaveformActor->GetProperty()->SetLineWidth(1.5F);
+  this->WaveformActor->GetProperty()->SetOpacity(0.7);
+  SetUpOverlay(renderer, this->Curve, this->Waveforms, false);
+  SetUpOverlay(renderer, this->HitActor, this->Hits, true);
+  this->HitActor->GetProperty()->SetPointSize(5.0F);
+  this->Curve->GetProperty()->SetColor(0.35, 0.85, 1.0);
+  this->Curve->GetProperty()->SetLineWidth(2.0F);
   SetUpRing(this->Mark);
   renderer->AddActor2D(this->Mark);
   this->Clear();
@@ -95,11 +113,12 @@ PulseView::PulseView(vtkRenderer* renderer)
 //------------------------------------------------------------------------------
 PulseView::~PulseView()
 {
-  this->Renderer->RemoveActor2D(this->Mark);
-  for (vtkActor* actor : { this->BeamActor.Get(), this->HitActor.Get(), this->WaveformActor.Get() })
+  for (vtkActor2D* actor : { this->Mark.Get(), this->HitActor.Get(), this->Curve.Get() })
   {
-    this->Renderer->RemoveActor(actor);
+    this->Renderer->RemoveActor2D(actor);
   }
+  this->Renderer->RemoveActor(this->BeamActor);
+  this->Renderer->RemoveActor(this->WaveformActor);
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +193,8 @@ std::string PulseView::SetWaveforms(
   }
   this->Waveforms->SetPoints(points);
   this->Waveforms->SetLines(curves->GetOutput()->GetLines());
-  this->WaveformActor->GetProperty()->SetOpacity(everyNth > 1 || pulse < 0 ? 0.6 : 1.0);
+  this->WaveformActor->SetVisibility(pulse < 0); // many: those near hide those behind
+  this->Curve->SetVisibility(pulse >= 0);
   return {};
 }
 

@@ -65,8 +65,9 @@ private:
   bool HasMark = false;
   vtkNew<vtkActor2D> Mark;
   vtkNew<vtkActor> BeamActor;
-  vtkNew<vtkActor> HitActor;
-  vtkNew<vtkActor> WaveformActor;
+  vtkNew<vtkActor2D> HitActor;
+  vtkNew<vtkActor> WaveformActor; // of a line
+  vtkNew<vtkActor2D> Curve;       // of one pulse, over all
   vtkNew<vtkPolyData> Beams;
   vtkNew<vtkPolyData> Hits;
   vtkNew<vtkPolyData> Waveforms;

@@ -173,6 +173,7 @@ void WaveformChart::Show(const PulseReading& reading, int returnNumber, const st
     this->AddSamples(reading);
     this->AddGaussians(reading);
     this->AddEchoes(reading, returnNumber);
+    this->AddTimes();
   }
   this->Actor->VisibilityOn();
 }
@@ -200,6 +201,17 @@ void WaveformChart::SetRanges(const PulseReading& reading)
   vtkAxis* power = this->Chart->GetAxis(vtkAxis::LEFT);
   power->SetTitle("power [" + this->UnitName + "]");
   power->SetRange(std::min(0.0, low) / unit.first, 1.15 * high / unit.first);
+}
+
+//------------------------------------------------------------------------------
+/// An axis is drawn where something hangs on it: a line that cannot be seen.
+void WaveformChart::AddTimes()
+{
+  vtkAxis* times = this->Chart->GetAxis(vtkAxis::TOP);
+  const auto line = MakeTable({ times->GetMinimum(), times->GetMaximum() }, { 0.0, 0.0 });
+  vtkPlot* plot = Add(this->Chart, vtkChart::LINE, line, "");
+  plot->SetColor(0, 0, 0, 0);
+  this->Chart->SetPlotCorner(plot, 3); // left and top
 }
 
 //------------------------------------------------------------------------------

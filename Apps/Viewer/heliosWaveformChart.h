@@ -63,6 +63,7 @@ private:
   void AddGaussians(const PulseReading& reading);
   void AddPulse(const PulseReading& reading);
   void AddEchoes(const PulseReading& reading, int returnNumber);
+  void AddTimes();
 
   vtkRenderer* Renderer;
   vtkNew<vtkContextActor> Actor;

@@ -187,7 +187,8 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
   SECTION("the chart draws every sample")
   {
     vtkChartXY* chart = inspector.GetChart().GetChart();
-    CHECK(chart->GetNumberOfPlots() == 6); // the pulse, samples, 2 Gaussians, the echo, echoes
+    CHECK(
+      chart->GetNumberOfPlots() == 7); // the pulse, samples, 2 Gaussians, the echo, echoes, times
     CHECK(chart->GetPlot(1)->GetInput()->GetNumberOfRows() == vtkIdType(reading.Samples.size()));
     CHECK(inspector.GetChart().GetTitle().find("return 1 of 2") != std::string::npos);
     CHECK(inspector.GetChart().Contains(100, 100));
