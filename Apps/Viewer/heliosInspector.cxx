@@ -441,7 +441,9 @@ std::string Inspector::DescribeSurface(const Echo& echo) const
   }
   if (!this->Reading.SubRays.empty())
   {
-    text += Format(", hit by %zu sub-rays", this->Reading.SubRays.size());
+    text += this->Reading.SubRays.size() == 1
+      ? ", hit by one sub-ray"
+      : Format(", hit by %zu sub-rays", this->Reading.SubRays.size());
   }
   else if (!this->Reading.Samples.empty() && this->Owner.GetSimulation())
   {
