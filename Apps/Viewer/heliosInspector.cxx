@@ -4,6 +4,7 @@
 
 #include "heliosCloudView.h"
 #include "heliosColorMaps.h"
+#include "heliosHud.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosSurveyData.h"
@@ -332,6 +333,7 @@ bool Inspector::OnFrame()
     this->TakeLine();
     isNew = true;
   }
+  this->Chart.SetCovered(this->Owner.GetHud().IsHelpVisible());
   this->View.Update();
   return isNew;
 }

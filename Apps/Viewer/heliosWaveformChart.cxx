@@ -175,7 +175,8 @@ void WaveformChart::Show(const PulseReading& reading, int returnNumber, const st
     this->AddEchoes(reading, returnNumber);
     this->AddTimes();
   }
-  this->Actor->VisibilityOn();
+  this->IsShown = true;
+  this->SetCovered(this->IsCovered);
 }
 
 //------------------------------------------------------------------------------
@@ -294,13 +295,15 @@ void WaveformChart::Hide()
 {
   this->Chart->ClearPlots();
   this->NumberOfSamples = this->NumberOfEchoes = this->NumberOfGaussians = 0;
-  this->Actor->VisibilityOff();
+  this->IsShown = false;
+  this->SetCovered(this->IsCovered);
 }
 
 //------------------------------------------------------------------------------
-bool WaveformChart::IsVisible() const
+void WaveformChart::SetCovered(bool covered)
 {
-  return this->Actor->GetVisibility() != 0;
+  this->IsCovered = covered;
+  this->Actor->SetVisibility(this->IsShown && !covered);
 }
 
 //------------------------------------------------------------------------------

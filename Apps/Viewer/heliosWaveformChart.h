@@ -40,7 +40,10 @@ public:
    */
   void Show(const PulseReading& reading, int returnNumber, const std::string& title);
   void Hide();
-  bool IsVisible() const;
+  bool IsVisible() const { return this->IsShown; }
+
+  /// True: something else is in front, and the chart is not drawn.
+  void SetCovered(bool covered);
 
   /// Fits the chart to the window's size [pixels]; true: it was of another size.
   bool Resize(int width, int height);
@@ -69,6 +72,8 @@ private:
   vtkNew<vtkContextActor> Actor;
   vtkNew<vtkChartXY> Chart;
   vtkSmartPointer<ChartPanel> Panel;
+  bool IsShown = false;
+  bool IsCovered = false;
   int Size[2] = { 0, 0 };
   double Unit = 1.0; // of the axis [W]
   std::string UnitName;

@@ -55,11 +55,11 @@ TEST_CASE("PlanView: test points have the colour of how often they are seen")
   }
   PlanView view(stage.Renderer, plan, origin);
   stage.Render();
-  CHECK(stage.GetColorAt(-8, 4) == PlanView::GetColor(false, 0));
-  CHECK(stage.GetColorAt(-4, 4) == PlanView::GetColor(true, 0));
-  CHECK(stage.GetColorAt(0, 4) == PlanView::GetColor(true, 1));
-  CHECK(stage.GetColorAt(4, 4) == PlanView::GetColor(true, 2));
-  CHECK(stage.GetColorAt(8, 4) == PlanView::GetColor(true, 3));
+  CHECK(stage.GetColorAt(-8, 4) == Rgb{ 110, 112, 118 });
+  CHECK(stage.GetColorAt(-4, 4) == Rgb{ 235, 60, 55 });
+  CHECK(stage.GetColorAt(0, 4) == Rgb{ 250, 205, 70 });
+  CHECK(stage.GetColorAt(4, 4) == Rgb{ 110, 205, 90 });
+  CHECK(stage.GetColorAt(8, 4) == Rgb{ 70, 150, 245 });
   CHECK(stage.GetColorAt(-4, -4) != Black); // a tripod, or its number
   CHECK(stage.GetColorAt(4, -4) != Black);
   CHECK(view.GetNumberOfPositions() == 2);
