@@ -124,7 +124,7 @@ void CameraRig::Reset()
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double distance = this->GetSize() / std::sin(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
   const Vec3 center = this->GetCenter();
-  const Vec3 eye = center + 0.85 * distance * Unit(FromSouthWest);
+  const Vec3 eye = center + 0.7 * distance * Unit(FromSouthWest);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetFocalPoint(center.GetData());
   camera->SetPosition(eye.GetData());
@@ -153,7 +153,7 @@ void CameraRig::Update(double seconds, const Subject* subject)
   if (this->Mode == CameraMode::Script)
   {
     this->ScriptTime += seconds;
-    this->Script->InterpolateCamera(this->ScriptTime, this->Renderer->GetActiveCamera());
+    this->FollowScript();
   }
   else if (this->Mode == CameraMode::Orbit)
   {
@@ -167,6 +167,20 @@ void CameraRig::Update(double seconds, const Subject* subject)
   {
     this->LookFromScanner(seconds, *subject);
   }
+}
+
+//------------------------------------------------------------------------------
+void CameraRig::FollowScript()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  vtkNew<vtkCamera> frame;
+  frame->DeepCopy(camera);
+  this->Script->InterpolateCamera(this->ScriptTime, frame);
+  const Vec3 eye = Vec3(frame->GetPosition()) - this->Origin;
+  const Vec3 focal = Vec3(frame->GetFocalPoint()) - this->Origin;
+  camera->SetPosition(eye.GetData());
+  camera->SetFocalPoint(focal.GetData());
+  camera->SetViewUp(frame->GetViewUp());
 }
 
 //------------------------------------------------------------------------------
@@ -232,7 +246,7 @@ void CameraRig::TurnRound(double seconds)
 }
 
 //------------------------------------------------------------------------------
-std::string CameraRig::ReadScript(const std::string& fileName, const Vec3& origin)
+std::string CameraRig::ReadScript(const std::string& fileName)
 {
   std::ifstream file(fileName);
   Json::Value frames;
@@ -261,8 +275,8 @@ std::string CameraRig::ReadScript(const std::string& fileName, const Vec3& origi
         R"( is not {"time": s, "position": [x, y, z], "focalPoint": [x, y, z]})";
     }
     vtkNew<vtkCamera> camera;
-    camera->SetPosition((position - origin).GetData());
-    camera->SetFocalPoint((focal - origin).GetData());
+    camera->SetPosition(position.GetData());
+    camera->SetFocalPoint(focal.GetData());
     camera->SetViewUp(up.GetData());
     camera->SetViewAngle(ViewAngle);
     this->Script->AddCamera(frame["time"].asDouble(), camera);

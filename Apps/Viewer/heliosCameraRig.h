@@ -46,6 +46,9 @@ public:
   CameraMode GetMode() const { return this->Mode; }
   void SetMode(CameraMode mode);
 
+  /// What the view's coordinates are relative to [m]; key frames are in the world.
+  void SetOrigin(const Vec3& origin) { this->Origin = origin; }
+
   /// The box that is looked at: of scene and cloud.
   void SetBounds(const double bounds[6]);
 
@@ -66,13 +69,14 @@ public:
 
   /// Reads key frames from a JSON file: a list of {"time", "position", "focalPoint", "viewUp"}; says
   /// what is wrong with it, or returns an empty text.
-  std::string ReadScript(const std::string& fileName, const Vec3& origin);
+  std::string ReadScript(const std::string& fileName);
 
 private:
   void Follow(const Subject& subject);
   void LookFromScanner(double seconds, const Subject& subject);
   void LookParallel(const Vec3& direction, const Vec3& up);
   void TurnRound(double seconds);
+  void FollowScript();
   Vec3 GetCenter() const;
   double GetSize() const;
 
@@ -84,6 +88,7 @@ private:
   Vec3 LastPosition{ 0.0, 0.0, 0.0 };
   Vec3 LookDirection{ 0.0, 0.0, 0.0 };
   double ScriptTime = 0.0;
+  Vec3 Origin{ 0.0, 0.0, 0.0 };
 };
 
 } // namespace helios

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloud.h"
 
+#include "heliosCloudCodes.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkArrayDispatch.h>
@@ -24,7 +25,6 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t NoPulse = std::numeric_limits<std::int32_t>::min();
-constexpr std::uint8_t NoIncidence = 255;
 
 /// Reads an array's numbers as doubles, tuple by tuple.
 struct CopyWorker
@@ -54,40 +54,6 @@ std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType en
   return values;
 }
 
-/// 512 steps an octave, from 2^-96 on; 0: none.
-std::uint16_t EncodeAmplitude(double amplitude)
-{
-  if (!(amplitude > 0.0))
-  {
-    return 0;
-  }
-  const double code = std::round(512.0 * (std::log2(amplitude) + 96.0));
-  return static_cast<std::uint16_t>(std::min(std::max(code, 1.0), 65535.0));
-}
-
-double DecodeAmplitude(std::uint16_t code)
-{
-  return code == 0 ? NaN : std::exp2(code / 512.0 - 96.0);
-}
-
-/// Steps of 90/254 of a degree.
-std::uint8_t EncodeIncidence(double degrees)
-{
-  const double code = std::round(degrees * (254.0 / 90.0));
-  return std::isfinite(code) ? static_cast<std::uint8_t>(std::min(std::max(code, 0.0), 254.0))
-                             : NoIncidence;
-}
-
-double DecodeIncidence(std::uint8_t code)
-{
-  return code == NoIncidence ? NaN : code * (90.0 / 254.0);
-}
-
-std::uint8_t ToByte(double value)
-{
-  return static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
-}
-
 template <typename T>
 std::size_t GetBytes(const std::vector<T>& values)
 {
@@ -95,50 +61,6 @@ std::size_t GetBytes(const std::vector<T>& values)
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-CloudChunk::CloudChunk()
-  : FirstTime(NaN)
-  , LastTime(NaN)
-  , Bounds{ 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 }
-{
-  const auto capacity = static_cast<std::size_t>(Capacity);
-  this->Xyz->SetNumberOfComponents(3);
-  this->Xyz->Allocate(3 * Capacity);
-  this->Pulses.reserve(capacity);
-  this->Times.reserve(capacity);
-  this->Ranges.reserve(capacity);
-  this->Tags.reserve(capacity);
-  this->Amplitudes.reserve(capacity);
-  this->ReturnNumbers.reserve(capacity);
-  this->NumbersOfReturns.reserve(capacity);
-  this->Classes.reserve(capacity);
-  this->Incidences.reserve(capacity);
-}
-
-//------------------------------------------------------------------------------
-std::size_t CloudChunk::GetMemorySize() const
-{
-  return sizeof(*this) + static_cast<std::size_t>(this->Xyz->GetSize()) * sizeof(float) +
-    GetBytes(this->Pulses) + GetBytes(this->Times) + GetBytes(this->Ranges) + GetBytes(this->Tags) +
-    GetBytes(this->Amplitudes) + GetBytes(this->ReturnNumbers) + GetBytes(this->NumbersOfReturns) +
-    GetBytes(this->Classes) + GetBytes(this->Incidences);
-}
-
-//------------------------------------------------------------------------------
-void CloudChunk::Squeeze()
-{
-  this->Xyz->Squeeze();
-  this->Pulses.shrink_to_fit();
-  this->Times.shrink_to_fit();
-  this->Ranges.shrink_to_fit();
-  this->Tags.shrink_to_fit();
-  this->Amplitudes.shrink_to_fit();
-  this->ReturnNumbers.shrink_to_fit();
-  this->NumbersOfReturns.shrink_to_fit();
-  this->Classes.shrink_to_fit();
-  this->Incidences.shrink_to_fit();
-}
 
 //------------------------------------------------------------------------------
 /// The columns of some rows of a block as doubles; empty: not there.

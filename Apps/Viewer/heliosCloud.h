@@ -92,8 +92,8 @@ struct CloudChunk
 };
 
 /**
- * Grows by blocks of echoes. Places are floats relative to an origin, times relative to the
- * chunk's first: a day-long run keeps its microseconds. Not thread-safe: append and draw in one
+ * Grows by blocks of echoes. Places are floats relative to an origin; times are floats relative to
+ * the chunk's first, so exact to 2^-24 of what 131,072 points take: microseconds in a day-long run. Not thread-safe: append and draw in one
  * thread.
  */
 class Cloud

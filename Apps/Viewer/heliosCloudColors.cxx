@@ -179,11 +179,12 @@ void CloudColors::FillTable(vtkLookupTable* table, const std::vector<double>& va
 {
   table->ResetAnnotations();
   table->SetIndexedLookup(this->IsCategory());
-  table->SetScale(this->IsLogarithmic() ? VTK_SCALE_LOG10 : VTK_SCALE_LINEAR);
+  table->SetScale(VTK_SCALE_LINEAR);
   if (!this->IsCategory())
   {
     table->SetNumberOfTableValues(256);
     table->SetRange(this->Low, this->High > this->Low ? this->High : this->Low * 1.001 + 1e-9);
+    table->SetScale(this->IsLogarithmic() && this->Low > 0.0 ? VTK_SCALE_LOG10 : VTK_SCALE_LINEAR);
     for (vtkIdType i = 0; i < 256; ++i)
     {
       SetTableColor(table, i, GetRamp()[static_cast<std::size_t>(i)]);

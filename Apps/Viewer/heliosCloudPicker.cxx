@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloudPicker.h"
 
-#include <vtkCamera.h>
-#include <vtkMatrix4x4.h>
-#include <vtkRenderer.h>
+#include "heliosPixelMap.h"
+
 #include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 namespace helios
@@ -17,67 +17,6 @@ namespace helios
 
 namespace
 {
-
-/// From coordinates less the origin to pixels and depth.
-class PixelMap
-{
-public:
-  explicit PixelMap(vtkRenderer* renderer)
-  {
-    vtkMatrix4x4* m = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
-      renderer->GetTiledAspectRatio(), -1.0, 1.0);
-    std::copy(m->GetData(), m->GetData() + 16, this->M);
-    const int* origin = renderer->GetOrigin();
-    const int* size = renderer->GetSize();
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Half[i] = 0.5 * size[i];
-      this->Middle[i] = origin[i] + this->Half[i];
-    }
-  }
-
-  /// False for a point behind the camera or outside its depth range.
-  bool Map(double x, double y, double z, double pixel[3]) const
-  {
-    const double* m = this->M;
-    const double w = m[12] * x + m[13] * y + m[14] * z + m[15];
-    const double depth = m[8] * x + m[9] * y + m[10] * z + m[11];
-    pixel[0] = this->Middle[0] + this->Half[0] * (m[0] * x + m[1] * y + m[2] * z + m[3]) / w;
-    pixel[1] = this->Middle[1] + this->Half[1] * (m[4] * x + m[5] * y + m[6] * z + m[7]) / w;
-    pixel[2] = depth / w;
-    return w > 0.0 && std::abs(depth) <= w;
-  }
-
-  /// Whether a box may have points within a radius of a spot.
-  bool MayShow(const double box[6], const PickSpot& spot) const
-  {
-    double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL };
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const double x = box[corner & 1], y = box[2 + ((corner >> 1) & 1)],
-                   z = box[4 + (corner >> 2)];
-      if (this->M[12] * x + this->M[13] * y + this->M[14] * z + this->M[15] <= 0.0)
-      {
-        return true; // it reaches behind the camera
-      }
-      double pixel[3];
-      this->Map(x, y, z, pixel);
-      for (int i = 0; i < 2; ++i)
-      {
-        low[i] = std::min(low[i], pixel[i]);
-        high[i] = std::max(high[i], pixel[i]);
-      }
-    }
-    const double reach = spot.Radius + spot.PointSize;
-    return spot.X >= low[0] - reach && spot.X <= high[0] + reach && spot.Y >= low[1] - reach &&
-      spot.Y <= high[1] + reach;
-  }
-
-private:
-  double M[16];
-  double Half[2];
-  double Middle[2];
-};
 
 /// The best first: a point that covers the spot, then the nearest, then the closest to the camera.
 struct Candidate
@@ -98,6 +37,7 @@ struct Search
   const CloudWindow& Window;
   const PixelMap Pixels;
   const PickSpot Spot;
+  const double Reach; ///< [pixels]
   vtkSMPThreadLocal<Candidate> Best;
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -106,7 +46,8 @@ struct Search
     for (vtkIdType c = begin; c < end; ++c)
     {
       const CloudChunk& chunk = *this->Points.GetChunks()[static_cast<std::size_t>(c)];
-      if (!this->Window.IsOutside(chunk) && this->Pixels.MayShow(chunk.Bounds, this->Spot))
+      if (!this->Window.IsOutside(chunk) &&
+        this->Pixels.MayShow(chunk.Bounds, this->Spot.X, this->Spot.Y, this->Reach))
       {
         this->Scan(chunk, best);
       }
@@ -134,6 +75,64 @@ struct Search
       if (candidate < best && this->Window.Contains(chunk, i))
       {
         best = candidate;
+      }
+    }
+  }
+};
+
+/// The closest point of every pixel, as its depth's bits and its row in one number.
+struct VisibleSearch
+{
+  static constexpr std::uint64_t Nothing = ~std::uint64_t(0);
+
+  const Cloud& Points;
+  const CloudWindow& Window;
+  const PixelMap& Pixels;
+  vtkSMPThreadLocal<std::vector<std::uint64_t>> Closest;
+
+  std::size_t GetSize() const
+  {
+    return static_cast<std::size_t>(this->Pixels.GetWidth()) *
+      static_cast<std::size_t>(this->Pixels.GetHeight());
+  }
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    std::vector<std::uint64_t>& closest = this->Closest.Local();
+    closest.resize(this->GetSize(), Nothing);
+    for (vtkIdType c = begin; c < end; ++c)
+    {
+      const CloudChunk& chunk = *this->Points.GetChunks()[static_cast<std::size_t>(c)];
+      if (!this->Window.IsOutside(chunk))
+      {
+        this->Scan(chunk, closest);
+      }
+    }
+  }
+
+  void Scan(const CloudChunk& chunk, std::vector<std::uint64_t>& closest) const
+  {
+    const bool isWhole = !this->Window.HasBox && !(chunk.LastTime > this->Window.TimeLimit);
+    const float* xyz = chunk.GetXyz();
+    for (vtkIdType i = 0; i < chunk.GetSize(); ++i, xyz += 3)
+    {
+      double pixel[3];
+      if (!this->Pixels.Map(xyz[0], xyz[1], xyz[2], pixel) ||
+        !(isWhole || this->Window.Contains(chunk, i)))
+      {
+        continue;
+      }
+      const vtkIdType index = this->Pixels.GetIndex(pixel);
+      if (index >= 0)
+      {
+        const auto depth =
+          static_cast<float>(1.0 + pixel[2]); // not negative: its bits are in order
+        std::uint32_t bits;
+        std::memcpy(&bits, &depth, sizeof(bits));
+        const std::uint64_t key =
+          (std::uint64_t(bits) << 32) | static_cast<std::uint32_t>(chunk.FirstRow + i);
+        std::uint64_t& best = closest[static_cast<std::size_t>(index)];
+        best = std::min(best, key);
       }
     }
   }
@@ -182,7 +181,7 @@ bool CloudWindow::Contains(const CloudChunk& chunk, vtkIdType i) const
 vtkIdType PickPoint(
   const Cloud& cloud, const CloudWindow& window, vtkRenderer* renderer, const PickSpot& spot)
 {
-  Search search{ cloud, window, PixelMap(renderer), spot, {} };
+  Search search{ cloud, window, PixelMap(renderer), spot, spot.Radius + spot.PointSize, {} };
   vtkSMPTools::For(0, static_cast<vtkIdType>(cloud.GetChunks().size()), 1, search);
   Candidate best;
   for (const Candidate& candidate : search.Best)
@@ -190,6 +189,29 @@ vtkIdType PickPoint(
     best = std::min(best, candidate);
   }
   return best.Row;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> FindVisiblePoints(
+  const Cloud& cloud, const CloudWindow& window, const PixelMap& pixels)
+{
+  VisibleSearch search{ cloud, window, pixels, {} };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(cloud.GetChunks().size()), 1, search);
+  std::vector<std::uint64_t> all(search.GetSize(), VisibleSearch::Nothing);
+  for (const std::vector<std::uint64_t>& closest : search.Closest)
+  {
+    std::transform(closest.begin(), closest.end(), all.begin(), all.begin(),
+      [](std::uint64_t a, std::uint64_t b) { return std::min(a, b); });
+  }
+  std::vector<std::uint32_t> rows;
+  for (const std::uint64_t key : all)
+  {
+    if (key != VisibleSearch::Nothing)
+    {
+      rows.push_back(static_cast<std::uint32_t>(key));
+    }
+  }
+  return rows;
 }
 
 } // namespace helios

@@ -7,12 +7,16 @@
 
 #include "heliosCloud.h"
 
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 class vtkRenderer;
 
 namespace helios
 {
+
+class PixelMap;
 
 /// The part of a cloud that is shown: up to a time, and inside a box.
 struct CloudWindow
@@ -42,6 +46,13 @@ struct PickSpot
  */
 vtkIdType PickPoint(
   const Cloud& cloud, const CloudWindow& window, vtkRenderer* renderer, const PickSpot& spot);
+
+/**
+ * The rows of the points that are seen: of those at one pixel the closest to the camera, of all
+ * there are. So a picture of many points costs what its pixels cost.
+ */
+std::vector<std::uint32_t> FindVisiblePoints(
+  const Cloud& cloud, const CloudWindow& window, const PixelMap& pixels);
 
 } // namespace helios
 

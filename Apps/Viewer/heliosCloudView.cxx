@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCloudView.h"
 
-#include "heliosEyeDome.h"
+#include "heliosPixelMap.h"
 #include "heliosPointActor.h"
 
+#include <vtkCommand.h>
 #include <vtkLookupTable.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
-#include <vtkRenderPass.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkSMPTools.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
 
@@ -24,19 +22,12 @@ namespace helios
 namespace
 {
 
-/// Spreads rows, so that a sample by the hash's last bits has no pattern.
-std::uint32_t Hash(std::uint32_t row)
-{
-  row = (row ^ (row >> 16)) * 0x7feb352du;
-  row = (row ^ (row >> 15)) * 0x846ca68bu;
-  return row ^ (row >> 16);
-}
-
 void SetUpBar(vtkScalarBarActor* bar)
 {
   bar->UnconstrainedFontSizeOn();
   bar->SetNumberOfLabels(5);
-  bar->SetLabelFormat("%.5g");
+  bar->SetLabelFormat("%.4g");
+  bar->SetVerticalTitleSeparation(10);
   bar->SetMaximumNumberOfColors(256);
   bar->SetWidth(0.08);
   bar->SetHeight(0.45);
@@ -66,12 +57,16 @@ CloudView::CloudView(const Cloud& cloud, vtkRenderer* renderer)
   this->Bar->SetLookupTable(this->Table);
   this->Bar->VisibilityOff();
   renderer->AddActor2D(this->Bar);
+  renderer->AddViewProp(this->Room);
+  this->Observer = renderer->AddObserver(vtkCommand::StartEvent, this, &CloudView::ShowVisible);
   this->Update();
 }
 
 //------------------------------------------------------------------------------
 CloudView::~CloudView()
 {
+  this->Renderer->RemoveObserver(this->Observer);
+  this->Renderer->RemoveViewProp(this->Room);
   this->Renderer->RemoveActor2D(this->Bar);
   this->SetEyeDomeLighting(false);
 }
@@ -82,9 +77,14 @@ void CloudView::Update()
   if (this->Points.GetNumberOfPoints() < this->Sampled) // it was cleared
   {
     this->Chunks.clear();
+    this->Sample->SetVisible(false);
     this->SampleRows.clear();
     this->SampleMask = 0;
     this->Sampled = this->FittedTo = 0;
+  }
+  if (this->Sampled == 0)
+  {
+    this->SetUpPlanes(); // with the first points there is an origin
   }
   this->UpdateSample();
   const bool hasGrown = this->Points.GetNumberOfPoints() > 1.1 * this->FittedTo;
@@ -98,33 +98,6 @@ void CloudView::Update()
     this->UpdateBar();
   }
   this->Refresh();
-}
-
-//------------------------------------------------------------------------------
-void CloudView::UpdateSample()
-{
-  const auto end = static_cast<std::uint32_t>(this->Points.GetNumberOfPoints());
-  for (auto row = static_cast<std::uint32_t>(this->Sampled); row < end; ++row)
-  {
-    if ((Hash(row) & this->SampleMask) != 0)
-    {
-      continue;
-    }
-    if (this->SampleRows.size() == MaximumSample)
-    {
-      this->SampleMask = 2 * this->SampleMask + 1;
-      this->SampleRows.erase(
-        std::remove_if(this->SampleRows.begin(), this->SampleRows.end(),
-          [this](std::uint32_t kept) { return (Hash(kept) & this->SampleMask) != 0; }),
-        this->SampleRows.end());
-      if ((Hash(row) & this->SampleMask) != 0)
-      {
-        continue;
-      }
-    }
-    this->SampleRows.push_back(row);
-  }
-  this->Sampled = end;
 }
 
 //------------------------------------------------------------------------------
@@ -182,116 +155,11 @@ void CloudView::Recolor()
 }
 
 //------------------------------------------------------------------------------
-void CloudView::Refresh()
+void CloudView::SetWholeLimit(vtkIdType points)
 {
-  const auto& chunks = this->Points.GetChunks();
-  while (this->Chunks.size() < chunks.size())
-  {
-    this->Chunks.push_back(std::make_unique<PointActor>(this->Renderer));
-    PointActor& actor = *this->Chunks.back();
-    actor.Rgba.reserve(static_cast<std::size_t>(4 * CloudChunk::Capacity));
-    actor.SetPointSize(this->PointSize);
-    actor.SetPlanes(this->Window.HasBox ? this->Planes.Get() : nullptr);
-  }
-  const bool isSampled = this->Interacting && this->SampleMask != 0;
-  if (isSampled)
-  {
-    for (const auto& actor : this->Chunks)
-    {
-      actor->SetVisible(false);
-    }
-    this->ShowSample();
-    return;
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chunks.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
-      {
-        PointActor& actor = *this->Chunks[c];
-        const auto colored = static_cast<vtkIdType>(actor.Rgba.size() / 4);
-        const vtkIdType size = chunks[c]->GetSize();
-        if (colored < size)
-        {
-          actor.Rgba.resize(static_cast<std::size_t>(4 * size));
-          this->Colors.Map(
-            this->Points, *chunks[c], colored, size, actor.Rgba.data() + 4 * colored);
-          actor.ColorsChanged();
-        }
-      }
-    });
-  for (std::size_t c = 0; c < chunks.size(); ++c)
-  {
-    this->ShowChunk(c);
-  }
+  this->WholeLimit = points;
   this->Sample->SetVisible(false);
-}
-
-//------------------------------------------------------------------------------
-void CloudView::ShowChunk(std::size_t c)
-{
-  const CloudChunk& chunk = *this->Points.GetChunks()[c];
-  PointActor& actor = *this->Chunks[c];
-  if (!this->Visible || this->Window.IsOutside(chunk))
-  {
-    actor.SetVisible(false);
-    return;
-  }
-  const double limit = this->Window.TimeLimit;
-  if (!(chunk.LastTime > limit))
-  {
-    actor.Show(chunk.GetXyz(), chunk.GetSize());
-  }
-  else if (chunk.IsInTimeOrder)
-  {
-    vtkIdType first = 0, count = chunk.GetSize();
-    while (count > 0) // binary search for the first later point
-    {
-      const vtkIdType half = count / 2;
-      const bool isShown = !(chunk.GetTime(first + half) > limit);
-      first = isShown ? first + half + 1 : first;
-      count = isShown ? count - half - 1 : half;
-    }
-    actor.Show(chunk.GetXyz(), first);
-  }
-  else
-  {
-    std::vector<vtkIdType> which;
-    for (vtkIdType i = 0; i < chunk.GetSize(); ++i)
-    {
-      if (!(chunk.GetTime(i) > limit))
-      {
-        which.push_back(i);
-      }
-    }
-    actor.ShowSome(chunk.GetXyz(), which);
-  }
-  actor.SetVisible(true);
-}
-
-//------------------------------------------------------------------------------
-void CloudView::ShowSample()
-{
-  std::vector<std::uint8_t>& rgba = this->Sample->Rgba;
-  rgba.resize(4 * this->SampleRows.size());
-  this->SampleXyz.resize(3 * this->SampleRows.size());
-  std::size_t shown = 0;
-  for (const std::uint32_t row : this->SampleRows)
-  {
-    const CloudChunk& chunk = this->Points.FindChunk(row);
-    const vtkIdType i = row - chunk.FirstRow;
-    if (this->Window.Contains(chunk, i))
-    {
-      std::copy(
-        chunk.GetXyz() + 3 * i, chunk.GetXyz() + 3 * i + 3, this->SampleXyz.data() + 3 * shown);
-      this->Colors.Map(this->Points, chunk, i, i + 1, rgba.data() + 4 * shown);
-      ++shown;
-    }
-  }
-  this->Sample->ColorsChanged();
-  this->Sample->Show(this->SampleXyz.data(), 0); // the numbers have changed in place
-  this->Sample->Show(this->SampleXyz.data(), static_cast<vtkIdType>(shown));
-  this->Sample->SetVisible(this->Visible);
+  this->Refresh();
 }
 
 //------------------------------------------------------------------------------
@@ -353,15 +221,9 @@ void CloudView::SetPointSize(double size)
 //------------------------------------------------------------------------------
 void CloudView::SetEyeDomeLighting(bool on)
 {
-  if (on != this->EyeDomeLighting)
-  {
-    this->EyeDomeLighting = on;
-    if (this->Renderer->GetPass() && this->Renderer->GetRenderWindow())
-    {
-      this->Renderer->GetPass()->ReleaseGraphicsResources(this->Renderer->GetRenderWindow());
-    }
-    this->Renderer->SetPass(on ? MakeEyeDomePass().Get() : nullptr);
-  }
+  this->EyeDomeLighting = on;
+  this->Unshaded = false;
+  this->UpdatePass();
 }
 
 //------------------------------------------------------------------------------
@@ -421,6 +283,7 @@ void CloudView::SetInteracting(bool on)
   if (on != this->Interacting)
   {
     this->Interacting = on;
+    this->UpdatePass();
     this->Refresh();
   }
 }
@@ -429,6 +292,7 @@ void CloudView::SetInteracting(bool on)
 void CloudView::SetVisible(bool on)
 {
   this->Visible = on;
+  this->Sample->SetVisible(false);
   this->UpdateBar();
   this->Refresh();
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a cloud: all of it when still, a sample while the camera moves.
+// Draws a cloud: all that is to be seen of it when still, a sample while the camera moves.
 
 #ifndef heliosCloudView_h
 #define heliosCloudView_h
 
+#include "heliosBoundsProp.h"
 #include "heliosCloud.h"
 #include "heliosCloudColors.h"
 #include "heliosCloudPicker.h"
@@ -26,14 +27,24 @@ namespace helios
 class PointActor;
 
 /**
- * Points without cells, 4 bytes a point beside the cloud's own; the renderer's coordinates are the
- * cloud's less its origin. Call Update() once the cloud has grown, before anything is drawn.
+ * Points without cells; the renderer's coordinates are the cloud's less its origin. Call Update()
+ * once the cloud has grown, before anything is drawn.
+ *
+ * A cloud of up to GetWholeLimit() points is drawn as it is, for 4 bytes a point beside its own. Of
+ * a larger one each picture draws the points that are closest to the camera at some pixel, found
+ * among all in parallel: the same picture, and quick where a processor draws it.
  */
 class CloudView
 {
 public:
   /// Points drawn while moving, at most.
-  static constexpr std::size_t MaximumSample = 200000;
+  static constexpr std::size_t MaximumSample = 120000;
+
+  ///@{
+  /// Clouds of up to so many points are drawn as they are. Default: 2 million.
+  void SetWholeLimit(vtkIdType points);
+  vtkIdType GetWholeLimit() const { return this->WholeLimit; }
+  ///@}
 
   /// The cloud and the renderer must outlive the view.
   CloudView(const Cloud& cloud, vtkRenderer* renderer);
@@ -87,6 +98,14 @@ public:
 
   /// True while the camera moves: draws the sample only.
   void SetInteracting(bool on);
+  bool IsInteracting() const { return this->Interacting; }
+
+  /**
+   * How long the last picture took [s], if the view is to keep 10 frames a second while moving: one
+   * that took above 80 ms makes the next do without eye-dome lighting, then with half the points
+   * (down to 20,000); below 25 ms points come back.
+   */
+  void ReportFrame(double seconds);
   void SetVisible(bool on);
 
   /// The legend; hidden where there is one colour or SetScalarBarVisible(false).
@@ -96,7 +115,8 @@ public:
   /// The echo drawn at a pixel of the window, or within a radius [pixels] of it.
   std::optional<Echo> Pick(double x, double y, double radius) const;
 
-  /// Points that the next picture draws, those outside the clip box of a chunk that reaches in, too.
+  /// Points that are drawn; those outside the clip box of a chunk that reaches in, too. Of a cloud
+  /// above GetWholeLimit(): in the last picture.
   vtkIdType GetNumberOfDrawnPoints() const;
 
   /// Bytes beside the cloud's own.
@@ -109,8 +129,14 @@ private:
   void UpdateBar();
   void Recolor();
   void Refresh();
+  void Colorize();
   void ShowChunk(std::size_t c);
   void ShowSample();
+  void ShowVisible();
+  void ShowRows(const std::vector<std::uint32_t>& rows);
+  bool IsWhole() const { return this->Points.GetNumberOfPoints() <= this->WholeLimit; }
+  void UpdatePass();
+  void UpdateRoom();
   void SetUpPlanes();
 
   const Cloud& Points;
@@ -121,6 +147,13 @@ private:
   bool AutomaticRange = true;
   bool EyeDomeLighting = false;
   bool Interacting = false;
+  bool Shaded = false;   // eye-dome lighting is at work
+  bool Unshaded = false; // it is too slow while moving
+  bool Stale = true;     // what is visible has to be found again
+  vtkIdType WholeLimit = 2000000;
+  std::uint32_t MovingMask = 0; // of the sample's rows that are drawn
+  std::unique_ptr<PixelMap> VisibleFrom;
+  unsigned long Observer = 0;
   bool Visible = true;
   bool BarVisible = true;
   double PointSize = 2.0;
@@ -131,6 +164,7 @@ private:
   std::uint32_t SampleMask = 0;
   vtkIdType Sampled = 0; // points of the cloud that were asked
   vtkIdType FittedTo = 0;
+  vtkNew<BoundsProp> Room;
   vtkNew<vtkPlaneCollection> Planes;
   vtkNew<vtkScalarBarActor> Bar;
   vtkNew<vtkLookupTable> Table;

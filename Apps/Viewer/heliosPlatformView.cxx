@@ -125,19 +125,10 @@ void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
 }
 
 //------------------------------------------------------------------------------
-void PlatformView::SetVisible(bool visible)
+void PlatformView::SetModelVisible(bool visible)
 {
-  for (vtkActor* actor :
-    { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(), this->Stands.Get() })
-  {
-    actor->SetVisibility(visible);
-  }
-}
-
-//------------------------------------------------------------------------------
-bool PlatformView::IsVisible() const
-{
-  return this->Body->GetVisibility() != 0;
+  this->Body->SetVisibility(visible && this->HasModel);
+  this->Scanner->SetVisibility(visible && this->HasModel);
 }
 
 //------------------------------------------------------------------------------
@@ -170,8 +161,6 @@ void PlatformView::Place(PlatformType type, const Pose& platform, const Pose& mo
   if (!this->HasModel || type != this->Type)
   {
     Show(this->Body, MakePlatformModel(type));
-    this->Body->SetVisibility(this->Ways->GetVisibility());
-    this->Scanner->SetVisibility(this->Ways->GetVisibility());
     this->Type = type;
     this->HasModel = true;
   }

@@ -32,8 +32,9 @@ public:
   /// The ways of all legs, as lines; positions of tripods, as points.
   void SetWays(const std::vector<SimulatedLeg>& legs);
 
-  void SetVisible(bool visible);
-  bool IsVisible() const;
+  /// Platform and scanner, which are in the way of an eye in the scanner's place.
+  void SetModelVisible(bool visible);
+
   void SetFanVisible(bool visible);
   bool IsFanVisible() const;
 

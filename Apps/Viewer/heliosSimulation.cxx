@@ -33,8 +33,9 @@ constexpr double SamplesPerLeg = 2000.0; // of the way
 
 Pose GetPose(vtkPolyData* way, vtkIdType sample)
 {
-  double q[4];
-  way->GetPointData()->GetArray(names::Orientation)->GetTuple(sample, q);
+  double q[4] = { 1.0, 0.0, 0.0, 0.0 };
+  vtkDataArray* orientations = way->GetPointData()->GetArray(names::Orientation);
+  orientations ? orientations->GetTuple(sample, q) : void();
   return { Vec3(way->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
 }
 
@@ -62,6 +63,28 @@ Pose SimulatedLeg::GetPose(double time) const
   const Pose& after = this->Poses[b];
   return { before.Position + share * (after.Position - before.Position),
     before.Orientation.Slerp(share, after.Orientation) };
+}
+
+//------------------------------------------------------------------------------
+const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
+{
+  const SimulatedLeg* found = legs.empty() ? nullptr : &legs.front();
+  for (const SimulatedLeg& leg : legs)
+  {
+    found = leg.StartTime <= time ? &leg : found;
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void SetWay(vtkPolyData* way, SimulatedLeg& leg)
+{
+  vtkDataArray* clock = way->GetPointData()->GetArray(names::GpsTime);
+  for (vtkIdType k = 0; k < way->GetNumberOfPoints(); ++k)
+  {
+    leg.Times.push_back(clock ? clock->GetTuple1(k) : 0.0);
+    leg.Poses.push_back(GetPose(way, k));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -118,17 +141,6 @@ double Simulation::GetStartTime() const
 double Simulation::GetEndTime() const
 {
   return this->Legs.empty() ? 0.0 : this->Legs.back().EndTime;
-}
-
-//------------------------------------------------------------------------------
-const SimulatedLeg* Simulation::FindLeg(double time) const
-{
-  const SimulatedLeg* found = this->Legs.empty() ? nullptr : &this->Legs.front();
-  for (const SimulatedLeg& leg : this->Legs)
-  {
-    found = leg.StartTime <= time ? &leg : found;
-  }
-  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -246,6 +258,7 @@ void Simulation::ReadLegs()
   const SurveyData& data = this->Survey->GetData();
   for (int i = 0; i < this->Survey->GetNumberOfLegs(); ++i)
   {
+    const auto index = static_cast<std::size_t>(i);
     SimulatedLeg leg;
     leg.Leg = i;
     double times[2];
@@ -261,14 +274,11 @@ void Simulation::ReadLegs()
     leg.EndTime = times[1];
     leg.FirstPulse = pulses[0];
     leg.LastPulse = pulses[1];
-    leg.Mount = data.GetPlatform(static_cast<std::size_t>(i)).Mount;
-    leg.IsMoving = data.IsMoving(static_cast<std::size_t>(i));
-    vtkDataArray* clock = way->GetPointData()->GetArray(names::GpsTime);
-    for (vtkIdType k = 0; k < way->GetNumberOfPoints(); ++k)
-    {
-      leg.Times.push_back(clock->GetTuple1(k));
-      leg.Poses.push_back(helios::GetPose(way, k));
-    }
+    leg.Mount = data.GetPlatform(index).Mount;
+    leg.IsMoving = data.IsMoving(index);
+    leg.Type = data.GetPlatform(index).Type;
+    leg.LineFrequency = data.Legs[index].Scans.front().ScanFrequency;
+    SetWay(way, leg);
     this->Legs.push_back(leg);
   }
 }

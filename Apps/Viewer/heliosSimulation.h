@@ -6,6 +6,7 @@
 #define heliosSimulation_h
 
 #include "heliosPose.h"
+#include "heliosSurveyData.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -38,10 +39,18 @@ struct SimulatedLeg
   std::vector<double> Times;
   std::vector<Pose> Poses;
   bool IsMoving = false;
+  PlatformType Type = PlatformType::Static;
+  double LineFrequency = 0.0; ///< of the scan [Hz]; 0: not known
 
   /// Where the platform is [s]: before and after the leg where it starts and ends.
   Pose GetPose(double time) const;
 };
+
+/// The leg of a time [s], the last one that has begun; null where there is none.
+const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
+
+/// Takes the samples of a way, a polyline with GpsTime and Orientation.
+void SetWay(vtkPolyData* way, SimulatedLeg& leg);
 
 /// All that a pulse left behind.
 struct PulseRecord
@@ -87,9 +96,6 @@ public:
   double GetEndTime() const;
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   ///@}
-
-  /// The leg that is run at a time [s], the last one that has begun; null where there is none.
-  const SimulatedLeg* FindLeg(double time) const;
 
   /// Runs up to a time [s]; infinity: to the end. Never goes back.
   void SetTarget(double time);

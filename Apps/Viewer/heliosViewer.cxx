@@ -146,9 +146,25 @@ void Viewer::SetUpView()
 }
 
 //------------------------------------------------------------------------------
+/// The camera that the options ask for; says what is wrong with them, or returns an empty text.
+std::string Viewer::SetUpCamera()
+{
+  const auto& names = GetCameraModeNames();
+  const auto mode = std::find(names.begin(), names.end(), this->Options.Camera) - names.begin();
+  this->SetCameraMode(static_cast<CameraMode>(mode));
+  if (this->Options.CameraScript.empty())
+  {
+    return {};
+  }
+  this->SetCameraMode(CameraMode::Script);
+  return this->Camera.ReadScript(this->Options.CameraScript);
+}
+
+//------------------------------------------------------------------------------
 bool Viewer::LoadInputs()
 {
-  const std::string problem = ShowInputs(*this);
+  std::string problem = this->SetUpCamera();
+  problem = problem.empty() ? ShowInputs(*this) : problem;
   if (!problem.empty())
   {
     std::cerr << "error: " << problem << "\n";
@@ -179,8 +195,33 @@ void Viewer::ShowScene(vtkPolyData* scene, bool keepCamera)
 {
   double bounds[6];
   scene->GetBounds(bounds);
+  this->Running.reset();
+  this->Legs.clear();
   this->Begin(bounds, keepCamera);
   this->ShowMesh(scene);
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
+{
+  double bounds[6];
+  double times[2];
+  this->Running.reset();
+  this->Legs = legs;
+  this->Origin = this->Points->GetOrigin();
+  this->Camera.SetOrigin(this->Origin);
+  const bool hasPoints = this->Points->GetBounds(bounds);
+  this->ShowBox(bounds, hasPoints);
+  this->PointsView->Update();
+  this->ShowWays();
+  this->SetCameraMode(this->Camera.GetMode());
+  this->Camera.Reset();
+  if (this->Points->GetTimeRange(times))
+  {
+    this->SetSpan(times[0], times[1]);
+    this->Clock.Seek(this->Options.StartTime >= 0.0 ? this->Options.StartTime : times[1]);
+  }
   this->Redraw();
 }
 
@@ -211,17 +252,36 @@ void Viewer::Begin(const double bounds[6], bool keepCamera)
   this->Points->Clear();
   this->Points->SetOrigin(this->Origin);
   this->PointsView->Update();
-  double local[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-  for (int i = 0; hasData && i < 6; ++i)
-  {
-    local[i] = bounds[i] - this->Origin[i / 2];
-  }
-  this->Camera.SetBounds(local);
+  this->Camera.SetOrigin(this->Origin);
+  this->ShowBox(bounds, hasData);
   if (!keepCamera || before != this->Origin)
   {
     this->SetCameraMode(this->Camera.GetMode());
     this->Camera.Reset();
   }
+}
+
+//------------------------------------------------------------------------------
+/// A box [m], where there is one, and all ways are in the picture.
+void Viewer::ShowBox(const double bounds[6], bool hasData)
+{
+  vtkBoundingBox box;
+  hasData ? box.SetBounds(bounds) : void();
+  for (const SimulatedLeg& leg : this->Legs)
+  {
+    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
+    {
+      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
+    }
+  }
+  double whole[6];
+  box.GetBounds(whole);
+  double local[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
+  for (int i = 0; box.IsValid() && i < 6; ++i)
+  {
+    local[i] = whole[i] - this->Origin[i / 2];
+  }
+  this->Camera.SetBounds(local);
 }
 
 //------------------------------------------------------------------------------
@@ -322,28 +382,32 @@ void Viewer::FinishLoading()
     return;
   }
   this->IsLoading = false;
-  vtkBoundingBox box;
   double bounds[6];
   this->Running->GetScene()->GetBounds(bounds);
-  box.SetBounds(bounds);
-  for (const SimulatedLeg& leg : this->Running->GetLegs())
-  {
-    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
-    {
-      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
-    }
-  }
-  box.GetBounds(bounds);
+  this->Legs = this->Running->GetLegs();
   this->Begin(bounds, this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
+  this->ShowWays();
+  this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ShowWays()
+{
   this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
-  this->Platform->SetWays(this->Running->GetLegs());
+  this->Platform->SetWays(this->Legs);
   this->Platform->SetFanVisible(this->Options.Fan);
-  this->Clock.SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
-  this->Clock.Seek(std::max(this->Options.StartTime, this->Running->GetStartTime()));
+}
+
+//------------------------------------------------------------------------------
+/// What the time bar goes from and to [s].
+void Viewer::SetSpan(double start, double end)
+{
+  this->Clock.SetSpan(start, end);
+  this->Clock.Seek(std::max(this->Options.StartTime, start));
   if (this->Bar)
   {
-    this->Bar->SetSpan(this->Clock.GetStart(), this->Clock.GetEnd());
+    this->Bar->SetSpan(start, end);
     this->Bar->SetVisible(this->Words->IsVisible());
   }
   this->Redraw();
@@ -370,19 +434,18 @@ void Viewer::PlacePlatform(double seconds)
   const double time = this->Clock.GetTime();
   const bool isAll = this->Clock.GetTime() >= this->Clock.GetEnd();
   this->PointsView->SetTimeLimit(isAll ? std::numeric_limits<double>::infinity() : time);
-  const SimulatedLeg* leg = this->Platform ? this->Running->FindLeg(time) : nullptr;
+  const SimulatedLeg* leg = this->Platform ? FindLeg(this->Legs, time) : nullptr;
   if (!leg)
   {
     this->Camera.Update(seconds, nullptr);
     return;
   }
-  const auto index = static_cast<std::size_t>(leg->Leg);
-  const SurveyData& data = this->Survey->GetData();
   const Pose platform = leg->GetPose(time);
   const Pose scanner = platform * leg->Mount;
-  this->Platform->Place(data.GetPlatform(index).Type, platform, leg->Mount);
-  const double lines = data.Legs[index].Scans.front().ScanFrequency;
-  const double line = lines > 0.0 ? std::min(1.0 / lines, 0.2) : FanSeconds;
+  this->Platform->Place(leg->Type, platform, leg->Mount);
+  this->Platform->SetModelVisible(this->Camera.GetMode() != CameraMode::Scanner);
+  const double line =
+    leg->LineFrequency > 0.0 ? std::min(1.0 / leg->LineFrequency, 0.2) : FanSeconds;
   this->LastEnds = FindNewestPoints(*this->Points, time, line, FanBeams);
   this->Platform->SetFan(scanner.Position, this->LastEnds);
   CameraRig::Subject subject;
@@ -404,6 +467,7 @@ void Viewer::Draw()
   this->Window->Render();
   const double end = this->Now();
   this->Budget.NoteFrame(end, end - start);
+  this->PointsView->ReportFrame(end - start);
   this->FramesPerSecond = 1.0 / std::max(1e-3, end - start);
   ++this->NumberOfFrames;
   this->IsDirty = false;

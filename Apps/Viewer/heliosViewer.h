@@ -11,6 +11,7 @@
 #include "heliosPlayClock.h"
 #include "heliosPose.h"
 #include "heliosRecorder.h"
+#include "heliosSimulation.h"
 #include "heliosViewerOptions.h"
 #include "vtkHeliosSurvey.h"
 
@@ -34,7 +35,6 @@ class CloudView;
 class Hud;
 class PlatformView;
 class SceneView;
-class Simulation;
 class TimeBar;
 class ViewerKeys;
 class ViewerTool;
@@ -63,6 +63,7 @@ public:
   PlatformView* GetPlatformView() { return this->Platform.get(); }
   Simulation* GetSimulation() { return this->Running.get(); } ///< null: nothing runs
   vtkHeliosSurvey* GetSurvey() const { return this->Survey; }
+  const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   CameraRig& GetCamera() { return this->Camera; }
   PlayClock& GetClock() { return this->Clock; }
   Hud& GetHud() { return *this->Words; }
@@ -83,8 +84,8 @@ public:
   /// Asks for a picture soon.
   void Redraw() { this->IsDirty = true; }
 
-  /// Shows what the cloud holds now; call after appending to it.
-  void ShowCloud(bool keepCamera = false);
+  /// Shows what the cloud holds, and the ways it was scanned from; the cloud's origin counts.
+  void ShowCloud(const std::vector<SimulatedLeg>& legs);
 
   /// Sets the camera and the style of its handling.
   void SetCameraMode(CameraMode mode);
@@ -102,12 +103,16 @@ public:
 private:
   friend class ViewerState;
 
+  std::string SetUpCamera();
   bool LoadInputs();
   void SetUpWindow();
   void SetUpEvents();
   void SetUpView();
   void Begin(const double bounds[6], bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
+  void ShowWays();
+  void ShowBox(const double bounds[6], bool hasData);
+  void SetSpan(double start, double end);
   int RunInteractively();
   int RunScripted();
   void Frame(double seconds);
@@ -144,6 +149,7 @@ private:
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   std::unique_ptr<Simulation> Running;
+  std::vector<SimulatedLeg> Legs;
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<CloudView> PointsView;
   std::unique_ptr<SceneView> Mesh;

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosViewerInputs.h"
 
+#include "heliosCloudReader.h"
 #include "heliosErrorText.h"
 #include "heliosInspector.h"
 #include "heliosPlanView.h"
+#include "heliosSimulation.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
 #include "vtkHeliosPlannerReader.h"
@@ -101,9 +103,52 @@ std::string ShowPlan(Viewer& viewer, const std::string& path)
                              : ShowSceneFile(viewer, plan.Survey);
 }
 
-std::string ShowClouds(Viewer&, const std::vector<std::string>& inputs)
+/// The ways in the files of a run, as the legs of a replay.
+std::vector<SimulatedLeg> MakeLegs(
+  const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
 {
-  return inputs.front() + ": clouds are to come";
+  std::vector<SimulatedLeg> legs;
+  for (vtkPolyData* way : ways)
+  {
+    SimulatedLeg leg;
+    leg.Leg = static_cast<int>(legs.size());
+    SetWay(way, leg);
+    if (leg.Times.empty())
+    {
+      continue;
+    }
+    leg.StartTime = leg.Times.front();
+    leg.EndTime = leg.Times.back();
+    leg.IsMoving = leg.Times.size() > 1;
+    leg.Type = leg.IsMoving ? PlatformType::LinearPath : PlatformType::Static;
+    legs.push_back(leg);
+  }
+  std::stable_sort(legs.begin(), legs.end(),
+    [](const SimulatedLeg& a, const SimulatedLeg& b) { return a.StartTime < b.StartTime; });
+  for (std::size_t i = 0; i < legs.size(); ++i) // a tripod's stand lasts until the next
+  {
+    const double next = i + 1 < legs.size() ? legs[i + 1].StartTime : end;
+    legs[i].EndTime = legs[i].IsMoving ? legs[i].EndTime : std::max(next, legs[i].EndTime);
+  }
+  return legs;
+}
+
+/// Finished runs and clouds, all together.
+std::string ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
+{
+  CloudReader reader;
+  for (const std::string& input : inputs)
+  {
+    const std::string problem = reader.Read(input, viewer.GetCloud());
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  double times[2] = { 0.0, 0.0 };
+  viewer.GetCloud().GetTimeRange(times);
+  viewer.ShowCloud(MakeLegs(reader.Trajectories, times[1]));
+  return {};
 }
 
 } // namespace

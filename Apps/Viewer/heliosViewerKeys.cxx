@@ -8,11 +8,9 @@
 #include "heliosPlatformView.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
-#include "heliosSurveyData.h"
 #include "heliosTimeBar.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
-#include "vtkHeliosSurvey.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,15 +30,8 @@ void Step(Viewer& viewer, int lines)
 {
   PlayClock& clock = viewer.GetClock();
   clock.SetPlaying(false);
-  double seconds = StepSeconds;
-  const Simulation* run = viewer.GetSimulation();
-  const SimulatedLeg* leg = run ? run->FindLeg(clock.GetTime()) : nullptr;
-  if (leg)
-  {
-    const LegData& data = viewer.GetSurvey()->GetData().Legs[static_cast<std::size_t>(leg->Leg)];
-    const double frequency = data.Scans.front().ScanFrequency;
-    seconds = frequency > 0.0 ? 1.0 / frequency : StepSeconds;
-  }
+  const SimulatedLeg* leg = FindLeg(viewer.GetLegs(), clock.GetTime());
+  const double seconds = leg && leg->LineFrequency > 0.0 ? 1.0 / leg->LineFrequency : StepSeconds;
   clock.Seek(clock.GetTime() + lines * seconds);
 }
 

@@ -3,6 +3,7 @@
 // The viewer without its user: videos and stills.
 #include "heliosViewer.h"
 
+#include "heliosCloudView.h"
 #include "heliosSimulation.h"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ int Viewer::RunScripted()
     this->Clock.Seek(time);
     this->WaitFor(time);
     this->Frame(0.0);
+    this->PointsView->SetAutomaticRange(); // of all there is
     this->Draw();
     this->SaveStill(this->Options.Still);
   }

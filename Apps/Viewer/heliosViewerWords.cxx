@@ -142,12 +142,12 @@ std::string Viewer::DescribeCloud() const
 /// A line a leg, about the one at work.
 std::string Viewer::DescribeLegs() const
 {
-  if (!this->Running || this->IsLoading || this->Running->GetLegs().empty())
+  const auto& legs = this->Legs;
+  const SimulatedLeg* current = FindLeg(legs, this->Clock.GetTime());
+  if (this->IsLoading || !current)
   {
     return {};
   }
-  const auto& legs = this->Running->GetLegs();
-  const SimulatedLeg* current = this->Running->FindLeg(this->Clock.GetTime());
   const auto at = static_cast<std::size_t>(current - legs.data());
   const std::size_t most = std::min(MostLegs, legs.size());
   const std::size_t first = std::min(at - std::min(at, most / 2), legs.size() - most);

@@ -8,6 +8,10 @@ SUMMARY                 one line for ``vtkhelios --help``
 add_arguments(parser)   its arguments; also parser.description and parser.epilog
 run(arguments)          does it and returns the exit code
 
+or, where the arguments are another program's, instead of the last two
+
+start(arguments)        does it, given the arguments as words, and returns the exit code
+
 Exit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted (143 terminated).
 """
 
@@ -32,6 +36,7 @@ examples:
   vtkhelios run --help                              all about running surveys
   vtkhelios plan scene.xml                          where to scan a scene from, as a survey
   vtkhelios validate survey.xml                     all that is wrong with it, at once
+  vtkhelios view survey.xml                         watch it run
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    the echoes of stored waveforms anew
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
@@ -51,13 +56,18 @@ def make_parser():
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
     for name, module in commands().items():
         command = subparsers.add_parser(name, help=module.SUMMARY, description=module.SUMMARY)
-        module.add_arguments(command)
-        command.set_defaults(run=module.run)
+        if not hasattr(module, "start"):
+            module.add_arguments(command)
+            command.set_defaults(run=module.run)
     return parser
 
 
 def main(argv=None):
     """Runs a command line and returns its exit code."""
+    argv = sys.argv[1:] if argv is None else list(argv)
+    start = getattr(commands().get(argv[0]), "start", None) if argv else None
+    if start:
+        return start(argv[1:])
     parser = make_parser()
     arguments = parser.parse_args(argv)
     if arguments.version:

@@ -20,6 +20,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <vector>
 
 namespace helios
@@ -38,15 +39,34 @@ inline vtkSmartPointer<vtkPolyData> MakeEchoes(const std::vector<Vec3>& places)
   return echoes;
 }
 
-inline void AddColumn(vtkPolyData* echoes, const char* name, const std::vector<double>& values)
+template <typename Array = vtkDoubleArray>
+void AddColumn(vtkPolyData* echoes, const char* name, const std::vector<double>& values)
 {
-  vtkNew<vtkDoubleArray> array;
+  vtkNew<Array> array;
   array->SetName(name);
   for (const double value : values)
   {
-    array->InsertNextValue(value);
+    array->InsertNextValue(static_cast<typename Array::ValueType>(value));
   }
   echoes->GetPointData()->AddArray(array);
+}
+
+/// n points at random-looking places in [-9, 9]^2, height 0, with pulse ids and times 0, 1, 2 ...
+inline vtkSmartPointer<vtkPolyData> MakeField(vtkIdType n)
+{
+  std::vector<Vec3> places;
+  std::vector<double> numbers;
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const auto at = static_cast<double>(i);
+    places.emplace_back(18.0 * std::fmod(at * 0.7548776662466927, 1.0) - 9.0,
+      18.0 * std::fmod(at * 0.5698402909980532, 1.0) - 9.0, 0.0);
+    numbers.push_back(at);
+  }
+  auto field = MakeEchoes(places);
+  AddColumn(field, vtkHeliosArrayNames::PulseIds, numbers);
+  AddColumn(field, vtkHeliosArrayNames::GpsTime, numbers);
+  return field;
 }
 
 /// Looks down on x, y in [-10, 10] with 10 pixels a metre; x = y = 0 is at pixel 100, 100.

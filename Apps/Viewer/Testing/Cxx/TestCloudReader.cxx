@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCloud.h"
+#include "heliosCloudReader.h"
+#include "heliosTempFolder.h"
+#include "heliosViewerTest.h"
+#include "vtkHeliosLASWriter.h"
+#include "vtkHeliosPointTextWriter.h"
+#include "vtkHeliosPointXMLWriter.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace helios;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+void WriteText(const std::string& path, const std::string& text)
+{
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Three echoes of pulses 41, 42, 42.
+vtkSmartPointer<vtkPolyData> MakeThree()
+{
+  auto echoes = MakeEchoes({ { 500000.25, 10, 1 }, { 500001.25, 20, 2 }, { 500002.25, 30, 3 } });
+  AddColumn(echoes, names::Amplitude, { 1e-9, 2e-9, 3e-9 });
+  AddColumn(echoes, names::EchoWidth, { 4, 4, 4 });
+  AddColumn<vtkTypeInt64Array>(echoes, names::ReturnNumber, { 1, 1, 2 });
+  AddColumn<vtkTypeInt64Array>(echoes, names::NumberOfReturns, { 1, 2, 2 });
+  AddColumn<vtkTypeInt64Array>(echoes, names::PulseIds, { 41, 42, 42 });
+  AddColumn<vtkTypeInt64Array>(echoes, names::PartIds, { 1, 0, 1 });
+  AddColumn<vtkTypeInt64Array>(echoes, names::ClassificationIds, { 2, 5, 6 });
+  AddColumn(echoes, names::GpsTime, { 0.5, 0.75, 0.75 });
+  vtkNew<vtkStringArray> parts;
+  parts->SetName(names::PartName);
+  parts->InsertNextValue("oak tree");
+  parts->InsertNextValue("house");
+  echoes->GetFieldData()->AddArray(parts);
+  return echoes;
+}
+
+template <typename Writer>
+void WriteWith(const std::string& path, vtkPolyData* echoes)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileName(path.c_str());
+  REQUIRE((writer->Open() && writer->Write(echoes) && writer->Write(echoes) && writer->Close()));
+}
+
+void CheckThird(const Cloud& cloud, vtkIdType count)
+{
+  REQUIRE(cloud.GetNumberOfPoints() == count);
+  const Echo echo = cloud.GetEcho(2);
+  CHECK(std::abs(echo.Position[0] - 500002.25) < 1e-4);
+  CHECK(echo.Position[1] == 30.0);
+  CHECK(echo.Position[2] == 3.0);
+}
+
+} // namespace
+
+TEST_CASE("CloudReader: our text files come back with every column")
+{
+  const TempFolder folder;
+  WriteWith<vtkHeliosPointTextWriter>(folder / "leg012_points.xyz", MakeThree());
+  WriteText(folder / "leg012_trajectory.txt", "0 0 9 0.0 0 0 0\n1 0 9 1.0 0 0 0\n");
+  CloudReader reader;
+  Cloud cloud;
+  REQUIRE(reader.Read(folder / "leg012_points.xyz", cloud).empty());
+  CheckThird(cloud, 6);
+  const Echo echo = cloud.GetEcho(2);
+  CHECK(echo.PulseId == 42);
+  CHECK(echo.ReturnNumber == 2);
+  CHECK(echo.NumberOfReturns == 2);
+  CHECK(echo.Class == 6);
+  CHECK(echo.GpsTime == 0.75);
+  CHECK(echo.Leg == 12);
+  CHECK(std::abs(echo.Amplitude / 3e-9 - 1.0) < 1e-3);
+  CHECK(reader.PartNames == std::vector<std::string>{ "house", "oak_tree" });
+  CHECK(echo.Part == 0);
+  REQUIRE(reader.Trajectories.size() == 1);
+  CHECK(reader.Trajectories[0]->GetNumberOfPoints() == 2);
+  CHECK(reader.Trajectories[0]->GetNumberOfCells() == 1);
+}
+
+TEST_CASE("CloudReader: names of parts given before are kept, numbers are numbers")
+{
+  const TempFolder folder;
+  WriteText(folder / "a.xyz",
+    "1 2 3 4 5 1 1 7 #odd 2 0.5\n1 2 3 4 5 1 1 8 17 2 0.5\n1 2 3 4 5 1 1 9 oak_tree 2 0.5\n");
+  CloudReader reader;
+  reader.PartNames = { "ground", "oak_tree" };
+  Cloud cloud;
+  REQUIRE(reader.Read(folder / "a.xyz", cloud).empty());
+  CHECK(cloud.GetEcho(0).Part == 2);
+  CHECK(cloud.GetEcho(1).Part == 17);
+  CHECK(cloud.GetEcho(2).Part == 1);
+  CHECK(reader.PartNames.back() == "#odd");
+}
+
+TEST_CASE("CloudReader: any text with x y z first, between blanks, commas or semicolons")
+{
+  const TempFolder folder;
+  WriteText(folder / "a.xyz", "500000.25 10 1\n500001.25 20 2 9\n500002.25 30 3\n");
+  WriteText(folder / "a.txt", "500000.25,10,1\n500001.25,20,2\n500002.25,30,3\n");
+  WriteText(folder / "a.asc", "500000.25;10;1\r\n500001.25;20;2\r\n500002.25;30;3\r\n");
+  for (const char* name : { "a.xyz", "a.txt", "a.asc" })
+  {
+    Cloud cloud;
+    CHECK(CloudReader().Read(folder / name, cloud) == "");
+    CheckThird(cloud, 3);
+    CHECK_FALSE(cloud.Has(CloudColumn::Class));
+  }
+}
+
+TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
+{
+  const TempFolder folder;
+  const auto echoes = MakeThree();
+  WriteWith<vtkHeliosLASWriter>(folder / "leg003_points.las", echoes);
+  WriteWith<vtkHeliosPointXMLWriter>(folder / "leg004_points.pvtp", echoes);
+  vtkNew<vtkXMLPolyDataWriter> vtp;
+  vtp->SetInputData(echoes);
+  vtp->SetFileName((folder / "a.vtp").c_str());
+  REQUIRE(vtp->Write() == 1);
+  WriteText(folder / "a.PLY",
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+    "property float z\nend_header\n0 10 1\n1 20 2\n2.25 30 3\n");
+
+  Cloud las, pvtp, fromVtp, fromPly;
+  REQUIRE(CloudReader().Read(folder / "leg003_points.las", las) == "");
+  CheckThird(las, 6);
+  CHECK(las.GetEcho(2).Class == 6);
+  CHECK(las.GetEcho(2).GpsTime == 0.75);
+  REQUIRE(CloudReader().Read(folder / "leg004_points.pvtp", pvtp) == "");
+  CheckThird(pvtp, 6);
+  CHECK(pvtp.GetEcho(5).PulseId == 42);
+  CHECK(pvtp.GetEcho(5).Leg == 4);
+  REQUIRE(CloudReader().Read(folder / "a.vtp", fromVtp) == "");
+  CheckThird(fromVtp, 3);
+  CHECK(fromVtp.GetEcho(0).Part == 1);
+  REQUIRE(CloudReader().Read(folder / "a.PLY", fromPly) == "");
+  CHECK(fromPly.GetEcho(2).Position[0] == 2.25);
+}
+
+TEST_CASE("CloudReader: the folder of a run, and how far the reading is")
+{
+  const TempFolder folder;
+  WriteWith<vtkHeliosPointTextWriter>(folder / "leg000_points.xyz", MakeThree());
+  WriteWith<vtkHeliosPointTextWriter>(folder / "leg002_points.xyz", MakeThree());
+  WriteText(folder / "leg000_trajectory.txt", "0 0 9 0.0 0 0 0\n1 0 9 1.0 0 0 0\n");
+  WriteText(folder / "leg002_trajectory.txt", "5 5 5 0.0 0 0 0\n");
+  WriteText(folder / "run_summary.json",
+    R"({"legs": [{"files": [{"name": "leg000_points.xyz"}, {"name": "leg000_trajectory.txt"}]},
+    {"files": [{"name": "leg002_points.xyz"}, {"name": "leg002_fullwave.txt"},
+    {"name": "leg002_trajectory.txt"}]}]})");
+  CHECK(CloudReader::CanRead(folder / "."));
+  CloudReader reader;
+  std::vector<double> shares;
+  vtkIdType points = 0;
+  REQUIRE(reader.Read(folder / ".",
+            [&](vtkPolyData* block, double share)
+            {
+              points += block->GetNumberOfPoints();
+              shares.push_back(share);
+              return true;
+            }) == "");
+  CHECK(points == 12);
+  CHECK(shares == std::vector<double>{ 0.5, 1.0 });
+  CHECK(reader.Files.size() == 2);
+  REQUIRE(reader.Trajectories.size() == 2);
+  CHECK(reader.Trajectories[1]->GetPoint(0)[2] == 5.0);
+
+  int blocks = 0;
+  CHECK(CloudReader().Read(folder / ".", [&](vtkPolyData*, double) { return ++blocks > 1; }) == "");
+  CHECK(blocks == 1); // false has stopped it
+}
+
+TEST_CASE("CloudReader: errors name the file and the cure")
+{
+  const TempFolder folder;
+  const auto check = [&](const std::string& name, const char* text, const std::string& wanted)
+  {
+    if (text)
+    {
+      WriteText(folder / name.c_str(), text);
+    }
+    Cloud cloud;
+    const std::string error = CloudReader().Read(folder / name.c_str(), cloud);
+    INFO(error);
+    CHECK(error.find(folder / name.c_str()) == 0);
+    CHECK(error.find(wanted) != std::string::npos);
+  };
+  check("none.xyz", nullptr, ": no such file or folder; check the name");
+  check("a.foo", "1 2 3", ": no cloud that can be read; give .xyz, .txt, .asc, .las, .vtp");
+  check("empty.xyz", "", ": there are no points in it; nothing can be shown");
+  check("blank.xyz", "\n\n", ": has no points; give a file with rows x y z");
+  check("words.xyz", "1 2 3\n4 five 6\n", ":2: ");
+  check("bad.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 x tree 2 0.5\n",
+    ":2: column 7 (pulse) is missing or no number; mend the row or take it out");
+  check("long.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7 tree 2 0.5 9\n",
+    ":2: more than the 11 columns");
+  check(
+    "short.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7\n", ":2: column 8 (part) is missing");
+  check("a.las", "no LAS at all", ": is no LAS file: it does not start with LASF");
+  check("a.vtp", "<VTKFile", "; the file may be damaged: write it again");
+  check("a.ply", "no PLY", "; the file may be damaged: write it again");
+  check(".", nullptr, ": no run_summary.json in this folder; give the folder of a finished run");
+  CHECK_FALSE(CloudReader::CanRead(folder / "."));
+  CHECK_FALSE(CloudReader::CanRead(folder / "a.foo"));
+  CHECK(CloudReader::CanRead(folder / "a.LAS"));
+
+  Cloud cloud;
+  WriteText(folder / "run_summary.json", "{\"legs\": 3}");
+  CHECK(
+    CloudReader().Read(folder / ".", cloud).find("is no summary of a run") != std::string::npos);
+  WriteText(folder / "run_summary.json",
+    R"({"legs": [{"files": [{"name": "leg000_points.xyz", "records": 5}]}]})");
+  CHECK(CloudReader().Read(folder / ".", cloud).find("leg000_points.xyz: missing") !=
+    std::string::npos);
+  WriteText(folder / "leg001_points.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n");
+  WriteText(folder / "leg001_trajectory.txt", "1 2\n");
+  CHECK(CloudReader().Read(folder / "leg001_points.xyz", cloud).find("leg001_trajectory.txt:1") !=
+    std::string::npos);
+}

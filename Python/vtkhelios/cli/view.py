@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkhelios view: starts the viewer, a program of its own."""
+
+import os
+import pathlib
+import shutil
+import sys
+
+import vtkhelios
+
+SUMMARY = "watch a survey while it runs, a run again, clouds and scenes"
+
+PROGRAM = "vtkhelios-viewer"
+SCREEN = "-screen 0 1280x1024x24 -noreset"
+
+
+def find_viewer():
+    """The viewer of this build or installation, or None."""
+    package = pathlib.Path(vtkhelios.__file__).absolute().parent
+    beside = package.parents[3] / "bin" / PROGRAM  # below lib/python3/dist-packages
+    return str(beside) if beside.is_file() else shutil.which(PROGRAM)
+
+
+def command(viewer, arguments, environment):
+    """The command that shows what is asked for: on a display of its own where none is needed."""
+    shipped = vtkhelios.data_directory()
+    full = [viewer, *arguments]
+    if arguments and not {"-h", "--help", "--version"} & set(arguments):
+        full += ["--assets", f"{shipped}", "--assets", f"{shipped}/Assets"]
+    needs_screen = "--offscreen" in arguments and not environment.get("DISPLAY")
+    xvfb = shutil.which("xvfb-run") if needs_screen else None
+    return [xvfb, "-a", "-s", SCREEN, *full] if xvfb else full
+
+
+def start(arguments):
+    viewer = find_viewer()
+    if viewer is None:
+        print(
+            f"error: {PROGRAM} is not there; it is built with -DVTKHELIOS_BUILD_VIEWER=ON and goes "
+            "to bin/ beside vtkhelios",
+            file=sys.stderr,
+        )
+        return 1
+    full = command(viewer, arguments, os.environ)
+    sys.stdout.flush()
+    os.execv(full[0], full)
