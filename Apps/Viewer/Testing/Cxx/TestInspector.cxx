@@ -287,6 +287,20 @@ TEST_CASE("Inspector: a cloud that was made, and its files")
   REQUIRE(reading.Gaussians.size() == 2);
   CHECK(
     reading.Gaussians[0].Range == Approx(inspector.GetReading().Gaussians[0].Range).margin(1e-3));
+  ViewerOptions options;
+  options.Inputs = { (files.Folder / "out/step").string() };
+  options.Offscreen = true;
+  options.Still = (files.Folder / "replay.png").string();
+  Viewer replay(options);
+  REQUIRE(replay.Run() == 0);
+  Inspector ofFile(replay);
+  ofFile.Inspect(FindRow(replay, 2, -0.12, 0.12));
+  Wait(ofFile);
+  CHECK(ofFile.GetChart().GetNumberOfSamples() == vtkIdType(ofFile.GetReading().Samples.size()));
+  CHECK(ofFile.GetChart().GetNumberOfSamples() > 0);
+  CHECK(ofFile.GetReading().Gaussians.size() == 2);
+  CHECK(ofFile.GetReading().Echoes.size() == 2);
+
   auto none = search.Find(found, 0, 1000000, 1000001);
   CHECK_THROWS_WITH(none.get(),
     "pulse 1000000 has no waveform in the files beside the points; were they written by the same "
