@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <utility>
 
 namespace helios
 {
@@ -187,11 +188,22 @@ vtkIdType Simulation::GetTakenPulses() const
 //------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
 {
-  std::future<PulseRecord> answer;
+  return this->Ask({ pulse, pulse + 1, true, {} });
+}
+
+//------------------------------------------------------------------------------
+std::future<PulseRecord> Simulation::Inspect(vtkIdType first, vtkIdType last)
+{
+  return this->Ask({ first, last, false, {} });
+}
+
+//------------------------------------------------------------------------------
+std::future<PulseRecord> Simulation::Ask(Question question)
+{
+  std::future<PulseRecord> answer = question.Answer.get_future();
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Questions.push_back({ pulse, {} });
-    answer = this->Questions.back().Answer.get_future();
+    this->Questions.push_back(std::move(question));
   }
   this->Wake.notify_all();
   return answer;
@@ -334,8 +346,8 @@ bool Simulation::Answer()
   {
     this->Source->GenerateWaveformsOn();
     this->Source->GeneratePulsesOn();
-    this->Source->GenerateSubRaysOn();
-    this->Source->SetPulseWindow(question.Pulse, question.Pulse + 1);
+    this->Source->SetGenerateSubRays(question.HasSubRays);
+    this->Source->SetPulseWindow(question.First, question.Last);
     this->Source->Update();
     question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0), Keep<vtkTable>(this->Source, 1),
       Keep<vtkPolyData>(this->Source, 2), Keep<vtkPolyData>(this->Source, 3) });

@@ -110,6 +110,9 @@ public:
   /// Runs one pulse again, between two blocks, with all that it leaves behind.
   std::future<PulseRecord> Inspect(vtkIdType pulse);
 
+  /// Runs the pulses [first, last) again, likewise, but without their sub-rays.
+  std::future<PulseRecord> Inspect(vtkIdType first, vtkIdType last);
+
 private:
   struct Block
   {
@@ -119,10 +122,13 @@ private:
   };
   struct Question
   {
-    vtkIdType Pulse;
+    vtkIdType First;
+    vtkIdType Last; ///< one behind
+    bool HasSubRays;
     std::promise<PulseRecord> Answer;
   };
 
+  std::future<PulseRecord> Ask(Question question);
   void Work();
   bool Load();
   void ReadLegs();

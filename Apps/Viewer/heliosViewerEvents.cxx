@@ -4,6 +4,7 @@
 #include "heliosViewer.h"
 
 #include "heliosHud.h"
+#include "heliosTimeBar.h"
 #include "heliosViewerKeys.h"
 #include "heliosViewerTool.h"
 
@@ -30,6 +31,7 @@ void Viewer::SetUpEvents()
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(OnEvent);
+  this->Observer->SetPassiveObserver(1); // styles take the release of a button for themselves
   for (const unsigned long event : { vtkCommand::KeyPressEvent, vtkCommand::LeftButtonPressEvent,
          vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
          vtkCommand::RightButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
@@ -106,7 +108,10 @@ void Viewer::OnRelease()
   this->Interactor->GetEventPosition(at[0], at[1]);
   const int moved =
     std::max(std::abs(at[0] - this->PressedAt[0]), std::abs(at[1] - this->PressedAt[1]));
-  for (std::size_t i = 0; moved <= ClickPixels && i < this->Tools.size(); ++i)
+  const bool isOnBar = this->Bar && this->Bar->IsVisible() &&
+    at[1] < 2.0 * TimeBar::Height * this->Window->GetSize()[1];
+  const bool isClick = moved <= ClickPixels && !isOnBar;
+  for (std::size_t i = 0; isClick && i < this->Tools.size(); ++i)
   {
     if (this->Tools[i]->OnClick(at[0], at[1]))
     {

@@ -4,6 +4,8 @@
 
 #include "heliosCloudReader.h"
 #include "heliosErrorText.h"
+#include "heliosInspector.h"
+#include "heliosPlanView.h"
 #include "heliosSimulation.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
@@ -88,6 +90,19 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
   return {};
 }
 
+/// The scene of the survey that was planned; PlanTool shows the rest.
+std::string ShowPlan(Viewer& viewer, const std::string& path)
+{
+  Plan plan;
+  const std::string problem = ReadPlan(path, plan);
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  return plan.Survey.empty() ? path + ": has no survey.xml, which names the scene; plan again"
+                             : ShowSceneFile(viewer, plan.Survey);
+}
+
 /// The ways in the files of a run, as the legs of a replay.
 std::vector<SimulatedLeg> MakeLegs(
   const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
@@ -150,6 +165,10 @@ std::string ShowInputs(Viewer& viewer)
       return input + ": no such file; check the name";
     }
   }
+  if (inputs.size() == 1 && IsPlan(inputs.front()))
+  {
+    return ShowPlan(viewer, inputs.front());
+  }
   const std::string extension = GetExtension(inputs.front());
   const bool isXml = extension == ".xml";
   const bool isScene = isXml || extension == ".obj" || extension == ".tif" || extension == ".tiff";
@@ -165,9 +184,12 @@ std::string ShowInputs(Viewer& viewer)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer&)
+std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
-  return {};
+  std::vector<std::unique_ptr<ViewerTool>> tools;
+  tools.push_back(std::make_unique<Inspector>(viewer));
+  tools.push_back(std::make_unique<PlanTool>(viewer));
+  return tools;
 }
 
 } // namespace helios

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosPlanView.h"
+#include "heliosViewerTest.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkXMLPolyDataWriter.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+using namespace helios;
+namespace fs = std::filesystem;
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+/// Five test points, from one that nobody can see to one that three see, 4 m apart along x.
+Plan MakePlan()
+{
+  Plan plan;
+  plan.TestPoints =
+    MakeEchoes({ { -8, 4, 0 }, { -4, 4, 0 }, { 0, 4, 0 }, { 4, 4, 0 }, { 8, 4, 0 } });
+  AddColumn(plan.TestPoints, names::Coverable, { 0, 1, 1, 1, 1 });
+  AddColumn(plan.TestPoints, names::NumberOfScans, { 0, 0, 1, 2, 5 });
+  plan.Candidates = MakeEchoes({ { 0, -8, 0 } });
+  plan.Positions = MakeEchoes({ { -4, -4, 1.5 }, { 4, -4, 1.5 } });
+  return plan;
+}
+
+void Write(vtkPolyData* data, const fs::path& path)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  writer->Write();
+}
+
+} // namespace
+
+TEST_CASE("PlanView: test points have the colour of how often they are seen")
+{
+  Stage stage;
+  const Vec3 origin(500000.0, 5400000.0, 0.0);
+  Plan plan = MakePlan();
+  for (vtkPolyData* data : { plan.TestPoints.Get(), plan.Candidates.Get(), plan.Positions.Get() })
+  {
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      data->GetPoints()->SetPoint(i, (Vec3(data->GetPoint(i)) + origin).GetData());
+    }
+  }
+  PlanView view(stage.Renderer, plan, origin);
+  stage.Render();
+  CHECK(stage.GetColorAt(-8, 4) == Rgb{ 110, 112, 118 });
+  CHECK(stage.GetColorAt(-4, 4) == Rgb{ 235, 60, 55 });
+  CHECK(stage.GetColorAt(0, 4) == Rgb{ 250, 205, 70 });
+  CHECK(stage.GetColorAt(4, 4) == Rgb{ 110, 205, 90 });
+  CHECK(stage.GetColorAt(8, 4) == Rgb{ 70, 150, 245 });
+  CHECK(stage.GetColorAt(-4, -4) != Black); // a tripod, or its number
+  CHECK(stage.GetColorAt(4, -4) != Black);
+  CHECK(view.GetNumberOfPositions() == 2);
+  CHECK(view.GetNumberOfTestPoints() == 5);
+  CHECK(view.GetNumberCoverable() == 4);
+  CHECK(view.GetNumberCovered() == 3);
+  CHECK(view.Describe().find("2 scan positions see 3 of 5 test points: 60.0 %, or 75.0 %") == 0);
+  view.SetVisible(false);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+}
+
+TEST_CASE("PlanView: a plan is known by its files")
+{
+  std::string name = (fs::temp_directory_path() / "vtkHeliosPlanXXXXXX").string();
+  const fs::path folder = ::mkdtemp(name.data());
+  CHECK_FALSE(IsPlan(folder.string()));
+  Plan plan;
+  CHECK(ReadPlan(folder.string(), plan) ==
+    folder.string() + ": has no positions; plan again, or give another folder");
+  const Plan made = MakePlan();
+  Write(made.Positions, folder / "positions.vtp");
+  CHECK(IsPlan(folder.string()));
+  CHECK(IsPlan((folder / "positions.vtp").string()));
+  CHECK_FALSE(IsPlan((folder / "test_points.vtp").string()));
+  REQUIRE(ReadPlan((folder / "positions.vtp").string(), plan).empty());
+  CHECK(plan.Positions->GetNumberOfPoints() == 2);
+  CHECK(plan.TestPoints == nullptr);
+  Write(made.TestPoints, folder / "test_points.vtp");
+  std::ofstream(folder / "survey.xml") << "<document/>";
+  REQUIRE(ReadPlan(folder.string(), plan).empty());
+  CHECK(plan.TestPoints->GetNumberOfPoints() == 5);
+  CHECK(plan.Survey == (folder / "survey.xml").string());
+  std::ofstream(folder / "candidates.vtp") << "no XML";
+  CHECK(ReadPlan(folder.string(), plan) ==
+    (folder / "candidates.vtp").string() + ": cannot be read; plan again");
+  fs::remove_all(folder);
+}

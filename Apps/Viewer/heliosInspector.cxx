@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosInspector.h"
+
+#include "heliosCloudView.h"
+#include "heliosColorMaps.h"
+#include "heliosHud.h"
+#include "heliosSceneView.h"
+#include "heliosSimulation.h"
+#include "heliosSurveyData.h"
+#include "heliosViewer.h"
+
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <json/json.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <utility>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double PickPixels = 6.0;
+constexpr vtkIdType MostPulses = 4096; // of a line that is run again
+constexpr vtkIdType MostWaveforms = 256;
+constexpr vtkIdType UsualLine = 1000; // pulses, where the scan has no lines or is not known
+constexpr double WaveShare = 0.35;    // of its length, that a waveform is high
+constexpr double LineShare = 0.015;   // of its range, that a line's waveform is high
+
+__attribute__((format(printf, 1, 2))) std::string Format(const char* format, ...)
+{
+  char text[256];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof(text), format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+/// A number with words around it; nothing where it is not known.
+std::string Say(const char* format, double value)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), format, value);
+  return std::isnan(value) ? "" : text;
+}
+
+bool IsReady(const std::future<PulseRecord>& answer)
+{
+  return answer.valid() && answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+/// The record; where it throws, words.
+std::string Take(std::future<PulseRecord>& answer, PulseRecord& record)
+{
+  try
+  {
+    record = answer.get();
+    return {};
+  }
+  catch (const std::future_error&)
+  {
+    return "the run has ended with an error; its pulses cannot be run again";
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+}
+
+PulseEcho MakeEcho(const Echo& from)
+{
+  PulseEcho echo;
+  echo.Position = from.Position;
+  echo.ReturnNumber = from.ReturnNumber;
+  echo.NumberOfReturns = from.NumberOfReturns;
+  echo.Class = from.Class;
+  echo.Part = from.Part;
+  echo.GpsTime = from.GpsTime;
+  echo.Range = from.Range;
+  echo.Amplitude = from.Amplitude;
+  echo.IncidenceAngle = from.IncidenceAngle;
+  return echo;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Inspector::Inspector(Viewer& viewer)
+  : Owner(viewer)
+  , View(viewer.GetRenderer())
+  , Chart(viewer.GetRenderer())
+{
+}
+
+//------------------------------------------------------------------------------
+Inspector::~Inspector() = default;
+
+//------------------------------------------------------------------------------
+std::vector<KeyHelp> Inspector::GetKeys() const
+{
+  return { { "click", "the pulse of an echo: waveform, sub-rays" },
+    { "i", "that of the echo in the middle; close" }, { "n, N", "the next echo, the one before" },
+    { "Up, Down", "the next pulse, the one before" }, { "u", "waveforms of the scan line" },
+    { "Escape", "close the inspector" } };
+}
+
+//------------------------------------------------------------------------------
+bool Inspector::OnKey(const std::string& key, bool control)
+{
+  const bool isOpen = this->Row >= 0 || this->View.GetNumberOfWaveforms() > 0;
+  if (control)
+  {
+    return false;
+  }
+  if (key == "i")
+  {
+    this->Toggle();
+  }
+  else if (key == "u")
+  {
+    this->ShowLine();
+  }
+  else if (isOpen && key == "Escape")
+  {
+    this->Close();
+  }
+  else if (this->Row >= 0 && (key == "n" || key == "Right" || key == "N" || key == "Left"))
+  {
+    this->StepEcho(key == "n" || key == "Right" ? 1 : -1);
+  }
+  else if (this->Row >= 0 && (key == "Up" || key == "Down"))
+  {
+    this->StepPulse(key == "Up" ? 1 : -1);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Inspector::OnClick(int x, int y)
+{
+  if (this->Chart.Contains(x, y))
+  {
+    return true;
+  }
+  const auto echo = this->Owner.GetCloudView().Pick(x, y, PickPixels);
+  if (echo)
+  {
+    this->Inspect(echo->Row);
+  }
+  return echo.has_value();
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Toggle()
+{
+  if (this->Row >= 0)
+  {
+    this->Close();
+    return;
+  }
+  const int* size = this->Owner.GetWindow()->GetSize();
+  const auto echo = this->Owner.GetCloudView().Pick(
+    0.5 * size[0], 0.5 * size[1], 0.25 * std::min(size[0], size[1]));
+  echo ? this->Inspect(echo->Row) : this->Owner.Tell("no echo is near the middle of the window");
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Inspect(vtkIdType row)
+{
+  const Echo echo = this->Owner.GetCloud().GetEcho(row);
+  const bool isSamePulse = this->Row >= 0 && echo.PulseId == this->Reading.Pulse;
+  this->Row = row;
+  if (!isSamePulse || echo.PulseId < 0)
+  {
+    this->View.Clear();
+    this->Reading = PulseReading();
+    this->Reading.Pulse = echo.PulseId;
+    this->FindEchoes(echo);
+    this->Ask(echo);
+  }
+  this->Show();
+}
+
+//------------------------------------------------------------------------------
+/// The echoes of the pulse as the cloud has them: they came one after the other.
+void Inspector::FindEchoes(const Echo& echo)
+{
+  const Cloud& cloud = this->Owner.GetCloud();
+  const auto isOf = [&](vtkIdType row)
+  {
+    return row >= 0 && row < cloud.GetNumberOfPoints() && echo.PulseId >= 0 &&
+      cloud.GetEcho(row).PulseId == echo.PulseId;
+  };
+  vtkIdType first = echo.Row;
+  while (isOf(first - 1))
+  {
+    --first;
+  }
+  for (vtkIdType row = first; row == echo.Row || isOf(row); ++row)
+  {
+    this->Reading.Echoes.push_back(MakeEcho(cloud.GetEcho(row)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Ask(const Echo& echo)
+{
+  this->Problem.clear();
+  this->Answer = {};
+  if (echo.PulseId < 0)
+  {
+    this->Problem = "no waveform: the cloud does not say which pulse its points are of";
+    return;
+  }
+  this->Answer = this->Find(echo.Leg, echo.PulseId, echo.PulseId + 1, true);
+}
+
+//------------------------------------------------------------------------------
+/// An answer to come; none, and a problem, where nobody knows.
+std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType last, bool hasSubRays)
+{
+  Simulation* run = this->Owner.GetSimulation();
+  if (run && run->GetPhase() == Simulation::Phase::Failed)
+  {
+    this->Problem = "no waveform: the run has failed";
+    return {};
+  }
+  if (run)
+  {
+    return hasSubRays ? run->Inspect(first) : run->Inspect(first, last);
+  }
+  const auto files = FindWaveformFiles(this->Owner.GetOptions().Inputs);
+  if (files.empty())
+  {
+    this->Problem = "no waveform: nothing runs here, and no legNNN_fullwave.txt or .pvtt lies\n"
+                    "beside the points; show the survey itself, or run it with --waveforms";
+    return {};
+  }
+  return this->Search.Find(files, leg, first, last);
+}
+
+//------------------------------------------------------------------------------
+/// On in the order of the cloud: the echoes of the pulse, then those of the next.
+void Inspector::StepEcho(int step)
+{
+  const vtkIdType row = this->Row + step;
+  if (row >= 0 && row < this->Owner.GetCloud().GetNumberOfPoints())
+  {
+    this->Inspect(row);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Inspector::StepPulse(int step)
+{
+  const Cloud& cloud = this->Owner.GetCloud();
+  vtkIdType row = this->Row + step;
+  while (row >= 0 && row < cloud.GetNumberOfPoints())
+  {
+    if (cloud.GetEcho(row).PulseId != this->Reading.Pulse)
+    {
+      this->Inspect(row);
+      return;
+    }
+    row += step;
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Pulses from one line of the scan to the next.
+vtkIdType Inspector::FindLineLength(int leg) const
+{
+  vtkHeliosSurvey* survey = this->Owner.GetSurvey();
+  if (!survey || leg < 0 || leg >= survey->GetNumberOfLegs())
+  {
+    return UsualLine;
+  }
+  const LegData& data = survey->GetData().Legs[static_cast<std::size_t>(leg)];
+  double pulses = 0.0;
+  for (const ScanData& scan : data.Scans)
+  {
+    pulses += scan.ScanFrequency > 0.0 ? scan.PulseFrequency / scan.ScanFrequency : 0.0;
+  }
+  return pulses > 0.0 ? static_cast<vtkIdType>(std::ceil(pulses)) : UsualLine;
+}
+
+//------------------------------------------------------------------------------
+/// Half a line before and behind the echo; where none is picked, the line of the newest one.
+void Inspector::ShowLine()
+{
+  const Cloud& cloud = this->Owner.GetCloud();
+  const vtkIdType row = this->Row >= 0 ? this->Row : cloud.GetNumberOfPoints() - 1;
+  const Echo echo = row >= 0 ? cloud.GetEcho(row) : Echo();
+  if (echo.PulseId < 0)
+  {
+    this->Owner.Tell("no waveforms: there is no echo yet that says which pulse it is of");
+    return;
+  }
+  const vtkIdType line = std::min(this->FindLineLength(echo.Leg), MostPulses);
+  const vtkIdType last = this->Row >= 0 ? echo.PulseId + line / 2 : echo.PulseId + 1;
+  this->LineAnswer = this->Find(echo.Leg, std::max<vtkIdType>(0, last - line), last, false);
+  if (!this->LineAnswer.valid())
+  {
+    this->Owner.Tell(this->Problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Inspector::OnFrame()
+{
+  const int* size = this->Owner.GetWindow()->GetSize();
+  bool isNew = this->Chart.Resize(size[0], size[1]) && this->Chart.IsVisible();
+  if (IsReady(this->Answer))
+  {
+    this->TakeAnswer();
+    isNew = true;
+  }
+  if (IsReady(this->LineAnswer))
+  {
+    this->TakeLine();
+    isNew = true;
+  }
+  this->Chart.SetCovered(this->Owner.GetHud().IsHelpVisible());
+  this->View.Update();
+  return isNew;
+}
+
+//------------------------------------------------------------------------------
+void Inspector::TakeAnswer()
+{
+  PulseRecord record;
+  this->Problem = Take(this->Answer, record);
+  if (this->Problem.empty())
+  {
+    const std::vector<PulseEcho> known = std::move(this->Reading.Echoes);
+    SceneView* scene = this->Owner.GetSceneView();
+    this->Reading = ReadPulse(record, this->Reading.Pulse, scene ? scene->GetScene() : nullptr);
+    this->Reading.Echoes = this->Reading.Echoes.empty() ? known : this->Reading.Echoes;
+    this->Problem = this->Reading.Problem;
+  }
+  this->Show();
+  if (!this->Reading.Samples.empty())
+  {
+    const double length = this->Reading.Ranges.back() - this->Reading.Ranges.front();
+    this->View.SetWaveforms(
+      record.Waveform, std::max(0.2, WaveShare * length), 1, this->Reading.Pulse);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Inspector::TakeLine()
+{
+  PulseRecord record;
+  std::string problem = Take(this->LineAnswer, record);
+  if (problem.empty() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
+  {
+    const vtkIdType count = record.Waveform->GetNumberOfRows();
+    const vtkIdType nth = (count + MostWaveforms - 1) / MostWaveforms;
+    const Cloud& cloud = this->Owner.GetCloud();
+    const Echo echo = cloud.GetEcho(this->Row >= 0 ? this->Row : cloud.GetNumberOfPoints() - 1);
+    const double range = std::isnan(echo.Range) ? 100.0 : echo.Range;
+    this->View.SetOrigin(this->Owner.GetOrigin());
+    problem = this->View.SetWaveforms(
+      record.Waveform, std::max(0.5, LineShare * range), static_cast<int>(nth), -1);
+    this->Owner.Tell(Format("waveforms of %lld of %lld pulses of the line",
+      static_cast<long long>(this->View.GetNumberOfWaveforms()), static_cast<long long>(count)));
+  }
+  else if (problem.empty())
+  {
+    problem = "no pulse of this line has a waveform";
+  }
+  if (!problem.empty())
+  {
+    this->Owner.Tell(problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Show()
+{
+  const Echo echo = this->Owner.GetCloud().GetEcho(this->Row);
+  this->View.SetOrigin(this->Owner.GetOrigin());
+  this->View.SetMark(echo.Position);
+  this->View.SetBeams(this->Reading);
+  const int* size = this->Owner.GetWindow()->GetSize();
+  this->Chart.Resize(size[0], size[1]);
+  this->Chart.Show(this->Reading, echo.ReturnNumber, this->DescribeEcho());
+  this->Owner.Redraw();
+}
+
+//------------------------------------------------------------------------------
+std::string Inspector::DescribeEcho() const
+{
+  const Echo echo = this->Owner.GetCloud().GetEcho(this->Row);
+  double width = std::numeric_limits<double>::quiet_NaN();
+  for (const PulseEcho& known : this->Reading.Echoes)
+  {
+    width = known.ReturnNumber == echo.ReturnNumber ? known.Width : width;
+  }
+  const bool isRaw = this->Owner.GetCloud().HasRawAmplitudes();
+  std::string text = echo.PulseId < 0 ? Format("point %lld", static_cast<long long>(this->Row))
+                                      : Format("pulse %lld", static_cast<long long>(echo.PulseId));
+  text += Format(", return %d of %d", echo.ReturnNumber, echo.NumberOfReturns) +
+    Say(", at %.6f s", echo.GpsTime) + "\n";
+  text += std::isnan(echo.Range) ? "" : Say("%.3f m, ", echo.Range);
+  text += isRaw                  ? Say("intensity %.0f", echo.Amplitude)
+    : std::isnan(echo.Amplitude) ? ""
+                                 : DescribePower(echo.Amplitude);
+  text += Say(", %.2f ns wide", width) + Say(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
+  text += "\n" + this->DescribeSurface(echo);
+  if (this->Answer.valid())
+  {
+    text += "\n\nlooking for the waveform ...";
+  }
+  return text + (this->Problem.empty() ? "" : "\n\n" + this->Problem);
+}
+
+//------------------------------------------------------------------------------
+std::string Inspector::DescribeSurface(const Echo& echo) const
+{
+  SceneView* scene = this->Owner.GetSceneView();
+  std::string text = GetClassName(echo.Class);
+  if (echo.Part >= 0)
+  {
+    const std::string number = Format("part %d", echo.Part);
+    const std::string name = scene ? scene->GetPartName(echo.Part) : number;
+    text =
+      (name == number || name == std::to_string(echo.Part) ? number : name + " (" + number + ")") +
+      ", " + text;
+  }
+  if (!this->Reading.SubRays.empty())
+  {
+    text += this->Reading.SubRays.size() == 1
+      ? ", hit by one sub-ray"
+      : Format(", hit by %zu sub-rays", this->Reading.SubRays.size());
+  }
+  else if (!this->Reading.Samples.empty() && this->Owner.GetSimulation())
+  {
+    text += ", one surface: known without sub-rays";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Close()
+{
+  this->Row = -1;
+  this->Reading = PulseReading();
+  this->Problem.clear();
+  this->Answer = {};
+  this->LineAnswer = {};
+  this->View.Clear();
+  this->Chart.Hide();
+  this->Owner.Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Inspector::OnNewSurvey()
+{
+  this->Close();
+}
+
+//------------------------------------------------------------------------------
+std::string Inspector::GetStatus() const
+{
+  return this->Answer.valid() ? "inspecting ..." : this->LineAnswer.valid() ? "waveforms ..." : "";
+}
+
+//------------------------------------------------------------------------------
+void Inspector::Describe(Json::Value& state) const
+{
+  Json::Value value;
+  value["row"] = Json::Int64(this->Row);
+  value["pulse"] = Json::Int64(this->Row >= 0 ? this->Reading.Pulse : -1);
+  value["return"] = 0;
+  value["position"] = Json::Value(Json::arrayValue);
+  if (this->Row >= 0)
+  {
+    const Echo echo = this->Owner.GetCloud().GetEcho(this->Row);
+    value["return"] = echo.ReturnNumber;
+    for (int i = 0; i < 3; ++i)
+    {
+      value["position"].append(echo.Position[i]);
+    }
+  }
+  value["waveformSamples"] = Json::Int64(this->Chart.GetNumberOfSamples());
+  value["echoes"] = Json::Int64(this->Chart.GetNumberOfEchoes());
+  value["gaussians"] = Json::Int64(this->Chart.GetNumberOfGaussians());
+  value["subRays"] = Json::UInt64(this->Reading.SubRays.size());
+  value["beams"] = Json::Int64(this->View.GetNumberOfBeams());
+  value["waveforms"] = Json::Int64(this->View.GetNumberOfWaveforms());
+  value["chart"] = this->Chart.IsVisible();
+  value["waiting"] = this->IsWaiting();
+  value["problem"] = this->Problem;
+  state["inspector"] = value;
+}
+
+} // namespace helios
