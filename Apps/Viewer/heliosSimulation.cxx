@@ -186,6 +186,13 @@ vtkIdType Simulation::GetTakenPulses() const
 }
 
 //------------------------------------------------------------------------------
+double Simulation::GetComputingSeconds() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->ComputingSeconds;
+}
+
+//------------------------------------------------------------------------------
 std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
 {
   return this->Ask({ pulse, pulse + 1, true, {} });
@@ -331,6 +338,7 @@ bool Simulation::RunBlock()
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Blocks.push_back({ Keep<vtkPolyData>(this->Source, 0), time, end });
   this->State = isLast ? Phase::Finished : this->State;
+  this->ComputingSeconds += seconds.count();
   return true;
 }
 

@@ -107,6 +107,9 @@ public:
   double GetTakenTime() const;
   vtkIdType GetTakenPulses() const;
 
+  /// How long it has computed blocks [s], of wall time.
+  double GetComputingSeconds() const;
+
   /// Runs one pulse again, between two blocks, with all that it leaves behind.
   std::future<PulseRecord> Inspect(vtkIdType pulse);
 
@@ -158,6 +161,7 @@ private:
   std::deque<Question> Questions;
   double TakenTime = 0.0;
   vtkIdType TakenPulses = 0;
+  double ComputingSeconds = 0.0;
 };
 
 } // namespace helios

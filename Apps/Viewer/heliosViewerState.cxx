@@ -76,6 +76,7 @@ Json::Value ViewerState::DescribeTime() const
   value["phase"] = GetPhaseName(run);
   value["computed"] = run ? run->GetTakenTime() : clock.GetEnd();
   value["pulses"] = Json::Int64(run ? run->GetTakenPulses() : 0);
+  value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
   value["pulsesPerSecond"] = this->Owner.PulsesPerSecond;
   Json::Value bar(Json::arrayValue); // of the window's width, and of its height from below
   bar.append(TimeBar::Left);
