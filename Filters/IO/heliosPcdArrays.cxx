@@ -95,11 +95,11 @@ double ReadReal(const char* from, int size)
 {
   if (size == 8)
   {
-    double value;
+    double value = 0.0;
     std::memcpy(&value, from, sizeof(value));
     return value;
   }
-  float value;
+  float value = 0.0F;
   std::memcpy(&value, from, sizeof(value));
   return static_cast<double>(value);
 }
@@ -198,8 +198,8 @@ PcdArrays::Column PcdArrays::MakeColumn(const PcdField& field)
   {
     this->Normals = this->Normals ? this->Normals : this->AddArray(field, names::Normals, 3);
     column.Array = this->Normals;
-    column.To = static_cast<std::size_t>(axis * field.Size);
-    column.TupleSize = static_cast<std::size_t>(3 * field.Size);
+    column.To = static_cast<std::size_t>(axis) * field.GetBytes();
+    column.TupleSize = 3 * field.GetBytes();
     return column;
   }
   column.Array = this->AddArray(field, this->FindName(field.Name), field.Count);

@@ -96,7 +96,7 @@ public:
     {
       return key + " is given twice; take one out";
     }
-    const std::string problem = this->TakeEntry(key, words);
+    std::string problem = this->TakeEntry(key, words);
     this->Seen.push_back(key);
     return problem;
   }

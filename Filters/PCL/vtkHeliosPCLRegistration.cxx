@@ -154,8 +154,7 @@ bool vtkHeliosPCLRegistration::TakeInput(int port, vtkPolyData* data, helios::Pc
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosPCLRegistration::Register(
-  vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output)
+bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output)
 {
   helios::PclInput inputs[2];
   if (!this->TakeInput(0, fixed, inputs[0]) || !this->TakeInput(1, moving, inputs[1]))
@@ -210,7 +209,7 @@ int vtkHeliosPCLRegistration::RequestData(
   bool isGood = false;
   try
   {
-    isGood = this->Register(
+    isGood = this->Align(
       vtkPolyData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]), output);
   }
   catch (const std::bad_alloc&)

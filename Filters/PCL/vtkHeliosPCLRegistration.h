@@ -112,7 +112,7 @@ private:
   void operator=(const vtkHeliosPCLRegistration&) = delete;
 
   bool TakeInput(int port, vtkPolyData* data, helios::PclInput& input);
-  bool Register(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output);
+  bool Align(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output);
 
   double MaximumDistance = 1.0;
   int MaximumNumberOfIterations = 100;
