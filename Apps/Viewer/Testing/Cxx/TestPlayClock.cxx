@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Time that plays, and how often there is time to draw.
+#include "heliosFrameBudget.h"
+#include "heliosPlayClock.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using helios::FrameBudget;
+using helios::PlayClock;
+
+TEST_CASE("PlayClock: time goes as fast as asked, and no farther than there is", "[Viewer]")
+{
+  PlayClock clock;
+  clock.SetSpan(10.0, 20.0);
+  CHECK(clock.GetTime() == 10.0);
+  clock.SetSpeed(2.0);
+  clock.Advance(1.5, 20.0);
+  CHECK(clock.GetTime() == 13.0);
+  clock.Advance(1.0, 14.0); // only that is computed
+  CHECK(clock.GetTime() == 14.0);
+  clock.SetSpeed(PlayClock::AsFastAsItComputes);
+  clock.Advance(0.001, 17.0);
+  CHECK(clock.GetTime() == 17.0);
+  CHECK(std::isinf(clock.GetTarget()));
+  clock.Advance(1.0, 99.0);
+  CHECK(clock.GetTime() == 20.0);
+}
+
+TEST_CASE("PlayClock: a pause stays, and what is sought is the target", "[Viewer]")
+{
+  PlayClock clock;
+  clock.SetSpan(0.0, 100.0);
+  clock.SetPlaying(false);
+  clock.Seek(40.0);
+  clock.Advance(5.0, 10.0);
+  CHECK(clock.GetTime() == 40.0);
+  CHECK(clock.GetTarget() == 40.0);
+  clock.SetPlaying(true);
+  clock.SetSpeed(1.0);
+  clock.Advance(1.0, 10.0); // nothing is there yet: it waits, and does not go back
+  CHECK(clock.GetTime() == 40.0);
+  clock.Seek(-5.0);
+  CHECK(clock.GetTime() == 0.0);
+  CHECK(clock.GetTarget() > 0.0); // a little ahead
+}
+
+TEST_CASE("PlayClock: speeds in steps", "[Viewer]")
+{
+  PlayClock clock;
+  clock.ChangeSpeed(1);
+  CHECK(std::isinf(clock.GetSpeed()));
+  clock.ChangeSpeed(-1);
+  CHECK(clock.GetSpeed() == 1000.0);
+  clock.SetSpeed(3.0); // between 2 and 5
+  clock.ChangeSpeed(-1);
+  CHECK(clock.GetSpeed() == 2.0);
+  clock.ChangeSpeed(-99);
+  CHECK(clock.GetSpeed() == 0.01);
+  clock.SetSpeed(0.0); // refused
+  CHECK(clock.GetSpeed() == 0.01);
+}
+
+TEST_CASE("FrameBudget: drawing takes its share, and the user what he needs", "[Viewer]")
+{
+  FrameBudget budget;
+  CHECK(budget.IsDue(0.0, true));
+  budget.NoteFrame(10.0, 0.05);
+  CHECK(budget.IsDue(10.01, false)); // nothing computes
+  CHECK_FALSE(budget.IsDue(10.01, true));
+  CHECK(budget.IsDue(10.0 + 0.05 / FrameBudget::Share, true));
+  budget.NoteInput(10.02);
+  CHECK(budget.IsDue(10.03, true));
+  budget.NoteFrame(20.0, 30.0); // a frame that took very long
+  CHECK_FALSE(budget.IsDue(20.0 + 0.9 * FrameBudget::Longest, true));
+  CHECK(budget.IsDue(20.0 + FrameBudget::Longest, true));
+}

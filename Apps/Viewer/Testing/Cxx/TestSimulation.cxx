@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A survey that runs beside the viewer: the echoes of a run, as far as it is asked to go.
+#include "heliosBeamFan.h"
+#include "heliosCloud.h"
+#include "heliosSimulation.h"
+#include "heliosStepFiles.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosSurveyReader.h"
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <thread>
+
+using namespace helios;
+
+namespace
+{
+
+constexpr double Forever = std::numeric_limits<double>::infinity();
+
+vtkSmartPointer<vtkHeliosSurvey> Read(const StepFiles& files)
+{
+  vtkNew<vtkHeliosSurveyReader> reader;
+  reader->SetFileName((files.Folder / "survey.xml").c_str());
+  REQUIRE(reader->Read());
+  return reader->GetSurvey();
+}
+
+/// Takes what comes until a condition holds; the echoes in their order.
+template <typename Condition>
+std::vector<vtkSmartPointer<vtkPolyData>> TakeUntil(Simulation& run, Condition isThere)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> all;
+  for (int i = 0; i < 6000; ++i)
+  {
+    for (const auto& block : run.TakeEchoes())
+    {
+      all.push_back(block);
+    }
+    if (isThere())
+    {
+      return all;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  FAIL("it did not come");
+  return all;
+}
+
+std::vector<double> GetRanges(const std::vector<vtkSmartPointer<vtkPolyData>>& blocks)
+{
+  std::vector<double> ranges;
+  for (vtkPolyData* block : blocks)
+  {
+    vtkDataArray* array = block->GetPointData()->GetArray(vtkHeliosArrayNames::Range);
+    for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+    {
+      ranges.push_back(array->GetTuple1(i));
+    }
+  }
+  return ranges;
+}
+
+bool IsAllTaken(const Simulation& run)
+{
+  return run.GetPhase() == Simulation::Phase::Finished &&
+    run.GetTakenPulses() == run.GetNumberOfPulses();
+}
+
+} // namespace
+
+TEST_CASE("Simulation: it goes as far as asked, then on, and all is that of one run", "[Viewer]")
+{
+  const StepFiles files;
+  const auto survey = Read(files);
+  Simulation run(survey);
+  run.Start();
+  run.SetTarget(0.25);
+  auto blocks = TakeUntil(run, [&run] { return run.GetTakenTime() >= 0.25; });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK(run.TakeEchoes().empty());    // it waits
+  CHECK(run.GetTakenPulses() == 500); // at 2 kHz
+  CHECK(run.GetPhase() == Simulation::Phase::Running);
+  run.SetTarget(Forever);
+  for (const auto& block : TakeUntil(run, [&run] { return IsAllTaken(run); }))
+  {
+    blocks.push_back(block);
+  }
+  CHECK(run.GetPhase() == Simulation::Phase::Finished);
+  CHECK(run.GetTakenTime() == run.GetEndTime());
+  CHECK(run.GetComputingSeconds() > 0.0);
+
+  vtkNew<vtkHeliosSurveySource> whole;
+  whole->SetSurvey(survey);
+  whole->Update();
+  CHECK(GetRanges(blocks) == GetRanges({ whole->GetOutput() }));
+}
+
+TEST_CASE("Simulation: where the platform is when", "[Viewer]")
+{
+  const StepFiles files;
+  Simulation run(Read(files));
+  run.Start();
+  TakeUntil(run, [&run] { return run.GetPhase() != Simulation::Phase::Loading; });
+  REQUIRE(run.GetLegs().size() == 1);
+  const SimulatedLeg& leg = run.GetLegs().front();
+  CHECK(leg.IsMoving);
+  CHECK(leg.Type == PlatformType::LinearPath);
+  CHECK(leg.LineFrequency == 10.0);
+  CHECK(leg.LastPulse == 2000);
+  for (const double time : { 0.0, 0.123, 0.5, 1.0 })
+  {
+    CHECK((leg.GetPose(time).Position - Vec3(-10.0 + 20.0 * time, 0.0, 100.0)).Norm() < 1e-6);
+  }
+  CHECK(leg.GetPose(-1.0).Position[0] == Approx(-10.0));
+  CHECK(leg.GetPose(9.0).Position[0] == Approx(10.0));
+  CHECK(FindLeg(run.GetLegs(), 0.5) == &leg);
+  CHECK(FindLeg({}, 0.5) == nullptr);
+}
+
+TEST_CASE("Simulation: what fails is said, and ends", "[Viewer]")
+{
+  const StepFiles files;
+  const auto survey = Read(files);
+  files.Write("ground.obj", "v 0 0\n");
+  Simulation run(survey);
+  run.Start();
+  TakeUntil(run, [&run] { return run.GetPhase() == Simulation::Phase::Failed; });
+  CHECK(run.GetMessage().find("ground.obj:1") != std::string::npos);
+  CHECK(run.GetLegs().empty());
+}
+
+TEST_CASE("Simulation: it is given up at any moment", "[Viewer]")
+{
+  const StepFiles files;
+  for (int i = 0; i < 10; ++i)
+  {
+    Simulation run(Read(files));
+    run.Start();
+    run.SetTarget(Forever);
+    std::this_thread::sleep_for(std::chrono::milliseconds(i));
+  }
+  SUCCEED("no thread is left behind");
+}
+
+TEST_CASE("BeamFan: the points just before a time", "[Viewer]")
+{
+  const StepFiles files;
+  Simulation run(Read(files));
+  run.Start();
+  run.SetTarget(Forever);
+  Cloud cloud;
+  CHECK(FindNewestPoints(cloud, Forever, 0.1, 10).empty());
+  for (const auto& block : TakeUntil(run, [&run] { return IsAllTaken(run); }))
+  {
+    cloud.Append(block);
+  }
+  // The platform goes by 20 m/s and looks down: points of [0.4 s, 0.5 s] are at x in [-2 m, 0].
+  const auto ends = FindNewestPoints(cloud, 0.5, 0.1, 20);
+  CHECK(ends.size() > 10);
+  CHECK(ends.size() <= 20);
+  for (const Vec3& end : ends)
+  {
+    CHECK(end[0] > -2.1);
+    CHECK(end[0] < 0.1);
+  }
+  CHECK(FindNewestPoints(cloud, Forever, 10.0, 50).size() <= 50);
+  CHECK(FindNewestPoints(cloud, -1.0, 0.1, 50).empty());
+  CHECK(FindNewestPoints(cloud, 0.5, 0.1, 0).empty());
+}
