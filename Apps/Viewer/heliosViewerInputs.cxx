@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosViewerInputs.h"
 
+#include "heliosEditTool.h"
 #include "heliosErrorText.h"
 #include "heliosViewer.h"
 #include "heliosViewerTool.h"
@@ -120,9 +121,11 @@ std::string ShowInputs(Viewer& viewer)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer&)
+std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
-  return {};
+  std::vector<std::unique_ptr<ViewerTool>> tools;
+  tools.push_back(std::make_unique<EditTool>(viewer)); // asked first: it takes clicks while it is on
+  return tools;
 }
 
 } // namespace helios
