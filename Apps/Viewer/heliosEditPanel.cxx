@@ -189,7 +189,7 @@ void EditPanel::SetRanges(const std::vector<EditRange>& ranges)
   {
     const double y = FirstSlider - SliderStep * static_cast<double>(this->Sliders.size());
     this->Sliders.push_back(std::make_unique<Slider>(*this, range, y));
-    this->Sliders.back()->SetLetterSize(this->LetterSize);
+    this->Sliders.back()->SetLetterSize(std::max(8, this->LetterSize));
   }
 }
 

@@ -61,7 +61,7 @@ private:
   Change OnChange;
   vtkNew<vtkTextActor> Heading;
   std::vector<std::unique_ptr<Slider>> Sliders;
-  int LetterSize = 14;
+  int LetterSize = 0; ///< [points]; 0: not set yet
   bool IsVisible = false;
 };
 

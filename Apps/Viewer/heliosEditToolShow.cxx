@@ -208,8 +208,9 @@ std::string EditTool::MakeHeading() const
       "\nmove: arrows, Shift-click\nturn: < >   scale: * /\ntake out: Delete";
   }
   std::string text = "DIRECT CONTROL\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
-    this->Edit.ScannerModel.Name + " (g)\n" + std::to_string(this->Edit.Legs.size());
-  text += this->Edit.IsMoving() ? " waypoints" : " stands";
+    this->Edit.ScannerModel.Name + " (g)\n";
+  text += this->Edit.IsMoving() ? "waypoints: " : "stands: ";
+  text += std::to_string(this->Edit.Legs.size());
   text += this->Edit.HasArea ? ", flight lines\n" : "\n";
   text += this->Doing == Mode::Area ? "click two corners"
     : this->Edit.IsMoving()         ? "click: waypoint   A: lines\nReturn: scan   s: save"
