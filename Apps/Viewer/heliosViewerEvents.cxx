@@ -30,6 +30,7 @@ void Viewer::SetUpEvents()
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(OnEvent);
+  this->Observer->SetPassiveObserver(1); // hears of releases, too, which a drag keeps for itself
   for (const unsigned long event : { vtkCommand::KeyPressEvent, vtkCommand::LeftButtonPressEvent,
          vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
          vtkCommand::RightButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
