@@ -168,7 +168,7 @@ bool EditTool::Toggle()
         { this->ChangeSetting(name, value, isOver); });
   }
   this->SetMode(Mode::Scanner);
-  this->Panel->SetVisible(this->IsOn);
+  this->HasChanges ? this->ShowGhost() : void();
   this->Owner.Tell(this->IsOn ? "direct control: click where the scanner stands, Return scans"
                               : "direct control is off");
   return true;
@@ -246,6 +246,7 @@ void EditTool::SetCorner(const ScenePick& pick)
   SetArea(this->Edit, this->Corner, pick.Position);
   this->SetMode(Mode::Scanner);
   this->ShowGhost();
+  this->Owner.Tell("flight lines: " + std::to_string(this->Edit.Legs.size() / 2));
 }
 
 //------------------------------------------------------------------------------
@@ -303,14 +304,14 @@ void EditTool::ChangePlatform(int step)
   ChoosePlatform(this->Edit, next->first, next->second);
   if (!IsFit(this->Edit, this->Edit.ScannerModel))
   {
-    this->ChangeScanner(1);
+    this->ChangeScanner(1, true);
   }
   this->ShowGhost();
   this->ShowPanel();
 }
 
 //------------------------------------------------------------------------------
-void EditTool::ChangeScanner(int step)
+void EditTool::ChangeScanner(int step, bool isRemembered)
 {
   const auto* next = FindNext(this->Choice.Scanners, this->Edit.Scanner, step);
   for (std::size_t i = 0; next && !IsFit(this->Edit, next->second); ++i)
@@ -323,7 +324,7 @@ void EditTool::ChangeScanner(int step)
     this->Owner.Tell("the catalogue has no other instrument for it: give a folder with --assets");
     return;
   }
-  this->Remember();
+  isRemembered ? void() : this->Remember();
   ChooseScanner(this->Edit, next->first, next->second);
   this->ShowGhost();
   this->ShowPanel();
@@ -375,6 +376,7 @@ void EditTool::Scan()
     return;
   }
   this->Ghost.reset();
+  this->HasChanges = false;
   this->IsMine = true;
   this->Owner.GetClock().SetPlaying(true);
   this->Owner.ShowSurvey(survey, true);
@@ -419,6 +421,7 @@ void EditTool::OnNewSurvey()
   this->IsOn = false;
   this->HasBegun = false;
   this->HasNewScene = false;
+  this->HasChanges = false;
   this->Ghost.reset();
   this->Befores.clear();
   this->Saved.clear();

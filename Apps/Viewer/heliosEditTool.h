@@ -63,7 +63,7 @@ private:
   void Save();
   void SetMode(Mode mode);
   void ChangePlatform(int step);
-  void ChangeScanner(int step);
+  void ChangeScanner(int step, bool isRemembered = false);
   void ChangeSetting(const std::string& name, double value, bool isOver);
   void Remove();
   void ClickAt(int x, int y, bool isMore);
@@ -98,6 +98,7 @@ private:
   SceneEdit Scene;
   std::string FirstScene;   ///< before parts were changed
   bool HasNewScene = false; ///< parts were changed
+  bool HasChanges = false;  ///< since the last scan
   bool IsSliding = false;   ///< a slider is held
   bool HasCorner = false;
   Vec3 Corner;

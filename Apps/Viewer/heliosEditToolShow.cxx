@@ -223,12 +223,13 @@ std::string EditTool::MakeHeading() const
 void EditTool::ShowGhost()
 {
   this->Ghost.reset();
+  this->HasChanges = true;
   if (PlatformView* last = this->Owner.GetPlatformView())
   {
-    last->SetVisible(false);
-    last->SetFanVisible(false);
+    last->SetVisible(!this->IsOn);
+    last->SetFanVisible(!this->IsOn && this->Owner.GetOptions().Fan);
   }
-  if (!this->Edit.Legs.empty())
+  if (this->IsOn && !this->Edit.Legs.empty())
   {
     this->Ghost =
       std::make_unique<PlatformView>(this->Owner.GetRenderer(), this->Owner.GetOrigin());

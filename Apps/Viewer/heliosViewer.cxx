@@ -264,6 +264,7 @@ void Viewer::OnTimer()
   const double now = this->Now();
   const double seconds = now - this->LastFrame;
   this->LastFrame = now;
+  this->TakeClick();
   this->Frame(seconds);
   const bool isMoving = this->Budget.IsBusy(now);
   this->PointsView->SetInteracting(isMoving);

@@ -31,6 +31,12 @@ double FindHalfAngle(const ScannerData& scanner)
   return angle > 0.0 ? angle : 90.0;
 }
 
+/// Below it an instrument sees nothing [m].
+double FindLeastHeight(const ScannerData& scanner)
+{
+  return std::max(1.0, scanner.RangeMin);
+}
+
 bool HasWindow(const SurveyEdit& edit)
 {
   return !edit.IsMoving() && edit.ScannerModel.Type == Optics::RotatingMirror;
@@ -314,8 +320,8 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   }
   if (edit.IsMoving())
   {
-    ranges.push_back({ "height", "height above ground", "m", 1.0,
-      std::max(2.0, std::min(scanner.RangeMax, MostHeight)), {} });
+    ranges.push_back({ "height", "height above ground", "m", FindLeastHeight(scanner),
+      std::max(2.0 * FindLeastHeight(scanner), std::min(scanner.RangeMax, MostHeight)), {} });
     ranges.push_back({ "speed", "speed", "m/s", 0.5, MostSpeed, {} });
     ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });
   }
@@ -392,7 +398,7 @@ void ChooseScanner(SurveyEdit& edit, const std::string& reference, const Scanner
 {
   edit.Scanner = reference;
   edit.ScannerModel = scanner;
-  edit.Height = std::min(edit.Height, std::max(2.0, scanner.RangeMax));
+  edit.Height = std::max(FindLeastHeight(scanner), std::min(edit.Height, scanner.RangeMax));
   BeginAgain(edit);
 }
 

@@ -138,6 +138,9 @@ TEST_CASE("SurveyEdit: legs of a rectangle fire, and turns do not", "[SurveyEdit
   SetSetting(hand.Edit, "height", 30.0);
   CHECK(hand.Edit.Legs.front().Settings.Leg.Position[2] == 30.0);
   SetSetting(hand.Edit, "speed", 20.0);
+  SurveyEdit far = hand.Edit;
+  far.ScannerModel.RangeMin = 100.0; // nothing nearer would be seen
+  CHECK_THAT(SetSetting(far, "height", 50.0), Contains("becomes 100 m"));
   REQUIRE(hand.Save(files).empty());
   const Reading reading(files);
   REQUIRE(reading.Good);
