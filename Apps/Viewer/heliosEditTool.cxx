@@ -6,7 +6,6 @@
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosSurveyXml.h"
-#include "heliosTimeBar.h"
 #include "heliosViewer.h"
 #include "vtkHeliosSurvey.h"
 
@@ -26,7 +25,6 @@ namespace helios
 namespace
 {
 
-constexpr double TimeBarTop = 0.06; // of the window's height: clicks below it seek
 constexpr std::size_t MostUndos = 200;
 
 /// The entry of a reference, some steps on.
@@ -177,14 +175,13 @@ bool EditTool::Toggle()
 //------------------------------------------------------------------------------
 bool EditTool::OnClick(int x, int y)
 {
-  const int* size = this->Owner.GetWindow()->GetSize();
-  const double shareX = static_cast<double>(x) / std::max(1, size[0]);
-  const double shareY = static_cast<double>(y) / std::max(1, size[1]);
-  TimeBar* bar = this->Owner.GetTimeBar();
-  if (!this->IsOn || (bar && bar->IsVisible() && shareY < TimeBarTop))
+  if (!this->IsOn)
   {
     return false;
   }
+  const int* size = this->Owner.GetWindow()->GetSize();
+  const double shareX = static_cast<double>(x) / std::max(1, size[0]);
+  const double shareY = static_cast<double>(y) / std::max(1, size[1]);
   if (!this->Panel->Contains(shareX, shareY))
   {
     vtkRenderWindowInteractor* keys = this->Owner.GetInteractor();

@@ -3,7 +3,6 @@
 // What a survey made by hand begins with, and what of it is shown.
 #include "heliosEditTool.h"
 
-#include "heliosCameraRig.h"
 #include "heliosErrorText.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"

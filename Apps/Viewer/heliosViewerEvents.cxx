@@ -4,6 +4,7 @@
 #include "heliosViewer.h"
 
 #include "heliosHud.h"
+#include "heliosTimeBar.h"
 #include "heliosViewerKeys.h"
 #include "heliosViewerTool.h"
 
@@ -119,7 +120,9 @@ void Viewer::OnRelease()
   this->Interactor->GetEventPosition(at[0], at[1]);
   const int moved =
     std::max(std::abs(at[0] - this->PressedAt[0]), std::abs(at[1] - this->PressedAt[1]));
-  this->HasClick = moved <= ClickPixels;
+  const bool isOnBar = this->Bar && this->Bar->IsVisible() &&
+    at[1] < 2.0 * TimeBar::Height * this->Window->GetSize()[1];
+  this->HasClick = moved <= ClickPixels && !isOnBar;
   std::copy_n(at, 2, this->ClickAt);
   this->ClickKeys[0] = this->Interactor->GetShiftKey();
   this->ClickKeys[1] = this->Interactor->GetControlKey();
