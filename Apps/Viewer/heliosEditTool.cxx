@@ -374,6 +374,7 @@ void EditTool::Scan()
   }
   this->Ghost.reset();
   this->HasChanges = false;
+  ++this->Scans;
   this->IsMine = true;
   this->Owner.GetClock().SetPlaying(true);
   this->Owner.ShowSurvey(survey, true);

@@ -109,6 +109,7 @@ private:
   std::unique_ptr<EditPanel> Panel;
   std::unique_ptr<PlatformView> Ghost;
   std::string Saved;
+  int Scans = 0; ///< that were begun
 };
 
 } // namespace helios

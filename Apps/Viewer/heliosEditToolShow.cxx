@@ -302,6 +302,7 @@ void EditTool::Describe(Json::Value& state) const
   editor["file"] = this->Files.empty() ? "" : this->Files[this->File];
   editor["undos"] = Json::UInt64(this->Befores.size());
   editor["saved"] = this->Saved;
+  editor["scans"] = this->Scans;
 }
 
 } // namespace helios

@@ -172,6 +172,8 @@ def take(display, tmp_path):
         hands.wait(
             lambda s: s["time"]["phase"] == "finished" or (name != "survey.xml" and s["scene"])
         )
+        hands.do("search", "--sync", "--onlyvisible", "--name", "vtkHelios")
+        time.sleep(0.5)  # until it listens
         hands.key("d")
         hands.edit(lambda e: e["on"])
         return hands
@@ -187,7 +189,7 @@ def is_scanned(state):
     """Whether all echoes of a scan have come since Return was pressed."""
     time = state["time"]
     is_done = time["phase"] == "finished" and time["computed"] >= time["end"] > 0
-    return is_done and "scanning" in state["message"]
+    return is_done and state["editor"]["scans"] == 1
 
 
 def count_points(folder):
