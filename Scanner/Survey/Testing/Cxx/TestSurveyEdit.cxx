@@ -202,6 +202,27 @@ TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]
   const Reading reading(files);
   REQUIRE(reading.Good);
   CHECK(reading.Log->Warnings.empty()); // nothing is left to clip
+  const ScanData& scan = reading.Data().Legs[0].Scans[0];
+  CHECK(scan.ScanFrequency == 120.0);
+  CHECK(scan.PulseFrequency == 100000.0);
+  CHECK(scan.HeadRotateSpeed == 60.0);
+  CHECK(scan.HeadRotateStart == 200.0);
+  CHECK(scan.HeadRotateStop == 201.0);
+  CHECK(scan.VerticalAngleMin == -80.0);
+  CHECK(scan.VerticalAngleMax == 20.0);
+}
+
+TEST_CASE("SurveyEdit: an oscillating mirror swings less far the faster it is", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files, "plane", "als");
+  hand.Edit.ScannerModel.Type = Optics::OscillatingMirror;
+  hand.Edit.ScannerModel.ScanProduct = 1000.0;
+  SetSetting(hand.Edit, "scanFrequency", 50.0);
+  CHECK_THAT(
+    SetSetting(hand.Edit, "scanAngle", 20.0) + SetSetting(hand.Edit, "scanFrequency", 60.0),
+    Contains("scan frequency is 50 Hz at most with this scan angle"));
+  CHECK(GetSetting(hand.Edit, "scanFrequency") == 50.0);
 }
 
 TEST_CASE("SurveyEdit: a survey saved is the survey run, byte for byte", "[SurveyEdit]")
