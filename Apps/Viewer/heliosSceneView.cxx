@@ -260,6 +260,7 @@ std::optional<ScenePick> SceneView::Pick(double x, double y)
   pick.Material = std::max(0, this->GetCellId(names::MaterialIds, hit.CellId));
   const auto row = static_cast<std::size_t>(pick.Material);
   pick.MaterialName = row < this->Materials.size() ? this->Materials[row].Name : "";
+  pick.IsGround = row < this->Materials.size() && this->Materials[row].IsGround;
   return pick;
 }
 

@@ -33,6 +33,7 @@ struct ScenePick
   vtkIdType Cell = -1;
   int Part = -1;     ///< -1: the scene has no parts
   int Material = -1; ///< row of the materials
+  bool IsGround = false; ///< of the material
   std::string PartName;
   std::string MaterialName;
 };

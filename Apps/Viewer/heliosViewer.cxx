@@ -186,6 +186,8 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
   this->Running->GetSource()->SetNoise(this->Options.Noise);
   this->Running->Start();
   this->IsLoading = true;
+  this->HasFailed = false;
+  this->ExitCode = 0;
   this->Clock.SetSpan(0.0, 0.0);
   this->Redraw();
 }
@@ -324,6 +326,7 @@ void Viewer::OnTimer()
   const double now = this->Now();
   const double seconds = now - this->LastFrame;
   this->LastFrame = now;
+  this->TakeClick();
   this->Frame(seconds);
   const bool isMoving = this->Budget.IsBusy(now);
   this->PointsView->SetInteracting(isMoving);
@@ -371,9 +374,10 @@ void Viewer::Frame(double seconds)
 void Viewer::FinishLoading()
 {
   const Simulation::Phase phase = this->Running->GetPhase();
-  if (phase == Simulation::Phase::Failed && this->ExitCode == 0)
+  if (phase == Simulation::Phase::Failed && !this->HasFailed)
   {
     this->Complain(this->Running->GetMessage());
+    this->HasFailed = true;
     this->ExitCode = 1;
     this->IsLoading = false;
   }

@@ -132,7 +132,9 @@ private:
 
   static void OnEvent(vtkObject*, unsigned long event, void* self, void*);
   void OnKey();
+  static void OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*);
   void OnRelease();
+  void TakeClick();
   void OnTimer();
   void OnResize();
 
@@ -141,6 +143,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkCallbackCommand> Observer;
+  vtkNew<vtkCallbackCommand> Releases; // hears of those that a drag keeps for itself
   CameraRig Camera;
   PlayClock Clock;
   FrameBudget Budget;
@@ -161,12 +164,16 @@ private:
   std::vector<Vec3> LastEnds; // of the newest beams
 
   bool IsLoading = false;
+  bool HasFailed = false;
   bool KeepsCamera = false;
   bool IsDirty = true;
   bool IsClosing = false;
   bool IsDragging = false;
   int ExitCode = 0;
   int PressedAt[2] = { 0, 0 };
+  bool HasClick = false; // that no tool was asked about yet
+  int ClickAt[2] = { 0, 0 };
+  int ClickKeys[2] = { 0, 0 }; // shift, control
   int Size[2] = { 0, 0 };
   double LastFrame = 0.0;
   double LastVideoFrame = 0.0;

@@ -31,15 +31,22 @@ void Viewer::SetUpEvents()
 {
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(OnEvent);
-  this->Observer->SetPassiveObserver(1); // styles take the release of a button for themselves
   for (const unsigned long event : { vtkCommand::KeyPressEvent, vtkCommand::LeftButtonPressEvent,
-         vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonPressEvent,
+         vtkCommand::MiddleButtonPressEvent,
          vtkCommand::RightButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
          vtkCommand::MouseWheelBackwardEvent, vtkCommand::TimerEvent, vtkCommand::ConfigureEvent,
-         vtkCommand::ExitEvent, vtkCommand::MouseMoveEvent, vtkCommand::MiddleButtonReleaseEvent,
-         vtkCommand::RightButtonReleaseEvent })
+         vtkCommand::ExitEvent, vtkCommand::MouseMoveEvent })
   {
     this->Interactor->AddObserver(event, this->Observer, 10.0F);
+  }
+  // VTK's styles and widgets grab all events from press to release, but for passive observers.
+  this->Releases->SetClientData(this);
+  this->Releases->SetCallback(OnReleaseEvent);
+  this->Releases->PassiveObserverOn();
+  for (const unsigned long event : { vtkCommand::LeftButtonReleaseEvent,
+         vtkCommand::MiddleButtonReleaseEvent, vtkCommand::RightButtonReleaseEvent })
+  {
+    this->Interactor->AddObserver(event, this->Releases);
   }
 }
 
@@ -71,13 +78,6 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
     case vtkCommand::RightButtonPressEvent:
       viewer->IsDragging = true;
       break;
-    case vtkCommand::LeftButtonReleaseEvent:
-      viewer->OnRelease();
-      break;
-    case vtkCommand::MiddleButtonReleaseEvent:
-    case vtkCommand::RightButtonReleaseEvent:
-      viewer->IsDragging = false;
-      break;
     case vtkCommand::ConfigureEvent:
       viewer->OnResize();
       break;
@@ -100,20 +100,48 @@ void Viewer::OnKey()
 }
 
 //------------------------------------------------------------------------------
-/// A click, where the mouse was not dragged.
+void Viewer::OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*)
+{
+  auto* viewer = static_cast<Viewer*>(self);
+  viewer->Budget.NoteInput(viewer->Now());
+  viewer->Redraw();
+  viewer->IsDragging = false;
+  if (event == vtkCommand::LeftButtonReleaseEvent)
+  {
+    viewer->OnRelease();
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Notes a click, where the mouse was not dragged: a passive observer may not add others, as tools do.
 void Viewer::OnRelease()
 {
-  this->IsDragging = false;
   int at[2];
   this->Interactor->GetEventPosition(at[0], at[1]);
   const int moved =
     std::max(std::abs(at[0] - this->PressedAt[0]), std::abs(at[1] - this->PressedAt[1]));
   const bool isOnBar = this->Bar && this->Bar->IsVisible() &&
     at[1] < 2.0 * TimeBar::Height * this->Window->GetSize()[1];
-  const bool isClick = moved <= ClickPixels && !isOnBar;
-  for (std::size_t i = 0; isClick && i < this->Tools.size(); ++i)
+  this->HasClick = moved <= ClickPixels && !isOnBar;
+  std::copy_n(at, 2, this->ClickAt);
+  this->ClickKeys[0] = this->Interactor->GetShiftKey();
+  this->ClickKeys[1] = this->Interactor->GetControlKey();
+}
+
+//------------------------------------------------------------------------------
+/// Asks the tools about a click, with the keys that were held then.
+void Viewer::TakeClick()
+{
+  if (!this->HasClick)
   {
-    if (this->Tools[i]->OnClick(at[0], at[1]))
+    return;
+  }
+  this->HasClick = false;
+  this->Interactor->SetShiftKey(this->ClickKeys[0]);
+  this->Interactor->SetControlKey(this->ClickKeys[1]);
+  for (const auto& tool : this->Tools)
+  {
+    if (tool->OnClick(this->ClickAt[0], this->ClickAt[1]))
     {
       return;
     }

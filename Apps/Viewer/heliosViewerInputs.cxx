@@ -3,6 +3,7 @@
 #include "heliosViewerInputs.h"
 
 #include "heliosCloudReader.h"
+#include "heliosEditTool.h"
 #include "heliosErrorText.h"
 #include "heliosInspector.h"
 #include "heliosPlanView.h"
@@ -187,6 +188,7 @@ std::string ShowInputs(Viewer& viewer)
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
   std::vector<std::unique_ptr<ViewerTool>> tools;
+  tools.push_back(std::make_unique<EditTool>(viewer)); // asked first: it takes clicks while it is on
   tools.push_back(std::make_unique<Inspector>(viewer));
   tools.push_back(std::make_unique<PlanTool>(viewer));
   return tools;

@@ -9,6 +9,7 @@
 #include "heliosSceneCrs.h"
 #include "heliosXmlPlanner.h"
 #include "heliosXmlSurvey.h"
+#include "heliosXmlText.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -17,10 +18,8 @@
 
 #include <pugixml.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <exception>
-#include <sstream>
 
 vtkStandardNewMacro(vtkHeliosSurveyWriter);
 
@@ -29,30 +28,6 @@ namespace
 
 constexpr const char* TemplateId = "plan"; // of scanner and platform settings
 constexpr const char* SceneId = "scene";
-
-/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as a
-/// whole number, and 1e5 not.
-std::string ToText(double value)
-{
-  char digits[400]; // of the smallest number
-  return { digits, std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr };
-}
-
-void Set(pugi::xml_node node, const char* name, double value)
-{
-  if (!std::isnan(value))
-  {
-    node.append_attribute(name) = ToText(value).c_str();
-  }
-}
-
-void Set(pugi::xml_node node, const char* name, const std::string& value)
-{
-  if (!value.empty())
-  {
-    node.append_attribute(name) = value.c_str();
-  }
-}
 
 std::string Text(const char* text)
 {
@@ -178,22 +153,17 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
 std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instrument) const
 {
   pugi::xml_document document;
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  document.append_child(pugi::node_comment).set_value(" Scan positions, written by vtkHelios. ");
-  pugi::xml_node root = document.append_child("document");
+  pugi::xml_node root =
+    helios::StartDocument(document, " Scan positions, written by vtkHelios. ");
   this->AddScene(root);
   this->AddSettings(root);
   pugi::xml_node survey = root.append_child("survey");
-  Set(survey, "name", Text(this->Writer->SurveyName));
-  Set(survey, "scene", root.child("scene") ? SceneId : this->Writer->Scene);
-  Set(survey, "platform", this->Writer->Platform);
-  Set(survey, "scanner", this->Writer->Scanner);
+  helios::SetAttribute(survey, "name", Text(this->Writer->SurveyName));
+  helios::SetAttribute(survey, "scene", root.child("scene") ? SceneId : this->Writer->Scene);
+  helios::SetAttribute(survey, "platform", this->Writer->Platform);
+  helios::SetAttribute(survey, "scanner", this->Writer->Scanner);
   this->AddLegs(survey, instrument);
-  std::ostringstream text;
-  document.save(text, "  ", pugi::format_default, pugi::encoding_utf8);
-  return text.str();
+  return helios::ToXmlText(document);
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +175,7 @@ void vtkHeliosSurveyWriter::Internals::AddScene(pugi::xml_node root) const
   if (!text.empty() && mesh.load_string(text.c_str()))
   {
     pugi::xml_node scene = root.append_copy(mesh.document_element().first_child());
-    Set(scene, "crs", helios::GetCRS(this->Positions));
+    helios::SetAttribute(scene, "crs", helios::GetCRS(this->Positions));
   }
 }
 
@@ -215,20 +185,20 @@ void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
   if (!this->Crs.empty())
   {
     pugi::xml_node place = root.append_child("platformSettings");
-    Set(place, "id", TemplateId);
-    Set(place, "crs", this->Crs); // WKT is long: once
+    helios::SetAttribute(place, "id", TemplateId);
+    helios::SetAttribute(place, "crs", this->Crs); // WKT is long: once
   }
   pugi::xml_node settings = root.append_child("scannerSettings");
-  Set(settings, "id", TemplateId);
-  Set(settings, "active", "true");
-  Set(settings, "pulseFreq_hz", this->Writer->PulseFrequency);
-  Set(settings, "scanFreq_hz", this->Writer->ScanFrequency);
-  Set(settings, "scanAngle_deg", this->Writer->ScanAngle);
-  Set(settings, "verticalAngleMin_deg", this->Writer->VerticalAngleMin);
-  Set(settings, "verticalAngleMax_deg", this->Writer->VerticalAngleMax);
-  Set(settings, "headRotateStart_deg", this->Writer->HeadRotateStart);
-  Set(settings, "headRotateStop_deg", this->Writer->HeadRotateStop);
-  Set(settings, "headRotatePerSec_deg", this->Writer->HeadRotatePerSecond);
+  helios::SetAttribute(settings, "id", TemplateId);
+  helios::SetAttribute(settings, "active", "true");
+  helios::SetAttribute(settings, "pulseFreq_hz", this->Writer->PulseFrequency);
+  helios::SetAttribute(settings, "scanFreq_hz", this->Writer->ScanFrequency);
+  helios::SetAttribute(settings, "scanAngle_deg", this->Writer->ScanAngle);
+  helios::SetAttribute(settings, "verticalAngleMin_deg", this->Writer->VerticalAngleMin);
+  helios::SetAttribute(settings, "verticalAngleMax_deg", this->Writer->VerticalAngleMax);
+  helios::SetAttribute(settings, "headRotateStart_deg", this->Writer->HeadRotateStart);
+  helios::SetAttribute(settings, "headRotateStop_deg", this->Writer->HeadRotateStop);
+  helios::SetAttribute(settings, "headRotatePerSec_deg", this->Writer->HeadRotatePerSecond);
 }
 
 //------------------------------------------------------------------------------
@@ -240,12 +210,12 @@ void vtkHeliosSurveyWriter::Internals::AddLegs(
     const helios::Vec3 foot = helios::Vec3(this->Positions->GetPoint(i)) - instrument;
     pugi::xml_node leg = survey.append_child("leg");
     pugi::xml_node place = leg.append_child("platformSettings");
-    Set(place, "template", this->Crs.empty() ? "" : TemplateId);
-    Set(place, "x", foot[0]);
-    Set(place, "y", foot[1]);
-    Set(place, "z", foot[2]);
-    Set(place, "onGround", "false");
-    Set(leg.append_child("scannerSettings"), "template", TemplateId);
+    helios::SetAttribute(place, "template", this->Crs.empty() ? "" : TemplateId);
+    helios::SetAttribute(place, "x", foot[0]);
+    helios::SetAttribute(place, "y", foot[1]);
+    helios::SetAttribute(place, "z", foot[2]);
+    helios::SetAttribute(place, "onGround", "false");
+    helios::SetAttribute(leg.append_child("scannerSettings"), "template", TemplateId);
   }
 }
 

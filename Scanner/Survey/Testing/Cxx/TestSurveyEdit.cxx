@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Surveys made by hand: where legs come to be, what instruments allow, and that files say the same.
+#include "heliosSurveyEdit.h"
+
+#include "heliosMessages.h"
+#include "heliosSurveyFiles.h"
+#include "heliosSurveyXml.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <vtkDataArray.h>
+#include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstring>
+
+using Catch::Matchers::Contains;
+using namespace helios;
+using namespace helios::test;
+
+namespace
+{
+
+/// The files' tripod and scanner over their scene.
+struct Hand
+{
+  vtkNew<vtkHeliosSurvey> Owner;
+  vtkSmartPointer<ErrorObserver> Heard = Observe(Owner);
+  Messages Log{ Owner };
+  Catalogue Choice;
+  SurveyEdit Edit;
+
+  explicit Hand(const Files& files, const char* platform = "tripod", const char* scanner = "tls")
+    : Choice(ReadCatalogue({ files / "" }, {}, files / ""))
+  {
+    this->Edit.Scene = "scene.xml#s";
+    for (const auto& entry : this->Choice.Platforms)
+    {
+      entry.second.Id == platform ? ChoosePlatform(this->Edit, entry.first, entry.second) : void();
+    }
+    for (const auto& entry : this->Choice.Scanners)
+    {
+      entry.second.Id == scanner ? ChooseScanner(this->Edit, entry.first, entry.second) : void();
+    }
+    REQUIRE(this->Edit.Scanner == "assets.xml#" + std::string(scanner));
+    REQUIRE(this->Edit.Platform == "assets.xml#" + std::string(platform));
+  }
+
+  std::string Save(const Files& files)
+  {
+    return SaveSurvey(this->Edit, files / "survey.xml", { files / "" }, this->Log);
+  }
+};
+
+vtkSmartPointer<vtkPolyData> Run(vtkHeliosSurvey* survey)
+{
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(survey);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// Points and all arrays, byte for byte.
+bool IsSame(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto same = [](vtkDataArray* x, vtkDataArray* y)
+  {
+    const auto bytes = static_cast<std::size_t>(
+      x->GetNumberOfValues() * static_cast<vtkIdType>(x->GetDataTypeSize()));
+    return y && x->GetNumberOfValues() == y->GetNumberOfValues() &&
+      std::memcmp(x->GetVoidPointer(0), y->GetVoidPointer(0), bytes) == 0;
+  };
+  bool good = same(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+  for (int i = 0; i < a->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = a->GetPointData()->GetArray(i);
+    good = good && (!array || same(array, b->GetPointData()->GetArray(array->GetName())));
+  }
+  return good;
+}
+
+} // namespace
+
+TEST_CASE(
+  "SurveyEdit: strips lie 2 h tan(a) (1 - overlap) apart and cover the rectangle", "[SurveyEdit]")
+{
+  const double height = 100.0;
+  const double angle = 30.0;
+  const double swath = 2.0 * height * std::tan(vtkMath::RadiansFromDegrees(angle));
+  for (const double overlap : { 0.0, 20.0, 60.0, 95.0 })
+  {
+    for (const double width : { 1.0, 115.0, 500.0 })
+    {
+      INFO("overlap " << overlap << ", width " << width);
+      const FlightLines plan = MakeFlightLines(
+        { 10.0, 700.0, 5.0 }, { 810.0, 700.0 - width, 2.0 }, height, angle, overlap);
+      CHECK(plan.Axis == 0);
+      CHECK(plan.Spacing == Approx(swath * (1.0 - overlap / 100.0)).epsilon(1e-14));
+      const double first = plan.Lines.front().first[1];
+      const double last = plan.Lines.back().first[1];
+      CHECK(0.5 * (first + last) == Approx(700.0 - 0.5 * width));
+      CHECK(last - first == Approx(plan.Spacing * double(plan.Lines.size() - 1)).margin(1e-9));
+      CHECK(last - first + swath >= width - 1e-6);
+      const bool isFewest = plan.Lines.size() == 1 || last - first - plan.Spacing + swath < width;
+      CHECK(isFewest);
+      for (std::size_t i = 0; i < plan.Lines.size(); ++i)
+      {
+        CHECK(plan.Lines[i].first[0] == (i % 2 == 0 ? 10.0 : 810.0));
+        CHECK(plan.Lines[i].second[0] == (i % 2 == 0 ? 810.0 : 10.0));
+        CHECK(plan.Lines[i].first[2] == 105.0);
+      }
+    }
+  }
+  CHECK(MakeFlightLines({ 0, 0, 0 }, { 10, 20, 0 }, 50.0, 30.0, 0.0).Axis == 1);
+}
+
+TEST_CASE("SurveyEdit: legs of a rectangle fire, and turns do not", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files, "plane", "als");
+  CHECK(SetSetting(hand.Edit, "height", 40.0).empty());
+  CHECK(SetSetting(hand.Edit, "scanAngle", 15.0).empty());
+  CHECK(SetSetting(hand.Edit, "overlap", 75.0).empty());
+  SetArea(hand.Edit, { -20.0, -15.0, 0.0 }, { 20.0, 15.0, 0.0 });
+  REQUIRE(hand.Edit.Legs.size() == 6);
+  for (std::size_t i = 0; i < 6; ++i)
+  {
+    CHECK(hand.Edit.Legs[i].Settings.Leg.Active == (i % 2 == 0));
+    CHECK(hand.Edit.Legs[i].Settings.Leg.Position[2] == 40.0);
+  }
+  // The lines follow what they were made with.
+  SetSetting(hand.Edit, "overlap", 0.0);
+  CHECK(hand.Edit.Legs.size() == 4);
+  SetSetting(hand.Edit, "height", 30.0);
+  CHECK(hand.Edit.Legs.front().Settings.Leg.Position[2] == 30.0);
+  SetSetting(hand.Edit, "speed", 20.0);
+  SurveyEdit far = hand.Edit;
+  far.ScannerModel.RangeMin = 100.0; // nothing nearer would be seen
+  CHECK_THAT(SetSetting(far, "height", 50.0), Contains("becomes 100 m"));
+  REQUIRE(hand.Save(files).empty());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty());
+  const SurveyData& data = reading.Data();
+  CHECK(data.Fires(0));
+  CHECK_FALSE(data.Fires(1));
+  CHECK(data.Fires(data.Legs.size() - 2));
+  CHECK(data.Legs[0].Speed == 20.0);
+  CHECK(data.Legs[0].Scans[0].ScanAngle == 15.0);
+}
+
+TEST_CASE("SurveyEdit: a tripod stands where it is put, on either kind of ground", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files);
+  AddLeg(hand.Edit, { 1.0, 2.0, 0.25 }, false);
+  AddLeg(hand.Edit, { 5.0, 6.0, 0.0 }, true);
+  AddLeg(hand.Edit, { 7.0, 7.0, 0.0 }, true);
+  RemoveLeg(hand.Edit, 2);
+  MoveLeg(hand.Edit, 0, { 1.5, 2.5, 0.5 }, false);
+  REQUIRE(hand.Save(files).empty());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  const SurveyData& data = reading.Data();
+  REQUIRE(data.Legs.size() == 2);
+  CHECK(data.Legs[0].Position == Vec3(1.5, 2.5, 0.5));
+  CHECK_FALSE(data.Legs[0].OnGround);
+  CHECK(data.Legs[1].OnGround);
+  CHECK(data.Platforms[0].Mount.Position[2] == 1.5); // the height of the instrument
+}
+
+TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files);
+  AddLeg(hand.Edit, { 0.0, 0.0, 0.0 }, true);
+  const auto set = [&hand](const char* name, double value, double expected)
+  {
+    const std::string said = SetSetting(hand.Edit, name, value);
+    CHECK(GetSetting(hand.Edit, name) == expected);
+    return said;
+  };
+  CHECK_THAT(set("scanFrequency", 500.0, 120.0),
+    Contains("scan frequency 500 Hz becomes 120 Hz (3 to 120)"));
+  CHECK_THAT(set("headSpeed", 90.0, 60.0), Contains("head speed 90 deg/s becomes 60 deg/s"));
+  CHECK_THAT(set("pulseFrequency", 180000.0, 100000.0),
+    Contains("becomes 100000 Hz, which the instrument offers"));
+  CHECK_THAT(set("headStop", -10.0, 1.0), Contains("head to -10 deg becomes 1 deg"));
+  CHECK_THAT(
+    set("headStart", 200.0, 200.0), Contains("the head turns by 1 deg at least, to 201 deg"));
+  CHECK(set("verticalMax", 50.0, 50.0).empty());
+  CHECK_THAT(
+    set("verticalMin", -80.0, -80.0), Contains("the window of 1 to 100 deg ends at 20 deg"));
+  CHECK_THAT(SetSetting(hand.Edit, "scanAngle", 9.0), Contains("scanAngle is nothing that"));
+  CHECK_THAT(SetSetting(hand.Edit, "speed", 3.0), Contains("speed is nothing that tls on tripod"));
+  CHECK(hand.Edit.Legs[0].Settings.Scan.HeadRotateSpeed == 60.0);
+  REQUIRE(hand.Save(files).empty());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  CHECK(reading.Log->Warnings.empty()); // nothing is left to clip
+  const ScanData& scan = reading.Data().Legs[0].Scans[0];
+  CHECK(scan.ScanFrequency == 120.0);
+  CHECK(scan.PulseFrequency == 100000.0);
+  CHECK(scan.HeadRotateSpeed == 60.0);
+  CHECK(scan.HeadRotateStart == 200.0);
+  CHECK(scan.HeadRotateStop == 201.0);
+  CHECK(scan.VerticalAngleMin == -80.0);
+  CHECK(scan.VerticalAngleMax == 20.0);
+}
+
+TEST_CASE("SurveyEdit: an oscillating mirror swings less far the faster it is", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files, "plane", "als");
+  hand.Edit.ScannerModel.Type = Optics::OscillatingMirror;
+  hand.Edit.ScannerModel.ScanProduct = 1000.0;
+  SetSetting(hand.Edit, "scanFrequency", 50.0);
+  CHECK_THAT(
+    SetSetting(hand.Edit, "scanAngle", 20.0) + SetSetting(hand.Edit, "scanFrequency", 60.0),
+    Contains("scan frequency is 50 Hz at most with this scan angle"));
+  CHECK(GetSetting(hand.Edit, "scanFrequency") == 50.0);
+}
+
+TEST_CASE("SurveyEdit: a survey saved is the survey run, byte for byte", "[SurveyEdit]")
+{
+  const Files files;
+  const bool isMoving = GENERATE(false, true);
+  Hand hand(files, isMoving ? "plane" : "tripod", isMoving ? "als" : "tls");
+  AddLeg(hand.Edit, { -1.0 / 3.0, 2.0, 0.1 }, false);
+  AddLeg(hand.Edit, { 1.0 / 7.0, 3.0, 0.1 }, false);
+  hand.Edit.Seed = 5;
+  isMoving ? SetSetting(hand.Edit, "height", 100.0 / 3.0) : SetSetting(hand.Edit, "headStop", 2.0);
+  isMoving ? SetSetting(hand.Edit, "speed", 10.0) : "";
+  vtkNew<vtkHeliosSurvey> shown;
+  shown->GetData() = ReadSurveyText(files / "survey.xml", MakeSurveyText(hand.Edit), {}, hand.Log);
+  CHECK_FALSE(hand.Log.HasError());
+  REQUIRE(hand.Save(files).empty());
+  const Reading reading(files);
+  REQUIRE(reading.Good);
+  CHECK(reading.Data().Seed == 5);
+  CHECK(reading.Data().Legs[0].Position[0] == -1.0 / 3.0);
+  const auto before = Run(shown);
+  CHECK(before->GetNumberOfPoints() > 1000);
+  CHECK(IsSame(before, Run(reading.Reader->GetSurvey())));
+  vtkHeliosSurvey* other = reading.Reader->GetSurvey();
+  other->GetData().Legs[0].Position[0] += 1e-9;
+  other->Modified();
+  CHECK_FALSE(IsSame(before, Run(other)));
+}
+
+TEST_CASE("SurveyEdit: a survey that was read is written again as it is", "[SurveyEdit]")
+{
+  const Files files;
+  const bool isMoving = GENERATE(false, true);
+  const Reading first(files, std::string(isMoving ? Flight : Tripod) + " seed=\"9\"",
+    std::string(isMoving ? ThreeLegs : OneLeg) + R"(<FWFSettings beamSampleQuality="1"/>)");
+  REQUIRE(first.Good);
+  const auto before = Run(first.Reader->GetSurvey());
+  Hand hand(files);
+  const std::string left =
+    EditSurvey(first.Data(), hand.Choice, files / "", { files / "" }, hand.Edit);
+  CHECK(left.empty());
+  CHECK(hand.Edit.Scene == "scene.xml#s");
+  CHECK(hand.Edit.Scanner == (isMoving ? "assets.xml#als" : "assets.xml#tls"));
+  REQUIRE(hand.Save(files).empty());
+  CHECK_THAT(ReadText(files / "survey.xml"), Contains("made by hand"));
+  const Reading second(files);
+  REQUIRE(second.Good);
+  CHECK(second.Log->Warnings.empty());
+  CHECK(second.Data().Seed == 9);
+  CHECK(before->GetNumberOfPoints() > 1000);
+  CHECK(IsSame(before, Run(second.Reader->GetSurvey())));
+}
+
+TEST_CASE("SurveyEdit: what cannot run is not written, and says why", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files);
+  CHECK_THAT(hand.Save(files),
+    Contains("not written: the survey could not be run") && Contains("has 0 <leg>"));
+  AddLeg(hand.Edit, { 0.0, 0.0, 0.0 }, true);
+  hand.Edit.Scanner = "assets.xml#none";
+  CHECK_THAT(hand.Save(files), Contains("has no <scanner> of the id \"none\""));
+  CHECK_FALSE(std::filesystem::exists(files / "survey.xml"));
+}
+
+TEST_CASE("SurveyEdit: legs that no hand can change are named", "[SurveyEdit]")
+{
+  const Files files;
+  Hand hand(files);
+  const Reading reading(files, Tripod,
+    std::string(OneLeg) + R"(<leg platform="assets.xml#plane" scanner="assets.xml#als">
+<platformSettings z="50"/></leg><leg platform="assets.xml#plane" scanner="assets.xml#als">
+<platformSettings x="9" z="50"/></leg>)");
+  REQUIRE(reading.Good);
+  CHECK_THAT(EditSurvey(reading.Data(), hand.Choice, files / "", {}, hand.Edit),
+    Contains("2 of 3 legs are left out"));
+}
+
+TEST_CASE("SurveyEdit: files are referred to as they are found", "[SurveyEdit]")
+{
+  CHECK(ReferTo("/a/b/c.xml", "/x", { "/a" }) == "b/c.xml");
+  CHECK(ReferTo("/a/b/c.xml", "/x", { "/a/" }) == "b/c.xml");
+  CHECK(ReferTo("/x/c.xml", "/x/", { "/a" }) == "c.xml");
+  CHECK(ReferTo("/x/../y/c.xml", "/x", { "/a" }) == "/y/c.xml");
+  CHECK(ReferTo("/ab/c.xml", "/x", { "/a" }) == "/ab/c.xml");
+}

@@ -1,0 +1,448 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSurveyEdit.h"
+
+#include "heliosMessages.h"
+
+#include <vtkMath.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double FineResolution = 0.1;       // [deg], of an instrument that stands, at the start
+constexpr double UsualScanAngle = 30.0;      // [deg], half, from the air
+constexpr double UsualScanFrequency = 100.0; // [Hz], where the instrument has no limit
+constexpr double MostScanFrequency = 400.0;
+constexpr double MostHeight = 3000.0; // [m]
+constexpr double MostSpeed = 100.0;   // [m/s]
+
+/// The half angle that pulses may leave at [deg].
+double FindHalfAngle(const ScannerData& scanner)
+{
+  const double angle =
+    scanner.ScanAngleEffectiveMax > 0.0 ? scanner.ScanAngleEffectiveMax : scanner.ScanAngleMax;
+  return angle > 0.0 ? angle : 90.0;
+}
+
+/// Below it an instrument sees nothing [m].
+double FindLeastHeight(const ScannerData& scanner)
+{
+  return std::max(1.0, scanner.RangeMin);
+}
+
+bool HasWindow(const SurveyEdit& edit)
+{
+  return !edit.IsMoving() && edit.ScannerModel.Type == Optics::RotatingMirror;
+}
+
+bool HasScanAngle(const SurveyEdit& edit)
+{
+  return edit.IsMoving() && edit.ScannerModel.Type != Optics::RisleyPrisms;
+}
+
+bool HasScanFrequency(const ScannerData& scanner)
+{
+  return scanner.Type != Optics::RisleyPrisms && scanner.Type != Optics::FiberArray;
+}
+
+double FindMostScanFrequency(const ScannerData& scanner)
+{
+  return scanner.ScanFrequencyMax > 0.0 ? scanner.ScanFrequencyMax : MostScanFrequency;
+}
+
+/// Where a number is kept; null: nowhere.
+double* FindNumber(LegSettings& settings, const std::string& name)
+{
+  const std::pair<const char*, double*> all[] = { { "headStart", &settings.Scan.HeadRotateStart },
+    { "headStop", &settings.Scan.HeadRotateStop }, { "headSpeed", &settings.Scan.HeadRotateSpeed },
+    { "verticalMin", &settings.VerticalAngleMin }, { "verticalMax", &settings.VerticalAngleMax },
+    { "scanAngle", &settings.ScanAngle }, { "pulseFrequency", &settings.PulseFrequency },
+    { "scanFrequency", &settings.ScanFrequency }, { "speed", &settings.Leg.Speed } };
+  for (const auto& number : all)
+  {
+    if (name == number.first)
+    {
+      return number.second;
+    }
+  }
+  return nullptr;
+}
+
+double* FindNumber(SurveyEdit& edit, const std::string& name)
+{
+  return name == "height" ? &edit.Height
+    : name == "overlap"   ? &edit.Overlap
+                          : FindNumber(edit.Settings, name);
+}
+
+/// The nearest number that a range has.
+double Limit(const EditRange& range, double value)
+{
+  if (range.Choices.empty())
+  {
+    return std::clamp(value, range.Low, range.High);
+  }
+  const auto isNearer = [value](double a, double b)
+  { return std::abs(a - value) < std::abs(b - value); };
+  return *std::min_element(range.Choices.begin(), range.Choices.end(), isNearer);
+}
+
+/// Notes what became of a number.
+void Note(const EditRange& range, double asked, double given, Sentence& text)
+{
+  if (asked != given && !std::isnan(asked))
+  {
+    text << (text.str().empty() ? "" : "; ") << range.Label << " " << asked << " " << range.Unit
+         << " becomes " << given << " " << range.Unit;
+    range.Choices.empty() ? text << " (" << range.Low << " to " << range.High << ")"
+                          : text << ", which the instrument offers";
+  }
+}
+
+void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, Sentence& text)
+{
+  for (const EditRange& range : FindRanges(edit))
+  {
+    if (double* number = FindNumber(settings, range.Name))
+    {
+      const double given = Limit(range, std::isnan(*number) ? range.Low : *number);
+      Note(range, *number, given, text);
+      *number = given;
+    }
+  }
+}
+
+/// A head turns from start to a later stop.
+void LimitHead(LegSettings& settings, Sentence& text)
+{
+  ScanData& scan = settings.Scan;
+  if (!(scan.HeadRotateStop >= scan.HeadRotateStart + 1.0))
+  {
+    scan.HeadRotateStart = std::min(scan.HeadRotateStart, 359.0);
+    scan.HeadRotateStop = scan.HeadRotateStart + 1.0;
+    text << (text.str().empty() ? "" : "; ") << "the head turns by 1 deg at least, to "
+         << scan.HeadRotateStop << " deg";
+  }
+}
+
+/// A window is as wide as the mirror can see, and not empty.
+void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& text)
+{
+  const double widest = 2.0 * FindHalfAngle(scanner);
+  const double low = settings.VerticalAngleMin;
+  const double high = settings.VerticalAngleMax;
+  settings.VerticalAngleMax = std::clamp(high, std::min(low + 1.0, 180.0), low + widest);
+  if (settings.VerticalAngleMax != high)
+  {
+    text << (text.str().empty() ? "" : "; ") << "the window of 1 to " << widest << " deg ends at "
+         << settings.VerticalAngleMax << " deg";
+  }
+}
+
+/// An oscillating mirror swings less far the faster it is.
+void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& text)
+{
+  const double most = scanner.ScanProduct / settings.ScanAngle;
+  if (settings.ScanFrequency > most)
+  {
+    settings.ScanFrequency = most;
+    text << (text.str().empty() ? "" : "; ") << "scan frequency is " << most
+         << " Hz at most with this scan angle";
+  }
+}
+
+/// What an instrument begins with.
+LegSettings MakeUsualSettings(const SurveyEdit& edit)
+{
+  const ScannerData& scanner = edit.ScannerModel;
+  LegSettings settings;
+  settings.Leg.Speed = edit.Settings.Leg.Speed;
+  settings.PulseFrequency =
+    scanner.PulseFrequencies.empty() ? LegSettings::NotGiven : scanner.PulseFrequencies.front();
+  const double half = FindHalfAngle(scanner);
+  if (HasScanFrequency(scanner))
+  {
+    const double wanted = edit.IsMoving() || std::isnan(settings.PulseFrequency)
+      ? UsualScanFrequency
+      : settings.PulseFrequency * FineResolution / (2.0 * half);
+    settings.ScanFrequency =
+      std::clamp(wanted, scanner.ScanFrequencyMin, FindMostScanFrequency(scanner));
+  }
+  if (HasScanAngle(edit))
+  {
+    settings.ScanAngle = std::min(half, UsualScanAngle);
+  }
+  if (HasWindow(edit))
+  {
+    settings.VerticalAngleMin = -std::min(half, 90.0);
+    settings.VerticalAngleMax = std::min(half, 90.0);
+  }
+  if (!edit.IsMoving())
+  {
+    const double speed = HasScanFrequency(scanner) ? FineResolution * settings.ScanFrequency : 10.0;
+    settings.Scan.HeadRotateSpeed = std::min(speed, scanner.HeadRotateSpeedMax);
+    settings.Scan.HeadRotateStop = 360.0;
+  }
+  return settings;
+}
+
+/// Puts a leg where it stands or flies.
+void Place(const SurveyEdit& edit, EditLeg& leg)
+{
+  LegData& data = leg.Settings.Leg;
+  data.Position[2] = leg.Ground + (edit.IsMoving() ? edit.Height : 0.0);
+  data.OnGround = data.OnGround && !edit.IsMoving();
+}
+
+/// Strips take the place of all legs.
+void FlyArea(SurveyEdit& edit)
+{
+  const double angle = std::isnan(edit.Settings.ScanAngle) ? 20.0 : edit.Settings.ScanAngle;
+  const FlightLines plan = MakeFlightLines(
+    edit.Corners[0], edit.Corners[1], edit.Height, std::clamp(angle, 1e-3, 89.0), edit.Overlap);
+  edit.Legs.clear();
+  for (const auto& line : plan.Lines)
+  {
+    for (const bool isStart : { true, false })
+    {
+      EditLeg leg;
+      leg.Settings = edit.Settings;
+      leg.Settings.Leg.Position = isStart ? line.first : line.second;
+      leg.Settings.Leg.Active = isStart;
+      leg.Ground = leg.Settings.Leg.Position[2] - edit.Height;
+      edit.Legs.push_back(leg);
+    }
+  }
+}
+
+/// After the platform or a number has changed.
+void Follow(SurveyEdit& edit)
+{
+  edit.HasArea = edit.HasArea && edit.IsMoving();
+  if (edit.HasArea)
+  {
+    FlyArea(edit);
+  }
+  for (EditLeg& leg : edit.Legs)
+  {
+    Place(edit, leg);
+  }
+}
+
+/// The instrument's own settings for every leg; where it is stays.
+void BeginAgain(SurveyEdit& edit)
+{
+  edit.Settings = MakeUsualSettings(edit);
+  ClampSettings(edit, edit.Settings);
+  for (EditLeg& leg : edit.Legs)
+  {
+    const LegData where = leg.Settings.Leg;
+    leg.Settings = edit.Settings;
+    leg.Settings.Leg = where;
+    leg.Settings.Leg.Active = true;
+  }
+  Follow(edit);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+FlightLines MakeFlightLines(
+  const Vec3& corner, const Vec3& opposite, double height, double scanAngle, double overlap)
+{
+  FlightLines plan;
+  Vec3 low;
+  Vec3 high;
+  for (int i = 0; i < 3; ++i)
+  {
+    low[i] = std::min(corner[i], opposite[i]);
+    high[i] = std::max(corner[i], opposite[i]);
+  }
+  plan.Axis = high[0] - low[0] >= high[1] - low[1] ? 0 : 1;
+  const int across = 1 - plan.Axis;
+  const double swath = 2.0 * height * std::tan(vtkMath::RadiansFromDegrees(scanAngle));
+  plan.Spacing = swath * (1.0 - 0.01 * overlap);
+  const double width = high[across] - low[across];
+  const double more = std::ceil((width - swath) / plan.Spacing - 1e-9);
+  const int count = 1 + static_cast<int>(std::clamp(more, 0.0, 999.0));
+  for (int i = 0; i < count; ++i)
+  {
+    Vec3 from = low;
+    from[across] = 0.5 * (low[across] + high[across]) + (i - 0.5 * (count - 1)) * plan.Spacing;
+    from[2] = high[2] + height;
+    Vec3 to = from;
+    to[plan.Axis] = high[plan.Axis];
+    i % 2 == 0 ? plan.Lines.emplace_back(from, to) : plan.Lines.emplace_back(to, from);
+  }
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+std::vector<EditRange> FindRanges(const SurveyEdit& edit)
+{
+  const ScannerData& scanner = edit.ScannerModel;
+  std::vector<EditRange> ranges;
+  if (HasWindow(edit))
+  {
+    ranges.push_back({ "verticalMin", "lowest angle", "deg", -90.0, 89.0, {} });
+    ranges.push_back({ "verticalMax", "highest angle", "deg", -89.0, 90.0, {} });
+  }
+  if (HasScanAngle(edit))
+  {
+    ranges.push_back({ "scanAngle", "scan angle", "deg", 1.0, FindHalfAngle(scanner), {} });
+  }
+  if (!edit.IsMoving())
+  {
+    ranges.push_back({ "headStart", "head from", "deg", 0.0, 359.0, {} });
+    ranges.push_back({ "headStop", "head to", "deg", 1.0, 360.0, {} });
+    const double most = scanner.HeadRotateSpeedMax;
+    ranges.push_back({ "headSpeed", "head speed", "deg/s", std::min(0.1, most), most, {} });
+  }
+  if (scanner.PulseFrequencies.size() > 1)
+  {
+    std::vector<double> choices = scanner.PulseFrequencies;
+    std::sort(choices.begin(), choices.end());
+    ranges.push_back(
+      { "pulseFrequency", "pulse frequency", "Hz", choices.front(), choices.back(), choices });
+  }
+  if (HasScanFrequency(scanner))
+  {
+    const double most = FindMostScanFrequency(scanner);
+    const double least = std::min(most, std::max(1.0, scanner.ScanFrequencyMin));
+    ranges.push_back({ "scanFrequency", "scan frequency", "Hz", least, most, {} });
+  }
+  if (edit.IsMoving())
+  {
+    ranges.push_back({ "height", "height above ground", "m", FindLeastHeight(scanner),
+      std::max(2.0 * FindLeastHeight(scanner), std::min(scanner.RangeMax, MostHeight)), {} });
+    ranges.push_back({ "speed", "speed", "m/s", 0.5, MostSpeed, {} });
+    ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });
+  }
+  return ranges;
+}
+
+//------------------------------------------------------------------------------
+double GetSetting(const SurveyEdit& edit, const std::string& name)
+{
+  SurveyEdit copy = edit;
+  const double* number = FindNumber(copy, name);
+  return number ? *number : std::numeric_limits<double>::quiet_NaN();
+}
+
+//------------------------------------------------------------------------------
+std::string SetSetting(SurveyEdit& edit, const std::string& name, double value)
+{
+  const std::vector<EditRange> ranges = FindRanges(edit);
+  const auto range = std::find_if(
+    ranges.begin(), ranges.end(), [&name](const EditRange& one) { return one.Name == name; });
+  if (range == ranges.end() || !std::isfinite(value))
+  {
+    return name + " is nothing that " + edit.ScannerModel.Name + " on " + edit.PlatformModel.Name +
+      " has to set";
+  }
+  Sentence text;
+  const double given = Limit(*range, value);
+  Note(*range, value, given, text);
+  *FindNumber(edit, name) = given;
+  std::string also = ClampSettings(edit, edit.Settings);
+  for (EditLeg& leg : edit.Legs)
+  {
+    if (double* number = FindNumber(leg.Settings, name))
+    {
+      *number = given;
+      ClampSettings(edit, leg.Settings);
+    }
+  }
+  Follow(edit);
+  return text.str() + (text.str().empty() || also.empty() ? "" : "; ") + also;
+}
+
+//------------------------------------------------------------------------------
+std::string ClampSettings(const SurveyEdit& edit, LegSettings& settings)
+{
+  Sentence text;
+  LimitNumbers(edit, settings, text);
+  if (!edit.IsMoving())
+  {
+    LimitHead(settings, text);
+  }
+  if (HasWindow(edit))
+  {
+    LimitWindow(edit.ScannerModel, settings, text);
+  }
+  if (HasScanAngle(edit) && edit.ScannerModel.Type == Optics::OscillatingMirror)
+  {
+    LimitSwing(edit.ScannerModel, settings, text);
+  }
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+void ChoosePlatform(SurveyEdit& edit, const std::string& reference, const PlatformData& platform)
+{
+  const bool wasMoving = edit.IsMoving();
+  edit.Platform = reference;
+  edit.PlatformModel = platform;
+  wasMoving == edit.IsMoving() ? Follow(edit) : BeginAgain(edit);
+}
+
+//------------------------------------------------------------------------------
+void ChooseScanner(SurveyEdit& edit, const std::string& reference, const ScannerData& scanner)
+{
+  edit.Scanner = reference;
+  edit.ScannerModel = scanner;
+  edit.Height = std::max(FindLeastHeight(scanner), std::min(edit.Height, scanner.RangeMax));
+  BeginAgain(edit);
+}
+
+//------------------------------------------------------------------------------
+void AddLeg(SurveyEdit& edit, const Vec3& place, bool onGround)
+{
+  edit.HasArea = false;
+  EditLeg leg;
+  leg.Settings = edit.Settings;
+  edit.Legs.push_back(leg);
+  MoveLeg(edit, edit.Legs.size() - 1, place, onGround);
+}
+
+//------------------------------------------------------------------------------
+void MoveLeg(SurveyEdit& edit, std::size_t leg, const Vec3& place, bool onGround)
+{
+  if (leg < edit.Legs.size())
+  {
+    edit.HasArea = false;
+    edit.Legs[leg].Ground = place[2];
+    edit.Legs[leg].Settings.Leg.Position = place;
+    edit.Legs[leg].Settings.Leg.Crs.clear();
+    edit.Legs[leg].Settings.Leg.OnGround = onGround;
+    Place(edit, edit.Legs[leg]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RemoveLeg(SurveyEdit& edit, std::size_t leg)
+{
+  if (leg < edit.Legs.size())
+  {
+    edit.HasArea = false;
+    edit.Legs.erase(edit.Legs.begin() + static_cast<std::ptrdiff_t>(leg));
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetArea(SurveyEdit& edit, const Vec3& corner, const Vec3& opposite)
+{
+  edit.Corners[0] = corner;
+  edit.Corners[1] = opposite;
+  edit.HasArea = true;
+  Follow(edit);
+}
+
+} // namespace helios

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a survey made by hand begins with: catalogues, and surveys that were read.
+#include "heliosAssets.h"
+#include "heliosMessages.h"
+#include "heliosPlannerScan.h"
+#include "heliosSurveyEdit.h"
+#include "heliosSurveyXml.h"
+#include "heliosXmlPlatform.h"
+#include "heliosXmlScanner.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace helios
+{
+
+namespace
+{
+
+void FindXmlFiles(const fs::path& folder, std::vector<std::string>& files)
+{
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
+  {
+    if (entry->path().extension() == ".xml")
+    {
+      found.push_back(entry->path().string());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  files.insert(files.end(), found.begin(), found.end());
+}
+
+std::string MakeWhole(const std::string& path)
+{
+  std::error_code ignored;
+  const fs::path whole = fs::weakly_canonical(fs::absolute(path), ignored);
+  return whole.empty() ? path : whole.string();
+}
+
+/// The file of "file:line".
+std::string GetFile(const std::string& where)
+{
+  return where.substr(0, where.rfind(':'));
+}
+
+/// Of a scanner of channels, the first.
+std::string GetScannerId(const ScannerData& scanner)
+{
+  return scanner.Id.substr(0, scanner.Id.find(", channel "));
+}
+
+/// What was read well, by its reference.
+template <typename T, typename ReadT>
+void AddEntries(const XmlElement& root, const char* tag, const std::string& reference, ReadT read,
+  std::vector<std::pair<std::string, T>>& entries)
+{
+  Messages& log = root.GetMessages();
+  for (const XmlElement& element : root.GetChildren(tag))
+  {
+    const int before = log.GetNumberOfErrors();
+    const T entry = read(element);
+    if (log.GetNumberOfErrors() == before && element.Has("id"))
+    {
+      entries.emplace_back(reference + "#" + element.GetText("id"), entry);
+    }
+  }
+}
+
+/// The entry that was read from the same place; else a reference to it.
+template <typename T>
+std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
+  const std::string& where, const std::string& id, const std::string& path)
+{
+  for (const auto& entry : entries)
+  {
+    const bool isSame = entry.first.substr(entry.first.rfind('#') + 1) == id;
+    if (isSame && MakeWhole(GetFile(entry.second.Where)) == MakeWhole(GetFile(where)))
+    {
+      return entry.first;
+    }
+  }
+  return path + "#" + id;
+}
+
+/// What of the <survey> stays as it is.
+void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
+{
+  static const std::set<std::string> ours = { "name", "scene", "platform", "scanner",
+    "basePlatform" };
+  static const std::set<std::string> places = { "leg", "scan", "origin", "scannerMount" };
+  pugi::xml_document document;
+  document.load_file(fileName.c_str());
+  const pugi::xml_node survey = document.document_element().child("survey");
+  for (const pugi::xml_attribute attribute : survey.attributes())
+  {
+    if (ours.count(attribute.name()) == 0)
+    {
+      edit.Attributes.emplace_back(attribute.name(), attribute.value());
+    }
+  }
+  std::ostringstream text;
+  for (const pugi::xml_node child : survey.children())
+  {
+    if (child.type() == pugi::node_element && places.count(child.name()) == 0)
+    {
+      child.print(text);
+    }
+  }
+  edit.Children = text.str();
+}
+
+/// What a leg asks for, so that it comes to what it does.
+LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
+{
+  const LegData& data = survey.Legs[leg];
+  const ScanData& scan = data.Scans.front();
+  const Optics type = survey.GetScanner(leg).Type;
+  LegSettings settings = MakeSettings(scan);
+  settings.Leg = data;
+  settings.Leg.Scans.clear();
+  settings.Scan = scan;
+  settings.Scan.HeadRotateStart -= scan.HeadRotateSpeed * scan.WarmUpTime;
+  if (type != Optics::RotatingMirror)
+  {
+    settings.VerticalAngleMin = LegSettings::NotGiven;
+    settings.VerticalAngleMax = LegSettings::NotGiven;
+  }
+  if (type == Optics::RisleyPrisms)
+  {
+    settings.ScanAngle = LegSettings::NotGiven;
+  }
+  if (type == Optics::RisleyPrisms || type == Optics::FiberArray)
+  {
+    settings.ScanFrequency = LegSettings::NotGiven;
+  }
+  return settings;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
+  const std::vector<std::string>& files, const std::string& surveyFolder)
+{
+  std::vector<std::string> all;
+  for (const std::string& folder : assetDirectories)
+  {
+    for (const char* below : { "", "Assets", "data", "data/Assets" })
+    {
+      FindXmlFiles(fs::path(folder) / below, all);
+    }
+  }
+  all.insert(all.end(), files.begin(), files.end());
+  vtkNew<vtkObject> owner; // an observer keeps it quiet about what nobody may choose
+  vtkNew<vtkCallbackCommand> nobody;
+  nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+  owner->AddObserver(vtkCommand::ErrorEvent, nobody);
+  owner->AddObserver(vtkCommand::WarningEvent, nobody);
+  Messages log(owner);
+  Assets assets(log, assetDirectories);
+  Catalogue catalogue;
+  std::set<std::string> seen;
+  for (const std::string& file : all)
+  {
+    std::error_code ignored;
+    const bool isNew = fs::is_regular_file(file, ignored) && seen.insert(MakeWhole(file)).second;
+    const XmlDocument* document = isNew ? assets.Load(file) : nullptr;
+    if (document)
+    {
+      const std::string name = ReferTo(file, surveyFolder, assetDirectories);
+      AddEntries(document->GetRoot(), "platform", name, ReadPlatform, catalogue.Platforms);
+      AddEntries(document->GetRoot(), "scanner", name, ReadScanner, catalogue.Scanners);
+    }
+  }
+  return catalogue;
+}
+
+//------------------------------------------------------------------------------
+std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
+  const std::string& surveyFolder, const std::vector<std::string>& assetDirectories,
+  SurveyEdit& edit)
+{
+  const auto refer = [&](const std::string& where)
+  { return ReferTo(GetFile(where), surveyFolder, assetDirectories); };
+  Sentence left;
+  edit = SurveyEdit();
+  edit.Name = survey.Name;
+  edit.Scene = refer(survey.Scene.Where) + "#" + survey.Scene.Id;
+  KeepSurvey(survey.FileName, edit);
+  edit.PlatformModel = survey.Platforms.front();
+  edit.ScannerModel = survey.Scanners.front();
+  edit.Platform = FindReference(catalogue.Platforms, edit.PlatformModel.Where,
+    edit.PlatformModel.Id, refer(edit.PlatformModel.Where));
+  const std::string id = GetScannerId(edit.ScannerModel);
+  edit.Scanner =
+    FindReference(catalogue.Scanners, edit.ScannerModel.Where, id, refer(edit.ScannerModel.Where));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < survey.Legs.size(); ++i)
+  {
+    const LegData& data = survey.Legs[i];
+    const bool isKept = data.Platform == 0 && data.Scanner == 0 &&
+      edit.PlatformModel.Type != PlatformType::Interpolated && (i == 0 || !data.StartsJourney);
+    if (isKept && !data.Scans.empty())
+    {
+      EditLeg leg;
+      leg.Settings = Unresolve(survey, i);
+      leg.Ground = data.Position[2] - (edit.IsMoving() ? edit.Height : 0.0);
+      edit.Legs.push_back(leg);
+      ++count;
+    }
+  }
+  if (count < survey.Legs.size())
+  {
+    left << survey.Legs.size() - count << " of " << survey.Legs.size()
+         << " legs are left out: those of other platforms, scanners, journeys or trajectory files";
+  }
+  if (!edit.Legs.empty())
+  {
+    edit.Settings = edit.Legs.front().Settings;
+    edit.Settings.Leg.Active = true;
+    edit.Settings.Leg.Strip.clear();
+    edit.Settings.Leg.Crs.clear();
+  }
+  return left.str();
+}
+
+} // namespace helios
