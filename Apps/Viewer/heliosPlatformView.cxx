@@ -125,10 +125,20 @@ void PlatformView::SetWays(const std::vector<SimulatedLeg>& legs)
 }
 
 //------------------------------------------------------------------------------
+void PlatformView::SetVisible(bool visible)
+{
+  this->IsVisible = visible;
+  this->Ways->SetVisibility(visible);
+  this->Stands->SetVisibility(visible);
+  this->SetModelVisible(visible);
+}
+
+//------------------------------------------------------------------------------
 void PlatformView::SetModelVisible(bool visible)
 {
-  this->Body->SetVisibility(visible && this->HasModel);
-  this->Scanner->SetVisibility(visible && this->HasModel);
+  const bool isShown = visible && this->IsVisible && this->HasModel;
+  this->Body->SetVisibility(isShown);
+  this->Scanner->SetVisibility(isShown);
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +173,7 @@ void PlatformView::Place(PlatformType type, const Pose& platform, const Pose& mo
     Show(this->Body, MakePlatformModel(type));
     this->Type = type;
     this->HasModel = true;
+    this->SetModelVisible(true);
   }
   const Pose local{ platform.Position - this->Origin, platform.Orientation };
   const double size =

@@ -32,6 +32,9 @@ public:
   /// The ways of all legs, as lines; positions of tripods, as points.
   void SetWays(const std::vector<SimulatedLeg>& legs);
 
+  /// Platform, scanner and ways.
+  void SetVisible(bool visible);
+
   /// Platform and scanner, which are in the way of an eye in the scanner's place.
   void SetModelVisible(bool visible);
 
@@ -53,6 +56,7 @@ private:
   Vec3 Origin;
   PlatformType Type;
   bool HasModel = false;
+  bool IsVisible = true;
   vtkNew<vtkActor> Body;
   vtkNew<vtkActor> Scanner;
   vtkNew<vtkActor> Ways;
