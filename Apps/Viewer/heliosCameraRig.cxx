@@ -21,6 +21,7 @@ namespace
 constexpr double ViewAngle = 45.0;        // [deg]
 constexpr double ScannerViewAngle = 75.0; // [deg]
 constexpr double DegreesPerSecond = 6.0;  // of the orbit
+constexpr double NearestFollow = 20.0;    // [m], from the platform
 constexpr double LookSeconds = 0.4;       // that the scanner's eye takes to turn
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
@@ -124,7 +125,7 @@ void CameraRig::Reset()
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double distance = this->GetSize() / std::sin(vtkMath::RadiansFromDegrees(0.5 * ViewAngle));
   const Vec3 center = this->GetCenter();
-  const Vec3 eye = center + 0.7 * distance * Unit(FromSouthWest);
+  const Vec3 eye = center + 0.85 * distance * Unit(FromSouthWest);
   camera->SetViewUp(0.0, 0.0, 1.0);
   camera->SetFocalPoint(center.GetData());
   camera->SetPosition(eye.GetData());
@@ -193,7 +194,8 @@ void CameraRig::Follow(const Subject& subject)
   {
     this->IsFollowing = true;
     const double above = std::max(0.0, at[2] - this->Bounds[4]);
-    const double distance = std::clamp(1.6 * above, 8.0, std::max(8.0, 1.5 * this->GetSize()));
+    const double distance =
+      std::clamp(1.6 * above, NearestFollow, std::max(NearestFollow, 1.5 * this->GetSize()));
     Vec3 forward = Rotate(subject.Platform.Orientation, Vec3(0.0, 1.0, 0.0));
     forward[2] = 0.0;
     const Vec3 eye = at - 0.85 * distance * Unit(forward) + Vec3(0.0, 0.0, 0.5 * distance);

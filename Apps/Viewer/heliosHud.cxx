@@ -131,7 +131,7 @@ bool Hud::IsVisible() const
 //------------------------------------------------------------------------------
 void Hud::Resize(int width, int height)
 {
-  const int size = std::clamp(std::min(width / 75, height / 48), 9, 28);
+  const int size = std::clamp(std::min(width / 75, height / 48), 12, 28);
   for (vtkTextActor* actor : { this->Status.Get(), this->Legs.Get(), this->Message.Get() })
   {
     actor->GetTextProperty()->SetFontSize(size);

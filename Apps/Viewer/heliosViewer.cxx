@@ -446,8 +446,6 @@ void Viewer::PlacePlatform(double seconds)
   }
   const Pose platform = leg->GetPose(time);
   const Pose scanner = platform * leg->Mount;
-  this->Platform->Place(leg->Type, platform, leg->Mount);
-  this->Platform->SetModelVisible(this->Camera.GetMode() != CameraMode::Scanner);
   const double line =
     leg->LineFrequency > 0.0 ? std::min(1.0 / leg->LineFrequency, 0.2) : FanSeconds;
   this->LastEnds = FindNewestPoints(*this->Points, time, line, FanBeams);
@@ -461,6 +459,8 @@ void Viewer::PlacePlatform(double seconds)
     subject.Target = subject.Target + (1.0 / double(this->LastEnds.size())) * (end - this->Origin);
   }
   this->Camera.Update(this->Clock.IsPlaying() ? seconds : 0.0, &subject);
+  this->Platform->Place(leg->Type, platform, leg->Mount);
+  this->Platform->SetModelVisible(this->Camera.GetMode() != CameraMode::Scanner);
 }
 
 //------------------------------------------------------------------------------
