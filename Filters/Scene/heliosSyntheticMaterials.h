@@ -75,6 +75,24 @@ inline Material ShrubLeaf()
 {
   return MakeMaterial("shrub_leaf", 0.4, LowVegetation);
 }
+/// Dry tilled soil: assumed.
+inline Material Soil()
+{
+  return MakeMaterial("soil", 0.3, GroundClass);
+}
+/// Of crops, stems and leaves as those of shrubs; ears ripe, straw: assumed.
+inline Material CropStem()
+{
+  return MakeMaterial("crop_stem", 0.3, LowVegetation);
+}
+inline Material CropLeaf()
+{
+  return MakeMaterial("crop_leaf", 0.4, LowVegetation);
+}
+inline Material CropEar()
+{
+  return MakeMaterial("crop_ear", 0.45, LowVegetation);
+}
 /// Light plaster: assumed.
 inline Material Plaster()
 {

@@ -18,38 +18,6 @@ namespace
 {
 
 constexpr double TwoPi = 6.283185307179586;
-constexpr double GoldenAngle = 2.399963229728653; // no two branches above one another
-
-/// The random numbers of one tree. Branches, leaves and twigs draw from elements of their own.
-struct TreeRandom
-{
-  std::uint64_t Seed;
-  std::uint64_t Tree;
-
-  std::array<double, 4> Uniform(int element, std::uint32_t draw) const
-  {
-    return Uniform4(this->Seed, RandomStream::Scene, this->GetItem(element), draw);
-  }
-  Vec3 Normal(int element, std::uint32_t draw) const
-  {
-    const auto a = NormalPair(this->Seed, RandomStream::Scene, this->GetItem(element), draw);
-    const auto b = NormalPair(this->Seed, RandomStream::Scene, this->GetItem(element), draw + 1);
-    return { a[0], a[1], b[0] };
-  }
-
-private:
-  std::uint64_t GetItem(int element) const
-  {
-    return ((this->Tree + 1) << 32) | static_cast<std::uint32_t>(element);
-  }
-};
-
-enum Draw : std::uint32_t
-{
-  BranchDraw = 10,
-  TwigDraw = 20, // and as many after it as a branch has twigs
-  LeafDraw = 40  // to 45
-};
 
 Vec3 AnyPerpendicular(const Vec3& v)
 {
@@ -58,7 +26,9 @@ Vec3 AnyPerpendicular(const Vec3& v)
   return p;
 }
 
-/// A closed tube along a path, from a cap to a point; radii of all points but the last.
+} // namespace
+
+//------------------------------------------------------------------------------
 void AddTube(
   MeshBuilder& mesh, const std::vector<Vec3>& path, const std::vector<double>& radii, int sides)
 {
@@ -95,6 +65,42 @@ void AddTube(
     mesh.AddTriangle(last[k], last[(k + 1) % sides], tip);
   }
 }
+
+namespace
+{
+
+constexpr double GoldenAngle = 2.399963229728653; // no two branches above one another
+
+/// The random numbers of one tree. Branches, leaves and twigs draw from elements of their own.
+struct TreeRandom
+{
+  std::uint64_t Seed;
+  std::uint64_t Tree;
+
+  std::array<double, 4> Uniform(int element, std::uint32_t draw) const
+  {
+    return Uniform4(this->Seed, RandomStream::Scene, this->GetItem(element), draw);
+  }
+  Vec3 Normal(int element, std::uint32_t draw) const
+  {
+    const auto a = NormalPair(this->Seed, RandomStream::Scene, this->GetItem(element), draw);
+    const auto b = NormalPair(this->Seed, RandomStream::Scene, this->GetItem(element), draw + 1);
+    return { a[0], a[1], b[0] };
+  }
+
+private:
+  std::uint64_t GetItem(int element) const
+  {
+    return ((this->Tree + 1) << 32) | static_cast<std::uint32_t>(element);
+  }
+};
+
+enum Draw : std::uint32_t
+{
+  BranchDraw = 10,
+  TwigDraw = 20, // and as many after it as a branch has twigs
+  LeafDraw = 40  // to 45
+};
 
 /// A diamond of two triangles; the normal and the length's direction need not be perpendicular.
 void AddLeaf(MeshBuilder& mesh, const Vec3& centre, Vec3 normal, const Vec3& along, double length,

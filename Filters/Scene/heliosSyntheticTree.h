@@ -5,7 +5,11 @@
 #ifndef heliosSyntheticTree_h
 #define heliosSyntheticTree_h
 
+#include "heliosPose.h"
+
 #include <vtkType.h>
+
+#include <vector>
 
 namespace helios
 {
@@ -27,6 +31,10 @@ struct TreeShape
   double CrownDiameter = 7.2; // [m]
   int NumberOfLeaves = 5000;
 };
+
+/// A closed tube along a path, from a cap to a point; radii of all points but the last.
+void AddTube(
+  MeshBuilder& mesh, const std::vector<Vec3>& path, const std::vector<double>& radii, int sides);
 
 /**
  * A tree about the z axis that stands on z = 0: stem and branches as closed tapered tubes, leaves as

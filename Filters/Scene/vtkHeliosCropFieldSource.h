@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosCropFieldSource
+ * @brief   a field of crops with every leaf, and the truth about it
+ *
+ * Output 0 is a scene: a vtkPolyData of triangles, double points, 32-bit cells, cell data MaterialIds
+ * and PartIds (int; 0 the soil, from 1 on the plants), the material columns in the field data: soil
+ * (ground, LAS class 2), crop_stem, crop_leaf and crop_ear (low vegetation, 3).
+ *
+ * Rows go along y, one beside the other along x, the middle of the field at Origin, z up. A plant is
+ * one or more stems, closed tapered tubes that lean a little and go 2 cm into the soil, and leaves in
+ * turn on the stems. A leaf is a strip of LeafSegments plane quads along an arc of a circle that
+ * starts LeafAngle from the vertical and bends by LeafDroop; its width at a share t of its length is
+ * the parabola LeafWidth (1 - ((t - m) / (1 - m))^2). Leaves at the share h of the stem are 1 -
+ * 0.45 (2 h - 1)^2 of LeafLength and LeafWidth, those in the middle the largest; a plant that is
+ * taller is so in all its parts. One that would reach into the soil stands up until it does not. The
+ * species, and what they set where a property is 0 (below 0 for LeavesPerPlant and LeafDroop):
+ * - Maize: alternate leaves in one plane, m = 0.4; rows at 0.75 m, plants at 0.16 m, height 2.2 m, stem
+ *   radius 12 mm, 12 leaves of 0.8 x 0.09 m, angle 28, droop 95 deg, 8 segments;
+ * - Cereal: 4 tillers of 3 leaves, m = 0.2, each with an ear at its top; rows at 0.125 m, plants at
+ *   0.05 m, height 0.9 m, radius 1.8 mm, leaves of 0.22 x 0.014 m, angle 25, droop 85 deg, 5 segments;
+ * - Broadleaf: oval leaves, m = 0.5, on stalks that are 0.6 of their length, around the stem by the
+ *   golden angle; rows at 0.5 m, plants at 0.2 m, height 0.6 m, radius 5 mm, 24 leaves of 0.14 x 0.1 m,
+ *   angle 50, droop 50 deg, 6 segments.
+ *
+ * The truth, in the field data: Field.LeafArea [m2], one side of all leaves, the sum of the areas of
+ * the triangles of crop_leaf; Field.GroundArea [m2], rows x RowSpacing x plants a row x PlantSpacing;
+ * Field.LeafAreaIndex, their ratio; one row a plant Plant.Position (x y z, at the soil), Plant.Height
+ * [m] and Plant.LeafArea [m2].
+ *
+ * All that is random is keyed by Seed, row and place in the row: the same properties give the same
+ * bytes, and more rows leave the shapes of the plants as they were. Normal deviations are cut at 3 sigma.
+ *
+ * Errors: properties that are not finite, a PlantHeightDeviation of a quarter of the height or more,
+ * more than 500 million triangles.
+ *
+ * @warning
+ * Leaves are plane across, and plants do not avoid each other. No species is fitted to measured plants.
+ *
+ * @sa
+ * vtkHeliosSyntheticScene vtkHeliosObjSceneWriter
+ */
+
+#ifndef vtkHeliosCropFieldSource_h
+#define vtkHeliosCropFieldSource_h
+
+#include "vtkHeliosFiltersSceneModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKHELIOSFILTERSSCENE_EXPORT vtkHeliosCropFieldSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHeliosCropFieldSource* New();
+  vtkTypeMacro(vtkHeliosCropFieldSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SpeciesType
+  {
+    MAIZE = 0,
+    CEREAL,
+    BROADLEAF
+  };
+
+  ///@{
+  /**
+   * Set/Get what grows there. Valid range: MAIZE to BROADLEAF. Default: MAIZE.
+   */
+  vtkSetClampMacro(Species, int, MAIZE, BROADLEAF);
+  vtkGetMacro(Species, int);
+  void SetSpeciesToMaize() { this->SetSpecies(MAIZE); }
+  void SetSpeciesToCereal() { this->SetSpecies(CEREAL); }
+  void SetSpeciesToBroadleaf() { this->SetSpecies(BROADLEAF); }
+  ///@}
+
+  /**
+   * What grows there, in words: "Maize" to "Broadleaf".
+   */
+  const char* GetSpeciesAsString();
+
+  ///@{
+  /**
+   * Set/Get the number of rows. Valid range: [1, 1e6]. Default: 10.
+   */
+  vtkSetClampMacro(NumberOfRows, int, 1, 1000000);
+  vtkGetMacro(NumberOfRows, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the distance from row to row [m]. Valid range: [0, 1000]; 0: the species' own. Default: 0.
+   */
+  vtkSetClampMacro(RowSpacing, double, 0.0, 1000.0);
+  vtkGetMacro(RowSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the distance from plant to plant in a row [m]. Valid range: [0, 1000]; 0: the species' own.
+   * Default: 0.
+   */
+  vtkSetClampMacro(PlantSpacing, double, 0.0, 1000.0);
+  vtkGetMacro(PlantSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the length of a row [m], from its first plant to its last; 0: one plant. Valid range: [0, 1e5].
+   * Default: 10.
+   */
+  vtkSetClampMacro(RowLength, double, 0.0, 1e5);
+  vtkGetMacro(RowLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the share of plants that came up, each by chance. Valid range: [0, 1]. Default: 0.95.
+   */
+  vtkSetClampMacro(Emergence, double, 0.0, 1.0);
+  vtkGetMacro(Emergence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far plants are from their place [m], one sigma in x and in y. Valid range: [0, 100].
+   * Default: 0.01.
+   */
+  vtkSetClampMacro(PositionJitter, double, 0.0, 100.0);
+  vtkGetMacro(PositionJitter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the mean height of plants [m], from the soil to the top of the first stem. Valid range: [0, 100];
+   * 0: the species' own. Default: 0.
+   */
+  vtkSetClampMacro(PlantHeight, double, 0.0, 100.0);
+  vtkGetMacro(PlantHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the standard deviation of heights [m]. Valid range: [0, 25], below a quarter of the height.
+   * Default: 0.05.
+   */
+  vtkSetClampMacro(PlantHeightDeviation, double, 0.0, 25.0);
+  vtkGetMacro(PlantHeightDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the radius of stems at the soil [m]. Valid range: [0, 1]; 0: the species' own. Default: 0.
+   */
+  vtkSetClampMacro(StemRadius, double, 0.0, 1.0);
+  vtkGetMacro(StemRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the stems of a plant; a cereal's are its tillers. Valid range: [0, 100]; 0: the species' own.
+   * Default: 0.
+   */
+  vtkSetClampMacro(StemsPerPlant, int, 0, 100);
+  vtkGetMacro(StemsPerPlant, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the leaves of a plant, on all its stems together. Valid range: [-1, 1e6]; -1: the species' own.
+   * Default: -1.
+   */
+  vtkSetClampMacro(LeavesPerPlant, int, -1, 1000000);
+  vtkGetMacro(LeavesPerPlant, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the length along the largest leaves [m]. Valid range: [0, 100]; 0: the species' own. Default: 0.
+   */
+  vtkSetClampMacro(LeafLength, double, 0.0, 100.0);
+  vtkGetMacro(LeafLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the width of the largest leaves where they are widest [m]. Valid range: [0, 10]; 0: the species'
+   * own. Default: 0.
+   */
+  vtkSetClampMacro(LeafWidth, double, 0.0, 10.0);
+  vtkGetMacro(LeafWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the angle of leaves at their base from the vertical [deg]. Valid range: [0, 90]; 0: the species'
+   * own. Default: 0.
+   */
+  vtkSetClampMacro(LeafAngle, double, 0.0, 90.0);
+  vtkGetMacro(LeafAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get by how much leaves bend down from base to tip [deg]. Valid range: [-1, 180]; -1: the species'
+   * own. A tip looks straight down at most. Default: -1.
+   */
+  vtkSetClampMacro(LeafDroop, double, -1.0, 180.0);
+  vtkGetMacro(LeafDroop, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get by which share length, width, angle and droop of a leaf are more or less, uniformly. Valid
+   * range: [0, 0.9]. Default: 0.15.
+   */
+  vtkSetClampMacro(LeafVariation, double, 0.0, 0.9);
+  vtkGetMacro(LeafVariation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the parts of a leaf along its length; 1 counts as 2. Valid range: [0, 100]; 0: the species' own.
+   * Default: 0.
+   */
+  vtkSetClampMacro(LeafSegments, int, 0, 100);
+  vtkGetMacro(LeafSegments, int);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get how far the soil reaches beyond the outer plants [m]. Valid range: [0.01, 1e5]. Default: 1.
+   */
+  vtkSetClampMacro(GroundMargin, double, 0.01, 1e5);
+  vtkGetMacro(GroundMargin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the bound on the difference between the highest and the lowest place of the soil [m]; 0: flat,
+   * two triangles. Valid range: [0, 10]. Default: 0.04.
+   */
+  vtkSetClampMacro(GroundRoughness, double, 0.0, 10.0);
+  vtkGetMacro(GroundRoughness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the largest side of a cell of rough soil [m]. Valid range: [0.001, 1e5]. Default: 0.1.
+   */
+  vtkSetClampMacro(GroundSpacing, double, 0.001, 1e5);
+  vtkGetMacro(GroundSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get where the middle of the field is [m], added to every point at the end. Default: 0, 0, 0.
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the key of the random numbers. Valid range: any. Default: 0.
+   */
+  vtkSetMacro(Seed, vtkIdType);
+  vtkGetMacro(Seed, vtkIdType);
+  ///@}
+
+  /**
+   * The places for plants in a row: RowLength over PlantSpacing, and one.
+   */
+  vtkIdType GetPlantsPerRow();
+
+protected:
+  vtkHeliosCropFieldSource();
+  ~vtkHeliosCropFieldSource() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkHeliosCropFieldSource(const vtkHeliosCropFieldSource&) = delete;
+  void operator=(const vtkHeliosCropFieldSource&) = delete;
+
+  bool CheckProperties();
+
+  int Species = MAIZE;
+  int NumberOfRows = 10;
+  double RowSpacing = 0.0;
+  double PlantSpacing = 0.0;
+  double RowLength = 10.0;
+  double Emergence = 0.95;
+  double PositionJitter = 0.01;
+  double PlantHeight = 0.0;
+  double PlantHeightDeviation = 0.05;
+  double StemRadius = 0.0;
+  int StemsPerPlant = 0;
+  int LeavesPerPlant = -1;
+  double LeafLength = 0.0;
+  double LeafWidth = 0.0;
+  double LeafAngle = 0.0;
+  double LeafDroop = -1.0;
+  double LeafVariation = 0.15;
+  int LeafSegments = 0;
+  double GroundMargin = 1.0;
+  double GroundRoughness = 0.04;
+  double GroundSpacing = 0.1;
+  double Origin[3] = { 0.0, 0.0, 0.0 };
+  vtkIdType Seed = 0;
+};
+
+#endif
