@@ -115,6 +115,22 @@ def test_pcl_filters():
     assert not results["cloud"].points.flags.owndata
 
 
+def test_crop_field(tmp_path, capsys, read_pixels):
+    from vtkhelios import picture
+
+    results = load("crop_field").main(tmp_path, rows=4, row_length=3.0, lines=50, speed=60)
+    said = capsys.readouterr().out
+    assert f"{results['plants']} plants" in said and 60 <= results["plants"] <= 76
+    plants, leaves = results["seen"]
+    assert plants > 0.9 and 0.1 < leaves < 0.9
+    heights = results["cloud"].points[:, 2]
+    assert heights.max() == pytest.approx(1.1, abs=0.2) and heights.min() > -0.1
+    assert (tmp_path / "crop_field.obj").is_file()
+    if picture.can_render():
+        for name in ("scene", "cloud", "shadows"):
+            assert np.ptp(read_pixels(tmp_path / f"{name}.png").reshape(-1, 3), axis=0).min() > 100
+
+
 def test_every_example_is_tested():
     text = pathlib.Path(__file__).read_text()
     for path in EXAMPLES.glob("*.py"):

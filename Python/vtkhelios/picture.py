@@ -181,15 +181,52 @@ def save_picture(
 
     Drawn at twice the size and averaged. Raises RuntimeError where there is no display.
     """
-    if not can_render():
-        raise RuntimeError("no X display: run it under xvfb-run")
+    check_display()
     points, _, classes = (np.concatenate(columns) for columns in zip(*clouds))
     origin = points.mean(axis=0)  # the graphics card counts in float
     rgb = np.concatenate([colours(*cloud) for cloud in clouds])
+    actor = make_cloud_actor(points - origin, rgb, point_size * OVERSAMPLING)
+    marks = np.reshape(marks, (-1, 3)) - origin
+    look = (azimuth, elevation, zoom)
+    draw_picture(actor, points - origin, classes, marks, output, title, size, look)
 
+
+def save_mesh_picture(
+    mesh, output, marks=(), title="", size=(1600, 1000), azimuth=215.0, elevation=28.0, zoom=1.6
+):
+    """Writes a PNG of triangles with colours (cell scalars of three bytes), lit as clouds are.
+
+    Raises RuntimeError where there is no display.
+    """
+    check_display()
+    points = arrays(mesh)["points"]
+    origin = points.mean(axis=0)
+    holder = vtkPoints()
+    holder.SetData(numpy_to_vtk(points - origin, deep=True))
+    moved = vtkPolyData()
+    moved.ShallowCopy(mesh)
+    moved.SetPoints(holder)
+    mapper = rendering.vtkPolyDataMapper()
+    mapper.SetInputData(moved)
+    mapper.SetScalarModeToUseCellData()
+    actor = rendering.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    marks = np.reshape(marks, (-1, 3)) - origin
+    look = (azimuth, elevation, zoom)
+    draw_picture(actor, points - origin, np.zeros(1), marks, output, title, size, look)
+
+
+def check_display():
+    if not can_render():
+        raise RuntimeError("no X display: run it under xvfb-run")
+
+
+def draw_picture(actor, points, classes, marks, output, title, size, look):
+    """What both pictures have in common: points tell the camera where to look."""
     scene = rendering.vtkRenderer()
-    scene.AddActor(make_cloud_actor(points - origin, rgb, point_size * OVERSAMPLING))
-    place_camera(scene, points - origin, azimuth, elevation, zoom)
+    scene.AddActor(actor)
+    place_camera(scene, points, *look)
     window = make_window(size)
     window.AddRenderer(scene)
     window.Render()
@@ -202,7 +239,7 @@ def save_picture(
     overlay.SetActiveCamera(scene.GetActiveCamera())
     for mark in marks:
         overlay.AddActor(
-            make_cloud_actor(np.atleast_2d(mark) - origin, np.array([MARK]), 9 * OVERSAMPLING)
+            make_cloud_actor(np.atleast_2d(mark), np.array([MARK]), 9 * OVERSAMPLING)
         )
     picture[: int(BAR * len(picture))] = BACKGROUND_BOTTOM
     overlay.AddActor2D(make_text(title, 0.02, 0.015, 19 * OVERSAMPLING))
