@@ -74,7 +74,7 @@ class Window:
 
     def move(self, x, y):
         """Puts the mouse at a pixel, from the lower left as in the state."""
-        self.do("mousemove", "--sync", round(x), round(HEIGHT - 1 - y))
+        self.do("mousemove", round(x), round(HEIGHT - 1 - y))
 
     def key(self, name):
         self.move(WIDTH / 2, HEIGHT / 2)

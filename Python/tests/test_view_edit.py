@@ -88,7 +88,7 @@ class Hands:
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
 
     def move(self, pixel):
-        self.do("mousemove", "--sync", round(pixel[0]), round(HEIGHT - 1 - pixel[1]))
+        self.do("mousemove", round(pixel[0]), round(HEIGHT - 1 - pixel[1]))
 
     def click(self, place, *held):
         """A click at a place of the world [m], with keys held."""
