@@ -2,104 +2,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The viewer, driven by keys and mouse on a display of its own; what it shows is in its state file."""
 
-import json
 import os
-import shutil
 import subprocess
-import time
 
 import numpy as np
 import pytest
+from _viewer_window import HEIGHT, WIDTH, close_all, display, needs_window, opened  # noqa: F401
 
 from vtkhelios.cli import view
 
-pytestmark = pytest.mark.skipif(
-    view.find_viewer() is None or not shutil.which("xdotool") or not shutil.which("Xvfb"),
-    reason="the viewer, xdotool or Xvfb is missing",
-)
-
-WIDTH, HEIGHT = 800, 600
-PATIENCE = 60  # [s] that a change may take on a busy machine
-
-
-@pytest.fixture(scope="module")
-def display():
-    """An X server of its own."""
-    server = subprocess.Popen(
-        ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    )
-    yield f":{server.stdout.readline().strip()}"
-    server.terminate()
-    server.wait()
-
-
-class Window:
-    """A running viewer, and a user's hands on it."""
-
-    def __init__(self, display, folder, *arguments):
-        self.state_file = folder / "state.json"
-        self.environment = {**os.environ, "DISPLAY": display}
-        self.process = subprocess.Popen(
-            [*view.command(view.find_viewer(), [*map(str, arguments)], self.environment)]
-            + ["--state", str(self.state_file), "--size", f"{WIDTH}x{HEIGHT}"],
-            env=self.environment,
-            cwd=folder,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-
-    def state(self):
-        try:
-            return json.loads(self.state_file.read_text())
-        except FileNotFoundError:
-            return None
-
-    def wait(self, condition):
-        """The state once a condition holds for it."""
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            state = self.state()
-            if state and condition(state):
-                return state
-            if self.process.poll() is not None:
-                raise AssertionError(f"it ended: {self.process.stderr.read()}")
-            time.sleep(0.02)
-        raise AssertionError(f"this did not come: {json.dumps(self.state())}")
-
-    def do(self, *words):
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
-
-    def move(self, x, y):
-        """Puts the mouse at a pixel, from the lower left as in the state."""
-        self.do("mousemove", round(x), round(HEIGHT - 1 - y))
-
-    def key(self, name):
-        self.move(WIDTH / 2, HEIGHT / 2)
-        self.do("key", name)
-
-    def close(self):
-        self.key("q")
-        self.process.wait(PATIENCE)
-        return self.process.returncode
-
+pytestmark = needs_window
 
 @pytest.fixture
 def open_window(display, tmp_path):
     """Opens viewers, and closes what is left of them."""
-    windows = []
-
-    def open_one(*arguments):
-        windows.append(Window(display, tmp_path, *arguments))
-        return windows[-1]
-
+    open_one, windows = opened(display, tmp_path)
     yield open_one
-    for window in windows:
-        if window.process.poll() is None:
-            window.process.kill()
-        window.process.communicate()
+    close_all(windows)
 
 
 def is_finished(state):
@@ -148,9 +67,9 @@ def test_keys_of_the_camera(window):
 
 def test_dragging_turns_and_the_wheel_zooms(window):
     before = window.state()["camera"]
-    window.move(400, 300)
+    window.move((400, 300))
     window.do("mousedown", 1)
-    window.move(520, 340)
+    window.move((520, 340))
     window.do("mouseup", 1)
     turned = window.wait(lambda s: s["camera"]["position"] != before["position"])["camera"]
     assert turned["focalPoint"] == pytest.approx(before["focalPoint"], abs=1e-3)
@@ -164,7 +83,7 @@ def test_the_time_bar_seeks(window):
     state = window.wait(lambda s: not s["time"]["playing"])
     left, right, height = state["time"]["bar"]
     # VTK's slider leaves half of its length free on either side.
-    window.move(WIDTH * (left + 0.25 * (right - left)), HEIGHT * height)
+    window.move((WIDTH * (left + 0.25 * (right - left)), HEIGHT * height))
     window.do("click", 1)
     span = state["time"]["end"] - state["time"]["start"]
     state = window.wait(lambda s: s["time"]["time"] < 0.9 * span)
@@ -218,6 +137,21 @@ def test_a_picture_and_a_video(window, tmp_path, read_pixels):
     window.key("shift+r")
     window.wait(lambda s: not s["recording"])
     assert (tmp_path / "vtkhelios.ogv").read_bytes()[:4] == b"OggS"
+
+
+def test_a_click_inspects_the_echo_at_that_pixel(window):
+    window.key("t")
+    window.wait(lambda s: s["camera"]["mode"] == "top")
+    window.key("i")  # the echo nearest the middle, wherever that is
+    first = window.wait(lambda s: s["inspector"].get("waveformSamples", 0) > 0)["inspector"]
+    window.key("Escape")
+    window.wait(lambda s: s["inspector"].get("row", -1) < 0)
+    window.click(first["position"])
+    again = window.wait(lambda s: s["inspector"].get("waveformSamples", 0) > 0)["inspector"]
+    seen = window.project(again["position"])
+    assert np.hypot(*np.subtract(seen, window.project(first["position"]))) <= 6  # pixels
+    assert again["subRays"] > 0 and again["echoes"] >= 1
+    window.key("Escape")
 
 
 def test_another_size(window):

@@ -2,26 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scanner in the user's hands: the viewer's direct control, driven by keys and mouse."""
 
-import json
-import os
 import pathlib
-import shutil
-import subprocess
 import time
 import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
+from _viewer_window import HEIGHT, WIDTH, Window, close_all, display, needs_window, opened  # noqa: F401
 
-view = pytest.importorskip("vtkhelios.cli.view")
-
-pytestmark = pytest.mark.skipif(
-    view.find_viewer() is None or not shutil.which("xdotool") or not shutil.which("Xvfb"),
-    reason="the viewer, xdotool or Xvfb is missing",
-)
-
-WIDTH, HEIGHT = 800, 600
-PATIENCE = 60  # [s] that a change may take on a busy machine
+pytestmark = needs_window
 
 SURVEY = """\
 <document><survey name="yard" scene="scene.xml#yard" platform="platforms.xml#tripod"
@@ -45,63 +34,16 @@ HOUSE = (
 MATERIALS = "newmtl grass\nhelios_isGround true\nnewmtl wall\nhelios_reflectance 0.3\n"
 
 
-class Hands:
-    """A running viewer, and what a user does with it; pixels are counted from the lower left."""
+class Hands(Window):
+    """A viewer, and what a user does with its direct control."""
 
     def __init__(self, display, folder, *arguments):
-        self.folder = folder
-        self.state_file = folder / "state.json"
-        self.environment = {**os.environ, "DISPLAY": display}
-        self.process = subprocess.Popen(
-            [*view.command(view.find_viewer(), [*map(str, arguments)], self.environment)]
-            + ["--state", str(self.state_file), "--size", f"{WIDTH}x{HEIGHT}"]
-            + ["--save", "made.xml", "--no-eye-dome", "--no-fan"],
-            env=self.environment,
-            cwd=folder,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-
-    def state(self):
-        try:
-            return json.loads(self.state_file.read_text())
-        except FileNotFoundError:
-            return None
-
-    def wait(self, condition):
-        """The state once a condition holds for it."""
-        end = time.monotonic() + PATIENCE
-        while time.monotonic() < end:
-            state = self.state()
-            if state and condition(state):
-                return state
-            if self.process.poll() is not None:
-                raise AssertionError(f"it ended: {self.process.stderr.read()}")
-            time.sleep(0.02)
-        raise AssertionError(f"this did not come: {json.dumps(self.state())}")
+        made = ["--save", "made.xml", "--no-eye-dome", "--no-fan"]
+        super().__init__(display, folder, *arguments, *made)
 
     def edit(self, condition):
         """The editor's state once a condition holds for it."""
         return self.wait(lambda s: condition(s["editor"]))["editor"]
-
-    def do(self, *words):
-        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
-
-    def move(self, pixel):
-        self.do("mousemove", round(pixel[0]), round(HEIGHT - 1 - pixel[1]))
-
-    def click(self, place, *held):
-        """A click at a place of the world [m], with keys held."""
-        self.move(self.project(place))
-        for key in held:
-            self.do("keydown", key)
-        self.do("click", 1)
-        for key in held:
-            self.do("keyup", key)
-
-    def key(self, name, place=None):
-        self.move(self.project(place) if place else (WIDTH / 2, HEIGHT - 4))
-        self.do("key", name)
 
     def drag(self, name, value):
         """Drags a slider to a value."""
@@ -124,39 +66,6 @@ class Hands:
         time.sleep(0.1)
         self.do("mouseup", 1)
 
-    def project(self, place):
-        """The pixel of a place [m]."""
-        camera = self.state()["camera"]
-        forward = np.subtract(camera["focalPoint"], camera["position"])
-        forward = forward / np.linalg.norm(forward)
-        right = np.cross(forward, camera["viewUp"])
-        right = right / np.linalg.norm(right)
-        up = np.cross(right, forward)
-        way = np.subtract(place, camera["position"])
-        half = np.tan(np.radians(camera["viewAngle"] / 2)) * way.dot(forward)
-        half = camera["scale"] if camera["parallel"] else half
-        scale = HEIGHT / 2 / half
-        return WIDTH / 2 + scale * way.dot(right), HEIGHT / 2 + scale * way.dot(up)
-
-    def close(self):
-        self.key("q")
-        self.process.wait(PATIENCE)
-        return self.process.returncode
-
-
-@pytest.fixture(scope="module")
-def display():
-    """An X server of its own."""
-    server = subprocess.Popen(
-        ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-    )
-    yield f":{server.stdout.readline().strip()}"
-    server.terminate()
-    server.wait()
-
 
 @pytest.fixture
 def take(display, tmp_path):
@@ -164,11 +73,10 @@ def take(display, tmp_path):
     files = {"survey.xml": SURVEY, "scene.xml": SCENE, "ground.obj": GROUND, "house.obj": HOUSE}
     for name, text in {**files, "m.mtl": MATERIALS}.items():
         (tmp_path / name).write_text(text)
-    all_hands = []
+    open_one, windows = opened(display, tmp_path)
 
     def take_one(name="survey.xml", *arguments):
-        hands = Hands(display, tmp_path, name, *arguments)
-        all_hands.append(hands)
+        hands = open_one(name, *arguments, kind=Hands)
         hands.wait(
             lambda s: s["time"]["phase"] == "finished" or (name != "survey.xml" and s["scene"])
         )
@@ -179,10 +87,7 @@ def take(display, tmp_path):
         return hands
 
     yield take_one
-    for hands in all_hands:
-        if hands.process.poll() is None:
-            hands.process.kill()
-        hands.process.communicate()
+    close_all(windows)
 
 
 def is_scanned(state):
