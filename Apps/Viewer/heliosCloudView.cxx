@@ -31,7 +31,7 @@ void SetUpBar(vtkScalarBarActor* bar)
   bar->SetMaximumNumberOfColors(256);
   bar->SetWidth(0.08);
   bar->SetHeight(0.45);
-  bar->SetPosition(0.90, 0.05);
+  bar->SetPosition(0.90, 0.09);
   bar->DrawNanAnnotationOff();
   for (vtkTextProperty* text :
     { bar->GetTitleTextProperty(), bar->GetLabelTextProperty(), bar->GetAnnotationTextProperty() })

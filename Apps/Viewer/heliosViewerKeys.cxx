@@ -67,6 +67,22 @@ void ToggleClipping(Viewer& viewer)
   view.SetClipping(true);
 }
 
+/// The lines one below the other, all of the same length: they are centred as one block.
+std::string JoinColumns(const std::vector<std::string>& lines)
+{
+  std::size_t width = 0;
+  for (const std::string& line : lines)
+  {
+    width = std::max(width, line.size() + 1);
+  }
+  std::string text;
+  for (const std::string& line : lines)
+  {
+    text += line + std::string(width - line.size(), ' ') + "\n";
+  }
+  return text;
+}
+
 void ChangePointSize(Viewer& viewer, double step)
 {
   CloudView& view = viewer.GetCloudView();
@@ -218,26 +234,29 @@ bool ViewerKeys::Press(const std::string& key, bool control)
 //------------------------------------------------------------------------------
 std::string ViewerKeys::GetHelp() const
 {
-  const auto line = [](const std::string& key, const std::string& what)
+  std::vector<std::string> lines;
+  const auto add = [&lines](const std::string& key, const std::string& what)
   {
     const std::size_t gap = key.size() < KeyWidth ? KeyWidth - key.size() : 1;
-    return "   " + key + std::string(gap, ' ') + what + " \n";
+    lines.push_back("   " + key + std::string(gap, ' ') + what);
   };
-  std::string text;
   for (const Action& action : this->Actions)
   {
-    text += action.Heading.empty() ? "" : " " + action.Heading + "\n";
-    text += line(action.Shown, action.What);
+    if (!action.Heading.empty())
+    {
+      lines.push_back(" " + action.Heading);
+    }
+    add(action.Shown, action.What);
   }
   for (const auto& tool : this->Tools)
   {
-    text += " " + tool->GetName() + "\n";
+    lines.push_back(" " + tool->GetName());
     for (const KeyHelp& key : tool->GetKeys())
     {
-      text += line(key.first, key.second);
+      add(key.first, key.second);
     }
   }
-  return text;
+  return JoinColumns(lines);
 }
 
 } // namespace helios
