@@ -47,6 +47,14 @@ class Ticker:
         self._thread.join()
 
 
+@pytest.fixture(autouse=True)
+def interrupts_are_heard():
+    """Python's own handler: a program that a shell starts in the background is deaf to SIGINT."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def interrupt_after(seconds):
     timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
