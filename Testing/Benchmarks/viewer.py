@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """By how much a window slows the survey that it shows.
 
-    build/venv/bin/python Testing/Benchmarks/viewer.py SURVEY.xml SCENE-FOLDER [TIMES]
+    xvfb-run -a build/venv/bin/python Testing/Benchmarks/viewer.py SURVEY.xml SCENE-FOLDER [TIMES]
 
 Runs a survey in the viewer to its end, in turn in a window (under Xvfb: the rasteriser is software and takes the
 same processors) and without any drawing, TIMES times (default: 3). Prints the seconds in which blocks of pulses
@@ -22,6 +22,12 @@ import time
 from vtkhelios.cli import view
 
 
+def is_over(time_shown):
+    """Whether all echoes have arrived, or none will."""
+    phase, computed, end = (time_shown[name] for name in ("phase", "computed", "end"))
+    return phase == "failed" or (phase == "finished" and computed >= end)
+
+
 def run(survey, scene, folder, draws):
     """The state of a viewer at the end of the survey."""
     state_file = pathlib.Path(folder) / "state.json"
@@ -30,7 +36,7 @@ def run(survey, scene, folder, draws):
     words += [] if draws else ["--offscreen", "--still", f"{folder}/still.png"]
     viewer = subprocess.Popen(view.command(view.find_viewer(), words, os.environ))
     state = None
-    while not (state and state["time"]["phase"] in ("finished", "failed")):
+    while not (state and is_over(state["time"])):
         time.sleep(0.1)
         state = json.loads(state_file.read_text()) if state_file.exists() else None
         if viewer.poll() is not None and not state:
