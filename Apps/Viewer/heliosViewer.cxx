@@ -32,6 +32,7 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <thread>
 
 namespace helios
@@ -427,7 +428,7 @@ void Viewer::TakeWhatIsNew()
   }
   if (!blocks.empty())
   {
-    this->PointsView->Update();
+    this->HasNewPoints = true; // the next picture takes them up
     this->Redraw();
   }
 }
@@ -436,8 +437,6 @@ void Viewer::TakeWhatIsNew()
 void Viewer::PlacePlatform(double seconds)
 {
   const double time = this->Clock.GetTime();
-  const bool isAll = this->Clock.GetTime() >= this->Clock.GetEnd();
-  this->PointsView->SetTimeLimit(isAll ? std::numeric_limits<double>::infinity() : time);
   const SimulatedLeg* leg = this->Platform ? FindLeg(this->Legs, time) : nullptr;
   if (!leg)
   {
@@ -464,9 +463,28 @@ void Viewer::PlacePlatform(double seconds)
 }
 
 //------------------------------------------------------------------------------
+/// The points that have come since the last picture, up to the time that is shown.
+void Viewer::TakeUpPoints()
+{
+  if (this->HasNewPoints)
+  {
+    this->HasNewPoints = false;
+    this->PointsView->Update();
+  }
+  const double time = this->Clock.GetTime();
+  const double limit =
+    time >= this->Clock.GetEnd() ? std::numeric_limits<double>::infinity() : time;
+  if (limit != this->PointsView->GetTimeLimit())
+  {
+    this->PointsView->SetTimeLimit(limit);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Viewer::Draw()
 {
   const double start = this->Now();
+  this->TakeUpPoints();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
   const double end = this->Now();

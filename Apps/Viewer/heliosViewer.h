@@ -117,6 +117,7 @@ private:
   int RunScripted();
   void Frame(double seconds);
   void TakeWhatIsNew();
+  void TakeUpPoints();
   void FinishLoading();
   void PlacePlatform(double seconds);
   void WriteWords();
@@ -165,6 +166,7 @@ private:
 
   bool IsLoading = false;
   bool HasFailed = false;
+  bool HasNewPoints = false;
   bool KeepsCamera = false;
   bool IsDirty = true;
   bool IsClosing = false;

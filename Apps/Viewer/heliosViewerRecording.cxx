@@ -55,6 +55,7 @@ int Viewer::RunScripted()
     this->Clock.Seek(time);
     this->WaitFor(time);
     this->Frame(0.0);
+    this->TakeUpPoints();
     this->PointsView->SetAutomaticRange(); // of all there is
     this->Draw();
     this->SaveStill(this->Options.Still);
