@@ -15,7 +15,7 @@ class FrameBudget
 {
 public:
   static constexpr double Share = 0.04;     ///< of the time, for drawing while it computes
-  static constexpr double Longest = 2.0;    ///< between two frames [s]
+  static constexpr double Longest = 5.0;    ///< between two frames [s]
   static constexpr double AfterInput = 0.4; ///< that the user is taken to be busy [s]
 
   /// The user has done something at a time [s].

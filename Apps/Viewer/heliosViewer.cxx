@@ -329,8 +329,13 @@ void Viewer::OnTimer()
   this->LastFrame = now;
   this->TakeClick();
   this->Frame(seconds);
-  const bool isMoving = this->Budget.IsBusy(now);
-  this->PointsView->SetInteracting(isMoving);
+  const bool isSketched = this->Budget.IsBusy(now) || this->IsComputing();
+  if (isSketched != this->IsSketched)
+  {
+    this->IsSketched = isSketched;
+    this->PointsView->SetInteracting(isSketched);
+    this->Redraw();
+  }
   if (this->IsDirty && this->Budget.IsDue(now, this->IsComputing()))
   {
     this->Draw();

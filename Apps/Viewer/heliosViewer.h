@@ -167,6 +167,7 @@ private:
   bool IsLoading = false;
   bool HasFailed = false;
   bool HasNewPoints = false;
+  bool IsSketched = false; // a sample of the points, since there is no time for all
   bool KeepsCamera = false;
   bool IsDirty = true;
   bool IsClosing = false;
