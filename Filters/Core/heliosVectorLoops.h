@@ -12,10 +12,10 @@
 #define HELIOS_INLINE inline
 #endif
 
-// The same operations with wider vectors where the machine has them; without FMA, so the same bytes.
+// The same operations with the vectors and masks the machine has; without FMA, so the same bytes.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
   !defined(__SANITIZE_ADDRESS__)
-#define HELIOS_CLONES __attribute__((target_clones("avx2", "default")))
+#define HELIOS_CLONES __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))
 #else
 #define HELIOS_CLONES
 #endif
