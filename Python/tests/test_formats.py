@@ -137,6 +137,21 @@ def test_text_comes_back(tmp_path):
     assert np.array_equal(np.char.replace(ours, " ", "_"), theirs)
 
 
+def test_pcd_comes_back(tmp_path):
+    """What PCL's types have as float to a float, all else to the bit; the reader checks the rest."""
+    chunk = make_chunk()
+    write(tmp_path / "a.pcd", chunk)
+    reader, back = read(tmp_path / "a.pcd")
+    floats = {"points": 4e-6, "Amplitude": 6e-8 * 1e-4, "EchoWidth": 6e-8 * 6}
+    assert set(back) == set(chunk)
+    for name, values in chunk.items():
+        error = np.abs(back[name].astype(float) - values).max()
+        assert error <= floats.get(name, 0.0), name
+        assert name in floats or back[name].dtype == values.dtype, name
+    assert np.abs(back["points"] - chunk["points"]).max() > 0  # floats they are
+    assert (reader.header.crs, reader.header.epoch, reader.count) == (CRS, EPOCH, COUNT)
+
+
 def test_other_text(tmp_path):
     path = tmp_path / "a.xyz"
     path.write_text("# a comment\n1 2 3 4\n\n5 6 7 8 // another\n")

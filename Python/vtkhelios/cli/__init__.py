@@ -38,7 +38,7 @@ examples:
   vtkhelios validate survey.xml                     all that is wrong with it, at once
   vtkhelios view survey.xml                         watch it run
   vtkhelios detect leg000_fullwave.pvtt -o a.xyz    the echoes of stored waveforms anew
-  vtkhelios convert output/village village.laz      points to LAS, LAZ, COPC, E57, PLY, VTK, text
+  vtkhelios convert output/village village.laz      points to LAS, LAZ, COPC, E57, PLY, PCD, VTK, text
   vtkhelios info village.laz                        what a file, a run or a survey holds
   vtkhelios report output/village                   one page on a run: maps, histograms, timings
 

@@ -17,7 +17,7 @@ from ._report import readable
 from ._task import Interrupted, Task
 from .run import whole_number
 
-SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, E57, and whole runs"
+SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs"
 
 EPILOG = """\
 formats, by the end of a name, in and out:
@@ -26,12 +26,13 @@ formats, by the end of a name, in and out:
   .copc.laz   COPC, LAZ in an octree for viewers; needs copclib, too
   .pvtp .vtp  VTK XML, in pieces, and in one (which is in memory as a whole)
   .ply        PLY, binary; every array is a property
+  .pcd        PCD of the Point Cloud Library: floats about an origin; in, as a whole
   .e57        E57, a scan a leg or input, with its pose; needs pye57
   in, too: the folder of a run, with all its legs; every point knows its leg.
 
 From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost.
 Everything else goes through arrays; what the output has no room for is said. Points pass in
-chunks: memory does not grow with files, but for .vtp, and for .copc.laz (about 70 bytes a point).
+chunks: memory does not grow with files, but for .vtp, .pcd that is read, and for .copc.laz (about 70 bytes a point).
 
 The output has the name's .part until it is whole; Ctrl-C and errors remove it. Docs/files.md has the
 whole of it.

@@ -36,6 +36,7 @@ FORMATS = {
     ".pvtp": ("_vtp", "PiecesReader", "PiecesWriter"),
     ".vtp": ("_vtp", "VtpReader", "VtpWriter"),
     ".ply": ("_ply", "PlyReader", "PlyWriter"),
+    ".pcd": ("_pcd", "PcdReader", "PcdWriter"),
     ".e57": ("_e57", "E57Reader", "E57Writer"),
 }
 

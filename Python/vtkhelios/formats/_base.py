@@ -201,6 +201,34 @@ class FileWriter(Writer):
         pathlib.Path(self.part).unlink(missing_ok=True)
 
 
+class StreamWriter(Writer):
+    """A writer by a vtkHeliosStreamWriter, a block a chunk."""
+
+    def __init__(self, path, header, stream):
+        super().__init__(path, header)
+        self.stream = stream
+        self.stream.SetFileName(self.path)
+
+    def put(self, chunk):
+        if not self.stream.IsOpen():
+            call(self, self.stream, self.stream.Open)
+        cloud = to_cloud(chunk, self.header)
+        call(self, self.stream, lambda: self.stream.Write(cloud))
+        self.count += rows_of(chunk)
+
+    def close(self):
+        if not self.count:
+            self.abandon()
+            self.fail("would have no points; choose points that there are")
+        call(self, self.stream, self.stream.Close)
+
+    def abandon(self):
+        if self.stream.IsOpen():
+            self.stream.Abandon()
+        path = pathlib.Path(self.path)
+        path.with_name(f"{path.name}.part").unlink(missing_ok=True)
+
+
 def find_problem(chunk):
     """What is wrong with the shapes and types of a chunk, or None."""
     points = chunk.get("points")

@@ -15,8 +15,8 @@ import numpy as np
 import vtkhelios
 
 from ..points import _find_crs
-from ._base import ROWS, FileWriter, Header, Reader, Writer
-from ._base import call, from_cloud, need, rows_of, to_cloud
+from ._base import ROWS, FileWriter, Header, Reader, StreamWriter
+from ._base import call, from_cloud, need, to_cloud
 from ._records import RecordReader, RecordWriter
 
 
@@ -93,29 +93,9 @@ class LazReader(Reader):
         self._folder.cleanup()
 
 
-class LasWriter(Writer):
+class LasWriter(StreamWriter):
     def __init__(self, path, header):
-        super().__init__(path, header)
-        self._writer = vtkhelios.vtkHeliosLASWriter()
-        self._writer.SetFileName(self.path)
-
-    def put(self, chunk):
-        if not self._writer.IsOpen():
-            call(self, self._writer, self._writer.Open)
-        cloud = to_cloud(chunk, self.header)
-        call(self, self._writer, lambda: self._writer.Write(cloud))
-        self.count += rows_of(chunk)
-
-    def close(self):
-        if not self.count:
-            self.abandon()
-            self.fail("would have no points; choose points that there are")
-        call(self, self._writer, self._writer.Close)
-
-    def abandon(self):
-        if self._writer.IsOpen():
-            self._writer.Abandon()
-        pathlib.Path(f"{self.path}.part").unlink(missing_ok=True)
+        super().__init__(path, header, vtkhelios.vtkHeliosLASWriter())
 
 
 class Encoder:

@@ -16,7 +16,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import vtkhelios
 
 from .._pipeline import MessageLog
-from ._base import ROWS, Header, Reader, Writer, call, from_cloud, rows_of, select, to_cloud
+from ._base import ROWS, Header, Reader, StreamWriter, Writer
+from ._base import call, from_cloud, rows_of, select, to_cloud
 
 HEAD = 1_000_000  # bytes of a file in which its number of points is
 
@@ -85,34 +86,20 @@ class PiecesReader(VtpReader):
         return files
 
 
-class PiecesWriter(Writer):
+class PiecesWriter(StreamWriter):
     """A piece a chunk."""
 
     def __init__(self, path, header):
-        super().__init__(path, header)
-        self._writer = vtkhelios.vtkHeliosPointXMLWriter()
-        self._writer.SetFileName(self.path)
+        super().__init__(path, header, vtkhelios.vtkHeliosPointXMLWriter())
         self._pieces = 0
 
     def put(self, chunk):
-        if not self._writer.IsOpen():
-            call(self, self._writer, self._writer.Open)
-        cloud = to_cloud(chunk, self.header)
         self._pieces += 1
-        call(self, self._writer, lambda: self._writer.Write(cloud))
-        self.count += rows_of(chunk)
-
-    def close(self):
-        if not self.count:
-            self.abandon()
-            self.fail("would have no points; choose points that there are")
-        call(self, self._writer, self._writer.Close)
+        super().put(chunk)
 
     def abandon(self):
-        if self._writer.IsOpen():
-            self._writer.Abandon()
+        super().abandon()
         path = pathlib.Path(self.path)
-        path.with_name(f"{path.name}.part").unlink(missing_ok=True)
         for piece in range(self._pieces):
             path.with_name(f"{path.stem}_{piece:04}.vtp").unlink(missing_ok=True)
 

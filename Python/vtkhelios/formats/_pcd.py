@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""PCD of the Point Cloud Library, by vtkHeliosPCDReader and vtkHeliosPCDWriter.
+
+Binary, x y z as floats about an origin that a comment tells: what PCL's point types take.
+"""
+
+import vtkhelios
+
+from ._base import ROWS, Header, Reader, StreamWriter, call, from_cloud, rows_of, select
+
+
+class PcdReader(Reader):
+    """In memory as a whole."""
+
+    kind = "PCD"
+
+    def __init__(self, path):
+        super().__init__(path)
+        reader = vtkhelios.vtkHeliosPCDReader()
+        reader.SetFileName(self.path)
+        call(self, reader, reader.Update)
+        self._chunk = from_cloud(reader.GetOutput())
+        self.header = Header(reader.GetOutput().GetFieldData())
+        self.count = rows_of(self._chunk)
+        if self.count == 0:
+            self.fail("has no points; give a file with points")
+
+    def chunks(self, rows=ROWS):
+        for begin in range(0, self.count, rows):
+            yield select(self._chunk, slice(begin, begin + rows))
+
+
+class PcdWriter(StreamWriter):
+    def __init__(self, path, header):
+        super().__init__(path, header, vtkhelios.vtkHeliosPCDWriter())
+        self.notes.append("coordinates are floats about an origin, as the Point Cloud Library has them")
