@@ -9,7 +9,8 @@
  * (ground, LAS class 2), crop_stem, crop_leaf and crop_ear (low vegetation, 3).
  *
  * Rows go along y, one beside the other along x, the middle of the field at Origin, z up. A plant is
- * one or more stems, closed tapered tubes that lean a little and go 2 cm into the soil, and leaves in
+ * one or more stems, closed tapered tubes that lean by up to 4 % of their height (cereal 18 %,
+ * broadleaf 8 %) and go 2 cm into the soil, and leaves in
  * turn on the stems. A leaf is a strip of LeafSegments plane quads along an arc of a circle that
  * starts LeafAngle from the vertical and bends by LeafDroop; its width at a share t of its length is
  * the parabola LeafWidth (1 - ((t - m) / (1 - m))^2). Leaves at the share h of the stem are 1 -

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosCropFieldNames.h"
 #include "heliosCropGround.h"
+#include "heliosCropTesting.h"
 #include "heliosErrorObserver.h"
-#include "heliosSceneTesting.h"
-#include "vtkHeliosCropFieldSource.h"
 #include "vtkHeliosObjSceneReader.h"
 #include "vtkHeliosObjSceneWriter.h"
 
@@ -24,31 +22,10 @@ namespace
 {
 namespace names = vtkHeliosArrayNames;
 namespace truth = helios::cropFieldNames;
-
-/// A field as triangles, checked for what every scene promises.
-helios::TriangleMesh Make(vtkHeliosCropFieldSource* field)
-{
-  field->Update();
-  helios::TriangleMesh mesh;
-  REQUIRE(mesh.Set(field->GetOutput()).empty());
-  CHECK(mesh.GetMemorySize() == 0); // double points, 32-bit cells
-  CHECK(helios::GetSmallestArea(mesh) > 0.0);
-  for (const char* name : { names::MaterialIds, names::PartIds })
-  {
-    vtkIntArray* ids = helios::GetIds(field->GetOutput(), name);
-    REQUIRE(ids != nullptr);
-    REQUIRE(ids->GetNumberOfValues() == mesh.GetNumberOfTriangles());
-  }
-  return mesh;
-}
-
-vtkDoubleArray* GetTruth(vtkHeliosCropFieldSource* field, const char* name)
-{
-  auto* array =
-    vtkDoubleArray::SafeDownCast(field->GetOutput()->GetFieldData()->GetAbstractArray(name));
-  REQUIRE(array != nullptr);
-  return array;
-}
+using helios::FindMaterial;
+using helios::GetTruth;
+using helios::Make;
+using helios::MakeExact;
 
 double GetTruthValue(vtkHeliosCropFieldSource* field, const char* name)
 {
@@ -63,28 +40,6 @@ std::string GetName(vtkHeliosCropFieldSource* field, vtkIdType triangle)
   return table[static_cast<std::size_t>(
                  helios::GetIds(field->GetOutput(), names::MaterialIds)->GetValue(triangle))]
     .Name;
-}
-
-std::vector<bool> FindMaterial(vtkHeliosCropFieldSource* field, const std::string& name)
-{
-  const helios::MaterialTable table = helios::GetMaterials(field->GetOutput());
-  vtkIntArray* ids = helios::GetIds(field->GetOutput(), names::MaterialIds);
-  std::vector<bool> is;
-  for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
-  {
-    is.push_back(table[static_cast<std::size_t>(ids->GetValue(i))].Name == name);
-  }
-  return is;
-}
-
-/// Everything is where it should be and as it should be.
-void MakeExact(vtkHeliosCropFieldSource* field)
-{
-  field->SetEmergence(1.0);
-  field->SetPositionJitter(0.0);
-  field->SetPlantHeightDeviation(0.0);
-  field->SetLeafVariation(0.0);
-  field->SetGroundRoughness(0.0);
 }
 
 struct Moments
