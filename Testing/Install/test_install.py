@@ -71,6 +71,14 @@ def test_installed_command_line(prefix, tmp_path):
     assert output.strip() == f"vtkhelios {vtkhelios.__version__}"
 
 
+def test_installed_viewer(prefix, tmp_path):
+    if not (BUILD / "bin/vtkhelios-viewer").exists():
+        pytest.skip("built without the viewer")
+    assert call(prefix / "bin/vtkhelios", "view", "--version", cwd=tmp_path).split()[-1] == (
+        vtkhelios.__version__
+    )
+
+
 def test_installed_files_name_no_build_folder(prefix):
     for path in prefix.rglob("*"):
         if path.suffix in (".cmake", ".py", ".h", "") and path.is_file():
@@ -88,6 +96,9 @@ def test_pip_install(tmp_path):
     call(*pip, "install", ROOT)
     assert call(tmp_path / "venv/bin/vtkhelios", "--version", cwd=tmp_path).strip() == (
         f"vtkhelios {vtkhelios.__version__}"
+    )
+    assert call(tmp_path / "venv/bin/vtkhelios", "view", "--version", cwd=tmp_path).split()[-1] == (
+        vtkhelios.__version__
     )
     names = call(
         python,

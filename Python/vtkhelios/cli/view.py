@@ -19,7 +19,9 @@ def find_viewer():
     """The viewer of this build or installation, or None."""
     package = pathlib.Path(vtkhelios.__file__).absolute().parent
     beside = package.parents[3] / "bin" / PROGRAM  # below lib/python3/dist-packages
-    return str(beside) if beside.is_file() else shutil.which(PROGRAM)
+    within = package / "bin" / PROGRAM  # of a wheel
+    found = next((path for path in (within, beside) if path.is_file()), None)
+    return str(found) if found else shutil.which(PROGRAM)
 
 
 def command(viewer, arguments, environment):
