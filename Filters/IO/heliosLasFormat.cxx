@@ -203,8 +203,7 @@ std::string LasHeader::Decode(std::string_view bytes)
   const int format = static_cast<unsigned char>(bytes[AtFormat]);
   if (format & CompressedBits)
   {
-    return "is compressed (LAZ); convert it first, with laspy and lazrs: "
-           "laspy.read(\"in.laz\").write(\"out.las\")";
+    return "is compressed (LAZ); make LAS of it first: vtkhelios convert in.laz out.las";
   }
   this->Encoding = Get<std::uint16_t>(bytes, AtEncoding);
   this->System = GetLasText(bytes.substr(AtSystem, TextSize));

@@ -368,7 +368,7 @@ TEST_CASE("LASReader: files that are wrong", "[LASReader]")
   CHECK(FailsWith(with(94, u16(227)), "has a header of 227 bytes; LAS 1.4 has 375"));
   CHECK(FailsWith(with(96, std::uint32_t(374)), "has points from byte 374 on, within its header"));
   CHECK(FailsWith(with(104, u8(11)), "has points of format 11; 0 to 10 can be read"));
-  CHECK(FailsWith(with(104, u8(0x86)), "is compressed (LAZ); convert it first, with laspy and"));
+  CHECK(FailsWith(with(104, u8(0x86)), "is compressed (LAZ); make LAS of it first: vtkhelios convert"));
   CHECK(FailsWith(with(105, u16(29)), "has points of 29 bytes; format 6 needs 30"));
   CHECK(FailsWith(with(105, u16(30)), "has points with 0 bytes after their format, and names "));
   CHECK(FailsWith(with(107, std::uint32_t(9)), "counts its points twice, to 10 and to 9"));
