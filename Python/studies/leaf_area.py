@@ -21,6 +21,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import _study
 import vtkhelios
+from _voxels import Grid
 
 G = 0.5  # the mean of |cos| between a beam and the normals of leaves
 TRIPOD = 1.7  # m, from the tripod's foot to where beams start
@@ -29,70 +30,6 @@ WAIST = 0.5 * 0.35e-3  # the beam's radius at 1/e2, over the distance
 LEAF = 0.4  # reflectance
 FIRST_RADIUS = 1.05  # of the beam, in w, for first echoes: measured here, no theory
 WEAK = 0.1  # apparent reflectance of the weakest strong echo, over that of a leaf
-
-
-class Grid:
-    """Voxels: a box from low to high [m], cut into cubes of side cell at most."""
-
-    def __init__(self, low, high, cell):
-        self.low, high = np.asarray(low, float), np.asarray(high, float)
-        self.shape = np.maximum(1, np.ceil((high - self.low) / cell - 1e-9).astype(int))
-        self.size = (high - self.low) / self.shape
-        self.high = high
-        self.volume = self.size.prod()
-        self.count = int(self.shape.prod())
-
-    def find(self, points):
-        """The number of the voxel of every point; -1: outside."""
-        index = np.floor((points - self.low) / self.size).astype(int)
-        inside = ((index >= 0) & (index < self.shape)).all(axis=1)
-        return np.where(inside, self.number(index), -1)
-
-    def number(self, index):
-        return (index[:, 0] * self.shape[1] + index[:, 1]) * self.shape[2] + index[:, 2]
-
-    def layers(self):
-        """The heights of the middles of layers [m]."""
-        return self.low[2] + (np.arange(self.shape[2]) + 0.5) * self.size[2]
-
-    def enter(self, voxels, origins, directions):
-        """How far from its origin every ray enters the voxel of that number [m]."""
-        low = self.low + np.column_stack(np.unravel_index(voxels, self.shape)) * self.size
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ways = np.minimum((low - origins) / directions, (low + self.size - origins) / directions)
-        return np.maximum(np.nanmax(ways, axis=1), 0)
-
-    def sum_paths(self, origins, directions, lengths):
-        """The way of all rays, up to their lengths, in every voxel [m] (Amanatides, Woo 1987)."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            a = (self.low - origins) / directions
-            b = (self.high - origins) / directions
-        enter = np.maximum(np.nanmax(np.minimum(a, b), axis=1), 0)
-        leave = np.minimum(np.nanmin(np.maximum(a, b), axis=1), lengths)
-        crosses = leave > enter
-        origins, directions = origins[crosses], directions[crosses]
-        now, leave = enter[crosses], leave[crosses]
-        index = np.floor((origins + now[:, None] * directions - self.low) / self.size).astype(int)
-        index = np.clip(index, 0, self.shape - 1)
-        step = np.where(directions > 0, 1, -1)
-        with np.errstate(divide="ignore"):
-            width = self.size / np.abs(directions)
-            border = (self.low + (index + (step > 0)) * self.size - origins) / directions
-        border[directions == 0] = np.inf
-        sums = np.zeros(self.count)
-        while len(now):
-            axis = border.argmin(axis=1)
-            rows = np.arange(len(now))
-            until = np.minimum(border[rows, axis], leave)
-            sums += np.bincount(self.number(index), np.maximum(until - now, 0), self.count)
-            index[rows, axis] += step[rows, axis]
-            border[rows, axis] += width[rows, axis]
-            now = until
-            goes_on = (now < leave) & ((index >= 0) & (index < self.shape)).all(axis=1)
-            now, leave, index, step, width, border = (
-                values[goes_on] for values in (now, leave, index, step, width, border)
-            )
-        return sums
 
 
 class Stand:
@@ -114,7 +51,7 @@ class Stand:
         down = [(i + 2 / 3, j + 2 / 3) for i in range(3) for j in range(3 - i)]
         ab = np.array(up + down) / 4
         weights = np.column_stack([ab, 1 - ab.sum(axis=1)])
-        middles = np.einsum("kc,ncx->nkx", weights, self.corners).reshape(-1, 3)
+        middles = (weights @ self.corners).reshape(-1, 3)
         voxels, areas = grid.find(middles), np.repeat(self.areas / 16, 16)
         return np.bincount(voxels[voxels >= 0], areas[voxels >= 0], grid.count)
 
@@ -352,7 +289,8 @@ def study_beam(stand, distances, resolution, cell=0.5):
 def study_positions(stand, resolution, cells, distance=10.0, all_sides=8):
     """Rows: 1, 2, 4 and 8 scans around the tree together, by the size of voxels; and the layers.
 
-    Layers are those of the smallest voxels: height, true, and derived by one scan and by all.
+    Layers are those of the smallest voxels: height, and leaf area a metre [m2/m], the true one, and
+    those derived by one scan and by all.
     """
     clouds = scan(stand, distance, TRIPOD, 360 / all_sides * np.arange(all_sides), resolution)
     rays, rows = [follow(cloud) for cloud in clouds], []
@@ -367,21 +305,24 @@ def study_positions(stand, resolution, cells, distance=10.0, all_sides=8):
             row = dict(cell=float(cell), scans=number, error=found[:, 0].mean())
             row |= dict(lowest=found[:, 0].min(), highest=found[:, 0].max())
             rows.append(row | dict(unseen=found[:, 1].mean()))
-    layers = {"height": grid.layers()}
-    area = {"true": truth, "one": derive(counts[0], grid), "all": derive(counts.sum(axis=0), grid)}
-    for name, values in area.items():
-        layers[name] = np.nansum(values.reshape(grid.shape), axis=(0, 1)) / grid.size[2]
-    return rows, layers
+    names = {"true": truth, "one": derive(counts[0], grid), "all": derive(counts.sum(axis=0), grid)}
+    table = {"height": grid.layers()}
+    for name, areas in names.items():
+        table[name] = np.nansum(areas.reshape(grid.shape), axis=(0, 1)) / grid.size[2]
+    return rows, [dict(zip(table, map(float, row))) for row in zip(*table.values())]
 
 
 def study(quick=False):
     """All rows of numbers, by the name of the table; quick: coarser, and less of it."""
-    box = study_box(seeds=4, distances=(10, 20), spacing=0.03) if quick else None
-    box = box or study_box(seeds=8, distances=(5, 10, 20, 40), spacing=0.015)
+    if quick:
+        box = study_box(seeds=4, distances=(20,), spacing=0.03)
+    else:
+        box = study_box(seeds=8, distances=(5, 10, 20, 40), spacing=0.015)
     stand = make_tree()
     resolution = 0.25 if quick else 0.1  # deg
     distances, heights = ((4, 10), (TRIPOD,)) if quick else ((4, 6, 10, 20, 40), (TRIPOD, 5, 10))
-    places = study_places(stand, distances, heights, (0, 90, 180, 270), resolution)
+    sides = (0, 180) if quick else (0, 90, 180, 270)
+    places = study_places(stand, distances, heights, sides, resolution)
     beam = study_beam(stand, (10,) if quick else (6, 10, 20, 40), resolution)
     cells = (0.5, 100) if quick else (0.2, 0.5, 1, 100)
     positions, layers = study_positions(stand, resolution, cells)
@@ -391,7 +332,8 @@ def study(quick=False):
 
 def draw_box(rows, path):
     figure, (left, right) = _study.make_figure(2)
-    lines = [row for row in rows if row["kind"] == "line" and row["distance"] == 10]
+    by_seed = {row["seed"]: row for row in rows if row["kind"] == "line" and row["distance"] >= 10}
+    lines = list(by_seed.values())
     left.axhline(1, color="black", lw=1)
     left.errorbar(
         [row["seed"] for row in lines],
@@ -434,7 +376,7 @@ def draw_tree(numbers, path):
         one.axhline(0, color="black", lw=1)
         one.set(ylabel="error of leaf area [%]")
         one.legend(fontsize="small")
-    layers = numbers["layers"]
+    layers = {key: [row[key] for row in numbers["layers"]] for key in numbers["layers"][0]}
     for name, label in (("one", "one scan"), ("all", "eight scans"), ("true", "true")):
         look = dict(color="black", lw=1) if name == "true" else dict(marker=".", lw=0.7)
         axes[3].plot(layers[name], layers["height"], label=label, **look)
@@ -458,7 +400,8 @@ def draw_positions(axes, rows):
     for cell in sorted({row["cell"] for row in rows}):
         found = [row for row in rows if row["cell"] == cell]
         scans, error, low, high = (
-            np.array([row[name] for row in found]) for name in ("scans", "error", "lowest", "highest")
+            np.array([row[name] for row in found])
+            for name in ("scans", "error", "lowest", "highest")
         )
         label = f"{cell:g} m" if cell < 50 else "one voxel"
         axes.errorbar(scans, error, [error - low, high - error], fmt="o-", capsize=3, label=label)
@@ -470,13 +413,14 @@ def draw_positions(axes, rows):
 def main():
     options = _study.arguments(__doc__)
     numbers = study(options.quick)
-    for name in ("box", "places", "beam", "positions"):
+    for name in ("box", "places", "beam", "positions", "layers"):
         _study.print_table(numbers[name], name)
         _study.write_csv(options.out / f"leaf_area_{name}.csv", numbers[name])
     print(f"\ntrue leaf area of the tree: {numbers['true']:.2f} m2")
     print(f"strong echoes widen leaves by {strong_radius():.3f} w, by theory")
     draw_box(numbers["box"], options.out / "leaf_area_box.png")
     draw_tree(numbers, options.out / "leaf_area_tree.png")
+    return numbers
 
 
 if __name__ == "__main__":
