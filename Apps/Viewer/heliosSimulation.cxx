@@ -66,6 +66,14 @@ Pose SimulatedLeg::GetPose(double time) const
 }
 
 //------------------------------------------------------------------------------
+Pose SimulatedLeg::GetHead(double time) const
+{
+  const double elapsed = std::clamp(time, this->StartTime, this->EndTime) - this->StartTime;
+  const double angle = this->HeadStart + this->HeadSpeed * elapsed;
+  return { this->Mount.Position, this->Mount.Orientation * AxisAngle(this->HeadAxis, angle) };
+}
+
+//------------------------------------------------------------------------------
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
 {
   const SimulatedLeg* found = legs.empty() ? nullptr : &legs.front();
@@ -284,7 +292,13 @@ void Simulation::ReadLegs()
     leg.Mount = data.GetPlatform(index).Mount;
     leg.IsMoving = data.IsMoving(index);
     leg.Type = data.GetPlatform(index).Type;
-    leg.LineFrequency = data.Legs[index].Scans.front().ScanFrequency;
+    const ScanData& scan = data.Legs[index].Scans.front();
+    leg.LineFrequency = scan.ScanFrequency;
+    leg.Model = data.GetPlatform(index).Model;
+    leg.ScannerModel = data.GetScanner(index).Model;
+    leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
+    leg.HeadStart = scan.HeadRotateStart;
+    leg.HeadSpeed = scan.HeadRotateSpeed;
     SetWay(way, leg);
     this->Legs.push_back(leg);
   }

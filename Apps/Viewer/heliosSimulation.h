@@ -41,9 +41,17 @@ struct SimulatedLeg
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
   double LineFrequency = 0.0; ///< of the scan [Hz]; 0: not known
+  ModelData Model;            ///< of the platform
+  ModelData ScannerModel;
+  Vec3 HeadAxis{ 0.0, 0.0, 1.0 };
+  double HeadStart = 0.0; ///< [deg]
+  double HeadSpeed = 0.0; ///< [deg/s]
 
   /// Where the platform is [s]: before and after the leg where it starts and ends.
   Pose GetPose(double time) const;
+
+  /// How the head of the scanner is on the platform [s]: its mount, turned.
+  Pose GetHead(double time) const;
 };
 
 /// The leg of a time [s], the last one that has begun; null where there is none.
