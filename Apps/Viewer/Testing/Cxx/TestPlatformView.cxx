@@ -160,12 +160,9 @@ TEST_CASE("PlatformView: the viewer shows the model of a survey, or says why not
 {
   StepFiles files;
   files.Write("plane.obj", MakeSquare(0, 0, 0) + "f 1 2 3 4\n");
-  std::ifstream in(files.Folder / "assets.xml");
-  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const bool isGood = GENERATE(true, false);
-  const std::string kind = "type=\"linearpath\"";
-  text.insert(text.find(kind), isGood ? "visModel=\"plane.obj\" " : "visModel=\"jet.obj\" ");
-  files.Write("assets.xml", text);
+  files.Replace("assets.xml", "type=\"linearpath\"",
+    std::string("type=\"linearpath\" visModel=\"") + (isGood ? "plane" : "jet") + ".obj\"");
   ViewerOptions options;
   options.Inputs = { (files.Folder / "survey.xml").string() };
   options.Offscreen = true;
