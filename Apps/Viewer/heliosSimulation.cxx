@@ -271,6 +271,7 @@ bool Simulation::Load()
 void Simulation::ReadLegs()
 {
   const SurveyData& data = this->Survey->GetData();
+  vtkIdType shots = 0;
   for (int i = 0; i < this->Survey->GetNumberOfLegs(); ++i)
   {
     const auto index = static_cast<std::size_t>(i);
@@ -294,6 +295,9 @@ void Simulation::ReadLegs()
     leg.Type = data.GetPlatform(index).Type;
     const ScanData& scan = data.Legs[index].Scans.front();
     leg.LineFrequency = scan.ScanFrequency;
+    leg.Clock = { shots, times[0], scan.PulseFrequency };
+    shots += (pulses[1] - pulses[0]) /
+      static_cast<vtkIdType>(data.GetScanner(index).GetNumberOfChannels());
     leg.Model = data.GetPlatform(index).Model;
     leg.ScannerModel = data.GetScanner(index).Model;
     leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;

@@ -5,6 +5,7 @@
 #ifndef heliosSimulation_h
 #define heliosSimulation_h
 
+#include "heliosMovingScene.h"
 #include "heliosPose.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosSurvey.h"
@@ -41,6 +42,7 @@ struct SimulatedLeg
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
   double LineFrequency = 0.0; ///< of the scan [Hz]; 0: not known
+  PulseClock Clock;           ///< of one channel
   ModelData Model;            ///< of the platform
   ModelData ScannerModel;
   Vec3 HeadAxis{ 0.0, 0.0, 1.0 };

@@ -8,6 +8,7 @@
 #include "heliosHud.h"
 #include "heliosInteractorStyles.h"
 #include "heliosPlatformView.h"
+#include "heliosSceneMover.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosSurveyData.h"
@@ -236,6 +237,10 @@ void Viewer::Frame(double seconds)
     this->Clock.Advance(seconds, this->Clock.GetEnd());
   }
   if (this->Clock.GetTime() != before)
+  {
+    this->Redraw();
+  }
+  if (this->Mover && this->Mover->MoveTo(this->Legs, this->Clock.GetTime()))
   {
     this->Redraw();
   }

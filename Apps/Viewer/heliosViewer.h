@@ -34,6 +34,7 @@ namespace helios
 class CloudView;
 class Hud;
 class PlatformView;
+class SceneMover;
 class SceneView;
 class TimeBar;
 class ViewerKeys;
@@ -157,6 +158,7 @@ private:
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<CloudView> PointsView;
   std::unique_ptr<SceneView> Mesh;
+  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey runs
   std::unique_ptr<PlatformView> Platform;
   std::unique_ptr<Hud> Words;
   std::unique_ptr<TimeBar> Bar;

@@ -6,6 +6,7 @@
 #include "heliosCloudView.h"
 #include "heliosHud.h"
 #include "heliosPlatformView.h"
+#include "heliosSceneMover.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
@@ -112,6 +113,7 @@ void Viewer::Begin(const double bounds[6], bool keepCamera)
   {
     this->Origin = hasData ? FindOrigin(bounds) : Vec3(0.0, 0.0, 0.0);
   }
+  this->Mover.reset();
   this->Mesh.reset();
   this->Platform.reset();
   this->Points->Clear();
@@ -171,6 +173,10 @@ void Viewer::FinishLoading()
   this->Legs = this->Running->GetLegs();
   this->Begin(bounds, this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
+  if (this->Mesh->GetScene())
+  {
+    this->Mover = std::make_unique<SceneMover>(this->Survey->GetData().Scene, *this->Mesh);
+  }
   this->ShowWays();
   this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
 }
