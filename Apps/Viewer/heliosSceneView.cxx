@@ -4,13 +4,17 @@
 
 #include "heliosMaterialColors.h"
 #include "heliosTriangleMesh.h"
+#include "heliosTurbidBoxes.h"
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
@@ -24,6 +28,8 @@ namespace helios
 
 namespace
 {
+
+constexpr double BoxOpacity = 0.35; // of voxels: echoes are seen through
 
 /// The world's coordinates less an origin, of a depth in [0, 1] at a pixel.
 Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
@@ -73,10 +79,22 @@ SceneView::SceneView(vtkRenderer* renderer)
   , Moving(renderer, this->Look)
 {
   this->Look->SetInterpolationToFlat();
+  this->BoxMapper->SetScalarModeToUseCellData();
+  this->Boxes->SetMapper(this->BoxMapper);
+  this->Boxes->GetProperty()->LightingOff(); // their colours are shaded
+  this->Boxes->GetProperty()->SetOpacity(BoxOpacity);
+  this->Boxes->GetProperty()->BackfaceCullingOn();
+  this->Boxes->PickableOff();
+  this->Boxes->VisibilityOff();
+  renderer->AddActor(this->Boxes);
+  this->DrawBoxes();
 }
 
 //------------------------------------------------------------------------------
-SceneView::~SceneView() = default;
+SceneView::~SceneView()
+{
+  this->Renderer->RemoveActor(this->Boxes);
+}
 
 //------------------------------------------------------------------------------
 std::string SceneView::SetScene(vtkPolyData* scene)
@@ -144,6 +162,39 @@ void SceneView::Move(vtkPolyData* parts)
 }
 
 //------------------------------------------------------------------------------
+void SceneView::SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids)
+{
+  this->Grids = grids;
+  this->DrawBoxes();
+  this->Boxes->SetVisibility(this->GetNumberOfBoxes() > 0 && this->IsVisible());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType SceneView::GetNumberOfBoxes() const
+{
+  vtkPolyData* boxes = this->BoxMapper->GetInput();
+  return boxes ? boxes->GetNumberOfCells() / 6 : 0;
+}
+
+//------------------------------------------------------------------------------
+void SceneView::DrawBoxes()
+{
+  this->BoxSets[0] = MakeTurbidBoxes(this->Grids, MostBoxes, this->Origin);
+  this->BoxSets[1] = MakeTurbidBoxes(this->Grids, MostMovingBoxes, this->Origin);
+  this->BoxMapper->SetInputData(this->BoxSets[this->Interacting ? 1 : 0]);
+}
+
+//------------------------------------------------------------------------------
+void SceneView::SetInteracting(bool on)
+{
+  if (on != this->Interacting)
+  {
+    this->Interacting = on;
+    this->BoxMapper->SetInputData(this->BoxSets[on ? 1 : 0]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void SceneView::DrawMesh()
 {
   this->Resting.Draw(this->Origin, this->Smooth);
@@ -186,6 +237,7 @@ void SceneView::SetOrigin(const Vec3& origin)
 {
   this->Origin = origin;
   this->DrawMesh();
+  this->DrawBoxes();
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +279,7 @@ void SceneView::SetVisible(bool on)
 {
   this->Resting.SetVisible(on);
   this->Moving.SetVisible(on);
+  this->Boxes->SetVisibility(on && this->GetNumberOfBoxes() > 0);
 }
 
 //------------------------------------------------------------------------------

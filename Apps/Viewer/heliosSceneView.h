@@ -17,7 +17,10 @@
 #include <string>
 #include <vector>
 
+class vtkActor;
+class vtkImageData;
 class vtkPolyData;
+class vtkPolyDataMapper;
 class vtkProperty;
 class vtkRenderer;
 
@@ -75,6 +78,20 @@ public:
   /// The same triangles, elsewhere.
   void Move(vtkPolyData* parts);
 
+  /// The turbid voxels beside the scene, as translucent boxes of which there are not too many; the mesh's
+  /// visibility is theirs. They cannot be picked.
+  void SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids);
+  vtkIdType GetNumberOfBoxes() const;
+
+  ///@{
+  /// At most, of all grids: when still, and while the camera moves.
+  static constexpr vtkIdType MostBoxes = 20000;
+  static constexpr vtkIdType MostMovingBoxes = 2000;
+  ///@}
+
+  /// While the camera moves there are fewer of them, and larger. Default: off.
+  void SetInteracting(bool on);
+
   /// Default: ByMaterial.
   void SetColoring(Coloring coloring);
 
@@ -106,6 +123,7 @@ public:
 private:
   void DrawMesh();
   void ColorMesh();
+  void DrawBoxes();
   int GetCellId(const char* name, vtkIdType cell) const;
 
   vtkRenderer* Renderer;
@@ -118,6 +136,11 @@ private:
   vtkNew<vtkProperty> Look;
   SceneLayer Resting;
   SceneLayer Moving;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  vtkSmartPointer<vtkPolyData> BoxSets[2]; // when still, while the camera moves
+  bool Interacting = false;
+  vtkNew<vtkActor> Boxes;
+  vtkNew<vtkPolyDataMapper> BoxMapper;
 };
 
 } // namespace helios

@@ -8,6 +8,7 @@
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -140,6 +141,17 @@ std::string Simulation::GetMessage() const
 }
 
 //------------------------------------------------------------------------------
+void Simulation::GetBounds(double bounds[6]) const
+{
+  vtkBoundingBox box(this->Scene->GetBounds());
+  for (vtkImageData* grid : this->Grids)
+  {
+    box.AddBounds(grid->GetBounds());
+  }
+  box.GetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
 double Simulation::GetStartTime() const
 {
   return this->Legs.empty() ? 0.0 : this->Legs.front().StartTime;
@@ -259,6 +271,11 @@ bool Simulation::Load()
     return false;
   }
   this->Scene = this->Source->GetScene();
+  for (int i = 0; this->Source->GetGrid(i); ++i)
+  {
+    this->Grids.push_back(vtkSmartPointer<vtkImageData>::New()); // the viewer's own
+    this->Grids.back()->ShallowCopy(this->Source->GetGrid(i));
+  }
   this->NumberOfPulses = this->Source->GetNumberOfPulses();
   this->ReadLegs();
   const std::lock_guard<std::mutex> lock(this->Mutex);

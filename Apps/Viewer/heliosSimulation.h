@@ -11,6 +11,7 @@
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -101,6 +102,8 @@ public:
   ///@{
   /// What is known when it is no longer loading; nothing, where that failed.
   vtkPolyData* GetScene() const { return this->Scene; }
+  const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+  void GetBounds(double bounds[6]) const; ///< of both [m]
   const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   double GetStartTime() const;
   double GetEndTime() const;
@@ -152,6 +155,7 @@ private:
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   vtkNew<vtkHeliosSurveySource> Source;
   vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; // turbid voxels
   std::vector<SimulatedLeg> Legs;
   vtkIdType NumberOfPulses = 0;
   std::thread Thread;

@@ -319,6 +319,7 @@ void Viewer::Draw()
 {
   const double start = this->Now();
   this->TakeUpPoints();
+  this->Mesh ? this->Mesh->SetInteracting(this->PointsView->IsInteracting()) : void();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
   const double end = this->Now();

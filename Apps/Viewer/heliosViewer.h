@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -75,8 +76,9 @@ public:
   /// Shows a survey instead of what is shown, and runs it. The camera stays with keepCamera.
   void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
 
-  /// Shows a scene without a survey [m].
-  void ShowScene(vtkPolyData* scene, bool keepCamera = false);
+  /// Shows a scene and its turbid voxels without a survey [m].
+  void ShowScene(
+    vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
   /// Shows a message for a while; errors go to standard error, too.
   void Tell(const std::string& message);

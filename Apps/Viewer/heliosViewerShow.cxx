@@ -57,14 +57,20 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::ShowScene(vtkPolyData* scene, bool keepCamera)
+void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
 {
+  vtkBoundingBox box(scene->GetBounds());
+  for (vtkImageData* grid : grids)
+  {
+    box.AddBounds(grid->GetBounds());
+  }
   double bounds[6];
-  scene->GetBounds(bounds);
+  box.GetBounds(bounds);
   this->Running.reset();
   this->Legs.clear();
-  this->Begin(bounds, keepCamera);
+  this->Begin(bounds, false);
   this->ShowMesh(scene);
+  this->Mesh->SetGrids(grids);
   this->Redraw();
 }
 
@@ -169,10 +175,11 @@ void Viewer::FinishLoading()
   }
   this->IsLoading = false;
   double bounds[6];
-  this->Running->GetScene()->GetBounds(bounds);
+  this->Running->GetBounds(bounds);
   this->Legs = this->Running->GetLegs();
   this->Begin(bounds, this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
+  this->Mesh->SetGrids(this->Running->GetGrids());
   if (this->Mesh->GetScene())
   {
     this->Mover = std::make_unique<SceneMover>(this->Survey->GetData().Scene, *this->Mesh);
