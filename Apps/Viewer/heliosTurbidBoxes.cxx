@@ -31,6 +31,7 @@ namespace
 
 constexpr double SmallestEdge = 0.2; // of its cell
 constexpr vtkIdType Corners = 8;
+constexpr double MostSums = 2e6; // about: blocks of a grid that has next to nothing in it
 
 // The corners of the faces, seen from outside against the clock; corner 1 is along x, 2 y, 4 z.
 constexpr double Shades[6] = { 0.75, 0.8, 0.85, 0.9, 0.6,
@@ -133,8 +134,9 @@ vtkIdType Blocks::Gather(int edge)
 //------------------------------------------------------------------------------
 void Blocks::Fit(vtkIdType most)
 {
-  const double share = static_cast<double>(this->CountCells()) / static_cast<double>(most);
-  int edge = std::max(1, static_cast<int>(std::cbrt(share)));
+  const double filled = static_cast<double>(this->CountCells()) / static_cast<double>(most);
+  const double all = static_cast<double>(this->Densities->GetNumberOfTuples()) / MostSums;
+  int edge = std::max(1, static_cast<int>(std::cbrt(std::max(filled, all))));
   while (this->Gather(edge) > most)
   {
     ++edge;
@@ -177,8 +179,8 @@ double Blocks::FindFull() const
   {
     return 1.0;
   }
-  const auto place = densities.begin() +
-    static_cast<std::ptrdiff_t>(0.98 * static_cast<double>(densities.size() - 1) + 0.5);
+  const auto last = static_cast<double>(densities.size() - 1);
+  const auto place = densities.begin() + std::lround(0.98 * last);
   std::nth_element(densities.begin(), place, densities.end());
   return *place;
 }

@@ -20,10 +20,10 @@ namespace helios
 
 /**
  * A box for every cell of a grid that has a plant area density; where that would be more than a number
- * of boxes, for cubes of n x n x n cells, with the mean of these. The volume of a box goes with its
- * density: the densest fill their cells. (The densest one in fifty is taken for that, since single
- * cells may be out of all proportion.) Colours are those of materials, shaded as if the light came from
- * above. Coordinates are the world's less an origin [m].
+ * of boxes, or the grid has many millions of cells, for cubes of n x n x n, with their mean. The volume
+ * of a box goes with its density: the densest fill their cells. (The densest one in fifty is taken for
+ * that, since single cells may be out of all proportion.) Colours are those of materials, shaded as if
+ * the light came from above. Coordinates are the world's less an origin [m].
  */
 vtkSmartPointer<vtkPolyData> MakeTurbidBoxes(
   vtkImageData* grid, vtkIdType most, const Vec3& origin);

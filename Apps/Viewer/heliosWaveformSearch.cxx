@@ -116,7 +116,7 @@ vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pi
     {
       throw std::runtime_error(errors.Get(file));
     }
-    const auto found = Select(reader->GetOutput(), pulses.first, pulses.second);
+    auto found = Select(reader->GetOutput(), pulses.first, pulses.second);
     if (found)
     {
       return found;
