@@ -108,6 +108,7 @@ private:
   std::vector<Before> Befores;
   std::unique_ptr<EditPanel> Panel;
   std::unique_ptr<PlatformView> Ghost;
+  std::shared_ptr<ModelFiles> Models; // that it may look like
   std::string Saved;
   int Scans = 0; ///< that were begun
 };

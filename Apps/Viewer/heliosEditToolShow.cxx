@@ -230,8 +230,9 @@ void EditTool::ShowGhost()
   }
   if (this->IsOn && !this->Edit.Legs.empty())
   {
-    this->Ghost =
-      std::make_unique<PlatformView>(this->Owner.GetRenderer(), this->Owner.GetOrigin());
+    this->Models = this->Models ? this->Models : std::make_shared<ModelFiles>();
+    this->Ghost = std::make_unique<PlatformView>(
+      this->Owner.GetRenderer(), this->Owner.GetOrigin(), this->Models);
     this->Ghost->SetWays(MakeWays(this->Edit));
     this->PlaceGhost();
   }
@@ -240,9 +241,13 @@ void EditTool::ShowGhost()
 //------------------------------------------------------------------------------
 void EditTool::PlaceGhost()
 {
-  const std::size_t leg = this->Edit.HasArea ? 0 : this->Edit.Legs.size() - 1;
-  this->Ghost->Place(
-    this->Edit.PlatformModel.Type, FindPose(this->Edit, leg), this->Edit.PlatformModel.Mount);
+  const std::size_t index = this->Edit.HasArea ? 0 : this->Edit.Legs.size() - 1;
+  SimulatedLeg leg;
+  leg.Type = this->Edit.PlatformModel.Type;
+  leg.Mount = this->Edit.PlatformModel.Mount;
+  leg.Model = this->Edit.PlatformModel.Model;
+  leg.ScannerModel = this->Edit.ScannerModel.Model;
+  this->Ghost->Place(leg, FindPose(this->Edit, index), leg.StartTime);
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,10 @@
 #ifndef heliosErrorText_h
 #define heliosErrorText_h
 
+#include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkWeakPointer.h>
@@ -16,7 +18,8 @@
 namespace helios
 {
 
-/// Keeps the errors of an object, a line each, without VTK's frame around them.
+/// Keeps the errors of an object, a line each, without VTK's frame around them. That an algorithm's
+/// pipeline complains, too, is not kept.
 class ErrorText
 {
 public:
@@ -26,9 +29,19 @@ public:
     this->Observer->SetClientData(this);
     this->Observer->SetCallback(Keep);
     this->Tag = object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+    if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
+    {
+      this->Nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
+      this->Executive = algorithm->GetExecutive();
+      this->ExecutiveTag = this->Executive->AddObserver(vtkCommand::ErrorEvent, this->Nobody);
+    }
   }
   ~ErrorText()
   {
+    if (this->Executive)
+    {
+      this->Executive->RemoveObserver(this->ExecutiveTag);
+    }
     if (this->Object)
     {
       this->Object->RemoveObserver(this->Tag);
@@ -57,8 +70,11 @@ private:
   }
 
   vtkWeakPointer<vtkObject> Object;
+  vtkWeakPointer<vtkObject> Executive;
   vtkNew<vtkCallbackCommand> Observer;
+  vtkNew<vtkCallbackCommand> Nobody;
   unsigned long Tag = 0;
+  unsigned long ExecutiveTag = 0;
   std::string Text;
 };
 

@@ -3,7 +3,7 @@
 #include "heliosInspector.h"
 
 #include "heliosCloudView.h"
-#include "heliosColorMaps.h"
+#include "heliosFormat.h"
 #include "heliosHud.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
@@ -13,13 +13,9 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
-#include <json/json.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <utility>
 
 namespace helios
@@ -34,24 +30,6 @@ constexpr vtkIdType MostWaveforms = 256;
 constexpr vtkIdType UsualLine = 1000; // pulses, where the scan has no lines or is not known
 constexpr double WaveShare = 0.35;    // of its length, that a waveform is high
 constexpr double LineShare = 0.015;   // of its range, that a line's waveform is high
-
-__attribute__((format(printf, 1, 2))) std::string Format(const char* format, ...)
-{
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof(text), format, arguments);
-  va_end(arguments);
-  return text;
-}
-
-/// A number with words around it; nothing where it is not known.
-std::string Say(const char* format, double value)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  return std::isnan(value) ? "" : text;
-}
 
 bool IsReady(const std::future<PulseRecord>& answer)
 {
@@ -246,7 +224,8 @@ std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType las
   if (files.empty())
   {
     this->Problem = "no waveform: nothing runs here, and no legNNN_fullwave.txt or .pvtt lies\n"
-                    "beside the points; show the survey itself, or run it with --waveforms";
+                    "beside the points, nor has a LAS file any; show the survey itself, or run it\n"
+                    "with --waveforms";
     return {};
   }
   return this->Search.Find(files, leg, first, last);
@@ -402,59 +381,6 @@ void Inspector::Show()
 }
 
 //------------------------------------------------------------------------------
-std::string Inspector::DescribeEcho() const
-{
-  const Echo echo = this->Owner.GetCloud().GetEcho(this->Row);
-  double width = std::numeric_limits<double>::quiet_NaN();
-  for (const PulseEcho& known : this->Reading.Echoes)
-  {
-    width = known.ReturnNumber == echo.ReturnNumber ? known.Width : width;
-  }
-  const bool isRaw = this->Owner.GetCloud().HasRawAmplitudes();
-  std::string text = echo.PulseId < 0 ? Format("point %lld", static_cast<long long>(this->Row))
-                                      : Format("pulse %lld", static_cast<long long>(echo.PulseId));
-  text += Format(", return %d of %d", echo.ReturnNumber, echo.NumberOfReturns) +
-    Say(", at %.6f s", echo.GpsTime) + "\n";
-  text += std::isnan(echo.Range) ? "" : Say("%.3f m, ", echo.Range);
-  text += isRaw                  ? Say("intensity %.0f", echo.Amplitude)
-    : std::isnan(echo.Amplitude) ? ""
-                                 : DescribePower(echo.Amplitude);
-  text += Say(", %.2f ns wide", width) + Say(", incidence %.0f\xC2\xB0", echo.IncidenceAngle);
-  text += "\n" + this->DescribeSurface(echo);
-  if (this->Answer.valid())
-  {
-    text += "\n\nlooking for the waveform ...";
-  }
-  return text + (this->Problem.empty() ? "" : "\n\n" + this->Problem);
-}
-
-//------------------------------------------------------------------------------
-std::string Inspector::DescribeSurface(const Echo& echo) const
-{
-  SceneView* scene = this->Owner.GetSceneView();
-  std::string text = GetClassName(echo.Class);
-  if (echo.Part >= 0)
-  {
-    const std::string number = Format("part %d", echo.Part);
-    const std::string name = scene ? scene->GetPartName(echo.Part) : number;
-    text =
-      (name == number || name == std::to_string(echo.Part) ? number : name + " (" + number + ")") +
-      ", " + text;
-  }
-  if (!this->Reading.SubRays.empty())
-  {
-    text += this->Reading.SubRays.size() == 1
-      ? ", hit by one sub-ray"
-      : Format(", hit by %zu sub-rays", this->Reading.SubRays.size());
-  }
-  else if (!this->Reading.Samples.empty() && this->Owner.GetSimulation())
-  {
-    text += ", one surface: known without sub-rays";
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
 void Inspector::Close()
 {
   this->Row = -1;
@@ -471,41 +397,6 @@ void Inspector::Close()
 void Inspector::OnNewSurvey()
 {
   this->Close();
-}
-
-//------------------------------------------------------------------------------
-std::string Inspector::GetStatus() const
-{
-  return this->Answer.valid() ? "inspecting ..." : this->LineAnswer.valid() ? "waveforms ..." : "";
-}
-
-//------------------------------------------------------------------------------
-void Inspector::Describe(Json::Value& state) const
-{
-  Json::Value value;
-  value["row"] = Json::Int64(this->Row);
-  value["pulse"] = Json::Int64(this->Row >= 0 ? this->Reading.Pulse : -1);
-  value["return"] = 0;
-  value["position"] = Json::Value(Json::arrayValue);
-  if (this->Row >= 0)
-  {
-    const Echo echo = this->Owner.GetCloud().GetEcho(this->Row);
-    value["return"] = echo.ReturnNumber;
-    for (int i = 0; i < 3; ++i)
-    {
-      value["position"].append(echo.Position[i]);
-    }
-  }
-  value["waveformSamples"] = Json::Int64(this->Chart.GetNumberOfSamples());
-  value["echoes"] = Json::Int64(this->Chart.GetNumberOfEchoes());
-  value["gaussians"] = Json::Int64(this->Chart.GetNumberOfGaussians());
-  value["subRays"] = Json::UInt64(this->Reading.SubRays.size());
-  value["beams"] = Json::Int64(this->View.GetNumberOfBeams());
-  value["waveforms"] = Json::Int64(this->View.GetNumberOfWaveforms());
-  value["chart"] = this->Chart.IsVisible();
-  value["waiting"] = this->IsWaiting();
-  value["problem"] = this->Problem;
-  state["inspector"] = value;
 }
 
 } // namespace helios

@@ -8,6 +8,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,6 +17,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace helios
 {
@@ -29,7 +31,7 @@ void Show(vtkActor* actor, vtkPolyData* data)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
-  mapper->ScalarVisibilityOff();
+  mapper->SetScalarVisibility(data->GetCellData()->GetScalars() != nullptr);
   actor->SetMapper(mapper);
 }
 
@@ -49,6 +51,14 @@ vtkSmartPointer<vtkMatrix4x4> MakeMatrix(const Pose& pose, double s)
   return matrix;
 }
 
+/// [m], not 0.
+double GetLongestSide(vtkPolyData* model)
+{
+  double bounds[6];
+  model->GetBounds(bounds);
+  return std::max({ 1e-3, bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+}
+
 void SetFlat(vtkActor* actor, double r, double g, double b)
 {
   actor->GetProperty()->SetColor(r, g, b);
@@ -59,10 +69,11 @@ void SetFlat(vtkActor* actor, double r, double g, double b)
 } // namespace
 
 //------------------------------------------------------------------------------
-PlatformView::PlatformView(vtkRenderer* renderer, const Vec3& origin)
+PlatformView::PlatformView(
+  vtkRenderer* renderer, const Vec3& origin, std::shared_ptr<ModelFiles> models)
   : Renderer(renderer)
   , Origin(origin)
-  , Type(PlatformType::Static)
+  , Models(std::move(models))
 {
   this->Body->GetProperty()->SetColor(0.85, 0.87, 0.9);
   this->Scanner->GetProperty()->SetColor(0.95, 0.55, 0.1);
@@ -74,7 +85,6 @@ PlatformView::PlatformView(vtkRenderer* renderer, const Vec3& origin)
   this->Ways->GetProperty()->SetLineWidth(1.5F);
   this->Stands->GetProperty()->SetPointSize(7.0F);
   this->Fan->GetProperty()->SetOpacity(0.35);
-  Show(this->Scanner, MakeScannerModel());
   Show(this->Fan, this->Beams);
   for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get() })
   {
@@ -166,21 +176,51 @@ double PlatformView::FindScale(const Vec3& position, double size) const
 }
 
 //------------------------------------------------------------------------------
-void PlatformView::Place(PlatformType type, const Pose& platform, const Pose& mount)
+std::string PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
 {
-  if (!this->HasModel || type != this->Type)
+  std::string problems;
+  for (const SimulatedLeg& leg : legs)
   {
-    Show(this->Body, MakePlatformModel(type));
-    this->Type = type;
-    this->HasModel = true;
-    this->SetModelVisible(true);
+    for (const ModelData* model : { &leg.Model, &leg.ScannerModel })
+    {
+      const std::string problem = this->Models->GetProblem(*model);
+      const bool isNew = !problem.empty() && problems.find(problem) == std::string::npos;
+      problems += isNew ? (problems.empty() ? "" : "\n") + problem : "";
+    }
   }
+  return problems;
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::ShowModels(const SimulatedLeg& leg)
+{
+  const std::string wanted = std::to_string(static_cast<int>(leg.Type)) + leg.Model.Where +
+    leg.Model.File + " " + leg.ScannerModel.Where + leg.ScannerModel.File;
+  if (this->HasModel && wanted == this->Shown)
+  {
+    return;
+  }
+  vtkPolyData* body = this->Models->Find(leg.Model);
+  vtkPolyData* scanner = this->Models->Find(leg.ScannerModel);
+  body ? Show(this->Body, body) : Show(this->Body, MakePlatformModel(leg.Type));
+  scanner ? Show(this->Scanner, scanner) : Show(this->Scanner, MakeScannerModel());
+  const bool isAircraft =
+    leg.Type == PlatformType::LinearPath || leg.Type == PlatformType::Interpolated;
+  this->Size = body ? GetLongestSide(body) : isAircraft ? 7.0 : 1.5;
+  this->Shown = wanted;
+  this->HasModel = true;
+  this->SetModelVisible(true);
+}
+
+//------------------------------------------------------------------------------
+void PlatformView::Place(const SimulatedLeg& leg, const Pose& platform, double time)
+{
+  this->ShowModels(leg);
   const Pose local{ platform.Position - this->Origin, platform.Orientation };
-  const double size =
-    type == PlatformType::LinearPath || type == PlatformType::Interpolated ? 7.0 : 1.5;
-  const double scale = this->FindScale(local.Position, size);
+  const double scale = this->FindScale(local.Position, this->Size);
   this->Body->SetUserMatrix(MakeMatrix(local, scale));
-  Pose scanner = local * Pose{ scale * mount.Position, mount.Orientation };
+  const Pose head = leg.GetHead(time);
+  const Pose scanner = local * Pose{ scale * head.Position, head.Orientation };
   this->Scanner->SetUserMatrix(MakeMatrix(scanner, scale));
 }
 

@@ -5,12 +5,15 @@
 #ifndef heliosPlatformView_h
 #define heliosPlatformView_h
 
+#include "heliosModelFile.h"
 #include "heliosPose.h"
 #include "heliosSimulation.h"
 
 #include <vtkNew.h>
 #include <vtkType.h>
 
+#include <memory>
+#include <string>
 #include <vector>
 
 class vtkActor;
@@ -20,13 +23,12 @@ class vtkRenderer;
 namespace helios
 {
 
-enum class PlatformType;
-
 class PlatformView
 {
 public:
-  /// Everything is drawn less an origin [m].
-  PlatformView(vtkRenderer* renderer, const Vec3& origin);
+  /// Everything is drawn less an origin [m]. Models that others have read need not be read again.
+  PlatformView(vtkRenderer* renderer, const Vec3& origin,
+    std::shared_ptr<ModelFiles> models = std::make_shared<ModelFiles>());
   ~PlatformView();
 
   /// The ways of all legs, as lines; positions of tripods, as points.
@@ -41,8 +43,12 @@ public:
   void SetFanVisible(bool visible);
   bool IsFanVisible() const;
 
-  /// Puts the platform where it is now [m], and makes it no smaller than it can be seen.
-  void Place(PlatformType type, const Pose& platform, const Pose& mount);
+  /// Reads the models of all legs; says which cannot be shown, a line each.
+  std::string ReadModels(const std::vector<SimulatedLeg>& legs);
+
+  /// Puts the platform of a leg where it is at a time [m], [s], no smaller than it can be seen. It looks
+  /// as its model says, or where that cannot be shown like its kind.
+  void Place(const SimulatedLeg& leg, const Pose& platform, double time);
 
   /// The beams that end at these points, from the scanner [m].
   void SetFan(const Vec3& scanner, const std::vector<Vec3>& ends);
@@ -51,10 +57,13 @@ public:
 
 private:
   double FindScale(const Vec3& position, double size) const;
+  void ShowModels(const SimulatedLeg& leg);
 
   vtkRenderer* Renderer;
   Vec3 Origin;
-  PlatformType Type;
+  std::shared_ptr<ModelFiles> Models;
+  std::string Shown; // which models
+  double Size = 1.0; // of the platform [m]
   bool HasModel = false;
   bool IsVisible = true;
   vtkNew<vtkActor> Body;

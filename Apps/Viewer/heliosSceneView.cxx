@@ -4,22 +4,20 @@
 
 #include "heliosMaterialColors.h"
 #include "heliosTriangleMesh.h"
+#include "heliosTurbidBoxes.h"
 #include "vtkHeliosArrayNames.h"
-#include "vtkHeliosRayCaster.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -31,6 +29,8 @@ namespace helios
 namespace
 {
 
+constexpr double BoxOpacity = 0.35; // of voxels: echoes are seen through
+
 /// The world's coordinates less an origin, of a depth in [0, 1] at a pixel.
 Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
 {
@@ -40,14 +40,34 @@ Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
   return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
+/// Some triangles of a scene with points of their own, their parts and materials.
+vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* scene, const std::vector<vtkIdType>& cells)
 {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SetFeatureAngle(40.0);
-  normals->ConsistencyOff(); // the order of the cells stays
-  normals->Update();
-  return normals->GetOutput();
+  TriangleMesh mesh;
+  mesh.Set(scene);
+  auto some = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  polys->Use32BitStorage();
+  std::vector<vtkIdType> known(static_cast<std::size_t>(scene->GetNumberOfPoints()), -1);
+  some->GetCellData()->CopyAllocate(scene->GetCellData(), static_cast<vtkIdType>(cells.size()));
+  for (const vtkIdType cell : cells)
+  {
+    vtkIdType corners[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const vtkIdType point = mesh.GetCorners()[3 * cell + k];
+      vtkIdType& id = known[static_cast<std::size_t>(point)];
+      id = id >= 0 ? id : points->InsertNextPoint(scene->GetPoint(point));
+      corners[k] = id;
+    }
+    some->GetCellData()->CopyData(scene->GetCellData(), cell, polys->InsertNextCell(3, corners));
+  }
+  some->SetPoints(points);
+  some->SetPolys(polys);
+  some->GetFieldData()->ShallowCopy(scene->GetFieldData());
+  return some;
 }
 
 } // namespace
@@ -55,28 +75,33 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
 //------------------------------------------------------------------------------
 SceneView::SceneView(vtkRenderer* renderer)
   : Renderer(renderer)
+  , Resting(renderer, this->Look)
+  , Moving(renderer, this->Look)
 {
-  this->Mapper->SetScalarModeToUseCellData();
-  this->Actor->SetMapper(this->Mapper);
-  this->Actor->GetProperty()->SetInterpolationToFlat();
-  this->Actor->VisibilityOff();
-  renderer->AddActor(this->Actor);
+  this->Look->SetInterpolationToFlat();
+  this->BoxMapper->SetScalarModeToUseCellData();
+  this->Boxes->SetMapper(this->BoxMapper);
+  this->Boxes->GetProperty()->LightingOff(); // their colours are shaded
+  this->Boxes->GetProperty()->SetOpacity(BoxOpacity);
+  this->Boxes->GetProperty()->BackfaceCullingOn();
+  this->Boxes->PickableOff();
+  this->Boxes->VisibilityOff();
+  renderer->AddActor(this->Boxes);
+  this->DrawBoxes();
 }
 
 //------------------------------------------------------------------------------
 SceneView::~SceneView()
 {
-  this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->RemoveActor(this->Boxes);
 }
 
 //------------------------------------------------------------------------------
 std::string SceneView::SetScene(vtkPolyData* scene)
 {
   this->Scene = nullptr;
-  this->Caster = nullptr;
-  this->Mesh = nullptr;
-  this->Mapper->SetInputData(vtkNew<vtkPolyData>());
-  this->Actor->VisibilityOff();
+  this->Resting.SetMesh(nullptr);
+  this->Moving.SetMesh(nullptr);
   if (!scene)
   {
     return "";
@@ -92,81 +117,127 @@ std::string SceneView::SetScene(vtkPolyData* scene)
   }
   this->Scene = scene;
   this->Materials = GetMaterials(scene);
-  this->MakeMesh();
-  this->Actor->VisibilityOn();
+  this->Resting.SetMesh(scene);
+  this->DrawMesh();
+  this->SetVisible(true);
   return "";
 }
 
 //------------------------------------------------------------------------------
-void SceneView::MakeMesh()
+void SceneView::SetMovingParts(const std::vector<int>& parts)
 {
-  vtkNew<vtkFloatArray> xyz;
-  xyz->SetNumberOfComponents(3);
-  xyz->SetNumberOfTuples(this->Scene->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < this->Scene->GetNumberOfPoints(); ++i)
+  std::vector<vtkIdType> cells[2]; // that rest, that move
+  for (vtkIdType cell = 0; this->Scene && cell < this->Scene->GetNumberOfCells(); ++cell)
   {
-    double p[3];
-    this->Scene->GetPoint(i, p);
-    for (int axis = 0; axis < 3; ++axis)
+    const int part = this->GetCellId(names::PartIds, cell);
+    cells[std::count(parts.begin(), parts.end(), part) > 0 ? 1 : 0].push_back(cell);
+  }
+  const bool wasVisible = this->IsVisible();
+  const bool isSplit = !cells[1].empty();
+  this->Resting.SetMesh(nullptr);
+  this->Moving.SetMesh(nullptr);
+  if (!isSplit)
+  {
+    this->Resting.SetMesh(this->Scene);
+  }
+  for (const int layer : { 0, 1 })
+  {
+    if (isSplit && !cells[layer].empty())
     {
-      xyz->SetTypedComponent(i, axis, static_cast<float>(p[axis] - this->Origin[axis]));
+      SceneLayer& some = layer == 0 ? this->Resting : this->Moving;
+      some.SetMesh(Extract(this->Scene, cells[layer]), cells[layer]);
     }
   }
-  vtkNew<vtkPoints> points;
-  points->SetData(xyz);
-  this->Mesh = vtkSmartPointer<vtkPolyData>::New();
-  this->Mesh->SetPoints(points);
-  this->Mesh->SetPolys(this->Scene->GetPolys());
-  if (this->Smooth)
+  this->DrawMesh();
+  this->SetVisible(wasVisible);
+}
+
+//------------------------------------------------------------------------------
+void SceneView::Move(vtkPolyData* parts)
+{
+  if (this->Moving.GetMesh())
   {
-    this->Mesh = MakeSmooth(this->Mesh);
+    this->Moving.Move(parts);
   }
+}
+
+//------------------------------------------------------------------------------
+void SceneView::SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids)
+{
+  this->Grids = grids;
+  this->DrawBoxes();
+  this->Boxes->SetVisibility(this->GetNumberOfBoxes() > 0 && this->IsVisible());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType SceneView::GetNumberOfBoxes() const
+{
+  vtkPolyData* boxes = this->BoxMapper->GetInput();
+  return boxes ? boxes->GetNumberOfCells() / 6 : 0;
+}
+
+//------------------------------------------------------------------------------
+void SceneView::DrawBoxes()
+{
+  this->BoxSets[0] = MakeTurbidBoxes(this->Grids, MostBoxes, this->Origin);
+  this->BoxSets[1] = MakeTurbidBoxes(this->Grids, MostMovingBoxes, this->Origin);
+  this->BoxMapper->SetInputData(this->BoxSets[this->Interacting ? 1 : 0]);
+}
+
+//------------------------------------------------------------------------------
+void SceneView::SetInteracting(bool on)
+{
+  if (on != this->Interacting)
+  {
+    this->Interacting = on;
+    this->BoxMapper->SetInputData(this->BoxSets[on ? 1 : 0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SceneView::DrawMesh()
+{
+  this->Resting.Draw(this->Origin, this->Smooth);
+  this->Moving.Draw(this->Origin, this->Smooth);
   this->ColorMesh();
-  this->Mapper->SetInputData(this->Mesh);
 }
 
 //------------------------------------------------------------------------------
 void SceneView::ColorMesh()
 {
-  if (!this->Mesh)
-  {
-    return;
-  }
-  vtkDataArray* parts = this->Scene->GetCellData()->GetArray(names::PartIds);
-  vtkDataArray* materials = this->Scene->GetCellData()->GetArray(names::MaterialIds);
   std::vector<Rgb> materialColors;
   for (std::size_t row = 0; row < this->Materials.size(); ++row)
   {
     materialColors.push_back(GetMaterialColor(this->Materials[row], row));
   }
-  const vtkIdType count = this->Mesh->GetNumberOfCells();
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(count);
-  for (vtkIdType cell = 0; cell < count; ++cell)
+  vtkDataArray* parts =
+    this->Scene ? this->Scene->GetCellData()->GetArray(names::PartIds) : nullptr;
+  vtkDataArray* materials =
+    this->Scene ? this->Scene->GetCellData()->GetArray(names::MaterialIds) : nullptr;
+  const auto getColor = [&](vtkIdType cell)
   {
     const int part = parts ? static_cast<int>(parts->GetComponent(cell, 0)) : -1;
     const auto row = static_cast<std::size_t>(materials ? materials->GetComponent(cell, 0) : 0.0);
-    Rgb color = row < materialColors.size() ? materialColors[row] : Rgb{ 128, 128, 128 };
+    if (part >= 0 && part == this->HighlightedPart)
+    {
+      return Rgb{ HighlightColor[0], HighlightColor[1], HighlightColor[2] };
+    }
     if (this->ColorBy == Coloring::ByPart && part >= 0)
     {
-      color = GetDistinctColor(part);
+      return GetDistinctColor(part);
     }
-    const bool isHighlighted = part >= 0 && part == this->HighlightedPart;
-    const unsigned char* rgb = isHighlighted ? HighlightColor : color.data();
-    std::copy(rgb, rgb + 3, colors->GetPointer(3 * cell));
-  }
-  this->Mesh->GetCellData()->SetScalars(colors);
+    return row < materialColors.size() ? materialColors[row] : Rgb{ 128, 128, 128 };
+  };
+  this->Resting.Color(getColor);
+  this->Moving.Color(getColor);
 }
 
 //------------------------------------------------------------------------------
 void SceneView::SetOrigin(const Vec3& origin)
 {
   this->Origin = origin;
-  if (this->Scene)
-  {
-    this->MakeMesh();
-  }
+  this->DrawMesh();
+  this->DrawBoxes();
 }
 
 //------------------------------------------------------------------------------
@@ -187,36 +258,34 @@ void SceneView::SetHighlightedPart(int part)
 void SceneView::SetSmooth(bool on)
 {
   this->Smooth = on;
-  this->Actor->GetProperty()->SetInterpolation(on ? VTK_PHONG : VTK_FLAT);
-  if (this->Scene)
-  {
-    this->MakeMesh();
-  }
+  this->Look->SetInterpolation(on ? VTK_PHONG : VTK_FLAT);
+  this->DrawMesh();
 }
 
 //------------------------------------------------------------------------------
 void SceneView::SetOpacity(double opacity)
 {
-  this->Actor->GetProperty()->SetOpacity(std::min(std::max(opacity, 0.0), 1.0));
+  this->Look->SetOpacity(std::min(std::max(opacity, 0.0), 1.0));
 }
 
 //------------------------------------------------------------------------------
 void SceneView::SetWireframe(bool on)
 {
-  vtkProperty* property = this->Actor->GetProperty();
-  on ? property->SetRepresentationToWireframe() : property->SetRepresentationToSurface();
+  on ? this->Look->SetRepresentationToWireframe() : this->Look->SetRepresentationToSurface();
 }
 
 //------------------------------------------------------------------------------
 void SceneView::SetVisible(bool on)
 {
-  this->Actor->SetVisibility(on && this->Scene);
+  this->Resting.SetVisible(on);
+  this->Moving.SetVisible(on);
+  this->Boxes->SetVisibility(on && this->GetNumberOfBoxes() > 0);
 }
 
 //------------------------------------------------------------------------------
 bool SceneView::IsVisible() const
 {
-  return this->Actor->GetVisibility() != 0;
+  return this->Resting.IsVisible() || this->Moving.IsVisible();
 }
 
 //------------------------------------------------------------------------------
@@ -229,30 +298,21 @@ int SceneView::GetCellId(const char* name, vtkIdType cell) const
 //------------------------------------------------------------------------------
 std::optional<ScenePick> SceneView::Pick(double x, double y)
 {
-  if (!this->IsVisible())
-  {
-    return std::nullopt;
-  }
-  if (!this->Caster)
-  {
-    this->Caster.TakeReference(vtkHeliosRayCaster::Create(nullptr));
-  }
-  if (!this->Caster->Build(this->Scene))
-  {
-    return std::nullopt;
-  }
   const Vec3 begin = ToWorld(this->Renderer, x, y, 0.0) + this->Origin;
   const Vec3 way = ToWorld(this->Renderer, x, y, 1.0) + this->Origin - begin;
   const vtkHeliosRay ray{ { begin[0], begin[1], begin[2] }, { way[0], way[1], way[2] }, 1.0 };
-  vtkHeliosHit hit;
-  this->Caster->Intersect(&ray, &hit, 1);
+  Vec3 normals[2];
+  vtkHeliosHit hit = this->Resting.Pick(ray, normals[0]);
+  const vtkHeliosHit moving = this->Moving.Pick(ray, normals[1]);
+  const bool isMoving = moving.CellId >= 0 && (hit.CellId < 0 || moving.Range < hit.Range);
+  hit = isMoving ? moving : hit;
   if (hit.CellId < 0)
   {
     return std::nullopt;
   }
   ScenePick pick;
   pick.Position = begin + way * hit.Range;
-  const Vec3 normal = this->Caster->GetMesh().GetNormal(hit.CellId);
+  const Vec3 normal = normals[isMoving ? 1 : 0];
   pick.Normal = normal.Dot(way) > 0.0 ? normal * -1.0 : normal;
   pick.Cell = hit.CellId;
   pick.Part = this->GetCellId(names::PartIds, hit.CellId);

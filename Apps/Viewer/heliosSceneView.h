@@ -7,6 +7,7 @@
 
 #include "heliosMaterialTable.h"
 #include "heliosPose.h"
+#include "heliosSceneLayer.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -14,13 +15,14 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkActor;
-class vtkHeliosRayCaster;
+class vtkImageData;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkProperty;
 class vtkRenderer;
-class vtkUnsignedCharArray;
 
 namespace helios
 {
@@ -31,8 +33,8 @@ struct ScenePick
   Vec3 Position; ///< [m], in the world
   Vec3 Normal;   ///< unit, towards the camera
   vtkIdType Cell = -1;
-  int Part = -1;     ///< -1: the scene has no parts
-  int Material = -1; ///< row of the materials
+  int Part = -1;         ///< -1: the scene has no parts
+  int Material = -1;     ///< row of the materials
   bool IsGround = false; ///< of the material
   std::string PartName;
   std::string MaterialName;
@@ -40,8 +42,7 @@ struct ScenePick
 
 /**
  * Triangles with the arrays MaterialIds, PartIds and the material columns, as DESIGN has them; all
- * are optional. The renderer's coordinates are the world's less the origin, in floats: large
- * coordinates do not tremble. The mesh's cells are shared, its points copied.
+ * are optional.
  */
 class SceneView
 {
@@ -67,6 +68,29 @@ public:
    */
   std::string SetScene(vtkPolyData* scene);
   vtkPolyData* GetScene() const { return this->Scene; }
+
+  /// Parts of the scene that are drawn, and picked, where Move() puts them; the next scene has none.
+  void SetMovingParts(const std::vector<int>& parts);
+
+  /// Their triangles, where they are now; null: there are none.
+  vtkPolyData* GetMovingMesh() const { return this->Moving.GetMesh(); }
+
+  /// The same triangles, elsewhere.
+  void Move(vtkPolyData* parts);
+
+  /// The turbid voxels beside the scene, as translucent boxes of which there are not too many; the mesh's
+  /// visibility is theirs. They cannot be picked.
+  void SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids);
+  vtkIdType GetNumberOfBoxes() const;
+
+  ///@{
+  /// At most, of all grids: when still, and while the camera moves.
+  static constexpr vtkIdType MostBoxes = 20000;
+  static constexpr vtkIdType MostMovingBoxes = 2000;
+  ///@}
+
+  /// While the camera moves there are fewer of them, and larger. Default: off.
+  void SetInteracting(bool on);
 
   /// Default: ByMaterial.
   void SetColoring(Coloring coloring);
@@ -97,8 +121,9 @@ public:
   static constexpr unsigned char HighlightColor[3] = { 255, 205, 60 };
 
 private:
-  void MakeMesh();
+  void DrawMesh();
   void ColorMesh();
+  void DrawBoxes();
   int GetCellId(const char* name, vtkIdType cell) const;
 
   vtkRenderer* Renderer;
@@ -108,10 +133,14 @@ private:
   Coloring ColorBy = Coloring::ByMaterial;
   bool Smooth = false;
   int HighlightedPart = -1;
-  vtkSmartPointer<vtkPolyData> Mesh;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkPolyDataMapper> Mapper;
-  vtkSmartPointer<vtkHeliosRayCaster> Caster; // made with the first pick
+  vtkNew<vtkProperty> Look;
+  SceneLayer Resting;
+  SceneLayer Moving;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  vtkSmartPointer<vtkPolyData> BoxSets[2]; // when still, while the camera moves
+  bool Interacting = false;
+  vtkNew<vtkActor> Boxes;
+  vtkNew<vtkPolyDataMapper> BoxMapper;
 };
 
 } // namespace helios

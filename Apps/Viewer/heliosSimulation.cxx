@@ -8,6 +8,7 @@
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -63,6 +64,14 @@ Pose SimulatedLeg::GetPose(double time) const
   const Pose& after = this->Poses[b];
   return { before.Position + share * (after.Position - before.Position),
     before.Orientation.Slerp(share, after.Orientation) };
+}
+
+//------------------------------------------------------------------------------
+Pose SimulatedLeg::GetHead(double time) const
+{
+  const double elapsed = std::clamp(time, this->StartTime, this->EndTime) - this->StartTime;
+  const double angle = this->HeadStart + this->HeadSpeed * elapsed;
+  return { this->Mount.Position, this->Mount.Orientation * AxisAngle(this->HeadAxis, angle) };
 }
 
 //------------------------------------------------------------------------------
@@ -129,6 +138,17 @@ std::string Simulation::GetMessage() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return this->Message;
+}
+
+//------------------------------------------------------------------------------
+void Simulation::GetBounds(double bounds[6]) const
+{
+  vtkBoundingBox box(this->Scene->GetBounds());
+  for (vtkImageData* grid : this->Grids)
+  {
+    box.AddBounds(grid->GetBounds());
+  }
+  box.GetBounds(bounds);
 }
 
 //------------------------------------------------------------------------------
@@ -251,6 +271,11 @@ bool Simulation::Load()
     return false;
   }
   this->Scene = this->Source->GetScene();
+  for (int i = 0; this->Source->GetGrid(i); ++i)
+  {
+    this->Grids.push_back(vtkSmartPointer<vtkImageData>::New()); // the viewer's own
+    this->Grids.back()->ShallowCopy(this->Source->GetGrid(i));
+  }
   this->NumberOfPulses = this->Source->GetNumberOfPulses();
   this->ReadLegs();
   const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -263,6 +288,7 @@ bool Simulation::Load()
 void Simulation::ReadLegs()
 {
   const SurveyData& data = this->Survey->GetData();
+  vtkIdType shots = 0;
   for (int i = 0; i < this->Survey->GetNumberOfLegs(); ++i)
   {
     const auto index = static_cast<std::size_t>(i);
@@ -284,7 +310,16 @@ void Simulation::ReadLegs()
     leg.Mount = data.GetPlatform(index).Mount;
     leg.IsMoving = data.IsMoving(index);
     leg.Type = data.GetPlatform(index).Type;
-    leg.LineFrequency = data.Legs[index].Scans.front().ScanFrequency;
+    const ScanData& scan = data.Legs[index].Scans.front();
+    leg.LineFrequency = scan.ScanFrequency;
+    leg.Clock = { shots, times[0], scan.PulseFrequency };
+    shots += (pulses[1] - pulses[0]) /
+      static_cast<vtkIdType>(data.GetScanner(index).GetNumberOfChannels());
+    leg.Model = data.GetPlatform(index).Model;
+    leg.ScannerModel = data.GetScanner(index).Model;
+    leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
+    leg.HeadStart = scan.HeadRotateStart;
+    leg.HeadSpeed = scan.HeadRotateSpeed;
     SetWay(way, leg);
     this->Legs.push_back(leg);
   }

@@ -5,11 +5,13 @@
 #ifndef heliosSimulation_h
 #define heliosSimulation_h
 
+#include "heliosMovingScene.h"
 #include "heliosPose.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -41,9 +43,18 @@ struct SimulatedLeg
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
   double LineFrequency = 0.0; ///< of the scan [Hz]; 0: not known
+  PulseClock Clock;           ///< of one channel
+  ModelData Model;            ///< of the platform
+  ModelData ScannerModel;
+  Vec3 HeadAxis{ 0.0, 0.0, 1.0 };
+  double HeadStart = 0.0; ///< [deg]
+  double HeadSpeed = 0.0; ///< [deg/s]
 
   /// Where the platform is [s]: before and after the leg where it starts and ends.
   Pose GetPose(double time) const;
+
+  /// How the head of the scanner is on the platform [s]: its mount, turned.
+  Pose GetHead(double time) const;
 };
 
 /// The leg of a time [s], the last one that has begun; null where there is none.
@@ -91,6 +102,8 @@ public:
   ///@{
   /// What is known when it is no longer loading; nothing, where that failed.
   vtkPolyData* GetScene() const { return this->Scene; }
+  const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+  void GetBounds(double bounds[6]) const; ///< of both [m]
   const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   double GetStartTime() const;
   double GetEndTime() const;
@@ -142,6 +155,7 @@ private:
   vtkSmartPointer<vtkHeliosSurvey> Survey;
   vtkNew<vtkHeliosSurveySource> Source;
   vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; // turbid voxels
   std::vector<SimulatedLeg> Legs;
   vtkIdType NumberOfPulses = 0;
   std::thread Thread;

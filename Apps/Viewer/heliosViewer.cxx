@@ -8,6 +8,7 @@
 #include "heliosHud.h"
 #include "heliosInteractorStyles.h"
 #include "heliosPlatformView.h"
+#include "heliosSceneMover.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosSurveyData.h"
@@ -17,9 +18,7 @@
 #include "heliosViewerState.h"
 #include "heliosViewerTool.h"
 #include "vtkHeliosSurvey.h"
-#include "vtkHeliosSurveySource.h"
 
-#include <vtkBoundingBox.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -49,13 +48,6 @@ constexpr double FanSeconds = 0.02; // of beams, where the scan has no lines
 double GetSeconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// The middle of a box, in whole metres.
-Vec3 FindOrigin(const double bounds[6])
-{
-  return { std::round(0.5 * (bounds[0] + bounds[1])), std::round(0.5 * (bounds[2] + bounds[3])),
-    std::round(0.5 * (bounds[4] + bounds[5])) };
 }
 
 } // namespace
@@ -174,120 +166,6 @@ bool Viewer::LoadInputs()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
-{
-  for (auto& tool : this->Tools)
-  {
-    tool->OnNewSurvey();
-  }
-  this->Survey = survey;
-  this->KeepsCamera = keepCamera;
-  this->Running = std::make_unique<Simulation>(survey);
-  this->Running->GetSource()->SetSeed(this->Options.Seed);
-  this->Running->GetSource()->SetNoise(this->Options.Noise);
-  this->Running->Start();
-  this->IsLoading = true;
-  this->HasFailed = false;
-  this->ExitCode = 0;
-  this->Clock.SetSpan(0.0, 0.0);
-  this->Redraw();
-}
-
-//------------------------------------------------------------------------------
-void Viewer::ShowScene(vtkPolyData* scene, bool keepCamera)
-{
-  double bounds[6];
-  scene->GetBounds(bounds);
-  this->Running.reset();
-  this->Legs.clear();
-  this->Begin(bounds, keepCamera);
-  this->ShowMesh(scene);
-  this->Redraw();
-}
-
-//------------------------------------------------------------------------------
-void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
-{
-  double bounds[6];
-  double times[2];
-  this->Running.reset();
-  this->Legs = legs;
-  this->Origin = this->Points->GetOrigin();
-  this->Camera.SetOrigin(this->Origin);
-  const bool hasPoints = this->Points->GetBounds(bounds);
-  this->ShowBox(bounds, hasPoints);
-  this->PointsView->Update();
-  this->ShowWays();
-  this->SetCameraMode(this->Camera.GetMode());
-  this->Camera.Reset();
-  if (this->Points->GetTimeRange(times))
-  {
-    this->SetSpan(times[0], times[1]);
-    this->Clock.Seek(this->Options.StartTime >= 0.0 ? this->Options.StartTime : times[1]);
-  }
-  this->Redraw();
-}
-
-//------------------------------------------------------------------------------
-void Viewer::ShowMesh(vtkPolyData* scene)
-{
-  this->Mesh = std::make_unique<SceneView>(this->Renderer);
-  this->Mesh->SetOrigin(this->Origin);
-  const std::string problem = this->Mesh->SetScene(scene);
-  if (!problem.empty())
-  {
-    this->Complain(problem);
-  }
-}
-
-//------------------------------------------------------------------------------
-/// What was shown goes; the origin is in the middle of a box [m].
-void Viewer::Begin(const double bounds[6], bool keepCamera)
-{
-  const bool hasData = std::isfinite(bounds[0]) && bounds[0] <= bounds[1];
-  const Vec3 before = this->Origin;
-  if (!keepCamera)
-  {
-    this->Origin = hasData ? FindOrigin(bounds) : Vec3(0.0, 0.0, 0.0);
-  }
-  this->Mesh.reset();
-  this->Platform.reset();
-  this->Points->Clear();
-  this->Points->SetOrigin(this->Origin);
-  this->PointsView->Update();
-  this->Camera.SetOrigin(this->Origin);
-  this->ShowBox(bounds, hasData);
-  if (!keepCamera || before != this->Origin)
-  {
-    this->SetCameraMode(this->Camera.GetMode());
-    this->Camera.Reset();
-  }
-}
-
-//------------------------------------------------------------------------------
-/// A box [m], where there is one, and all ways are in the picture.
-void Viewer::ShowBox(const double bounds[6], bool hasData)
-{
-  vtkBoundingBox box;
-  hasData ? box.SetBounds(bounds) : void();
-  for (const SimulatedLeg& leg : this->Legs)
-  {
-    for (const Pose& pose : { leg.Poses.front(), leg.Poses.back() })
-    {
-      box.AddPoint(pose.Position[0], pose.Position[1], pose.Position[2]);
-    }
-  }
-  double whole[6];
-  box.GetBounds(whole);
-  double local[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 };
-  for (int i = 0; box.IsValid() && i < 6; ++i)
-  {
-    local[i] = whole[i] - this->Origin[i / 2];
-  }
-  this->Camera.SetBounds(local);
-}
-
-//------------------------------------------------------------------------------
 bool Viewer::IsComputing() const
 {
   return this->Running && this->Running->GetPhase() == Simulation::Phase::Running &&
@@ -367,60 +245,16 @@ void Viewer::Frame(double seconds)
   {
     this->Redraw();
   }
+  if (this->Mover && this->Mover->MoveTo(this->Legs, this->Clock.GetTime()))
+  {
+    this->Redraw();
+  }
   this->PlacePlatform(seconds);
   for (auto& tool : this->Tools)
   {
     this->IsDirty = tool->OnFrame() || this->IsDirty;
   }
   this->WriteWords();
-}
-
-//------------------------------------------------------------------------------
-/// When the thread has loaded the survey, or has failed to.
-void Viewer::FinishLoading()
-{
-  const Simulation::Phase phase = this->Running->GetPhase();
-  if (phase == Simulation::Phase::Failed && !this->HasFailed)
-  {
-    this->Complain(this->Running->GetMessage());
-    this->HasFailed = true;
-    this->ExitCode = 1;
-    this->IsLoading = false;
-  }
-  if (!this->IsLoading || phase == Simulation::Phase::Loading)
-  {
-    return;
-  }
-  this->IsLoading = false;
-  double bounds[6];
-  this->Running->GetScene()->GetBounds(bounds);
-  this->Legs = this->Running->GetLegs();
-  this->Begin(bounds, this->KeepsCamera);
-  this->ShowMesh(this->Running->GetScene());
-  this->ShowWays();
-  this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
-}
-
-//------------------------------------------------------------------------------
-void Viewer::ShowWays()
-{
-  this->Platform = std::make_unique<PlatformView>(this->Renderer, this->Origin);
-  this->Platform->SetWays(this->Legs);
-  this->Platform->SetFanVisible(this->Options.Fan);
-}
-
-//------------------------------------------------------------------------------
-/// What the time bar goes from and to [s].
-void Viewer::SetSpan(double start, double end)
-{
-  this->Clock.SetSpan(start, end);
-  this->Clock.Seek(std::max(this->Options.StartTime, start));
-  if (this->Bar)
-  {
-    this->Bar->SetSpan(start, end);
-    this->Bar->SetVisible(this->Words->IsVisible());
-  }
-  this->Redraw();
 }
 
 //------------------------------------------------------------------------------
@@ -463,7 +297,7 @@ void Viewer::PlacePlatform(double seconds)
     subject.Target = subject.Target + (1.0 / double(this->LastEnds.size())) * (end - this->Origin);
   }
   this->Camera.Update(this->Clock.IsPlaying() ? seconds : 0.0, &subject);
-  this->Platform->Place(leg->Type, platform, leg->Mount);
+  this->Platform->Place(*leg, platform, time);
   this->Platform->SetModelVisible(this->Camera.GetMode() != CameraMode::Scanner);
 }
 
@@ -490,6 +324,7 @@ void Viewer::Draw()
 {
   const double start = this->Now();
   this->TakeUpPoints();
+  this->Mesh ? this->Mesh->SetInteracting(this->PointsView->IsInteracting()) : void();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();
   const double end = this->Now();

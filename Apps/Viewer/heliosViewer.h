@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -34,6 +35,7 @@ namespace helios
 class CloudView;
 class Hud;
 class PlatformView;
+class SceneMover;
 class SceneView;
 class TimeBar;
 class ViewerKeys;
@@ -74,8 +76,9 @@ public:
   /// Shows a survey instead of what is shown, and runs it. The camera stays with keepCamera.
   void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
 
-  /// Shows a scene without a survey [m].
-  void ShowScene(vtkPolyData* scene, bool keepCamera = false);
+  /// Shows a scene and its turbid voxels without a survey [m].
+  void ShowScene(
+    vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
   /// Shows a message for a while; errors go to standard error, too.
   void Tell(const std::string& message);
@@ -157,6 +160,7 @@ private:
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<CloudView> PointsView;
   std::unique_ptr<SceneView> Mesh;
+  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey runs
   std::unique_ptr<PlatformView> Platform;
   std::unique_ptr<Hud> Words;
   std::unique_ptr<TimeBar> Bar;

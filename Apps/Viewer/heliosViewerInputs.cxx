@@ -14,6 +14,7 @@
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveyReader.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
@@ -82,12 +83,18 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
   LookUp(reader.Get(), fileName, viewer.GetOptions().Assets);
   reader->SetDefaultPlatform(DefaultPlatform);
   reader->SetDefaultScanner(DefaultScanner);
+  reader->KeepGridsOn();
   reader->Update();
   if (reader->GetOutput()->GetNumberOfPolys() == 0)
   {
     return errors.Get(fileName + ": has nothing to show; give a scene with triangles");
   }
-  viewer.ShowScene(reader->GetOutput());
+  std::vector<vtkSmartPointer<vtkImageData>> grids;
+  for (int i = 0; reader->GetGrid(i); ++i)
+  {
+    grids.emplace_back(reader->GetGrid(i));
+  }
+  viewer.ShowScene(reader->GetOutput(), grids);
   return {};
 }
 

@@ -116,6 +116,7 @@ Json::Value ViewerState::Describe() const
   state["time"] = this->DescribeTime();
   state["cloud"] = this->DescribeCloud();
   state["scene"] = this->Owner.Mesh && this->Owner.Mesh->IsVisible();
+  state["voxels"] = Json::Int64(this->Owner.Mesh ? this->Owner.Mesh->GetNumberOfBoxes() : 0);
   state["beams"] = Json::Int64(this->Owner.Platform && this->Owner.Platform->IsFanVisible()
       ? this->Owner.Platform->GetNumberOfBeams()
       : 0);

@@ -3,6 +3,7 @@
 // The words over the picture.
 #include "heliosViewer.h"
 
+#include "heliosFormat.h"
 #include "heliosHud.h"
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 namespace helios
@@ -21,16 +21,6 @@ namespace
 
 constexpr double RateSeconds = 0.5;  // that a rate is a mean over
 constexpr std::size_t MostLegs = 14; // that are listed
-
-__attribute__((format(printf, 1, 2))) std::string Format(const char* format, ...)
-{
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof(text), format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 /// "1.23 M".
 std::string Shorten(double number)

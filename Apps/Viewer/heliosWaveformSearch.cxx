@@ -3,13 +3,17 @@
 #include "heliosWaveformSearch.h"
 
 #include "heliosErrorText.h"
+#include "heliosLasFile.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosLASReader.h"
 #include "vtkHeliosWaveformTextReader.h"
 #include "vtkHeliosWaveformXMLReader.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -27,18 +31,36 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double BytesPerPiece = 16e6; // of a text that is read at once
+constexpr double BytesPerPiece = 16e6;  // of a text that is read at once
+constexpr double BytesOfPoints = 400e3; // of a LAS file: each may have a waveform
+
+/// Whether it is a LAS file whose points name packets, in it or in a .wdp beside it.
+bool HasPackets(const fs::path& path)
+{
+  std::error_code error;
+  LasFile file;
+  return path.extension() == ".las" && fs::is_regular_file(path, error) &&
+    file.Open(path.string()).empty() && GetLasPointForm(file.GetHeader().Format).Wave >= 0;
+}
 
 bool HasWaveforms(const fs::path& path)
 {
   const std::string name = path.filename().string();
   const std::string extension = path.extension().string();
+  if (extension == ".las")
+  {
+    return HasPackets(path);
+  }
   return name.find("_fullwave") != std::string::npos &&
     (extension == ".txt" || extension == ".pvtt");
 }
 
 void AddBeside(const fs::path& points, std::vector<std::string>& files)
 {
+  if (HasPackets(points))
+  {
+    files.push_back(points.string());
+  }
   const std::string name = points.filename().string();
   const std::size_t end = name.find("_points");
   for (const char* extension : { ".txt", ".pvtt" })
@@ -94,7 +116,7 @@ vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pi
     {
       throw std::runtime_error(errors.Get(file));
     }
-    const auto found = Select(reader->GetOutput(), pulses.first, pulses.second);
+    auto found = Select(reader->GetOutput(), pulses.first, pulses.second);
     if (found)
     {
       return found;
@@ -103,9 +125,64 @@ vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pi
   return nullptr;
 }
 
+/// How many pieces of a size a file has.
+int CountPieces(const std::string& file, double bytesPerPiece)
+{
+  std::error_code error;
+  const auto bytes = static_cast<double>(fs::file_size(file, error));
+  return error ? 1 : 1 + static_cast<int>(std::min(1e6, bytes / bytesPerPiece));
+}
+
+/// Whether points name a waveform of these pulses.
+bool NamesWaveform(vtkPolyData* points, const std::pair<vtkIdType, vtkIdType>& pulses)
+{
+  vtkDataArray* ids = points->GetPointData()->GetArray(names::WaveformIds);
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
+    if (id >= pulses.first && id < pulses.second)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The packets are read of the first piece only that has some of the pulses.
+vtkSmartPointer<vtkTable> SearchPackets(const std::string& file,
+  const std::pair<vtkIdType, vtkIdType>& pulses, const std::atomic<bool>& isEnding)
+{
+  vtkNew<vtkHeliosLASReader> reader;
+  const ErrorText errors(reader);
+  reader->SetFileName(file.c_str());
+  const int pieces = CountPieces(file, BytesOfPoints);
+  vtkSmartPointer<vtkTable> found;
+  for (int i = 0; i < pieces && !isEnding && !found; ++i)
+  {
+    reader->ReadWaveformsOff();
+    reader->UpdatePiece(i, pieces, 0);
+    if (errors.IsEmpty() && NamesWaveform(reader->GetOutput(), pulses))
+    {
+      reader->ReadWaveformsOn();
+      reader->UpdatePiece(i, pieces, 0);
+      found =
+        Select(vtkTable::SafeDownCast(reader->GetOutputDataObject(1)), pulses.first, pulses.second);
+    }
+    if (!errors.IsEmpty())
+    {
+      throw std::runtime_error(errors.Get(file));
+    }
+  }
+  return found;
+}
+
 vtkSmartPointer<vtkTable> SearchFile(const std::string& file,
   const std::pair<vtkIdType, vtkIdType>& pulses, const std::atomic<bool>& isEnding)
 {
+  if (fs::path(file).extension() == ".las")
+  {
+    return SearchPackets(file, pulses, isEnding);
+  }
   if (fs::path(file).extension() == ".pvtt")
   {
     vtkNew<vtkHeliosWaveformXMLReader> reader;
@@ -115,10 +192,7 @@ vtkSmartPointer<vtkTable> SearchFile(const std::string& file,
   }
   vtkNew<vtkHeliosWaveformTextReader> reader;
   reader->SetFileName(file.c_str());
-  std::error_code error;
-  const auto bytes = static_cast<double>(fs::file_size(file, error));
-  const int pieces = error ? 1 : 1 + static_cast<int>(std::min(1e6, bytes / BytesPerPiece));
-  return Search(reader.Get(), file, pieces, pulses, isEnding);
+  return Search(reader.Get(), file, CountPieces(file, BytesPerPiece), pulses, isEnding);
 }
 
 /// Those of a leg come first.

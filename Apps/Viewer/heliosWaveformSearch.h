@@ -20,7 +20,8 @@ namespace helios
 
 /**
  * The files with waveforms that belong to inputs: those of a folder and of the folders below it, or
- * beside legNNN_points.* the leg's legNNN_fullwave.txt or .pvtt. Without any: none.
+ * beside legNNN_points.* the leg's legNNN_fullwave.txt or .pvtt; LAS files whose points name packets.
+ * Without any: none.
  */
 std::vector<std::string> FindWaveformFiles(const std::vector<std::string>& inputs);
 

@@ -151,6 +151,15 @@ std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from)
 }
 
 //------------------------------------------------------------------------------
+std::string Assets::LookFor(const std::string& name, const XmlDocument& from) const
+{
+  const std::vector<std::string> candidates = MakeCandidates(
+    name, name.empty() ? std::vector<std::string>() : this->GetFolders(from));
+  const auto found = std::find_if(candidates.begin(), candidates.end(), IsFile);
+  return found != candidates.end() ? *found : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDocument& from)
 {
   const std::string where = pattern.Where + ": " + pattern.Name + "=\"" + pattern.Text + "\"";

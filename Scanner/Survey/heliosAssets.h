@@ -38,6 +38,9 @@ public:
   /// The path of a file; empty, after an error that names the places, where there is none.
   std::string FindFile(const XmlValue& name, const XmlDocument& from);
 
+  /// The path of a file that need not be there; empty where there is none.
+  std::string LookFor(const std::string& name, const XmlDocument& from) const;
+
   /// The paths of all files of a folder whose whole names match a regular expression, in
   /// alphabetical order; none after an error.
   std::vector<std::string> FindFiles(const XmlValue& pattern, const XmlDocument& from);

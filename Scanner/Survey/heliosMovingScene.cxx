@@ -92,6 +92,17 @@ MovingScene::MovingScene(const SceneData& scene, vtkPolyData* mesh, Messages& lo
 MovingScene::~MovingScene() = default;
 
 //------------------------------------------------------------------------------
+std::vector<int> MovingScene::GetParts() const
+{
+  std::vector<int> parts;
+  for (const Part& part : this->Parts)
+  {
+    parts.push_back(part.Id);
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType MovingScene::MoveTo(const PulseClock& clock, vtkIdType pulse)
 {
   vtkIdType next = VTK_ID_MAX;
@@ -127,13 +138,8 @@ vtkSmartPointer<vtkDataObject> MovingScene::Move(vtkDataObject* scene) const
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosRayCaster> MovingScene::MakeRayCaster(vtkHeliosRayCaster* kind) const
 {
-  std::vector<int> parts;
-  for (const Part& part : this->Parts)
-  {
-    parts.push_back(part.Id);
-  }
   auto caster = vtkSmartPointer<MovingRayCaster>::New();
-  caster->SetUp(kind, vtkPolyData::SafeDownCast(this->Filter->GetInput()), parts);
+  caster->SetUp(kind, vtkPolyData::SafeDownCast(this->Filter->GetInput()), this->GetParts());
   return caster;
 }
 

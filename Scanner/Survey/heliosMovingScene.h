@@ -48,6 +48,9 @@ public:
 
   bool IsMoving() const { return !this->Parts.empty(); }
 
+  /// The PartIds of what moves.
+  std::vector<int> GetParts() const;
+
   /// Moves the parts to where a pulse of a leg sees them; returns the first pulse that sees them
   /// elsewhere.
   vtkIdType MoveTo(const PulseClock& clock, vtkIdType pulse);

@@ -47,6 +47,14 @@ enum class PlatformType
   Interpolated
 };
 
+/// The file that says what a platform or a scanner looks like: nothing but a viewer opens it.
+struct ModelData
+{
+  std::string Name;  ///< as it is given; empty: none is
+  std::string Where; ///< file:line and what it says
+  std::string File;  ///< empty: there is none of that name
+};
+
 /// An instrument and its detector: one channel, or the first of several.
 struct ScannerData
 {
@@ -83,6 +91,7 @@ struct ScannerData
   ReceiverData Receiver;
   Pose Beam; ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };
+  ModelData Model; ///< in the frame of the head
   std::vector<ScannerData> OtherChannels; ///< beside this one; each has none
 
   std::size_t GetNumberOfChannels() const { return 1 + this->OtherChannels.size(); }
@@ -125,6 +134,7 @@ struct PlatformData
   PlatformType Type = PlatformType::Static;
   Pose Mount; ///< of the scanner
   VehicleData Vehicle;
+  ModelData Model;       ///< in the frame of the platform
   bool HasNoise[6] = {}; ///< of position x, y, z, attitude x, y, z
   NoiseData Noise[6];    ///< [m], [rad]
 };

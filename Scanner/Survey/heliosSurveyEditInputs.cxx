@@ -64,13 +64,14 @@ std::string GetScannerId(const ScannerData& scanner)
 /// What was read well, by its reference.
 template <typename T, typename ReadT>
 void AddEntries(const XmlElement& root, const char* tag, const std::string& reference, ReadT read,
-  std::vector<std::pair<std::string, T>>& entries)
+  const Assets& assets, std::vector<std::pair<std::string, T>>& entries)
 {
   Messages& log = root.GetMessages();
   for (const XmlElement& element : root.GetChildren(tag))
   {
     const int before = log.GetNumberOfErrors();
-    const T entry = read(element);
+    T entry = read(element);
+    FindModel(element, assets, entry.Model);
     if (log.GetNumberOfErrors() == before && element.Has("id"))
     {
       entries.emplace_back(reference + "#" + element.GetText("id"), entry);
@@ -180,8 +181,8 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
     if (document)
     {
       const std::string name = ReferTo(file, surveyFolder, assetDirectories);
-      AddEntries(document->GetRoot(), "platform", name, ReadPlatform, catalogue.Platforms);
-      AddEntries(document->GetRoot(), "scanner", name, ReadScanner, catalogue.Scanners);
+      AddEntries(document->GetRoot(), "platform", name, ReadPlatform, assets, catalogue.Platforms);
+      AddEntries(document->GetRoot(), "scanner", name, ReadScanner, assets, catalogue.Scanners);
     }
   }
   return catalogue;

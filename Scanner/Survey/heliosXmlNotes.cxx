@@ -217,6 +217,7 @@ const XmlNote Notes[] = {
   { "scanner", "scanFreqMax_Hz", "highest scan frequency; 0: no limit", "0" },
   { "scanner", "headRotatePerSecMax_deg", "highest speed of its head", "0" },
   { "scanner", "deflectAngle_deg", "no program reads it" },
+  { "scanner", "visModel", "what vtkhelios view shows in the place of the head, as model of a platform; it turns with the head", "a simple one" },
   { "scanner", "beamQualityFactor", "M2 of the beam; not given: no waist" },
   { "scanner", "atmosphericExtinction_1_m", "extinction; wins over the visibility", "from the visibility" },
   { "scanner", "detectorNoise_nW", "standard deviation of the noise of waveforms", "0" },
@@ -248,8 +249,8 @@ const XmlNote Notes[] = {
 
   { "platform", "", "what carries the scanner" },
   { "platform", "type", "how it moves", "static", "static dummy linearpath groundvehicle multicopter" },
-  { "platform", "model", "a picture" },
-  { "platform", "visModel", "a picture" },
+  { "platform", "model", "what vtkhelios view shows: an OBJ file, in m, x right, y forward, z up; no simulation opens it", "a simple one" },
+  { "platform", "visModel", "the same; model wins", "a simple one" },
   { "platform", "drag", "groundvehicle, multicopter: the loss of speed a pulse, not used: vehicles have masses and forces" },
   { "platform", "engine_max_force", "multicopter: a force a pulse, not used: it tilts" },
   { "platform", "speedup_magnitude", "multicopter: a rate a pulse, not used" },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlPlatform.h"
 
+#include "heliosAssets.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
@@ -112,6 +113,30 @@ void ReadPose(const XmlElement& element, Pose& pose)
 }
 
 //------------------------------------------------------------------------------
+void ReadModel(const XmlElement& element, const char* attribute, ModelData& model)
+{
+  std::string name;
+  if (element.Read(attribute, name) && !name.empty())
+  {
+    model = { name, element.Where() + ": " + attribute + "=\"" + name + "\"", "" };
+  }
+}
+
+//------------------------------------------------------------------------------
+void FindModel(const XmlElement& element, const Assets& files, ModelData& model)
+{
+  if (!element || model.Name.empty())
+  {
+    return;
+  }
+  model.File = files.LookFor(model.Name, element.GetDocument());
+  if (model.File.empty()) // the Java program has a folder for them
+  {
+    model.File = files.LookFor("Models/" + model.Name, element.GetDocument());
+  }
+}
+
+//------------------------------------------------------------------------------
 PlatformData ReadPlatform(const XmlElement& element)
 {
   PlatformData platform;
@@ -121,6 +146,8 @@ PlatformData ReadPlatform(const XmlElement& element)
   element.CheckNames();
   ReadType(element, platform);
   ReadVehicle(element, platform.Vehicle);
+  ReadModel(element, "visModel", platform.Model);
+  ReadModel(element, "model", platform.Model);
   ReadPose(element.GetChild("scannerMount"), platform.Mount);
   ReadNoise(element, platform);
   return platform;

@@ -11,8 +11,16 @@
 namespace helios
 {
 
+class Assets;
+
 /// The pose of <scannerMount> or <beamOrigin>; as before where there is no element.
 void ReadPose(const XmlElement& element, Pose& pose);
+
+/// What an attribute says of a model; as before where there is none. Its file is not looked for.
+void ReadModel(const XmlElement& element, const char* attribute, ModelData& model);
+
+/// Finds the file of a model that an element has given. None is no error: it is but shown.
+void FindModel(const XmlElement& element, const Assets& files, ModelData& model);
 
 PlatformData ReadPlatform(const XmlElement& element);
 

@@ -69,6 +69,7 @@ void ReadInstrument(const XmlElement& element, ScannerData& scanner)
   ReadReceiver(element, scanner);
   ReadPose(element.GetChild("beamOrigin"), scanner.Beam);
   ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);
+  ReadModel(element, "visModel", scanner.Model);
 }
 
 /// A copy of the scanner, but for what the channel says. Other optics start from scratch.

@@ -178,6 +178,7 @@ std::size_t SurveyReader::FindScanner(const XmlElement& from, SurveyData& data)
   const int before = this->Log.GetNumberOfErrors();
   ScannerData scanner = element ? ReadScanner(element) : ScannerData();
   OverrideScanner(this->Survey, scanner);
+  FindModel(element, this->Files, scanner.Model);
   if (element && this->Log.GetNumberOfErrors() == before)
   {
     CheckScanner(scanner, this->Log);
@@ -206,6 +207,7 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
     : element                            ? ReadPlatform(element)
                                          : PlatformData();
   OverridePlatform(this->Survey, platform);
+  FindModel(element, this->Files, platform.Model);
   if ((!element && !isInterpolated) || this->Log.GetNumberOfErrors() != before)
   {
     this->BadPlatforms.insert(data.Platforms.size());
@@ -223,6 +225,7 @@ PlatformData SurveyReader::MakeInterpolated()
   {
     const XmlElement base = this->Files.FindElement("platform", this->Survey, "basePlatform");
     platform = base ? ReadPlatform(base) : platform;
+    FindModel(base, this->Files, platform.Model);
   }
   platform.Type = PlatformType::Interpolated;
   platform.Where = this->Survey.Where();

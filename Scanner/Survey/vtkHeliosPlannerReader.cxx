@@ -7,6 +7,7 @@
 #include "heliosSceneBuilder.h"
 #include "heliosXmlPlanner.h"
 
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -34,6 +35,7 @@ class vtkHeliosPlannerReader::Internals
 public:
   helios::PlannerData Data;
   std::vector<std::string> AssetDirectories;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
   vtkMTimeType ReadTime = 0;
   bool IsGood = false;
 };
@@ -124,8 +126,11 @@ int vtkHeliosPlannerReader::RequestData(
     return this->GetAbortExecute() == 0;
   };
   const vtkSmartPointer<vtkPolyData> scene = builder.Build(onStep);
+  this->Reader->Grids.clear();
   if (scene)
   {
+    this->Reader->Grids =
+      this->KeepGrids ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
     vtkPolyData::GetData(outputVector)->ShallowCopy(scene);
   }
   else if (!log.HasError())
@@ -133,6 +138,14 @@ int vtkHeliosPlannerReader::RequestData(
     vtkErrorMacro(<< this->FileName << ": stopped while the scene was loaded");
   }
   return scene ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHeliosPlannerReader::GetGrid(int grid) const
+{
+  const auto& grids = this->Reader->Grids;
+  const auto index = static_cast<std::size_t>(grid);
+  return index < grids.size() ? grids[index].Get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -419,6 +432,7 @@ void vtkHeliosPlannerReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DefaultPlatform: " << Text(this->DefaultPlatform) << "\n"
      << indent << "DefaultScanner: " << Text(this->DefaultScanner) << "\n"
      << indent << "UseScannerLimits: " << this->UseScannerLimits << "\n"
+     << indent << "KeepGrids: " << this->KeepGrids << "\n"
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "PulseFrequency: " << this->PulseFrequency << "\n"
      << indent << "Kind: " << this->GetKind() << "\n"

@@ -13,7 +13,7 @@
  * - else the first <scene>, scanned with DefaultPlatform and DefaultScanner;
  * - a file that ends in .obj, .tif or .tiff is a scene by itself.
  * Where several parts of the scene are swapped, the first play counts; turbid voxels
- * are not in the output.
+ * are not in the output: with KeepGrids, GetGrid() has them.
  *
  * The platform must stand, and the scanner must turn. Platform and Scanner win over
  * those of the file. The scanner turns by a whole circle, unless a <scannerSettings>
@@ -34,6 +34,8 @@
 
 #include <memory> // For the private data
 #include <string> // For the names
+
+class vtkImageData;
 
 namespace helios
 {
@@ -215,6 +217,22 @@ public:
   void GetInstrument(double position[3]) const;
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether the grids of turbid voxels beside the scene are kept. Default:
+   * off.
+   */
+  vtkSetMacro(KeepGrids, bool);
+  vtkGetMacro(KeepGrids, bool);
+  vtkBooleanMacro(KeepGrids, bool);
+  ///@}
+
+  /**
+   * These, from 0, after Update(), as vtkHeliosSurveySource has them. Null for a
+   * number behind the last one.
+   */
+  vtkImageData* GetGrid(int grid) const;
+
 protected:
   vtkHeliosPlannerReader();
   ~vtkHeliosPlannerReader() override;
@@ -236,6 +254,7 @@ private:
   bool UseScannerLimits = false;
   double Resolution = 0.0;
   double PulseFrequency = 0.0;
+  bool KeepGrids = false;
 
   const helios::PlannerData& GetData() const;
 };

@@ -67,6 +67,7 @@ public:
   vtkIdType GetChannels(const helios::LegPlan& plan) const;
 
   vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
   std::unique_ptr<helios::LegRunner> Runner;
 
 private:
@@ -84,7 +85,6 @@ private:
   helios::Messages Log;
   helios::SurveyData Survey; // of the play
   helios::RunSettings Settings;
-  std::vector<vtkSmartPointer<vtkImageData>> Grids;
   vtkSmartPointer<vtkHeliosRayCaster> Caster; // whose tree is kept
   std::string CasterName;                     // that was asked for
   std::string SceneKey;                       // what the scene depends on
@@ -369,6 +369,14 @@ bool vtkHeliosSurveySource::Prepare()
 vtkPolyData* vtkHeliosSurveySource::GetScene() const
 {
   return this->Loaded ? this->Loaded->Scene.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkHeliosSurveySource::GetGrid(int grid) const
+{
+  const auto index = static_cast<std::size_t>(grid);
+  return this->Loaded && index < this->Loaded->Grids.size() ? this->Loaded->Grids[index].Get()
+                                                            : nullptr;
 }
 
 //------------------------------------------------------------------------------

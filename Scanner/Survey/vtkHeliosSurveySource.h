@@ -39,6 +39,7 @@
 #include <string> // For what is said in words
 
 class vtkHeliosSurvey;
+class vtkImageData;
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveySource : public vtkPolyDataAlgorithm
 {
@@ -171,6 +172,13 @@ public:
   double GetPulseTime(vtkIdType pulse) const;
   vtkIdType FindPulse(double time) const;
   ///@}
+
+  /**
+   * The grids of turbid voxels beside the scene, from 0, after Load(): cell data PAD
+   * and field data of materials, as vtkHeliosVoxelReader and the filters of their
+   * parts make them. Null for a number behind the last one.
+   */
+  vtkImageData* GetGrid(int grid) const;
 
   /**
    * The way of a leg: one polyline (one point where the platform stands) with

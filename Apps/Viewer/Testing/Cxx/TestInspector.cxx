@@ -18,6 +18,7 @@
 
 #include <json/json.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -269,6 +270,76 @@ TEST_CASE("Inspector: a cloud that was made, and its files")
     "run?");
 }
 
+TEST_CASE("Inspector: a cloud in LAS, and its packets")
+{
+  const StepFiles files;
+  files.Replace("survey.xml", "movePerSec_m=\"20\"", "movePerSec_m=\"5\""); // several pieces
+  Viewer viewer(MakeOptions(files));
+  REQUIRE(viewer.Run() == 0);
+  const vtkIdType row = FindRow(viewer, 2, -0.12, 0.12);
+  REQUIRE(row >= 0);
+  Inspector live(viewer);
+  live.Inspect(row);
+  Wait(live);
+  const PulseReading& truth = live.GetReading();
+
+  vtkNew<vtkHeliosSurveyPlayer> player;
+  player->SetSurvey(viewer.GetSurvey());
+  player->SetOutputDirectory((files.Folder / "out").c_str());
+  player->SetFormat("las");
+  const bool hasWaveforms = GENERATE(true, false);
+  player->SetWriteWaveforms(hasWaveforms);
+  REQUIRE(player->Run());
+  const std::string run = (files.Folder / "out/step").string();
+  const std::string points = run + "/leg000_points.las";
+  const std::vector<std::string> wanted(hasWaveforms ? 1 : 0, points);
+  CHECK(FindWaveformFiles({ run }) == wanted);
+  CHECK(FindWaveformFiles({ points }) == wanted);
+  CHECK(FindWaveformFiles({ run + "/leg000_trajectory.txt" }).empty());
+
+  ViewerOptions options;
+  options.Inputs = { points };
+  options.Offscreen = true;
+  options.Still = (files.Folder / "replay.png").string();
+  Viewer replay(options);
+  REQUIRE(replay.Run() == 0);
+  CHECK(replay.GetCloud().GetNumberOfPoints() == viewer.GetCloud().GetNumberOfPoints());
+  Inspector ofFile(replay);
+  ofFile.Inspect(row);
+  Wait(ofFile);
+  const PulseReading& reading = ofFile.GetReading();
+  CHECK(reading.Pulse == truth.Pulse);
+  CHECK((reading.Samples.size() > 0) == hasWaveforms);
+  if (!hasWaveforms)
+  {
+    CHECK(ofFile.GetChart().GetTitle().find("nor has a LAS file any") != std::string::npos);
+    return;
+  }
+  CHECK(fs::file_size(points) > 400000); // two pieces
+  REQUIRE(reading.Gaussians.size() == 2);
+  REQUIRE(reading.Samples.size() <= truth.Samples.size()); // but for zeros at the end
+  const double highest = *std::max_element(truth.Samples.begin(), truth.Samples.end());
+  for (std::size_t i = 0; i < reading.Samples.size(); ++i)
+  {
+    CHECK(reading.Samples[i] == Approx(truth.Samples[i]).margin(1e-5 * highest));
+    CHECK(reading.Ranges[i] == Approx(truth.Ranges[i]).margin(1e-3));
+  }
+  for (const std::size_t k : { 0, 1 })
+  {
+    CHECK(reading.Gaussians[k].Range == Approx(truth.Gaussians[k].Range).margin(1e-3));
+  }
+  CHECK(ofFile.OnKey("u", false));
+  Wait(ofFile);
+  CHECK(ofFile.GetView().GetNumberOfWaveforms() > 10);
+
+  WaveformSearch search;
+  auto none = search.Find({ points }, 0, 1000000, 1000001);
+  CHECK_THROWS_WITH(none.get(), Catch::Contains("pulse 1000000 has no waveform"));
+  fs::remove(run + "/leg000_points.wdp");
+  auto lost = search.Find({ points }, 0, truth.Pulse, truth.Pulse + 1);
+  CHECK_THROWS_WITH(lost.get(), Catch::Contains("leg000_points.wdp: cannot be read"));
+}
+
 TEST_CASE("Inspector: where no waveform can be, it says why")
 {
   ViewerOptions options;
@@ -289,7 +360,7 @@ TEST_CASE("Inspector: where no waveform can be, it says why")
   CHECK(inspector.GetChart().IsVisible());
   CHECK(inspector.GetChart().GetNumberOfSamples() == 0);
   const std::string wanted =
-    hasPulses ? "run it with --waveforms" : "which pulse its points are of";
+    hasPulses ? "or run it\nwith --waveforms" : "which pulse its points are of";
   CHECK(inspector.GetChart().GetTitle().find(wanted) != std::string::npos);
 }
 

@@ -137,6 +137,55 @@ TEST_CASE("SceneView: a pick tells place, normal, part and material in double pr
   CHECK_FALSE(view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(-1.0)));
 }
 
+TEST_CASE("SceneView: parts that move are drawn and picked where they are put")
+{
+  Stage stage;
+  SceneView view(stage.Renderer);
+  view.SetOrigin(Far);
+  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  CHECK_FALSE(view.GetMovingMesh());
+  view.SetMovingParts({ 1, 7 });
+  REQUIRE(view.GetMovingMesh());
+  CHECK(view.GetMovingMesh()->GetNumberOfPoints() == 4);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40); // as before
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(view.GetMovingMesh());
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const Vec3 p = Vec3(moved->GetPoint(i)) + Vec3(0.0, 6.0, 0.0);
+    moved->GetPoints()->SetPoint(i, p.GetData());
+  }
+  view.Move(moved);
+  stage.Render();
+  CHECK(stage.GetColorAt(4, 0) == Black);
+  CHECK(IsNear(stage.GetColorAt(4, 6), GetClassColor(6)));
+  CHECK(IsNear(stage.GetColorAt(-4, 0), Rgb{ 104, 106, 112 })); // what rests
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40);
+  CHECK_FALSE(view.Pick(Stage::ToPixel(4), Stage::ToPixel(0)));
+  const auto pick = view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(5.0));
+  REQUIRE(pick);
+  CHECK(pick->Part == 1);
+  CHECK(pick->Cell == 2); // as the whole scene calls it
+  CHECK(std::abs(pick->Position[2] - Far[2] - 2.0) < 1e-6);
+  CHECK(view.Pick(Stage::ToPixel(-4), Stage::ToPixel(0))->Part == 0);
+  view.SetHighlightedPart(1);
+  view.SetSmooth(true);
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(4, 6), Rgb{ 255, 205, 60 }));
+  view.SetVisible(false);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  CHECK_FALSE(view.GetMovingMesh());
+  view.Move(moved); // of a scene that is gone
+  stage.Render();
+  CHECK(IsNear(stage.GetColorAt(4, 0), Rgb{ 255, 205, 60 }));
+  view.SetMovingParts({ 0, 1 }); // all of it
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40);
+}
+
 TEST_CASE("SceneView: a scene without arrays is shown in one colour")
 {
   Stage stage;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace helios
@@ -48,6 +49,14 @@ public:
   void Write(const std::string& name, const std::string& text) const
   {
     std::ofstream(this->Folder / name) << text;
+  }
+
+  /// Replaces the first occurrence of a text in a file, which must have it.
+  void Replace(const std::string& name, const std::string& from, const std::string& to) const
+  {
+    std::ifstream file(this->Folder / name);
+    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    this->Write(name, text.replace(text.find(from), from.size(), to)); // throws without it
   }
 
   std::filesystem::path Folder;

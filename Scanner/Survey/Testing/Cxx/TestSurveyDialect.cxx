@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What surveys may say of channels, platforms, noise, trajectories and legs beyond the plain case.
 #include "heliosSurveyChanges.h"
+#include "heliosSurveyPlaying.h"
 
 #include <catch2/catch.hpp>
 
@@ -132,6 +133,34 @@ TEST_CASE("SurveyDialect: the scans of the planner of the Java program", "[Surve
   CHECK(scan.HeadRotateStop == -70);
   CHECK(scan.HeadRotateSpeed == -60); // as fast as the head can
   CHECK(scan.ScanFrequency == 120);   // so the mirror
+}
+
+TEST_CASE("SurveyDialect: models of platforms and scanners are named, not opened", "[SurveyDialect]")
+{
+  const Files files;
+  files.Replace("assets.xml", "type=\"static\"", "type=\"static\" visModel=\"tripod.obj\"");
+  files.Replace("assets.xml", "type=\"linearpath\"",
+    "type=\"linearpath\" visModel=\"none.obj\" model=\"sr22/sr22.obj\"");
+  files.Replace("assets.xml", "id=\"tls\"", "id=\"tls\" visModel=\"no such.obj\"");
+  files.Write("tripod.obj", "this is no model\n");
+  files.Write("Models/sr22/sr22.obj", "nor this\n");
+  const std::string flight = R"( platform="assets.xml#plane" scanner="assets.xml#als")";
+  const Reading reading(files, Tripod, Leg("", "z=\"5\"") + Leg(flight, "") + Leg(flight, "x=\"5\""));
+  const helios::SurveyData& data = Read(reading);
+  CHECK(data.GetPlatform(0).Model.Name == "tripod.obj");
+  CHECK(data.GetPlatform(0).Model.File == files / "tripod.obj");
+  CHECK(data.GetPlatform(0).Model.Where == files / "assets.xml:2: visModel=\"tripod.obj\"");
+  CHECK(data.GetPlatform(1).Model.Name == "sr22/sr22.obj"); // model wins
+  CHECK(data.GetPlatform(1).Model.File == files / "Models/sr22/sr22.obj");
+  CHECK(data.GetScanner(0).Model.Name == "no such.obj");
+  CHECK(data.GetScanner(0).Model.File.empty());
+  CHECK(data.GetScanner(0).Model.Where.find("assets.xml:5: visModel=\"no such.obj\"") !=
+    std::string::npos);
+  CHECK(data.GetScanner(1).Model.Name.empty());
+  CHECK_FALSE(reading.Log->HasWarning("odel")); // a simulation does without
+  Playing playing(files, reading);
+  CHECK(playing.Player->Run());
+  CHECK_FALSE(playing.Log->HasWarning(".obj"));
 }
 
 TEST_CASE("SurveyDialect: an origin moves the legs that follow", "[SurveyDialect]")

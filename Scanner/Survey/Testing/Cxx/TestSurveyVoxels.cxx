@@ -3,7 +3,14 @@
 // Grids of vegetation in surveys: what is read of them, and flights over them against closed forms.
 #include "vtkHeliosSurveyPlayer.h"
 
+#include "heliosMaterialTable.h"
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPlannerReader.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <vtkCellData.h>
+#include <vtkImageData.h>
 
 #include <catch2/catch.hpp>
 
@@ -310,5 +317,46 @@ TEST_CASE("SurveyPlayer: a grid that is damaged is an error with its place", "[S
     player->SetOutputDirectory((files / "out").c_str());
     CHECK_FALSE(player->Run());
     CHECK(reading.Log->HasError("slab.vox:8: \"0,4\" in column PadBVTotal is not a number"));
+  }
+}
+
+TEST_CASE("SurveyVoxels: grids are told beside the scene", "[SurveyVoxels]")
+{
+  const Files files;
+  const Reading reading = ReadPart(files,
+    Voxels({ { "matfile", "leaf.mtl" }, { "matname", "leaf" } }) +
+      Filter("translate", { { "offset", "0;0;5" } }));
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(reading.Reader->GetSurvey());
+  CHECK_FALSE(source->GetGrid(0)); // nothing is loaded
+  REQUIRE(source->Load());
+  vtkNew<vtkHeliosPlannerReader> planner;
+  planner->SetFileName((files / "scene.xml").c_str());
+  planner->SetDefaultPlatform("assets.xml#tripod");
+  planner->SetDefaultScanner("assets.xml#tls");
+  planner->Update();
+  CHECK_FALSE(planner->GetGrid(0)); // nobody asked for it
+  planner->KeepGridsOn();
+  planner->Update();
+  for (vtkImageData* grid : { source->GetGrid(0), planner->GetGrid(0) })
+  {
+    REQUIRE(grid);
+    double bounds[6];
+    grid->GetBounds(bounds);
+    CHECK(bounds[0] == -60.0);
+    CHECK(bounds[4] == 15.0);
+    CHECK(bounds[5] == 17.0);
+    vtkDataArray* pad = grid->GetCellData()->GetArray(vtkHeliosArrayNames::PAD);
+    REQUIRE(pad);
+    CHECK(pad->GetNumberOfTuples() == 3600);
+    CHECK(pad->GetComponent(1234, 0) == Pad);
+    CHECK(helios::GetMaterials(grid).at(0).Classification == 4);
+  }
+  for (const int none : { -1, 1 })
+  {
+    CHECK_FALSE(source->GetGrid(none));
+    CHECK_FALSE(planner->GetGrid(none));
   }
 }

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A plate that moves by a metre every 0.05 s: where it is drawn, and that echoes are on it.
+#include "heliosSceneMover.h"
+
+#include "heliosSceneView.h"
+#include "heliosStepFiles.h"
+#include "heliosViewer.h"
+#include "heliosViewerTest.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace helios;
+
+namespace
+{
+
+constexpr double Start = -10.0; // of the middle of the plate, x [m]
+
+/// The flight, with a plate of 4 m at a place beside it or below it instead of the step.
+class MovingFiles : public StepFiles
+{
+public:
+  MovingFiles(double y, const std::string& clock)
+  {
+    std::string corners;
+    for (const auto& corner : { Vec3(-2, -2, 1), Vec3(2, -2, 1), Vec3(2, 2, 1), Vec3(-2, 2, 1) })
+    {
+      corners += "v " + std::to_string(Start + corner[0]) + " " + std::to_string(y + corner[1]) +
+        " " + std::to_string(corner[2]) + "\n";
+    }
+    this->Write("plate.mtl", "newmtl car\nhelios_classification 6\n");
+    this->Write("plate.obj", "mtllib plate.mtl\nusemtl car\n" + corners + "f 1 2 3 4\n");
+    this->Replace("scene.xml", "<part id=\"plate\">",
+      "<part id=\"plate\" " + clock +
+        "><dmotion id=\"all\" loop=\"0\"><motion type=\"translation\" vec=\"1;0;0\"/></dmotion>");
+    this->Options.Inputs = { (this->Folder / "survey.xml").string() };
+    this->Options.Offscreen = true;
+    this->Options.Still = (this->Folder / "still.png").string();
+    this->Options.Width = 400;
+    this->Options.Height = 300;
+    this->Options.Camera = "top";
+    this->Options.Words = false;
+    this->Options.Fan = false;
+    this->Options.EyeDome = false;
+  }
+
+  ViewerOptions Options;
+};
+
+/// Whether a place [m] has a colour in the picture.
+bool HasColor(Viewer& viewer, const Vec3& place, const Rgb& color)
+{
+  const Vec3 local = place - viewer.GetOrigin();
+  vtkRenderer* renderer = viewer.GetRenderer();
+  renderer->SetWorldPoint(local[0], local[1], local[2], 1.0);
+  renderer->WorldToDisplay();
+  const double* at = renderer->GetDisplayPoint();
+  const auto x = static_cast<int>(at[0]);
+  const auto y = static_cast<int>(at[1]);
+  vtkNew<vtkUnsignedCharArray> pixel;
+  viewer.GetWindow()->GetPixelData(x, y, x, y, 0, pixel.Get(), 0);
+  int off = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    off = std::max(off, std::abs(pixel->GetValue(k) - color[static_cast<std::size_t>(k)]));
+  }
+  return off <= 3;
+}
+
+} // namespace
+
+TEST_CASE("SceneMover: a part is drawn where it is at the time that is shown")
+{
+  const std::string clock = GENERATE("dynTimeStep=\"0.05\"", "dynStep=\"100\""); // at 2 kHz
+  MovingFiles files(30.0, clock);
+  for (const double time : { 0.26, 0.76 })
+  {
+    CAPTURE(clock, time);
+    files.Options.StartTime = time;
+    Viewer viewer(files.Options);
+    REQUIRE(viewer.Run() == 0);
+    const double x = Start + std::floor(time / 0.05);
+    CHECK(HasColor(viewer, { x, 30.0, 1.0 }, GetClassColor(6)));
+    CHECK(HasColor(viewer, { x + 1.7, 31.7, 1.0 }, GetClassColor(6)));
+    CHECK(HasColor(viewer, { x - 1.7, 28.3, 1.0 }, GetClassColor(6)));
+    CHECK_FALSE(HasColor(viewer, { x + 2.5, 30.0, 1.0 }, GetClassColor(6)));
+    CHECK_FALSE(HasColor(viewer, { x - 2.5, 30.0, 1.0 }, GetClassColor(6)));
+  }
+}
+
+TEST_CASE("SceneMover: echoes are on the part when they are measured, to and fro in time")
+{
+  MovingFiles files(0.0, "dynTimeStep=\"0.05\"");
+  Viewer viewer(files.Options);
+  REQUIRE(viewer.Run() == 0);
+  SceneView view(viewer.GetRenderer());
+  REQUIRE(view.SetScene(viewer.GetSimulation()->GetScene()).empty());
+  SceneMover mover(viewer.GetSurvey()->GetData().Scene, view);
+  const Cloud& cloud = viewer.GetCloud();
+  int onPart = 0;
+  int offPart = 0;
+  double lowest = 1e9;
+  double highest = -1e9;
+  for (vtkIdType i = 0; i < cloud.GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType row = i % 2 == 0 ? i : cloud.GetNumberOfPoints() - i;
+    const Echo echo = cloud.GetEcho(row);
+    if (echo.Part != 1)
+    {
+      continue;
+    }
+    mover.MoveTo(viewer.GetLegs(), echo.GpsTime);
+    CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), echo.GpsTime)); // it is there
+    double bounds[6];
+    view.GetMovingMesh()->GetPoints()->GetBounds(bounds);
+    const double x = echo.Position[0];
+    (x > bounds[0] - 0.3 && x < bounds[1] + 0.3 ? onPart : offPart) += 1; // a footprint is 0.5 m
+    lowest = std::min(lowest, bounds[0]);
+    highest = std::max(highest, bounds[0]);
+  }
+  CHECK(onPart > 100);
+  CHECK(offPart == 0);
+  CHECK(lowest == Approx(Start - 2.0));
+  CHECK(highest == Approx(Start - 2.0 + 19.0)); // the last of 20 steps in a second
+}
+
+TEST_CASE("SceneMover: a scene that rests is left as it is")
+{
+  StepFiles files;
+  ViewerOptions options;
+  options.Inputs = { (files.Folder / "survey.xml").string() };
+  options.Offscreen = true;
+  options.Still = (files.Folder / "still.png").string();
+  Viewer viewer(options);
+  REQUIRE(viewer.Run() == 0);
+  CHECK_FALSE(viewer.GetSceneView()->GetMovingMesh());
+  SceneMover mover(viewer.GetSurvey()->GetData().Scene, *viewer.GetSceneView());
+  CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), 0.5));
+}
