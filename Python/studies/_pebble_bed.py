@@ -71,7 +71,9 @@ class PebbleBed:
         s = 2 * self.size
         ground = len(self) * len(sphere) + np.array([(0, 1, 2), (0, 2, 3)])
         return vtkhelios.Scene(
-            np.concatenate([points.reshape(-1, 3), [(-s, -s, 0), (s, -s, 0), (s, s, 0), (-s, s, 0)]]),
+            np.concatenate(
+                [points.reshape(-1, 3), [(-s, -s, 0), (s, -s, 0), (s, s, 0), (-s, s, 0)]]
+            ),
             np.concatenate([(first + faces).reshape(-1, 3), ground]),
         )
 
@@ -92,7 +94,9 @@ class PebbleBed:
         for begin in range(0, len(ranges), block):
             part = slice(begin, begin + block)
             for k in self._near(origins[part], directions[part]):
-                self._cast_one(k, *(v[part] for v in (origins, directions, ranges, owners, cosines)))
+                self._cast_one(
+                    k, *(v[part] for v in (origins, directions, ranges, owners, cosines))
+                )
         return ranges, owners, cosines
 
     def _near(self, origins, directions):

@@ -57,7 +57,9 @@ def full_power(distance, incidence, reflectance=0.5):
     """The lidar equation for the catalogue's instrument [W]: the peak of an echo not widened."""
     aperture, optics, power = 0.15, 0.99, 4.0
     air = np.exp(-2 * EXTINCTION * distance)
-    return power * reflectance * np.cos(incidence) * aperture**2 / 4 * optics * air / distance**2
+    return (
+        power * reflectance * np.cos(incidence) * aperture**2 / 4 * optics * air / distance**2
+    )
 
 
 # Slopes ------------------------------------------------------------------------------------------
@@ -268,7 +270,9 @@ def energy_beyond(offset, cut):
     y = np.linspace(0, cut, 4001)
     half = np.concatenate([[0], np.cumsum(np.exp(-2 * ((y[1:] + y[:-1]) / 2) ** 2))]) * y[1]
     columns = 2 * np.interp(np.sqrt(cut**2 - x**2), y, half)
-    return (np.exp(-2 * x**2) @ columns) * (x[1] - x[0]) / (np.pi / 2 * (1 - np.exp(-2 * cut**2)))
+    return (
+        (np.exp(-2 * x**2) @ columns) * (x[1] - x[0]) / (np.pi / 2 * (1 - np.exp(-2 * cut**2)))
+    )
 
 
 def study_limits(quick=False):
@@ -469,6 +473,7 @@ def main():
         results["steps"],
         given.out / "footprint-waveform-surfaces.png",
     )
+    return results
 
 
 if __name__ == "__main__":

@@ -37,6 +37,7 @@ CASES = {
     "footprint": dict(w=BEAM),
 }
 CASES["all"] = {key: value for case in CASES.values() for key, value in case.items()}
+CASES["all"]["sub_rays"] = 64  # enough beside the noise
 MIXED = 0.05  # of the energy from another pebble makes an echo mixed
 
 
@@ -46,6 +47,7 @@ class View:
     def __init__(self, bed, level=4):
         self.bed, self.level = bed, level
         self.scene = bed.make_scene(level)
+        self.caster = vtkhelios.vtkHeliosRayCaster.Create("")  # keeps its tree from scan to scan
 
     def scan(self, step, w=0.0, azimuth=180.0, sub_rays=256, hits=False, **instrument):
         """Scans the bed from an azimuth [deg] in steps of an angle [rad]; sub-ray hits if asked."""
@@ -62,6 +64,7 @@ class View:
         scanner = vtkhelios.vtkHeliosScanner(
             beam_deflector=mirror,
             beam_sampler=beam,
+            ray_caster=self.caster,
             echo_detector=vtkhelios.vtkHeliosPeakDetector(detection_threshold=THRESHOLD),
             sampling="fixed",
             head_rotate_start=-10,
@@ -72,7 +75,9 @@ class View:
             **instrument,
         )
         a = np.radians(azimuth)
-        place = vtkhelios.Cloud.from_arrays([[STAND[0] * np.sin(a), STAND[0] * np.cos(a), STAND[1]]])
+        place = vtkhelios.Cloud.from_arrays(
+            [[STAND[0] * np.sin(a), STAND[0] * np.cos(a), STAND[1]]]
+        )
         platform = place >> vtkhelios.vtkHeliosStaticPlatform(heading=azimuth - 180)
         vtkhelios.update(((self.scene, platform) >> scanner).last)
         outputs = [vtkhelios.Cloud(scanner.GetOutputDataObject(port)) for port in (0, 2, 3)]
@@ -167,8 +172,8 @@ def describe_incidence(columns):
         for name in CASES:
             row[name] = float(1000 * spread_of(columns[name][part]))
         row["range_theory"] = 1000 * RANGE_NOISE
-        row["weak_theory"] = float(1000 * np.sqrt((weak_theory(*here) ** 2).mean()))
-        row["direction_theory"] = float(1000 * np.sqrt((direction_theory(*here) ** 2).mean()))
+        row["weak_theory"] = float(1000 * np.median(weak_theory(*here)))
+        row["direction_theory"] = float(1000 * np.median(direction_theory(*here)))
         row["footprint_median"] = float(1000 * np.median(columns["footprint"][part]))
         row["footprint_p95"] = float(1000 * np.percentile(np.abs(columns["footprint"][part]), 95))
         rows.append(row)
@@ -215,7 +220,8 @@ def edge_density(bed, origins, directions, arcs, seed=3):
     along = np.linspace(-5e-3, 5e-3, 201)  # rad: 50 microradians are 0.15 mm
     rays = tilted(directions[chosen], *(np.outer(f(angle), along) for f in (np.cos, np.sin)))
     many = np.repeat(origins[chosen], len(along), axis=0)
-    ranges, owners, _ = (v.reshape(arcs, -1) for v in bed.cast(many, rays.reshape(-1, 3)))
+    found = bed.cast(many, rays.reshape(-1, 3), block=len(along))
+    ranges, owners, _ = (v.reshape(arcs, -1) for v in found)
     crossed = owners[:, 1:] != owners[:, :-1]
     jumps = np.abs(np.diff(ranges, axis=1))[crossed]
     return np.pi / 2 * crossed.sum() / (arcs * 0.01), jumps
@@ -230,10 +236,11 @@ def strip_width(share=MIXED):
     return low
 
 
-def study_mixed(view, step, arcs):
+def study_mixed(view, step, arcs, diameters=(0.5, 1, 2, 4, 8)):
     """A row for each footprint: the share of mixed echoes and their errors, against the edges."""
     rows, density = [], None
-    for w in (0.25e-3 / 3, 0.5e-3 / 3, 1e-3 / 3, BEAM, 2 * BEAM):
+    for diameter in diameters:  # mm, at 3 m
+        w = diameter / 2000 / 3
         cloud, pulses, hits = view.scan(step, w=w, hits=True)
         ranges, owners, _, amid = view.truth(pulses)
         if density is None:
@@ -248,7 +255,7 @@ def study_mixed(view, step, arcs):
         expected = 2 * strip_width() * w * density
         rows.append(
             dict(
-                diameter_mm=2000 * 3 * w,
+                diameter_mm=diameter,
                 echoes=int(amid.sum()),
                 mixed=float(mixed.mean()),
                 edge_theory=float(expected),
@@ -328,7 +335,9 @@ def study(quick=False):
     step = 1.5e-3 if quick else 0.7e-3
     clouds, columns = study_ranges(view, step)
     expected, simulated = compare_with_expected(view, columns, 300 if quick else 3000)
-    mixed, density, jump = study_mixed(view, 2.5e-3, 1000 if quick else 4000)
+    mixed, density, jump = (
+        study_mixed(view, 3e-3, 1000, (2, 4)) if quick else study_mixed(view, 2.5e-3, 4000)
+    )
     grids, maps = study_grids(view, step, clouds, half=0.15 if quick else 0.3)
     return dict(
         pebbles=len(view.bed),
@@ -343,6 +352,7 @@ def study(quick=False):
         grids=grids,
         columns=columns,
         maps=maps,
+        step=step,
     )
 
 
@@ -354,13 +364,17 @@ def draw_errors(results, path):
     figure, (seen, spread, mixed) = _study.make_figure(3)
     columns = results["columns"]
     direction = columns["directions"]
-    azimuth = np.degrees(np.arctan2(direction[:, 0], direction[:, 1]))
-    elevation = np.degrees(np.arcsin(direction[:, 2]))
-    dots = seen.scatter(
-        azimuth, elevation, c=1000 * columns["footprint"], s=3, cmap="RdBu_r", vmin=-10, vmax=10,
-        linewidths=0, marker="s",
+    angles = np.degrees(
+        np.column_stack([np.arctan2(direction[:, 0], direction[:, 1]), np.arcsin(direction[:, 2])])
+    )
+    cell = np.degrees(results["step"]) * 1.01
+    count = int(5 / cell)
+    picture = grid_means(angles - (0, -30.3), 1000 * columns["footprint"], cell, count)
+    dots = seen.imshow(
+        picture.T, origin="lower", cmap="RdBu_r", vmin=-10, vmax=10, interpolation="nearest",
+        extent=(-2.5, 2.5, -32.8, -27.8), aspect=1 / np.cos(np.radians(30)),
     )  # fmt: skip
-    seen.set(xlim=(-2.5, 2.5), ylim=(-32, -28), xlabel="azimuth [deg]", ylabel="elevation [deg]")
+    seen.set(xlabel="azimuth [deg]", ylabel="elevation [deg]")
     seen.set_facecolor("0.85")
     seen.grid(False)
     seen.set_title("range errors of a footprint of 4 mm", fontsize=10)
@@ -439,6 +453,7 @@ def main():
         _study.write_csv(given.out / f"pebbles_{name}.csv", results[name])
     draw_errors(results, given.out / "pebbles-errors.png")
     draw_grids(results, given.out / "pebbles-grids.png")
+    return results
 
 
 if __name__ == "__main__":
