@@ -336,7 +336,7 @@ def study(quick=False):
     clouds, columns = study_ranges(view, step)
     expected, simulated = compare_with_expected(view, columns, 300 if quick else 3000)
     mixed, density, jump = (
-        study_mixed(view, 3e-3, 1000, (2, 4)) if quick else study_mixed(view, 2.5e-3, 4000)
+        study_mixed(view, 2e-3, 1500, (2, 4)) if quick else study_mixed(view, 2.5e-3, 4000)
     )
     grids, maps = study_grids(view, step, clouds, half=0.15 if quick else 0.3)
     return dict(

@@ -83,7 +83,7 @@ def test_footprint(run):
     for row in results["mixed"]:
         expected = row["poisson_theory"]
         assert row["mixed"] == pytest.approx(
-            expected, abs=0.1 * expected + 3 * np.sqrt(expected / row["echoes"])
+            expected, abs=0.05 * expected + 2.5 * np.sqrt(expected / row["echoes"])
         )
         assert row["rms_mixed"] > 20 * row["rms_others"]
 
