@@ -38,7 +38,7 @@ def _split(points, triangles):
 
 
 class PebbleBed:
-    """Pebbles of 2 to 9 cm in a square of `size` [m], on the plane z = 0; the same for the same seed.
+    """Pebbles of 1 to 10 cm in a square of `size` [m], on the plane z = 0; the same for the same seed.
 
     Pebble k is the image of the unit sphere under x -> centres[k] + shapes[k] x. The plane is
     number `len(bed)`.

@@ -466,12 +466,12 @@ def main():
     _study.write_csv(given.out / "footprint_waveform.csv", rows)
     for name in ("summary", "roughness", "limits", "steps"):
         _study.write_csv(given.out / f"footprint_waveform_{name}.csv", results[name])
-    draw_slopes(slopes, given.out / "footprint-waveform-slopes.png")
+    draw_slopes(slopes, given.out / "footprint_waveform_slopes.png")
     draw_ground_and_steps(
         results["roughness"],
         results["limits"],
         results["steps"],
-        given.out / "footprint-waveform-surfaces.png",
+        given.out / "footprint_waveform_surfaces.png",
     )
     return results
 

@@ -103,6 +103,10 @@ def spread_of(values):
     return (high - low) / 2
 
 
+def root_mean_square(values):
+    return float(np.sqrt(np.mean(values**2)))
+
+
 # Ranges ------------------------------------------------------------------------------------------
 
 
@@ -130,12 +134,14 @@ def describe_ranges(columns):
     rows = []
     for name in CASES:
         error = 1000 * columns[name][columns["amid"]]
+        below = columns["incidence"][columns["amid"]] < 70
         rows.append(
             dict(
                 case=name,
                 echoes=len(error),
                 bias=float(error.mean()),
-                rms=float(np.sqrt((error**2).mean())),
+                rms=root_mean_square(error),
+                rms_below_70_deg=root_mean_square(error[below]),
                 spread=float(spread_of(error)),
                 p99=float(np.percentile(np.abs(error), 99)),
                 beyond_5_mm=float((np.abs(error) > 5).mean()),
@@ -260,9 +266,9 @@ def study_mixed(view, step, arcs, diameters=(0.5, 1, 2, 4, 8)):
                 mixed=float(mixed.mean()),
                 edge_theory=float(expected),
                 poisson_theory=float(1 - np.exp(-expected)),
-                rms_mixed=float(np.sqrt((error[mixed] ** 2).mean())),
-                rms_others=float(np.sqrt((error[~mixed] ** 2).mean())),
-                rms=float(np.sqrt((error**2).mean())),
+                rms_mixed=root_mean_square(error[mixed]),
+                rms_others=root_mean_square(error[~mixed]),
+                rms=root_mean_square(error),
             )
         )
     return rows, float(density), float(1000 * np.median(jumps))
@@ -282,7 +288,11 @@ def grid_means(places, heights, cell, count):
 
 
 def study_grids(view, step, clouds, cell=0.005, half=0.3):
-    """Grids of mean heights against the truth: rows, and the errors [m] of one and of four stands."""
+    """Grids of mean heights against the truth: rows, and maps of the errors [m].
+
+    Hidden from the first stand are cells where a scan three times as fine, without errors, has
+    no point.
+    """
     count = round(2 * half / cell)
     fine = (np.arange(5 * count) + 0.5) * cell / 5 - half
     places = np.stack(np.meshgrid(fine, fine, indexing="ij"), -1).reshape(-1, 2)
@@ -293,20 +303,25 @@ def study_grids(view, step, clouds, cell=0.005, half=0.3):
     sets = {name: [clouds[name]] for name in CASES}
     sets["all, 2 stands"] = [stands[180.0], stands[0.0]]
     sets["all, 4 stands"] = list(stands.values())
-    rows, maps = [], {"truth": truth}
+    fine = view.scan(step / 3)[0].points
+    hidden = np.isnan(grid_means(fine[:, :2], fine[:, 2], cell, count))
+    rows, maps = [], {"truth": truth, "hidden": hidden}
     for name, parts in sets.items():
         points = np.concatenate([part.points for part in parts])
         error = grid_means(points[:, :2], points[:, 2], cell, count) - truth
         maps[name] = error
-        seen = 1000 * error[np.isfinite(error)]
+        full = np.isfinite(error)
+        seen, ghosts = 1000 * error[full], 1000 * error[full & hidden]
         rows.append(
             dict(
                 points_of=name,
                 empty_cells=float(np.isnan(error).mean()),
                 bias=float(seen.mean()),
-                rms=float(np.sqrt((seen**2).mean())),
+                rms=root_mean_square(seen),
                 spread=float(spread_of(seen)),
                 p95=float(np.percentile(np.abs(seen), 95)),
+                hidden_but_full=float((full & hidden).mean()) if len(parts) == 1 else np.nan,
+                rms_of_these=root_mean_square(ghosts) if len(parts) == 1 else np.nan,
             )
         )
     return rows, maps
@@ -439,8 +454,13 @@ def main():
     print(f"{results['pebbles']} pebbles; range noise alone: {ratio:.4f} of the configured one")
     print(f"(1 within {bound:.4f}: four standard deviations of chi-square)")
     off = 1000 * (results["simulated"] - results["expected"])
-    print(f"single beams against the exact surface: {np.sqrt((off**2).mean()):.2f} mm of")
-    print(f"{1000 * np.sqrt((results['expected'] ** 2).mean()):.2f} mm, {len(off)} beams")
+    print(f"single beams against the exact surface: {root_mean_square(off):.2f} mm of")
+    print(f"{1000 * root_mean_square(results['expected']):.2f} mm, {len(off)} beams")
+    off = results["columns"]["footprint"][results["columns"]["amid"]]
+    print(
+        f"of errors above 1 mm by the footprint {np.mean(off[np.abs(off) > 1e-3] > 0):.0%} are behind"
+    )
+    print(f"hidden cells: {results['maps']['hidden'].mean():.1%}")
     print(f"edges: {results['edge_density']:.1f} rad/rad^2, jumps of {results['edge_jump']:.1f} mm")
     titles = dict(
         ranges="Range errors [mm]",
@@ -451,8 +471,8 @@ def main():
     for name, title in titles.items():
         _study.print_table(results[name], title)
         _study.write_csv(given.out / f"pebbles_{name}.csv", results[name])
-    draw_errors(results, given.out / "pebbles-errors.png")
-    draw_grids(results, given.out / "pebbles-grids.png")
+    draw_errors(results, given.out / "pebbles_errors.png")
+    draw_grids(results, given.out / "pebbles_grids.png")
     return results
 
 

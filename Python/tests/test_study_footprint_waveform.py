@@ -100,5 +100,5 @@ def test_files(run, read_pixels):
     with open(folder / "footprint_waveform.csv", newline="") as file:
         assert len(list(csv.DictReader(file))) == len(results["slopes"]["q"][::10])
     for name in ("slopes", "surfaces"):
-        pixels = read_pixels(folder / f"footprint-waveform-{name}.png")
+        pixels = read_pixels(folder / f"footprint_waveform_{name}.png")
         assert pixels.shape[:2] == (340, 1260) and np.ptp(pixels, axis=(0, 1)).min() > 100

@@ -105,5 +105,5 @@ def test_files(run, read_pixels):
         with open(folder / f"pebbles_{name}.csv", newline="") as file:
             assert len(list(csv.DictReader(file))) == len(results[name])
     for name in ("errors", "grids"):
-        pixels = read_pixels(folder / f"pebbles-{name}.png")
+        pixels = read_pixels(folder / f"pebbles_{name}.png")
         assert pixels.shape[:2] == (340, 1260) and np.ptp(pixels, axis=(0, 1)).min() > 100
