@@ -94,7 +94,7 @@ def strongest_of(cloud):
     return cloud[order[np.r_[True, ids[1:] != ids[:-1]]]]
 
 
-def scan_slope(slope, height, divergence, lines=1):
+def scan_slope(slope, height, divergence, sub_rays=SUB_RAYS):
     """One strip over a slope; of each pulse what theory says and what was measured."""
     cloud = vtkhelios.scan(
         make_slope(slope),
@@ -104,9 +104,9 @@ def scan_slope(slope, height, divergence, lines=1):
         speed=50,
         pulse_frequency=150_000,
         scan_frequency=300,
-        duration=lines / 300,
+        duration=1 / 300,  # s: one line
         beam_divergence=divergence,
-        sub_rays=SUB_RAYS,
+        sub_rays=sub_rays,  # None: by tolerance
         detector="gaussian",
         noise=False,
         waveforms=True,
@@ -150,6 +150,23 @@ def study_slopes(quick=False):
         for divergence in (0.25e-3, 0.5e-3, 1e-3)
     ]
     return {name: np.concatenate([strip[name] for strip in strips]) for name in strips[0]}
+
+
+def study_false_echoes():
+    """Where a plane gets more than one echo: a row for each way of sampling the beam."""
+    rows = []
+    for sub_rays in (SUB_RAYS, 1024, None):
+        strip = scan_slope(40, 2000, 1e-3, sub_rays)
+        false = strip["echoes"] > 1
+        rows.append(
+            dict(
+                sub_rays=sub_rays or "by tolerance",
+                pulses=len(false),
+                with_false_echoes=int(false.sum()),
+                from_q=float(strip["q"][false].min(initial=np.inf)),
+            )
+        )
+    return rows
 
 
 # Rough ground ------------------------------------------------------------------------------------
@@ -359,6 +376,7 @@ def study(quick=False):
     return dict(
         slopes=slopes,
         summary=summarise(slopes),
+        false_echoes=study_false_echoes(),
         roughness=study_roughness(quick),
         limits=study_limits(quick),
         steps=study_steps(quick),
@@ -458,13 +476,14 @@ def main():
     given = _study.arguments(__doc__)
     results = study(given.quick)
     _study.print_table(results["summary"], "Slopes: largest relative errors by q")
+    _study.print_table(results["false_echoes"], "False echoes of a plane, slope of 40 deg, 1 mrad")
     _study.print_table(results["roughness"], "Rough ground: variance added, over (2 sigma_h / c)^2")
     _study.print_table(results["limits"], "Steps: least separation [m]")
     slopes = results["slopes"]
     kept = range(0, len(slopes["q"]), 10)
     rows = [{name: float(values[k]) for name, values in slopes.items()} for k in kept]
     _study.write_csv(given.out / "footprint_waveform.csv", rows)
-    for name in ("summary", "roughness", "limits", "steps"):
+    for name in ("summary", "false_echoes", "roughness", "limits", "steps"):
         _study.write_csv(given.out / f"footprint_waveform_{name}.csv", results[name])
     draw_slopes(slopes, given.out / "footprint_waveform_slopes.png")
     draw_ground_and_steps(

@@ -64,6 +64,14 @@ def test_echo_width_on_slopes(run):
     assert 1.0 < ratio < 1.25  # a quarter of a millimetre
 
 
+def test_false_echoes(run):
+    """Up to q = 5, as far as the study looks, a plane has one echo, however the beam is sampled."""
+    rows = run[0]["false_echoes"]
+    assert [row["sub_rays"] for row in rows] == [256, 1024, "by tolerance"]
+    assert all(row["from_q"] > study.LARGEST_SPREAD for row in rows)
+    assert rows[1]["from_q"] > 1.5 * rows[0]["from_q"]
+
+
 def test_rough_ground(run):
     rows = run[0]["roughness"]
     assert [row["w"] for row in rows] == [0.1, 0.4]
