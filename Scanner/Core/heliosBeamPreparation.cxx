@@ -193,7 +193,14 @@ void PrepareBeamByTolerance(
 
   const int count = model.Plan.NumberOfSubRays;
   model.SubRays = MakeSpiral(sampler, count);
-  model.Rings = MakeRings(sampler, static_cast<int>(std::lround(0.5 * std::sqrt(count))));
+  model.Rings = MakeRings(sampler, model.Plan.GetRings());
+  for (int step = 1; step <= SamplingPlan::FinerSteps; ++step)
+  {
+    model.FinerSubRays.push_back(MakeSpiral(sampler, count << 2 * step));
+    model.FinerRings.push_back(MakeRings(sampler, model.Plan.GetRings() << step));
+    SortInSpace(model.FinerSubRays.back());
+    SortInSpace(model.FinerRings.back());
+  }
   model.Probes = MakeRings(sampler, model.Plan.ProbeRings);
   AddRim(angle, model.Setback, model.Probes);
   model.ProbePairs = JoinNeighbours(model.Probes);

@@ -11,6 +11,18 @@
 namespace helios
 {
 
+namespace
+{
+
+/// Some sub-rays, or those of a finer step.
+const std::vector<SubRay>& GetFiner(
+  const std::vector<SubRay>& coarse, const std::vector<std::vector<SubRay>>& finer, int step)
+{
+  return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)];
+}
+
+} // namespace
+
 BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
   : Model(model)
   , Response(response)
@@ -75,13 +87,15 @@ void BeamTracer::CastByTolerance(const Pulse& pulse, ScanCounts& counts)
   }
   this->Cast(this->Model.Probes, &pulse, 1, counts);
   this->AskProbes();
+  const double spread = this->GetSpread();
+  const int step = this->GetStep(spread);
   if (this->SeeEdge())
   {
-    this->Cast(this->Model.SubRays, &pulse, 1, counts);
+    this->Cast(GetFiner(this->Model.SubRays, this->Model.FinerSubRays, step), &pulse, 1, counts);
   }
-  else if (this->IsSteep())
+  else if (spread > this->Model.Plan.LargestSpread)
   {
-    this->Cast(this->Model.Rings, &pulse, 1, counts);
+    this->Cast(GetFiner(this->Model.Rings, this->Model.FinerRings, step), &pulse, 1, counts);
   }
 }
 
@@ -154,8 +168,8 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
 }
 
 //------------------------------------------------------------------------------
-/// Whether what the probes meet spreads over more ranges than they can stand for.
-bool BeamTracer::IsSteep() const
+/// The ranges that the probes meet spread over, in sigma_R.
+double BeamTracer::GetSpread() const
 {
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
@@ -167,7 +181,28 @@ bool BeamTracer::IsSteep() const
       farthest = std::max(farthest, hit.Range);
     }
   }
-  return farthest - nearest > this->Model.Plan.LargestSpread * this->SigmaRange;
+  return (farthest - nearest) / this->SigmaRange;
+}
+
+//------------------------------------------------------------------------------
+/// How much finer than usual the steepest surface needs the sub-rays; no edge makes them so.
+int BeamTracer::GetStep(double spread)
+{
+  if (this->Model.Plan.GetStep(spread) == 0)
+  {
+    return 0;
+  }
+  double slope = 0.0; // of the range, by angle
+  for (const auto& [a, b] : this->Model.ProbePairs)
+  {
+    if (!this->IsSilent(this->Hits[a]) && !this->IsEdgeBetween(a, b))
+    {
+      const double angle = (Vec3(this->Rays[a].Direction) - Vec3(this->Rays[b].Direction)).Norm();
+      slope = std::max(slope, std::abs(this->Hits[a].Range - this->Hits[b].Range) / angle);
+    }
+  }
+  return this->Model.Plan.GetStep(
+    std::min(spread, 2.0 * this->Model.ConeTangent * slope / this->SigmaRange));
 }
 
 //------------------------------------------------------------------------------

@@ -35,7 +35,7 @@ public:
   /**
    * Casts sub-rays by tolerance: probes look at the beam first, and where neighbours among them meet
    * one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in rings
-   * where one surface runs away steeply. A beam that may meet leaves takes the spiral at once.
+   * where one surface runs away steeply; more, where it would show the gaps between them. A beam that may meet leaves takes the spiral at once.
    */
   void CastByTolerance(const Pulse& pulse, ScanCounts& counts);
 
@@ -55,7 +55,8 @@ private:
   void AskProbes();
   bool SeeEdge();
   bool IsEdgeBetween(std::size_t a, std::size_t b);
-  bool IsSteep() const;
+  double GetSpread() const;
+  int GetStep(double spread);
   bool IsSilent(const vtkHeliosHit& hit) const;
 
   const ScanModel& Model;

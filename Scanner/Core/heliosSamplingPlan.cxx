@@ -14,6 +14,7 @@ namespace
 {
 
 constexpr double BinRangeLaw = 0.02;
+constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
 constexpr int FewestSubRays = 64;
 constexpr int MostSubRays = 4096;
 
@@ -45,6 +46,21 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
   return plan;
+}
+
+int SamplingPlan::GetRings() const
+{
+  return static_cast<int>(std::lround(0.5 * std::sqrt(this->NumberOfSubRays)));
+}
+
+int SamplingPlan::GetStep(double spread) const
+{
+  int step = 0;
+  for (double rings = this->GetRings(); step < FinerSteps && spread > SpreadOfRing * rings; ++step)
+  {
+    rings *= 2.0;
+  }
+  return step;
 }
 
 std::string SamplingPlan::Describe() const

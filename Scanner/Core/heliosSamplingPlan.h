@@ -19,6 +19,7 @@ namespace helios
  * - RMS of the energy on a side (2416 / N)^(3/4) / 1000
  * - so of the range, where the two sides are one echo: that times their distance, which is taken as a
  *   fifth of the longest echo
+ * - a plane whose ranges spread over more than 4 sigma_R a ring shows the gaps between sub-rays as echoes
  * - bins of h sigma with the parabola through the logarithms: RMS of the range 0.02 h^2 sigma_R
  */
 struct SamplingPlan
@@ -32,6 +33,15 @@ struct SamplingPlan
 
   double EnergyTolerance = 1e-2;
   double RangeTolerance = 1e-3; ///< [m]
+
+  /// How often the rings are doubled, at most, where a surface spreads over many sigma_R.
+  static constexpr int FinerSteps = 2;
+
+  /// The rings that Vogel's spiral is worth, and that see one steep surface.
+  int GetRings() const;
+
+  /// How often they are doubled for a surface that spreads over so many sigma_R in a beam.
+  int GetStep(double spread) const;
 
   /// Probes farther than this from the plane of another are those of an edge, not of a bend [m].
   double GetEdgeTolerance() const { return 20.0 * this->RangeTolerance; }

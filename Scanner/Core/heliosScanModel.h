@@ -59,8 +59,10 @@ struct ScanModel
   bool IsFixed = false;
   std::vector<SubRay> SubRays; // of fixed sampling; by tolerance, of a beam that meets edges
   bool HasOffsets = false;
-  SamplingPlan Plan;                                           // of sampling by tolerance
-  std::vector<SubRay> Rings;                                   // the same, of one steep surface
+  SamplingPlan Plan;         // of sampling by tolerance
+  std::vector<SubRay> Rings; // the same, of one steep surface
+  /// Of beams along steep surfaces: step k has 4^k times as many sub-rays as these two.
+  std::vector<std::vector<SubRay>> FinerSubRays, FinerRings;
   std::vector<SubRay> Probes;                                  // that look at a beam first
   std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
   bool ProbesCones = false; // whether to ask for one plane before

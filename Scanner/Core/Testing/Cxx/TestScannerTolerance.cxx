@@ -163,6 +163,42 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(edge.Scanner->GetNumberOfSubRays() == (24 + 336) * 1000);
 }
 
+TEST_CASE("Tolerance: a plane has one echo, however steep it is", "[Tolerance]")
+{
+  // q = R w tan / (c sigma): the ranges of the beam spread over 6 q sigma_R.
+  for (const double q : { 0.5, 2.0, 4.0, 6.0, 8.0, 10.0, 14.0 })
+  {
+    for (const bool isLeaf : { false, true }) // before a part of it
+    {
+      const double tangent = q * 0.509236;
+      const double c = 1.0 / std::sqrt(1.0 + tangent * tangent);
+      const Vec3 up(0.0, tangent * c, c);
+      const Rectangle plane{ Vec3(-70.3, 2000, 0) - up * 210.7, { 200, 0, 0 }, up * 400.0 };
+      const Rectangle leaf{ { 0.3, 1800, -5 }, { 10, 0, 0 }, { 0, 0, 10 } };
+      Bench bench(isLeaf ? MakeScene({ plane, leaf }) : MakeScene({ plane }));
+      bench.Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+      bench.Scanner->SetSamplingToTolerance();
+      bench.Scanner->SetDuration(1e-4); // 10 pulses
+      Bench truth(isLeaf ? MakeScene({ plane, leaf }) : MakeScene({ plane }));
+      truth.Scanner->GetBeamSampler()->SetBeamDivergence(1e-3);
+      truth.Scanner->GetBeamSampler()->SetPatternToGaussLegendre();
+      truth.Scanner->GetBeamSampler()->SetNumberOfRings(100);
+      truth.Scanner->SetDuration(1e-4);
+      vtkPolyData* echoes = bench.Run();
+      vtkPolyData* right = truth.Run();
+      CAPTURE(q, isLeaf, bench.Scanner->GetNumberOfSubRays());
+      REQUIRE(right->GetNumberOfPoints() == (isLeaf ? 20 : 10));
+      REQUIRE(echoes->GetNumberOfPoints() == right->GetNumberOfPoints());
+      const vtkIdType last = isLeaf ? 1 : 0;
+      const double sigma = 0.254618 * std::sqrt(1.0 + q * q); // of the echo in range, for K = inf
+      CHECK(std::abs(Value(echoes, names::Range, last) - Value(right, names::Range, last)) <
+        1e-3 + 0.04 * sigma);
+      CHECK(Value(echoes, names::Amplitude, last) ==
+        Approx(Value(right, names::Amplitude, last)).epsilon(0.02));
+    }
+  }
+}
+
 TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tolerance]")
 {
   const auto scene = MakeSteps();
@@ -265,7 +301,8 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find("24 sub-rays") != std::string::npos);
-  CHECK(bench.Scanner->DescribeSampling().find("336 more where it meets edges") != std::string::npos);
+  CHECK(
+    bench.Scanner->DescribeSampling().find("336 more where it meets edges") != std::string::npos);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
 }
