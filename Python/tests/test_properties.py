@@ -135,6 +135,14 @@ def test_range_that_only_the_documentation_tells():
     assert scanner.average_power == 4
 
 
+def test_what_another_property_decides():
+    """The rings have as many sub-rays as they have; the spiral as many as are asked for."""
+    with pytest.raises(ValueError, match=r"is 256; others decide that it is 16 .*; 16 is kept"):
+        vtkhelios.vtkHeliosBeamSampler(number_of_sub_rays=256)
+    sampler = vtkhelios.vtkHeliosBeamSampler(pattern="vogel", number_of_sub_rays=256)
+    assert sampler.number_of_sub_rays == 256
+
+
 def test_what_a_setter_says_is_passed_on(capfd):
     sampler = vtkhelios.vtkHeliosBeamSampler()
     with pytest.raises(ValueError, match="beam_quality_factor: BeamQualityFactor is 0.5"):

@@ -126,11 +126,14 @@ class Property:
             raise type(error)(told) from error
         if log.errors:
             raise ValueError(f"{self._where(vtk_object)}: {log.errors[0]}")
-        if not (_is_as_given(self.read(vtk_object), value) and self._is_told_valid(value)):
+        now, is_valid = self.read(vtk_object), self._is_told_valid(value)
+        if not (_is_as_given(now, value) and is_valid):
             setter(_plain(before, before))
-            limits = self.valid_range(vtk_object)
+            problem = self.valid_range(vtk_object)
+            if is_valid and _INTERVAL.search(self.__doc__ or "") and not self.choices:
+                problem = f"others decide that it is {now!r} (see its documentation); set them first"
             raise ValueError(
-                f"{self._where(vtk_object)} is {value!r}; {limits}; {before!r} is kept"
+                f"{self._where(vtk_object)} is {value!r}; {problem}; {before!r} is kept"
             )
 
     @property
