@@ -13,10 +13,12 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
+#include <vtkQuadricClustering.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -54,23 +56,56 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
   return normals->GetOutput();
 }
 
+/// The triangles with corners put together in cubes so large that few triangles are left.
+vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh)
+{
+  double size[3];
+  vtkNew<vtkQuadricClustering> clustering;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = mesh->GetBounds()[2 * axis + 1] - mesh->GetBounds()[2 * axis];
+  }
+  const double longest = *std::max_element(size, size + 3);
+  clustering->SetInputData(mesh);
+  clustering->AutoAdjustNumberOfDivisionsOff();
+  clustering->CopyCellDataOn();
+  for (double divisions = 160.0;; divisions *= 0.7)
+  {
+    int counts[3];
+    std::transform(size, size + 3, counts,
+      [&](double side) { return std::max(2, static_cast<int>(divisions * side / longest)); });
+    clustering->SetNumberOfDivisions(counts);
+    clustering->Update();
+    if (clustering->GetOutput()->GetNumberOfCells() <= SceneLayer::MostWhileMoving)
+    {
+      return clustering->GetOutput();
+    }
+  }
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 SceneLayer::SceneLayer(vtkRenderer* renderer, vtkProperty* property)
   : Renderer(renderer)
 {
-  this->Mapper->SetScalarModeToUseCellData();
-  this->Actor->SetMapper(this->Mapper);
-  this->Actor->SetProperty(property);
-  this->Actor->VisibilityOff();
-  renderer->AddActor(this->Actor);
+  const auto add = [&](vtkActor* actor, vtkPolyDataMapper* mapper)
+  {
+    mapper->SetScalarModeToUseCellData();
+    actor->SetMapper(mapper);
+    actor->SetProperty(property);
+    actor->VisibilityOff();
+    renderer->AddActor(actor);
+  };
+  add(this->Actor, this->Mapper);
+  add(this->CoarseActor, this->CoarseMapper);
 }
 
 //------------------------------------------------------------------------------
 SceneLayer::~SceneLayer()
 {
   this->Renderer->RemoveActor(this->Actor);
+  this->Renderer->RemoveActor(this->CoarseActor);
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +116,7 @@ void SceneLayer::SetMesh(vtkPolyData* mesh, const std::vector<vtkIdType>& cells)
   this->Caster = nullptr;
   this->Drawn = nullptr;
   this->Mapper->SetInputData(vtkNew<vtkPolyData>());
-  this->Actor->VisibilityOff();
+  this->SetVisible(false);
 }
 
 //------------------------------------------------------------------------------
@@ -92,6 +127,8 @@ void SceneLayer::Move(vtkPolyData* mesh)
   this->Mesh = mesh;
   this->Draw(this->Origin, this->Smooth);
   this->Drawn->GetCellData()->SetScalars(colors);
+  this->Coarse = nullptr;
+  this->ShowWhatIsDue();
 }
 
 //------------------------------------------------------------------------------
@@ -107,6 +144,7 @@ void SceneLayer::Draw(const Vec3& origin, bool smooth)
   this->Drawn->SetPoints(MakeLocal(this->Mesh, origin));
   this->Drawn->SetPolys(this->Mesh->GetPolys());
   this->Drawn = smooth ? MakeSmooth(this->Drawn) : this->Drawn;
+  this->Coarse = nullptr;
   this->Mapper->SetInputData(this->Drawn);
 }
 
@@ -133,18 +171,42 @@ void SceneLayer::Color(const std::function<Rgb(vtkIdType)>& getColor)
     std::copy(color.begin(), color.end(), colors->GetPointer(3 * cell));
   }
   this->Drawn->GetCellData()->SetScalars(colors);
+  this->Coarse = nullptr;
+  this->ShowWhatIsDue();
 }
 
 //------------------------------------------------------------------------------
 void SceneLayer::SetVisible(bool on)
 {
-  this->Actor->SetVisibility(on && this->Mesh);
+  this->Visible = on && this->Mesh;
+  this->ShowWhatIsDue();
 }
 
 //------------------------------------------------------------------------------
-bool SceneLayer::IsVisible() const
+void SceneLayer::SetInteracting(bool on)
 {
-  return this->Actor->GetVisibility() != 0;
+  this->Interacting = on;
+  this->ShowWhatIsDue();
+}
+
+//------------------------------------------------------------------------------
+bool SceneLayer::IsCoarse() const
+{
+  return this->CoarseActor->GetVisibility() != 0;
+}
+
+//------------------------------------------------------------------------------
+void SceneLayer::ShowWhatIsDue()
+{
+  const bool isCoarse = this->Visible && this->Interacting && this->Drawn &&
+    this->Drawn->GetNumberOfCells() > MostWhileMoving;
+  if (isCoarse && !this->Coarse)
+  {
+    this->Coarse = MakeCoarse(this->Drawn);
+    this->CoarseMapper->SetInputData(this->Coarse);
+  }
+  this->Actor->SetVisibility(this->Visible && !isCoarse);
+  this->CoarseActor->SetVisibility(isCoarse);
 }
 
 //------------------------------------------------------------------------------

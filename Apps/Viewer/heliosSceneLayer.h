@@ -54,22 +54,35 @@ public:
   void Color(const std::function<Rgb(vtkIdType)>& getColor);
 
   void SetVisible(bool on);
-  bool IsVisible() const;
+  bool IsVisible() const { return this->Visible; }
+
+  /// Triangles that are drawn at most while the camera moves.
+  static constexpr vtkIdType MostWhileMoving = 200000;
+
+  /// While the camera moves a mesh of more is drawn coarsely. Default: off.
+  void SetInteracting(bool on);
+  bool IsCoarse() const;
 
   /// What a ray meets: the cell as it is called in the scene, -1: none; and where its normal goes.
   vtkHeliosHit Pick(const vtkHeliosRay& ray, Vec3& normal);
 
 private:
   vtkIdType GetSceneCell(vtkIdType cell) const;
+  void ShowWhatIsDue();
 
   vtkRenderer* Renderer;
   vtkSmartPointer<vtkPolyData> Mesh;
   std::vector<vtkIdType> Cells;
   Vec3 Origin{ 0.0, 0.0, 0.0 };
   bool Smooth = false;
+  bool Visible = false;
+  bool Interacting = false;
   vtkSmartPointer<vtkPolyData> Drawn;
+  vtkSmartPointer<vtkPolyData> Coarse; // made when it is first due
   vtkNew<vtkActor> Actor;
   vtkNew<vtkPolyDataMapper> Mapper;
+  vtkNew<vtkActor> CoarseActor; // of its own: neither is sent to the graphics again and again
+  vtkNew<vtkPolyDataMapper> CoarseMapper;
   vtkSmartPointer<vtkHeliosRayCaster> Caster; // made with the first pick
 };
 

@@ -190,6 +190,7 @@ void SceneView::SetInteracting(bool on)
   if (on != this->Interacting)
   {
     this->Interacting = on;
+    this->Resting.SetInteracting(on); // those that move are made anew in each picture
     this->BoxMapper->SetInputData(this->BoxSets[on ? 1 : 0]);
   }
 }

@@ -89,8 +89,10 @@ public:
   static constexpr vtkIdType MostMovingBoxes = 2000;
   ///@}
 
-  /// While the camera moves there are fewer of them, and larger. Default: off.
+  /// While the camera moves there are fewer boxes, and larger; and large triangles for small ones where
+  /// there are very many. Default: off.
   void SetInteracting(bool on);
+  bool IsCoarse() const { return this->Resting.IsCoarse(); }
 
   /// Default: ByMaterial.
   void SetColoring(Coloring coloring);

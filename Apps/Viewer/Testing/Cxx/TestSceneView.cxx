@@ -64,6 +64,39 @@ vtkSmartPointer<vtkPolyData> MakeScene(const Vec3& origin)
   return scene;
 }
 
+/// The same squares as very many triangles.
+vtkSmartPointer<vtkPolyData> MakeFine(const Vec3& origin, int side)
+{
+  std::vector<Vec3> corners;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> materials;
+  materials->SetName(names::MaterialIds);
+  for (int square = 0; square < 2; ++square)
+  {
+    const auto first = static_cast<vtkIdType>(corners.size());
+    for (int i = 0; i < (side + 1) * (side + 1); ++i)
+    {
+      const Vec3 place(
+        -2.0 + 4.0 * (i % (side + 1)) / side, -2.0 + 4.0 * (i / (side + 1)) / side, 2.0 * square);
+      corners.push_back(origin + place + Vec3(square == 0 ? -4.0 : 4.0, 0.0, 0.0));
+    }
+    for (int i = 0; i < 2 * side * side; ++i)
+    {
+      const vtkIdType a = first + i / 2 / side * (side + 1) + i / 2 % side;
+      const vtkIdType c = a + side + 2;
+      i % 2 == 0 ? cells->InsertNextCell({ a, a + 1, c }) : cells->InsertNextCell({ a, c, c - 1 });
+      materials->InsertNextValue(square);
+    }
+  }
+  auto scene = MakeEchoes(corners);
+  scene->SetPolys(cells);
+  scene->GetCellData()->AddArray(materials);
+  MaterialTable table(2);
+  table[1].Classification = 6;
+  SetMaterials(scene, table);
+  return scene;
+}
+
 bool IsNear(const Rgb& a, const Rgb& b)
 {
   return std::abs(a[0] - b[0]) <= 2 && std::abs(a[1] - b[1]) <= 2 && std::abs(a[2] - b[2]) <= 2;
@@ -230,4 +263,37 @@ TEST_CASE("SceneView: colours of materials come from class, name, ground, row")
   CHECK(GetMaterialColor(material, 3) == Rgb{ 84, 150, 76 });
   material.Classification = 9;
   CHECK(GetMaterialColor(material, 3) == GetClassColor(9));
+}
+
+TEST_CASE("SceneView: very many triangles are drawn as fewer while the camera moves")
+{
+  Stage stage;
+  SceneView view(stage.Renderer);
+  view.SetOrigin(Far);
+  REQUIRE(view.SetScene(MakeFine(Far, 240)).empty()); // 230,400 triangles
+  const auto check = [&](bool isCoarse)
+  {
+    stage.Render();
+    CHECK(view.IsCoarse() == isCoarse);
+    CHECK(IsNear(stage.GetColorAt(4, 0), GetClassColor(6)));
+    CHECK(stage.GetColorAt(-4, 0) != Black);
+    CHECK_FALSE(IsNear(stage.GetColorAt(-4, 0), GetClassColor(6)));
+    // The outline may move by half a cube, 12 m / 160.
+    CHECK(std::abs(stage.CountPixels(Black) - (200 * 200 - 2 * 40 * 40)) <= (isCoarse ? 330 : 0));
+  };
+  check(false);
+  view.SetInteracting(true);
+  check(true);
+  CHECK(view.Pick(140.5, 100.5)->Material == 1); // of the triangles as they are
+  view.SetVisible(false);
+  stage.Render();
+  CHECK(stage.CountPixels(Black) == 200 * 200);
+  view.SetVisible(true);
+  check(true);
+  view.SetInteracting(false);
+  check(false);
+  view.SetInteracting(true);
+  REQUIRE(view.SetScene(MakeScene(Far)).empty());
+  stage.Render();
+  CHECK_FALSE(view.IsCoarse()); // few are drawn as they are
 }
