@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <pcl/console/print.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
 #include <algorithm>
@@ -30,6 +31,19 @@ namespace
 
 // Points that a sample is judged by: a plane that few of these are on is not found by samples of three.
 constexpr std::size_t MostJudges = 20000;
+
+/// PCL tells standard error of each sample of three points on a line, and takes another one.
+class QuietPcl
+{
+public:
+  QuietPcl() { pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); }
+  ~QuietPcl() { pcl::console::setVerbosityLevel(this->Level); }
+  QuietPcl(const QuietPcl&) = delete;
+  void operator=(const QuietPcl&) = delete;
+
+private:
+  pcl::console::VERBOSITY_LEVEL Level = pcl::console::getVerbosityLevel();
+};
 
 struct Plane
 {
@@ -166,6 +180,7 @@ private:
     segmentation.setInputCloud(this->Input.GetCloud());
     segmentation.setIndices(judges);
     pcl::ModelCoefficients plane;
+    const QuietPcl quiet;
     segmentation.segment(found, plane);
     if (found.indices.empty() || plane.values.size() != 4)
     {

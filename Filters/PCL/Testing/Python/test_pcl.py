@@ -153,3 +153,18 @@ def test_pcd_there_and_back(tmp_path):
         lambda data: data.GetPointData().GetArray("PulseIds"),
     ):
         assert (vtk_to_numpy(get(reader.GetOutput())) == vtk_to_numpy(get(echoes))).all()
+
+
+def test_planes_are_silent(capfd):
+    """Points on a line are no plane: PCL would tell standard error of each three it tries."""
+    random = np.random.default_rng(1)
+    line = np.linspace(0, 10, 1000)[:, None] * [1.0, 0.0, 0.0]
+    some = random.uniform(0, 10, (60, 3)) * [1.0, 1.0, 0.0]
+    cloud, points = vtkPolyData(), vtkPoints()
+    points.SetData(numpy_to_vtk(np.concatenate([line, some]), deep=1))
+    cloud.SetPoints(points)
+    planes = vtkhelios.vtkHeliosPCLPlanes()
+    planes.SetInputData(cloud)
+    planes.Update()
+    assert planes.GetOutput().GetNumberOfPoints() == 1060
+    assert capfd.readouterr().err == ""
