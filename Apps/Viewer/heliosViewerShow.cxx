@@ -43,6 +43,10 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
   {
     tool->OnNewSurvey();
   }
+  if (!this->Running)
+  {
+    this->PointsView->SetEyeDomeLighting(this->Options.EyeDome);
+  }
   this->Survey = survey;
   this->KeepsCamera = keepCamera;
   this->Running = std::make_unique<Simulation>(survey);
@@ -71,6 +75,7 @@ void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtk
   this->Begin(bounds, false);
   this->ShowMesh(scene);
   this->Mesh->SetGrids(grids);
+  this->PointsView->SetEyeDomeLighting(false); // it is for points: leaves would drown in edges
   this->Redraw();
 }
 

@@ -3,6 +3,7 @@
 // Turbid voxels as boxes: their places, sizes and colours, and how many there are.
 #include "heliosTurbidBoxes.h"
 
+#include "heliosCloudView.h"
 #include "heliosMaterialTable.h"
 #include "heliosSceneView.h"
 #include "heliosStepFiles.h"
@@ -210,6 +211,7 @@ TEST_CASE("TurbidBoxes: the viewer shows them, of surveys and of scenes")
   Viewer viewer(options);
   REQUIRE(viewer.Run() == 0);
   CHECK(viewer.GetSceneView()->GetNumberOfBoxes() == 2);
+  CHECK(viewer.GetCloudView().GetEyeDomeLighting() == (input == "survey.xml")); // it is for points
   std::ifstream state(options.State);
   const std::string said((std::istreambuf_iterator<char>(state)), std::istreambuf_iterator<char>());
   CHECK(said.find("\"voxels\" : 2") != std::string::npos);
