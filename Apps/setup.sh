@@ -17,7 +17,7 @@ helios_packages=(
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
   # to test
-  catch2 python3-pytest python3-gdal python3-lxml
+  catch2 cloudcompare python3-pytest python3-gdal python3-lxml
   # pictures without a display
   xvfb xauth libgl1-mesa-dri xdotool
 )
