@@ -68,7 +68,8 @@ std::string SamplingPlan::Describe() const
   std::ostringstream text;
   text << 4 * this->ProbeRings * this->ProbeRings + 8
        << " sub-rays where a beam meets one surface, " << this->NumberOfSubRays
-       << " more where it meets edges, and none where one plane is proved; bins of "
+       << " more where it meets edges (up to " << (1 << 2 * FinerSteps)
+       << " times as many along steep surfaces), and none where one plane is proved; bins of "
        << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }
