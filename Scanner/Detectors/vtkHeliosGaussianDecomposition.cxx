@@ -173,6 +173,7 @@ private:
       best.push_back({ guess.Amplitude / this->Largest, guess.Time / this->Sigma,
         this->Sigmas[i] / this->Sigma });
     }
+    PushApart(best);
     this->Work.Start = best;
     const bool converged = this->Work.Fit.Run(this->Work.Data, best, this->MostEvaluations);
     for (std::size_t i = 0; converged && this->ResolveHidden && i < last - first; ++i)
@@ -185,6 +186,24 @@ private:
       const bool isSound = converged && (!isPeak || this->IsSound(i));
       echoes.push_back(isSound ? this->MakeEcho(best[i])
                                : helios::FitPeak(this->Waveform, this->Work.Peaks[first + i]));
+    }
+  }
+
+  /// Two Gaussians make two maxima only where their centres are two sigma apart or more: maxima that are
+  /// nearer are flat ones between these.
+  static void PushApart(Components& components)
+  {
+    for (std::size_t i = 1; i < components.size(); ++i)
+    {
+      GaussianComponent& a = components[i - 1];
+      GaussianComponent& b = components[i];
+      const double missing = 2.0 - (b.Centre - a.Centre);
+      if (missing > 0.0)
+      {
+        a.Centre -= 0.5 * missing;
+        b.Centre += 0.5 * missing;
+        a.Sigma = b.Sigma = 1.0;
+      }
     }
   }
 

@@ -73,6 +73,14 @@ TEST_CASE("GaussianDecomposition: exact where echoes overlap", "[GaussianDecompo
       { ratio * 1e-6, 20.03 + 1.01 * limit * PulseSigma } };
     CheckExact(truth, Detect(detector, MakeSamples(truth, 0.25), 0.25), 1e-3);
   }
+  // In fine bins the two maxima are seen where they are far nearer than the echoes.
+  for (const double factor : { 1.01, 1.02, 1.03, 1.05 })
+  {
+    CAPTURE(factor);
+    const std::vector<Gaussian> truth = { { 1e-6, 20.03 },
+      { 1e-6, 20.03 + 2.0 * factor * PulseSigma } };
+    CheckExact(truth, Detect(detector, MakeSamples(truth, 0.05), 0.05), 1e-3);
+  }
   const std::vector<Gaussian> three = { { 1e-6, 20.03 }, { 5e-7, 25.4, 1.2 * PulseSigma },
     { 8e-7, 31.5 } };
   CheckExact(three, Detect(detector, MakeSamples(three, 0.25), 0.25), 1e-4);
