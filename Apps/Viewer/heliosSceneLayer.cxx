@@ -18,7 +18,6 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace helios
 {
@@ -116,6 +115,7 @@ void SceneLayer::SetMesh(vtkPolyData* mesh, const std::vector<vtkIdType>& cells)
   this->Caster = nullptr;
   this->Drawn = nullptr;
   this->Mapper->SetInputData(vtkNew<vtkPolyData>());
+  this->DropCoarse();
   this->SetVisible(false);
 }
 
@@ -127,7 +127,7 @@ void SceneLayer::Move(vtkPolyData* mesh)
   this->Mesh = mesh;
   this->Draw(this->Origin, this->Smooth);
   this->Drawn->GetCellData()->SetScalars(colors);
-  this->Coarse = nullptr;
+  this->DropCoarse();
   this->ShowWhatIsDue();
 }
 
@@ -144,7 +144,7 @@ void SceneLayer::Draw(const Vec3& origin, bool smooth)
   this->Drawn->SetPoints(MakeLocal(this->Mesh, origin));
   this->Drawn->SetPolys(this->Mesh->GetPolys());
   this->Drawn = smooth ? MakeSmooth(this->Drawn) : this->Drawn;
-  this->Coarse = nullptr;
+  this->DropCoarse();
   this->Mapper->SetInputData(this->Drawn);
 }
 
@@ -171,7 +171,7 @@ void SceneLayer::Color(const std::function<Rgb(vtkIdType)>& getColor)
     std::copy(color.begin(), color.end(), colors->GetPointer(3 * cell));
   }
   this->Drawn->GetCellData()->SetScalars(colors);
-  this->Coarse = nullptr;
+  this->DropCoarse();
   this->ShowWhatIsDue();
 }
 
@@ -193,6 +193,13 @@ void SceneLayer::SetInteracting(bool on)
 bool SceneLayer::IsCoarse() const
 {
   return this->CoarseActor->GetVisibility() != 0;
+}
+
+//------------------------------------------------------------------------------
+void SceneLayer::DropCoarse()
+{
+  this->Coarse = nullptr;
+  this->CoarseMapper->SetInputData(vtkNew<vtkPolyData>());
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ public:
 
 private:
   vtkIdType GetSceneCell(vtkIdType cell) const;
+  void DropCoarse();
   void ShowWhatIsDue();
 
   vtkRenderer* Renderer;

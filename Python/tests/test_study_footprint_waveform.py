@@ -3,27 +3,19 @@
 """The study of footprints and waveforms: its numbers against closed forms."""
 
 import csv
-import importlib.util
-import pathlib
 
 import numpy as np
 import pytest
+from _studies import load, run_quick
 
 pytest.importorskip("matplotlib")
 
-PATH = pathlib.Path(__file__).resolve().parents[1] / "studies" / "footprint_waveform.py"
-SPEC = importlib.util.spec_from_file_location("footprint_waveform", PATH)
-study = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(study)
+study = load("footprint_waveform")
 
 
 @pytest.fixture(scope="module")
 def run(tmp_path_factory):
-    """The quick study: its numbers, and the folder it wrote."""
-    folder = tmp_path_factory.mktemp("study")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sys.argv", ["footprint_waveform.py", str(folder), "--quick"])
-        return study.main(), folder
+    return run_quick(study, tmp_path_factory)
 
 
 def test_theory():

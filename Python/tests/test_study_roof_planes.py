@@ -6,6 +6,7 @@ import csv
 import importlib
 import pathlib
 import sys
+import types
 
 import numpy as np
 import pytest
@@ -93,6 +94,19 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     with open(tmp_path / "out" / "roof_planes_density.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     assert [float(row["z_inner"]) for row in rows] == [sparse["z_inner"], dense["z_inner"]]
+
+
+def test_echoes_of_two_planes_are_left_out(study):
+    """A gable of 45 degrees, echoes on it: those nearer to the other plane than 0.3 m are nobody's."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(-3.9, 4, 0.2), np.arange(-3.0, 3, 0.5)))
+    cloud = types.SimpleNamespace(points=np.c_[x, y, -np.abs(x)])
+    left, right = np.flatnonzero(x < 0), np.flatnonzero(x > 0)
+    kept = study.leave_out(cloud, left, [left, right], 0.3)
+    # The planes are at right angles: an echo at x is sqrt(2) |x| from the other one.
+    assert np.array_equal(kept, left[np.sqrt(2) * np.abs(x[left]) > 0.3])
+    assert len(kept) < len(left)
+    assert np.array_equal(study.leave_out(cloud, left, [left], 0.3), left)
+    assert np.array_equal(study.leave_out(cloud, left, [left, right], 9), left)  # too few are left
 
 
 def test_without_a_footprint_edges_do_no_harm(study):
