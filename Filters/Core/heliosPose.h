@@ -36,8 +36,15 @@ struct Rotation
 
   Rotation operator*(const Rotation& b) const
   {
+    const auto& m = this->M;
     Rotation r;
-    vtkMath::Multiply3x3(this->M, b.M, r.M);
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        r.M[i][j] = m[i][0] * b.M[0][j] + m[i][1] * b.M[1][j] + m[i][2] * b.M[2][j];
+      }
+    }
     return r;
   }
 };

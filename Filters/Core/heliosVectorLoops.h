@@ -15,7 +15,7 @@
 // The same operations with the vectors and masks the machine has; without FMA, so the same bytes.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
   !defined(__SANITIZE_ADDRESS__)
-#define HELIOS_CLONES __attribute__((target_clones("arch=skylake-avx512", "avx2", "default")))
+#define HELIOS_CLONES __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
 #else
 #define HELIOS_CLONES
 #endif

@@ -141,7 +141,7 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
   const vtkIdType samples = std::min<vtkIdType>(numberOfPulses, 256);
-  Trajectory::Cursor cursor;
+  PulseSource::Cursor cursor;
   Pulse pulse;
   int asked = 0;
   int answered = 0;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBeamTracer.h"
 
-#include "heliosVectorLoops.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +33,7 @@ void BeamTracer::Cast(
   const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count, ScanCounts& counts)
 {
   this->SubRays = &subRays;
-  this->AreProbes = false;
+  this->HasAnswers = false;
   this->Rays.resize(count * subRays.size());
   this->Hits.resize(this->Rays.size());
   vtkHeliosRay* ray = this->Rays.data();
@@ -86,7 +84,8 @@ void BeamTracer::CastByTolerance(const Pulse& pulse, ScanCounts& counts)
     return;
   }
   this->Cast(this->Model.Probes, &pulse, 1, counts);
-  this->AskProbes();
+  this->AskSurfaces(0);
+  this->HasAnswers = true;
   const double spread = this->GetSpread();
   const int step = this->GetStep(spread);
   if (this->SeeEdge())
@@ -100,30 +99,12 @@ void BeamTracer::CastByTolerance(const Pulse& pulse, ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::IsSilent(const vtkHeliosHit& hit) const
+/// Asks what a pulse's sub-rays meet for their replies.
+void BeamTracer::AskSurfaces(std::size_t slot)
 {
-  return hit.CellId < 0 || hit.Range < this->Model.RangeMin || hit.Range > this->Model.RangeMax;
-}
-
-//------------------------------------------------------------------------------
-HELIOS_INLINE BeamTracer::Reply BeamTracer::GetReply(std::size_t ray)
-{
-  const vtkHeliosHit& hit = this->Hits[ray];
-  Reply reply;
-  reply.Power =
-    this->Response.GetPower(hit.CellId, hit.Range, this->Rays[ray].Direction, reply.CosIncidence);
-  return reply;
-}
-
-//------------------------------------------------------------------------------
-void BeamTracer::AskProbes()
-{
-  this->AreProbes = true;
-  this->Replies.resize(this->Hits.size());
-  for (std::size_t i = 0; i < this->Hits.size(); ++i)
-  {
-    this->Replies[i] = this->IsSilent(this->Hits[i]) ? Reply{ 0.0, 0.0 } : this->GetReply(i);
-  }
+  const std::size_t count = this->SubRays->size();
+  this->Response.GetReplies(
+    this->Rays.data() + slot * count, this->Hits.data() + slot * count, count, this->Answers);
 }
 
 //------------------------------------------------------------------------------
@@ -148,8 +129,8 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
   {
     return this->IsSilent(hitA) != this->IsSilent(hitB);
   }
-  const double powerA = this->Replies[a].Power;
-  const double powerB = this->Replies[b].Power;
+  const double powerA = this->Answers.Powers[a];
+  const double powerB = this->Answers.Powers[b];
   if (std::min(powerA, powerB) < 0.5 * std::max(powerA, powerB))
   {
     return true;
@@ -213,6 +194,10 @@ void BeamTracer::Collect(std::size_t slot, std::vector<SubReturn>& returns,
   const SubRay* subRays = this->SubRays->data();
   const vtkHeliosRay* rays = this->Rays.data() + slot * count;
   const vtkHeliosHit* hits = this->Hits.data() + slot * count;
+  if (!this->HasAnswers)
+  {
+    this->AskSurfaces(slot);
+  }
   returns.resize(count);
   SubReturn* to = returns.data();
   for (std::size_t k = 0; k < count; ++k)
@@ -227,10 +212,9 @@ void BeamTracer::Collect(std::size_t slot, std::vector<SubReturn>& returns,
     {
       continue;
     }
-    const Reply reply = this->AreProbes ? this->Replies[k] : this->GetReply(slot * count + k);
-    to->Power = subRays[k].Weight * reply.Power;
+    to->Power = subRays[k].Weight * this->Answers.Powers[k];
     to->Range = hit.Range;
-    to->CosIncidence = reply.CosIncidence;
+    to->CosIncidence = this->Answers.Cosines[k];
     to->CellId = hit.CellId;
     to->SubRay = static_cast<int>(k);
     ++to;

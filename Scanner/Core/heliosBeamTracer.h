@@ -44,20 +44,13 @@ public:
     ScanCounts& counts);
 
 private:
-  /// What a sub-ray of weight 1 returns.
-  struct Reply
-  {
-    double Power;
-    double CosIncidence;
-  };
   void Meet(const Pulse* pulses, std::size_t count);
-  Reply GetReply(std::size_t ray);
-  void AskProbes();
+  void AskSurfaces(std::size_t slot);
   bool SeeEdge();
   bool IsEdgeBetween(std::size_t a, std::size_t b);
   double GetSpread() const;
   int GetStep(double spread);
-  bool IsSilent(const vtkHeliosHit& hit) const;
+  bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.IsSilent(hit); }
 
   const ScanModel& Model;
   SurfaceResponse& Response;
@@ -65,8 +58,8 @@ private:
   const std::vector<SubRay>* SubRays = nullptr; // those cast last
   std::vector<vtkHeliosRay> Rays;
   std::vector<vtkHeliosHit> Hits;
-  bool AreProbes = false;
-  std::vector<Reply> Replies; // of the probes, if these were cast last
+  Replies Answers;         // to the sub-rays of one pulse
+  bool HasAnswers = false; // to those cast last
 };
 
 } // namespace helios

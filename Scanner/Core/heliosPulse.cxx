@@ -33,13 +33,26 @@ Rotation BeamFrame(const Vec3& axis)
   return frame;
 }
 
-Quaternion PulseSource::GetHead(double angle) const
+Quaternion PulseSource::TurnHead(double angle) const
 {
   return angle != 0.0 ? this->Mount.Orientation * AxisAngle(this->HeadAxis, angle)
                       : this->Mount.Orientation;
 }
 
-bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const
+const PulseSource::Head& PulseSource::GetHead(double angle, Cursor& cursor) const
+{
+  Head& head = cursor.Head;
+  if (head.Angle != angle)
+  {
+    const Quaternion turned = this->TurnHead(angle);
+    head.Angle = angle;
+    head.Beam = Rotation(turned * this->BeamOrigin.Orientation);
+    head.Lever = this->Mount.Position + Rotate(turned, this->BeamOrigin.Position);
+  }
+  return head;
+}
+
+bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
 {
   double direction[3];
   if (!this->Deflector->GetDirection(index, direction))
@@ -53,21 +66,22 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
   pulse.Time = this->StartTime + elapsed;
 
   Rotation platform;
-  Vec3 position = this->Platform->GetPosition(pulse.Time, cursor, platform);
+  Vec3 position = this->Platform->GetPosition(pulse.Time, cursor.Platform, platform);
   const double headAngle = this->HeadStart + this->HeadSpeed * elapsed;
-  const Quaternion head = this->GetHead(headAngle);
+  const Head& head = this->GetHead(headAngle, cursor);
+  const Rotation beam = BeamFrame(Vec3(direction));
   const bool isUnknown = this->Noise && this->Noise->IsUnknown();
   if (this->Noise && !isUnknown)
   {
     this->Shake(index, position, platform);
   }
-  this->PlaceBeam(position, platform, head, Vec3(direction), pulse);
+  this->PlaceBeam(position, platform, head, beam, pulse);
   pulse.Reported = pulse.GetDirection();
   pulse.ReportedOrigin = pulse.Origin;
   if (isUnknown)
   {
     this->Shake(index, position, platform);
-    this->PlaceBeam(position, platform, head, Vec3(direction), pulse);
+    this->PlaceBeam(position, platform, head, beam, pulse);
   }
   if (this->Errors || this->AngleAccuracy > 0.0)
   {
@@ -77,12 +91,11 @@ bool PulseSource::GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& p
 }
 
 /// The beam of a platform at a pose.
-void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Quaternion& head,
-  const Vec3& direction, Pulse& pulse) const
+void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
+  const Rotation& beam, Pulse& pulse) const
 {
-  pulse.Origin =
-    position + platform * (this->Mount.Position + Rotate(head, this->BeamOrigin.Position));
-  pulse.Beam = platform * (Rotation(head * this->BeamOrigin.Orientation) * BeamFrame(direction));
+  pulse.Origin = position + platform * head.Lever;
+  pulse.Beam = platform * (head.Beam * beam);
 }
 
 /// Moves and turns the platform by its noise.
@@ -110,7 +123,7 @@ void PulseSource::TurnBeam(
     const double turn = vtkMath::DegreesFromRadians(this->Errors->GetHeadError(theta));
     direction = Rotate(AxisAngle({ 1.0, 0.0, 0.0 }, deflection), direction);
     pulse.Beam = platform *
-      (Rotation(this->GetHead(headAngle + turn) * this->BeamOrigin.Orientation) *
+      (Rotation(this->TurnHead(headAngle + turn) * this->BeamOrigin.Orientation) *
         BeamFrame(direction));
   }
   if (this->AngleAccuracy > 0.0)

@@ -11,6 +11,7 @@
 #include <vtkType.h>
 
 #include <cstdint>
+#include <limits>
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosErrorModel;
@@ -67,13 +68,29 @@ struct PulseSource
   std::uint64_t Seed = 0;
   PulseIds Ids;
 
+  /// The head on the platform, turned by an angle.
+  struct Head
+  {
+    double Angle = std::numeric_limits<double>::quiet_NaN();
+    Rotation Beam; // from the frame of the deflector
+    Vec3 Lever;    // to where the beam leaves
+  };
+
+  /// What is known from the pulse before; one a thread.
+  struct Cursor
+  {
+    Trajectory::Cursor Platform;
+    PulseSource::Head Head;
+  };
+
   /// Pulse number index; false where the deflector lets none out.
-  bool GetPulse(vtkIdType index, Trajectory::Cursor& cursor, Pulse& pulse) const;
+  bool GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const;
 
 private:
-  Quaternion GetHead(double angle) const;
-  void PlaceBeam(const Vec3& position, const Rotation& platform, const Quaternion& head,
-    const Vec3& direction, Pulse& pulse) const;
+  Quaternion TurnHead(double angle) const;
+  const Head& GetHead(double angle, Cursor& cursor) const;
+  void PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
+    const Rotation& beam, Pulse& pulse) const;
   void Shake(vtkIdType index, Vec3& position, Rotation& platform) const;
   void TurnBeam(vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction,
     Pulse& pulse) const;

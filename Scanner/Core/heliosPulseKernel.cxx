@@ -38,6 +38,7 @@ PulseKernel::PulseKernel(const ScanModel& model)
 //------------------------------------------------------------------------------
 void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
 {
+  result.Echoes.reserve(static_cast<std::size_t>(last - first));
   for (vtkIdType begin = first; begin < last; begin += PulsesTogether)
   {
     this->AimPulses(begin, std::min(last, begin + PulsesTogether));
@@ -50,8 +51,6 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
-      this->Returns.clear();
-      this->SubRays.clear();
       this->Echoes.clear();
       this->HasWaveform = false;
       this->Response.StartPulse();
@@ -89,6 +88,8 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 //------------------------------------------------------------------------------
 void PulseKernel::RunByTolerance(const Pulse& pulse)
 {
+  this->Returns.clear();
+  this->SubRays.clear();
   if (this->Model.ProbesCones && !this->Model.MeetsMedium(pulse))
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
@@ -131,10 +132,9 @@ bool PulseKernel::TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
     ++this->Counts.HitsOutOfRange;
     return true;
   }
-  double cosIncidence;
-  const double power = this->Response.GetPower(hit.CellId, hit.Range, axis.GetData(), cosIncidence);
-  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, reach, tangent, power);
-  this->Returns.push_back({ echo.Range, echo.Power, cosIncidence, hit.CellId, 0 });
+  const Reply reply = this->Response.GetReply(hit.CellId, hit.Range, axis.GetData());
+  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, reach, tangent, reply.Power);
+  this->Returns.push_back({ echo.Range, echo.Power, reply.CosIncidence, hit.CellId, 0 });
   if (m.WantsSubRays)
   {
     this->SubRays.push_back({ axis, 1.0 });
@@ -212,12 +212,14 @@ double PulseKernel::GetBackground()
 void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const vtkIdType index = this->Indices[slot];
+  const bool isAsked = !this->Returns.empty() || this->Model.WantsPulses;
+  const double scanAngle =
+    isAsked ? this->Model.Source.Deflector->GetScanAngle(this->Indices[slot]) : 0.0;
   const std::size_t echoesBefore = result.Echoes.size();
   if (!this->Returns.empty())
   {
     ++this->Counts.PulsesHit;
-    this->StoreEchoes(pulse, index, result);
+    this->StoreEchoes(pulse, scanAngle, result);
     if (this->Model.WantsWaveforms && this->HasWaveform)
     {
       this->StoreWaveform(pulse, result);
@@ -230,13 +232,12 @@ void PulseKernel::StorePulse(std::size_t slot, ChunkResult& result)
   if (this->Model.WantsPulses)
   {
     result.Pulses.push_back({ pulse.ReportedOrigin, pulse.Reported, pulse.Time, this->PulseId,
-      this->Model.Source.Deflector->GetScanAngle(index), pulse.Channel,
-      result.Echoes.size() > echoesBefore });
+      scanAngle, pulse.Channel, result.Echoes.size() > echoesBefore });
   }
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& result)
+void PulseKernel::StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result)
 {
   double largest = 0.0;
   for (const Echo& echo : this->Echoes)
@@ -252,17 +253,16 @@ void PulseKernel::StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& 
     this->Echoes, this->Model.ReturnSelection, this->Model.MaximumNumberOfReturns, this->Kept);
   for (std::size_t i = 0; i < this->Kept.size(); ++i)
   {
-    this->StoreEcho(pulse, index, this->Echoes[this->Kept[i]], i, this->Kept.size(), result);
+    this->StoreEcho(pulse, scanAngle, this->Echoes[this->Kept[i]], i, this->Kept.size(), result);
   }
   this->Counts.Echoes += static_cast<vtkIdType>(this->Kept.size());
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& echo,
+void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo,
   std::size_t number, std::size_t count, ChunkResult& result)
 {
   const SceneSurfaces& surfaces = this->Model.Surfaces;
-  const double scanAngle = this->Model.Source.Deflector->GetScanAngle(index);
   const double range = this->GetMeasuredRange(echo, vtkMath::RadiansFromDegrees(scanAngle), number);
   const vtkIdType cell = echo.Nearest->CellId;
   const int material = surfaces.GetMaterialId(cell);

@@ -37,8 +37,8 @@ private:
   double GetBackground();
 
   void StorePulse(std::size_t slot, ChunkResult& result);
-  void StoreEchoes(const Pulse& pulse, vtkIdType index, ChunkResult& result);
-  void StoreEcho(const Pulse& pulse, vtkIdType index, const Echo& echo, std::size_t number,
+  void StoreEchoes(const Pulse& pulse, double scanAngle, ChunkResult& result);
+  void StoreEcho(const Pulse& pulse, double scanAngle, const Echo& echo, std::size_t number,
     std::size_t count, ChunkResult& result);
   void StoreWaveform(const Pulse& pulse, ChunkResult& result);
   void StoreSubRays(const Pulse& pulse, ChunkResult& result);
@@ -48,7 +48,7 @@ private:
   SurfaceResponse Response;
   BeamTracer Tracer;
   Receiver Signal;
-  Trajectory::Cursor Cursor;
+  PulseSource::Cursor Cursor;
   ScanCounts Counts;
 
   std::vector<Pulse> Pulses;

@@ -27,21 +27,6 @@ struct PulseCluster
   double First;   ///< the earliest and latest time in it [ns]
   double Last;
   double Sums[Order] = {}; ///< with the times from the middle in sigma
-
-  /// Adds a return at a time [ns], that far from the middle.
-  void Add(double time, double away, double power)
-  {
-    this->First = std::min(this->First, time);
-    this->Last = std::max(this->Last, time);
-    const double away2 = away * away;
-    const double away4 = away2 * away2;
-    const double powers[4] = { power, power * away, power * away2, power * away2 * away };
-    for (int n = 0; n < 4; ++n)
-    {
-      this->Sums[n] += powers[n];
-      this->Sums[n + 4] += powers[n] * away4;
-    }
-  }
 };
 
 /// The bins [First, Last) of a window that are filled.

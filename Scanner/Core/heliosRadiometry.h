@@ -97,24 +97,38 @@ class NearbyTransmission
 {
 public:
   explicit NearbyTransmission(const LidarEquation& equation)
-    : Extinction(equation.Extinction)
+    : Equation(equation)
   {
   }
 
+  /// At a range; from now on the series starts there if it was not good enough.
   double operator()(double range)
   {
-    const double x = -2.0 * this->Extinction * (range - this->Range);
-    if (!(std::abs(x) < 1e-3))
+    const double x = this->GetExponent(range);
+    if (!IsNear(x))
     {
       this->Range = range;
-      this->Transmission = this->Extinction > 0.0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
+      this->Transmission = this->Equation.GetTransmission(range);
       return this->Transmission;
     }
-    return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
+    return this->GetNear(x);
   }
 
+  ///@{
+  /// The same in steps, for ranges near the one where the series starts.
+  double GetExponent(double range) const
+  {
+    return -2.0 * this->Equation.Extinction * (range - this->Range);
+  }
+  static bool IsNear(double exponent) { return std::abs(exponent) < 1e-3; }
+  double GetNear(double x) const
+  {
+    return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
+  }
+  ///@}
+
 private:
-  double Extinction;
+  LidarEquation Equation;
   double Range = std::numeric_limits<double>::quiet_NaN();
   double Transmission = 1.0;
 };

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosReturn.h"
 
 #include "heliosRadiometry.h"
 #include "heliosRandom.h"
+#include "heliosRayVectors.h"
 #include "heliosReturnSelection.h"
+#include "heliosVectorLoops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +23,20 @@ constexpr double MarginInSigma = 5.0;
 
 double TwoWayTime(double range)
 {
-  return 2.0 * range / SpeedOfLight;
+  return 2.0 / SpeedOfLight * range;
+}
+
+typedef double Powers __attribute__((vector_size(8 * PulseCluster::Order / 2)));
+typedef long long PowerMasks __attribute__((vector_size(8 * PulseCluster::Order / 2)));
+static_assert(PulseCluster::Order == 8, "there are four powers, and four times x^4");
+
+/// 1, x, x^2, x^3.
+HELIOS_INLINE void SetPowers(double x, Powers& powers)
+{
+  constexpr PowerMasks has1 = { 0, -1, 0, -1 };
+  constexpr PowerMasks has2 = { 0, 0, -1, -1 };
+  const Powers one = Powers() + 1.0;
+  powers = (has1 ? Powers() + x : one) * (has2 ? Powers() + x * x : one);
 }
 
 /// The return nearest in range; of two equally near the first.
@@ -189,8 +205,8 @@ bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Search& s
 
 //------------------------------------------------------------------------------
 /// The echo of those of the returns that come between two times in the window.
-void Receiver::FindSingleEcho(const std::vector<SubReturn>& returns, double from, double to,
-  std::vector<Echo>& echoes)
+void Receiver::FindSingleEcho(
+  const std::vector<SubReturn>& returns, double from, double to, std::vector<Echo>& echoes)
 {
   this->Group.clear();
   for (const SubReturn& r : returns)
@@ -212,8 +228,8 @@ void Receiver::FindSingleEcho(const std::vector<SubReturn>& returns, double from
 
 //------------------------------------------------------------------------------
 /// The echoes at the maxima in bins that are filled; false where the bins end in one.
-bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin,
-  Iterator end, std::vector<Echo>& echoes)
+bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
+  std::vector<Echo>& echoes)
 {
   const vtkHeliosWaveform wave{ this->Wave.Samples.data(), this->GetWindow().Last, search.BinSize,
     search.Shape.GetLength() };
@@ -311,23 +327,42 @@ double Receiver::GetTime(const SubReturn& r) const
 
 //------------------------------------------------------------------------------
 /// Puts returns that come nearly at once together, in the order of time.
+HELIOS_CLONES
 void Receiver::MakeClusters(Iterator begin, Iterator end)
 {
   const double scale = 1.0 / this->Sigma;
   const double slotsPerTime = 0.5 * scale / PulseCluster::Reach;
   const double margin = this->Margin;
   this->Clusters.clear();
-  PulseCluster* cluster = nullptr; // the next sub-ray often comes when the last one did
+  PulseCluster none{ -1, 0.0, 0.0, 0.0 };
+  PulseCluster* cluster = &none; // the next sub-ray often comes when the last one did
+  Powers low = Powers();         // its sums
+  Powers high = Powers();
+  constexpr std::size_t half = PulseCluster::Order / 2;
   for (Iterator r = begin; r != end; ++r)
   {
     const double time = this->GetTime(*r);
     const auto slot = static_cast<vtkIdType>((time - margin) * slotsPerTime);
-    if (!cluster || cluster->Slot != slot)
+    if (cluster->Slot != slot)
     {
+      Store(cluster->Sums, low);
+      Store(cluster->Sums + half, high);
       cluster = &this->GetCluster(slot);
+      low = Load<Powers>(cluster->Sums);
+      high = Load<Powers>(cluster->Sums + half);
     }
-    cluster->Add(time, (time - cluster->Time) * scale, r->Power);
+    cluster->First = std::min(cluster->First, time);
+    cluster->Last = std::max(cluster->Last, time);
+    const double away = (time - cluster->Time) * scale;
+    const double away2 = away * away;
+    Powers powers;
+    SetPowers(away, powers);
+    powers = r->Power * powers;
+    low += powers;
+    high += powers * (away2 * away2);
   }
+  Store(cluster->Sums, low);
+  Store(cluster->Sums + half, high);
   std::sort(this->Clusters.begin(), this->Clusters.end(),
     [](const PulseCluster& a, const PulseCluster& b) { return a.Slot < b.Slot; });
 }

@@ -86,6 +86,12 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
+  /// Whether a sub-ray returns nothing: it meets nothing, or nothing in the ranges measured.
+  bool IsSilent(const vtkHeliosHit& hit) const
+  {
+    return hit.CellId < 0 || hit.Range < this->RangeMin || hit.Range > this->RangeMax;
+  }
+
   /// What all of a pulse's beam meets; the range is from the pulse's origin.
   vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
   {

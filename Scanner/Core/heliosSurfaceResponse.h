@@ -12,9 +12,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace helios
 {
+
+/// What a sub-ray of weight 1 returns.
+struct Reply
+{
+  double Power; // [W]
+  double CosIncidence;
+};
+
+/// The same of the sub-rays of a pulse; of those that are silent the power is 0.
+struct Replies
+{
+  std::vector<double> Powers;
+  std::vector<double> Cosines;
+};
 
 /// One a thread: it remembers surfaces, and the range it saw last.
 class SurfaceResponse
@@ -27,16 +43,12 @@ public:
   {
   }
 
-  /// The power that a sub-ray of weight 1 along a unit vector returns from a cell [W].
-  double GetPower(vtkIdType cell, double range, const double direction[3], double& cosIncidence)
-  {
-    const Surface& surface = this->Visit(cell);
-    const Vec3& n = surface.Normal;
-    const double cosNormal = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
-    cosIncidence = std::max(surface.LeastCosine, std::abs(cosNormal));
-    return this->Gain * this->Transmission(range) / (range * range) *
-      GetBackscatter(*surface.Reflection, cosIncidence);
-  }
+  /// Of a sub-ray along a unit vector that meets a cell.
+  Reply GetReply(vtkIdType cell, double range, const double direction[3]);
+
+  /// Of sub-rays along unit vectors and what they meet.
+  void GetReplies(
+    const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, Replies& replies);
 
   /// The unit normal of a cell's plane; 0 of leaves, here and below.
   const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }
@@ -64,6 +76,25 @@ private:
     const SurfaceReflection* Reflection = nullptr;
   };
 
+  /// Sub-rays that are worked on together, a column for each thing they need.
+  struct Columns
+  {
+    static constexpr std::size_t Size = 32;
+    static constexpr std::size_t Lanes = 8;
+    double Normal[3][Size] = {};
+    double Direction[3][Size] = {};
+    double LeastCosine[Size] = {};
+    double Range[Size] = {};
+    double Reflectance[Size] = {};               // 0: silent
+    const SurfaceReflection* Special[Size] = {}; // one with a lobe
+    bool HasSpecial = false;
+
+    bool Compute(std::size_t count, double gain, const NearbyTransmission& transmission,
+      double* powers, double* cosines) const;
+  };
+  void Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
+  void Refine(std::size_t count, bool isNear, double* powers, const double* cosines);
+
   /// What is known of a cell: beams meet the same few again and again.
   const Surface& Visit(vtkIdType cell)
   {
@@ -87,6 +118,7 @@ private:
   const double Gain; // of a white surface at 1 m, without air before it [W]
   NearbyTransmission Transmission;
   std::array<Surface, 64> Known;
+  Columns Asked;
 };
 
 } // namespace helios

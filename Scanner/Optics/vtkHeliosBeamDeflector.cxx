@@ -3,6 +3,7 @@
 #include "vtkHeliosBeamDeflector.h"
 
 #include "heliosPhase.h"
+#include "heliosVectorLoops.h"
 
 #include <vtkMath.h>
 
@@ -59,6 +60,7 @@ double vtkHeliosBeamDeflector::GetDelay(vtkIdType) const
 }
 
 //------------------------------------------------------------------------------
+HELIOS_CLONES
 double vtkHeliosBeamDeflector::ComputePhase(vtkIdType pulse, double frequency) const
 {
   const double phase = helios::Phase(pulse, frequency, this->PulseFrequency);

@@ -32,21 +32,24 @@ HELIOS_INLINE double GetMost(const Doubles& v)
   return Max(Max(v[0], v[1]), Max(v[2], v[3]));
 }
 
-HELIOS_INLINE bool IsAny(const GroupMasks& masks)
+/// A byte for each lane.
+HELIOS_INLINE vtkTypeUInt64 GetBytes(const GroupMasks& masks)
 {
-  Masks halves;
-  std::memcpy(&halves, &masks, sizeof(halves));
-  return Any(halves);
+  typedef signed char Bytes __attribute__((vector_size(GroupWidth)));
+  const Bytes bytes = __builtin_convertvector(masks, Bytes);
+  vtkTypeUInt64 result;
+  std::memcpy(&result, &bytes, sizeof(result));
+  return result;
 }
 
 /// Which lanes have the same sign at all edges: for sure, or as far as the error allows.
 HELIOS_INLINE void GetInside(
   const Group e[3], const Group& error, GroupMasks& possible, GroupMasks& certain)
 {
-  possible = ((e[0] >= -error) & (e[1] >= -error) & (e[2] >= -error)) |
-    ((e[0] <= error) & (e[1] <= error) & (e[2] <= error));
-  certain = ((e[0] > error) & (e[1] > error) & (e[2] > error)) |
-    ((e[0] < -error) & (e[1] < -error) & (e[2] < -error));
+  const Group least = Min(Min(e[0], e[1]), e[2]);
+  const Group most = Max(Max(e[0], e[1]), e[2]);
+  possible = (least >= -error) | (most <= error);
+  certain = (least > error) | (most < -error);
 }
 
 } // namespace
@@ -150,7 +153,7 @@ bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
       Doubles{ r[0]->MaximumRange, r[1]->MaximumRange, r[2]->MaximumRange, r[3]->MaximumRange };
     lanes.Triangle = Masks() + RayLanes::NoTriangle;
     const Masks left = Masks{ 0, 1, 2, 3 } + QuadWidth * quad;
-    this->Valid[quad] = left < count;
+    this->Valid[quad] = GetBytes(Masks(left < count));
     SetTerms<Doubles, Masks>(lanes, isFine, isX, isY);
     if (quad == 0)
     {
@@ -319,60 +322,74 @@ HELIOS_INLINE void BeamBundle::SetEdges(const BeamTree::Leaf& leaf, float limit,
   Store(edges.IsAlive, positive | negative);
 }
 
+/// What of a triangle depends on where rays come from: on the lanes, or one place for all.
+template <typename PlaceT>
+struct Seen
+{
+  PlaceT Corners[3][3];
+  RangeTerms<PlaceT> Terms;
+
+  HELIOS_INLINE void SetCorners(const PlaceT origin[3], const double* const points[3])
+  {
+    Relate<PlaceT>(origin, points, this->Corners);
+  }
+};
+
+/// Keeps better hits with a triangle of lanes that may be inside, some of them for sure.
+template <typename SeenT>
+HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t possible,
+  std::uint32_t certain, vtkTypeInt32 triangle, const TrianglePlane& plane, const SeenT& seen,
+  std::uint32_t& better) const
+{
+  Masks inside, isBetter;
+  SetMasks(possible, inside);
+  if (possible & ~certain)
+  {
+    Doubles sheared[3][2], edges[3];
+    GetEdgeFunctions(lanes, this->Axes, seen.Corners, sheared, edges);
+    const Masks isPossible = inside;
+    helios::GetInside(isPossible, sheared, edges, inside);
+  }
+  KeepBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
+  better |= GetBytes(isBetter);
+}
+
 /// Tests in double; whether any ray has a better hit.
 HELIOS_INLINE bool BeamBundle::TestTriangle(
-  vtkTypeInt32 triangle, const int* possible, const int* certain)
+  vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain)
 {
   const TriangleMesh& mesh = this->Tree.GetMesh();
   const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
     mesh.GetCorner(triangle, 2) };
-  LazyPlane plane;
-  RangeTerms<double> terms;
-  double corners[3][3];
+  const TrianglePlane plane = GetPlane(points);
+  std::uint32_t better = 0;
+  Seen<double> fromOne;
   if (this->HaveSameOrigin)
   {
     const double origin[3] = { this->Lanes[0].Origin[0][0], this->Lanes[0].Origin[1][0],
       this->Lanes[0].Origin[2][0] };
-    Relate<double>(origin, points, corners);
+    fromOne.SetCorners(origin, points);
+    fromOne.Terms.Set(plane, fromOne.Corners);
   }
-  Masks better = Masks();
   for (int quad = 0; quad < this->Quads; ++quad)
   {
+    const std::uint32_t isPossible = possible[quad] & this->Valid[quad];
+    if (isPossible == 0)
+    {
+      continue;
+    }
     RayLanes& lanes = this->Lanes[quad];
-    const Masks isPossible =
-      __builtin_convertvector(Load<ShortMasks>(possible + QuadWidth * quad), Masks) &
-      this->Valid[quad];
-    if (!Any(isPossible))
+    if (this->HaveSameOrigin)
     {
+      this->TestQuad(lanes, isPossible, certain[quad], triangle, plane, fromOne, better);
       continue;
     }
-    Masks isBetter;
-    if (!this->HaveSameOrigin)
-    {
-      TestLanes(lanes, this->Axes, isPossible, triangle, points, plane, isBetter);
-      better = better | isBetter;
-      continue;
-    }
-    Masks inside =
-      isPossible & __builtin_convertvector(Load<ShortMasks>(certain + QuadWidth * quad), Masks);
-    if (Any(isPossible & ~inside))
-    {
-      Doubles sheared[3][2], edges[3];
-      GetEdgeFunctions(lanes, this->Axes, corners, sheared, edges);
-      helios::GetInside(isPossible, sheared, edges, inside);
-      if (!Any(inside))
-      {
-        continue;
-      }
-    }
-    if (!plane.Has)
-    {
-      terms.Set(plane.Get(points), corners);
-    }
-    KeepBetter(lanes, inside, triangle, plane.Plane, terms, isBetter);
-    better = better | isBetter;
+    Seen<Doubles> seen;
+    seen.SetCorners(lanes.Origin, points);
+    seen.Terms.Set(plane, seen.Corners);
+    this->TestQuad(lanes, isPossible, certain[quad], triangle, plane, seen, better);
   }
-  return Any(better);
+  return better != 0;
 }
 
 /// Tests the triangles of a leaf; whether any ray has a better hit.
@@ -401,9 +418,9 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
     {
       continue;
     }
-    alignas(64) int possible[MaximumRays];
-    alignas(64) int certain[MaximumRays];
-    GroupMasks any = GroupMasks();
+    std::uint32_t possible[MaximumRays / QuadWidth]; // a byte for each ray
+    std::uint32_t certain[MaximumRays / QuadWidth];
+    vtkTypeUInt64 any = 0;
     for (int group = 0; group < groups; ++group)
     {
       const Group dx = Load<Group>(this->Slopes[0] + GroupWidth * group);
@@ -416,11 +433,12 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
       }
       GroupMasks isPossible, isCertain;
       GetInside(e, Group() + edges.Error[i], isPossible, isCertain);
-      any = any | isPossible;
-      Store(possible + GroupWidth * group, isPossible);
-      Store(certain + GroupWidth * group, isCertain);
+      const vtkTypeUInt64 bytes = GetBytes(isPossible);
+      any |= bytes;
+      Store(possible + 2 * group, bytes);
+      Store(certain + 2 * group, GetBytes(isCertain));
     }
-    if (IsAny(any))
+    if (any != 0)
     {
       isBetter = this->TestTriangle(leaf.Triangles[i], possible, certain) || isBetter;
     }

@@ -8,6 +8,8 @@
 #include "heliosBeamTree.h"
 #include "heliosRayLanes.h"
 
+#include <cstdint>
+
 namespace helios
 {
 
@@ -41,7 +43,12 @@ private:
   double GetFarthest() const;
   void SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const;
   bool Test(const BeamTree::Leaf& leaf, float limit);
-  bool TestTriangle(vtkTypeInt32 triangle, const int* possible, const int* certain);
+  bool TestTriangle(
+    vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain);
+  template <typename SeenT>
+  void TestQuad(RayLanes& lanes, std::uint32_t possible, std::uint32_t certain,
+    vtkTypeInt32 triangle, const TrianglePlane& plane, const SeenT& seen,
+    std::uint32_t& better) const;
 
   const BeamTree& Tree;
   int Count = 0;
@@ -50,7 +57,7 @@ private:
   bool IsForward = true;
   bool HaveSameOrigin = false;
   RayLanes Lanes[MaximumRays / QuadWidth];
-  Masks Valid[MaximumRays / QuadWidth];
+  std::uint32_t Valid[MaximumRays / QuadWidth]; ///< a byte for each lane
   Frustum Hull;
 
   alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the axis

@@ -145,20 +145,26 @@ HELIOS_INLINE void BeamWalk::Push(
 HELIOS_CLONES
 bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
 {
-  while (this->Size > 0)
+  vtkTypeUInt32 child = 0; // the next one, or what the stack has
+  bool isOnStack = true;
+  while (!isOnStack || this->Size > 0)
   {
-    const Entry current = this->Stack[--this->Size];
-    if (!(current.Near <= limit))
+    if (isOnStack)
     {
-      continue;
+      const Entry& current = this->Stack[--this->Size];
+      if (!(current.Near <= limit))
+      {
+        continue;
+      }
+      child = current.Child;
     }
-    if (current.Child & BeamTree::LeafBit)
+    if (child & BeamTree::LeafBit)
     {
-      const vtkTypeInt32* data = &this->Tree.Leaves[current.Child & ~BeamTree::LeafBit];
+      const vtkTypeInt32* data = &this->Tree.Leaves[child & ~BeamTree::LeafBit];
       leaf = { *data, data + 1 };
       return true;
     }
-    const BeamTree::Node& node = this->Tree.Nodes[current.Child];
+    const BeamTree::Node& node = this->Tree.Nodes[child];
     const Wide lowZ = Load<Wide>(node.Low[this->Axes.Z]);
     const Wide highZ = Load<Wide>(node.High[this->Axes.Z]);
     Wide entry = this->IsForward ? lowZ - this->Near : this->Near - highZ;
@@ -178,9 +184,16 @@ bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
     }
     entry = entry * (2.0f - Outwards);
     const WideMasks isEntered = (entry <= exit * Outwards) & (exit >= 0.0f) & (entry <= limit);
+    const vtkTypeUInt64 bits = GetBits(isEntered);
+    isOnStack = (bits & (bits - 1)) != 0 || bits == 0;
+    if (!isOnStack)
+    {
+      child = node.Children[__builtin_ctzll(bits) / 8];
+      continue;
+    }
     float nears[Width];
     Store(nears, entry);
-    this->Push(node, GetBits(isEntered), nears);
+    this->Push(node, bits, nears);
   }
   return false;
 }

@@ -9,6 +9,7 @@
 #include "heliosRayLanes.h"
 #include "heliosVectorLoops.h"
 
+#include <cstdint>
 #include <cstring>
 
 namespace helios
@@ -16,7 +17,8 @@ namespace helios
 
 HELIOS_INLINE bool Any(const Masks& m)
 {
-  return (m[0] | m[1] | m[2] | m[3]) != 0;
+  const Masks halves = m | __builtin_shuffle(m, Masks{ 2, 3, 0, 1 });
+  return (halves[0] | halves[1]) != 0;
 }
 
 template <typename VectorT, typename NumberT>
@@ -33,6 +35,37 @@ HELIOS_INLINE void Store(NumberT* to, const VectorT& v)
   std::memcpy(to, &v, sizeof(v));
 }
 
+///@{
+/// Masks of four lanes as one byte a lane, and back: for logic that is not about lanes.
+HELIOS_INLINE std::uint32_t GetBytes(const Masks& masks)
+{
+  typedef signed char Bytes __attribute__((vector_size(QuadWidth)));
+  const Bytes bytes = __builtin_convertvector(masks, Bytes);
+  std::uint32_t result;
+  std::memcpy(&result, &bytes, sizeof(result));
+  return result;
+}
+
+HELIOS_INLINE void SetMasks(std::uint32_t bytes, Masks& masks)
+{
+  constexpr Masks ofLanes = { 0xff, 0xff00, 0xff0000, 0xff000000 };
+  masks = ((Masks() + bytes) & ofLanes) != 0;
+}
+///@}
+
+/// Of lanes inside a triangle but for an edge function of zero, takes those out that are not.
+__attribute__((noinline)) inline void SettleTies(
+  const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
+{
+  for (int lane = 0; lane < QuadWidth; ++lane)
+  {
+    const double e[3] = { edges[0][lane], edges[1][lane], edges[2][lane] };
+    const double s[3][2] = { { sheared[0][0][lane], sheared[0][1][lane] },
+      { sheared[1][0][lane], sheared[1][1][lane] }, { sheared[2][0][lane], sheared[2][1][lane] } };
+    inside[lane] = inside[lane] && IsInside(s, e) ? -1 : 0;
+  }
+}
+
 /// Which lanes are inside the triangle, given by their edge functions.
 HELIOS_INLINE void GetInside(
   const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
@@ -43,14 +76,7 @@ HELIOS_INLINE void GetInside(
   const Masks tied = inside & ((edges[0] == 0.0) | (edges[1] == 0.0) | (edges[2] == 0.0));
   if (Any(tied))
   {
-    for (int lane = 0; lane < QuadWidth; ++lane)
-    {
-      const double e[3] = { edges[0][lane], edges[1][lane], edges[2][lane] };
-      const double s[3][2] = { { sheared[0][0][lane], sheared[0][1][lane] },
-        { sheared[1][0][lane], sheared[1][1][lane] },
-        { sheared[2][0][lane], sheared[2][1][lane] } };
-      inside[lane] = inside[lane] && IsInside(s, e) ? -1 : 0;
-    }
+    SettleTies(sheared, edges, inside);
   }
 }
 

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSurfaceResponse.h"
+
+#include "heliosVectorLoops.h"
+
+namespace helios
+{
+
+/// The lidar equation for columns, as if all were Lambertian; false where the transmission is not near
+/// enough for its series.
+HELIOS_CLONES
+bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
+  const NearbyTransmission& transmission, double* powers, double* cosines) const
+{
+  double farthest[Lanes] = {};
+  for (std::size_t i = 0; i < count; i += Lanes)
+  {
+    for (std::size_t k = 0; k < Lanes; ++k)
+    {
+      const double cosNormal = this->Normal[0][i + k] * this->Direction[0][i + k] +
+        this->Normal[1][i + k] * this->Direction[1][i + k] +
+        this->Normal[2][i + k] * this->Direction[2][i + k];
+      const double cosine = std::max(this->LeastCosine[i + k], std::abs(cosNormal));
+      const double range = this->Range[i + k];
+      const double exponent = transmission.GetExponent(range);
+      farthest[k] = std::max(farthest[k], std::abs(exponent));
+      const double power = gain * transmission.GetNear(exponent) / (range * range);
+      powers[i + k] = power * (this->Reflectance[i + k] * cosine);
+      cosines[i + k] = cosine;
+    }
+  }
+  return NearbyTransmission::IsNear(*std::max_element(farthest, farthest + Lanes));
+}
+
+/// Fills the columns, and up to a full number of lanes with a range that is there.
+void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
+{
+  Columns& c = this->Asked;
+  c.HasSpecial = false;
+  std::size_t silent = 0;
+  double range = 1.0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (this->Model.IsSilent(hits[i]))
+    {
+      c.Reflectance[i] = 0.0;
+      ++silent;
+      continue;
+    }
+    const Surface& surface = this->Visit(hits[i].CellId);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      c.Normal[axis][i] = surface.Normal[axis];
+      c.Direction[axis][i] = rays[i].Direction[axis];
+    }
+    c.LeastCosine[i] = surface.LeastCosine;
+    c.Range[i] = range = hits[i].Range;
+    c.Reflectance[i] = surface.Reflection->Reflectance;
+    c.Special[i] = surface.Reflection->Specularity == 0.0 ? nullptr : surface.Reflection;
+    c.HasSpecial = c.HasSpecial || c.Special[i];
+  }
+  for (std::size_t i = 0; silent > 0 && i < count; ++i)
+  {
+    c.Range[i] = this->Model.IsSilent(hits[i]) ? range : c.Range[i];
+  }
+  std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
+}
+
+/// What columns do not tell: transmissions far from each other, and lobes.
+void SurfaceResponse::Refine(std::size_t count, bool isNear, double* powers, const double* cosines)
+{
+  const Columns& c = this->Asked;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (c.Reflectance[i] > 0.0 && (!isNear || c.Special[i]))
+    {
+      const double scatter =
+        c.Special[i] ? GetBackscatter(*c.Special[i], cosines[i]) : c.Reflectance[i] * cosines[i];
+      powers[i] = this->Gain * this->Transmission(c.Range[i]) / (c.Range[i] * c.Range[i]) * scatter;
+    }
+  }
+}
+
+void SurfaceResponse::GetReplies(
+  const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, Replies& replies)
+{
+  replies.Powers.resize(std::max(replies.Powers.size(), count + Columns::Lanes));
+  replies.Cosines.resize(replies.Powers.size());
+  for (std::size_t first = 0; first < count; first += Columns::Size)
+  {
+    const std::size_t size = std::min(Columns::Size, count - first);
+    double* powers = replies.Powers.data() + first;
+    double* cosines = replies.Cosines.data() + first;
+    this->Ask(rays + first, hits + first, size);
+    this->Transmission(this->Asked.Range[0]); // the series starts there, or near
+    const bool isNear = this->Asked.Compute(size, this->Gain, this->Transmission, powers, cosines);
+    if (!isNear || this->Asked.HasSpecial)
+    {
+      this->Refine(size, isNear, powers, cosines);
+    }
+  }
+}
+
+Reply SurfaceResponse::GetReply(vtkIdType cell, double range, const double direction[3])
+{
+  const Surface& surface = this->Visit(cell);
+  const Vec3& n = surface.Normal;
+  const double cosNormal = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
+  const double cosine = std::max(surface.LeastCosine, std::abs(cosNormal));
+  const double power = this->Gain * this->Transmission(range) / (range * range);
+  return { power * GetBackscatter(*surface.Reflection, cosine), cosine };
+}
+
+} // namespace helios
