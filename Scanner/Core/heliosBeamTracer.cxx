@@ -34,7 +34,8 @@ void BeamTracer::Cast(
 {
   this->SubRays = &subRays;
   this->HasAnswers = false;
-  this->Rays.resize(count * subRays.size());
+  const std::size_t size = count * subRays.size();
+  this->Rays.resize(std::max(this->Rays.size(), size));
   this->Hits.resize(this->Rays.size());
   vtkHeliosRay* ray = this->Rays.data();
   for (const Pulse* pulse = pulses; pulse != pulses + count; ++pulse)
@@ -50,7 +51,7 @@ void BeamTracer::Cast(
     }
   }
   this->Meet(pulses, count);
-  counts.SubRays += static_cast<vtkIdType>(this->Rays.size());
+  counts.SubRays += static_cast<vtkIdType>(size);
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +155,9 @@ double BeamTracer::GetSpread() const
 {
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
-  for (const vtkHeliosHit& hit : this->Hits)
+  for (std::size_t i = 0; i < this->SubRays->size(); ++i)
   {
+    const vtkHeliosHit& hit = this->Hits[i];
     if (hit.CellId >= 0)
     {
       nearest = std::min(nearest, hit.Range);

@@ -88,11 +88,11 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 //------------------------------------------------------------------------------
 void PulseKernel::RunByTolerance(const Pulse& pulse)
 {
-  this->Returns.clear();
-  this->SubRays.clear();
   if (this->Model.ProbesCones && !this->Model.MeetsMedium(pulse))
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
+    this->Returns.clear();
+    this->SubRays.clear();
     if (hit.Kind == vtkHeliosConeHit::Empty ||
       (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
     {

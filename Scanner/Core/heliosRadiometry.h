@@ -120,10 +120,11 @@ public:
   {
     return -2.0 * this->Equation.Extinction * (range - this->Range);
   }
-  static bool IsNear(double exponent) { return std::abs(exponent) < 1e-3; }
+  static bool IsNear(double exponent) { return std::abs(exponent) < 1e-2; }
   double GetNear(double x) const
   {
-    return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * (1 / 24.0)))));
+    const double high = 1 / 24.0 + x * (1 / 120.0 + x * (1 / 720.0));
+    return this->Transmission * (1.0 + x * (1.0 + x * (1 / 2.0 + x * (1 / 6.0 + x * high))));
   }
   ///@}
 

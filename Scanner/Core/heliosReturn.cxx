@@ -53,14 +53,6 @@ const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, doubl
   return nearest;
 }
 
-/// exp(-y) for y >= 0: near 0, where most sub-rays are, by its series to the last bit.
-double ExpMinus(double y)
-{
-  return y < 0.01 ? 1.0 -
-      y * (1.0 - y * (1 / 2.0 - y * (1 / 6.0 - y * (1 / 24.0 - y * (1 / 120.0 - y * (1 / 720.0))))))
-                  : std::exp(-y);
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -99,61 +91,23 @@ bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Ech
 }
 
 //------------------------------------------------------------------------------
-void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const
+void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes)
 {
-  double power = 0.0, first = 0.0, second = 0.0, third = 0.0;
+  this->Maximum.Open(static_cast<std::size_t>(end - begin));
   for (Iterator r = begin; r != end; ++r)
   {
-    const double x = r->Range - begin->Range;
-    const double px = r->Power * x;
-    power += r->Power;
-    first += px;
-    second += px * x;
-    third += px * x * x;
+    this->Maximum.Set(static_cast<std::size_t>(r - begin), r->Range - begin->Range, r->Power);
   }
-  if (!(power > 0.0))
+  SingleMaximum::Result peak;
+  if (!this->Maximum.Find(this->SigmaRange, peak) ||
+    peak.Value < this->Settings.Detector->GetDetectionThreshold())
   {
     return;
   }
-  const double mean = first / power;
-  const double variance = std::max(0.0, second / power - mean * mean);
-
-  // Newton on the logarithm of the sum, which is concave; u in units of sigma. For a small spread the
-  // maximum lies at mean - mu3 / (2 sigma^2) but for terms of its fifth power.
-  const double scale = 1.0 / this->SigmaRange;
-  const bool isSmall = variance * scale * scale < 1e-2;
-  const double mu3 = third / power - mean * (3.0 * variance + mean * mean);
-  double x = isSmall ? mean - 0.5 * scale * scale * mu3 : mean;
-  double amplitude = power;
-  for (int iteration = 0; iteration < 50; ++iteration)
-  {
-    double w0 = 0.0, w1 = 0.0, w2 = 0.0;
-    for (Iterator r = begin; r != end; ++r)
-    {
-      const double u = (x - (r->Range - begin->Range)) * scale;
-      const double w = r->Power * ExpMinus(0.5 * u * u);
-      w0 += w;
-      w1 += w * u;
-      w2 += w * u * u;
-    }
-    amplitude = w0;
-    const double slope = w1 / w0;
-    const double curvature = 1.0 - (w2 / w0 - slope * slope); // 0 only for two halves 2 sigma apart
-    const double step = slope / std::max(curvature, 0.02);
-    x -= step / scale;
-    if (std::abs(step) < 1e-7)
-    {
-      break;
-    }
-  }
-  if (amplitude < this->Settings.Detector->GetDetectionThreshold())
-  {
-    return;
-  }
-  const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * variance; // [ns^2]
-  const double range = begin->Range + x;
+  const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * peak.Variance; // [ns^2]
+  const double range = begin->Range + peak.Place;
   echoes.push_back(
-    { range, amplitude, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
+    { range, peak.Value, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
       FindNearest(begin, end, range) });
 }
 

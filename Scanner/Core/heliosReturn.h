@@ -7,6 +7,7 @@
 
 #include "heliosPeaks.h"
 #include "heliosPulseShape.h"
+#include "heliosSingleMaximum.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosScannerCoreModule.h"
 
@@ -120,9 +121,9 @@ private:
     std::vector<Echo>& echoes, bool& isBinned);
   bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
     std::vector<Echo>& echoes);
-  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes) const;
-  void FindSingleEcho(const std::vector<SubReturn>& returns, double from, double to,
-    std::vector<Echo>& echoes);
+  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes);
+  void FindSingleEcho(
+    const std::vector<SubReturn>& returns, double from, double to, std::vector<Echo>& echoes);
   bool OpenWindow(Iterator begin, Iterator end, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
@@ -149,6 +150,7 @@ private:
   std::vector<double> Sum; // of the samples of the waveform, those that are filled
   std::vector<PulseCluster> Clusters;
   std::vector<SubReturn> Group; // of returns that touch
+  SingleMaximum Maximum;
   Waveform Wave;
   std::vector<Peak> Peaks;
   std::vector<vtkHeliosDetectedEcho> Detected;
