@@ -26,12 +26,12 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Where the records of each chunk go; the last entry is the number of all.
+/// Where the records of each chunk go, from a row on; the last entry is the row behind all of them.
 template <typename RecordT>
-std::vector<vtkIdType> GetOffsets(
-  const std::vector<ChunkResult>& chunks, std::vector<RecordT> ChunkResult::*records)
+std::vector<vtkIdType> GetOffsets(const std::vector<ChunkResult>& chunks,
+  std::vector<RecordT> ChunkResult::*records, vtkIdType first)
 {
-  std::vector<vtkIdType> offsets(1, 0);
+  std::vector<vtkIdType> offsets(1, first);
   for (const ChunkResult& chunk : chunks)
   {
     offsets.push_back(offsets.back() + static_cast<vtkIdType>((chunk.*records).size()));
@@ -39,45 +39,76 @@ std::vector<vtkIdType> GetOffsets(
   return offsets;
 }
 
-/// Adds arrays to the attributes of one data object, all of the same length.
+/// Makes an array longer; what is in it stays.
+void Lengthen(vtkDataArray* array, vtkIdType count)
+{
+  if (count * array->GetNumberOfComponents() > array->GetSize())
+  {
+    array->Resize(count); // and more, so that this is seldom done
+  }
+  array->SetNumberOfTuples(count);
+}
+
+/// The arrays of one data object, all of the same length, that get rows [first, last).
 class Columns
 {
 public:
-  Columns(vtkFieldData* target, vtkIdType count)
+  Columns(vtkFieldData* target, vtkIdType first, vtkIdType last)
     : Target(target)
-    , Count(count)
+    , First(first)
+    , Last(last)
   {
   }
 
+  /// All rows of the array of a name.
   template <typename ArrayT>
   typename ArrayT::ValueType* Add(const char* name, int components = 1)
   {
-    vtkNew<ArrayT> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    array->SetNumberOfTuples(this->Count);
-    this->Target->AddArray(array);
+    auto* array = ArrayT::SafeDownCast(this->Target->GetAbstractArray(name));
+    if (!array)
+    {
+      vtkNew<ArrayT> added;
+      added->SetName(name);
+      added->SetNumberOfComponents(components);
+      this->Target->AddArray(added);
+      array = added;
+    }
+    Lengthen(array, this->Last);
     return array->GetPointer(0);
   }
 
   void AddConstant(const char* name, int value)
   {
     int* column = this->Add<vtkIntArray>(name);
-    std::fill_n(column, this->Count, value);
+    std::fill(column + this->First, column + this->Last, value);
   }
 
 private:
   vtkFieldData* Target;
-  vtkIdType Count;
+  vtkIdType First;
+  vtkIdType Last;
 };
 
 double* AddPoints(vtkPolyData* output, vtkIdType count)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  output->SetPoints(points);
-  return static_cast<double*>(points->GetVoidPointer(0));
+  if (!output->GetPoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    output->SetPoints(points);
+  }
+  vtkDataArray* points = output->GetPoints()->GetData();
+  Lengthen(points, count);
+  return vtkDoubleArray::SafeDownCast(points)->GetPointer(0);
+}
+
+/// Gives back what arrays have room for.
+void Squeeze(vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetAbstractArray(i)->Squeeze();
+  }
 }
 
 void Put(double* column, vtkIdType row, const Vec3& value)
@@ -108,10 +139,9 @@ void ForEachRecord(const std::vector<ChunkResult>& chunks,
 
 void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
 {
-  const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes);
-  const vtkIdType count = offsets.back();
-  double* points = AddPoints(output, count);
-  Columns columns(output->GetPointData(), count);
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes, output->GetNumberOfPoints());
+  double* points = AddPoints(output, offsets.back());
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
   double* times = columns.Add<vtkDoubleArray>(names::GpsTime);
   auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
   unsigned char* numbers = columns.Add<vtkUnsignedCharArray>(names::ReturnNumber);
@@ -161,8 +191,10 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
 /// What no instrument knows, beside the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
-  const auto offsets = GetOffsets(chunks, &ChunkResult::Truths);
-  Columns columns(output->GetPointData(), offsets.back());
+  vtkDataArray* before = output->GetPointData()->GetArray(names::TruePoint);
+  const auto offsets =
+    GetOffsets(chunks, &ChunkResult::Truths, before ? before->GetNumberOfTuples() : 0);
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
   double* points = columns.Add<vtkDoubleArray>(names::TruePoint, 3);
   double* normals = columns.Add<vtkDoubleArray>(names::Normal, 3);
   ForEachRecord(chunks, &ChunkResult::Truths, offsets,
@@ -175,10 +207,9 @@ void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 
 void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
 {
-  const auto offsets = GetOffsets(chunks, &ChunkResult::Pulses);
-  const vtkIdType count = offsets.back();
-  double* origins = AddPoints(output, count);
-  Columns columns(output->GetPointData(), count);
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Pulses, output->GetNumberOfPoints());
+  double* origins = AddPoints(output, offsets.back());
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
   double* directions = columns.Add<vtkDoubleArray>(names::Direction, 3);
   double* times = columns.Add<vtkDoubleArray>(names::GpsTime);
   auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
@@ -202,10 +233,9 @@ void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
 
 void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
-  const auto offsets = GetOffsets(chunks, &ChunkResult::SubRays);
-  const vtkIdType count = offsets.back();
-  double* points = AddPoints(output, count);
-  Columns columns(output->GetPointData(), count);
+  const auto offsets = GetOffsets(chunks, &ChunkResult::SubRays, output->GetNumberOfPoints());
+  double* points = AddPoints(output, offsets.back());
+  Columns columns(output->GetPointData(), offsets.front(), offsets.back());
   auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
   auto* cells = columns.Add<vtkTypeInt64Array>(names::CellIds);
   double* weights = columns.Add<vtkDoubleArray>(names::Weight);
@@ -226,9 +256,8 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
   double pulseLength, vtkTable* output)
 {
-  const auto offsets = GetOffsets(chunks, &ChunkResult::Waveforms);
-  const vtkIdType count = offsets.back();
-  Columns columns(output->GetRowData(), count);
+  const auto offsets = GetOffsets(chunks, &ChunkResult::Waveforms, output->GetNumberOfRows());
+  Columns columns(output->GetRowData(), offsets.front(), offsets.back());
   auto* pulses = columns.Add<vtkTypeInt64Array>(names::PulseIds);
   columns.AddConstant(names::LegIds, ids.Leg);
   int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
@@ -252,19 +281,39 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
       counts[row] = w.Count;
       channels[row] = firstChannel + w.Channel;
     });
-  vtkIdType total = 0;
-  for (vtkIdType row = 0; row < count; ++row)
+  vtkDataArray* before =
+    vtkDataArray::SafeDownCast(output->GetFieldData()->GetAbstractArray(names::Samples));
+  const vtkIdType first = before ? before->GetNumberOfTuples() : 0;
+  vtkIdType total = first;
+  for (vtkIdType row = offsets.front(); row < offsets.back(); ++row)
   {
     firsts[row] = total;
     total += counts[row];
   }
-  Columns fields(output->GetFieldData(), total);
-  float* samples = fields.Add<vtkFloatArray>(names::Samples);
+  Columns fields(output->GetFieldData(), first, total);
+  float* samples = fields.Add<vtkFloatArray>(names::Samples) + first;
   for (const ChunkResult& chunk : chunks)
   {
     samples = std::copy(chunk.Samples.begin(), chunk.Samples.end(), samples);
   }
-  *Columns(output->GetFieldData(), 1).Add<vtkDoubleArray>(names::PulseLength) = pulseLength;
+  *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) = pulseLength;
+}
+
+void FinishOutput(vtkDataObject* output)
+{
+  Squeeze(output->GetFieldData());
+  if (auto* points = vtkPolyData::SafeDownCast(output))
+  {
+    Squeeze(points->GetPointData());
+    if (points->GetPoints())
+    {
+      points->GetPoints()->GetData()->Squeeze();
+    }
+  }
+  else if (auto* table = vtkTable::SafeDownCast(output))
+  {
+    Squeeze(table->GetRowData());
+  }
 }
 
 } // namespace helios

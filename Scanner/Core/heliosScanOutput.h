@@ -9,6 +9,7 @@
 
 #include <vector>
 
+class vtkDataObject;
 class vtkPolyData;
 class vtkTable;
 
@@ -25,7 +26,8 @@ struct ScanIds
 };
 
 ///@{
-/// Each takes the records of chunks, in order, into an empty data object; truths go beside echoes.
+/// Each adds the records of chunks, in order, to a data object, at first an empty one; truths go beside
+/// echoes.
 void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
 void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
@@ -33,6 +35,9 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
 void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
   double pulseLength, vtkTable* output);
 ///@}
+
+/// Gives back the memory that is left over once all is added.
+void FinishOutput(vtkDataObject* output);
 
 } // namespace helios
 

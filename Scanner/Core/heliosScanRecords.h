@@ -83,6 +83,17 @@ struct ChunkResult
   std::vector<SubRayRecord> SubRays;
   std::vector<WaveformRecord> Waveforms;
   std::vector<float> Samples;
+
+  /// The memory stays.
+  void Clear()
+  {
+    this->Echoes.clear();
+    this->Truths.clear();
+    this->Pulses.clear();
+    this->SubRays.clear();
+    this->Waveforms.clear();
+    this->Samples.clear();
+  }
 };
 
 /// Sums over pulses, whatever thread they ran in.

@@ -15,17 +15,18 @@ namespace helios
 namespace
 {
 
-// Pulses handed to a thread at a time, and between two looks at progress and abort.
-constexpr vtkIdType PulsesPerChunk = 1024;
-constexpr vtkIdType ChunksPerBatch = 256;
+// Pulses handed to a thread at a time; and chunks whose records are kept, and between two looks at
+// progress and abort: few enough that the records stay in the cache.
+constexpr vtkIdType PulsesPerChunk = 256;
+constexpr vtkIdType ChunksPerBatch = 128;
 
-/// Runs chunks of pulses, each thread with its own kernel.
+/// Runs chunks of the pulses [First, Last), each thread with its own kernel.
 struct ChunkFunctor
 {
   const ScanModel& Model;
   vtkIdType First;
   vtkIdType Last;
-  std::vector<ChunkResult>& Results;
+  std::vector<ChunkResult> Results;
   vtkSMPThreadLocal<std::shared_ptr<PulseKernel>> Kernels;
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -38,8 +39,9 @@ struct ChunkFunctor
     for (vtkIdType c = begin; c < end; ++c)
     {
       const vtkIdType from = this->First + c * PulsesPerChunk;
-      kernel->Run(from, std::min(this->Last, from + PulsesPerChunk),
-        this->Results[static_cast<std::size_t>(c)]);
+      ChunkResult& result = this->Results[static_cast<std::size_t>(c)];
+      result.Clear();
+      kernel->Run(from, std::min(this->Last, from + PulsesPerChunk), result);
     }
   }
 };
@@ -48,17 +50,19 @@ struct ChunkFunctor
 
 //------------------------------------------------------------------------------
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
-  const RunWatcher& goesOn, std::vector<ChunkResult>& results)
+  const RunWatcher& goesOn, const ChunkSink& take)
 {
-  const vtkIdType chunks = (last - first + PulsesPerChunk - 1) / PulsesPerChunk;
-  results.resize(static_cast<std::size_t>(chunks));
-  ChunkFunctor functor{ model, first, last, results, {} };
-  vtkIdType done = 0;
-  while (done < chunks && goesOn(static_cast<double>(done) / static_cast<double>(chunks)))
+  ChunkFunctor functor{ model, first, first, {}, {} };
+  take(functor.Results);
+  const auto count = static_cast<double>(last - first);
+  while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
   {
-    const vtkIdType next = std::min(chunks, done + ChunksPerBatch);
-    vtkSMPTools::For(done, next, 1, functor);
-    done = next;
+    functor.First = functor.Last;
+    functor.Last = std::min(last, functor.First + ChunksPerBatch * PulsesPerChunk);
+    const vtkIdType chunks = (functor.Last - functor.First + PulsesPerChunk - 1) / PulsesPerChunk;
+    functor.Results.resize(static_cast<std::size_t>(chunks));
+    vtkSMPTools::For(0, chunks, 1, functor);
+    take(functor.Results);
   }
   ScanCounts sum;
   for (auto& kernel : functor.Kernels)

@@ -20,9 +20,13 @@ struct ScanModel;
 /// What was done of all [0, 1]; false ends the run.
 using RunWatcher = std::function<bool(double)>;
 
-/// Appends the records of the pulses [first, last), in order, and counts them.
+/// Takes the records of some chunks, in order.
+using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
+
+/// Hands on the records of the pulses [first, last), in order, a batch at a time and at least one; and
+/// counts them.
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
-  const RunWatcher& goesOn, std::vector<ChunkResult>& results);
+  const RunWatcher& goesOn, const ChunkSink& take);
 
 } // namespace helios
 

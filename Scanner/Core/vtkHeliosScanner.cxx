@@ -420,16 +420,26 @@ int vtkHeliosScanner::RequestData(
 void vtkHeliosScanner::RunPulses(
   const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
-  std::vector<helios::ChunkResult> results;
   const auto goesOn = [this](double share)
   {
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, results);
+  const auto take = [this, &scan, outputs](const std::vector<helios::ChunkResult>& results)
+  { this->TakeRecords(scan, results, outputs); };
+  const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, take);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    helios::FinishOutput(vtkDataObject::GetData(outputs, port));
+  }
   const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
   this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
+}
 
+//------------------------------------------------------------------------------
+void vtkHeliosScanner::TakeRecords(
+  const Scan& scan, const std::vector<helios::ChunkResult>& results, vtkInformationVector* outputs)
+{
   const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms,
     this->EchoDetector->GivesDeviation() };
   helios::FillEchoes(results, ids, vtkPolyData::GetData(outputs, 0));

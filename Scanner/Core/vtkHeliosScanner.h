@@ -70,6 +70,7 @@
 #include "vtkSmartPointer.h"            // For the strategies
 
 #include <string> // For what is said in words
+#include <vector> // For records
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
@@ -80,6 +81,7 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
+struct ChunkResult;
 struct ScanCounts;
 }
 
@@ -363,6 +365,8 @@ private:
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
   void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
+  void TakeRecords(const Scan& scan, const std::vector<helios::ChunkResult>& results,
+    vtkInformationVector* outputs);
   void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
 
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;

@@ -3,7 +3,6 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamBundle.h"
 
-#include "heliosRayVectors.h"
 #include "heliosTriangleMesh.h"
 
 #include <algorithm>
@@ -18,9 +17,6 @@ namespace
 constexpr int GroupWidth = 8; // rays that the filter takes at a time
 typedef float Group __attribute__((vector_size(4 * GroupWidth)));
 typedef int GroupMasks __attribute__((vector_size(4 * GroupWidth)));
-
-constexpr double PlaceError = 0x1p-20; // of what floats round in a place, relative to the scene
-constexpr float EdgeError = 0x1p-19f;  // in an edge function, relative to its terms
 
 HELIOS_INLINE double GetLeast(const Doubles& v)
 {
@@ -53,14 +49,6 @@ HELIOS_INLINE void GetInside(
 }
 
 } // namespace
-
-/// The edge functions of four triangles, and what they are off at most.
-struct BeamBundle::Edges
-{
-  float Terms[3][3][BeamTree::LeafSize]; ///< edge, factor of the slopes along X and Y, and of 1
-  float Error[BeamTree::LeafSize];
-  int IsAlive[BeamTree::LeafSize];
-};
 
 void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
 {
@@ -206,21 +194,12 @@ bool BeamBundle::SetFrame()
     return false;
   }
   this->HaveSameOrigin = low[0] == high[0] && low[1] == high[1] && low[2] == high[2];
-  const double scale = this->Hull.Scale;
-  const double width = Max(slopeHigh[0] - slopeLow[0], slopeHigh[1] - slopeLow[1]);
-  const int widest = slopeHigh[0] - slopeLow[0] == width ? 0 : 1;
-  const double apart = high[widest] - low[widest];
-  const double before = width * 1e6 > apart * scale ? apart / width : 0.0; // to where they cross
-  const double depth = (this->Hull.Start + before) * scale;
-  const double start = this->Tree.GetLocal(low[2], axes[2]) + sign * this->Hull.Start * scale;
+  const double middle[2] = { 0.5 * low[0] + 0.5 * high[0], 0.5 * low[1] + 0.5 * high[1] };
+  this->Filter.SetAxis(this->Tree, this->Hull, low, high, slopeLow, slopeHigh);
   double rest = 0.0;
-  double largest = Max(start, -start);
   for (int i = 0; i < 2; ++i)
   {
-    this->Slope[i] = static_cast<float>(0.5 * (slopeLow[i] + slopeHigh[i]));
-    const double slope = this->Slope[i];
-    const double middle = this->Tree.GetLocal(0.5 * low[i] + 0.5 * high[i], axes[i]);
-    const double place = middle + slope * this->Hull.Start * scale;
+    const double slope = this->Filter.GetSlope(i);
     Doubles most = Doubles();
     for (int quad = 0; quad < this->Quads; ++quad)
     {
@@ -231,36 +210,23 @@ bool BeamBundle::SetFrame()
       if (!this->HaveSameOrigin)
       {
         const Doubles ahead = this->Hull.Start + (low[2] - lanes.Origin[axes[2]]) * sign;
-        const Doubles x = lanes.Origin[axes[i]] - (0.5 * low[i] + 0.5 * high[i]) + own * ahead -
-          slope * this->Hull.Start;
-        const Doubles off = x * scale - (own - slope) * depth;
+        const Doubles x =
+          lanes.Origin[axes[i]] - middle[i] + own * ahead - slope * this->Hull.Start;
+        const Doubles off = x * this->Hull.Scale - (own - slope) * this->Filter.GetDepth();
         most = Max(most, Max<Doubles>(off, -off));
       }
     }
     rest = Max(rest, GetMost(most));
-    this->Spread[i] =
-      static_cast<float>(Max(slopeHigh[i] - slope, slope - slopeLow[i]) * (1 + 0x1p-20));
-    this->Place[i] = static_cast<float>(place);
-    largest = Max(largest, Max(place, -place));
   }
   if (this->Quads % 2 == 1) // the last group is full
   {
     Store(&this->Slopes[0][QuadWidth * this->Quads], Floats());
     Store(&this->Slopes[1][QuadWidth * this->Quads], Floats());
   }
-  this->Place[2] = static_cast<float>(start);
-  this->Depth = static_cast<float>(depth);
-  this->Error =
-    static_cast<float>(PlaceError * (1.0 + largest) + 2 * (rest + 4 * this->Hull.Slack * scale));
-  if (!(largest + depth < 1e6)) // from very far all that floats can say is: possible
+  if (!this->Filter.SetError(rest))
   {
-    std::fill_n(this->Place, 3, 0.0f);
-    std::fill_n(this->Slope, 2, 0.0f);
-    std::fill_n(this->Spread, 2, 0.0f);
     std::fill_n(this->Slopes[0], MaximumRays, 0.0f);
     std::fill_n(this->Slopes[1], MaximumRays, 0.0f);
-    this->Depth = 0.0f;
-    this->Error = 1e6f;
   }
   return true;
 }
@@ -279,49 +245,6 @@ double BeamBundle::GetFarthest() const
 }
 
 //------------------------------------------------------------------------------
-/// Sets the edge functions of a leaf, and which triangles the bundle may hit before a limit.
-HELIOS_INLINE void BeamBundle::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
-{
-  Floats x[3], y[3], z[3];
-  Floats size = Floats(), far = Floats(), least = Floats() + 1e30f;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Floats px = Load<Floats>(leaf.GetCorners(k, this->Axes.X));
-    const Floats py = Load<Floats>(leaf.GetCorners(k, this->Axes.Y));
-    const Floats pz = Load<Floats>(leaf.GetCorners(k, this->Axes.Z));
-    const Floats s = this->IsForward ? pz - this->Place[2] : this->Place[2] - pz;
-    x[k] = px - this->Place[0] - this->Slope[0] * s;
-    y[k] = py - this->Place[1] - this->Slope[1] * s;
-    z[k] = s + this->Depth;
-    size = Max<Floats>(size, Max<Floats>(x[k], -x[k]) + Max<Floats>(y[k], -y[k]));
-    far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
-    least = Min(least, s);
-  }
-  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]);
-  const Floats error =
-    reach * (4 * this->Error + EdgeError * reach) + 2 * this->Error * this->Error;
-  const float uncertain = this->Error + (this->Hull.High[2] - this->Hull.Low[2]);
-  ShortMasks positive = (least - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
-  ShortMasks negative = positive;
-  for (int k = 0; k < 3; ++k)
-  {
-    const int i = (k + 1) % 3;
-    const int j = (k + 2) % 3;
-    const Floats a = y[i] * z[j] - z[i] * y[j];
-    const Floats b = z[i] * x[j] - x[i] * z[j];
-    const Floats c = x[i] * y[j] - y[i] * x[j];
-    const Floats spread =
-      Max<Floats>(a, -a) * this->Spread[0] + Max<Floats>(b, -b) * this->Spread[1] + error;
-    positive = positive & (c + spread >= 0.0f);
-    negative = negative & (c - spread <= 0.0f);
-    Store(edges.Terms[k][0], a);
-    Store(edges.Terms[k][1], b);
-    Store(edges.Terms[k][2], c);
-  }
-  Store(edges.Error, error);
-  Store(edges.IsAlive, positive | negative);
-}
-
 /// What of a triangle depends on where rays come from: on the lanes, or one place for all.
 template <typename PlaceT>
 struct Seen
@@ -401,8 +324,8 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
   {
     __builtin_prefetch(mesh.GetCorners() + 3 * static_cast<vtkIdType>(leaf.Triangles[i]));
   }
-  Edges edges;
-  this->SetEdges(leaf, limit, edges);
+  LeafFilter::Edges edges;
+  this->Filter.SetEdges(leaf, limit, edges);
   for (int i = 0; i < leaf.Count; ++i)
   {
     for (int corner = 0; corner < 3 && edges.IsAlive[i]; ++corner)

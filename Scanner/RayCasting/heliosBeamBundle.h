@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a beam on their way through a scene, as one.
+// The rays of a beam on their way through a scene, as one. For sources only, as heliosLeafFilter.h.
 
 #ifndef heliosBeamBundle_h
 #define heliosBeamBundle_h
 
 #include "heliosBeamTree.h"
+#include "heliosLeafFilter.h"
 #include "heliosRayLanes.h"
 
 #include <cstdint>
@@ -13,14 +14,7 @@
 namespace helios
 {
 
-/**
- * Of the triangles of a leaf, only those are tested in double that a ray may hit by the following
- * filter, in floats. A line through the middle of the bundle is the axis of a plane (x, y) across
- * Z; relative to it, ray i is at slope_i z, z being the distance along Z from where the rays come
- * from. With corners q = (x, y, z) the edge function of ray i at the edge q r is
- * (slope_i, 1) . (q x r), linear in the slope: its sign decides where it is beyond a bound of its
- * error, in which is all that floats round and the test in double allows.
- */
+/// Of the triangles of a leaf, only those are tested in double that a ray may hit by LeafFilter.
 class BeamBundle
 {
 public:
@@ -35,13 +29,10 @@ public:
   void Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
 
 private:
-  struct Edges; // of the triangles of a leaf, for the filter
-
   void TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
   bool Take(const vtkHeliosRay* rays, int count);
   bool SetFrame();
   double GetFarthest() const;
-  void SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const;
   bool Test(const BeamTree::Leaf& leaf, float limit);
   bool TestTriangle(
     vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain);
@@ -60,12 +51,8 @@ private:
   std::uint32_t Valid[MaximumRays / QuadWidth]; ///< a byte for each lane
   Frustum Hull;
 
-  alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the axis
-  float Place[3];                           ///< of the axis at s = 0, along X, Y, Z
-  float Slope[2];                           ///< of the axis, for a unit along Z
-  float Depth;                              ///< z at s = 0
-  float Spread[2];                          ///< the largest of the slopes
-  float Error;                              ///< of the place of a ray
+  LeafFilter Filter;
+  alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the filter's axis
 };
 
 } // namespace helios

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosConeProbe.h"
 
+#include "heliosLeafFilter.h"
 #include "heliosTriangleMesh.h"
 
 #include <algorithm>
@@ -85,7 +87,7 @@ ConeProbe::ConeProbe(
 
 //------------------------------------------------------------------------------
 /// The frustum about the cone; false for a cone too wide for one.
-bool ConeProbe::SetHull(const BeamTree& tree, Frustum& hull) const
+bool ConeProbe::SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) const
 {
   const double* w = this->Frame[2];
   const double sineSquare = this->Tangent * this->Tangent / (1 + this->Tangent * this->Tangent);
@@ -109,7 +111,13 @@ bool ConeProbe::SetHull(const BeamTree& tree, Frustum& hull) const
     slopeHigh[i] = (x * along + root) / a + Error;
   }
   const double origin[3] = { this->Origin[axes[0]], this->Origin[axes[1]], this->Origin[axes[2]] };
-  return tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh);
+  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh))
+  {
+    return false;
+  }
+  filter.SetAxis(tree, hull, origin, origin, slopeLow, slopeHigh);
+  filter.SetError(0.0);
+  return true;
 }
 
 vtkHeliosConeHit ConeProbe::Run(const BeamTree& tree)
@@ -130,7 +138,8 @@ vtkHeliosConeHit ConeProbe::Run(const BeamTree& tree)
   {
     return this->Judge();
   }
-  if (!this->SetHull(tree, hull))
+  LeafFilter filter;
+  if (!this->SetHull(tree, hull, filter))
   {
     return Unknown;
   }
@@ -139,15 +148,19 @@ vtkHeliosConeHit ConeProbe::Run(const BeamTree& tree)
   const double stretch = (w + this->Tangent * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + Margin);
   BeamWalk walk(tree, hull);
   BeamTree::Leaf leaf;
-  while (walk.GetNext(hull.GetLimit(this->Farthest * stretch), leaf))
+  float limit = hull.GetLimit(this->Farthest * stretch);
+  while (walk.GetNext(limit, leaf))
   {
+    int isAlive[BeamTree::LeafSize];
+    filter.FindAlive(leaf, limit, isAlive);
     for (int i = 0; i < leaf.Count; ++i)
     {
-      if (!this->Add(tree.GetMesh(), leaf.Triangles[i]))
+      if (isAlive[i] && !this->Add(tree.GetMesh(), leaf.Triangles[i]))
       {
         return Unknown;
       }
     }
+    limit = hull.GetLimit(this->Farthest * stretch);
   }
   return this->Judge();
 }

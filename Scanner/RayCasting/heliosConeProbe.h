@@ -10,6 +10,8 @@
 namespace helios
 {
 
+class LeafFilter;
+
 /**
  * A cone in its own frame: the apex is the origin, the axis is z. A triangle, seen from the apex,
  * is where all three of N_k . d have the sign of its determinant, N_k being the cross product of
@@ -48,7 +50,7 @@ private:
     double Nearest, Farthest; ///< depth over the cone; Farthest may be infinite
   };
 
-  bool SetHull(const BeamTree& tree, Frustum& hull) const;
+  bool SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) const;
   bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
   bool Touches(Candidate& c) const;
   bool EdgeTouches(const Candidate& c, int edge, double radius) const;
