@@ -356,6 +356,59 @@ TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]"
   CHECK(time == Approx(2 * 30 / 0.299792458).epsilon(0).margin(0.126));
 }
 
+TEST_CASE("Scanner: the records of many batches come in order, and as from windows", "[Scanner]")
+{
+  const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
+  Bench bench(scene);
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetMirrorAngle(30);
+  bench.Scanner->SetBeamDeflector(mirror);
+  bench.Scanner->SetDuration(0.7);
+  bench.Scanner->GetBeamSampler()->SetNumberOfCircles(2);
+  bench.Scanner->GenerateWaveformsOn();
+  bench.Scanner->GeneratePulsesOn();
+  bench.Scanner->GenerateSubRaysOn();
+  bench.Scanner->GenerateTruthOn();
+  vtkPolyData* echoes = bench.Run();
+  const auto getTable = [&bench]
+  { return vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1)); };
+  vtkTable* table = getTable();
+  REQUIRE(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 70000); // of 32768 a batch
+  REQUIRE(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 7 * 70000);
+  REQUIRE(table->GetNumberOfRows() == 70000);
+  REQUIRE(echoes->GetPointData()->GetArray(names::TruePoint)->GetNumberOfTuples() ==
+    echoes->GetNumberOfPoints());
+  vtkIdType samples = 0;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    REQUIRE(table->GetValueByName(row, names::PulseIds).ToTypeInt64() == row);
+    REQUIRE(table->GetValueByName(row, names::Offset).ToTypeInt64() == samples);
+    REQUIRE(Value(bench.Scanner->GetOutput(2), names::PulseIds, row) == static_cast<double>(row));
+    samples += table->GetValueByName(row, names::Count).ToTypeInt64();
+  }
+  const auto getSamples = [&getTable]
+  {
+    vtkDataArray* array = getTable()->GetFieldData()->GetArray(names::Samples);
+    return std::string(static_cast<const char*>(array->GetVoidPointer(0)),
+      static_cast<std::size_t>(array->GetNumberOfValues()) * sizeof(float));
+  };
+  const std::string whole = getSamples();
+  REQUIRE(whole.size() == static_cast<std::size_t>(samples) * sizeof(float));
+  CHECK(table->GetFieldData()->GetArray(names::PulseLength)->GetNumberOfTuples() == 1);
+  const double last = Value(echoes, names::Range, echoes->GetNumberOfPoints() - 1);
+
+  std::string windows;
+  for (const auto& [first, end] : { std::pair<vtkIdType, vtkIdType>{ 0, 30000 }, { 30000, 60000 },
+         { 60000, 70000 } }) // each in one batch
+  {
+    bench.Scanner->SetPulseWindow(first, end);
+    echoes = bench.Run();
+    windows += getSamples();
+  }
+  CHECK(windows == whole);
+  CHECK(Value(echoes, names::Range, echoes->GetNumberOfPoints() - 1) == last);
+}
+
 TEST_CASE("Scanner: a UTM shift moves the cloud and nothing else", "[Scanner]")
 {
   const Vec3 shift(500000, 5500000, 300);
