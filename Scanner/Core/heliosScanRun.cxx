@@ -15,10 +15,10 @@ namespace helios
 namespace
 {
 
-// Pulses handed to a thread at a time; and chunks whose records are kept, and between two looks at
-// progress and abort: few enough that the records stay in the cache.
+// Pulses handed to a thread at a time; and chunks of a thread whose records are kept, and between two
+// looks at progress and abort: few enough that the records stay in its cache.
 constexpr vtkIdType PulsesPerChunk = 256;
-constexpr vtkIdType ChunksPerBatch = 128;
+constexpr vtkIdType ChunksPerThread = 64;
 
 /// Runs chunks of the pulses [First, Last), each thread with its own kernel.
 struct ChunkFunctor
@@ -55,10 +55,12 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   ChunkFunctor functor{ model, first, first, {}, {} };
   take(functor.Results);
   const auto count = static_cast<double>(last - first);
+  const vtkIdType batch =
+    PulsesPerChunk * ChunksPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
   while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
   {
     functor.First = functor.Last;
-    functor.Last = std::min(last, functor.First + ChunksPerBatch * PulsesPerChunk);
+    functor.Last = std::min(last, functor.First + batch);
     const vtkIdType chunks = (functor.Last - functor.First + PulsesPerChunk - 1) / PulsesPerChunk;
     functor.Results.resize(static_cast<std::size_t>(chunks));
     vtkSMPTools::For(0, chunks, 1, functor);

@@ -360,6 +360,7 @@ TEST_CASE("Scanner: the records of many batches come in order, and as from windo
 {
   const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
   Bench bench(scene);
+  vtkSMPTools::Initialize(2);
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetMirrorAngle(30);
   bench.Scanner->SetBeamDeflector(mirror);
@@ -373,7 +374,7 @@ TEST_CASE("Scanner: the records of many batches come in order, and as from windo
   const auto getTable = [&bench]
   { return vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1)); };
   vtkTable* table = getTable();
-  REQUIRE(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 70000); // of 32768 a batch
+  REQUIRE(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 70000); // of 16384 a thread and batch
   REQUIRE(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 7 * 70000);
   REQUIRE(table->GetNumberOfRows() == 70000);
   REQUIRE(echoes->GetPointData()->GetArray(names::TruePoint)->GetNumberOfTuples() ==
