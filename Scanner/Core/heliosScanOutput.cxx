@@ -299,6 +299,16 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
   *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) = pulseLength;
 }
 
+void ReserveEchoes(vtkPolyData* output, vtkIdType count)
+{
+  vtkPointData* data = output->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    data->GetArray(i)->Resize(count);
+  }
+  output->GetPoints()->GetData()->Resize(count);
+}
+
 void FinishOutput(vtkDataObject* output)
 {
   Squeeze(output->GetFieldData());

@@ -36,6 +36,9 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
   double pulseLength, vtkTable* output);
 ///@}
 
+/// Makes room for as many echoes as there are likely to be; memory that is not used is not touched.
+void ReserveEchoes(vtkPolyData* output, vtkIdType count);
+
 /// Gives back the memory that is left over once all is added.
 void FinishOutput(vtkDataObject* output);
 

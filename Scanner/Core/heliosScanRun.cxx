@@ -53,7 +53,6 @@ ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   const RunWatcher& goesOn, const ChunkSink& take)
 {
   ChunkFunctor functor{ model, first, first, {}, {} };
-  take(functor.Results);
   const auto count = static_cast<double>(last - first);
   const vtkIdType batch =
     PulsesPerChunk * ChunksPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();

@@ -23,8 +23,7 @@ using RunWatcher = std::function<bool(double)>;
 /// Takes the records of some chunks, in order.
 using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
 
-/// Hands on the records of the pulses [first, last), in order, a batch at a time and at least one; and
-/// counts them.
+/// Hands on the records of the pulses [first, last), in order, a batch at a time; and counts them.
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   const RunWatcher& goesOn, const ChunkSink& take);
 

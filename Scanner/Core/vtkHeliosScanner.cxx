@@ -33,6 +33,9 @@ vtkStandardNewMacro(vtkHeliosScanner);
 namespace
 {
 
+// Room for them is made at once, some 140 bytes each; for more as they come.
+constexpr vtkIdType EchoesReserved = 4000000;
+
 helios::Pose ToPose(const double position[3], const double q[4])
 {
   helios::Pose pose{ helios::Vec3(position), helios::Quaternion(q[0], q[1], q[2], q[3]) };
@@ -427,6 +430,8 @@ void vtkHeliosScanner::RunPulses(
   };
   const auto take = [this, &scan, outputs](const std::vector<helios::ChunkResult>& results)
   { this->TakeRecords(scan, results, outputs); };
+  take({}); // the arrays, also where there is nothing to put into them
+  helios::ReserveEchoes(vtkPolyData::GetData(outputs, 0), std::min(last - first, EchoesReserved));
   const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, take);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
