@@ -34,6 +34,7 @@ struct Rotation
       m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2] };
   }
 
+  /// Not vtkMath's, which is a call: each pulse takes two.
   Rotation operator*(const Rotation& b) const
   {
     const auto& m = this->M;

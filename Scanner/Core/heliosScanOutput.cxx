@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosScanOutput.h"
 
+#include "heliosScanModel.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDoubleArray.h>
@@ -25,6 +26,9 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
+
+// Room for so many echoes is made at once, some 140 bytes each; for more as they come.
+constexpr vtkIdType EchoesReserved = 4000000;
 
 /// Where the records of each chunk go, from a row on; the last entry is the row behind all of them.
 template <typename RecordT>
@@ -135,9 +139,8 @@ void ForEachRecord(const std::vector<ChunkResult>& chunks,
     });
 }
 
-} // namespace
-
-void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output)
+void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, const ScanIds& ids,
+  vtkPolyData* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Echoes, output->GetNumberOfPoints());
   double* points = AddPoints(output, offsets.back());
@@ -159,7 +162,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
   columns.AddConstant(names::LegIds, ids.Leg);
   int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
   const int firstChannel = ids.Channel;
-  const bool hasWaveforms = ids.HasWaveforms;
+  const bool hasWaveforms = model.WantsWaveforms;
   ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
     [=](const EchoRecord& e, vtkIdType row)
     {
@@ -180,7 +183,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkP
       incidences[row] = e.Incidence;
       waveforms[row] = hasWaveforms ? e.PulseId : -1;
     });
-  if (ids.HasDeviations)
+  if (model.Receiver.Detector->GivesDeviation())
   {
     double* deviations = columns.Add<vtkDoubleArray>(names::Deviation);
     ForEachRecord(chunks, &ChunkResult::Echoes, offsets,
@@ -253,8 +256,8 @@ void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
     });
 }
 
-void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
-  double pulseLength, vtkTable* output)
+void FillWaveforms(const std::vector<ChunkResult>& chunks, const ReceiverSettings& receiver,
+  const ScanIds& ids, vtkTable* output)
 {
   const auto offsets = GetOffsets(chunks, &ChunkResult::Waveforms, output->GetNumberOfRows());
   Columns columns(output->GetRowData(), offsets.front(), offsets.back());
@@ -262,6 +265,7 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
   columns.AddConstant(names::LegIds, ids.Leg);
   int* channels = columns.Add<vtkIntArray>(names::ChannelIds);
   const int firstChannel = ids.Channel;
+  const double binSize = receiver.BinSize;
   double* origins = columns.Add<vtkDoubleArray>(names::Origin, 3);
   double* directions = columns.Add<vtkDoubleArray>(names::Direction, 3);
   double* times = columns.Add<vtkDoubleArray>(names::GpsTime);
@@ -296,34 +300,73 @@ void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, d
   {
     samples = std::copy(chunk.Samples.begin(), chunk.Samples.end(), samples);
   }
-  *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) = pulseLength;
+  *Columns(output->GetFieldData(), 0, 1).Add<vtkDoubleArray>(names::PulseLength) =
+    receiver.Shape.GetLength();
 }
 
-void ReserveEchoes(vtkPolyData* output, vtkIdType count)
+} // namespace
+
+//------------------------------------------------------------------------------
+ScanOutput::ScanOutput(
+  const ScanModel& model, const ScanIds& ids, vtkIdType pulses, vtkInformationVector* outputs)
+  : Model(model)
+  , Ids(ids)
+  , Echoes(vtkPolyData::GetData(outputs, 0))
+  , Waveforms(vtkTable::GetData(outputs, 1))
+  , Pulses(vtkPolyData::GetData(outputs, 2))
+  , SubRays(vtkPolyData::GetData(outputs, 3))
 {
-  vtkPointData* data = output->GetPointData();
+  this->Add({});
+  this->Reserve(std::min(pulses, EchoesReserved));
+}
+
+//------------------------------------------------------------------------------
+void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
+{
+  FillEchoes(chunks, this->Model, this->Ids, this->Echoes);
+  if (this->Model.WantsTruth)
+  {
+    FillTruths(chunks, this->Echoes);
+  }
+  if (this->Model.WantsWaveforms)
+  {
+    FillWaveforms(chunks, this->Model.Receiver, this->Ids, this->Waveforms);
+  }
+  if (this->Model.WantsPulses)
+  {
+    FillPulses(chunks, this->Ids, this->Pulses);
+  }
+  if (this->Model.WantsSubRays)
+  {
+    FillSubRays(chunks, this->SubRays);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Memory that is not used is not touched.
+void ScanOutput::Reserve(vtkIdType echoes)
+{
+  vtkPointData* data = this->Echoes->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    data->GetArray(i)->Resize(count);
+    data->GetArray(i)->Resize(echoes);
   }
-  output->GetPoints()->GetData()->Resize(count);
+  this->Echoes->GetPoints()->GetData()->Resize(echoes);
 }
 
-void FinishOutput(vtkDataObject* output)
+//------------------------------------------------------------------------------
+void ScanOutput::Finish()
 {
-  Squeeze(output->GetFieldData());
-  if (auto* points = vtkPolyData::SafeDownCast(output))
+  for (vtkPolyData* points : { this->Echoes, this->Pulses, this->SubRays })
   {
     Squeeze(points->GetPointData());
     if (points->GetPoints())
     {
-      points->GetPoints()->GetData()->Squeeze();
+      points->GetPoints()->Squeeze();
     }
   }
-  else if (auto* table = vtkTable::SafeDownCast(output))
-  {
-    Squeeze(table->GetRowData());
-  }
+  Squeeze(this->Waveforms->GetRowData());
+  Squeeze(this->Waveforms->GetFieldData());
 }
 
 } // namespace helios

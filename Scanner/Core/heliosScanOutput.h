@@ -9,38 +9,46 @@
 
 #include <vector>
 
-class vtkDataObject;
+class vtkInformationVector;
 class vtkPolyData;
 class vtkTable;
 
 namespace helios
 {
 
+struct ScanModel;
+
 /// What all records of a leg share.
 struct ScanIds
 {
   int Leg;
   int Channel; // of the deflector's channel 0
-  bool HasWaveforms;
-  bool HasDeviations;
 };
 
-///@{
-/// Each adds the records of chunks, in order, to a data object, at first an empty one; truths go beside
-/// echoes.
-void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
-void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
-void FillPulses(const std::vector<ChunkResult>& chunks, const ScanIds& ids, vtkPolyData* output);
-void FillSubRays(const std::vector<ChunkResult>& chunks, vtkPolyData* output);
-void FillWaveforms(const std::vector<ChunkResult>& chunks, const ScanIds& ids, double binSize,
-  double pulseLength, vtkTable* output);
-///@}
+/// Adds the records of a scan to the data objects of a scanner, which are empty at first.
+class ScanOutput
+{
+public:
+  /// The model must stay. The arrays are there at once, with room for an echo of each of so many pulses.
+  ScanOutput(
+    const ScanModel& model, const ScanIds& ids, vtkIdType pulses, vtkInformationVector* outputs);
 
-/// Makes room for as many echoes as there are likely to be; memory that is not used is not touched.
-void ReserveEchoes(vtkPolyData* output, vtkIdType count);
+  /// Adds what the model wants of the records of chunks, in order.
+  void Add(const std::vector<ChunkResult>& chunks);
 
-/// Gives back the memory that is left over once all is added.
-void FinishOutput(vtkDataObject* output);
+  /// Gives back the memory that is left over.
+  void Finish();
+
+private:
+  void Reserve(vtkIdType echoes);
+
+  const ScanModel& Model;
+  ScanIds Ids;
+  vtkPolyData* Echoes;
+  vtkTable* Waveforms;
+  vtkPolyData* Pulses;
+  vtkPolyData* SubRays;
+};
 
 } // namespace helios
 

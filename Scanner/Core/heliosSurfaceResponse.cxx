@@ -37,7 +37,7 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
 void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
 {
   Columns& c = this->Asked;
-  c.HasSpecial = false;
+  c.HasLobes = false;
   std::size_t silent = 0;
   double range = 1.0;
   for (std::size_t i = 0; i < count; ++i)
@@ -57,8 +57,8 @@ void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, st
     c.LeastCosine[i] = surface.LeastCosine;
     c.Range[i] = range = hits[i].Range;
     c.Reflectance[i] = surface.Reflection->Reflectance;
-    c.Special[i] = surface.Reflection->Specularity == 0.0 ? nullptr : surface.Reflection;
-    c.HasSpecial = c.HasSpecial || c.Special[i];
+    c.Reflection[i] = surface.Reflection;
+    c.HasLobes = c.HasLobes || surface.Reflection->Specularity != 0.0;
   }
   for (std::size_t i = 0; silent > 0 && i < count; ++i)
   {
@@ -67,17 +67,15 @@ void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, st
   std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
 }
 
-/// What columns do not tell: transmissions far from each other, and lobes.
-void SurfaceResponse::Refine(std::size_t count, bool isNear, double* powers, const double* cosines)
+/// What columns do not tell, one after the other: transmissions far from each other, and lobes.
+void SurfaceResponse::Refine(std::size_t count, double* powers, const double* cosines)
 {
   const Columns& c = this->Asked;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (c.Reflectance[i] > 0.0 && (!isNear || c.Special[i]))
+    if (c.Reflectance[i] > 0.0)
     {
-      const double scatter =
-        c.Special[i] ? GetBackscatter(*c.Special[i], cosines[i]) : c.Reflectance[i] * cosines[i];
-      powers[i] = this->Gain * this->Transmission(c.Range[i]) / (c.Range[i] * c.Range[i]) * scatter;
+      powers[i] = this->GetWhitePower(c.Range[i]) * GetBackscatter(*c.Reflection[i], cosines[i]);
     }
   }
 }
@@ -95,9 +93,9 @@ void SurfaceResponse::GetReplies(
     this->Ask(rays + first, hits + first, size);
     this->Transmission(this->Asked.Range[0]); // the series starts there, or near
     const bool isNear = this->Asked.Compute(size, this->Gain, this->Transmission, powers, cosines);
-    if (!isNear || this->Asked.HasSpecial)
+    if (!isNear || this->Asked.HasLobes)
     {
-      this->Refine(size, isNear, powers, cosines);
+      this->Refine(size, powers, cosines);
     }
   }
 }
@@ -108,8 +106,7 @@ Reply SurfaceResponse::GetReply(vtkIdType cell, double range, const double direc
   const Vec3& n = surface.Normal;
   const double cosNormal = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
   const double cosine = std::max(surface.LeastCosine, std::abs(cosNormal));
-  const double power = this->Gain * this->Transmission(range) / (range * range);
-  return { power * GetBackscatter(*surface.Reflection, cosine), cosine };
+  return { this->GetWhitePower(range) * GetBackscatter(*surface.Reflection, cosine), cosine };
 }
 
 } // namespace helios

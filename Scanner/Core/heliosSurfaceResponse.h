@@ -85,15 +85,20 @@ private:
     double Direction[3][Size] = {};
     double LeastCosine[Size] = {};
     double Range[Size] = {};
-    double Reflectance[Size] = {};               // 0: silent
-    const SurfaceReflection* Special[Size] = {}; // one with a lobe
-    bool HasSpecial = false;
+    double Reflectance[Size] = {}; // 0: silent
+    const SurfaceReflection* Reflection[Size] = {};
+    bool HasLobes = false;
 
     bool Compute(std::size_t count, double gain, const NearbyTransmission& transmission,
       double* powers, double* cosines) const;
   };
   void Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
-  void Refine(std::size_t count, bool isNear, double* powers, const double* cosines);
+  void Refine(std::size_t count, double* powers, const double* cosines);
+  /// What a white surface across the beam returns [W].
+  double GetWhitePower(double range)
+  {
+    return this->Gain * this->Transmission(range) / (range * range);
+  }
 
   /// What is known of a cell: beams meet the same few again and again.
   const Surface& Visit(vtkIdType cell)

@@ -33,9 +33,6 @@ vtkStandardNewMacro(vtkHeliosScanner);
 namespace
 {
 
-// Room for them is made at once, some 140 bytes each; for more as they come.
-constexpr vtkIdType EchoesReserved = 4000000;
-
 helios::Pose ToPose(const double position[3], const double q[4])
 {
   helios::Pose pose{ helios::Vec3(position), helios::Quaternion(q[0], q[1], q[2], q[3]) };
@@ -428,43 +425,13 @@ void vtkHeliosScanner::RunPulses(
     this->UpdateProgress(share);
     return !this->GetAbortExecute();
   };
-  const auto take = [this, &scan, outputs](const std::vector<helios::ChunkResult>& results)
-  { this->TakeRecords(scan, results, outputs); };
-  take({}); // the arrays, also where there is nothing to put into them
-  helios::ReserveEchoes(vtkPolyData::GetData(outputs, 0), std::min(last - first, EchoesReserved));
+  helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, last - first, outputs);
+  const auto take = [&output](const std::vector<helios::ChunkResult>& chunks)
+  { output.Add(chunks); };
   const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, take);
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    helios::FinishOutput(vtkDataObject::GetData(outputs, port));
-  }
+  output.Finish();
   const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
   this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
-}
-
-//------------------------------------------------------------------------------
-void vtkHeliosScanner::TakeRecords(
-  const Scan& scan, const std::vector<helios::ChunkResult>& results, vtkInformationVector* outputs)
-{
-  const helios::ScanIds ids{ this->LegId, this->ChannelId, this->GenerateWaveforms,
-    this->EchoDetector->GivesDeviation() };
-  helios::FillEchoes(results, ids, vtkPolyData::GetData(outputs, 0));
-  if (this->GenerateTruth)
-  {
-    helios::FillTruths(results, vtkPolyData::GetData(outputs, 0));
-  }
-  if (this->GenerateWaveforms)
-  {
-    helios::FillWaveforms(results, ids, this->BinSize, scan.Model.Receiver.Shape.GetLength(),
-      vtkTable::GetData(outputs, 1));
-  }
-  if (this->GeneratePulses)
-  {
-    helios::FillPulses(results, ids, vtkPolyData::GetData(outputs, 2));
-  }
-  if (this->GenerateSubRays)
-  {
-    helios::FillSubRays(results, vtkPolyData::GetData(outputs, 3));
-  }
 }
 
 //------------------------------------------------------------------------------

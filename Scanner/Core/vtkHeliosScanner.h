@@ -38,7 +38,8 @@
  * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
  *   known in closed form (not asked in scans where it is rarely so)
  * - a few rings of sub-rays find no edge: they are its returns
- * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs
+ * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs;
+ *   4 or 16 times as many along a surface so steep that these would be echoes
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
@@ -70,7 +71,6 @@
 #include "vtkSmartPointer.h"            // For the strategies
 
 #include <string> // For what is said in words
-#include <vector> // For records
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
@@ -81,7 +81,6 @@ class vtkHeliosRayCaster;
 
 namespace helios
 {
-struct ChunkResult;
 struct ScanCounts;
 }
 
@@ -365,8 +364,6 @@ private:
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
   void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
-  void TakeRecords(const Scan& scan, const std::vector<helios::ChunkResult>& results,
-    vtkInformationVector* outputs);
   void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
 
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;
