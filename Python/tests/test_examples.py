@@ -3,12 +3,12 @@
 """The examples run, and do what they say."""
 
 import ast
-import importlib.util
 import json
 import pathlib
 import re
 import shutil
 
+import _programs
 import numpy as np
 import pytest
 
@@ -16,10 +16,7 @@ EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
 
 
 def load(name):
-    spec = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return _programs.load(name, "examples")
 
 
 def test_survey_by_hand(capsys):

@@ -6,7 +6,7 @@ import csv
 
 import numpy as np
 import pytest
-from _studies import load, run_quick
+from _programs import load, run_quick
 
 pytest.importorskip("matplotlib")
 

@@ -1,20 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Programs of Python/studies as modules, and their quick runs."""
+"""Programs of Python/studies and Python/examples as modules, and quick runs of studies."""
 
 import importlib.util
 import pathlib
 
 import pytest
 
-STUDIES = pathlib.Path(__file__).resolve().parents[1] / "studies"
+PYTHON = pathlib.Path(__file__).resolve().parents[1]
 
 
-def load(name):
-    spec = importlib.util.spec_from_file_location(name, STUDIES / f"{name}.py")
-    study = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(study)
-    return study
+def load(name, folder="studies"):
+    spec = importlib.util.spec_from_file_location(name, PYTHON / folder / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def run_quick(study, tmp_path_factory):
