@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace helios
 {
@@ -42,18 +43,16 @@ vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
 }
 
 /// Vogel's spiral: no pattern of fixed sub-rays does better where surfaces have edges.
-std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* beam, int count)
+std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* sampler, int count)
 {
-  auto sampler = CopyBeam(beam);
   sampler->SetPatternToVogel();
   sampler->SetNumberOfSubRays(count);
   return GetSubRays(sampler);
 }
 
 /// Gauss-Legendre rings: nothing does better on a smooth surface.
-std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* beam, int rings)
+std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* sampler, int rings)
 {
-  auto sampler = CopyBeam(beam);
   sampler->SetPatternToGaussLegendre();
   sampler->SetNumberOfRings(rings);
   return GetSubRays(sampler);
@@ -103,6 +102,19 @@ void SortInSpace(std::vector<SubRay>& subRays)
     [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
 }
 
+/// Sub-rays of a beam that are seldom asked for: a pattern of a size.
+std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* beam,
+  std::vector<SubRay> (*makePattern)(vtkHeliosBeamSampler*, int), int size)
+{
+  const auto make = [copy = CopyBeam(beam), makePattern, size]
+  {
+    std::vector<SubRay> subRays = makePattern(copy, size);
+    SortInSpace(subRays);
+    return subRays;
+  };
+  return std::make_unique<LazySubRays>(make);
+}
+
 /// The pairs of neighbours that join all sub-rays in the shortest way, by Prim's algorithm.
 std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays)
 {
@@ -135,7 +147,7 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
 
 /**
  * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast: it costs as
- * much as the first sixteen. Asked of pulses spread over all of the scan, so that every piece of it gets
+ * much as some of them. Asked of pulses spread over all of the scan, so that every piece of it gets
  * the same answer.
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
@@ -153,7 +165,8 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
       answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
     }
   }
-  return 2 * answered >= asked;
+  constexpr int cost = 14;
+  return answered * static_cast<int>(model.Probes.size()) >= cost * asked;
 }
 
 /// What follows from the sub-rays.
@@ -191,20 +204,24 @@ void PrepareBeamByTolerance(
   model.Setback =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
 
+  const auto beam = CopyBeam(sampler); // to be given patterns
   const int count = model.Plan.NumberOfSubRays;
-  model.SubRays = MakeSpiral(sampler, count);
-  model.Rings = MakeRings(sampler, model.Plan.GetRings());
+  const int rings = model.Plan.GetRings();
+  model.SubRays = MakeSpiral(beam, count);
+  model.Rings = MakeRings(beam, rings);
   for (int step = 1; step <= SamplingPlan::FinerSteps; ++step)
   {
-    model.FinerSubRays.push_back(MakeSpiral(sampler, count << 2 * step));
-    model.FinerRings.push_back(MakeRings(sampler, model.Plan.GetRings() << step));
-    SortInSpace(model.FinerSubRays.back());
-    SortInSpace(model.FinerRings.back());
+    model.FinerSubRays.push_back(MakeLazily(sampler, MakeSpiral, count << 2 * step));
+    model.FinerRings.push_back(MakeLazily(sampler, MakeRings, rings << step));
   }
-  model.Probes = MakeRings(sampler, model.Plan.ProbeRings);
-  AddRim(angle, model.Setback, model.Probes);
-  model.ProbePairs = JoinNeighbours(model.Probes);
   FinishBeam(model);
+  model.Probes = model.SubRays;
+  if (model.Plan.LooksFirst())
+  {
+    model.Probes = MakeRings(beam, model.Plan.ProbeRings);
+    AddRim(angle, model.Setback, model.Probes);
+  }
+  model.ProbePairs = JoinNeighbours(model.Probes);
   model.ProbesCones = model.Caster && FindsPlanes(model, numberOfPulses);
 }
 

@@ -13,10 +13,10 @@ namespace
 {
 
 /// Some sub-rays, or those of a finer step.
-const std::vector<SubRay>& GetFiner(
-  const std::vector<SubRay>& coarse, const std::vector<std::vector<SubRay>>& finer, int step)
+const std::vector<SubRay>& GetFiner(const std::vector<SubRay>& coarse,
+  const std::vector<std::unique_ptr<LazySubRays>>& finer, int step)
 {
-  return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)];
+  return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)]->Get();
 }
 
 } // namespace
@@ -29,83 +29,110 @@ BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Cast(
-  const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count, ScanCounts& counts)
+void BeamTracer::Cast(const std::vector<Pulse>& pulses, ScanCounts& counts)
 {
-  this->SubRays = &subRays;
-  this->HasAnswers = false;
+  const auto& subRays = this->Model.IsByTolerance() ? this->Model.Probes : this->Model.SubRays;
+  this->Cast(subRays, pulses.data(), pulses.size(), this->First, counts);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
+  Volley& volley, ScanCounts& counts)
+{
+  volley.SubRays = &subRays;
   const std::size_t size = count * subRays.size();
-  this->Rays.resize(std::max(this->Rays.size(), size));
-  this->Hits.resize(this->Rays.size());
-  vtkHeliosRay* ray = this->Rays.data();
+  volley.Rays.resize(std::max(volley.Rays.size(), size));
+  volley.Hits.resize(volley.Rays.size());
+  vtkHeliosRay* ray = volley.Rays.data();
   for (const Pulse* pulse = pulses; pulse != pulses + count; ++pulse)
   {
+    const Rotation beam = pulse->Beam; // copies, or each would be read again for each ray
+    const Vec3 apex = pulse->Origin;
     for (const SubRay& subRay : subRays)
     {
-      const Vec3 direction = pulse->Beam * subRay.Direction;
-      const Vec3 origin =
-        this->Model.HasOffsets ? pulse->Origin + pulse->Beam * subRay.Offset : pulse->Origin;
+      const Vec3 direction = beam * subRay.Direction;
+      const Vec3 origin = this->Model.HasOffsets ? apex + beam * subRay.Offset : apex;
       std::copy_n(origin.GetData(), 3, ray->Origin);
       std::copy_n(direction.GetData(), 3, ray->Direction);
       ++ray;
     }
   }
-  this->Meet(pulses, count);
+  this->Meet(pulses, count, volley);
   counts.SubRays += static_cast<vtkIdType>(size);
 }
 
 //------------------------------------------------------------------------------
 /// What the sub-rays meet: surfaces, or leaves before them.
-void BeamTracer::Meet(const Pulse* pulses, std::size_t count)
+void BeamTracer::Meet(const Pulse* pulses, std::size_t count, Volley& volley)
 {
-  const std::size_t each = this->SubRays->size();
+  const std::size_t each = volley.SubRays->size();
   if (this->Model.Caster)
   {
-    this->Model.Caster->IntersectBeams(
-      this->Rays.data(), this->Hits.data(), static_cast<int>(each), static_cast<vtkIdType>(count));
+    this->Model.Caster->IntersectBeams(volley.Rays.data(), volley.Hits.data(),
+      static_cast<int>(each), static_cast<vtkIdType>(count));
   }
   else
   {
     const double endless = std::numeric_limits<double>::infinity();
-    std::fill(this->Hits.begin(), this->Hits.end(), vtkHeliosHit{ endless, -1 });
+    std::fill(volley.Hits.begin(), volley.Hits.end(), vtkHeliosHit{ endless, -1 });
   }
   for (std::size_t i = 0; !this->Model.Medium.IsEmpty() && i < count; ++i)
   {
-    this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, this->Rays.data() + i * each, each,
-      this->Hits.data() + i * each);
+    this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, volley.Rays.data() + i * each,
+      each, volley.Hits.data() + i * each);
   }
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::CastByTolerance(const Pulse& pulse, ScanCounts& counts)
+/// Takes a pulse's share of a volley, and asks what its sub-rays meet for their replies.
+void BeamTracer::Take(const Volley& volley, std::size_t slot)
 {
-  if (this->Model.MeetsMedium(pulse))
-  {
-    this->Cast(this->Model.SubRays, &pulse, 1, counts);
-    return;
-  }
-  this->Cast(this->Model.Probes, &pulse, 1, counts);
-  this->AskSurfaces(0);
-  this->HasAnswers = true;
+  const std::size_t count = volley.SubRays->size();
+  this->SubRays = volley.SubRays;
+  this->Rays = volley.Rays.data() + slot * count;
+  this->Hits = volley.Hits.data() + slot * count;
+  this->Response.GetReplies(this->Rays, this->Hits, count, this->Answers);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::Take(std::size_t slot)
+{
+  this->Take(this->First, slot);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::CastMore(
+  const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts)
+{
+  this->Cast(subRays, &pulse, 1, this->More, counts);
+  this->Take(this->More, 0);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
+{
+  this->CastMore(this->Model.SubRays, pulse, counts);
+}
+
+//------------------------------------------------------------------------------
+void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts)
+{
+  this->Take(slot);
+  const ScanModel& m = this->Model;
   const double spread = this->GetSpread();
   const int step = this->GetStep(spread);
+  if (step == 0 && !m.Plan.LooksFirst())
+  {
+    return; // these are as many as an edge needs
+  }
   if (this->SeeEdge())
   {
-    this->Cast(GetFiner(this->Model.SubRays, this->Model.FinerSubRays, step), &pulse, 1, counts);
+    this->CastMore(GetFiner(m.SubRays, m.FinerSubRays, step), pulse, counts);
   }
-  else if (spread > this->Model.Plan.LargestSpread)
+  else if (spread > m.Plan.LargestSpread)
   {
-    this->Cast(GetFiner(this->Model.Rings, this->Model.FinerRings, step), &pulse, 1, counts);
+    this->CastMore(GetFiner(m.Rings, m.FinerRings, step), pulse, counts);
   }
-}
-
-//------------------------------------------------------------------------------
-/// Asks what a pulse's sub-rays meet for their replies.
-void BeamTracer::AskSurfaces(std::size_t slot)
-{
-  const std::size_t count = this->SubRays->size();
-  this->Response.GetReplies(
-    this->Rays.data() + slot * count, this->Hits.data() + slot * count, count, this->Answers);
 }
 
 //------------------------------------------------------------------------------
@@ -189,22 +216,16 @@ int BeamTracer::GetStep(double spread)
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Collect(std::size_t slot, std::vector<SubReturn>& returns,
-  std::vector<CastSubRay>& cast, ScanCounts& counts)
+void BeamTracer::Collect(
+  std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts)
 {
   const std::size_t count = this->SubRays->size();
   const SubRay* subRays = this->SubRays->data();
-  const vtkHeliosRay* rays = this->Rays.data() + slot * count;
-  const vtkHeliosHit* hits = this->Hits.data() + slot * count;
-  if (!this->HasAnswers)
-  {
-    this->AskSurfaces(slot);
-  }
   returns.resize(count);
   SubReturn* to = returns.data();
   for (std::size_t k = 0; k < count; ++k)
   {
-    const vtkHeliosHit hit = hits[k];
+    const vtkHeliosHit hit = this->Hits[k];
     if (this->IsSilent(hit))
     {
       counts.HitsOutOfRange += hit.CellId >= 0 ? 1 : 0;
@@ -225,7 +246,7 @@ void BeamTracer::Collect(std::size_t slot, std::vector<SubReturn>& returns,
   cast.clear();
   for (std::size_t k = 0; this->Model.WantsSubRays && k < count; ++k)
   {
-    cast.push_back({ Vec3(rays[k].Direction), subRays[k].Weight });
+    cast.push_back({ Vec3(this->Rays[k].Direction), subRays[k].Weight });
   }
 }
 

@@ -28,24 +28,38 @@ class BeamTracer
 public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Casts the same sub-rays for each of some pulses.
-  void Cast(
-    const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count, ScanCounts& counts);
+  /// Casts the first sub-rays of each of some pulses: all of fixed sampling, or those that look.
+  void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
+
+  /// Casts all that a pulse's beam takes among leaves, which no look tells.
+  void CastAll(const Pulse& pulse, ScanCounts& counts);
 
   /**
-   * Casts sub-rays by tolerance: probes look at the beam first, and where neighbours among them meet
-   * one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in rings
-   * where one surface runs away steeply; more, where it would show the gaps between them. A beam that may meet leaves takes the spiral at once.
+   * Takes what was cast last for a pulse, and casts more by tolerance: where neighbours among its sub-rays
+   * meet one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in
+   * rings where one surface runs away steeply; more, where it would show the gaps between them.
    */
-  void CastByTolerance(const Pulse& pulse, ScanCounts& counts);
+  void Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts);
 
-  /// Replaces returns, and their sub-rays where these are wanted, by those of a pulse cast last.
-  void Collect(std::size_t slot, std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast,
-    ScanCounts& counts);
+  /// Takes what was cast last for a pulse as it is.
+  void Take(std::size_t slot);
+
+  /// Replaces returns, and their sub-rays where these are wanted, by those that were taken.
+  void Collect(std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts);
 
 private:
-  void Meet(const Pulse* pulses, std::size_t count);
-  void AskSurfaces(std::size_t slot);
+  /// The same sub-rays of pulses, one after the other, and what they meet.
+  struct Volley
+  {
+    const std::vector<SubRay>* SubRays = nullptr;
+    std::vector<vtkHeliosRay> Rays;
+    std::vector<vtkHeliosHit> Hits;
+  };
+  void Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
+    Volley& volley, ScanCounts& counts);
+  void Meet(const Pulse* pulses, std::size_t count, Volley& volley);
+  void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
+  void Take(const Volley& volley, std::size_t slot);
   bool SeeEdge();
   bool IsEdgeBetween(std::size_t a, std::size_t b);
   double GetSpread() const;
@@ -55,11 +69,14 @@ private:
   const ScanModel& Model;
   SurfaceResponse& Response;
   double SigmaRange;
-  const std::vector<SubRay>* SubRays = nullptr; // those cast last
-  std::vector<vtkHeliosRay> Rays;
-  std::vector<vtkHeliosHit> Hits;
-  Replies Answers;         // to the sub-rays of one pulse
-  bool HasAnswers = false; // to those cast last
+  Volley First; // of all pulses
+  Volley More;  // of one
+
+  // Of the pulse at work.
+  const std::vector<SubRay>* SubRays = nullptr;
+  const vtkHeliosRay* Rays = nullptr;
+  const vtkHeliosHit* Hits = nullptr;
+  Replies Answers; // to them
 };
 
 } // namespace helios

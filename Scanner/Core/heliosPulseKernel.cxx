@@ -42,27 +42,21 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
   for (vtkIdType begin = first; begin < last; begin += PulsesTogether)
   {
     this->AimPulses(begin, std::min(last, begin + PulsesTogether));
-    const bool byTolerance = !this->Model.Probes.empty();
-    if (!byTolerance)
+    const bool byTolerance = this->Model.IsByTolerance();
+    if (byTolerance)
     {
-      this->Tracer.Cast(
-        this->Model.SubRays, this->Pulses.data(), this->Pulses.size(), this->Counts);
+      this->LookAtPulses();
     }
+    this->Tracer.Cast(byTolerance ? this->Mixed : this->Pulses, this->Counts);
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
+      this->Returns.clear();
+      this->SubRays.clear();
       this->Echoes.clear();
       this->HasWaveform = false;
       this->Response.StartPulse();
-      if (byTolerance)
-      {
-        this->RunByTolerance(this->Pulses[slot]);
-      }
-      else
-      {
-        this->Tracer.Collect(slot, this->Returns, this->SubRays, this->Counts);
-        this->FindEchoes();
-      }
+      byTolerance ? this->RunByTolerance(slot) : this->RunFixed(slot);
       this->StorePulse(slot, result);
     }
   }
@@ -86,61 +80,122 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::RunByTolerance(const Pulse& pulse)
+void PulseKernel::RunFixed(std::size_t slot)
 {
-  if (this->Model.ProbesCones && !this->Model.MeetsMedium(pulse))
-  {
-    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
-    this->Returns.clear();
-    this->SubRays.clear();
-    if (hit.Kind == vtkHeliosConeHit::Empty ||
-      (hit.Kind == vtkHeliosConeHit::OnePlane && this->TryPlane(pulse, hit)))
-    {
-      return;
-    }
-  }
-  this->Tracer.CastByTolerance(pulse, this->Counts);
-  this->Tracer.Collect(0, this->Returns, this->SubRays, this->Counts);
+  this->Tracer.Take(slot);
+  this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();
 }
 
 //------------------------------------------------------------------------------
-/// The echo of a beam that meets one plane; false where its closed form is not exact enough.
-bool PulseKernel::TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
+/// Finds out which beams need sub-rays that look at them.
+void PulseKernel::LookAtPulses()
+{
+  this->Views.clear();
+  this->Mixed.clear();
+  this->NumberOfMixed = 0;
+  for (const Pulse& pulse : this->Pulses)
+  {
+    this->Views.push_back(this->LookAt(pulse));
+    const View& view = this->Views.back();
+    if (view.Plane.Kind == vtkHeliosConeHit::Mixed && !view.MeetsMedium)
+    {
+      this->Mixed.push_back(pulse);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+PulseKernel::View PulseKernel::LookAt(const Pulse& pulse)
+{
+  View view{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse) };
+  if (this->Model.ProbesCones && !view.MeetsMedium)
+  {
+    const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
+    if (hit.Kind == vtkHeliosConeHit::Empty ||
+      (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(pulse, hit)))
+    {
+      view.Plane = hit;
+    }
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::RunByTolerance(std::size_t slot)
+{
+  const Pulse& pulse = this->Pulses[slot];
+  const View& view = this->Views[slot];
+  if (view.Plane.Kind == vtkHeliosConeHit::Empty)
+  {
+    return;
+  }
+  if (view.Plane.Kind == vtkHeliosConeHit::OnePlane)
+  {
+    this->RunOnPlane(pulse, view.Plane);
+    return;
+  }
+  if (view.MeetsMedium)
+  {
+    this->Tracer.CastAll(pulse, this->Counts);
+  }
+  else
+  {
+    this->Tracer.Refine(this->NumberOfMixed++, pulse, this->Counts);
+  }
+  this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
+  this->FindEchoes();
+}
+
+//------------------------------------------------------------------------------
+/// How a beam meets a plane.
+PulseKernel::Meeting PulseKernel::GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit)
+{
+  const double cosPlane =
+    std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(pulse.GetDirection()));
+  return { std::hypot(hit.Range, this->Model.Setback),
+    std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane };
+}
+
+//------------------------------------------------------------------------------
+/// Whether the closed form of the echo of a beam on one plane is exact enough.
+bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   if (!(hit.Range > 0.0))
   {
     return false;
   }
   const ScanModel& m = this->Model;
-  const Vec3 axis = pulse.GetDirection();
-  const double cosPlane = std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(axis));
-  const double tangent = std::sqrt(std::max(0.0, 1.0 - cosPlane * cosPlane)) / cosPlane;
-  const double reach = std::hypot(hit.Range, m.Setback); // the footprint grows with it
+  const Meeting plane = this->GetMeeting(pulse, hit);
   const bool isGaussian = m.Receiver.Shape.IsGaussian();
   const double widest = isGaussian ? m.Plan.LargestWidening : m.Plan.EnergyTolerance;
-  const double rim = 2.0 * reach * m.ConeTangent * tangent; // in range
-  if (!(m.Plane.GetWidening(reach, tangent) <= widest &&
-        m.Plane.GetShift(reach, tangent) <= m.Plan.LargestShift &&
-        std::abs(hit.Range - m.RangeMin) > rim && std::abs(hit.Range - m.RangeMax) > rim))
-  {
-    return false;
-  }
+  const double rim = 2.0 * plane.Reach * m.ConeTangent * plane.Tangent; // in range
+  return m.Plane.GetWidening(plane.Reach, plane.Tangent) <= widest &&
+    m.Plane.GetShift(plane.Reach, plane.Tangent) <= m.Plan.LargestShift &&
+    std::abs(hit.Range - m.RangeMin) > rim && std::abs(hit.Range - m.RangeMax) > rim;
+}
+
+//------------------------------------------------------------------------------
+/// The echo of a beam that meets one plane.
+void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
+{
+  const ScanModel& m = this->Model;
   ++this->Counts.PulsesOnPlane;
   if (hit.Range < m.RangeMin || hit.Range > m.RangeMax)
   {
     ++this->Counts.HitsOutOfRange;
-    return true;
+    return;
   }
+  const Meeting plane = this->GetMeeting(pulse, hit);
+  const Vec3 axis = pulse.GetDirection();
   const Reply reply = this->Response.GetReply(hit.CellId, hit.Range, axis.GetData());
-  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, reach, tangent, reply.Power);
+  const PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, reply.Power);
   this->Returns.push_back({ echo.Range, echo.Power, reply.CosIncidence, hit.CellId, 0 });
   if (m.WantsSubRays)
   {
     this->SubRays.push_back({ axis, 1.0 });
   }
   this->FinishPlane(echo);
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -28,9 +28,27 @@ public:
   const ScanCounts& GetCounts() const { return this->Counts; }
 
 private:
+  /// What is known of a beam before its sub-rays are cast.
+  struct View
+  {
+    vtkHeliosConeHit Plane; ///< proved to be all that it meets, unless it is mixed
+    bool MeetsMedium;
+  };
+  /// How a beam meets a plane.
+  struct Meeting
+  {
+    double Reach;   ///< from the cone's apex: the footprint grows with it
+    double Tangent; ///< of the angle of incidence
+  };
+
   void AimPulses(vtkIdType first, vtkIdType last);
-  void RunByTolerance(const Pulse& pulse);
-  bool TryPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  void LookAtPulses();
+  View LookAt(const Pulse& pulse);
+  Meeting GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  bool IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  void RunFixed(std::size_t slot);
+  void RunByTolerance(std::size_t slot);
+  void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
   void FinishPlane(const PlaneEcho& echo);
   void FindEchoes();
   void DetectEchoes();
@@ -53,6 +71,9 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
+  std::vector<View> Views;       // by tolerance
+  std::vector<Pulse> Mixed;      // of those that meet no medium
+  std::size_t NumberOfMixed = 0; // of them, those before the pulse at work
 
   // Of the pulse at work.
   vtkIdType PulseId = 0;

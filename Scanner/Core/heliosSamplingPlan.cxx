@@ -15,7 +15,7 @@ namespace
 
 constexpr double BinRangeLaw = 0.02;
 constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
-constexpr int FewestSubRays = 64;
+constexpr int FewestSubRays = 16;
 constexpr int MostSubRays = 4096;
 
 /// So many that an edge is off by no more than a share of the energy.
@@ -66,9 +66,16 @@ int SamplingPlan::GetStep(double spread) const
 std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
-  text << 4 * this->ProbeRings * this->ProbeRings + 8
-       << " sub-rays where a beam meets one surface, " << this->NumberOfSubRays
-       << " more where it meets edges (up to " << (1 << 2 * FinerSteps)
+  if (this->LooksFirst())
+  {
+    text << this->GetNumberOfProbes() << " sub-rays where a beam meets one surface, "
+         << this->NumberOfSubRays << " more where it meets edges";
+  }
+  else
+  {
+    text << this->NumberOfSubRays << " sub-rays";
+  }
+  text << " (up to " << (1 << 2 * FinerSteps)
        << " times as many along steep surfaces), and none where one plane is proved; bins of "
        << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();

@@ -14,7 +14,7 @@ namespace helios
 
 /**
  * A few rings of sub-rays look at a beam; where they find no edge they are its returns. Else it is sampled
- * by as many as the edge needs. The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on
+ * by as many as the edge needs. Where these are no more than those that look, they are cast at once. The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on
  * Vogel's spiral and a straight edge anywhere in a beam cut at 1.5 w:
  * - RMS of the energy on a side (2416 / N)^(3/4) / 1000
  * - so of the range, where the two sides are one echo: that times their distance, which is taken as a
@@ -36,6 +36,12 @@ struct SamplingPlan
 
   /// How often the rings are doubled, at most, where a surface spreads over many sigma_R.
   static constexpr int FinerSteps = 2;
+
+  /// How many sub-rays look at a beam: the rings, and eight at its rim.
+  int GetNumberOfProbes() const { return 4 * this->ProbeRings * this->ProbeRings + 8; }
+
+  /// Whether they look, or all sub-rays are cast at once.
+  bool LooksFirst() const { return this->NumberOfSubRays > this->GetNumberOfProbes(); }
 
   /// The rings that Vogel's spiral is worth, and that see one steep surface.
   int GetRings() const;

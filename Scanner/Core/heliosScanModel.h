@@ -11,6 +11,7 @@
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
 #include "heliosSceneSurfaces.h"
+#include "heliosSubRays.h"
 #include "heliosTurbidMedium.h"
 #include "vtkHeliosRayCaster.h"
 
@@ -20,14 +21,6 @@
 
 namespace helios
 {
-
-/// A sub-ray in the frame of the beam.
-struct SubRay
-{
-  Vec3 Direction;
-  double Weight;
-  Vec3 Offset; // [m], of where it leaves
-};
 
 /// How far a range may be off by chance: the squares add up.
 struct RangeNoise
@@ -62,8 +55,8 @@ struct ScanModel
   SamplingPlan Plan;         // of sampling by tolerance
   std::vector<SubRay> Rings; // the same, of one steep surface
   /// Of beams along steep surfaces: step k has 4^k times as many sub-rays as these two.
-  std::vector<std::vector<SubRay>> FinerSubRays, FinerRings;
-  std::vector<SubRay> Probes;                                  // that look at a beam first
+  std::vector<std::unique_ptr<LazySubRays>> FinerSubRays, FinerRings;
+  std::vector<SubRay> Probes;                                  // cast first, by tolerance
   std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
   bool ProbesCones = false; // whether to ask for one plane before
   PlaneModel Plane;
@@ -85,6 +78,9 @@ struct ScanModel
   bool WantsPulses = false;
   bool WantsSubRays = false;
   bool WantsTruth = false;
+
+  /// Whether each beam gets as many sub-rays as the tolerances ask for there.
+  bool IsByTolerance() const { return !this->Probes.empty(); }
 
   /// Whether a sub-ray returns nothing: it meets nothing, or nothing in the ranges measured.
   bool IsSilent(const vtkHeliosHit& hit) const

@@ -6,6 +6,15 @@
 
 namespace helios
 {
+namespace
+{
+
+double GetCosine(const Vec3& n, const double d[3])
+{
+  return n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
+}
+
+} // namespace
 
 /// The lidar equation for columns, as if all were Lambertian; false where the transmission is not near
 /// enough for its series.
@@ -18,10 +27,7 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
   {
     for (std::size_t k = 0; k < Lanes; ++k)
     {
-      const double cosNormal = this->Normal[0][i + k] * this->Direction[0][i + k] +
-        this->Normal[1][i + k] * this->Direction[1][i + k] +
-        this->Normal[2][i + k] * this->Direction[2][i + k];
-      const double cosine = std::max(this->LeastCosine[i + k], std::abs(cosNormal));
+      const double cosine = std::max(this->LeastCosine[i + k], std::abs(this->CosNormal[i + k]));
       const double range = this->Range[i + k];
       const double exponent = transmission.GetExponent(range);
       farthest[k] = std::max(farthest[k], std::abs(exponent));
@@ -49,11 +55,7 @@ void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, st
       continue;
     }
     const Surface& surface = this->Visit(hits[i].CellId);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      c.Normal[axis][i] = surface.Normal[axis];
-      c.Direction[axis][i] = rays[i].Direction[axis];
-    }
+    c.CosNormal[i] = GetCosine(surface.Normal, rays[i].Direction);
     c.LeastCosine[i] = surface.LeastCosine;
     c.Range[i] = range = hits[i].Range;
     c.Reflectance[i] = surface.Reflection->Reflectance;
@@ -103,9 +105,8 @@ void SurfaceResponse::GetReplies(
 Reply SurfaceResponse::GetReply(vtkIdType cell, double range, const double direction[3])
 {
   const Surface& surface = this->Visit(cell);
-  const Vec3& n = surface.Normal;
-  const double cosNormal = n[0] * direction[0] + n[1] * direction[1] + n[2] * direction[2];
-  const double cosine = std::max(surface.LeastCosine, std::abs(cosNormal));
+  const double cosine =
+    std::max(surface.LeastCosine, std::abs(GetCosine(surface.Normal, direction)));
   return { this->GetWhitePower(range) * GetBackscatter(*surface.Reflection, cosine), cosine };
 }
 

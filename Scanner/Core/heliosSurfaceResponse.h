@@ -81,8 +81,7 @@ private:
   {
     static constexpr std::size_t Size = 32;
     static constexpr std::size_t Lanes = 8;
-    double Normal[3][Size] = {};
-    double Direction[3][Size] = {};
+    double CosNormal[Size] = {};
     double LeastCosine[Size] = {};
     double Range[Size] = {};
     double Reflectance[Size] = {}; // 0: silent
