@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamTracer.h"
+
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace helios
@@ -17,6 +21,38 @@ const std::vector<SubRay>& GetFiner(const std::vector<SubRay>& coarse,
   const std::vector<std::unique_ptr<LazySubRays>>& finer, int step)
 {
   return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)]->Get();
+}
+
+/// Aims sub-rays along a pulse: their directions and offsets, turned by the beam's rotation.
+HELIOS_CLONES
+vtkHeliosRay* Aim(
+  const Pulse& pulse, const std::vector<SubRay>& subRays, bool hasOffsets, vtkHeliosRay* ray)
+{
+  static_assert(offsetof(vtkHeliosRay, Direction) == 3 * sizeof(double) &&
+      sizeof(vtkHeliosRay) == 7 * sizeof(double),
+    "origin, direction and range are written as two vectors that overlap");
+  const auto& m = pulse.Beam.M;
+  const Doubles x = { m[0][0], m[1][0], m[2][0], 0.0 };
+  const Doubles y = { m[0][1], m[1][1], m[2][1], 0.0 };
+  const Doubles z = { m[0][2], m[1][2], m[2][2], 0.0 };
+  const Doubles apex = { pulse.Origin[0], pulse.Origin[1], pulse.Origin[2], 0.0 };
+  const Doubles range = Doubles() + vtkHeliosRay().MaximumRange;
+  constexpr Masks isRange = { 0, 0, 0, -1 };
+  for (const SubRay& subRay : subRays)
+  {
+    const Vec3& d = subRay.Direction;
+    const Doubles direction = isRange ? range : x * d[0] + y * d[1] + z * d[2];
+    Doubles origin = apex;
+    if (hasOffsets)
+    {
+      const Vec3& o = subRay.Offset;
+      origin = apex + (x * o[0] + y * o[1] + z * o[2]);
+    }
+    auto* place = reinterpret_cast<char*>(ray++);
+    Store(place, origin);
+    Store(place + offsetof(vtkHeliosRay, Direction), direction);
+  }
+  return ray;
 }
 
 } // namespace
@@ -46,16 +82,7 @@ void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, s
   vtkHeliosRay* ray = volley.Rays.data();
   for (const Pulse* pulse = pulses; pulse != pulses + count; ++pulse)
   {
-    const Rotation beam = pulse->Beam; // copies, or each would be read again for each ray
-    const Vec3 apex = pulse->Origin;
-    for (const SubRay& subRay : subRays)
-    {
-      const Vec3 direction = beam * subRay.Direction;
-      const Vec3 origin = this->Model.HasOffsets ? apex + beam * subRay.Offset : apex;
-      std::copy_n(origin.GetData(), 3, ray->Origin);
-      std::copy_n(direction.GetData(), 3, ray->Direction);
-      ++ray;
-    }
+    ray = Aim(*pulse, subRays, this->Model.HasOffsets, ray);
   }
   this->Meet(pulses, count, volley);
   counts.SubRays += static_cast<vtkIdType>(size);
@@ -221,26 +248,24 @@ void BeamTracer::Collect(
 {
   const std::size_t count = this->SubRays->size();
   const SubRay* subRays = this->SubRays->data();
+  const double* powers = this->Answers.Powers.data();
+  const double* cosines = this->Answers.Cosines.data();
+  const RangeGate gate = this->Model.Gate;
   returns.resize(count);
   SubReturn* to = returns.data();
   for (std::size_t k = 0; k < count; ++k)
   {
     const vtkHeliosHit hit = this->Hits[k];
-    if (this->IsSilent(hit))
+    if (gate.IsSilent(hit))
     {
       counts.HitsOutOfRange += hit.CellId >= 0 ? 1 : 0;
       continue;
     }
-    if (!(subRays[k].Weight > 0.0))
+    const double weight = subRays[k].Weight;
+    if (weight > 0.0)
     {
-      continue;
+      *to++ = { hit.Range, weight * powers[k], cosines[k], hit.CellId, static_cast<int>(k) };
     }
-    to->Power = subRays[k].Weight * this->Answers.Powers[k];
-    to->Range = hit.Range;
-    to->CosIncidence = this->Answers.Cosines[k];
-    to->CellId = hit.CellId;
-    to->SubRay = static_cast<int>(k);
-    ++to;
   }
   returns.resize(static_cast<std::size_t>(to - returns.data()));
   cast.clear();

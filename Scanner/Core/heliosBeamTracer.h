@@ -64,7 +64,7 @@ private:
   bool IsEdgeBetween(std::size_t a, std::size_t b);
   double GetSpread() const;
   int GetStep(double spread);
-  bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.IsSilent(hit); }
+  bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.Gate.IsSilent(hit); }
 
   const ScanModel& Model;
   SurfaceResponse& Response;

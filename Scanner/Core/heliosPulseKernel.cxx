@@ -51,8 +51,6 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
-      this->Returns.clear();
-      this->SubRays.clear();
       this->Echoes.clear();
       this->HasWaveform = false;
       this->Response.StartPulse();
@@ -126,11 +124,7 @@ void PulseKernel::RunByTolerance(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
   const View& view = this->Views[slot];
-  if (view.Plane.Kind == vtkHeliosConeHit::Empty)
-  {
-    return;
-  }
-  if (view.Plane.Kind == vtkHeliosConeHit::OnePlane)
+  if (view.Plane.Kind != vtkHeliosConeHit::Mixed)
   {
     this->RunOnPlane(pulse, view.Plane);
     return;
@@ -172,16 +166,22 @@ bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
   const double rim = 2.0 * plane.Reach * m.ConeTangent * plane.Tangent; // in range
   return m.Plane.GetWidening(plane.Reach, plane.Tangent) <= widest &&
     m.Plane.GetShift(plane.Reach, plane.Tangent) <= m.Plan.LargestShift &&
-    std::abs(hit.Range - m.RangeMin) > rim && std::abs(hit.Range - m.RangeMax) > rim;
+    std::abs(hit.Range - m.Gate.Least) > rim && std::abs(hit.Range - m.Gate.Most) > rim;
 }
 
 //------------------------------------------------------------------------------
-/// The echo of a beam that meets one plane.
+/// The echo of a beam that meets one plane, or nothing.
 void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   const ScanModel& m = this->Model;
+  this->Returns.clear();
+  this->SubRays.clear();
+  if (hit.Kind == vtkHeliosConeHit::Empty)
+  {
+    return;
+  }
   ++this->Counts.PulsesOnPlane;
-  if (hit.Range < m.RangeMin || hit.Range > m.RangeMax)
+  if (m.Gate.IsSilent(hit.CellId, hit.Range))
   {
     ++this->Counts.HitsOutOfRange;
     return;

@@ -41,6 +41,20 @@ struct RangeNoise
   }
 };
 
+/// The ranges that are measured.
+struct RangeGate
+{
+  double Least = 0.0;           // [m]
+  double Most = VTK_DOUBLE_MAX; // [m]
+
+  /// Whether a sub-ray returns nothing: it meets nothing, or nothing in these ranges.
+  bool IsSilent(const vtkHeliosHit& hit) const { return this->IsSilent(hit.CellId, hit.Range); }
+  bool IsSilent(vtkIdType cell, double range) const
+  {
+    return cell < 0 || range < this->Least || range > this->Most;
+  }
+};
+
 struct ScanModel
 {
   PulseSource Source;
@@ -67,8 +81,7 @@ struct ScanModel
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
   double Background = 0.0; // of the sun, of a white surface without air before it [W]
-  double RangeMin = 0.0;
-  double RangeMax = VTK_DOUBLE_MAX;
+  RangeGate Gate;
   RangeNoise Noise;
   int ReturnSelection = 0;
   int MaximumNumberOfReturns = 0; // 0: all
@@ -81,12 +94,6 @@ struct ScanModel
 
   /// Whether each beam gets as many sub-rays as the tolerances ask for there.
   bool IsByTolerance() const { return !this->Probes.empty(); }
-
-  /// Whether a sub-ray returns nothing: it meets nothing, or nothing in the ranges measured.
-  bool IsSilent(const vtkHeliosHit& hit) const
-  {
-    return hit.CellId < 0 || hit.Range < this->RangeMin || hit.Range > this->RangeMax;
-  }
 
   /// What all of a pulse's beam meets; the range is from the pulse's origin.
   vtkHeliosConeHit ProbeCone(const Pulse& pulse) const

@@ -43,28 +43,37 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
 void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
 {
   Columns& c = this->Asked;
-  c.HasLobes = false;
+  const RangeGate gate = this->Model.Gate;
+  const Surface* surface = nullptr;
+  vtkIdType cell = -1; // of the surface: the next sub-ray often meets it, too
+  bool hasLobes = false;
   std::size_t silent = 0;
   double range = 1.0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (this->Model.IsSilent(hits[i]))
+    const vtkHeliosHit hit = hits[i];
+    if (gate.IsSilent(hit))
     {
       c.Reflectance[i] = 0.0;
       ++silent;
       continue;
     }
-    const Surface& surface = this->Visit(hits[i].CellId);
-    c.CosNormal[i] = GetCosine(surface.Normal, rays[i].Direction);
-    c.LeastCosine[i] = surface.LeastCosine;
-    c.Range[i] = range = hits[i].Range;
-    c.Reflectance[i] = surface.Reflection->Reflectance;
-    c.Reflection[i] = surface.Reflection;
-    c.HasLobes = c.HasLobes || surface.Reflection->Specularity != 0.0;
+    if (hit.CellId != cell)
+    {
+      cell = hit.CellId;
+      surface = &this->Visit(cell);
+      hasLobes = hasLobes || surface->Reflection->Specularity != 0.0;
+    }
+    c.CosNormal[i] = GetCosine(surface->Normal, rays[i].Direction);
+    c.LeastCosine[i] = surface->LeastCosine;
+    c.Range[i] = range = hit.Range;
+    c.Reflectance[i] = surface->Reflectance;
+    c.Reflection[i] = surface->Reflection;
   }
+  c.HasLobes = hasLobes;
   for (std::size_t i = 0; silent > 0 && i < count; ++i)
   {
-    c.Range[i] = this->Model.IsSilent(hits[i]) ? range : c.Range[i];
+    c.Range[i] = gate.IsSilent(hits[i]) ? range : c.Range[i];
   }
   std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
 }

@@ -73,6 +73,7 @@ private:
     Vec3 PlaneNormal;
     Vec3 Normal;
     double LeastCosine = 0.0; // 1 of leaves: they face the beam
+    double Reflectance = 0.0;
     const SurfaceReflection* Reflection = nullptr;
   };
 
@@ -114,6 +115,7 @@ private:
       this->Model.Surfaces.GetNormal(cell, surface.Normal);
       surface.Reflection =
         &this->Model.Surfaces.GetReflection(this->Model.Surfaces.GetMaterialId(cell));
+      surface.Reflectance = surface.Reflection->Reflectance;
     }
     return surface;
   }

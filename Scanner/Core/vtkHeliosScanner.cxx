@@ -343,8 +343,7 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
   m.Power = this->AveragePower;
   m.Equation = { this->ReceiverDiameter, this->OpticalEfficiency, this->ComputeExtinction() };
   m.Background = this->ComputeBackground();
-  m.RangeMin = this->RangeMin;
-  m.RangeMax = this->RangeMax;
+  m.Gate = { this->RangeMin, this->RangeMax };
   m.Noise = { this->RangeAccuracy, this->RangeAccuracyPerMeter, this->RangeAccuracyAtThreshold,
     this->EchoDetector->GetDetectionThreshold() };
   m.ReturnSelection = this->ReturnSelection;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace helios
 {
@@ -36,6 +37,42 @@ HELIOS_INLINE vtkTypeUInt64 GetBytes(const GroupMasks& masks)
   vtkTypeUInt64 result;
   std::memcpy(&result, &bytes, sizeof(result));
   return result;
+}
+
+/// The columns of the rows a, b, c, d.
+HELIOS_INLINE void Transpose(const Doubles& a, const Doubles& b, const Doubles& c, const Doubles& d,
+  Doubles& first, Doubles& second, Doubles& third, Doubles& fourth)
+{
+  constexpr Masks even = { 0, 4, 2, 6 }, odd = { 1, 5, 3, 7 };
+  constexpr Masks low = { 0, 1, 4, 5 }, high = { 2, 3, 6, 7 };
+  const Doubles evenAB = __builtin_shuffle(a, b, even), oddAB = __builtin_shuffle(a, b, odd);
+  const Doubles evenCD = __builtin_shuffle(c, d, even), oddCD = __builtin_shuffle(c, d, odd);
+  first = __builtin_shuffle(evenAB, evenCD, low);
+  second = __builtin_shuffle(oddAB, oddCD, low);
+  third = __builtin_shuffle(evenAB, evenCD, high);
+  fourth = __builtin_shuffle(oddAB, oddCD, high);
+}
+
+/// Origin and the first of the direction; the direction and the range.
+HELIOS_INLINE Doubles LoadOrigin(const vtkHeliosRay& ray)
+{
+  return Load<Doubles>(reinterpret_cast<const char*>(&ray));
+}
+HELIOS_INLINE Doubles LoadDirection(const vtkHeliosRay& ray)
+{
+  static_assert(sizeof(vtkHeliosRay) == 7 * sizeof(double), "a ray is read as two vectors");
+  return Load<Doubles>(reinterpret_cast<const char*>(&ray) + offsetof(vtkHeliosRay, Direction));
+}
+
+/// Four rays into lanes.
+HELIOS_INLINE void SetRays(const vtkHeliosRay& a, const vtkHeliosRay& b, const vtkHeliosRay& c,
+  const vtkHeliosRay& d, RayLanes& lanes)
+{
+  Doubles* direction = lanes.Direction;
+  Transpose(LoadOrigin(a), LoadOrigin(b), LoadOrigin(c), LoadOrigin(d), lanes.Origin[0],
+    lanes.Origin[1], lanes.Origin[2], direction[0]);
+  Transpose(LoadDirection(a), LoadDirection(b), LoadDirection(c), LoadDirection(d), direction[0],
+    direction[1], direction[2], lanes.Range);
 }
 
 /// Which lanes have the same sign at all edges: for sure, or as far as the error allows.
@@ -70,9 +107,20 @@ void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
       }
     }
   }
-  for (int i = 0; i < count; ++i)
+  this->GetHits(hits);
+}
+
+HELIOS_CLONES
+void BeamBundle::GetHits(vtkHeliosHit* hits) const
+{
+  const int full = this->Count / QuadWidth;
+  for (int quad = 0; quad < full; ++quad)
   {
-    hits[i] = this->Lanes[i / QuadWidth].GetHit(i % QuadWidth);
+    this->Lanes[quad].GetHits(hits + QuadWidth * quad, QuadWidth);
+  }
+  if (full < this->Quads)
+  {
+    this->Lanes[full].GetHits(hits + QuadWidth * full, this->Count % QuadWidth);
   }
 }
 
@@ -125,22 +173,12 @@ bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
   for (int quad = 0; quad < this->Quads; ++quad)
   {
     RayLanes& lanes = this->Lanes[quad];
-    const vtkHeliosRay* r[QuadWidth];
-    for (int lane = 0; lane < QuadWidth; ++lane)
-    {
-      r[lane] = rays + std::min(QuadWidth * quad + lane, count - 1);
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      lanes.Origin[axis] =
-        Doubles{ r[0]->Origin[axis], r[1]->Origin[axis], r[2]->Origin[axis], r[3]->Origin[axis] };
-      lanes.Direction[axis] = Doubles{ r[0]->Direction[axis], r[1]->Direction[axis],
-        r[2]->Direction[axis], r[3]->Direction[axis] };
-    }
-    lanes.Range =
-      Doubles{ r[0]->MaximumRange, r[1]->MaximumRange, r[2]->MaximumRange, r[3]->MaximumRange };
+    const int first = QuadWidth * quad;
+    const int last = count - 1;
+    SetRays(rays[first], rays[std::min(first + 1, last)], rays[std::min(first + 2, last)],
+      rays[std::min(first + 3, last)], lanes);
     lanes.Triangle = Masks() + RayLanes::NoTriangle;
-    const Masks left = Masks{ 0, 1, 2, 3 } + QuadWidth * quad;
+    const Masks left = Masks{ 0, 1, 2, 3 } + first;
     this->Valid[quad] = GetBytes(Masks(left < count));
     SetTerms<Doubles, Masks>(lanes, isFine, isX, isY);
     if (quad == 0)

@@ -33,6 +33,7 @@ private:
   bool Take(const vtkHeliosRay* rays, int count);
   bool SetFrame();
   double GetFarthest() const;
+  void GetHits(vtkHeliosHit* hits) const;
   bool Test(const BeamTree::Leaf& leaf, float limit);
   bool TestTriangle(
     vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain);

@@ -32,6 +32,18 @@ struct RayLanes : RayTerms<Doubles>
     return triangle == NoTriangle ? vtkHeliosHit{ NoHit, -1 }
                                   : vtkHeliosHit{ this->Range[lane], triangle };
   }
+
+  /// The hits of the first lanes.
+  HELIOS_INLINE void GetHits(vtkHeliosHit* hits, int count) const
+  {
+    const Masks isNone = this->Triangle == NoTriangle;
+    const Doubles ranges = isNone ? Doubles() + NoHit : this->Range;
+    const Masks cells = this->Triangle | isNone; // -1: none
+    for (int lane = 0; lane < count; ++lane)
+    {
+      hits[lane] = { ranges[lane], cells[lane] };
+    }
+  }
 };
 
 } // namespace helios
