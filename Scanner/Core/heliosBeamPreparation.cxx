@@ -209,7 +209,7 @@ void PrepareBeamByTolerance(
   const int rings = model.Plan.GetRings();
   model.SubRays = MakeSpiral(beam, count);
   model.Rings = MakeRings(beam, rings);
-  for (int step = 1; step <= SamplingPlan::FinerSteps; ++step)
+  for (int step = 1; step <= model.Plan.FinerSteps; ++step)
   {
     model.FinerSubRays.push_back(MakeLazily(sampler, MakeSpiral, count << 2 * step));
     model.FinerRings.push_back(MakeLazily(sampler, MakeRings, rings << step));

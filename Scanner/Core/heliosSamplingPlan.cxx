@@ -17,6 +17,7 @@ constexpr double BinRangeLaw = 0.02;
 constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
 constexpr int FewestSubRays = 16;
 constexpr int MostSubRays = 4096;
+constexpr int FinestRings = 36; // at least, on the steepest surfaces
 
 /// So many that an edge is off by no more than a share of the energy.
 int GetNumberOfSubRays(double share)
@@ -45,6 +46,10 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
+  while (plan.GetRings() << plan.FinerSteps < FinestRings)
+  {
+    ++plan.FinerSteps;
+  }
   return plan;
 }
 
@@ -56,7 +61,8 @@ int SamplingPlan::GetRings() const
 int SamplingPlan::GetStep(double spread) const
 {
   int step = 0;
-  for (double rings = this->GetRings(); step < FinerSteps && spread > SpreadOfRing * rings; ++step)
+  for (double rings = this->GetRings(); step < this->FinerSteps && spread > SpreadOfRing * rings;
+       ++step)
   {
     rings *= 2.0;
   }
@@ -75,7 +81,7 @@ std::string SamplingPlan::Describe() const
   {
     text << this->NumberOfSubRays << " sub-rays";
   }
-  text << " (up to " << (1 << 2 * FinerSteps)
+  text << " (up to " << (1 << 2 * this->FinerSteps)
        << " times as many along steep surfaces), and none where one plane is proved; bins of "
        << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();

@@ -35,7 +35,7 @@ struct SamplingPlan
   double RangeTolerance = 1e-3; ///< [m]
 
   /// How often the rings are doubled, at most, where a surface spreads over many sigma_R.
-  static constexpr int FinerSteps = 2;
+  int FinerSteps = 2;
 
   /// How many sub-rays look at a beam: the rings, and eight at its rim.
   int GetNumberOfProbes() const { return 4 * this->ProbeRings * this->ProbeRings + 8; }
