@@ -8,6 +8,7 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkSMPTools.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -158,6 +159,39 @@ TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[Scanner
     CHECK(Value(dense.Scanner->GetOutput(), names::IncidenceAngle, 0) == 0.0);
     CHECK(dense.Scanner->GetNumberOfPulsesOnPlane() == 0);
   }
+}
+
+TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[ScannerTurbid]")
+{
+  // The head turns from leaves to two walls alone, with an edge that all beams meet.
+  const Rectangle upper{ { -50, 20, 1e-5 }, { 100, 0, 0 }, { 0, 0, 50 } };
+  TurbidBench bench(MakeScene({ upper, Wall(30) }), MakeSlab(10.0, 1.0, 1e7), 200);
+  bench.Scanner->SetSamplingToTolerance();
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
+  bench.Scanner->SetHeadRotateStop(10.0);
+  bench.Scanner->SetHeadRotateSpeed(5000.0);
+  vtkPolyData* echoes = bench.Run();
+  INFO(bench.Log->Errors);
+  int beside = 0;
+  for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
+  {
+    const double turn = vtkMath::RadiansFromDegrees(0.05 * Value(echoes, names::PulseIds, i));
+    const double x = 10.0 * std::tan(turn); // where leaves may begin; they end at 1
+    const double y = Value(echoes, names::Range, i) * std::cos(turn);
+    CAPTURE(Value(echoes, names::PulseIds, i), x);
+    if (x < 0.99)
+    {
+      CHECK(y == Approx(10.0).margin(1e-3));
+    }
+    if (x > 1.01)
+    {
+      const bool isFirst = Value(echoes, names::ReturnNumber, i) == 1;
+      CHECK(Value(echoes, names::NumberOfReturns, i) == 2);
+      CHECK(y == Approx(isFirst ? 20.0 : 30.0).margin(1e-3));
+      ++beside;
+    }
+  }
+  CHECK(beside > 160);
 }
 
 TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[ScannerTurbid]")
