@@ -152,7 +152,7 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
-  const vtkIdType samples = std::min<vtkIdType>(numberOfPulses, 256);
+  const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
   PulseSource::Cursor cursor;
   Pulse pulse;
   int asked = 0;
