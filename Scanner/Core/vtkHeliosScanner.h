@@ -39,7 +39,9 @@
  *   known in closed form (not asked in scans where it is rarely so)
  * - a few rings of sub-rays find no edge: they are its returns
  * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs;
- *   4 or 16 times as many along a surface so steep that these would be echoes
+ *   4 or 16 times as many (more where tolerances are wide) along a surface so
+ *   steep that these would be echoes; where the spiral is no more than the rings,
+ *   it is cast at once
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
