@@ -26,7 +26,7 @@ from vtkhelios.cli._messages import Messages
 from vtkhelios.cli.run import run_play
 
 PULSES = 20_850  # 0.5 s at 100 kHz, of which the mirror lets out 100 of 240 degrees
-LONG = dict(speed=0.3, stop=60)  # 20 million pulse indices: longer than any test waits
+LONG = dict(speed=0.01, stop=60)  # 600 million pulses: longer than any test waits
 
 
 # What is typed wrong.
