@@ -146,9 +146,8 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
 }
 
 /**
- * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast: it costs as
- * much as some of them. Asked of pulses spread over all of the scan, so that every piece of it gets
- * the same answer.
+ * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast. Asked of
+ * pulses spread over all of the scan, so that every piece of it gets the same answer.
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
@@ -165,7 +164,7 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
       answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
     }
   }
-  constexpr int cost = 14;
+  constexpr int cost = 14; // in sub-rays
   return answered * static_cast<int>(model.Probes.size()) >= cost * asked;
 }
 

@@ -14,8 +14,9 @@ namespace helios
 
 /**
  * A few rings of sub-rays look at a beam; where they find no edge they are its returns. Else it is sampled
- * by as many as the edge needs. Where these are no more than those that look, they are cast at once. The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on
- * Vogel's spiral and a straight edge anywhere in a beam cut at 1.5 w:
+ * by as many as the edge needs. Where these are no more than those that look, they are cast at once.
+ * The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on Vogel's spiral and a straight
+ * edge anywhere in a beam cut at 1.5 w:
  * - RMS of the energy on a side (2416 / N)^(3/4) / 1000
  * - so of the range, where the two sides are one echo: that times their distance, which is taken as a
  *   fifth of the longest echo
