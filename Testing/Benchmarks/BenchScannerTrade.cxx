@@ -23,11 +23,14 @@
 
 #include <vtkSMPTools.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
+#include <iterator>
 
 using helios::CpuSeconds;
+using helios::Median;
 using helios::WallSeconds;
 
 namespace
@@ -94,13 +97,33 @@ std::vector<Way> GetWays()
 struct Row
 {
   Way How;
-  double SubRays = 0.0;  // a pulse
-  double Seconds = 0.0;  // a pulse, one thread
-  double Seconds2 = 0.0; // a pulse, two threads, on the wall
-  double OnPlane = 0.0;  // pulses in closed form [%]
-  double NoBins = 0.0;   // pulses by Newton's method [%]
+  double SubRays = 0.0;       // a pulse
+  std::vector<double> Times;  // [s] a pulse, one thread; one for each round
+  std::vector<double> Times2; // two threads, on the wall
+  double OnPlane = 0.0;       // pulses in closed form [%]
+  double NoBins = 0.0;        // pulses by Newton's method [%]
   TradeErrors Errors;
+
+  double GetSeconds() const { return this->Times.empty() ? 0.0 : Median(this->Times); }
+  double GetSeconds2() const { return this->Times2.empty() ? 0.0 : Median(this->Times2); }
+
+  /// How much faster than another way: the median of the rounds, for machines that change speed.
+  double GetSpeedUp(const Row& other) const
+  {
+    std::vector<double> ratios;
+    std::transform(other.Times.begin(), other.Times.end(), this->Times.begin(),
+      std::back_inserter(ratios), std::divides<double>());
+    return Median(ratios);
+  }
 };
+
+template <typename ClockT, typename WorkT>
+double GetSeconds(ClockT clock, WorkT work)
+{
+  const double start = clock();
+  work();
+  return clock() - start;
+}
 
 /// A scanner over one of the scenes.
 class Bench
@@ -115,11 +138,7 @@ public:
     vtkNew<vtkPolyData> waypoint;
     waypoint->SetPoints(points);
     this->Tripod->SetInputData(waypoint);
-    this->Aim->Side = side;
-    this->Aim->From = scene.From;
-    this->Aim->Corner = scene.Corner;
-    this->Aim->U = scene.U;
-    this->Aim->V = scene.V;
+    this->Aim->Directions = GetDirections(scene, side);
     this->Scanner->SetInputData(0, scene.Mesh);
     this->Scanner->SetInputConnection(1, this->Tripod->GetOutputPort());
     this->Scanner->SetBeamDeflector(this->Aim);
@@ -182,38 +201,25 @@ public:
     return GetEchoes(this->Scanner->GetOutput(), this->Pulses);
   }
 
-  /// Time, sub-rays and paths of the way that is set: the median of some runs, less an empty one.
-  void Measure(Row& row, double atLeast)
+  /// Times a way once more, less a run of one pulse.
+  void Time(Row& row)
   {
-    std::vector<double> cpu, wall;
-    double sum = 0.0;
-    while (cpu.size() < 3 || sum < atLeast)
-    {
-      vtkSMPTools::Initialize(1);
-      double start = CpuSeconds();
-      this->Fire(1);
-      const double empty = CpuSeconds() - start;
-      start = CpuSeconds();
-      this->Fire(this->Pulses);
-      cpu.push_back(CpuSeconds() - start - empty);
-      vtkSMPTools::Initialize(2);
-      start = WallSeconds();
-      this->Fire(this->Pulses);
-      wall.push_back(WallSeconds() - start - empty);
-      sum += cpu.back() + 2.0 * wall.back();
-    }
+    this->Set(row.How);
+    vtkSMPTools::Initialize(1);
+    const double empty = GetSeconds(CpuSeconds, [this] { this->Fire(1); });
+    const double one = GetSeconds(CpuSeconds, [this] { this->Fire(this->Pulses); });
+    vtkSMPTools::Initialize(2);
+    const double two = GetSeconds(WallSeconds, [this] { this->Fire(this->Pulses); });
     const double fired = this->Pulses;
-    std::sort(cpu.begin(), cpu.end());
-    std::sort(wall.begin(), wall.end());
-    row.Seconds = cpu[cpu.size() / 2] / fired;
-    row.Seconds2 = wall[wall.size() / 2] / fired;
+    row.Times.push_back((one - empty) / fired);
+    row.Times2.push_back((two - empty) / fired);
     row.SubRays = static_cast<double>(this->Scanner->GetNumberOfSubRays()) / fired;
     row.OnPlane = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesOnPlane()) / fired;
     row.NoBins = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesWithoutBins()) / fired;
   }
 
   vtkNew<vtkHeliosScanner> Scanner;
-  vtkNew<AreaDeflector> Aim;
+  vtkNew<ListDeflector> Aim;
   vtkNew<vtkHeliosStaticPlatform> Tripod;
   int Pulses;
   double Threshold;
@@ -283,15 +289,15 @@ public:
     std::printf("%-8s %-9s %5d %7.1f rays %4.2f ns %-9s %7.0e m %9.3f us %5.1f%% plane %5.1f%% "
                 "Newton %6.2f%% missed %6.2f%% extra %8.1e m %8.1e m %8.1e\n",
       scene.c_str(), r.How.Pattern.c_str(), r.How.Size, r.SubRays, r.How.BinSize,
-      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.Seconds, r.OnPlane, r.NoBins, e.Missed,
+      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.GetSeconds(), r.OnPlane, r.NoBins, e.Missed,
       e.Extra, e.RangeRms, e.RangeP99, e.AmplitudeRms);
     std::fflush(stdout);
     char line[512];
     std::snprintf(line, sizeof line,
       "%s,%s,%d,%.2f,%.2f,%s,%g,%.4g,%.4g,%.4g,%.1f,%.1f,%.3f,%.3f,%.3g,%.3g,%.3g,%.3g\n",
       scene.c_str(), r.How.Pattern.c_str(), r.How.Size, r.SubRays, r.How.BinSize,
-      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.Seconds,
-      r.Seconds > 0 ? 1 / r.Seconds : 0.0, r.Seconds2 > 0 ? 1 / r.Seconds2 : 0.0, r.OnPlane,
+      r.How.Detector.c_str(), r.How.RangeTolerance, 1e6 * r.GetSeconds(),
+      r.Times.empty() ? 0.0 : 1 / r.GetSeconds(), r.Times2.empty() ? 0.0 : 1 / r.GetSeconds2(), r.OnPlane,
       r.NoBins, e.Missed, e.Extra, e.RangeBias, e.RangeRms, e.RangeP99, e.AmplitudeRms);
     this->Write(line);
   }
@@ -314,7 +320,7 @@ const Row* FindFastest(const std::vector<Row>& rows, const Row& fixed, const Tra
   for (const Row& row : rows)
   {
     if (row.How.IsByTolerance() && row.How.Detector == "peaks" &&
-      row.Errors.IsNoWorse(fixed.Errors, floor) && (!best || row.Seconds < best->Seconds))
+      row.Errors.IsNoWorse(fixed.Errors, floor) && (!best || row.GetSeconds() < best->GetSeconds()))
     {
       best = &row;
     }
@@ -336,7 +342,7 @@ void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErro
     if (best)
     {
       std::printf(
-        " %8.2f x (tolerance %g m)", fixed.Seconds / best->Seconds, best->How.RangeTolerance);
+        " %8.2f x (tolerance %g m)", best->GetSpeedUp(fixed), best->How.RangeTolerance);
     }
     else
     {
@@ -349,7 +355,7 @@ void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErro
 /// False where the reference is wrong.
 bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
 {
-  Bench bench(scene, isQuick ? 25 : 50);
+  Bench bench(scene, isQuick ? 25 : 100);
   const RunEchoes reference = bench.Run(Reference);
   if (!CheckReference(bench, scene, reference))
   {
@@ -366,10 +372,14 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
     Row row;
     row.How = way;
     row.Errors = Compare(bench.Run(way), reference, Separation);
-    bench.Measure(row, isQuick ? 0.0 : 0.3);
-    table.Add(scene.Name, row);
     rows.push_back(row);
   }
+  for (int round = 0; round < (isQuick ? 3 : 7); ++round)
+  {
+    std::for_each(rows.begin(), rows.end(), [&bench](Row& row) { bench.Time(row); });
+  }
+  std::for_each(
+    rows.begin(), rows.end(), [&](const Row& row) { table.Add(scene.Name, row); });
   std::printf("%s: fixed / by tolerance, time at no worse error; the same, errors below a tenth of "
               "the noise left out\n",
     scene.Name.c_str());
@@ -382,7 +392,7 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
     }
     if (row.SubRays == 19)
     {
-      std::printf("  19 sub-rays, two threads: %.2f Mpulse/s\n", 1e-6 / row.Seconds2);
+      std::printf("  19 sub-rays, two threads: %.2f Mpulse/s\n", 1e-6 / row.GetSeconds2());
     }
   }
   return true;

@@ -18,31 +18,29 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace helios::bench
 {
 
-/// Aims pulse i of side * side at its square of an area, line by line, at a random place within it.
-class AreaDeflector : public vtkHeliosBeamDeflector
+/// Aims pulses in directions of a list, so that aiming costs nothing that is measured.
+class ListDeflector : public vtkHeliosBeamDeflector
 {
 public:
-  static AreaDeflector* New();
-  vtkTypeMacro(AreaDeflector, vtkHeliosBeamDeflector);
+  static ListDeflector* New();
+  vtkTypeMacro(ListDeflector, vtkHeliosBeamDeflector);
 
   bool GetDirection(vtkIdType pulse, double direction[3]) const override
   {
-    const auto jitter = Uniform4(3, RandomStream::Scene, static_cast<std::uint64_t>(pulse), 9);
-    const double u = (static_cast<double>(pulse % this->Side) + jitter[0]) / this->Side;
-    const double v = (static_cast<double>(pulse / this->Side) + jitter[1]) / this->Side;
-    const Vec3 d = (this->Corner + u * this->U + v * this->V - this->From).Normalized();
+    const Vec3& d = this->Directions[static_cast<std::size_t>(pulse) % this->Directions.size()];
     std::copy_n(d.GetData(), 3, direction);
     return true;
   }
+  double GetScanAngle(vtkIdType) const override { return 0.0; }
 
-  int Side = 1;
-  Vec3 From, Corner, U, V;
+  std::vector<Vec3> Directions;
 };
-vtkStandardNewMacro(AreaDeflector);
+vtkStandardNewMacro(ListDeflector);
 
 /// What is known of the echoes of a pulse, for the first of them: NaN where nothing is.
 struct ClosedForm
@@ -61,6 +59,21 @@ struct TradeScene
   double Divergence;
   std::function<ClosedForm(const Vec3& direction)> Truth;
 };
+
+/// To side * side squares of what is aimed at, line by line, at a random place within each.
+inline std::vector<Vec3> GetDirections(const TradeScene& scene, int side)
+{
+  std::vector<Vec3> directions;
+  for (int pulse = 0; pulse < side * side; ++pulse)
+  {
+    const auto jitter = Uniform4(3, RandomStream::Scene, static_cast<std::uint64_t>(pulse), 9);
+    const double u = (pulse % side + jitter[0]) / side;
+    const double v = (pulse / side + jitter[1]) / side;
+    const Vec3 to = scene.Corner + u * scene.U + v * scene.V;
+    directions.push_back((to - scene.From).Normalized());
+  }
+  return directions;
+}
 
 constexpr double Truncation = 1.5;
 
