@@ -16,8 +16,8 @@ namespace
 {
 
 constexpr int GroupWidth = 8; // rays that the filter takes at a time
-typedef float Group __attribute__((vector_size(4 * GroupWidth)));
-typedef int GroupMasks __attribute__((vector_size(4 * GroupWidth)));
+typedef EightFloats Group;
+typedef EightMasks GroupMasks;
 
 HELIOS_INLINE double GetLeast(const Doubles& v)
 {
@@ -27,16 +27,6 @@ HELIOS_INLINE double GetLeast(const Doubles& v)
 HELIOS_INLINE double GetMost(const Doubles& v)
 {
   return Max(Max(v[0], v[1]), Max(v[2], v[3]));
-}
-
-/// A byte for each lane.
-HELIOS_INLINE vtkTypeUInt64 GetBytes(const GroupMasks& masks)
-{
-  typedef signed char Bytes __attribute__((vector_size(GroupWidth)));
-  const Bytes bytes = __builtin_convertvector(masks, Bytes);
-  vtkTypeUInt64 result;
-  std::memcpy(&result, &bytes, sizeof(result));
-  return result;
 }
 
 /// The columns of the rows a, b, c, d.
@@ -75,15 +65,17 @@ HELIOS_INLINE void SetRays(const vtkHeliosRay& a, const vtkHeliosRay& b, const v
     direction[1], direction[2], lanes.Range);
 }
 
-/// Which lanes have the same sign at all edges: for sure, or as far as the error allows.
-HELIOS_INLINE void GetInside(
-  const Group e[3], const Group& error, GroupMasks& possible, GroupMasks& certain)
+/// Of lanes by the signs of all edge functions, as far as the error tells: 0 outside, -1 perhaps, -2 inside.
+HELIOS_INLINE GroupMasks Compare(const Group e[3], const Group& error)
 {
   const Group least = Min(Min(e[0], e[1]), e[2]);
   const Group most = Max(Max(e[0], e[1]), e[2]);
-  possible = (least >= -error) | (most <= error);
-  certain = (least > error) | (most < -error);
+  const GroupMasks possible = (least >= -error) | (most <= error);
+  const GroupMasks certain = (least > error) | (most < -error);
+  return possible + certain;
 }
+constexpr std::uint32_t Perhaps =
+  0x01010101; // what the bytes of four lanes have that are perhaps inside
 
 } // namespace
 
@@ -178,8 +170,6 @@ bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
     SetRays(rays[first], rays[std::min(first + 1, last)], rays[std::min(first + 2, last)],
       rays[std::min(first + 3, last)], lanes);
     lanes.Triangle = Masks() + RayLanes::NoTriangle;
-    const Masks left = Masks{ 0, 1, 2, 3 } + first;
-    this->Valid[quad] = GetBytes(Masks(left < count));
     SetTerms<Doubles, Masks>(lanes, isFine, isX, isY);
     if (quad == 0)
     {
@@ -266,7 +256,35 @@ bool BeamBundle::SetFrame()
     std::fill_n(this->Slopes[0], MaximumRays, 0.0f);
     std::fill_n(this->Slopes[1], MaximumRays, 0.0f);
   }
+  this->SetBlocks();
   return true;
+}
+
+/// Sets the sides of blocks of neighbours.
+HELIOS_INLINE void BeamBundle::SetBlocks()
+{
+  this->Blocks = (this->Quads + QuadsPerBlock - 1) / QuadsPerBlock;
+  for (int block = 0; this->Blocks > 1 && block < MaximumBlocks; ++block)
+  {
+    const int first = std::min(QuadsPerBlock * block, this->Quads - 1);
+    const int last = std::min(QuadsPerBlock * (block + 1), this->Quads);
+    for (int i = 0; i < 2; ++i)
+    {
+      Floats least = Load<Floats>(&this->Slopes[i][QuadWidth * first]);
+      Floats most = least;
+      for (int quad = first + 1; quad < last; ++quad)
+      {
+        const Floats slopes = Load<Floats>(&this->Slopes[i][QuadWidth * quad]);
+        least = Min(least, slopes);
+        most = Max(most, slopes);
+      }
+      const float low = Min(Min(least[0], least[1]), Min(least[2], least[3]));
+      const float high = Max(Max(most[0], most[1]), Max(most[2], most[3]));
+      const float middle = 0.5f * (low + high);
+      this->Middle[i][block] = middle;
+      this->Half[i][block] = Max(high - middle, middle - low) * (1 + 0x1p-20f);
+    }
+  }
 }
 
 /// The distance along Z beyond which no ray can meet anything better.
@@ -296,15 +314,14 @@ struct Seen
   }
 };
 
-/// Keeps better hits with a triangle of lanes that may be inside, some of them for sure.
+/// Keeps better hits with a triangle of lanes that may be inside, a byte for each.
 template <typename SeenT>
-HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t possible,
-  std::uint32_t certain, vtkTypeInt32 triangle, const TrianglePlane& plane, const SeenT& seen,
-  std::uint32_t& better) const
+HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
+  const TrianglePlane& plane, const SeenT& seen, std::uint32_t& better) const
 {
   Masks inside, isBetter;
-  SetMasks(possible, inside);
-  if (possible & ~certain)
+  SetMasks(bytes, inside);
+  if (bytes & Perhaps)
   {
     Doubles sheared[3][2], edges[3];
     GetEdgeFunctions(lanes, this->Axes, seen.Corners, sheared, edges);
@@ -315,9 +332,9 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t possible,
   better |= GetBytes(isBetter);
 }
 
-/// Tests in double; whether any ray has a better hit.
+/// Tests some of the quads in double; whether any ray has a better hit.
 HELIOS_INLINE bool BeamBundle::TestTriangle(
-  vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain)
+  vtkTypeInt32 triangle, vtkTypeUInt64 quads, const std::uint32_t* bytes)
 {
   const TriangleMesh& mesh = this->Tree.GetMesh();
   const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
@@ -332,25 +349,95 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
     fromOne.SetCorners(origin, points);
     fromOne.Terms.Set(plane, fromOne.Corners);
   }
-  for (int quad = 0; quad < this->Quads; ++quad)
+  for (; quads != 0; quads &= quads - 1)
   {
-    const std::uint32_t isPossible = possible[quad] & this->Valid[quad];
-    if (isPossible == 0)
-    {
-      continue;
-    }
+    const int quad = __builtin_ctzll(quads);
     RayLanes& lanes = this->Lanes[quad];
     if (this->HaveSameOrigin)
     {
-      this->TestQuad(lanes, isPossible, certain[quad], triangle, plane, fromOne, better);
+      this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
       continue;
     }
     Seen<Doubles> seen;
     seen.SetCorners(lanes.Origin, points);
     seen.Terms.Set(plane, seen.Corners);
-    this->TestQuad(lanes, isPossible, certain[quad], triangle, plane, seen, better);
+    this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
   }
   return better != 0;
+}
+
+/// The edge functions of a triangle at slopes.
+HELIOS_INLINE void GetEdges(
+  const LeafFilter::Edges& edges, int triangle, const Group& dx, const Group& dy, Group e[3])
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& terms = edges.Terms[k];
+    e[k] = dx * terms[0][triangle] + dy * terms[1][triangle] + terms[2][triangle];
+  }
+}
+
+/// The blocks some of whose rays may hit a triangle, a byte for each.
+HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
+  const LeafFilter::Edges& edges, int triangle) const
+{
+  static_assert(MaximumBlocks == GroupWidth, "blocks are asked for as a group");
+  Group e[3];
+  GetEdges(edges, triangle, Load<Group>(this->Middle[0]), Load<Group>(this->Middle[1]), e);
+  const Group halfX = Load<Group>(this->Half[0]);
+  const Group halfY = Load<Group>(this->Half[1]);
+  GroupMasks positive = GroupMasks() - 1;
+  GroupMasks negative = positive;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& terms = edges.Terms[k];
+    // Twice the error: of the rays, and of the middle.
+    const Group reach = halfX * std::abs(terms[0][triangle]) +
+      halfY * std::abs(terms[1][triangle]) + 2.0f * edges.Error[triangle];
+    positive = positive & (e[k] >= -reach);
+    negative = negative & (e[k] <= reach);
+  }
+  return GetBytes(positive | negative);
+}
+
+/// Compares the rays of groups with a triangle: a byte for each. The quads where any may hit it, a bit
+/// for each.
+HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindQuads(const LeafFilter::Edges& edges, int triangle,
+  int firstGroup, int lastGroup, std::uint32_t* bytes) const
+{
+  vtkTypeUInt64 quads = 0;
+  for (int group = firstGroup; group < lastGroup; ++group)
+  {
+    Group e[3];
+    GetEdges(edges, triangle, Load<Group>(this->Slopes[0] + GroupWidth * group),
+      Load<Group>(this->Slopes[1] + GroupWidth * group), e);
+    const vtkTypeUInt64 both = GetBytes(Compare(e, Group() + edges.Error[triangle]));
+    const vtkTypeUInt64 pair = (both << 32 != 0 ? 1 : 0) | (both >> 32 != 0 ? 2 : 0);
+    quads |= pair << 2 * group;
+    Store(bytes + 2 * group, both);
+  }
+  return quads;
+}
+
+/// The same of all groups, or those of blocks that may have some.
+HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindQuads(
+  const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
+{
+  const int groups = (this->Quads + 1) / 2;
+  if (this->Blocks == 1)
+  {
+    return this->FindQuads(edges, triangle, 0, groups, bytes);
+  }
+  vtkTypeUInt64 quads = 0;
+  for (vtkTypeUInt64 blocks = this->FindBlocks(edges, triangle); blocks != 0;)
+  {
+    const int block = __builtin_ctzll(blocks) / 8;
+    blocks &= ~(vtkTypeUInt64(0xff) << 8 * block);
+    const int first = block * QuadsPerBlock / 2;
+    quads |=
+      this->FindQuads(edges, triangle, first, std::min(first + QuadsPerBlock / 2, groups), bytes);
+  }
+  return quads;
 }
 
 /// Tests the triangles of a leaf; whether any ray has a better hit.
@@ -371,37 +458,15 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
       __builtin_prefetch(mesh.GetCorner(leaf.Triangles[i], corner));
     }
   }
+  const vtkTypeUInt64 allQuads = ~vtkTypeUInt64(0) >> (MaximumRays / QuadWidth - this->Quads);
   bool isBetter = false;
-  const int groups = (this->Quads + 1) / 2;
   for (int i = 0; i < leaf.Count; ++i)
   {
-    if (!edges.IsAlive[i])
+    std::uint32_t bytes[MaximumRays / QuadWidth];
+    const vtkTypeUInt64 quads = edges.IsAlive[i] ? this->FindQuads(edges, i, bytes) & allQuads : 0;
+    if (quads != 0)
     {
-      continue;
-    }
-    std::uint32_t possible[MaximumRays / QuadWidth]; // a byte for each ray
-    std::uint32_t certain[MaximumRays / QuadWidth];
-    vtkTypeUInt64 any = 0;
-    for (int group = 0; group < groups; ++group)
-    {
-      const Group dx = Load<Group>(this->Slopes[0] + GroupWidth * group);
-      const Group dy = Load<Group>(this->Slopes[1] + GroupWidth * group);
-      Group e[3];
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto& terms = edges.Terms[k];
-        e[k] = dx * terms[0][i] + dy * terms[1][i] + terms[2][i];
-      }
-      GroupMasks isPossible, isCertain;
-      GetInside(e, Group() + edges.Error[i], isPossible, isCertain);
-      const vtkTypeUInt64 bytes = GetBytes(isPossible);
-      any |= bytes;
-      Store(possible + 2 * group, bytes);
-      Store(certain + 2 * group, GetBytes(isCertain));
-    }
-    if (any != 0)
-    {
-      isBetter = this->TestTriangle(leaf.Triangles[i], possible, certain) || isBetter;
+      isBetter = this->TestTriangle(leaf.Triangles[i], quads, bytes) || isBetter;
     }
   }
   return isBetter;

@@ -14,7 +14,10 @@
 namespace helios
 {
 
-/// Of the triangles of a leaf, only those are tested in double that a ray may hit by LeafFilter.
+/**
+ * Of the triangles of a leaf, only those are tested in double that a ray may hit by LeafFilter. Many rays
+ * are asked for in blocks of neighbours first.
+ */
 class BeamBundle
 {
 public:
@@ -32,15 +35,18 @@ private:
   void TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
   bool Take(const vtkHeliosRay* rays, int count);
   bool SetFrame();
+  void SetBlocks();
   double GetFarthest() const;
   void GetHits(vtkHeliosHit* hits) const;
+  vtkTypeUInt64 FindBlocks(const LeafFilter::Edges& edges, int triangle) const;
+  vtkTypeUInt64 FindQuads(const LeafFilter::Edges& edges, int triangle, int firstGroup,
+    int lastGroup, std::uint32_t* bytes) const;
+  vtkTypeUInt64 FindQuads(const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const;
   bool Test(const BeamTree::Leaf& leaf, float limit);
-  bool TestTriangle(
-    vtkTypeInt32 triangle, const std::uint32_t* possible, const std::uint32_t* certain);
+  bool TestTriangle(vtkTypeInt32 triangle, vtkTypeUInt64 quads, const std::uint32_t* bytes);
   template <typename SeenT>
-  void TestQuad(RayLanes& lanes, std::uint32_t possible, std::uint32_t certain,
-    vtkTypeInt32 triangle, const TrianglePlane& plane, const SeenT& seen,
-    std::uint32_t& better) const;
+  void TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
+    const TrianglePlane& plane, const SeenT& seen, std::uint32_t& better) const;
 
   const BeamTree& Tree;
   int Count = 0;
@@ -48,12 +54,17 @@ private:
   RayAxes Axes;
   bool IsForward = true;
   bool HaveSameOrigin = false;
-  RayLanes Lanes[MaximumRays / QuadWidth];
-  std::uint32_t Valid[MaximumRays / QuadWidth]; ///< a byte for each lane
+  RayLanes Lanes[MaximumRays / QuadWidth]; ///< the last ray again in those that are left
   Frustum Hull;
 
   LeafFilter Filter;
   alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the filter's axis
+
+  static constexpr int MaximumBlocks = 8;
+  static constexpr int QuadsPerBlock = MaximumRays / QuadWidth / MaximumBlocks;
+  int Blocks = 1;
+  float Middle[2][MaximumBlocks]; ///< of the slopes of a block, where there are some
+  float Half[2][MaximumBlocks];   ///< from there to its sides
 };
 
 } // namespace helios

@@ -25,17 +25,14 @@ constexpr float Outwards = 1 + 0x1p-20f; // more than what the arithmetic of an 
 /// Of the largest distance, how far a ray may be off: BoxSlack and the rounding of the frustum.
 constexpr double FrustumSlack = 4 * BoxSlack;
 
-typedef float Wide __attribute__((vector_size(4 * Width)));
-typedef int WideMasks __attribute__((vector_size(4 * Width)));
+typedef EightFloats Wide;
+typedef EightMasks WideMasks;
+static_assert(Width == 8, "a node's children are lanes");
 
 /// One bit, of 8, for each lane.
 HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
 {
-  typedef signed char Bytes __attribute__((vector_size(Width)));
-  const Bytes bytes = __builtin_convertvector(masks, Bytes);
-  vtkTypeUInt64 bits;
-  std::memcpy(&bits, &bytes, sizeof(bits));
-  return bits & 0x0101010101010101u;
+  return GetBytes(masks) & 0x0101010101010101u;
 }
 
 } // namespace

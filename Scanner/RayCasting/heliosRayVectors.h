@@ -35,12 +35,28 @@ HELIOS_INLINE void Store(NumberT* to, const VectorT& v)
   std::memcpy(to, &v, sizeof(v));
 }
 
+typedef float EightFloats __attribute__((vector_size(32)));
+typedef int EightMasks __attribute__((vector_size(32)));
+typedef signed char MaskBytes __attribute__((vector_size(32)));
+
 ///@{
-/// Masks of four lanes as one byte a lane, and back: for logic that is not about lanes.
+/// Numbers of eight or four lanes that fit a byte as one byte a lane, and masks back: for logic that is
+/// not about lanes. By a shuffle: compilers convert lane by lane where the machine has no AVX-512.
+HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
+{
+  constexpr MaskBytes lowest = { 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8,
+    12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28 };
+  const MaskBytes bytes = __builtin_shuffle(reinterpret_cast<const MaskBytes&>(masks), lowest);
+  vtkTypeUInt64 result;
+  std::memcpy(&result, &bytes, sizeof(result));
+  return result;
+}
+
 HELIOS_INLINE std::uint32_t GetBytes(const Masks& masks)
 {
-  typedef signed char Bytes __attribute__((vector_size(QuadWidth)));
-  const Bytes bytes = __builtin_convertvector(masks, Bytes);
+  constexpr MaskBytes lowest = { 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16,
+    24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24 };
+  const MaskBytes bytes = __builtin_shuffle(reinterpret_cast<const MaskBytes&>(masks), lowest);
   std::uint32_t result;
   std::memcpy(&result, &bytes, sizeof(result));
   return result;
