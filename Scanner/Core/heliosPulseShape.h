@@ -24,8 +24,8 @@ struct PulseCluster
 
   vtkIdType Slot; ///< which of the clusters next to each other it is
   double Time;    ///< the middle [ns]
-  double First;   ///< the earliest and latest time in it [ns]
-  double Last;
+  double Nearest; ///< the ranges in it [m]
+  double Farthest;
   double Sums[Order] = {}; ///< with the times from the middle in sigma
 };
 

@@ -71,18 +71,17 @@ bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Ech
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
-  const auto limits = std::minmax_element(
-    begin, end, [](const SubReturn& a, const SubReturn& b) { return a.Range < b.Range; });
-  if (limits.second->Range - limits.first->Range <= 2.0 * this->SigmaRange)
+  const Limits limits = GetLimits(begin, end);
+  if (limits.Farthest - limits.Nearest <= 2.0 * this->SigmaRange)
   {
-    this->FindSingleEcho(begin, end, echoes);
+    this->FindSingleEcho(returns, limits, echoes);
     return true;
   }
   const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
   bool isBinned = false;
-  if (!this->FindMaxima(returns, search, echoes, isBinned))
+  if (!this->FindMaxima(returns, limits, search, echoes, isBinned))
   {
-    this->OpenWindow(begin, end, search.BinSize);
+    this->OpenWindow(limits, search.BinSize);
     this->FillAll(begin, end, search.Shape);
     this->SetSamples(this->GetWindow());
     this->Detect(begin, end, search.BinSize, echoes);
@@ -91,12 +90,26 @@ bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Ech
 }
 
 //------------------------------------------------------------------------------
-void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes)
+Receiver::Limits Receiver::GetLimits(Iterator begin, Iterator end)
 {
-  this->Maximum.Open(static_cast<std::size_t>(end - begin));
-  for (Iterator r = begin; r != end; ++r)
+  Limits limits{ begin->Range, begin->Range };
+  for (Iterator r = begin + 1; r != end; ++r)
   {
-    this->Maximum.Set(static_cast<std::size_t>(r - begin), r->Range - begin->Range, r->Power);
+    limits.Nearest = std::min(limits.Nearest, r->Range);
+    limits.Farthest = std::max(limits.Farthest, r->Range);
+  }
+  return limits;
+}
+
+//------------------------------------------------------------------------------
+/// The echo of those of the returns that lie within limits; no other is as near to it.
+void Receiver::FindSingleEcho(
+  const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes)
+{
+  this->Maximum.Open(returns.size());
+  for (const SubReturn& r : returns)
+  {
+    this->Maximum.Add(r.Range, r.Power, r.Range >= limits.Nearest && r.Range <= limits.Farthest);
   }
   SingleMaximum::Result peak;
   if (!this->Maximum.Find(this->SigmaRange, peak) ||
@@ -105,29 +118,31 @@ void Receiver::FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& e
     return;
   }
   const double widening = 4.0 / (SpeedOfLight * SpeedOfLight) * peak.Variance; // [ns^2]
-  const double range = begin->Range + peak.Place;
   echoes.push_back(
-    { range, peak.Value, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
-      FindNearest(begin, end, range) });
+    { peak.Place, peak.Value, FwhmPerSigma * std::sqrt(this->Sigma * this->Sigma + widening),
+      FindNearest(returns.data(), returns.data() + returns.size(), peak.Place) });
 }
 
 //------------------------------------------------------------------------------
 bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
+  const Limits limits = GetLimits(returns.data(), returns.data() + returns.size());
   bool isBinned;
   return this->FindMaxima(
-    returns, { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
+    returns, limits, { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
 }
 
 //------------------------------------------------------------------------------
 /// Groups of returns that do not touch are treated by themselves; sets whether one was binned.
-bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Search& search,
-  std::vector<Echo>& echoes, bool& isBinned)
+bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Limits& limits,
+  const Search& search, std::vector<Echo>& echoes, bool& isBinned)
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
-  bool isGood = !this->OpenWindow(begin, end, search.BinSize);
-  const double gap = 2.0 * search.BinSize * static_cast<double>(search.Shape.GetReach() + 1);
+  bool isGood = !this->OpenWindow(limits, search.BinSize);
+  // Twice what a pulse reaches, in range.
+  const double gap =
+    SpeedOfLight * search.BinSize * static_cast<double>(search.Shape.GetReach() + 1);
   isBinned = false;
   this->MakeClusters(begin, end);
   const std::size_t count = this->Clusters.size();
@@ -136,12 +151,13 @@ bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Search& s
     do
     {
       ++last;
-    } while (last < count && this->Clusters[last].First - this->Clusters[last - 1].Last <= gap);
+    } while (
+      last < count && this->Clusters[last].Nearest - this->Clusters[last - 1].Farthest <= gap);
     const PulseCluster& nearest = this->Clusters[first];
     const PulseCluster& farthest = this->Clusters[last - 1];
-    if (search.KnowsSingles && farthest.Last - nearest.First <= 2.0 * this->Sigma)
+    if (search.KnowsSingles && farthest.Farthest - nearest.Nearest <= 2.0 * this->SigmaRange)
     {
-      this->FindSingleEcho(returns, nearest.First, farthest.Last, echoes);
+      this->FindSingleEcho(returns, { nearest.Nearest, farthest.Farthest }, echoes);
       continue;
     }
     isBinned = true;
@@ -155,29 +171,6 @@ bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Search& s
     echoes.clear();
   }
   return isGood;
-}
-
-//------------------------------------------------------------------------------
-/// The echo of those of the returns that come between two times in the window.
-void Receiver::FindSingleEcho(
-  const std::vector<SubReturn>& returns, double from, double to, std::vector<Echo>& echoes)
-{
-  this->Group.clear();
-  for (const SubReturn& r : returns)
-  {
-    const double time = this->GetTime(r);
-    if (time >= from && time <= to)
-    {
-      this->Group.push_back(r);
-    }
-  }
-  const std::size_t before = echoes.size();
-  this->FindSingleEcho(this->Group.data(), this->Group.data() + this->Group.size(), echoes);
-  if (echoes.size() > before)
-  {
-    const SubReturn* begin = returns.data();
-    echoes.back().Nearest = FindNearest(begin, begin + returns.size(), echoes.back().Range);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -201,7 +194,7 @@ bool Receiver::Fill(const std::vector<SubReturn>& returns, double background, vt
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
-  const bool cut = this->OpenWindow(begin, end, this->Settings.BinSize);
+  const bool cut = this->OpenWindow(GetLimits(begin, end), this->Settings.BinSize);
   this->FillAll(begin, end, this->Settings.Shape);
   this->AddNoise(background, pulseId);
   this->SetSamples(this->GetWindow());
@@ -226,16 +219,9 @@ bool Receiver::Fill(const PlaneEcho& echo, double background, vtkIdType pulseId)
 
 //------------------------------------------------------------------------------
 /// Makes room for the pulses of returns; true: less than they need.
-bool Receiver::OpenWindow(Iterator begin, Iterator end, double binSize)
+bool Receiver::OpenWindow(const Limits& limits, double binSize)
 {
-  double nearest = begin->Range;
-  double farthest = begin->Range;
-  for (Iterator r = begin + 1; r != end; ++r)
-  {
-    nearest = std::min(nearest, r->Range);
-    farthest = std::max(farthest, r->Range);
-  }
-  return this->OpenWindow(nearest, farthest, 1.0, binSize);
+  return this->OpenWindow(limits.Nearest, limits.Farthest, 1.0, binSize);
 }
 
 //------------------------------------------------------------------------------
@@ -267,16 +253,16 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
 BinRange Receiver::GetBinsOfMaxima(
   const PulseCluster& first, const PulseCluster& last, double binSize) const
 {
-  const auto from = static_cast<vtkIdType>(first.First / binSize) - 2;
-  const auto to = static_cast<vtkIdType>(last.Last / binSize) + 4;
+  const auto from = static_cast<vtkIdType>(this->GetTime(first.Nearest) / binSize) - 2;
+  const auto to = static_cast<vtkIdType>(this->GetTime(last.Farthest) / binSize) + 4;
   return { std::max<vtkIdType>(0, from), std::min(to, this->GetWindow().Last) };
 }
 
 //------------------------------------------------------------------------------
-/// When a return comes, in the window [ns].
-double Receiver::GetTime(const SubReturn& r) const
+/// When a return at a range comes, in the window [ns].
+double Receiver::GetTime(double range) const
 {
-  return TwoWayTime(r.Range - this->Nearest) + this->Margin;
+  return TwoWayTime(range - this->Nearest) + this->Margin;
 }
 
 //------------------------------------------------------------------------------
@@ -290,23 +276,33 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
   this->Clusters.clear();
   PulseCluster none{ -1, 0.0, 0.0, 0.0 };
   PulseCluster* cluster = &none; // the next sub-ray often comes when the last one did
-  Powers low = Powers();         // its sums
+  double nearest = 0.0;
+  double farthest = 0.0;
+  Powers low = Powers(); // its sums
   Powers high = Powers();
   constexpr std::size_t half = PulseCluster::Order / 2;
+  const auto keep = [&]
+  {
+    cluster->Nearest = nearest;
+    cluster->Farthest = farthest;
+    Store(cluster->Sums, low);
+    Store(cluster->Sums + half, high);
+  };
   for (Iterator r = begin; r != end; ++r)
   {
-    const double time = this->GetTime(*r);
+    const double time = this->GetTime(r->Range);
     const auto slot = static_cast<vtkIdType>((time - margin) * slotsPerTime);
     if (cluster->Slot != slot)
     {
-      Store(cluster->Sums, low);
-      Store(cluster->Sums + half, high);
+      keep();
       cluster = &this->GetCluster(slot);
+      nearest = cluster->Nearest;
+      farthest = cluster->Farthest;
       low = Load<Powers>(cluster->Sums);
       high = Load<Powers>(cluster->Sums + half);
     }
-    cluster->First = std::min(cluster->First, time);
-    cluster->Last = std::max(cluster->Last, time);
+    nearest = std::min(nearest, r->Range);
+    farthest = std::max(farthest, r->Range);
     const double away = (time - cluster->Time) * scale;
     const double away2 = away * away;
     Powers powers;
@@ -315,8 +311,7 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
     low += powers;
     high += powers * (away2 * away2);
   }
-  Store(cluster->Sums, low);
-  Store(cluster->Sums + half, high);
+  keep();
   std::sort(this->Clusters.begin(), this->Clusters.end(),
     [](const PulseCluster& a, const PulseCluster& b) { return a.Slot < b.Slot; });
 }
@@ -367,7 +362,7 @@ void Receiver::FillAll(Iterator begin, Iterator end, const PulseShape& shape)
   }
   for (Iterator r = begin; r != end; ++r)
   {
-    shape.Deposit(this->GetTime(*r), r->Power, this->Sum.data(), bins);
+    shape.Deposit(this->GetTime(r->Range), r->Power, this->Sum.data(), bins);
   }
 }
 

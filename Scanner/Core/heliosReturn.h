@@ -117,14 +117,20 @@ private:
     double BinSize;          // [ns]
     bool KnowsSingles;       // whether groups with one maximum go without bins
   };
-  bool FindMaxima(const std::vector<SubReturn>& returns, const Search& search,
+  /// The nearest and the farthest range of returns [m].
+  struct Limits
+  {
+    double Nearest;
+    double Farthest;
+  };
+  static Limits GetLimits(Iterator begin, Iterator end);
+  bool FindMaxima(const std::vector<SubReturn>& returns, const Limits& limits, const Search& search,
     std::vector<Echo>& echoes, bool& isBinned);
   bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
     std::vector<Echo>& echoes);
-  void FindSingleEcho(Iterator begin, Iterator end, std::vector<Echo>& echoes);
   void FindSingleEcho(
-    const std::vector<SubReturn>& returns, double from, double to, std::vector<Echo>& echoes);
-  bool OpenWindow(Iterator begin, Iterator end, double binSize);
+    const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes);
+  bool OpenWindow(const Limits& limits, double binSize);
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
   void MakeClusters(Iterator begin, Iterator end);
@@ -134,7 +140,7 @@ private:
   void FillAll(Iterator begin, Iterator end, const PulseShape& shape);
   void FillGroup(
     std::size_t first, std::size_t last, const PulseShape& shape, const BinRange& bins);
-  double GetTime(const SubReturn& r) const;
+  double GetTime(double range) const;
   void SetSamples(const BinRange& bins);
   void AddNoise(double background, vtkIdType pulseId);
   void Detect(Iterator begin, Iterator end, double binSize, std::vector<Echo>& echoes);
@@ -149,7 +155,6 @@ private:
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum; // of the samples of the waveform, those that are filled
   std::vector<PulseCluster> Clusters;
-  std::vector<SubReturn> Group; // of returns that touch
   SingleMaximum Maximum;
   Waveform Wave;
   std::vector<Peak> Peaks;

@@ -29,7 +29,7 @@ HELIOS_INLINE double ExpMinus(double y)
   return e;
 }
 
-double Add(const double lanes[Lanes])
+double AddUp(const double lanes[Lanes])
 {
   return std::accumulate(lanes, lanes + Lanes, 0.0);
 }
@@ -48,14 +48,30 @@ struct SingleMaximum::Sums
   double W0, W1, W2;
 };
 
-void SingleMaximum::Open(std::size_t count)
+void SingleMaximum::Open(std::size_t most)
 {
-  this->Count = (count + Lanes - 1) / Lanes * Lanes;
-  this->Places.resize(std::max(this->Places.size(), this->Count));
+  this->Count = 0;
+  this->Places.resize(std::max(this->Places.size(), most + Lanes));
   this->Powers.resize(this->Places.size());
-  for (std::size_t i = this->Count - Lanes; i < this->Count; ++i)
+}
+
+//------------------------------------------------------------------------------
+/// Makes places relative to the first, and adds nothing there up to a full number of lanes.
+HELIOS_CLONES
+void SingleMaximum::FillLanes()
+{
+  this->First = this->Places[0];
+  for (; this->Count % Lanes != 0; ++this->Count)
   {
-    this->Set(i, 0.0, 0.0);
+    this->Places[this->Count] = this->First;
+    this->Powers[this->Count] = 0.0;
+  }
+  for (std::size_t i = 0; i < this->Count; i += Lanes)
+  {
+    for (std::size_t k = 0; k < Lanes; ++k)
+    {
+      this->Places[i + k] -= this->First;
+    }
   }
 }
 
@@ -77,7 +93,7 @@ SingleMaximum::Moments SingleMaximum::GetMoments() const
       third[k] += px * x * x;
     }
   }
-  return { Add(power), Add(first), Add(second), Add(third) };
+  return { AddUp(power), AddUp(first), AddUp(second), AddUp(third) };
 }
 
 //------------------------------------------------------------------------------
@@ -96,12 +112,13 @@ SingleMaximum::Sums SingleMaximum::GetSums(double place, double scale) const
       w2[k] += w * u * u;
     }
   }
-  return { Add(w0), Add(w1), Add(w2) };
+  return { AddUp(w0), AddUp(w1), AddUp(w2) };
 }
 
 //------------------------------------------------------------------------------
-bool SingleMaximum::Find(double sigma, Result& result) const
+bool SingleMaximum::Find(double sigma, Result& result)
 {
+  this->FillLanes();
   const Moments m = this->GetMoments();
   if (!(m.Power > 0.0))
   {
@@ -123,13 +140,14 @@ bool SingleMaximum::Find(double sigma, Result& result) const
     // 0 only for two halves two sigma apart
     const double curvature = 1.0 - (sums.W2 / sums.W0 - slope * slope);
     const double step = slope / std::max(curvature, 0.02);
-    result.Value = sums.W0;
+    result.Value = sums.W0 * (1.0 + 0.5 * slope * step); // but for terms of step^3
     result.Place -= step / scale;
-    if (std::abs(step) < 1e-7)
+    if (std::abs(step) < 1e-5) // the next would be its square
     {
       break;
     }
   }
+  result.Place += this->First;
   return true;
 }
 

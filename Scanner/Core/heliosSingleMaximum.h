@@ -27,25 +27,30 @@ public:
     double Variance; ///< of the x_k, weighted by p_k
   };
 
-  /// Room for so many terms, all of them nothing.
-  void Open(std::size_t count);
-  void Set(std::size_t index, double place, double power)
+  /// Starts anew, with room for so many terms.
+  void Open(std::size_t most);
+
+  /// Adds a term, if it is wanted.
+  void Add(double place, double power, bool isWanted = true)
   {
-    this->Places[index] = place;
-    this->Powers[index] = power;
+    this->Places[this->Count] = place;
+    this->Powers[this->Count] = power;
+    this->Count += isWanted ? 1 : 0;
   }
 
-  /// For terms that spread over no more than two sigma; false where they have no power.
-  bool Find(double sigma, Result& result) const;
+  /// For one term or more that spread over no more than two sigma; false where they have no power.
+  bool Find(double sigma, Result& result);
 
 private:
   struct Moments;
   struct Sums;
+  void FillLanes();
   Moments GetMoments() const;
   Sums GetSums(double place, double scale) const;
 
-  std::size_t Count = 0; ///< rounded up to a full number of lanes
-  std::vector<double> Places;
+  std::size_t Count = 0;
+  double First = 0.0;         ///< place
+  std::vector<double> Places; ///< from the first on, once they are all there
   std::vector<double> Powers;
 };
 

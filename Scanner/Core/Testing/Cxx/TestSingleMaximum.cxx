@@ -19,9 +19,10 @@ using Terms = std::vector<std::pair<double, double>>; // places and powers
 bool Find(SingleMaximum& sum, const Terms& terms, double sigma, SingleMaximum::Result& result)
 {
   sum.Open(terms.size());
-  for (std::size_t i = 0; i < terms.size(); ++i)
+  for (const auto& [place, power] : terms)
   {
-    sum.Set(i, terms[i].first, terms[i].second);
+    sum.Add(99.0, 1.0, false);
+    sum.Add(place, power);
   }
   return sum.Find(sigma, result);
 }
