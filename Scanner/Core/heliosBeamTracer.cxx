@@ -146,13 +146,14 @@ void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts
 {
   this->Take(slot);
   const ScanModel& m = this->Model;
-  const double spread = this->GetSpread();
+  const Glance glance = this->GetGlance();
+  const double spread = glance.Spread;
   const int step = this->GetStep(spread);
   if (step == 0 && !m.Plan.LooksFirst())
   {
     return; // these are as many as an edge needs
   }
-  if (this->SeeEdge())
+  if (this->SeeEdge(glance))
   {
     this->CastMore(GetFiner(m.SubRays, m.FinerSubRays, step), pulse, counts);
   }
@@ -163,11 +164,16 @@ void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::SeeEdge()
+bool BeamTracer::SeeEdge(const Glance& glance)
 {
   const auto& pairs = this->Model.ProbePairs;
+  const vtkHeliosHit* hits = this->Hits;
   return std::any_of(pairs.begin(), pairs.end(),
-    [this](const auto& pair) { return this->IsEdgeBetween(pair.first, pair.second); });
+    [&](const auto& pair)
+    {
+      const bool isOneCell = hits[pair.first].CellId == hits[pair.second].CellId;
+      return !(isOneCell && !glance.IsCut) && this->IsEdgeBetween(pair.first, pair.second);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -204,8 +210,7 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
 }
 
 //------------------------------------------------------------------------------
-/// The ranges that the probes meet spread over, in sigma_R.
-double BeamTracer::GetSpread() const
+BeamTracer::Glance BeamTracer::GetGlance() const
 {
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;
@@ -218,7 +223,9 @@ double BeamTracer::GetSpread() const
       farthest = std::max(farthest, hit.Range);
     }
   }
-  return (farthest - nearest) / this->SigmaRange;
+  const RangeGate& gate = this->Model.Gate;
+  const bool isCut = nearest < gate.Least || farthest > gate.Most;
+  return { (farthest - nearest) / this->SigmaRange, isCut };
 }
 
 //------------------------------------------------------------------------------

@@ -60,9 +60,15 @@ private:
   void Meet(const Pulse* pulses, std::size_t count, Volley& volley);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Take(const Volley& volley, std::size_t slot);
-  bool SeeEdge();
+  /// What probes meet, at first sight.
+  struct Glance
+  {
+    double Spread; ///< of their ranges, in sigma_R
+    bool IsCut;    ///< by the range gate
+  };
+  Glance GetGlance() const;
+  bool SeeEdge(const Glance& glance);
   bool IsEdgeBetween(std::size_t a, std::size_t b);
-  double GetSpread() const;
   int GetStep(double spread);
   bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.Gate.IsSilent(hit); }
 

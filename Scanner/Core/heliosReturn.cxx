@@ -109,7 +109,7 @@ void Receiver::FindSingleEcho(
   this->Maximum.Open(returns.size());
   for (const SubReturn& r : returns)
   {
-    this->Maximum.Add(r.Range, r.Power, r.Range >= limits.Nearest && r.Range <= limits.Farthest);
+    this->Maximum.Add(r.Range, r.Power, (r.Range >= limits.Nearest) & (r.Range <= limits.Farthest));
   }
   SingleMaximum::Result peak;
   if (!this->Maximum.Find(this->SigmaRange, peak) ||
