@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace helios
 {
@@ -15,7 +16,6 @@ namespace helios
 namespace
 {
 
-constexpr int GroupWidth = 8; // rays that the filter takes at a time
 typedef EightFloats Group;
 typedef EightMasks GroupMasks;
 
@@ -246,15 +246,16 @@ bool BeamBundle::SetFrame()
     }
     rest = Max(rest, GetMost(most));
   }
-  if (this->Quads % 2 == 1) // the last group is full
-  {
-    Store(&this->Slopes[0][QuadWidth * this->Quads], Floats());
-    Store(&this->Slopes[1][QuadWidth * this->Quads], Floats());
-  }
   if (!this->Filter.SetError(rest))
   {
     std::fill_n(this->Slopes[0], MaximumRays, 0.0f);
     std::fill_n(this->Slopes[1], MaximumRays, 0.0f);
+  }
+  if (this->Quads % 2 == 1) // a ray that hits nothing fills the last group
+  {
+    const Floats nowhere = Floats() + std::numeric_limits<float>::quiet_NaN();
+    Store(&this->Slopes[0][QuadWidth * this->Quads], nowhere);
+    Store(&this->Slopes[1][QuadWidth * this->Quads], nowhere);
   }
   this->SetBlocks();
   return true;
@@ -263,11 +264,12 @@ bool BeamBundle::SetFrame()
 /// Sets the sides of blocks of neighbours.
 HELIOS_INLINE void BeamBundle::SetBlocks()
 {
-  this->Blocks = (this->Quads + QuadsPerBlock - 1) / QuadsPerBlock;
+  constexpr int quadsPerBlock = 2 * GroupsPerBlock;
+  this->Blocks = (this->Quads + quadsPerBlock - 1) / quadsPerBlock;
   for (int block = 0; this->Blocks > 1 && block < MaximumBlocks; ++block)
   {
-    const int first = std::min(QuadsPerBlock * block, this->Quads - 1);
-    const int last = std::min(QuadsPerBlock * (block + 1), this->Quads);
+    const int first = std::min(quadsPerBlock * block, this->Quads - 1);
+    const int last = std::min(quadsPerBlock * (block + 1), this->Quads);
     for (int i = 0; i < 2; ++i)
     {
       Floats least = Load<Floats>(&this->Slopes[i][QuadWidth * first]);
@@ -332,9 +334,9 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
   better |= GetBytes(isBetter);
 }
 
-/// Tests some of the quads in double; whether any ray has a better hit.
+/// Tests those of some groups in double that have bytes; whether any ray has a better hit.
 HELIOS_INLINE bool BeamBundle::TestTriangle(
-  vtkTypeInt32 triangle, vtkTypeUInt64 quads, const std::uint32_t* bytes)
+  vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes)
 {
   const TriangleMesh& mesh = this->Tree.GetMesh();
   const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
@@ -349,19 +351,26 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
     fromOne.SetCorners(origin, points);
     fromOne.Terms.Set(plane, fromOne.Corners);
   }
-  for (; quads != 0; quads &= quads - 1)
+  for (; groups != 0; groups &= groups - 1)
   {
-    const int quad = __builtin_ctzll(quads);
-    RayLanes& lanes = this->Lanes[quad];
-    if (this->HaveSameOrigin)
+    const int first = 2 * __builtin_ctz(groups);
+    for (int quad = first; quad < first + 2; ++quad)
     {
-      this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
-      continue;
+      RayLanes& lanes = this->Lanes[quad];
+      if (bytes[quad] == 0)
+      {
+        continue;
+      }
+      if (this->HaveSameOrigin)
+      {
+        this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
+        continue;
+      }
+      Seen<Doubles> seen;
+      seen.SetCorners(lanes.Origin, points);
+      seen.Terms.Set(plane, seen.Corners);
+      this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
     }
-    Seen<Doubles> seen;
-    seen.SetCorners(lanes.Origin, points);
-    seen.Terms.Set(plane, seen.Corners);
-    this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
   }
   return better != 0;
 }
@@ -400,44 +409,43 @@ HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
   return GetBytes(positive | negative);
 }
 
-/// Compares the rays of groups with a triangle: a byte for each. The quads where any may hit it, a bit
+/// Compares the rays of groups with a triangle: a byte for each. The groups where any may hit it, a bit
 /// for each.
-HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindQuads(const LeafFilter::Edges& edges, int triangle,
-  int firstGroup, int lastGroup, std::uint32_t* bytes) const
+HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
+  const LeafFilter::Edges& edges, int triangle, int first, int last, std::uint32_t* bytes) const
 {
-  vtkTypeUInt64 quads = 0;
-  for (int group = firstGroup; group < lastGroup; ++group)
+  std::uint32_t groups = 0;
+  for (int group = first; group < last; ++group)
   {
     Group e[3];
     GetEdges(edges, triangle, Load<Group>(this->Slopes[0] + GroupWidth * group),
       Load<Group>(this->Slopes[1] + GroupWidth * group), e);
     const vtkTypeUInt64 both = GetBytes(Compare(e, Group() + edges.Error[triangle]));
-    const vtkTypeUInt64 pair = (both << 32 != 0 ? 1 : 0) | (both >> 32 != 0 ? 2 : 0);
-    quads |= pair << 2 * group;
+    groups |= (both != 0 ? 1u : 0u) << group;
     Store(bytes + 2 * group, both);
   }
-  return quads;
+  return groups;
 }
 
 /// The same of all groups, or those of blocks that may have some.
-HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindQuads(
+HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
 {
-  const int groups = (this->Quads + 1) / 2;
+  const int count = (this->Quads + 1) / 2;
   if (this->Blocks == 1)
   {
-    return this->FindQuads(edges, triangle, 0, groups, bytes);
+    return this->FindGroups(edges, triangle, 0, count, bytes);
   }
-  vtkTypeUInt64 quads = 0;
+  std::uint32_t groups = 0;
   for (vtkTypeUInt64 blocks = this->FindBlocks(edges, triangle); blocks != 0;)
   {
     const int block = __builtin_ctzll(blocks) / 8;
     blocks &= ~(vtkTypeUInt64(0xff) << 8 * block);
-    const int first = block * QuadsPerBlock / 2;
-    quads |=
-      this->FindQuads(edges, triangle, first, std::min(first + QuadsPerBlock / 2, groups), bytes);
+    const int first = block * GroupsPerBlock;
+    groups |=
+      this->FindGroups(edges, triangle, first, std::min(first + GroupsPerBlock, count), bytes);
   }
-  return quads;
+  return groups;
 }
 
 /// Tests the triangles of a leaf; whether any ray has a better hit.
@@ -458,15 +466,14 @@ bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
       __builtin_prefetch(mesh.GetCorner(leaf.Triangles[i], corner));
     }
   }
-  const vtkTypeUInt64 allQuads = ~vtkTypeUInt64(0) >> (MaximumRays / QuadWidth - this->Quads);
   bool isBetter = false;
   for (int i = 0; i < leaf.Count; ++i)
   {
     std::uint32_t bytes[MaximumRays / QuadWidth];
-    const vtkTypeUInt64 quads = edges.IsAlive[i] ? this->FindQuads(edges, i, bytes) & allQuads : 0;
-    if (quads != 0)
+    const std::uint32_t groups = edges.IsAlive[i] ? this->FindGroups(edges, i, bytes) : 0;
+    if (groups != 0)
     {
-      isBetter = this->TestTriangle(leaf.Triangles[i], quads, bytes) || isBetter;
+      isBetter = this->TestTriangle(leaf.Triangles[i], groups, bytes) || isBetter;
     }
   }
   return isBetter;

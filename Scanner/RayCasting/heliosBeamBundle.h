@@ -32,6 +32,8 @@ public:
   void Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
 
 private:
+  static constexpr int GroupWidth = 8; ///< rays that the filter takes at a time
+
   void TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
   bool Take(const vtkHeliosRay* rays, int count);
   bool SetFrame();
@@ -39,11 +41,12 @@ private:
   double GetFarthest() const;
   void GetHits(vtkHeliosHit* hits) const;
   vtkTypeUInt64 FindBlocks(const LeafFilter::Edges& edges, int triangle) const;
-  vtkTypeUInt64 FindQuads(const LeafFilter::Edges& edges, int triangle, int firstGroup,
-    int lastGroup, std::uint32_t* bytes) const;
-  vtkTypeUInt64 FindQuads(const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const;
+  std::uint32_t FindGroups(
+    const LeafFilter::Edges& edges, int triangle, int first, int last, std::uint32_t* bytes) const;
+  std::uint32_t FindGroups(
+    const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const;
   bool Test(const BeamTree::Leaf& leaf, float limit);
-  bool TestTriangle(vtkTypeInt32 triangle, vtkTypeUInt64 quads, const std::uint32_t* bytes);
+  bool TestTriangle(vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes);
   template <typename SeenT>
   void TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
     const TrianglePlane& plane, const SeenT& seen, std::uint32_t& better) const;
@@ -61,7 +64,7 @@ private:
   alignas(64) float Slopes[2][MaximumRays]; ///< of the rays relative to the filter's axis
 
   static constexpr int MaximumBlocks = 8;
-  static constexpr int QuadsPerBlock = MaximumRays / QuadWidth / MaximumBlocks;
+  static constexpr int GroupsPerBlock = MaximumRays / GroupWidth / MaximumBlocks;
   int Blocks = 1;
   float Middle[2][MaximumBlocks]; ///< of the slopes of a block, where there are some
   float Half[2][MaximumBlocks];   ///< from there to its sides
