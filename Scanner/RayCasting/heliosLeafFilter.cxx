@@ -42,7 +42,8 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
 
 bool LeafFilter::SetError(double rest)
 {
-  constexpr double placeError = 0x1p-20; // of what floats round in a place, relative to the scene
+  // What floats round in a corner's place beside the axis: up to 5 + 6 Largest units of 2^-24.
+  constexpr double placeError = 0x1p-21;
   this->Error =
     static_cast<float>(placeError * (1.0 + this->Largest) + 2 * (rest + 4 * this->Slack));
   if (this->Largest + this->Depth < 1e6)

@@ -80,10 +80,12 @@ void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges)
     far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
     least = Min(least, s);
   }
-  constexpr float edgeError = 0x1p-19f; // of an edge function, relative to its terms
-  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]);
+  // The edge function is a x b, a and b being the places of two corners beside the ray where it passes
+  // them: if these are off by da and db, it is off by da x b + a x db + da x db.
+  constexpr float edgeError = 0x1p-19f; // of what floats round in it, relative to its terms
+  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // of a and b
   const Floats error =
-    reach * (4 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;
+    reach * (2 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;
   const float uncertain = this->Error + this->Length;
   ShortMasks positive = (least - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
   ShortMasks negative = positive;
