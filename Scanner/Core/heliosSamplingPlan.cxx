@@ -35,7 +35,7 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   const double longestEcho = 4.0 * sigmaRange; // sides farther apart are echoes of their own
   SamplingPlan plan;
-  plan.ProbeRings = energyTolerance >= 0.002 ? 2 : 4;
+  plan.LooksClosely = energyTolerance < 0.002;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
   // Less than half of what is allowed for the amplitude, for small shares are off by more of their own.

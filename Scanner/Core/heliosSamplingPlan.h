@@ -13,7 +13,7 @@ namespace helios
 {
 
 /**
- * A few rings of sub-rays look at a beam; where they find no edge they are its returns. Else it is sampled
+ * A few sub-rays look at a beam; where they find no edge they are its returns. Else it is sampled
  * by as many as the edge needs. Where these are no more than those that look, they are cast at once.
  * The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on Vogel's spiral and a straight
  * edge anywhere in a beam cut at 1.5 w:
@@ -25,7 +25,7 @@ namespace helios
  */
 struct SamplingPlan
 {
-  int ProbeRings = 2;           ///< q of the Gauss-Legendre rings that look at a beam first
+  bool LooksClosely = false;    ///< whether rings of 64 sub-rays look at a beam first
   int NumberOfSubRays = 336;    ///< of a beam that meets edges
   double DetectionBin = 0.25;   ///< [ns]
   double LargestSpread = 0.0;   ///< of the ranges that probes may stand for, in sigma_R
@@ -38,8 +38,8 @@ struct SamplingPlan
   /// How often the rings are doubled, at most, where a surface spreads over many sigma_R.
   int FinerSteps = 2;
 
-  /// How many sub-rays look at a beam: the rings, and eight at its rim.
-  int GetNumberOfProbes() const { return 4 * this->ProbeRings * this->ProbeRings + 8; }
+  /// How many sub-rays look at a beam: on the axis and two rings, or many rings and eight at the rim.
+  int GetNumberOfProbes() const { return this->LooksClosely ? 72 : 21; }
 
   /// Whether they look, or all sub-rays are cast at once.
   bool LooksFirst() const { return this->NumberOfSubRays > this->GetNumberOfProbes(); }

@@ -193,7 +193,7 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
   CHECK(
     edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
-  CHECK(edge.Scanner->GetNumberOfSubRays() == (24 + 336) * 1000);
+  CHECK(edge.Scanner->GetNumberOfSubRays() == (21 + 336) * 1000);
   // So few that there is no need to look first.
   edge.Scanner->SetRangeTolerance(1e-2);
   edge.Scanner->SetEnergyTolerance(0.1);
@@ -314,7 +314,7 @@ TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
   bench.Scanner->SetSamplingToTolerance();
-  CHECK(bench.Scanner->DescribeSampling().find("24 sub-rays") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("21 sub-rays") != std::string::npos);
   CHECK(
     bench.Scanner->DescribeSampling().find("336 more where it meets edges") != std::string::npos);
   bench.Scanner->SetRangeTolerance(1e-2);
