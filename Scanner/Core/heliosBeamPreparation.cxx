@@ -235,7 +235,7 @@ void PrepareBeamByTolerance(
 
   const auto beam = CopyBeam(sampler); // to be given patterns
   const int count = model.Plan.NumberOfSubRays;
-  const int rings = model.Plan.GetRings();
+  const int rings = model.Plan.Rings;
   model.SubRays = MakeSpiral(beam, count);
   model.Rings = MakeRings(beam, rings);
   for (int step = 1; step <= model.Plan.FinerSteps; ++step)

@@ -41,27 +41,23 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   // Less than half of what is allowed for the amplitude, for small shares are off by more of their own.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
+  plan.Rings = static_cast<int>(std::lround(0.5 * std::sqrt(plan.NumberOfSubRays)));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // as fine as 0.25 ns of 4 ns at least
   plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;
-  while (plan.GetRings() << plan.FinerSteps < FinestRings)
+  while (plan.Rings << plan.FinerSteps < FinestRings)
   {
     ++plan.FinerSteps;
   }
   return plan;
 }
 
-int SamplingPlan::GetRings() const
-{
-  return static_cast<int>(std::lround(0.5 * std::sqrt(this->NumberOfSubRays)));
-}
-
 int SamplingPlan::GetStep(double spread) const
 {
   int step = 0;
-  for (double rings = this->GetRings(); step < this->FinerSteps && spread > SpreadOfRing * rings;
+  for (double rings = this->Rings; step < this->FinerSteps && spread > SpreadOfRing * rings;
        ++step)
   {
     rings *= 2.0;

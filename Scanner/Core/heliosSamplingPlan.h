@@ -27,6 +27,7 @@ struct SamplingPlan
 {
   bool LooksClosely = false;    ///< whether rings of 64 sub-rays look at a beam first
   int NumberOfSubRays = 336;    ///< of a beam that meets edges
+  int Rings = 9;                ///< that these are worth, and that see one steep surface
   double DetectionBin = 0.25;   ///< [ns]
   double LargestSpread = 0.0;   ///< of the ranges that probes may stand for, in sigma_R
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
@@ -43,9 +44,6 @@ struct SamplingPlan
 
   /// Whether they look, or all sub-rays are cast at once.
   bool LooksFirst() const { return this->NumberOfSubRays > this->GetNumberOfProbes(); }
-
-  /// The rings that Vogel's spiral is worth, and that see one steep surface.
-  int GetRings() const;
 
   /// How often they are doubled for a surface that spreads over so many sigma_R in a beam.
   int GetStep(double spread) const;
