@@ -201,6 +201,43 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(edge.Scanner->GetNumberOfSubRays() == 16 * 1000);
 }
 
+TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance]")
+{
+  // Two planes, 5 mm apart: neither one plane nor an edge.
+  Bench bench(MakeScene({ { { -50, 60, -50 }, { 50, 0, 0 }, { 0, 0, 100 } },
+    { { 0, 60.005, -50 }, { 50, 0, 0 }, { 0, 0, 100 } } }));
+  bench.Scanner->SetSamplingToTolerance();
+  bench.Scanner->GenerateSubRaysOn();
+  bench.Scanner->SetDuration(1e-5);
+  vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
+  for (const double k : { 0.5, 1.0, 1.5, 3.0 })
+  {
+    CAPTURE(k);
+    sampler->SetTruncation(k);
+    bench.Run();
+    REQUIRE(bench.Scanner->GetNumberOfPulsesFired() == 1);
+    vtkPolyData* hits = bench.Scanner->GetOutput(3);
+    REQUIRE(hits->GetNumberOfPoints() == 21);
+    double sum = 0.0, mean = 0.0, meanSquare = 0.0;
+    for (vtkIdType i = 0; i < 21; ++i)
+    {
+      const Vec3 place(hits->GetPoint(i));
+      const double share = Value(hits, names::Weight, i);
+      CHECK(share > 0.0);
+      const double angle = std::atan2(std::hypot(place[0], place[2]), place[1]);
+      const double square = std::pow(2.0 * angle / sampler->GetBeamDivergence(), 2);
+      sum += share;
+      mean += share * square;
+      meanSquare += share * square * square;
+    }
+    const double e = std::exp(-2.0 * k * k);
+    CHECK(sum == Approx(1.0).epsilon(1e-14));
+    CHECK(mean == Approx((0.5 - e * (k * k + 0.5)) / (1.0 - e)).epsilon(1e-9));
+    CHECK(
+      meanSquare == Approx((0.5 - e * (k * k * k * k + k * k + 0.5)) / (1.0 - e)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("Tolerance: a plane has one echo, however steep it is", "[Tolerance]")
 {
   for (const double q : { 0.5, 2.0, 4.0, 6.0, 8.0, 10.0, 14.0 })
