@@ -319,7 +319,7 @@ struct Seen
 /// Keeps better hits with a triangle of lanes that may be inside, a byte for each.
 template <typename SeenT>
 HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
-  const TrianglePlane& plane, const SeenT& seen, std::uint32_t& better) const
+  const TrianglePlane& plane, const SeenT& seen, Masks& better) const
 {
   Masks inside, isBetter;
   SetMasks(bytes, inside);
@@ -331,7 +331,7 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
     helios::GetInside(isPossible, sheared, edges, inside);
   }
   KeepBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
-  better |= GetBytes(isBetter);
+  better |= isBetter;
 }
 
 /// Tests those of some groups in double that have bytes; whether any ray has a better hit.
@@ -342,7 +342,7 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
   const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
     mesh.GetCorner(triangle, 2) };
   const TrianglePlane plane = GetPlane(points);
-  std::uint32_t better = 0;
+  Masks better = {};
   Seen<double> fromOne;
   if (this->HaveSameOrigin)
   {
@@ -372,7 +372,7 @@ HELIOS_INLINE bool BeamBundle::TestTriangle(
       this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
     }
   }
-  return better != 0;
+  return Any(better);
 }
 
 /// The edge functions of a triangle at slopes.

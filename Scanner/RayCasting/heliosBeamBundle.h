@@ -49,7 +49,7 @@ private:
   bool TestTriangle(vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes);
   template <typename SeenT>
   void TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
-    const TrianglePlane& plane, const SeenT& seen, std::uint32_t& better) const;
+    const TrianglePlane& plane, const SeenT& seen, Masks& better) const;
 
   const BeamTree& Tree;
   int Count = 0;

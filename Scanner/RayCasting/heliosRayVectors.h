@@ -39,9 +39,8 @@ typedef float EightFloats __attribute__((vector_size(32)));
 typedef int EightMasks __attribute__((vector_size(32)));
 typedef signed char MaskBytes __attribute__((vector_size(32)));
 
-///@{
-/// Numbers of eight or four lanes that fit a byte as one byte a lane, and masks back: for logic that is
-/// not about lanes. By a shuffle: compilers convert lane by lane where the machine has no AVX-512.
+/// Numbers of eight lanes that fit a byte as one byte a lane: for logic that is not about lanes. By a
+/// shuffle, for compilers convert lane by lane where the machine has no AVX-512.
 HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
 {
   constexpr MaskBytes lowest = { 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8,
@@ -52,22 +51,12 @@ HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
   return result;
 }
 
-HELIOS_INLINE std::uint32_t GetBytes(const Masks& masks)
-{
-  constexpr MaskBytes lowest = { 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16,
-    24, 0, 8, 16, 24, 0, 8, 16, 24, 0, 8, 16, 24 };
-  const MaskBytes bytes = __builtin_shuffle(reinterpret_cast<const MaskBytes&>(masks), lowest);
-  std::uint32_t result;
-  std::memcpy(&result, &bytes, sizeof(result));
-  return result;
-}
-
+/// The masks of four lanes where bytes are not zero.
 HELIOS_INLINE void SetMasks(std::uint32_t bytes, Masks& masks)
 {
   constexpr Masks ofLanes = { 0xff, 0xff00, 0xff0000, 0xff000000 };
   masks = ((Masks() + bytes) & ofLanes) != 0;
 }
-///@}
 
 /// Of lanes inside a triangle but for an edge function of zero, takes those out that are not.
 __attribute__((noinline)) inline void SettleTies(
