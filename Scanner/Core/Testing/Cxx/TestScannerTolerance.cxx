@@ -238,6 +238,27 @@ TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance
   }
 }
 
+TEST_CASE("Tolerance: one triangle has an edge where the range ends", "[Tolerance]")
+{
+  // Steep, off the diagonal; the axis meets it at 60 m.
+  Bench bench(MakeScene({ { { -20, 40, -50 }, { 40, 40, 0 }, { 0, 0, 90 } } }));
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(2e-3);
+  bench.Scanner->SetRangeMax(60.01);
+  bench.Scanner->GetBeamSampler()->SetPatternToVogel();
+  bench.Scanner->GetBeamSampler()->SetNumberOfSubRays(4096);
+  vtkPolyData* echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  const double range = Value(echoes, names::Range, 0);
+  const double amplitude = Value(echoes, names::Amplitude, 0);
+
+  bench.Scanner->SetSamplingToTolerance();
+  echoes = bench.Run();
+  REQUIRE(echoes->GetNumberOfPoints() == 1000);
+  CHECK(bench.Scanner->GetNumberOfSubRays() == (21 + 336) * 1000);
+  CHECK(Value(echoes, names::Range, 0) == Approx(range).epsilon(0).margin(1e-3));
+  CHECK(Value(echoes, names::Amplitude, 0) == Approx(amplitude).epsilon(1e-2));
+}
+
 TEST_CASE("Tolerance: a plane has one echo, however steep it is", "[Tolerance]")
 {
   for (const double q : { 0.5, 2.0, 4.0, 6.0, 8.0, 10.0, 14.0 })
