@@ -3,7 +3,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamBundle.h"
 
-#include "heliosTriangleMesh.h"
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,6 @@ namespace helios
 
 namespace
 {
-
-typedef EightFloats Group;
-typedef EightMasks GroupMasks;
 
 HELIOS_INLINE double GetLeast(const Doubles& v)
 {
@@ -64,18 +61,6 @@ HELIOS_INLINE void SetRays(const vtkHeliosRay& a, const vtkHeliosRay& b, const v
   Transpose(LoadDirection(a), LoadDirection(b), LoadDirection(c), LoadDirection(d), direction[0],
     direction[1], direction[2], lanes.Range);
 }
-
-/// Of lanes by the signs of all edge functions, as far as the error tells: 0 outside, -1 perhaps, -2 inside.
-HELIOS_INLINE GroupMasks Compare(const Group e[3], const Group& error)
-{
-  const Group least = Min(Min(e[0], e[1]), e[2]);
-  const Group most = Max(Max(e[0], e[1]), e[2]);
-  const GroupMasks possible = (least >= -error) | (most <= error);
-  const GroupMasks certain = (least > error) | (most < -error);
-  return possible + certain;
-}
-constexpr std::uint32_t Perhaps =
-  0x01010101; // what the bytes of four lanes have that are perhaps inside
 
 } // namespace
 
@@ -300,183 +285,6 @@ double BeamBundle::GetFarthest() const
     farthest = Max<Doubles>(farthest, lanes.Range * Max<Doubles>(lanes.Largest, -lanes.Largest));
   }
   return GetMost(farthest);
-}
-
-//------------------------------------------------------------------------------
-/// What of a triangle depends on where rays come from: on the lanes, or one place for all.
-template <typename PlaceT>
-struct Seen
-{
-  PlaceT Corners[3][3];
-  RangeTerms<PlaceT> Terms;
-
-  HELIOS_INLINE void SetCorners(const PlaceT origin[3], const double* const points[3])
-  {
-    Relate<PlaceT>(origin, points, this->Corners);
-  }
-};
-
-/// Keeps better hits with a triangle of lanes that may be inside, a byte for each.
-template <typename SeenT>
-HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
-  const TrianglePlane& plane, const SeenT& seen, Masks& better) const
-{
-  Masks inside, isBetter;
-  SetMasks(bytes, inside);
-  if (bytes & Perhaps)
-  {
-    Doubles sheared[3][2], edges[3];
-    GetEdgeFunctions(lanes, this->Axes, seen.Corners, sheared, edges);
-    const Masks isPossible = inside;
-    helios::GetInside(isPossible, sheared, edges, inside);
-  }
-  KeepBetter(lanes, inside, triangle, plane, seen.Terms, isBetter);
-  better |= isBetter;
-}
-
-/// Tests those of some groups in double that have bytes; whether any ray has a better hit.
-HELIOS_INLINE bool BeamBundle::TestTriangle(
-  vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes)
-{
-  const TriangleMesh& mesh = this->Tree.GetMesh();
-  const double* points[3] = { mesh.GetCorner(triangle, 0), mesh.GetCorner(triangle, 1),
-    mesh.GetCorner(triangle, 2) };
-  const TrianglePlane plane = GetPlane(points);
-  Masks better = {};
-  Seen<double> fromOne;
-  if (this->HaveSameOrigin)
-  {
-    const double origin[3] = { this->Lanes[0].Origin[0][0], this->Lanes[0].Origin[1][0],
-      this->Lanes[0].Origin[2][0] };
-    fromOne.SetCorners(origin, points);
-    fromOne.Terms.Set(plane, fromOne.Corners);
-  }
-  for (; groups != 0; groups &= groups - 1)
-  {
-    const int first = 2 * __builtin_ctz(groups);
-    for (int quad = first; quad < first + 2; ++quad)
-    {
-      RayLanes& lanes = this->Lanes[quad];
-      if (bytes[quad] == 0)
-      {
-        continue;
-      }
-      if (this->HaveSameOrigin)
-      {
-        this->TestQuad(lanes, bytes[quad], triangle, plane, fromOne, better);
-        continue;
-      }
-      Seen<Doubles> seen;
-      seen.SetCorners(lanes.Origin, points);
-      seen.Terms.Set(plane, seen.Corners);
-      this->TestQuad(lanes, bytes[quad], triangle, plane, seen, better);
-    }
-  }
-  return Any(better);
-}
-
-/// The edge functions of a triangle at slopes.
-HELIOS_INLINE void GetEdges(
-  const LeafFilter::Edges& edges, int triangle, const Group& dx, const Group& dy, Group e[3])
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    const auto& terms = edges.Terms[k];
-    e[k] = dx * terms[0][triangle] + dy * terms[1][triangle] + terms[2][triangle];
-  }
-}
-
-/// The blocks some of whose rays may hit a triangle, a byte for each.
-HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
-  const LeafFilter::Edges& edges, int triangle) const
-{
-  static_assert(MaximumBlocks == GroupWidth, "blocks are asked for as a group");
-  Group e[3];
-  GetEdges(edges, triangle, Load<Group>(this->Middle[0]), Load<Group>(this->Middle[1]), e);
-  const Group halfX = Load<Group>(this->Half[0]);
-  const Group halfY = Load<Group>(this->Half[1]);
-  GroupMasks positive = GroupMasks() - 1;
-  GroupMasks negative = positive;
-  for (int k = 0; k < 3; ++k)
-  {
-    const auto& terms = edges.Terms[k];
-    // Twice the error: of the rays, and of the middle.
-    const Group reach = halfX * std::abs(terms[0][triangle]) +
-      halfY * std::abs(terms[1][triangle]) + 2.0f * edges.Error[triangle];
-    positive = positive & (e[k] >= -reach);
-    negative = negative & (e[k] <= reach);
-  }
-  return GetBytes(positive | negative);
-}
-
-/// Compares the rays of groups with a triangle: a byte for each. The groups where any may hit it, a bit
-/// for each.
-HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
-  const LeafFilter::Edges& edges, int triangle, int first, int last, std::uint32_t* bytes) const
-{
-  std::uint32_t groups = 0;
-  for (int group = first; group < last; ++group)
-  {
-    Group e[3];
-    GetEdges(edges, triangle, Load<Group>(this->Slopes[0] + GroupWidth * group),
-      Load<Group>(this->Slopes[1] + GroupWidth * group), e);
-    const vtkTypeUInt64 both = GetBytes(Compare(e, Group() + edges.Error[triangle]));
-    groups |= (both != 0 ? 1u : 0u) << group;
-    Store(bytes + 2 * group, both);
-  }
-  return groups;
-}
-
-/// The same of all groups, or those of blocks that may have some.
-HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
-  const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
-{
-  const int count = (this->Quads + 1) / 2;
-  if (this->Blocks == 1)
-  {
-    return this->FindGroups(edges, triangle, 0, count, bytes);
-  }
-  std::uint32_t groups = 0;
-  for (vtkTypeUInt64 blocks = this->FindBlocks(edges, triangle); blocks != 0;)
-  {
-    const int block = __builtin_ctzll(blocks) / 8;
-    blocks &= ~(vtkTypeUInt64(0xff) << 8 * block);
-    const int first = block * GroupsPerBlock;
-    groups |=
-      this->FindGroups(edges, triangle, first, std::min(first + GroupsPerBlock, count), bytes);
-  }
-  return groups;
-}
-
-/// Tests the triangles of a leaf; whether any ray has a better hit.
-HELIOS_CLONES
-bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
-{
-  const TriangleMesh& mesh = this->Tree.GetMesh();
-  for (int i = 0; i < leaf.Count; ++i)
-  {
-    __builtin_prefetch(mesh.GetCorners() + 3 * static_cast<vtkIdType>(leaf.Triangles[i]));
-  }
-  LeafFilter::Edges edges;
-  this->Filter.SetEdges(leaf, limit, edges);
-  for (int i = 0; i < leaf.Count; ++i)
-  {
-    for (int corner = 0; corner < 3 && edges.IsAlive[i]; ++corner)
-    {
-      __builtin_prefetch(mesh.GetCorner(leaf.Triangles[i], corner));
-    }
-  }
-  bool isBetter = false;
-  for (int i = 0; i < leaf.Count; ++i)
-  {
-    std::uint32_t bytes[MaximumRays / QuadWidth];
-    const std::uint32_t groups = edges.IsAlive[i] ? this->FindGroups(edges, i, bytes) : 0;
-    if (groups != 0)
-    {
-      isBetter = this->TestTriangle(leaf.Triangles[i], groups, bytes) || isBetter;
-    }
-  }
-  return isBetter;
 }
 
 } // namespace helios
