@@ -6,14 +6,9 @@ import hashlib
 import json
 import os
 import pathlib
-import pty
 import re
-import shutil
-import signal
 import subprocess
 import sys
-import time
-import types
 
 import numpy as np
 import pytest
@@ -22,11 +17,8 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 import vtkhelios
 
 from vtkhelios.cli import main, make_parser
-from vtkhelios.cli._messages import Messages
-from vtkhelios.cli.run import run_play
 
-PULSES = 20_850  # 0.5 s at 100 kHz, of which the mirror lets out 100 of 240 degrees
-LONG = dict(speed=0.01, stop=60)  # 600 million pulses: longer than any test waits
+from _command_line import PULSES, expect_failure, start
 
 
 # What is typed wrong.
@@ -111,13 +103,6 @@ def test_every_command_has_a_summary():
 
 
 # What goes wrong.
-
-
-def expect_failure(done, message):
-    assert done.returncode == 1, done
-    assert re.search(message, done.stderr), done.stderr
-    assert done.stderr.startswith("error: ") or "\nerror: " in done.stderr
-    assert "Traceback" not in done.stderr and "0x" not in done.stderr
 
 
 def test_missing_survey(command_line, tmp_path):
@@ -319,204 +304,3 @@ def test_output_of_a_closed_pipe(make_survey, tmp_path):
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
     done = subprocess.run(command, shell=True, capture_output=True, text=True, env=environment)
     assert "Traceback" not in done.stderr and "Exception" not in done.stderr
-
-
-# A run that takes its time.
-
-
-def start(survey, output, more=(), **options):
-    environment = {**os.environ, "PYTHONPATH": ":".join(sys.path)}
-    return subprocess.Popen(
-        [
-            sys.executable,
-            "-P",
-            "-m",
-            "vtkhelios",
-            "run",
-            str(survey),
-            "--output",
-            str(output),
-            *more,
-        ],
-        env=environment,
-        **options,
-    )
-
-
-def wait_for_points(output, seconds=60):
-    """Waits until something was written."""
-    until = time.monotonic() + seconds
-    while time.monotonic() < until:
-        if any(path.stat().st_size > 100_000 for path in output.rglob("*points*")):
-            return
-        time.sleep(0.05)
-    raise AssertionError("nothing was written")
-
-
-@pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
-def test_interrupt_keeps_valid_files(number, code, make_survey, tmp_path):
-    run = start(
-        make_survey(**LONG),
-        tmp_path / "out",
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    wait_for_points(tmp_path / "out")
-    run.send_signal(number)
-    _, errors = run.communicate(timeout=60)
-    assert run.returncode == code
-    assert "interrupted at" in errors and "are kept in" in errors and "Traceback" not in errors
-    cloud = next((tmp_path / "out/plane").glob("leg000_points.xyz*"))
-    lines = cloud.read_text().splitlines()
-    kept = int(re.search(r"the ([\d,]+) points", errors).group(1).replace(",", ""))
-    assert len(lines) == kept
-    assert all(len(line.split()) == 11 for line in (lines[0], lines[-1]))
-
-
-# A survey that is played several times.
-
-SWAPS = """\
-<document>
-  <scene id="plane">
-    <part id="ground">
-      <filter type="objloader"><param type="string" key="filepath" value="plane.obj"/></filter>
-      <swap>
-        <filter type="translate"><param type="vec3" key="offset" value="0;0;-1"/></filter>
-      </swap>
-      <swap>
-        <filter type="translate"><param type="vec3" key="offset" value="0;0;0.5"/></filter>
-      </swap>
-    </part>
-  </scene>
-</document>
-"""
-HEIGHTS = [0.0, -1.0, 0.5]
-
-
-@pytest.fixture
-def make_plays(make_survey):
-    def make(**how):
-        survey = make_survey(**how)
-        (survey.parent / "scene.xml").write_text(SWAPS)
-        return survey
-
-    return make
-
-
-def height(folder):
-    rows = np.loadtxt(folder / "leg000_points.xyz", usecols=(0, 1, 2), max_rows=5000)
-    return np.median(rows[np.hypot(rows[:, 0], rows[:, 1]) < 20, 2])
-
-
-def test_plays(command_line, make_plays, tmp_path):
-    survey, folder = make_plays(), tmp_path / "out/plane"
-    arguments = ["run", survey, "--output", tmp_path / "out", "--no-noise"]
-    alone = command_line(*arguments, "--play", 2)
-    assert alone.returncode == 0, alone.stderr
-    assert [path.name for path in folder.iterdir()] == ["play002"]
-    only = (folder / "play002/leg000_points.xyz").read_bytes()
-    done = command_line(*arguments)
-    expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
-    assert [path.name for path in folder.iterdir()] == ["play002"]  # said before the first play
-    expect_failure(command_line(*arguments, "--play", 3), "Play is 3, and the survey has 3 plays")
-
-    done = command_line(*arguments, "--overwrite")
-    assert done.returncode == 0, done.stderr
-    for play in range(3):
-        assert f"play     {play}, of 3 from 0\n" in done.stdout
-        assert height(folder / f"play00{play}") == pytest.approx(HEIGHTS[play], abs=1e-3)
-    assert (folder / "play002/leg000_points.xyz").read_bytes() == only
-    assert f"plays    3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
-
-    done = command_line(*arguments, "--resume", "--json")  # nothing is left to do
-    report = json.loads(done.stdout)
-    assert [each["play"] for each in report["plays"]] == [0, 1, 2]
-    assert [each["options"]["play"] for each in report["plays"]] == [0, 1, 2]
-    assert report["totals"]["pulsesFired"] == 3 * PULSES
-    points = sum(each["totals"]["points"] for each in report["plays"])
-    assert report["totals"]["points"] == points > 0
-
-
-def test_dry_run_of_plays(command_line, make_plays, tmp_path):
-    arguments = ["run", make_plays(), "--dry-run", "--output", tmp_path / "out"]
-    done = command_line(*arguments)
-    assert done.returncode == 0, done.stderr
-    assert re.search(
-        rf"plays    3.*\npulses   {3 * PULSES:,}\npoints .*\nfiles .*\nmemory", done.stdout
-    )
-    report = json.loads(command_line(*arguments, "--json").stdout)
-    assert report["totals"]["pulsesFired"] == 3 * PULSES
-    assert report["memory_bytes"] == max(each["memory_bytes"] for each in report["plays"])
-    assert report["timings"]["run_s"] == pytest.approx(sum(e["run_s"] for e in report["plays"]))
-    assert not (tmp_path / "out").exists()
-
-
-@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
-def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
-    survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices a play
-    more = ["--pulses-per-block", "4096"]
-    folder = tmp_path / "out/plane"
-    for _ in range(10):  # where the machine is busy a play may be over before the signal comes
-        shutil.rmtree(tmp_path / "out", ignore_errors=True)
-        run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
-        until = time.monotonic() + 60
-        while not list(folder.glob("play001/*points*")) and time.monotonic() < until:
-            time.sleep(0.01)
-        wait_for_points(folder / "play001")
-        run.send_signal(number)
-        _, errors = run.communicate(timeout=60)
-        if not (folder / "play002").exists():
-            break
-    assert run.returncode == (-9 if number == signal.SIGKILL else 130), errors
-    assert (folder / "play001/run.journal").exists() and not (folder / "play002").exists()
-
-    done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
-    assert done.returncode == 0, done.stderr
-    assert "Nothing is left to do" in done.stdout  # of the first play
-    whole = command_line("run", survey, "--output", tmp_path / "whole", "--play", 1, *more)
-    assert whole.returncode == 0, whole.stderr
-    name = "plane/play001/leg000_points.xyz"
-    assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
-    assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was begun
-
-
-def test_interrupt_between_plays(make_plays, capsys):
-    with Messages() as messages:
-        interrupt = types.SimpleNamespace(signal=signal.SIGINT)
-        assert run_play(None, None, 2, messages, interrupt, []) == 130
-    assert "interrupted before play 2: --resume goes on with it" in capsys.readouterr().err
-
-
-def test_progress_on_a_terminal(make_survey, tmp_path):
-    try:
-        leader, follower = pty.openpty()
-    except OSError:
-        pytest.skip("there are no pseudo-terminals here")
-    run = start(make_survey(**LONG), tmp_path / "out", stdout=subprocess.DEVNULL, stderr=follower)
-    os.close(follower)
-    shown = b""
-    while b"left" not in shown:
-        shown += os.read(leader, 4096)
-    run.send_signal(signal.SIGINT)
-    assert run.wait(timeout=60) == 130
-    os.close(leader)
-    assert re.search(rb"M pulses/s.*points.*left", shown, re.S)
-
-
-def test_progress_elsewhere_is_lines(make_survey, tmp_path):
-    run = start(
-        make_survey(**LONG),
-        tmp_path / "out",
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    line = run.stderr.readline()
-    run.send_signal(signal.SIGINT)
-    run.communicate(timeout=60)
-    assert re.match(
-        r" *\d+ % leg 1 of 1, [\d.]+ M pulses, [\d.]+ M pulses/s, "
-        r"[\d,]+ points, \d+:\d\d left\n",
-        line,
-    )

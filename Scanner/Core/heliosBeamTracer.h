@@ -60,6 +60,7 @@ private:
   void Meet(const Pulse* pulses, std::size_t count, Volley& volley);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Take(const Volley& volley, std::size_t slot);
+
   /// What probes meet, at first sight.
   struct Glance
   {

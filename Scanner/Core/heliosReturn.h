@@ -117,6 +117,7 @@ private:
     double BinSize;          // [ns]
     bool KnowsSingles;       // whether groups with one maximum go without bins
   };
+
   /// The nearest and the farthest range of returns [m].
   struct Limits
   {

@@ -3,27 +3,24 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosSingleMaximum.h"
 
-#include "heliosVectorLoops.h"
+#include "heliosRayVectors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace helios
 {
 namespace
 {
 
-// Terms that are summed side by side.
-constexpr std::size_t Lanes = 4;
-typedef double Vector __attribute__((vector_size(8 * Lanes)));
+constexpr std::size_t Lanes = QuadWidth; // terms that are summed side by side
 
 /// exp(-y) for 0 <= y <= 8 to 1e-10, to the last bits for y <= 2: the series of its 64th root.
-HELIOS_INLINE Vector ExpMinus(const Vector& y)
+HELIOS_INLINE Doubles ExpMinus(const Doubles& y)
 {
-  const Vector z = (y < 8.0 ? y : Vector() + 8.0) * (1 / 64.0);
-  const Vector high = 1 / 24.0 - z * (1 / 120.0 - z * (1 / 720.0 - z * (1 / 5040.0)));
-  Vector e = 1.0 - z * (1.0 - z * (1 / 2.0 - z * (1 / 6.0 - z * high)));
+  const Doubles z = Min<Doubles>(y, Doubles() + 8.0) * (1 / 64.0);
+  const Doubles high = 1 / 24.0 - z * (1 / 120.0 - z * (1 / 720.0 - z * (1 / 5040.0)));
+  Doubles e = 1.0 - z * (1.0 - z * (1 / 2.0 - z * (1 / 6.0 - z * high)));
   for (int i = 0; i < 6; ++i)
   {
     e *= e;
@@ -31,15 +28,8 @@ HELIOS_INLINE Vector ExpMinus(const Vector& y)
   return e;
 }
 
-HELIOS_INLINE Vector Load(const double* from)
-{
-  Vector v;
-  std::memcpy(&v, from, sizeof(v));
-  return v;
-}
-
 /// The sum of all lanes, neighbours first.
-HELIOS_INLINE double AddUp(const Vector& v)
+HELIOS_INLINE double AddUp(const Doubles& v)
 {
   return (v[0] + v[1]) + (v[2] + v[3]);
 }
@@ -86,13 +76,13 @@ void SingleMaximum::FillLanes()
 HELIOS_CLONES
 SingleMaximum::Moments SingleMaximum::GetMoments() const
 {
-  Vector power = {}, first = {}, second = {}, third = {};
+  Doubles power = {}, first = {}, second = {}, third = {};
   for (std::size_t i = 0; i < this->Count; i += Lanes)
   {
-    const Vector x = Load(&this->Places[i]);
-    const Vector p = Load(&this->Powers[i]);
-    const Vector px = p * x;
-    const Vector pxx = px * x;
+    const Doubles x = Load<Doubles>(&this->Places[i]);
+    const Doubles p = Load<Doubles>(&this->Powers[i]);
+    const Doubles px = p * x;
+    const Doubles pxx = px * x;
     power += p;
     first += px;
     second += pxx;
@@ -105,11 +95,11 @@ SingleMaximum::Moments SingleMaximum::GetMoments() const
 HELIOS_CLONES
 SingleMaximum::Sums SingleMaximum::GetSums(double place, double scale) const
 {
-  Vector w0 = {}, w1 = {}, w2 = {};
+  Doubles w0 = {}, w1 = {}, w2 = {};
   for (std::size_t i = 0; i < this->Count; i += Lanes)
   {
-    const Vector u = (place - Load(&this->Places[i])) * scale;
-    const Vector w = Load(&this->Powers[i]) * ExpMinus(0.5 * u * u);
+    const Doubles u = (place - Load<Doubles>(&this->Places[i])) * scale;
+    const Doubles w = Load<Doubles>(&this->Powers[i]) * ExpMinus(0.5 * u * u);
     w0 += w;
     w1 += w * u;
     w2 += w * u * u;

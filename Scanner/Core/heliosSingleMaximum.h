@@ -38,7 +38,8 @@ public:
     this->Count += isWanted ? 1 : 0;
   }
 
-  /// For one term or more that spread over no more than two sigma; false where they have no power.
+  /// For one term or more that spread over no more than two sigma; false where they have no power. Once:
+  /// it makes the terms ready for itself.
   bool Find(double sigma, Result& result);
 
 private:

@@ -37,10 +37,11 @@
  * the ways that are exact enough:
  * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
  *   known in closed form (not asked in scans where it is rarely so)
- * - a few rings of sub-rays find no edge: they are its returns
+ * - a few sub-rays, 21 unless tolerances are narrow, find no edge: they are its
+ *   returns
  * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs;
  *   4 or 16 times as many (more where tolerances are wide) along a surface so
- *   steep that these would be echoes; where the spiral is no more than the rings,
+ *   steep that these would be echoes; where the spiral is no more than those few,
  *   it is cast at once
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed

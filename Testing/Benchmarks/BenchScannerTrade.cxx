@@ -37,8 +37,8 @@ namespace
 using namespace helios::bench;
 using helios::Vec3;
 
-constexpr double LongTime = 1.0;                                                     // [s]
-constexpr double PulseLength = 4.0;                                                  // [ns]
+constexpr double LongTime = 1.0;    // of a run that is timed but once [s]
+constexpr double PulseLength = 4.0; // [ns]
 constexpr double Separation = helios::SpeedOfLight * PulseLength / 2.35482004503095; // c sigma [m]
 
 /// A way to sample a beam and to find its echoes.
@@ -60,7 +60,7 @@ Way ByTolerance(double range, const char* detector = "peaks")
 
 const Way Reference{ "Vogel", 4096, 0.1 };
 const Way Doubled{ "Vogel", 8192, 0.1 };
-// Of 1.1 and 1.2 mm are the widest that are no worse than 256 sub-rays among leaves.
+// 1.1 and 1.2 mm are the widest that are no worse than 256 sub-rays among leaves.
 const double Tolerances[] = { 1e-2, 3e-3, 1.2e-3, 1.1e-3, 1e-3, 3e-4, 1e-4 };
 
 std::vector<Way> GetWays()

@@ -11,8 +11,6 @@ import vtkhelios
 
 DIVERGENCE = 0.5e-3  # rad, full angle at 1/e^2
 CONE = 1.5 * DIVERGENCE / 2  # half angle of the cone that is sampled
-SIGMA = 4.0 / 2.3548  # of the pulse [ns]
-SAMPLE = 3000
 
 
 def one_point(x, y, z):
@@ -57,6 +55,16 @@ def distances(mesh, points):
     return np.array(result)
 
 
+def sub_ray_ranges(scanner, pulses):
+    """The least and the largest range that sub-rays of each of some pulses met."""
+    hits = vtkhelios.arrays(scanner.GetOutput(3))
+    nearest = np.full(pulses.max() + 1, np.inf)
+    farthest = -nearest
+    np.minimum.at(nearest, hits["PulseIds"], hits["Range"])
+    np.maximum.at(farthest, hits["PulseIds"], hits["Range"])
+    return nearest[pulses], farthest[pulses]
+
+
 @pytest.mark.parametrize("kind", ["Blocks", "Terrain", "House"])
 def test_single_echoes_lie_on_the_scene(kind):
     scene = vtkhelios.vtkHeliosSyntheticScene()
@@ -65,19 +73,23 @@ def test_single_echoes_lie_on_the_scene(kind):
         scene.SetSize(100)
         scene.SetResolution(100)
     scanner = make_scanner(scene, (1.0, -14.0, 12.0))
-    columns = vtkhelios.arrays(vtkhelios.update(scanner))
+    scanner.GenerateSubRaysOn()
+    vtkhelios.update(scanner)
+    columns = vtkhelios.arrays(scanner.GetOutput(0))
     single = columns["NumberOfReturns"] == 1
     assert single.sum() > 5_000
-    rows = np.random.default_rng(0).choice(np.flatnonzero(single), SAMPLE, replace=False)
-    away = distances(scene.GetOutput(), columns["points"][rows])
-    # On a plane only the middle of the beam counts; across an edge the echo is that of all the beam.
+    ranges = columns["Range"][single]
+    away = distances(scene.GetOutput(), columns["points"][single])
+    # On a plane only the middle of the beam counts; across an edge the echo is of all the beam.
     assert np.quantile(away, 0.5) < 1e-5
     assert np.quantile(away, 0.98) < 2e-3
-    footprint = CONE * columns["Range"][rows] / np.cos(np.radians(columns["IncidenceAngle"][rows]))
-    beyond = away - footprint
-    # One echo of two surfaces less than c sigma apart lies between them, as with any number of sub-rays.
-    assert np.quantile(beyond, 0.998) < 1e-5
-    assert beyond.max() < 0.5 * 0.299792458 * SIGMA
+    nearest, farthest = sub_ray_ranges(scanner, columns["PulseIds"][single])
+    assert np.all((ranges > nearest - 1e-5) & (ranges < farthest + 1e-5))
+    # What spreads farther than one plane would are two surfaces, with their echo between them.
+    footprint = CONE * ranges / np.cos(np.radians(columns["IncidenceAngle"][single]))
+    on_one = farthest - nearest <= 2 * footprint + 1e-5
+    assert on_one.mean() > 0.995
+    assert np.all(away[on_one] < footprint[on_one] + 1e-5)
 
 
 def test_a_shift_to_utm_shifts_the_cloud():
