@@ -285,13 +285,13 @@ void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const
       least = std::isfinite(value) ? std::min(least, value) : least;
       most = std::isfinite(value) ? std::max(most, value) : most;
     }
-    const bool isKnown = least <= most;
-    scaling.Offset[axis] = isKnown ? std::round(0.5 * least + 0.5 * most) + 0.0 : 0.0;
-    size = isKnown ? std::max(size, most - least) : size;
+    const double first = this->NumberOfPoints > 0 ? this->Points.GetNumber(0, axis) : 0.0;
+    scaling.Offset[axis] = std::isfinite(first) ? std::round(first) + 0.0 : 0.0; // not -0
+    size = least <= most ? std::max(size, most - least) : size;
   }
   if (scale == 0.0)
   {
-    // room for eight times the first block about its middle
+    // room for eight times the first block about its first point
     int power = -6;
     while (8.0 * size > LargestNumber * std::pow(10.0, power))
     {

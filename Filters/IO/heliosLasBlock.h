@@ -50,7 +50,8 @@ public:
   int GetPointLength() const { return this->Length; }
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
 
-  /// Scale 0 becomes a power of ten that fits the points; the offset lies amid them.
+  /// Scale 0 becomes a power of ten that fits the points; the offset is the first of them in whole
+  /// units, which is the same for blocks of any size.
   void ChooseScaling(LasScaling& scaling, double scale) const;
 
   /// Writes points begin to end; false where one of them cannot be: see Explain().

@@ -158,6 +158,7 @@ std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool is
   LasRecord record;
   record.User = GetLasText({ head + 2, 16 });
   record.Id = GetLas<std::uint16_t>(head + 18);
+  record.Description = GetLasText({ head + (isExtended ? 28 : 22), 32 });
   const bool isKept = !isExtended || record.User == LasProjectionUser ||
     (record.User == LasSpecUser && record.Id == LasExtraBytesId);
   if (isKept)

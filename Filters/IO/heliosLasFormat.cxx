@@ -43,6 +43,12 @@ constexpr std::size_t AtByReturn = 255;
 constexpr std::size_t TextSize = 32;
 constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375 }; // of 1.0 to 1.4
 
+///@{
+/// Beyond these, coordinates are damaged: all the same, or farther than doubles have units.
+constexpr double SmallestScale = 1e-15;
+constexpr double LargestCoordinate = 1e15;
+///@}
+
 constexpr int CompressedBits = 0xC0; // of the format, where LASzip made the file
 
 ///@{
@@ -81,6 +87,11 @@ std::string Show(double value)
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+bool IsFinite(double value)
+{
+  return std::isfinite(value);
 }
 
 std::array<double, 3> GetTriple(std::string_view bytes, std::size_t at)
@@ -236,13 +247,20 @@ std::string LasHeader::CheckNumbers() const
   {
     return "has points from byte " + std::to_string(this->PointsBegin) + " on, within its header";
   }
+  return this->CheckScaling();
+}
+
+std::string LasHeader::CheckScaling() const
+{
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double largest = std::ldexp(std::abs(this->Scale[axis]), 31);
-    if (!std::isfinite(largest + std::abs(this->Offset[axis])) || this->Scale[axis] == 0.0)
+    const double step = std::abs(this->Scale[axis]);
+    const double largest = std::ldexp(step, 31) + std::abs(this->Offset[axis]);
+    if (!(step >= SmallestScale) || !(largest <= LargestCoordinate))
     {
       return "has a scale of " + Show(this->Scale[axis]) + " and an offset of " +
-        Show(this->Offset[axis]) + ", with which there are no coordinates";
+        Show(this->Offset[axis]) + ", with which there are no coordinates: a scale is at least " +
+        Show(SmallestScale) + ", a coordinate at most " + Show(LargestCoordinate);
     }
   }
   return {};
@@ -322,6 +340,12 @@ std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras
     if (options & OffsetOption)
     {
       extra.Offset = GetTriple(data, AtExtraOffset);
+    }
+    const bool isGood = std::all_of(extra.Scale.begin(), extra.Scale.end(), IsFinite) &&
+      std::all_of(extra.Offset.begin(), extra.Offset.end(), IsFinite);
+    if (!isGood)
+    {
+      return "has Extra Bytes \"" + extra.Name + "\" whose scale or offset is no number";
     }
     extras.push_back(extra);
   }

@@ -98,6 +98,9 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   /// Reads the first bytes of a file (Size14, or all), or says what is wrong with them.
   std::string Decode(std::string_view bytes);
 
+  /// What is wrong with scale and offset, or an empty text.
+  std::string CheckScaling() const;
+
   double GetCoordinate(std::int32_t number, int axis) const
   {
     return static_cast<double>(number) * this->Scale[axis] + this->Offset[axis];

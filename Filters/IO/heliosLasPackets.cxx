@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasPackets.h"
 
+#include "heliosLasWaves.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataSetAttributes.h>
@@ -29,8 +30,15 @@ namespace
 
 constexpr double SpeedOfLight = 0.299792458; // [m/ns]
 constexpr double PicosecondsPerNanosecond = 1000.0;
-constexpr int FirstDescriptorId = 100;
 constexpr int LastDescriptorId = 354;
+constexpr double LargestId = 9e18;
+///@{
+/// What is beyond is damaged: light goes 1.5e-4 m or 1.3e-9 degrees a picosecond, to and fro.
+constexpr double SmallestSpeed = 1e-12;
+constexpr double LargestSpeed = 1.0;
+constexpr float LargestLocation = 1e12F; // [ps], a second
+constexpr double LargestRange = 1e9;     // [m]
+///@}
 constexpr std::size_t DescriptorSize = 26;
 constexpr int InternalWaves = 2; // a bit of the encoding
 
@@ -52,6 +60,26 @@ vtkSmartPointer<ArrayT> AddColumn(vtkFieldData* data, const char* name, int comp
   array->SetNumberOfComponents(components);
   data->AddArray(array);
   return array;
+}
+
+bool IsDescriptor(const LasRecord& record)
+{
+  return record.User == LasSpecUser && record.Id >= LasWaves::FirstDescriptorId &&
+    record.Id <= LastDescriptorId;
+}
+
+/// Whether an earlier version wrote the file, whose vectors lead away from the scanner.
+bool IsTurned(const LasFile& file)
+{
+  const auto& records = file.GetRecords();
+  return std::any_of(records.begin(), records.end(),
+    [](const LasRecord& record)
+    { return IsDescriptor(record) && record.Description == LasWaves::OldDescription; });
+}
+
+double GetSpeed(const float step[3])
+{
+  return std::hypot(step[0], step[1], step[2]);
 }
 
 /// The columns of the table, which grow row by row.
@@ -76,11 +104,14 @@ struct Columns
   vtkSmartPointer<vtkFloatArray> Samples;
 };
 
-/// A number of a point, or what it is where there is no such array.
-double GetNumber(vtkPolyData* cloud, const char* name, vtkIdType row, double otherwise)
+/// A number of a point, or what it is where there is no such array or the number is too large.
+double GetNumber(
+  vtkPolyData* cloud, const char* name, vtkIdType row, double otherwise, double largest)
 {
   vtkDataArray* array = cloud->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == 1 ? array->GetTuple1(row) : otherwise;
+  const double value =
+    array && array->GetNumberOfComponents() == 1 ? array->GetTuple1(row) : otherwise;
+  return std::abs(value) <= largest ? value : otherwise;
 }
 
 } // namespace
@@ -101,12 +132,18 @@ std::string LasPackets::Open(const LasFile& file)
     return this->Path + ": cannot be read, and has the waveforms of " + file.GetPath() +
       "; put it there, or switch ReadWaveforms off";
   }
+  if (IsTurned(file))
+  {
+    this->StepSign = 1.0F;
+    this->Warning = file.GetPath() +
+      ": an earlier version of vtkHelios wrote its waveforms, with vectors X(t), Y(t), Z(t) that "
+      "lead away from the scanner; they are read as they were meant, but other programs mirror "
+      "them: vtkhelios convert " +
+      file.GetPath() + " new.las turns them";
+  }
   for (const LasRecord& record : file.GetRecords())
   {
-    const std::string problem =
-      record.User == LasSpecUser && record.Id >= FirstDescriptorId && record.Id <= LastDescriptorId
-      ? this->TakeDescriptor(record)
-      : std::string();
+    const std::string problem = IsDescriptor(record) ? this->TakeDescriptor(record) : std::string();
     if (!problem.empty())
     {
       return file.GetPath() + ": " + problem;
@@ -117,9 +154,14 @@ std::string LasPackets::Open(const LasFile& file)
 
 std::string LasPackets::TakeDescriptor(const LasRecord& record)
 {
-  const int index = record.Id - FirstDescriptorId + 1;
+  const int index = record.Id - LasWaves::FirstDescriptorId + 1;
   const char* data = record.Data.data();
   Descriptor descriptor;
+  if (record.Data.size() == DescriptorSize && GetLas<std::uint32_t>(data + 2) == 0)
+  {
+    this->Descriptors[index] = descriptor; // empty, as some programs fill their tables
+    return {};
+  }
   descriptor.Bits = record.Data.size() == DescriptorSize ? GetLas<std::uint8_t>(data) : 0;
   const bool isKnown =
     (descriptor.Bits == 8 || descriptor.Bits == 16 || descriptor.Bits == 32) && data[1] == 0;
@@ -132,9 +174,11 @@ std::string LasPackets::TakeDescriptor(const LasRecord& record)
   descriptor.Spacing = GetLas<std::uint32_t>(data + 6);
   descriptor.Gain = GetLas<double>(data + 10);
   descriptor.Offset = GetLas<double>(data + 18);
-  if (!std::isfinite(descriptor.Gain) || !std::isfinite(descriptor.Offset))
+  const double largest = std::ldexp(std::abs(descriptor.Gain), descriptor.Bits);
+  if (!(largest + std::abs(descriptor.Offset) <= VTK_FLOAT_MAX))
   {
-    return "has a waveform descriptor " + std::to_string(index) + " whose gain is no number";
+    return "has a waveform descriptor " + std::to_string(index) +
+      " whose gain is no number, or too large for samples";
   }
   this->Descriptors[index] = descriptor;
   return {};
@@ -155,7 +199,10 @@ void LasPackets::Take(const char* records, vtkIdType first, vtkIdType count)
     packet.Row = first + i;
     packet.Size = GetLas<std::uint32_t>(wave + 9);
     packet.Location = GetLas<float>(wave + 13);
-    std::memcpy(packet.Step, wave + 17, sizeof(packet.Step));
+    for (int k = 0; k < 3; ++k)
+    {
+      packet.Step[k] = this->StepSign * GetLas<float>(wave + 17 + 4 * k);
+    }
     this->Packets.push_back(packet);
   }
 }
@@ -169,24 +216,55 @@ std::string LasPackets::CheckPacket(const Packet& packet) const
       ", which the file has not";
   }
   const Descriptor& descriptor = found->second;
+  if (descriptor.Count == 0)
+  {
+    return "names the waveform descriptor " + std::to_string(packet.Index) +
+      ", which has no samples";
+  }
   const std::uint64_t size = std::uint64_t(descriptor.Count) * descriptor.Bits / 8;
-  if (packet.Size != size || size == 0)
+  if (packet.Size != size)
   {
     return "has a packet of " + std::to_string(packet.Size) + " bytes; its descriptor has " +
       std::to_string(size);
   }
-  const std::uint64_t room = this->End - std::min(this->End, this->Begin);
+  const std::uint64_t room = this->GetRoom();
   if (size > room || packet.Place > room - size)
   {
     return "has a packet of " + std::to_string(size) + " bytes at " + std::to_string(packet.Place) +
       ", beyond the end of " + this->Path;
   }
-  const double speed = std::hypot(packet.Step[0], packet.Step[1], packet.Step[2]);
-  if (!std::isfinite(packet.Location) || !std::isfinite(speed) || speed == 0.0)
+  if (descriptor.Spacing == 0)
+  {
+    return "names the waveform descriptor " + std::to_string(packet.Index) +
+      ", whose samples have no time between them";
+  }
+  const double speed = GetSpeed(packet.Step);
+  if (!(std::abs(packet.Location) <= LargestLocation) || !(speed >= SmallestSpeed) ||
+    !(speed <= LargestSpeed))
   {
     return "has a waveform without a direction or a place";
   }
   return {};
+}
+
+/// Each of them, and that together they are no more than the file has: else a small file would
+/// come to any number of samples.
+std::string LasPackets::CheckPackets() const
+{
+  std::uint64_t total = 0;
+  for (const Packet& packet : this->Packets)
+  {
+    const std::string problem = this->CheckPacket(packet);
+    if (!problem.empty())
+    {
+      return "point " + std::to_string(packet.Row) + " of the piece " + problem;
+    }
+    total += packet.Size;
+  }
+  return total > this->GetRoom() ? "the points of the piece name packets of " +
+      std::to_string(total) + " bytes, and " + this->Path + " has " +
+      std::to_string(this->GetRoom()) + ": packets overlap; write the file again"
+                                 : std::string();
 }
 
 /// The samples up to the last that is not 0 W.
@@ -219,20 +297,25 @@ std::string LasPackets::ReadSamples(const Packet& packet, std::vector<float>& sa
 
 std::string LasPackets::Read(vtkPolyData* cloud, vtkTable* table)
 {
+  std::string problem = this->CheckPackets();
+  if (!problem.empty())
+  {
+    return problem;
+  }
   const Columns columns(table);
   std::vector<float> samples;
   for (const Packet& packet : this->Packets)
   {
-    std::string problem = this->CheckPacket(packet);
-    problem = problem.empty() ? this->ReadSamples(packet, samples) : problem;
+    problem = this->ReadSamples(packet, samples);
     if (!problem.empty())
     {
       return "point " + std::to_string(packet.Row) + " of the piece " + problem;
     }
-    const double speed = std::hypot(packet.Step[0], packet.Step[1], packet.Step[2]);
+    const double speed = GetSpeed(packet.Step);
     const double location = static_cast<double>(packet.Location) / PicosecondsPerNanosecond;
-    // without a range the origin is where the first sample came from
-    const double range = GetNumber(cloud, names::Range, packet.Row, 0.5 * SpeedOfLight * location);
+    // without a range the origin is the anchor, where the first sample came from
+    const double range = GetNumber(
+      cloud, names::Range, packet.Row, speed * static_cast<double>(packet.Location), LargestRange);
     double point[3];
     cloud->GetPoint(packet.Row, point);
     double direction[3];
@@ -241,11 +324,12 @@ std::string LasPackets::Read(vtkPolyData* cloud, vtkTable* table)
       direction[k] = static_cast<double>(packet.Step[k]) / speed;
       point[k] -= range * direction[k];
     }
-    columns.Pulses->InsertNextValue(static_cast<vtkTypeInt64>(
-      GetNumber(cloud, names::WaveformIds, packet.Row, static_cast<double>(packet.Row))));
+    columns.Pulses->InsertNextValue(static_cast<vtkTypeInt64>(GetNumber(
+      cloud, names::WaveformIds, packet.Row, static_cast<double>(packet.Row), LargestId)));
     columns.Origins->InsertNextTuple(point);
     columns.Directions->InsertNextTuple(direction);
-    columns.Times->InsertNextValue(GetNumber(cloud, names::GpsTime, packet.Row, 0.0));
+    columns.Times->InsertNextValue(
+      GetNumber(cloud, names::GpsTime, packet.Row, 0.0, VTK_DOUBLE_MAX));
     columns.Starts->InsertNextValue(2.0 * range / SpeedOfLight - location);
     columns.Bins->InsertNextValue(
       this->Descriptors[packet.Index].Spacing / PicosecondsPerNanosecond);

@@ -9,6 +9,7 @@
 
 #include <vtkType.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <string>
@@ -26,6 +27,9 @@ class LasPackets
 public:
   /// Opens the packets of a file whose points have them, or says what is wrong.
   std::string Open(const LasFile& file);
+
+  /// What a user has to know of the file, or an empty text.
+  const std::string& GetWarning() const { return this->Warning; }
 
   /// Notes the packets of points from their bytes; first is the row of the first one.
   void Take(const char* records, vtkIdType first, vtkIdType count);
@@ -52,14 +56,20 @@ private:
     std::uint64_t Place = 0;
     std::uint32_t Size = 0;
     float Location = 0.0F;       // [ps]
-    float Step[3] = { 0, 0, 0 }; // [m/ps]
+    float Step[3] = { 0, 0, 0 }; // [m/ps], away from the scanner
   };
 
   std::string TakeDescriptor(const LasRecord& record);
   std::string CheckPacket(const Packet& packet) const;
+  std::string CheckPackets() const;
   std::string ReadSamples(const Packet& packet, std::vector<float>& samples);
 
+  /// How many bytes of packets there are.
+  std::uint64_t GetRoom() const { return this->End - std::min(this->End, this->Begin); }
+
   std::string Path;
+  std::string Warning;
+  float StepSign = -1.0F; // vectors of points lead to the scanner
   std::ifstream File;
   std::uint64_t Begin = 0; // of packets in the file
   std::uint64_t End = 0;

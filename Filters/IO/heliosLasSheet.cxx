@@ -98,6 +98,12 @@ std::string LasSheet::Read(
   }
   const LasRecord* extras = file.Find(LasSpecUser, LasExtraBytesId);
   const LasRecord* descriptor = file.Find(LasSpecUser, LasWaves::FirstDescriptorId);
+  if (descriptor && descriptor->Description != LasWaves::Description)
+  {
+    return path +
+      " was begun by an earlier version, whose waveform vectors lead away from the "
+      "scanner, and cannot be gone on with; write it again from the start";
+  }
   this->Header.Points = summary;
   this->Arrays = extras ? extras->Data : std::string();
   this->Wkt = file.GetCrs();

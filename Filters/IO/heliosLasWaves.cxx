@@ -61,7 +61,7 @@ std::string LasWaves::EncodeDescriptors(std::uint32_t spacing)
   {
     for (int length = 0; length < NumberOfLengths; ++length)
     {
-      LasRecord record{ LasSpecUser, FirstDescriptorId - 1 + GetForm(length, scale), "waveform [W]",
+      LasRecord record{ LasSpecUser, FirstDescriptorId - 1 + GetForm(length, scale), Description,
         std::string(26, '\0') };
       char* data = record.Data.data();
       data[0] = 32; // bits a sample; not compressed
@@ -233,7 +233,7 @@ void LasWaves::EncodePoint(vtkIdType row, const double point[3], char* bytes) co
   PutLas(bytes + 13, static_cast<float>(PicosecondsPerNanosecond * time));
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double step = 0.5 * SpeedOfLight / PicosecondsPerNanosecond *
+    const double step = -0.5 * SpeedOfLight / PicosecondsPerNanosecond *
       this->Table.Direction.GetNumber(waveform, axis);
     PutLas(bytes + 17 + 4 * axis, static_cast<float>(step));
   }

@@ -26,6 +26,13 @@ public:
   static constexpr int NumberOfForms = NumberOfLengths * NumberOfScales;
   ///@}
 
+  ///@{
+  /// What descriptor records say of themselves. Earlier versions wrote vectors X(t), Y(t), Z(t) that
+  /// lead away from the scanner, and said OldDescription.
+  static constexpr const char* Description = "waveform [W], to the scanner";
+  static constexpr const char* OldDescription = "waveform [W]";
+  ///@}
+
   /// The descriptor records of all forms; spacing: of samples [ps].
   static std::string EncodeDescriptors(std::uint32_t spacing);
   static constexpr int DescriptorSize = LasRecord::HeadSize + 26;
@@ -45,7 +52,7 @@ public:
   std::string MakePackets(const Column& ids, vtkIdType count, std::uint64_t place);
   const std::vector<char>& GetPackets() const { return this->Packets; }
 
-  /// The fields of a point (29 bytes) at a row.
+  /// The fields of a point (29 bytes) at a row: its vector leads to the scanner.
   void EncodePoint(vtkIdType row, const double point[3], char* bytes) const;
 
 private:

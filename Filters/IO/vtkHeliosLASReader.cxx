@@ -98,6 +98,11 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
   const bool hasWaves = this->ReadWaveforms && helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
   std::string problem = hasWaves ? packets.Open(file) : std::string();
+  if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
+  {
+    this->WarnedName = file.GetPath(); // once, not for every piece
+    vtkWarningMacro(<< packets.GetWarning());
+  }
   helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
   std::vector<char> bytes(
     std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));

@@ -27,15 +27,20 @@
  * Errors, which name the file, end the reading without output: no LAS, a
  * version, format or size that cannot be, a file that is cut off or whose counts
  * do not fit, LAZ (the message says how to convert it); of waveforms: no file of
- * packets, a descriptor that is not there or not known, a packet beyond the end.
+ * packets, a descriptor that is not there, empty or not known, a packet beyond the
+ * end, packets that overlap to more than there is.
  *
  * Output 1 is a vtkTable, with ReadWaveforms: the waveforms that the points of the
  * piece name, as vtkHeliosScanner gives them (PulseIds, Origin, Direction, GpsTime,
  * StartTime, BinSize, Offset, Count; Samples in the field data), from the file
  * itself or a .wdp beside it. PulseIds are the WaveformIds of the points, or where
- * they have none the number of the first one. The origin is Range away from the
- * first point; without that array it is where the first sample came from. Samples
- * of exactly 0 at the end are left out: packets are filled up with them.
+ * they have none the number of the first one. X(t), Y(t), Z(t) of a point lead
+ * to the scanner: Direction is their opposite. The origin is Range away from the
+ * first point; without that array it is the anchor, where the first sample came
+ * from: point + location (X(t), Y(t), Z(t)). Samples of exactly 0 at the end are
+ * left out: packets are filled up with them. Files of earlier versions of
+ * vtkHeliosLASWriter, whose vectors lead away from the scanner, are known by their
+ * descriptor records, and read right with a warning.
  *
  * @sa
  * vtkHeliosLASWriter
@@ -48,6 +53,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // For numbers of points
+#include <string>  // For names and messages
 
 class vtkTable;
 
@@ -99,6 +105,7 @@ private:
 
   char* FileName = nullptr;
   bool ReadWaveforms = false;
+  std::string WarnedName; // the file whose waveforms were warned of
 };
 
 #endif

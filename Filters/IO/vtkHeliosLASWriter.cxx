@@ -215,6 +215,11 @@ bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* ec
   block.ChooseScaling(sheet->Scaling, this->Scale);
   sheet->Header.Scale = sheet->Scaling.Scale;
   sheet->Header.Offset = sheet->Scaling.Offset;
+  const std::string problem = sheet->Header.CheckScaling();
+  if (!problem.empty())
+  {
+    return this->RefusePoints("a block " + problem);
+  }
   this->Sheet = std::move(sheet);
   return this->WriteHead();
 }

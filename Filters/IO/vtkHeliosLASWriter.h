@@ -10,9 +10,10 @@
  * record. A file that goes on (Reopen) keeps its scale and offset.
  *
  * Of a point:
- * - x, y, z in 32-bit multiples of Scale about an offset, the middle of the first
- *   block in whole units; rounded to the nearest. The box in the header is that
- *   of the rounded points.
+ * - x, y, z in 32-bit multiples of Scale about an offset, the first point of the
+ *   file in whole units; rounded to the nearest. The box in the header is that
+ *   of the rounded points. The bytes of the file do not depend on how its points
+ *   are divided into blocks, but for Scale 0.
  * - intensity: the array Intensity where there is one; else of the amplitude A
  *   1000 log10(A / 1 fW), hundredths of a decibel, or 65535 A / FullIntensity.
  * - ReturnNumber, NumberOfReturns; beyond 15 they are 15, with a warning.
@@ -32,8 +33,9 @@
  * instead of .las, as 32-bit samples; every point of the pulse names it. The
  * samples keep 23 bits of the largest one, and 0 W after their last up to the size
  * of a packet. Return point location: the time [ps] from the first sample to the
- * point, along the beam; X(t), Y(t), Z(t): metres a picosecond, away from the
- * scanner.
+ * point, along the beam; X(t), Y(t), Z(t): metres a picosecond, from the point to
+ * the scanner. The anchor, where the first sample came from, is
+ * point + location (X(t), Y(t), Z(t)).
  *
  * Blocks: vtkPolyData, points of doubles; any array may be missing (then it is 0;
  * returns and classes 1). Docs/files.md lists the file field by field.
@@ -74,7 +76,7 @@ public:
   /**
    * Set/Get the step of coordinates [units of the points], as the first block
    * takes it. 0: the finest power of ten, from 1e-6 on, that has room for eight
-   * times the first block. For degrees take 1e-8. Valid range: 0, [1e-9, 1000].
+   * times the first block, and so depends on its size. For degrees take 1e-8. Valid range: 0, [1e-9, 1000].
    * Default: 0.0001.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1000.0);

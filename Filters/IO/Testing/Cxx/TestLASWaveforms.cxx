@@ -1,206 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Waveforms of a LAS file: packets in a .wdp, and what points say of them.
-#include "heliosLasTesting.h"
-#include "heliosWaveformTesting.h"
-#include "vtkHeliosLASWriter.h"
+#include "heliosLasWaveTesting.h"
 
-#include <vtkTable.h>
-
-#include <catch2/catch.hpp>
-
-#include <cmath>
 #include <limits>
 
 namespace names = vtkHeliosArrayNames;
 namespace fs = std::filesystem;
 using helios::GetNumber;
 
-namespace
-{
-
-constexpr double SpeedOfLight = 299792458.0;
-
-/// Three points a waveform, but of each fifth pulse that has none; on the beam, a little after the
-/// first sample.
-vtkSmartPointer<vtkPolyData> MakeEchoesOf(vtkTable* waveforms)
-{
-  const vtkIdType count = 3 * waveforms->GetNumberOfRows();
-  auto echoes = helios::MakeLasEchoes(count);
-  auto* origins = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Origin));
-  auto* directions = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Direction));
-  auto* starts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::StartTime));
-  auto* pulses = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::PulseIds));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const double time = starts->GetTuple1(i / 3) + 0.2 * static_cast<double>(i % 3); // [ns]
-    double point[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      point[k] = origins->GetComponent(i / 3, k) +
-        0.5e-9 * SpeedOfLight * time * directions->GetComponent(i / 3, k);
-    }
-    echoes->GetPoints()->SetPoint(i, point);
-  }
-  helios::AddColumn<vtkTypeInt64Array>(echoes->GetPointData(), names::WaveformIds, count,
-    [pulses](vtkIdType i) { return i / 3 % 5 == 4 ? -1.0 : pulses->GetTuple1(i / 3); });
-  return echoes;
-}
-
-/// What a point says of its packet, and the descriptor that it names.
-struct Packet
-{
-  int Index;
-  std::uint64_t Place;
-  std::uint32_t Size;
-  float Location;
-  std::array<float, 3> Step;
-  std::uint32_t Samples = 0;
-  std::uint32_t Spacing = 0;
-  double Gain = 0.0;
-  double Offset = 0.0;
-
-  Packet(const std::string& las, std::size_t row, std::size_t place = 30)
-  {
-    const std::size_t at =
-      GetNumber<std::uint32_t>(las, 96) + row * GetNumber<std::uint16_t>(las, 105) + place;
-    this->Index = GetNumber<std::uint8_t>(las, at);
-    this->Place = GetNumber<std::uint64_t>(las, at + 1);
-    this->Size = GetNumber<std::uint32_t>(las, at + 9);
-    this->Location = GetNumber<float>(las, at + 13);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->Step[k] = GetNumber<float>(las, at + 17 + 4 * k);
-    }
-    for (std::size_t record = 375; record < GetNumber<std::uint32_t>(las, 96);
-         record += 54 + GetNumber<std::uint16_t>(las, record + 20))
-    {
-      if (GetNumber<std::uint16_t>(las, record + 18) == 99 + this->Index && this->Index > 0)
-      {
-        this->TakeDescriptor(las, record + 54);
-      }
-    }
-  }
-
-  void TakeDescriptor(const std::string& las, std::size_t at)
-  {
-    CHECK(las.substr(at - 54 + 2, 9) == "LASF_Spec");
-    CHECK(las[at] == 32);    // bits
-    CHECK(las[at + 1] == 0); // not compressed
-    this->Samples = GetNumber<std::uint32_t>(las, at + 2);
-    this->Spacing = GetNumber<std::uint32_t>(las, at + 6);
-    this->Gain = GetNumber<double>(las, at + 10);
-    this->Offset = GetNumber<double>(las, at + 18);
-  }
-
-  double GetSample(const std::string& packets, std::size_t i) const
-  {
-    return this->Offset + this->Gain * GetNumber<std::uint32_t>(packets, this->Place + 4 * i);
-  }
-};
-
-/// The samples of points from a row on, and where their points are on them.
-void CheckPackets(const std::string& las, const std::string& packets, vtkTable* waveforms,
-  vtkPolyData* echoes, std::size_t from)
-{
-  auto* counts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Count));
-  auto* offsets = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Offset));
-  auto* samples = waveforms->GetFieldData()->GetArray(names::Samples);
-  auto* directions = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Direction));
-  for (vtkIdType row = 0; row < echoes->GetNumberOfPoints(); ++row)
-  {
-    const Packet packet(las, from + static_cast<std::size_t>(row));
-    const vtkIdType wave = row / 3;
-    if (wave % 5 == 4)
-    {
-      REQUIRE(packet.Index == 0);
-      REQUIRE((packet.Place == 0 && packet.Size == 0 && packet.Location == 0.0F));
-      continue;
-    }
-    REQUIRE(packet.Index > 0);
-    REQUIRE(packet.Spacing == 250);
-    REQUIRE(packet.Size == 4 * packet.Samples);
-    REQUIRE(packet.Place >= 60);
-    REQUIRE(packet.Place + packet.Size <= packets.size());
-    const auto count = static_cast<vtkIdType>(counts->GetTuple1(wave));
-    REQUIRE(static_cast<vtkIdType>(packet.Samples) >= count);
-    double peak = 0.0;
-    double worst = 0.0;
-    for (vtkIdType i = 0; i < static_cast<vtkIdType>(packet.Samples); ++i)
-    {
-      const auto at = static_cast<vtkIdType>(offsets->GetTuple1(wave)) + i;
-      const double expected = i < count ? samples->GetTuple1(at) : 0.0;
-      peak = std::max(peak, std::abs(expected));
-      worst = std::max(
-        worst, std::abs(packet.GetSample(packets, static_cast<std::size_t>(i)) - expected));
-    }
-    REQUIRE(worst <= std::max(std::ldexp(peak, -23), 1e-23));
-    REQUIRE(packet.Location == Approx(200.0 * static_cast<double>(row % 3)).margin(0.02)); // [ps]
-    for (int k = 0; k < 3; ++k)
-    {
-      const double step = 0.5e-12 * SpeedOfLight * directions->GetComponent(wave, k);
-      REQUIRE(packet.Step[static_cast<std::size_t>(k)] == Approx(step).epsilon(1e-6));
-    }
-    const bool isOther =
-      row % 3 > 0 && Packet(las, from + static_cast<std::size_t>(row) - 1).Place != packet.Place;
-    REQUIRE_FALSE(isOther); // one packet a pulse
-  }
-}
-
-void CheckFileHead(const std::string& packets)
-{
-  REQUIRE(packets.size() >= 60);
-  CHECK(packets.substr(2, 9) == "LASF_Spec");
-  CHECK(GetNumber<std::uint16_t>(packets, 18) == 65535);
-  CHECK(GetNumber<std::uint64_t>(packets, 20) == packets.size() - 60);
-}
-
-struct WaveWriting
-{
-  helios::TempFolder Folder;
-  std::string Path = this->Folder / "points.las";
-  std::string Packets = this->Folder / "points.wdp";
-  vtkNew<vtkHeliosLASWriter> Writer;
-  vtkSmartPointer<helios::ErrorObserver> Log = helios::WatchErrors(this->Writer);
-
-  WaveWriting()
-  {
-    this->Writer->SetFileName(this->Path.c_str());
-    this->Writer->WriteWaveformsOn();
-  }
-
-  bool Write(vtkTable* waveforms)
-  {
-    this->Writer->SetWaveforms(waveforms);
-    return this->Writer->Write(MakeEchoesOf(waveforms));
-  }
-
-  /// Whether a block fails with a message, and leaves the files as they were.
-  bool Fails(vtkPolyData* echoes, vtkTable* waveforms, const std::string& message)
-  {
-    const std::string las = helios::ReadText(this->Path + ".part");
-    const std::string packets = helios::ReadText(this->Packets + ".part");
-    this->Writer->SetWaveforms(waveforms);
-    const bool isWritten = this->Writer->Write(echoes);
-    INFO(this->Log->Errors);
-    CHECK(this->Log->HasError(message));
-    CHECK((las == helios::ReadText(this->Path + ".part")));
-    CHECK((packets == helios::ReadText(this->Packets + ".part")));
-    return !isWritten;
-  }
-};
-
-} // namespace
-
 TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const auto first = helios::MakeWaveforms(60);
   const auto second = helios::MakeWaveforms(7);
   REQUIRE((writing.Writer->Open() && writing.Write(first)));
-  CheckFileHead(helios::ReadText(writing.Packets + ".part"));
-  CheckPackets(helios::ReadText(writing.Path + ".part"),
-    helios::ReadText(writing.Packets + ".part"), first, MakeEchoesOf(first), 0);
+  helios::CheckFileHead(helios::ReadText(writing.Packets + ".part"));
+  helios::CheckPackets(helios::ReadText(writing.Path + ".part"),
+    helios::ReadText(writing.Packets + ".part"), first, helios::MakeEchoesOf(first), 0);
   REQUIRE((writing.Write(second) && writing.Writer->Flush()));
   const std::string part = helios::ReadText(writing.Packets + ".part");
   REQUIRE(writing.Writer->Close());
@@ -209,12 +26,12 @@ TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWavef
   const std::string packets = helios::ReadText(writing.Packets);
   CHECK((part == packets));
   CHECK_FALSE(fs::exists(writing.Packets + ".part"));
-  CheckFileHead(packets);
+  helios::CheckFileHead(packets);
   CHECK(GetNumber<std::uint8_t>(las, 104) == 9);
   CHECK(GetNumber<std::uint16_t>(las, 6) == (16 | 4)); // WKT, packets in another file
   CHECK(GetNumber<std::uint64_t>(las, 227) == 0);
-  CheckPackets(las, packets, first, MakeEchoesOf(first), 0);
-  CheckPackets(las, packets, second, MakeEchoesOf(second), 180);
+  helios::CheckPackets(las, packets, first, helios::MakeEchoesOf(first), 0);
+  helios::CheckPackets(las, packets, second, helios::MakeEchoesOf(second), 180);
   CHECK(writing.Writer->GetNumberOfBytes() == static_cast<vtkIdType>(las.size() + packets.size()));
   helios::LasReading reading(writing.Path);
   REQUIRE(reading.Read());
@@ -223,7 +40,7 @@ TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWavef
 
 TEST_CASE("LASWaveforms: samples of any strength keep 23 bits", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(200);
   auto* samples = vtkFloatArray::SafeDownCast(waveforms->GetFieldData()->GetArray(names::Samples));
   auto* offsets = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::Offset));
@@ -238,21 +55,21 @@ TEST_CASE("LASWaveforms: samples of any strength keep 23 bits", "[LASWaveforms]"
     }
   }
   REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
-  CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), waveforms,
-    MakeEchoesOf(waveforms), 0);
+  helios::CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), waveforms,
+    helios::MakeEchoesOf(waveforms), 0);
 }
 
 TEST_CASE("LASWaveforms: with colours the format is 10", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(20);
-  const auto echoes = MakeEchoesOf(waveforms);
+  const auto echoes = helios::MakeEchoesOf(waveforms);
   helios::AddVectors(echoes, vtkNew<vtkFloatArray>(), names::RGB, 0.5);
   writing.Writer->SetWaveforms(waveforms);
   REQUIRE((writing.Writer->Open() && writing.Writer->Write(echoes) && writing.Writer->Close()));
   const std::string las = helios::ReadText(writing.Path);
   CHECK(GetNumber<std::uint8_t>(las, 104) == 10);
-  const Packet packet(las, 5, 38);
+  const helios::LasWavePacket packet(las, 5, 38);
   CHECK(packet.Index > 0);
   CHECK(packet.Location == Approx(400.0).margin(0.02));
   helios::LasReading reading(writing.Path);
@@ -264,13 +81,13 @@ TEST_CASE("LASWaveforms: with colours the format is 10", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
   const auto run = [&](const std::string& name)
   {
     writer->SetFileName((writing.Folder / (name + ".las")).c_str());
     // at first no pulse has a waveform: the time between samples is not known yet
-    const auto none = MakeEchoesOf(helios::MakeWaveforms(4));
+    const auto none = helios::MakeEchoesOf(helios::MakeWaveforms(4));
     helios::AddColumn<vtkTypeInt64Array>(
       none->GetPointData(), names::WaveformIds, 12, [](vtkIdType) { return -1; });
     writer->SetWaveforms(nullptr);
@@ -300,7 +117,7 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
     return;
   }
   REQUIRE(writer->Reopen(size, 30, bytes));
-  CheckFileHead(helios::ReadText(writing.Folder / "broken.wdp.part"));
+  helios::CheckFileHead(helios::ReadText(writing.Folder / "broken.wdp.part"));
   REQUIRE((writing.Write(helios::MakeWaveforms(9)) && writer->Close()));
   CHECK(writer->GetNumberOfBytes() == all);
   for (const char* ending : { ".las", ".wdp" })
@@ -312,16 +129,17 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(60);
-  const auto echoes = MakeEchoesOf(waveforms);
+  const auto echoes = helios::MakeEchoesOf(waveforms);
   auto* starts = vtkDataArray::SafeDownCast(waveforms->GetColumnByName(names::StartTime));
   const bool hasRange = GENERATE(true, false);
   if (hasRange)
   {
     helios::AddColumn<vtkDoubleArray>(echoes->GetPointData(), names::Range, 180,
-      [=](vtkIdType i)
-      { return 0.5e-9 * SpeedOfLight * (starts->GetTuple1(i / 3) + 0.2 * double(i % 3)); });
+      [=](vtkIdType i) {
+        return 0.5e-9 * helios::LasSpeedOfLight * (starts->GetTuple1(i / 3) + 0.2 * double(i % 3));
+      });
   }
   else
   {
@@ -355,7 +173,7 @@ TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
         return vtkDataArray::SafeDownCast(waveforms->GetColumnByName(name))->GetComponent(wave, k);
       };
       const double start = expected(names::StartTime);
-      const double skipped = hasRange ? 0.0 : 0.5e-9 * SpeedOfLight * start; // [m]
+      const double skipped = hasRange ? 0.0 : 0.5e-9 * helios::LasSpeedOfLight * start; // [m]
       REQUIRE(get(names::PulseIds, row) == expected(names::PulseIds));
       REQUIRE(get(names::StartTime, row) == Approx(hasRange ? start : 0.0).margin(1e-4));
       REQUIRE(get(names::BinSize, row) == 0.25);
@@ -385,7 +203,7 @@ TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(4);
   REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
   std::string las = helios::ReadText(writing.Path);
@@ -406,7 +224,7 @@ TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   REQUIRE(
     (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(4)) && writing.Writer->Close()));
   const std::string good = helios::ReadText(writing.Path);
@@ -439,19 +257,44 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   CHECK(fails(with(at + 9, std::uint32_t(63)), "has a packet of 63 bytes; its descriptor has 64"));
   CHECK(fails(with(at + 13, nan), "has a waveform without a direction or a place"));
   CHECK(fails(with(at + 17, nan), "has a waveform without a direction or a place"));
+  CHECK(fails(with(at + 13, 1e30F), "has a waveform without a direction or a place"));
+  CHECK(fails(with(at + 17, 1e30F), "has a waveform without a direction or a place"));
   std::size_t record = 375; // the first descriptor, after the Extra Bytes
   record += 54 + GetNumber<std::uint16_t>(good, record + 20) + 54;
   CHECK(
     fails(with(record, std::uint8_t(12)), "has a waveform descriptor 1 that is not of 8, 16 or"));
   CHECK(fails(with(record + 1, std::uint8_t(1)), "bits without compression"));
+  std::string empty = good; // a descriptor without samples may be there, but not be named
+  empty.replace(record + 80, 26, 26, '\0'); // the second
+  std::ofstream(writing.Path, std::ios::binary) << empty;
+  helios::LasReading reading(writing.Path);
+  reading.Reader->ReadWaveformsOn();
+  const bool isRead = reading.Read();
+  INFO(reading.Log->Errors);
+  CHECK(isRead);
+  helios::SetNumber(empty, at, std::uint8_t(2));
+  CHECK(fails(empty, "point 0 of the piece names the waveform descriptor 2, which has no samples"));
+  std::string overlapping = good; // 12 points, each with a packet of its own from byte 60 on
+  for (std::uint64_t i = 0; i < 12; ++i)
+  {
+    const std::size_t place = at + i * GetNumber<std::uint16_t>(good, 105);
+    overlapping.replace(place, 29, good.substr(at, 29));
+    helios::SetNumber(overlapping, place + 1, 60 + i);
+  }
+  CHECK(fails(overlapping,
+    "the points of the piece name packets of 768 bytes, and " + writing.Packets +
+      " has 316: packets overlap"));
   CHECK(fails(with(record + 10, std::nan("")), "a waveform descriptor 1 whose gain is no number"));
+  CHECK(fails(with(record + 10, 1e300), "whose gain is no number, or too large for samples"));
+  CHECK(fails(with(record + 6, std::uint32_t(0)),
+    "names the waveform descriptor 1, whose samples have no time between them"));
   fs::remove(writing.Packets);
   CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
 }
 
 TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   SECTION("a folder has its name")
   {
     fs::create_directory(writing.Packets);
@@ -493,7 +336,7 @@ TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWavef
 
 TEST_CASE("LASWaveforms: packets that go while they are read", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   REQUIRE(
     (writing.Writer->Open() && writing.Write(helios::MakeWaveforms(6)) && writing.Writer->Close()));
   helios::LasReading reading(writing.Path);
@@ -508,7 +351,7 @@ TEST_CASE("LASWaveforms: packets that go while they are read", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const bool isCounted = GENERATE(true, false);
   writing.Writer->SetCountOnly(isCounted);
   REQUIRE((writing.Writer->Open() && writing.Writer->Close()));
@@ -516,7 +359,7 @@ TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
   CHECK(writing.Writer->GetNumberOfBytes() == 60 + 375 + 252 * 80);
   if (!isCounted)
   {
-    CheckFileHead(helios::ReadText(writing.Packets));
+    helios::CheckFileHead(helios::ReadText(writing.Packets));
     CHECK(GetNumber<std::uint8_t>(helios::ReadText(writing.Path), 104) == 9);
     CHECK(helios::LasReading(writing.Path).Read());
   }
@@ -524,12 +367,12 @@ TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
 
 TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
 {
-  WaveWriting writing;
+  helios::LasWaveWriting writing;
   const bool isFirst = GENERATE(true, false);
   const auto good = helios::MakeWaveforms(6);
   REQUIRE((writing.Writer->Open() && (isFirst || writing.Write(good))));
   const auto waveforms = helios::MakeWaveforms(6);
-  const auto echoes = MakeEchoesOf(waveforms);
+  const auto echoes = helios::MakeEchoesOf(waveforms);
   vtkFieldData* rows = waveforms->GetRowData();
   auto* samples = vtkFloatArray::SafeDownCast(waveforms->GetFieldData()->GetArray(names::Samples));
   const auto setBins = [rows](double first, double others)
@@ -589,6 +432,6 @@ TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
     CHECK(writing.Fails(echoes, waveforms, "point 3 of a block has the coordinate z = inf"));
   }
   REQUIRE((writing.Write(good) && writing.Writer->Close())); // another block may follow
-  CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), good,
-    MakeEchoesOf(good), isFirst ? 0 : 18);
+  helios::CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), good,
+    helios::MakeEchoesOf(good), isFirst ? 0 : 18);
 }

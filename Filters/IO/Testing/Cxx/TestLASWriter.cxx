@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -51,6 +52,21 @@ vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>
   }
   cloud->SetPoints(points);
   return cloud;
+}
+
+/// Points begin to end.
+vtkSmartPointer<vtkPolyData> CopyPoints(vtkPolyData* echoes, vtkIdType begin, vtkIdType end)
+{
+  auto block = MakePoints({});
+  vtkPointData* data = block->GetPointData();
+  data->CopyAllOn();
+  data->CopyAllocate(echoes->GetPointData(), end - begin);
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    block->GetPoints()->InsertNextPoint(echoes->GetPoint(i));
+    data->CopyData(echoes->GetPointData(), i, i - begin);
+  }
+  return block;
 }
 
 /// What the header says of itself and of the points behind it.
@@ -124,7 +140,7 @@ TEST_CASE("LASWriter: the part is whole after every block", "[LASWriter]")
 TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter]")
 {
   LasWriting writing;
-  const auto echo = MakePoints({ { 1000.00014, -2.00006, 3.0 }, { 1002.0, 0.0, 3.0 } });
+  const auto echo = MakePoints({ { 1000.00017, -2.00006, 3.0 }, { 1002.0, 0.0, 3.0 } });
   vtkPointData* data = echo->GetPointData();
   const auto add = [data](const char* name, int value)
   { helios::AddColumn<vtkIntArray>(data, name, 2, [value](vtkIdType) { return value; }); };
@@ -156,10 +172,10 @@ TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter
   const auto at = GetNumber<std::uint32_t>(bytes, 96);
   CHECK(GetNumber<std::uint8_t>(bytes, 104) == 6);
   CHECK(GetNumber<std::uint16_t>(bytes, 105) == 30 + 4 + 8);
-  CHECK(GetNumber<double>(bytes, 155) == 1001.0); // the middle
-  CHECK(GetNumber<double>(bytes, 163) == -1.0);
-  CHECK(GetNumber<std::int32_t>(bytes, at) == -9999);      // rounded, not cut
-  CHECK(GetNumber<std::int32_t>(bytes, at + 4) == -10001); // away from zero, too
+  CHECK(GetNumber<double>(bytes, 155) == 1000.0); // the first point in whole units
+  CHECK(GetNumber<double>(bytes, 163) == -2.0);
+  CHECK(GetNumber<std::int32_t>(bytes, at) == 2);      // rounded, not cut
+  CHECK(GetNumber<std::int32_t>(bytes, at + 4) == -1); // away from zero, too
   CHECK(GetNumber<std::int32_t>(bytes, at + 8) == 0);
   CHECK(GetNumber<std::uint16_t>(bytes, at + 12) == 6000); // 1 nW over 1 fW: 60 dB
   CHECK(GetNumber<std::uint8_t>(bytes, at + 14) == (2 | 3 << 4));
@@ -271,6 +287,9 @@ TEST_CASE("LASWriter: scale and offset", "[LASWriter]")
   CHECK(scaleOf(200.0) == 1e-6);
   CHECK(scaleOf(300.0) == 1e-5); // 8 x 300 m are more than 2^31 micrometres
   CHECK(scaleOf(1e10) == 100.0);
+  CHECK_FALSE(writing.WriteAll(MakePoints({ { 1e16, 0, 0 } })));
+  CHECK(writing.Log->HasError(
+    "a block has a scale of 1e-06 and an offset of 1e+16, with which there are no coordinates"));
 }
 
 TEST_CASE("LASWriter: colours make format 7", "[LASWriter]")
@@ -316,6 +335,26 @@ TEST_CASE("LASWriter: the same bytes by any number of threads", "[LASWriter]")
   }
   CHECK(texts[0] == texts[1]);
   vtkSMPTools::Initialize();
+}
+
+TEST_CASE("LASWriter: the same bytes by blocks of any size", "[LASWriter]")
+{
+  LasWriting writing;
+  const auto echoes = MakeLasEchoes(1000);
+  REQUIRE(writing.WriteAll(echoes));
+  const std::string whole = writing.Bytes();
+  for (const vtkIdType size : { 1, 7, 400 })
+  {
+    INFO(size);
+    REQUIRE(writing.Writer->Open());
+    for (vtkIdType first = 0; first < 1000; first += size)
+    {
+      REQUIRE(
+        writing.Writer->Write(CopyPoints(echoes, first, std::min(first + size, vtkIdType(1000)))));
+    }
+    REQUIRE(writing.Writer->Close());
+    CHECK((writing.Bytes() == whole)); // not printed
+  }
 }
 
 TEST_CASE("LASWriter: no block is a file without points", "[LASWriter]")
@@ -482,7 +521,7 @@ TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
   {
     block->GetPoints()->SetPoint(0, isFirst ? 1e6 : 214760, 0, 0);
     expected = isFirst
-      ? "point 0 of a block has the coordinate x = 1000000, beyond the 214748.3647 about 500006 "
+      ? "point 1 of a block has the coordinate x = 11, beyond the 214748.3647 about 1000000 "
         "that 32 bits hold with Scale 0.0001; set a larger Scale"
       : "point 0 of a block has the coordinate x = 214760, beyond the 214748.3647 about 10 that";
   }
