@@ -136,6 +136,46 @@ def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
     del one, two
 
 
+def turn_vectors(path):
+    """Makes of a LAS file one of an earlier version: vectors lead away from the scanner."""
+    data = bytearray(path.read_bytes())
+    begin, length = struct.unpack_from("<I", data, 96)[0], struct.unpack_from("<H", data, 105)[0]
+    said = b"waveform [W], to the scanner"
+    assert data[:begin].count(said) == 252
+    data[:begin] = data[:begin].replace(said, b"waveform [W]".ljust(len(said), b"\0"))
+    records = np.frombuffer(data, np.uint8, offset=begin).reshape(-1, length)
+    records[:, [50, 54, 58]] ^= 0x80  # the signs of three floats from byte 47 on
+    path.write_bytes(data)
+
+
+@pytest.mark.parametrize("ending", ["las", "laz"])
+def test_waveform_vectors_of_earlier_versions_are_turned(las, convert, tmp_path, ending):
+    expected, right = las.read_bytes(), read_waveforms(las)[0]
+    turn_vectors(las)
+    assert las.read_bytes() != expected
+    code, _, err = convert(las, tmp_path / f"b.{ending}")
+    assert code == 0 and err.count("an earlier version of vtkHelios wrote its waveforms") == 1
+    code, _, err = convert(tmp_path / f"b.{ending}", tmp_path / "c.las")  # once, not twice
+    assert code == 0 and "earlier" not in err
+    assert (tmp_path / "c.las").read_bytes() == expected
+    found, reader = read_waveforms(tmp_path / "c.las")
+    assert all(np.array_equal(found[name], values) for name, values in right.items())
+    del reader
+
+
+def test_waveform_vectors_of_earlier_versions_in_laz(las, convert, tmp_path):
+    """LAZ that another program made of a file of an earlier version keeps its records."""
+    laspy = pytest.importorskip("laspy")
+    expected = las.read_bytes()
+    turn_vectors(las)
+    laspy.read(las).write(tmp_path / "b.laz")
+    shutil.copy(las.with_suffix(".wdp"), tmp_path / "b.wdp")
+    code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
+    assert code == 0 and "vtkhelios convert turns them" in err
+    begin = struct.unpack_from("<I", expected, 96)[0]
+    assert (tmp_path / "c.las").read_bytes()[begin:] == expected[begin:]
+
+
 def test_waveforms_inside_by_laspy(las, convert, tmp_path):
     """A packet found and decoded by what laspy says alone."""
     laspy = pytest.importorskip("laspy")

@@ -135,6 +135,18 @@ def test_boxes_and_counts_that_are_wrong(broken, info):
     assert facts["warnings"][0].startswith("the header counts [5, ")
 
 
+def test_waveforms_of_an_earlier_version(small_runs, tmp_path, info):
+    path = tmp_path / "a.las"
+    for ending in (".las", ".wdp"):
+        shutil.copy(small_runs["las"] / f"leg000_points{ending}", path.with_suffix(ending))
+    assert info(path)[1]["warnings"] == []
+    data = path.read_bytes().replace(b"waveform [W], to the scanner", b"waveform [W]".ljust(28, b"\0"))
+    path.write_bytes(data)
+    (warning,) = info(path)[1]["warnings"]
+    assert warning.startswith(f"{path}: an earlier version of vtkHelios wrote its waveforms")
+    assert warning.endswith("vtkhelios convert turns them")
+
+
 def test_sizes_that_are_wrong(broken, info):
     code, _, err = info(broken(247, "<Q", 10**9))
     assert code == 1 and "that its header counts: it is cut off" in err

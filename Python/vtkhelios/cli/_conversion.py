@@ -63,6 +63,7 @@ class Conversion:
 
     def _copy_records(self, paths, task):
         readers = [RecordReader(path) for path in paths]
+        self.notes += [note for reader in readers for note in reader.notes]
         for reader in readers[1:]:
             if why := same_form(readers[0], reader):
                 self.notes.append(

@@ -136,6 +136,7 @@ class Inspection:
         ]
         self._tell_waveforms(reader)
         self._check_head(header)
+        self.warnings += reader.notes
         reader.close()
 
     def _tell_waveforms(self, reader):

@@ -16,6 +16,9 @@ WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
 NOT_KEPT = (b"laszip encoded", b"copc")  # users of records that say how points are compressed
 HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
 INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: where packets are
+DESCRIPTORS = range(100, 355)  # the numbers of the records that say how packets are made
+TO_SCANNER = b"waveform [W], to the scanner"  # what heliosLasWaves.h has descriptors say, and
+FROM_SCANNER = b"waveform [W]"  # what earlier versions said, whose vectors led the other way
 
 
 class RecordReader:
@@ -23,6 +26,7 @@ class RecordReader:
 
     def __init__(self, path):
         self.path = str(path)
+        self.notes = []  # what is read otherwise than it may seem
         laspy = need("laspy", "LAS and LAZ files")
         logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
         self._size = os.path.getsize(self.path)
@@ -54,8 +58,30 @@ class RecordReader:
             file.seek(header_size)
             data = file.read(self._points_begin - header_size)
             self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
+            self._turn_descriptors()
             self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
             self.extended = self._find_extended(file, start) if self.minor >= 4 else []
+
+    def _turn_descriptors(self):
+        """Waveform vectors of earlier versions lead away from the scanner: chunks() turns them, and
+        records say so."""
+        from laspy import VLR
+
+        turned = [(user, _say_turned(data)) for user, data in self.records]
+        self._is_turned = turned != self.records and self.header.point_format.has_waveform_packet
+        if not self._is_turned:
+            return
+        self.records = turned
+        self.header.vlrs = [
+            VLR(each.user_id, each.record_id, TO_SCANNER.decode(), each.record_data_bytes())
+            if each.record_id in DESCRIPTORS and each.description == FROM_SCANNER.decode()
+            else each
+            for each in self.header.vlrs
+        ]
+        self.notes.append(
+            f"{self.path}: an earlier version of vtkHelios wrote its waveforms, with vectors that "
+            "lead away from the scanner; vtkhelios convert turns them"
+        )
 
     def _find_extended(self, file, start):
         """The extended records: user, id, place, size with the head."""
@@ -120,6 +146,9 @@ class RecordReader:
             if len(records) != count:
                 self.fail(f"ends after {done + len(records)} of {total} points; copy it again")
             done += count
+            if self._is_turned:
+                for name in ("x_t", "y_t", "z_t"):
+                    records[name] = -records[name]
             yield records
 
     def close(self):
@@ -134,6 +163,16 @@ def _split(data, count):
         user = data[at + 2 : at + 18].split(b"\0")[0]
         yield user, data[at : at + size]
         at += size
+
+
+def _say_turned(data):
+    """A descriptor record of an earlier version as one of today; others as they are."""
+    is_ours = (
+        data[2:18].split(b"\0")[0] == b"LASF_Spec"
+        and struct.unpack_from("<H", data, 18)[0] in DESCRIPTORS
+        and data[22:HEAD].split(b"\0")[0] == FROM_SCANNER
+    )
+    return data[:22] + TO_SCANNER.ljust(HEAD - 22, b"\0") + data[HEAD:] if is_ours else data
 
 
 class RecordWriter:

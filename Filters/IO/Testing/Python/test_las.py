@@ -302,10 +302,16 @@ def test_waveforms_as_laspy_reads_them(tmp_path):
     }
     has = ids >= 0
     assert np.array_equal(np.asarray(las.wavepacket_index) > 0, has)
-    speed = 0.5e-3 * LIGHT * direction
+    speed = -0.5e-3 * LIGHT * direction  # to the scanner
     for k, name in enumerate(("x_t", "y_t", "z_t")):
         assert np.allclose(las[name][has], speed[has, k], rtol=1e-6, atol=1e-12)
     assert np.allclose(las.return_point_wave_location[has], 12300.0, rtol=0.0, atol=0.5)
+    # point + location * vector is where the first sample came from, nearer to the scanner
+    vector = np.stack([las["x_t"], las["y_t"], las["z_t"]], axis=1).astype(float)
+    anchor = las.xyz + np.asarray(las.return_point_wave_location)[:, None] * vector
+    begin = points - (0.5 * LIGHT * 12.3) * direction
+    assert np.abs(anchor - begin)[has].max() < 2e-4
+    assert np.all(((las.xyz - anchor) * direction).sum(axis=1)[has] > 1.0)
     for row in np.flatnonzero(has):
         descriptor = descriptors[las.wavepacket_index[row]]
         begin, size = int(las.wavepacket_offset[row]), int(las.wavepacket_size[row])
