@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosAssets.h"
 
+#include "heliosFilePattern.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 
 namespace helios
 {
@@ -26,8 +26,8 @@ std::string Join(const std::vector<std::string>& texts)
 }
 
 /// The candidates for a name, in the order of the folders; an absolute name is its own.
-std::vector<std::string> MakeCandidates(const std::string& name,
-  const std::vector<std::string>& folders)
+std::vector<std::string> MakeCandidates(
+  const std::string& name, const std::vector<std::string>& folders)
 {
   if (fs::path(name).is_absolute())
   {
@@ -55,23 +55,6 @@ bool IsFolder(const std::string& path)
 {
   std::error_code ignored;
   return fs::is_directory(path, ignored);
-}
-
-/// The files of a folder whose names match, in alphabetical order.
-std::vector<std::string> MatchFiles(const std::string& folder, const std::regex& expression)
-{
-  std::vector<std::string> files;
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
-  {
-    const std::string name = entry->path().filename().string();
-    if (IsFile(entry->path().string()) && std::regex_match(name, expression))
-    {
-      files.push_back(entry->path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 } // namespace
@@ -153,8 +136,8 @@ std::string Assets::FindFile(const XmlValue& name, const XmlDocument& from)
 //------------------------------------------------------------------------------
 std::string Assets::LookFor(const std::string& name, const XmlDocument& from) const
 {
-  const std::vector<std::string> candidates = MakeCandidates(
-    name, name.empty() ? std::vector<std::string>() : this->GetFolders(from));
+  const std::vector<std::string> candidates =
+    MakeCandidates(name, name.empty() ? std::vector<std::string>() : this->GetFolders(from));
   const auto found = std::find_if(candidates.begin(), candidates.end(), IsFile);
   return found != candidates.end() ? *found : std::string();
 }
@@ -162,26 +145,27 @@ std::string Assets::LookFor(const std::string& name, const XmlDocument& from) co
 //------------------------------------------------------------------------------
 std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDocument& from)
 {
-  const std::string where = pattern.Where + ": " + pattern.Name + "=\"" + pattern.Text + "\"";
-  const std::size_t slash = pattern.Text.rfind('/');
-  const bool hasFolder = slash != std::string::npos;
-  const std::string folder = hasFolder ? pattern.Text.substr(0, slash + 1) : "";
-  std::regex expression;
-  try
+  const std::string where =
+    pattern.Where + ": " + pattern.Name + "=\"" + Shorten(pattern.Text) + "\"";
+  const FilePattern expression(pattern.Text);
+  if (!expression.GetFault().empty())
   {
-    expression = std::regex(hasFolder ? pattern.Text.substr(slash + 1) : pattern.Text);
-  }
-  catch (const std::regex_error& error)
-  {
-    this->Log.Error(where + " is no regular expression: " + error.what() +
+    this->Log.Error(where + " is no regular expression: " + expression.GetFault() +
       "; give a folder and an expression for the file name, as in trees/oak_.*[.]obj");
     return {};
   }
-  const std::vector<std::string> candidates = MakeCandidates(folder, this->GetFolders(from));
+  const std::vector<std::string> candidates =
+    MakeCandidates(expression.GetFolder(), this->GetFolders(from));
   for (const std::string& candidate : candidates)
   {
-    std::vector<std::string> files =
-      IsFolder(candidate) ? MatchFiles(candidate, expression) : std::vector<std::string>();
+    std::vector<std::string> files;
+    if (IsFolder(candidate) && !expression.FindFiles(candidate, files))
+    {
+      this->Log.Error(where + ": " + candidate + " holds more than " +
+        std::to_string(FilePattern::MostFilesInFolder) + " files; put those of the part into a " +
+        "folder of their own");
+      return {};
+    }
     if (!files.empty())
     {
       return files;
@@ -200,8 +184,7 @@ XmlElement Assets::FindElement(const char* tag, const XmlElement& from, const ch
 }
 
 //------------------------------------------------------------------------------
-XmlElement Assets::FindElement(
-  const char* tag, const XmlValue& reference, const XmlDocument& from)
+XmlElement Assets::FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from)
 {
   const std::string& text = reference.Text;
   const std::string where = reference.Where + ": " + reference.Name + "=\"" + text + "\"";
@@ -218,10 +201,8 @@ XmlElement Assets::FindElement(
 }
 
 //------------------------------------------------------------------------------
-XmlElement Assets::FindElementById(const char* tag,
-  const std::string& id,
-  const XmlDocument& document,
-  const std::string& where)
+XmlElement Assets::FindElementById(
+  const char* tag, const std::string& id, const XmlDocument& document, const std::string& where)
 {
   std::vector<std::string> ids;
   for (const XmlElement& element : document.GetRoot().GetChildren(tag))

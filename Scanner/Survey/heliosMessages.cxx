@@ -23,7 +23,17 @@ std::string StripOrigin(const std::string& message)
   return text;
 }
 
+constexpr std::size_t LongestShown = 200;
+
 } // namespace
+
+//------------------------------------------------------------------------------
+std::string Shorten(const std::string& text)
+{
+  return text.size() <= LongestShown
+    ? text
+    : text.substr(0, LongestShown) + "... (" + std::to_string(text.size()) + " characters)";
+}
 
 //------------------------------------------------------------------------------
 std::string Enumerate(const std::vector<std::string>& words)
@@ -90,8 +100,8 @@ void Messages::Forward(vtkObject* caller, unsigned long event, void* self, void*
 {
   auto* messages = static_cast<Messages*>(self);
   const std::string& where = messages->Places[caller];
-  const std::string text = where + (where.empty() ? "" : ": ") +
-    StripOrigin(data ? static_cast<const char*>(data) : "");
+  const std::string text =
+    where + (where.empty() ? "" : ": ") + StripOrigin(data ? static_cast<const char*>(data) : "");
   const bool isEcho =
     vtkExecutive::SafeDownCast(caller) && text.find("returned failure") != std::string::npos;
   if (isEcho)

@@ -32,6 +32,9 @@ public:
 /// "a, b and c".
 std::string Enumerate(const std::vector<std::string>& words);
 
+/// What messages show of a value that may be long.
+std::string Shorten(const std::string& text);
+
 /// Reports through the owner's error and warning events; the same text only once.
 class VTKHELIOSSCANNERSURVEY_EXPORT Messages
 {

@@ -37,7 +37,7 @@ bool FiniteFromText(const std::string& text, double& number)
 
 std::string Quote(const XmlValue& value)
 {
-  return value.Where + ": " + value.Name + "=\"" + value.Text + "\"";
+  return value.Where + ": " + value.Name + "=\"" + Shorten(value.Text) + "\"";
 }
 
 std::string UnitOf(const XmlValueRule& rule)
@@ -164,7 +164,7 @@ bool ParseRealList(const XmlValue& value,
     double number = 0.0;
     if (!FiniteFromText(part, number))
     {
-      log.Error(Quote(value) + " is not a list of numbers: \"" + part + "\" is none; give numbers" +
+      log.Error(Quote(value) + " is not a list of numbers: \"" + Shorten(part) + "\" is none; give numbers" +
         UnitOf(rule) + " with commas between them");
       return false;
     }

@@ -29,6 +29,7 @@ HOMES = {
     r"embree3/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
     r"json/": "ScannerSurvey",
+    r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
     r"lzf": "FiltersIO",
     r"Random123/": "FiltersCore",

@@ -500,6 +500,12 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
         { "scene.xml:2", "efilepath=\"none.*\": no file matches", "looked in" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"", "key=\"efilepath\" value=\"[\"",
         { "scene.xml:2", "efilepath=\"[\" is no regular expression" } },
+      { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
+        "key=\"efilepath\" value=\"d/" + std::string(50000, '(') + "\"",
+        { "scene.xml:2", "(50002 characters)\" is no regular expression: it has 50000 characters" } },
+      { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
+        "key=\"efilepath\" value=\"(?!x).*obj\"",
+        { "scene.xml:2", "is no regular expression", "lookahead and back references" } },
     });
 }
 
