@@ -4,6 +4,7 @@
 
 #include "vtkHeliosBeamDeflector.h"
 
+#include "heliosErrorTerms.h"
 #include "heliosPhase.h"
 #include "heliosRandom.h"
 #include "vtkHeliosErrorModel.h"
@@ -13,6 +14,18 @@
 
 namespace helios
 {
+namespace
+{
+
+/// A term of the error model; 0, and marked, where it cannot be used.
+double UseTerm(double value, int term, Pulse& pulse)
+{
+  const bool isUsable = IsUsableTerm(value);
+  pulse.FaultyTerms |= isUsable ? 0u : 1u << static_cast<unsigned>(term);
+  return isUsable ? value : 0.0;
+}
+
+} // namespace
 
 Rotation BeamFrame(const Vec3& axis)
 {
@@ -116,11 +129,15 @@ void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) con
 void PulseSource::TurnBeam(
   vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction, Pulse& pulse) const
 {
+  pulse.FaultyTerms = 0;
   if (this->Errors)
   {
+    using Model = vtkHeliosErrorModel;
     const double theta = vtkMath::RadiansFromDegrees(this->Deflector->GetScanAngle(index));
-    const double deflection = vtkMath::DegreesFromRadians(this->Errors->GetDeflectionError(theta));
-    const double turn = vtkMath::DegreesFromRadians(this->Errors->GetHeadError(theta));
+    const double deflection = vtkMath::DegreesFromRadians(
+      UseTerm(this->Errors->GetDeflectionError(theta), Model::DEFLECTION_ERROR, pulse));
+    const double turn = vtkMath::DegreesFromRadians(
+      UseTerm(this->Errors->GetHeadError(theta), Model::HEAD_ERROR, pulse));
     direction = Rotate(AxisAngle({ 1.0, 0.0, 0.0 }, deflection), direction);
     pulse.Beam = platform *
       (Rotation(this->TurnHead(headAngle + turn) * this->BeamOrigin.Orientation) *

@@ -29,6 +29,8 @@ struct Pulse
   Vec3 Reported; // the direction that the instrument believes in
   Vec3 ReportedOrigin;
   int Channel; // of the deflector
+  /// Of the error model: a bit for each that has no usable value and is left out.
+  unsigned FaultyTerms = 0;
 
   Vec3 GetDirection() const
   {

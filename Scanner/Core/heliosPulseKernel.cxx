@@ -72,9 +72,26 @@ void PulseKernel::AimPulses(vtkIdType first, vtkIdType last)
     {
       this->Pulses.push_back(pulse);
       this->Indices.push_back(i);
+      if (pulse.FaultyTerms != 0)
+      {
+        this->CountFaults(pulse, i);
+      }
     }
   }
   this->Counts.PulsesFired += static_cast<vtkIdType>(this->Pulses.size());
+}
+
+//------------------------------------------------------------------------------
+void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
+{
+  const double angle = this->Model.Source.Deflector->GetScanAngle(index);
+  for (std::size_t term = 0; term < this->Counts.Faults.size(); ++term)
+  {
+    if ((pulse.FaultyTerms >> term & 1u) != 0)
+    {
+      this->Counts.Faults[term].Add(pulse.Id, vtkMath::RadiansFromDegrees(angle));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -335,19 +352,38 @@ void PulseKernel::StoreEcho(const Pulse& pulse, double scanAngle, const Echo& ec
 
 //------------------------------------------------------------------------------
 /// The range with the errors of the instrument; number counts the echoes of the pulse from 0.
-double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t number) const
+double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t number)
 {
   const RangeNoise& law = this->Model.Noise;
-  const vtkHeliosErrorModel* errors = this->Model.Source.Errors;
-  double range = echo.Range + (errors ? errors->GetRangeError(theta) : 0.0);
+  using Terms = vtkHeliosErrorModel;
+  const Terms* errors = this->Model.Source.Errors;
+  double range = echo.Range;
+  if (errors)
+  {
+    range += this->UseTerm(Terms::RANGE_ERROR, errors->GetRangeError(theta), theta, 0.0);
+  }
   if (law.IsOn())
   {
     const auto noise = NormalPair(this->Model.Seed, RandomStream::RangeNoise,
       static_cast<std::uint64_t>(this->PulseId), static_cast<std::uint32_t>(number));
-    const double factor = errors ? errors->GetRangeNoiseFactor(range) : 1.0;
+    const double factor = errors
+      ? this->UseTerm(Terms::RANGE_NOISE_FACTOR, errors->GetRangeNoiseFactor(range), range, 1.0)
+      : 1.0;
     range += factor * law.GetDeviation(echo.Range, echo.Amplitude) * noise[0];
   }
   return range;
+}
+
+//------------------------------------------------------------------------------
+/// The value of a term of the error model; another, and counted, where it cannot be used.
+double PulseKernel::UseTerm(int term, double value, double variable, double otherwise)
+{
+  if (IsUsableTerm(value))
+  {
+    return value;
+  }
+  this->Counts.Faults[static_cast<std::size_t>(term)].Add(this->PulseId, variable);
+  return otherwise;
 }
 
 //------------------------------------------------------------------------------

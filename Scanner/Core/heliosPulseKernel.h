@@ -42,6 +42,7 @@ private:
   };
 
   void AimPulses(vtkIdType first, vtkIdType last);
+  void CountFaults(const Pulse& pulse, vtkIdType index);
   void LookAtPulses();
   View LookAt(const Pulse& pulse);
   Meeting GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit);
@@ -60,7 +61,8 @@ private:
     std::size_t count, ChunkResult& result);
   void StoreWaveform(const Pulse& pulse, ChunkResult& result);
   void StoreSubRays(const Pulse& pulse, ChunkResult& result);
-  double GetMeasuredRange(const Echo& echo, double theta, std::size_t number) const;
+  double GetMeasuredRange(const Echo& echo, double theta, std::size_t number);
+  double UseTerm(int term, double value, double variable, double otherwise);
 
   const ScanModel& Model;
   SurfaceResponse Response;

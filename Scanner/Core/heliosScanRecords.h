@@ -5,6 +5,7 @@
 #ifndef heliosScanRecords_h
 #define heliosScanRecords_h
 
+#include "heliosErrorTerms.h"
 #include "heliosPose.h"
 
 #include <vtkType.h>
@@ -108,6 +109,7 @@ struct ScanCounts
   vtkIdType Echoes = 0;
   vtkIdType HitsOutOfRange = 0; // sub-rays that met a surface outside the measured ranges
   vtkIdType CutWaveforms = 0;
+  TermFaults Faults;             // of the error model
   double LargestAmplitude = 0.0; // of what the pulses that hit sent back [W]
 
   void Add(const ScanCounts& other)
@@ -118,6 +120,10 @@ struct ScanCounts
         &ScanCounts::Echoes, &ScanCounts::HitsOutOfRange, &ScanCounts::CutWaveforms })
     {
       this->*count += other.*count;
+    }
+    for (std::size_t term = 0; term < this->Faults.size(); ++term)
+    {
+      this->Faults[term].Add(other.Faults[term]);
     }
     this->LargestAmplitude = std::max(this->LargestAmplitude, other.LargestAmplitude);
   }

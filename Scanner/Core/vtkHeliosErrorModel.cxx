@@ -27,6 +27,14 @@ double vtkHeliosErrorModel::GetRangeNoiseFactor(double) const
 }
 
 //------------------------------------------------------------------------------
+std::string vtkHeliosErrorModel::GetTermName(int term) const
+{
+  static const char* const names[NUMBER_OF_TERMS] = { "GetRangeError()", "GetDeflectionError()",
+    "GetHeadError()", "GetRangeNoiseFactor()" };
+  return std::string(names[term]) + " of " + this->GetClassName();
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosErrorModel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -408,15 +408,17 @@ int vtkHeliosScanner::RequestData(
   const vtkIdType pieces = std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
   const vtkIdType piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
   const vtkIdType count = std::max<vtkIdType>(0, scan.LastPulse - scan.FirstPulse);
-  this->RunPulses(scan, scan.FirstPulse + helios::SplitPulses(count, piece, pieces),
-    scan.FirstPulse + helios::SplitPulses(count, piece + 1, pieces), outputs);
-
+  if (!this->RunPulses(scan, scan.FirstPulse + helios::SplitPulses(count, piece, pieces),
+        scan.FirstPulse + helios::SplitPulses(count, piece + 1, pieces), outputs))
+  {
+    return 0;
+  }
   scan.Model.Surfaces.PassFields(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(outputs, 0));
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosScanner::RunPulses(
+bool vtkHeliosScanner::RunPulses(
   const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
   const auto goesOn = [this](double share)
@@ -431,6 +433,38 @@ void vtkHeliosScanner::RunPulses(
   output.Finish();
   const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
   this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
+  if (this->CheckErrorTerms(sum))
+  {
+    return true;
+  }
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+/// An error where the error model has values that cannot be used.
+bool vtkHeliosScanner::CheckErrorTerms(const helios::ScanCounts& counts)
+{
+  bool good = true;
+  for (int term = 0; term < vtkHeliosErrorModel::NUMBER_OF_TERMS; ++term)
+  {
+    const helios::TermFault& fault = counts.Faults[static_cast<std::size_t>(term)];
+    const bool isOfRange = term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR;
+    if (fault.Pulses > 0)
+    {
+      vtkErrorMacro(<< this->ErrorModel->GetTermName(term)
+                    << " is not finite, or beyond 1e9, for " << fault.Pulses << " of "
+                    << counts.PulsesFired << " pulses, the first of them pulse " << fault.First
+                    << " at " << (isOfRange ? "a range of " : "a scan angle of ")
+                    << fault.Variable << (isOfRange ? " m" : " rad")
+                    << "; give one that is finite there");
+      good = false;
+    }
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------

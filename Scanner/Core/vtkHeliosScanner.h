@@ -366,8 +366,9 @@ private:
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
-  void RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
+  bool RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
   void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
+  bool CheckErrorTerms(const helios::ScanCounts& counts);
 
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;
   void operator=(const vtkHeliosScanner&) = delete;

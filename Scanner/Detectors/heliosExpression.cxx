@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosExpression.h"
 
+#include "heliosErrorTerms.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkMath.h>
@@ -136,6 +138,11 @@ private:
   std::string ReadSign(char c)
   {
     const std::size_t start = this->Position++;
+    if (c == '(' && this->Brackets.size() == Expression::DeepestBracket)
+    {
+      return "more than " + std::to_string(Expression::DeepestBracket) +
+        " brackets within one another; write it with fewer" + this->At(start);
+    }
     if (c == '(')
     {
       this->Brackets.push_back(this->IsAfterAtan2 ? 1 : 0);
@@ -189,6 +196,23 @@ std::string Parse(const std::string& text)
   return core + "; write a term between operators, such as 0.001 * sin(t)";
 }
 
+/// A fault where an expression has no usable value: neither for any angle nor for any range.
+std::string FindUsableValue(const std::string& text)
+{
+  constexpr int steps = 90;
+  Expression expression(text);
+  for (int i = -steps; i <= steps; ++i)
+  {
+    const double angle = vtkMath::Pi() * i / steps;
+    const double range = std::pow(10.0, 6.0 * std::abs(i) / steps); // up to 1000 km
+    if (IsUsableTerm(expression.Evaluate(angle)) || IsUsableTerm(expression.Evaluate(range)))
+    {
+      return {};
+    }
+  }
+  return "its value is never finite and within 1e9, neither for an angle nor for a range; correct it";
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -198,8 +222,21 @@ std::string Expression::FindFault(const std::string& text)
   {
     return {};
   }
-  const std::string fault = Reader(text).FindFault();
-  return fault.empty() ? Parse(text) : fault;
+  if (text.size() > LongestText)
+  {
+    return "it has " + std::to_string(text.size()) + " characters, and at most " +
+      std::to_string(LongestText) + " are allowed; write a shorter one";
+  }
+  std::string fault = Reader(text).FindFault();
+  fault = fault.empty() ? Parse(text) : fault;
+  return fault.empty() ? FindUsableValue(text) : fault;
+}
+
+//------------------------------------------------------------------------------
+std::string Expression::Shorten(const std::string& text)
+{
+  constexpr std::size_t longestShown = 200;
+  return text.size() <= longestShown ? text : text.substr(0, longestShown) + "...";
 }
 
 //------------------------------------------------------------------------------
@@ -209,14 +246,14 @@ Expression::Expression(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-double Expression::Evaluate(double variable, double fallback)
+double Expression::Evaluate(double variable)
 {
   const Parser parser = this->TakeParser();
   parser->SetScalarVariableValue(0, variable);
   parser->SetScalarVariableValue(1, variable);
   const double value = parser->GetScalarResult();
   this->ReturnParser(parser);
-  return std::isfinite(value) ? value : fallback;
+  return value;
 }
 
 //------------------------------------------------------------------------------

@@ -23,13 +23,20 @@ namespace helios
 class Expression
 {
 public:
-  /// What is wrong with a text and how to mend it; nothing: it is an expression, or empty.
+  static constexpr std::size_t LongestText = 1000;
+  static constexpr std::size_t DeepestBracket = 100;
+
+  /// What messages show of a text that may be long.
+  static std::string Shorten(const std::string& text);
+
+  /// What is wrong with a text and how to mend it; nothing: it is an expression, or empty. One that
+  /// has no finite value for any angle or range is wrong, too.
   static std::string FindFault(const std::string& text);
 
   explicit Expression(const std::string& text);
 
-  /// The value for a variable; a fallback where that is no finite number. Thread-safe.
-  double Evaluate(double variable, double fallback);
+  /// The value for a variable, which may be not finite. Thread-safe.
+  double Evaluate(double variable);
 
 private:
   using Parser = vtkSmartPointer<vtkExprTkFunctionParser>;

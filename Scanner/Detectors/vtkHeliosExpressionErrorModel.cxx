@@ -17,19 +17,20 @@ struct vtkHeliosExpressionErrorModel::Term
   std::string Property;
   std::string Text;
   std::unique_ptr<helios::Expression> Expression; // none: empty
+  std::string Name;                               // in messages; empty: the property
 
   double Evaluate(double variable, double without) const
   {
-    return this->Expression ? this->Expression->Evaluate(variable, without) : without;
+    return this->Expression ? this->Expression->Evaluate(variable) : without;
   }
 };
 
 //------------------------------------------------------------------------------
 vtkHeliosExpressionErrorModel::vtkHeliosExpressionErrorModel()
-  : Range(new Term{ "RangeErrorExpression", "", nullptr })
-  , Deflection(new Term{ "DeflectionErrorExpression", "", nullptr })
-  , Head(new Term{ "HeadErrorExpression", "", nullptr })
-  , NoiseFactor(new Term{ "RangeNoiseFactorExpression", "", nullptr })
+  : Range(new Term{ "RangeErrorExpression", "", nullptr, "" })
+  , Deflection(new Term{ "DeflectionErrorExpression", "", nullptr, "" })
+  , Head(new Term{ "HeadErrorExpression", "", nullptr, "" })
+  , NoiseFactor(new Term{ "RangeNoiseFactorExpression", "", nullptr, "" })
 {
 }
 
@@ -43,12 +44,35 @@ std::string vtkHeliosExpressionErrorModel::FindFault(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+vtkHeliosExpressionErrorModel::Term& vtkHeliosExpressionErrorModel::GetTerm(int term) const
+{
+  return term == RANGE_ERROR  ? *this->Range
+    : term == DEFLECTION_ERROR ? *this->Deflection
+    : term == HEAD_ERROR       ? *this->Head
+                               : *this->NoiseFactor;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosExpressionErrorModel::SetTermName(int term, const std::string& name)
+{
+  this->GetTerm(term).Name = name;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosExpressionErrorModel::GetTermName(int term) const
+{
+  const Term& named = this->GetTerm(term);
+  return named.Name.empty() ? named.Property + " \"" + named.Text + "\"" : named.Name;
+}
+
+//------------------------------------------------------------------------------
 void vtkHeliosExpressionErrorModel::SetTerm(Term& term, const std::string& text)
 {
   const std::string fault = FindFault(text);
   if (!fault.empty())
   {
-    vtkErrorMacro(<< term.Property << " \"" << text << "\": " << fault);
+    vtkErrorMacro(<< term.Property << " \"" << helios::Expression::Shorten(text)
+                  << "\": " << fault);
     return;
   }
   if (term.Text != text)

@@ -6,9 +6,10 @@
  *
  * Expressions as in HELIOS files: numbers, pi, e, the variable t (or THETA),
  * + - * / ^, brackets, and the functions exp ln sqrt abs cos sin tan acos asin
- * atan cosh sinh tanh atan2(a, b). An empty one is no error; where one has no
- * finite value, neither. One that cannot be read is refused with an error, and
- * the one before it stays.
+ * atan cosh sinh tanh atan2(a, b), up to 1000 characters and 100 brackets within
+ * one another. An empty one is no error. One that cannot be read, or has no finite
+ * value for any angle or range, is refused with an error, and the one before it
+ * stays; where one has no finite value for some, the scanner fails.
  *
  * @sa
  * vtkHeliosErrorModel vtkHeliosScanner
@@ -67,6 +68,15 @@ public:
   vtkGetMacro(ZeroSinThreshold, double);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get how messages name a term, such as file:line and the attribute. Default:
+   * the property with its expression.
+   */
+  void SetTermName(int term, const std::string& name);
+  std::string GetTermName(int term) const override;
+  ///@}
+
   /**
    * What is wrong with an expression and how to mend it; nothing: it can be set.
    */
@@ -74,7 +84,7 @@ public:
 
   ///@{
   /**
-   * The values of the expressions. Thread-safe.
+   * The values of the expressions, which may be not finite. Thread-safe.
    */
   double GetRangeError(double theta) const override;
   double GetDeflectionError(double theta) const override;
@@ -91,6 +101,7 @@ private:
   void operator=(const vtkHeliosExpressionErrorModel&) = delete;
 
   struct Term;
+  Term& GetTerm(int term) const;
   void SetTerm(Term& term, const std::string& text);
 
   std::unique_ptr<Term> Range;

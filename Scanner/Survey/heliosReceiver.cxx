@@ -154,6 +154,10 @@ void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
     model->SetHeadErrorExpression(errors.Head);
     model->SetZeroSinThreshold(errors.HeadZeroSinThreshold);
     model->SetRangeNoiseFactorExpression(errors.RangeNoiseFactor);
+    model->SetTermName(vtkHeliosErrorModel::RANGE_ERROR, errors.RangeName);
+    model->SetTermName(vtkHeliosErrorModel::DEFLECTION_ERROR, errors.DeflectionName);
+    model->SetTermName(vtkHeliosErrorModel::HEAD_ERROR, errors.HeadName);
+    model->SetTermName(vtkHeliosErrorModel::RANGE_NOISE_FACTOR, errors.RangeNoiseFactorName);
     scanner->SetErrorModel(model);
   }
 }

@@ -19,6 +19,9 @@ struct ErrorExpressions
   double HeadZeroSinThreshold = 0.0; ///< [deg], of the angle from multiples of pi
   std::string RangeNoiseFactor;
 
+  /// What messages call each: file:line and the attribute.
+  std::string RangeName, DeflectionName, HeadName, RangeNoiseFactorName;
+
   bool IsEmpty() const
   {
     return this->Range.empty() && this->Deflection.empty() && this->Head.empty() &&

@@ -163,17 +163,20 @@ void ReadNoise(const XmlElement& scanner, ReceiverData& receiver)
   scanner.Read("angleAccuracy_rad", receiver.AngleAccuracy);
 }
 
-/// An error where an attribute is no expression; an empty text is one.
-void CheckExpression(const XmlElement& element, const char* name, const std::string& text)
+/// An error where an attribute is no expression; an empty text is one. Its name in messages.
+std::string CheckExpression(const XmlElement& element, const char* name, const std::string& text)
 {
+  const std::string shown = element.Where() + ": " + name + "=\"" + Shorten(text) + "\"";
   const std::string fault = vtkHeliosExpressionErrorModel::FindFault(text);
   if (!fault.empty())
   {
-    element.GetMessages().Error(element.Where() + ": " + name + "=\"" + text + "\": " + fault);
+    element.GetMessages().Error(shown + ": " + fault);
   }
+  return shown;
 }
 
-void ReadExpression(const XmlElement& scanner, const char* tag, std::string& target)
+void ReadExpression(
+  const XmlElement& scanner, const char* tag, std::string& target, std::string& name)
 {
   const XmlElement element = scanner.GetChild(tag);
   if (!element)
@@ -186,14 +189,14 @@ void ReadExpression(const XmlElement& scanner, const char* tag, std::string& tar
     element.GetMessages().Error(element.Where() + ": <" + tag +
       "> has no expr; add one, such as expr=\"0.001 * sin(THETA)\"");
   }
-  CheckExpression(element, "expr", target);
+  name = CheckExpression(element, "expr", target);
 }
 
 void ReadErrors(const XmlElement& scanner, ErrorExpressions& errors)
 {
-  ReadExpression(scanner, "rangeError", errors.Range);
-  ReadExpression(scanner, "deflectionError", errors.Deflection);
-  ReadExpression(scanner, "headError", errors.Head);
+  ReadExpression(scanner, "rangeError", errors.Range, errors.RangeName);
+  ReadExpression(scanner, "deflectionError", errors.Deflection, errors.DeflectionName);
+  ReadExpression(scanner, "headError", errors.Head, errors.HeadName);
   if (const XmlElement head = scanner.GetChild("headError"))
   {
     head.Read("zeroSinThreshold_deg", errors.HeadZeroSinThreshold);
@@ -208,9 +211,11 @@ void ReadDetectorSettings(const XmlElement& element, ScannerData& data)
     element.Read("accuracy_m", data.Accuracy);
     element.Read("rangeMin_m", data.RangeMin);
     element.Read("rangeMax_m", data.RangeMax);
-    if (element.Read("distanceMeasurementError", data.Receiver.Errors.RangeNoiseFactor))
+    ErrorExpressions& errors = data.Receiver.Errors;
+    if (element.Read("distanceMeasurementError", errors.RangeNoiseFactor))
     {
-      CheckExpression(element, "distanceMeasurementError", data.Receiver.Errors.RangeNoiseFactor);
+      errors.RangeNoiseFactorName =
+        CheckExpression(element, "distanceMeasurementError", errors.RangeNoiseFactor);
     }
   }
 }

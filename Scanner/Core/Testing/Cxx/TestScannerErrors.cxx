@@ -1,17 +1,123 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosScannerBench.h"
+#include "vtkHeliosErrorModel.h"
+#include "vtkHeliosRotatingMirror.h"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
+#include <vtkSMPTools.h>
+#include <vtkTable.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace names = vtkHeliosArrayNames;
 using namespace helios::testing;
+
+namespace
+{
+
+/// One term of it has no value for angles below a limit [rad], or ranges beyond one [m].
+class FaultyErrors : public vtkHeliosErrorModel
+{
+public:
+  static FaultyErrors* New() { VTK_STANDARD_NEW_BODY(FaultyErrors); }
+  vtkTypeMacro(FaultyErrors, vtkHeliosErrorModel);
+  double GetRangeError(double theta) const override
+  {
+    return this->Get(RANGE_ERROR, theta < -0.3, std::nan(""));
+  }
+  double GetDeflectionError(double theta) const override
+  {
+    return this->Get(DEFLECTION_ERROR, theta < -0.3, 1.0 / 0.0);
+  }
+  double GetHeadError(double theta) const override
+  {
+    return this->Get(HEAD_ERROR, theta < -0.3, -1e300);
+  }
+  double GetRangeNoiseFactor(double range) const override
+  {
+    return this->Get(RANGE_NOISE_FACTOR, range > 52, std::nan(""));
+  }
+
+  int Faulty = RANGE_ERROR;
+
+private:
+  double Get(int term, bool isFaulty, double value) const
+  {
+    return term == this->Faulty && isFaulty ? value : term == RANGE_NOISE_FACTOR ? 1.0 : 0.0;
+  }
+};
+
+} // namespace
+
+TEST_CASE("Scanner: terms of errors that are not finite end a run, counted", "[Scanner]")
+{
+  // A window of 100 deg before a wall at 50 m: 1000 pulses of one ray, each hits.
+  Bench bench(MakeScene({ Wall(50, 1000) }));
+  vtkNew<vtkHeliosRotatingMirror> mirror;
+  mirror->SetVerticalAngleMin(-50);
+  mirror->SetVerticalAngleMax(50);
+  bench.Scanner->SetBeamDeflector(mirror);
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  bench.Scanner->SetRangeAccuracy(1e-9);
+  bench.Scanner->GenerateWaveformsOn();
+  bench.Scanner->GeneratePulsesOn();
+  std::vector<double> angles;
+  for (vtkIdType i = 0; i < bench.Scanner->GetNumberOfPulses(); ++i)
+  {
+    double direction[3];
+    angles.push_back(mirror->GetDirection(i, direction)
+        ? vtkMath::RadiansFromDegrees(mirror->GetScanAngle(i))
+        : std::nan(""));
+  }
+  vtkNew<FaultyErrors> errors;
+  bench.Scanner->SetErrorModel(errors);
+  const char* const names[] = { "GetRangeError()", "GetDeflectionError()", "GetHeadError()",
+    "GetRangeNoiseFactor()" };
+  for (int term = 0; term < vtkHeliosErrorModel::NUMBER_OF_TERMS; ++term)
+  {
+    const auto isFaulty = [term](double theta)
+    {
+      return term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR ? 50 / std::cos(theta) > 52
+                                                             : theta < -0.3;
+    };
+    const auto count = std::count_if(angles.begin(), angles.end(), isFaulty);
+    const auto first = std::find_if(angles.begin(), angles.end(), isFaulty) - angles.begin();
+    const auto fired = bench.Scanner->GetNumberOfPulsesFired();
+    const std::string said = std::string(names[term]) +
+      " of FaultyErrors is not finite, or beyond 1e9, for " + std::to_string(count) + " of ";
+    const std::string place = " pulses, the first of them pulse " + std::to_string(first) + " at ";
+    CAPTURE(said, place, fired);
+    REQUIRE(count > 10);
+    errors->Faulty = term;
+    for (int threads : { 1, 2 })
+    {
+      vtkSMPTools::Initialize(threads);
+      errors->Modified();
+      bench.Run();
+      CAPTURE(bench.Log->Errors);
+      CHECK(bench.Log->HasError(said));
+      CHECK(bench.Log->HasError(place));
+      CHECK(bench.Scanner->GetOutput()->GetNumberOfPoints() == 0);
+      CHECK(vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1))->GetNumberOfRows() == 0);
+      bench.Log->Clear();
+    }
+    vtkSMPTools::Initialize(0);
+  }
+  errors->Faulty = vtkHeliosErrorModel::NUMBER_OF_TERMS;
+  errors->Modified();
+  CHECK(bench.Run()->GetNumberOfPoints() > 100);
+  CHECK(bench.Log->Errors.empty());
+}
 
 TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
 {

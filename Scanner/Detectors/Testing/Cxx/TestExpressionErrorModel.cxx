@@ -85,15 +85,18 @@ TEST_CASE(
   CHECK(model->GetHeadError(0.5) == Approx(1.0 / std::sin(0.5)));
 }
 
-TEST_CASE(
-  "ExpressionErrorModel: without a finite value there is no error", "[ExpressionErrorModel]")
+TEST_CASE("ExpressionErrorModel: what is not finite is handed on", "[ExpressionErrorModel]")
 {
-  CHECK(Evaluate("1 / t", 0.0) == 0.0);
-  CHECK(Evaluate("sqrt(t)", -1.0) == 0.0);
+  CHECK_FALSE(std::isfinite(Evaluate("1 / t", 0.0)));
+  CHECK_FALSE(std::isfinite(Evaluate("sqrt(t)", -1.0)));
   CHECK(Evaluate("sqrt(t)", 4.0) == 2.0);
   vtkNew<vtkHeliosExpressionErrorModel> model;
   model->SetRangeNoiseFactorExpression("ln(t)");
-  CHECK(model->GetRangeNoiseFactor(-1.0) == 1.0);
+  CHECK_FALSE(std::isfinite(model->GetRangeNoiseFactor(-1.0)));
+  using Model = vtkHeliosErrorModel;
+  CHECK(model->GetTermName(Model::RANGE_NOISE_FACTOR) == "RangeNoiseFactorExpression \"ln(t)\"");
+  model->SetTermName(Model::RANGE_NOISE_FACTOR, "file:1: expr=\"ln(t)\"");
+  CHECK(model->GetTermName(Model::RANGE_NOISE_FACTOR) == "file:1: expr=\"ln(t)\"");
 }
 
 TEST_CASE("ExpressionErrorModel: bad expressions are refused", "[ExpressionErrorModel]")
@@ -116,6 +119,9 @@ TEST_CASE("ExpressionErrorModel: bad expressions are refused", "[ExpressionError
     { "1e999", "a number that cannot be read" },
     { " ", "it is blank; write one such as" },
     { "while(true){}", "while is not known" },
+    { "ln(-1)", "its value is never finite" },
+    { "1/0*t", "its value is never finite" },
+    { "1e308*1e308", "its value is never finite" },
   };
   for (const auto& [text, part] : bad)
   {

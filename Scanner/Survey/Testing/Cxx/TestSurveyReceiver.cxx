@@ -299,6 +299,37 @@ TEST_CASE("SurveyReceiver: error expressions", "[SurveyReceiver]")
     .CheckRefused({ "<headError> has no expr; add one" });
 }
 
+TEST_CASE("SurveyReceiver: expressions that are long, deep or never finite", "[SurveyReceiver]")
+{
+  const std::string deep = std::string(101, '(') + "t" + std::string(101, ')');
+  std::string longText = "0";
+  while (longText.size() < 100000)
+  {
+    longText += "+t*t";
+  }
+  const std::pair<std::string, const char*> bad[] = {
+    { "ln(-1)", "\"ln(-1)\": its value is never finite" },
+    { "1/0*t", "its value is never finite" },
+    { "1e308*1e308", "its value is never finite" },
+    { "1e10", "never finite and within 1e9" },
+    { "sqrt(-1-t^2)", "its value is never finite" },
+    { deep, "more than 100 brackets within one another" },
+    { longText, "it has 100001 characters, and at most 1000 are allowed" },
+  };
+  for (const auto& [text, message] : bad)
+  {
+    CAPTURE(text.substr(0, 20), message);
+    Bench("", "", "", "<detectorSettings distanceMeasurementError=\"" + text + "\"/>")
+      .CheckRefused({ "survey.xml:", "distanceMeasurementError=\"", message });
+    Bench("", "", "", "", "<headError expr=\"" + text + "\"/>")
+      .CheckRefused({ "assets.xml:8: expr=\"", message });
+  }
+  const Bench partly("", "", "", "<detectorSettings distanceMeasurementError=\"ln(t - 5)\"/>");
+  partly.CheckQuiet();
+  CHECK_THAT(partly.SetUp()->GetErrorModel()->GetTermName(vtkHeliosErrorModel::RANGE_NOISE_FACTOR),
+    Catch::EndsWith("survey.xml:5: distanceMeasurementError=\"ln(t - 5)\""));
+}
+
 TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyReceiver]")
 {
   const std::vector<std::pair<std::string, std::string>> fwf = {

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Terms of an error model that have no usable value, counted by pulses.
+
+#ifndef heliosErrorTerms_h
+#define heliosErrorTerms_h
+
+#include "vtkHeliosErrorModel.h"
+
+#include <vtkType.h>
+
+#include <array>
+#include <cmath>
+
+namespace helios
+{
+
+/// The largest value of a term; a larger one, and what is not finite, cannot be used.
+constexpr double LargestErrorTerm = 1e9;
+
+inline bool IsUsableTerm(double value)
+{
+  return std::abs(value) <= LargestErrorTerm; // false for NaN
+}
+
+/// The pulses for which a term has no usable value.
+struct TermFault
+{
+  vtkIdType Pulses = 0;
+  vtkIdType First = VTK_ID_MAX; ///< its id
+  double Variable = 0.0;        ///< of the first
+  vtkIdType Last = -1;          ///< that was added
+
+  /// The echoes of a pulse come one behind the other and count once.
+  void Add(vtkIdType pulse, double variable)
+  {
+    this->Pulses += pulse == this->Last ? 0 : 1;
+    this->Last = pulse;
+    if (pulse < this->First)
+    {
+      this->First = pulse;
+      this->Variable = variable;
+    }
+  }
+
+  void Add(const TermFault& other)
+  {
+    this->Pulses += other.Pulses;
+    if (other.First < this->First)
+    {
+      this->First = other.First;
+      this->Variable = other.Variable;
+    }
+  }
+};
+
+using TermFaults = std::array<TermFault, vtkHeliosErrorModel::NUMBER_OF_TERMS>;
+
+} // namespace helios
+
+#endif
