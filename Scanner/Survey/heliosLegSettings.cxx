@@ -42,8 +42,8 @@ private:
   void ResolveHead();
   void ResolveWarmUp();
   void CheckUnused();
-  void CheckWindow();
-  void CheckScanFrequency();
+  void ResolveWindow();
+  void ClipScanFrequency();
   void CheckHead();
 
   bool Has(Optics type) const { return this->Scanner.Type == type; }
@@ -52,6 +52,18 @@ private:
   {
     return this->Given.VerticalResolution != 0.0 || this->Given.HorizontalResolution != 0.0;
   }
+
+  /// The limits of the instrument and where they stand.
+  struct Limits
+  {
+    double Low;
+    const char* LowName;
+    double High;
+    const char* HighName;
+  };
+
+  /// What is asked for (as messages say it), or the limit that it is beyond, with a warning.
+  double Clip(const Sentence& asked, double value, const Limits& limits);
 
   /// Messages are about legs that fire; the others are only passed through.
   void Error(const Sentence& text);
@@ -100,11 +112,11 @@ void ScanResolver::ResolvePulses()
   else if (!offered.empty() &&
     std::find(offered.begin(), offered.end(), this->Given.PulseFrequency) == offered.end())
   {
-    text << "pulseFreq_hz=\"" << this->Given.PulseFrequency << "\" is none of scanner "
-         << this->Scanner.Id << " and used all the same; it offers";
+    text << "pulseFreq_hz=\"" << this->Given.PulseFrequency << "\" is not supported by scanner "
+         << this->Scanner.Id << " (supported: ";
     for (const double frequency : offered)
     {
-      text << ' ' << frequency;
+      text << frequency << (frequency == offered.back() ? " Hz); used anyway" : ", ");
     }
     this->Warning(text);
   }
@@ -116,14 +128,11 @@ void ScanResolver::ResolveScanAngles()
   const bool isGiven = this->Given.ScanAngle > 0.0; // false for NaN
   const bool isLimited = this->Scanner.ScanAngleMax > 0.0;
   const double most = isLimited ? this->Scanner.ScanAngleMax : std::max(0.0, this->Given.ScanAngle);
-  this->Scan.ScanAngle = isGiven ? std::min(this->Given.ScanAngle, most) : most;
-  if (isGiven && this->Given.ScanAngle > most)
-  {
-    Sentence text;
-    text << "scanAngle_deg=\"" << this->Given.ScanAngle << "\" is clipped to " << most
-         << ", scanAngleMax_deg of scanner " << this->Scanner.Id;
-    this->Warning(text);
-  }
+  Sentence asked;
+  asked << "scanAngle_deg=\"" << this->Given.ScanAngle << "\"";
+  this->Scan.ScanAngle = isGiven
+    ? this->Clip(asked, this->Given.ScanAngle, { 0.0, "", most, "scanAngleMax_deg" })
+    : most;
   if (this->Has(Optics::OscillatingMirror) && !isGiven && !isLimited)
   {
     Sentence text;
@@ -138,11 +147,28 @@ void ScanResolver::ResolveScanAngles()
   const double high = this->Given.VerticalAngleMax;
   this->Scan.VerticalAngleMin = std::isnan(low) ? -half : low;
   this->Scan.VerticalAngleMax = std::isnan(high) ? half : high;
-  this->CheckWindow();
+  this->ResolveWindow();
 }
 
 //------------------------------------------------------------------------------
-void ScanResolver::CheckWindow()
+double ScanResolver::Clip(const Sentence& asked, double value, const Limits& limits)
+{
+  const bool isLow = value < limits.Low;
+  if (!isLow && !(value > limits.High * (1.0 + 1e-9)))
+  {
+    return value;
+  }
+  const double limit = isLow ? limits.Low : limits.High;
+  Sentence text;
+  text << asked.str() << " is clipped to " << limit << ", "
+       << (isLow ? limits.LowName : limits.HighName) << " of scanner " << this->Scanner.Id;
+  this->Warning(text);
+  return limit;
+}
+
+//------------------------------------------------------------------------------
+/// A window wider than the mirror's loses what lies beyond the mirror's, and no more than is too wide.
+void ScanResolver::ResolveWindow()
 {
   const double effective = this->Scanner.ScanAngleEffectiveMax > 0.0
     ? this->Scanner.ScanAngleEffectiveMax
@@ -150,18 +176,23 @@ void ScanResolver::CheckWindow()
   const double low = this->Scan.VerticalAngleMin;
   const double high = this->Scan.VerticalAngleMax;
   Sentence text;
-  text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\" ";
+  text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\"";
   if (this->Has(Optics::RotatingMirror) && !(low < high))
   {
-    text << "is no window; give a smaller one first";
+    text << " is no window; give a smaller one first";
     this->Error(text);
   }
-  else if (this->Has(Optics::RotatingMirror) && high - low > 2.0 * effective * (1 + 1e-12))
+  const double width = 2.0 * effective;
+  if (!this->Has(Optics::RotatingMirror) || !(high - low > width * (1 + 1e-12)))
   {
-    text << "is wider than the " << 2.0 * effective << " deg of scanner " << this->Scanner.Id
-         << " (twice its scanAngleEffectiveMax_deg); give a narrower window";
-    this->Error(text);
+    return;
   }
+  text << " (" << high - low << " deg)";
+  this->Clip(text, high - low, { 0.0, "", width, "twice scanAngleEffectiveMax_deg" });
+  const double below = std::max(0.0, -effective - low);
+  const double above = std::max(0.0, high - effective);
+  this->Scan.VerticalAngleMin = low + (high - low - width) * below / (below + above);
+  this->Scan.VerticalAngleMax = this->Scan.VerticalAngleMin + width;
 }
 
 //------------------------------------------------------------------------------
@@ -169,11 +200,11 @@ void ScanResolver::ResolveFrequencies()
 {
   this->Scan.ScanFrequency =
     std::isnan(this->Given.ScanFrequency) ? 0.0 : this->Given.ScanFrequency;
-  if (this->HasResolution() && this->Has(Optics::RotatingMirror))
+  const bool isByResolution = this->HasResolution() && this->Has(Optics::RotatingMirror);
+  if (isByResolution)
   {
     this->Scan.ScanFrequency = this->Scan.PulseFrequency * this->Given.VerticalResolution /
       (2.0 * this->Scanner.ScanAngleMax);
-    this->Scan.HeadRotateSpeed = this->Given.HorizontalResolution * this->Scan.ScanFrequency;
     if (this->Given.VerticalResolution == 0.0)
     {
       Sentence text;
@@ -184,7 +215,11 @@ void ScanResolver::ResolveFrequencies()
   }
   if (!this->Has(Optics::FiberArray) && !this->Has(Optics::RisleyPrisms))
   {
-    this->CheckScanFrequency();
+    this->ClipScanFrequency();
+  }
+  if (isByResolution) // the distance of lines stays what is asked for
+  {
+    this->Scan.HeadRotateSpeed = this->Given.HorizontalResolution * this->Scan.ScanFrequency;
   }
 }
 
@@ -206,31 +241,24 @@ void ScanResolver::ResolveScanProduct()
 }
 
 //------------------------------------------------------------------------------
-void ScanResolver::CheckScanFrequency()
+void ScanResolver::ClipScanFrequency()
 {
   const double frequency = this->Scan.ScanFrequency;
-  const double least = this->Scanner.ScanFrequencyMin;
-  const double most = this->Scanner.ScanFrequencyMax;
-  const bool isLow = frequency < least;
-  const bool isHigh = most != 0.0 && frequency > most * (1.0 + 1e-9);
+  Sentence text;
   if (this->Has(Optics::OscillatingMirror) && frequency == 0.0)
   {
-    Sentence text;
     text << "scanFreq_hz is missing or 0, so that the mirror of scanner " << this->Scanner.Id
          << " stands still; give how often it swings to and fro a second [Hz]";
     this->Error(text);
+    return;
   }
-  else if (isLow || isHigh)
-  {
-    Sentence text;
-    text << (this->HasResolution() ? "the scan frequency that the resolution asks for, "
-                                   : "scanFreq_hz=\"")
-         << frequency << (this->HasResolution() ? " Hz," : "\"") << " is "
-         << (isLow ? "below scanFreqMin_Hz=\"" : "above scanFreqMax_Hz=\"")
-         << (isLow ? least : most) << "\" of scanner " << this->Scanner.Id << "; give "
-         << (isLow ? "a higher one" : "a lower one");
-    this->Error(text);
-  }
+  const double most = this->Scanner.ScanFrequencyMax > 0.0 ? this->Scanner.ScanFrequencyMax
+                                                           : std::max(frequency, 0.0);
+  text << (this->HasResolution() ? "the scan frequency that the resolution asks for, "
+                                 : "scanFreq_hz=\"")
+       << frequency << (this->HasResolution() ? " Hz," : "\"");
+  this->Scan.ScanFrequency = this->Clip(text, frequency,
+    { std::min(this->Scanner.ScanFrequencyMin, most), "scanFreqMin_Hz", most, "scanFreqMax_Hz" });
 }
 
 //------------------------------------------------------------------------------
@@ -238,14 +266,10 @@ void ScanResolver::ResolveHead()
 {
   const double most = this->Scanner.HeadRotateSpeedMax;
   const double asked = this->Scan.HeadRotateSpeed;
-  this->Scan.HeadRotateSpeed = std::clamp(asked, -most, most);
-  if (this->Scan.HeadRotateSpeed != asked)
-  {
-    Sentence text;
-    text << "headRotatePerSec_deg=\"" << asked << "\" is clipped to " << this->Scan.HeadRotateSpeed
-         << ", from headRotatePerSecMax_deg=\"" << most << "\" of scanner " << this->Scanner.Id;
-    this->Warning(text);
-  }
+  Sentence text;
+  text << "headRotatePerSec_deg=\"" << asked << "\"";
+  this->Scan.HeadRotateSpeed = std::copysign(
+    this->Clip(text, std::abs(asked), { 0.0, "", most, "headRotatePerSecMax_deg" }), asked);
   this->CheckHead();
 }
 

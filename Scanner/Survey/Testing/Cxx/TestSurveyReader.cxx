@@ -502,7 +502,8 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
         { "scene.xml:2", "efilepath=\"[\" is no regular expression" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
         "key=\"efilepath\" value=\"d/" + std::string(50000, '(') + "\"",
-        { "scene.xml:2", "(50002 characters)\" is no regular expression: it has 50000 characters" } },
+        { "scene.xml:2",
+          "(50002 characters)\" is no regular expression: it has 50000 characters" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
         "key=\"efilepath\" value=\"(?!x).*obj\"",
         { "scene.xml:2", "is no regular expression", "lookahead and back references" } },
@@ -529,13 +530,6 @@ TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
   const std::string stop = "headRotateStop_deg=\"10\"";
   CheckAllRefused(Tripod, OneLeg,
     {
-      { "survey.xml", "scanFreq_hz=\"50\"", "scanFreq_hz=\"500\"",
-        { "survey.xml:5", "scanFreq_hz=\"500\" is above scanFreqMax_Hz=\"120\" of scanner tls" } },
-      { "survey.xml", "scanFreq_hz=\"50\"", "",
-        { "survey.xml:5", "scanFreq_hz=\"0\" is below scanFreqMin_Hz=\"3\" of scanner tls" } },
-      { "survey.xml", "scanFreq_hz=\"50\"",
-        "verticalResolution_deg=\"2\" horizontalResolution_deg=\"1\"",
-        { "survey.xml:5", "resolution asks for, 833.33", "above scanFreqMax_Hz=\"120\"" } },
       { "survey.xml", "scanFreq_hz=\"50\"", "horizontalResolution_deg=\"1\"",
         { "survey.xml:5", "needs verticalResolution_deg" } },
       { "survey.xml", stop, "headRotateStop_deg=\"-10\"",
@@ -547,12 +541,67 @@ TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
         { "survey.xml:5", "the leg never ends" } },
       { "survey.xml", stop, stop + " verticalAngleMin_deg=\"20\" verticalAngleMax_deg=\"10\"",
         { "survey.xml:5", "verticalAngleMin_deg=\"20\"", "is no window" } },
-      { "survey.xml", stop, stop + " verticalAngleMin_deg=\"-60\" verticalAngleMax_deg=\"60\"",
-        { "survey.xml:5", "wider than the 100 deg of scanner tls" } },
     });
   CheckAllRefused(Flight, ThreeLegs,
     { { "survey.xml", "movePerSec_m=\"50\"", "movePerSec_m=\"0\"",
       { "survey.xml:5", "movePerSec_m=\"0\"", "above 0 [m/s]" } } });
+}
+
+TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[SurveyReader]")
+{
+  using Scan = helios::ScanData;
+  struct Clipped
+  {
+    std::string Settings;
+    double Scan::*Value;
+    double Limit;
+    std::string Warning;
+  };
+  const std::string window = "verticalAngleMin_deg=\"-50\" verticalAngleMax_deg=\"70\"";
+  const std::string wide = "verticalAngleMin_deg=\"-40\" verticalAngleMax_deg=\"80\"";
+  const std::string resolution = "verticalResolution_deg=\"2\" horizontalResolution_deg=\"0.5\"";
+  const std::string of = " of scanner tls";
+  const Clipped clips[] = {
+    { "scanFreq_hz=\"500\"", &Scan::ScanFrequency, 120,
+      "\"500\" is clipped to 120, scanFreqMax_Hz" },
+    { "scanFreq_hz=\"1\"", &Scan::ScanFrequency, 3, "\"1\" is clipped to 3, scanFreqMin_Hz" },
+    { "", &Scan::ScanFrequency, 3, "scanFreq_hz=\"0\" is clipped to 3, scanFreqMin_Hz" },
+    { resolution, &Scan::ScanFrequency, 120,
+      "asks for, 833.333333333333 Hz, is clipped to 120, scanFreqMax_Hz" },
+    { resolution, &Scan::HeadRotateSpeed, 60, "" },
+    { "headRotatePerSec_deg=\"90\"", &Scan::HeadRotateSpeed, 60,
+      "headRotatePerSec_deg=\"90\" is clipped to 60, headRotatePerSecMax_deg" },
+    { "scanAngle_deg=\"150\"", &Scan::ScanAngle, 120,
+      "scanAngle_deg=\"150\" is clipped to 120, scanAngleMax_deg" },
+    { window, &Scan::VerticalAngleMin, -50,
+      "verticalAngleMin_deg=\"-50\" to verticalAngleMax_deg=\"70\" (120 deg) is clipped to 100, "
+      "twice scanAngleEffectiveMax_deg" },
+    { window, &Scan::VerticalAngleMax, 50, "" },
+    { wide, &Scan::VerticalAngleMin, -40, "(120 deg) is clipped to 100" },
+    { wide, &Scan::VerticalAngleMax, 60, "" },
+  };
+  for (const Clipped& clip : clips)
+  {
+    CAPTURE(clip.Settings, clip.Warning);
+    const bool hasSpeed = clip.Settings.find("headRotatePerSec") != std::string::npos;
+    const bool hasFrequency = clip.Settings.find("erticalA") != std::string::npos ||
+      clip.Settings.find("headR") != std::string::npos ||
+      clip.Settings.find("scanA") != std::string::npos;
+    const std::string leg = std::string("<leg><platformSettings/>\n<scannerSettings ") +
+      clip.Settings + (hasSpeed ? "" : " headRotatePerSec_deg=\"10\"") +
+      (hasFrequency ? " scanFreq_hz=\"50\"" : "") + " headRotateStop_deg=\"10\"/></leg>\n";
+    const Files files;
+    const Reading reading(files, Tripod, leg + leg); // the second warns no more
+    INFO(reading.Log->Errors << reading.Log->Warnings);
+    REQUIRE(reading.Good);
+    CHECK(reading.Data().Legs.at(1).Scans.at(0).*clip.Value == Approx(clip.Limit).epsilon(1e-12));
+    if (!clip.Warning.empty())
+    {
+      CHECK(reading.Log->HasWarning("survey.xml:5: "));
+      CHECK(CountOf(clip.Warning, reading.Log->Warnings) == 1);
+      CHECK(CountOf(of, reading.Log->Warnings) == 1);
+    }
+  }
 }
 
 TEST_CASE(
@@ -599,7 +648,8 @@ TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
       { "assets.xml", "<beamOrigin", "<headRotateAxis z=\"0.01\"/><beamOrigin",
         { "assets.xml:9", "<headRotateAxis> is shorter than 0.1" } },
       { "survey.xml", "scanFreq_hz", "pulseFreq_hz=\"123456\" scanFreq_hz",
-        { "survey.xml:5", "pulseFreq_hz=\"123456\" is none of scanner tls", "100000 300000" } },
+        { "survey.xml:5", "pulseFreq_hz=\"123456\" is not supported by scanner tls",
+          "(supported: 100000, 300000 Hz); used anyway" } },
       { "survey.xml", "scanFreq_hz", "scanAngle_deg=\"150\" scanFreq_hz",
         { "survey.xml:5", "scanAngle_deg=\"150\" is clipped to 120" } },
       { "survey.xml", "headRotatePerSec_deg=\"10\"", "headRotatePerSec_deg=\"90\"",
