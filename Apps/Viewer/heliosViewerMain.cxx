@@ -3,6 +3,7 @@
 #include "heliosDisplay.h"
 #include "heliosViewer.h"
 #include "heliosViewerOptions.h"
+#include "heliosVisibleText.h"
 
 #include <vtkObject.h>
 
@@ -11,6 +12,7 @@
 
 int main(int argc, char** argv)
 {
+  const helios::VisibleText visible(std::cerr);
   helios::ViewerOptions options;
   const helios::OptionsResult result = helios::ReadOptions(argc, argv, options);
   if (result != helios::OptionsResult::Go)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Python module vtkhelios._native: what the thin layer needs and Python cannot do.
 
+#include "heliosObserve.h"
 #include "heliosRun.h"
 #include "heliosTrajectory.h"
 #include "heliosTypes.h"
@@ -11,6 +12,7 @@ namespace
 
 PyMethodDef Methods[] = {
   { "run", heliosRun, METH_VARARGS, "run(target, argument, watched, on_progress, interval)" },
+  { "observe", heliosObserve, METH_VARARGS, "observe(object, event, callback): returns the tag" },
   { "guard", heliosGuard, METH_NOARGS, "guard(): Python filters take the interpreter lock" },
   { "trajectory", heliosGetTrajectory, METH_VARARGS, "trajectory(source, leg, interval)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },

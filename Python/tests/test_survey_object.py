@@ -5,6 +5,7 @@
 import gc
 import pathlib
 import tempfile
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -112,6 +113,24 @@ def _samples(table, row):
 def test_wrong_legs(three, legs, message):
     with pytest.raises(ValueError, match=message):
         three.run(legs=legs)
+
+
+def test_blocks_are_not_listed_beforehand(survey, monkeypatch):
+    """Of 5e12 pulses the first block comes at once."""
+
+    class Long:
+        def GetNumberOfPulses(self):
+            return 5 * 10**12
+
+    monkeypatch.setattr(survey, "_load", lambda *_: Long())
+    monkeypatch.setattr(survey, "_run_window", lambda _options, window, _watched: window)
+    tracemalloc.start()
+    blocks = survey.blocks(10**6)
+    first = next(blocks), next(blocks)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert first == ((0, 10**6), (10**6, 2 * 10**6))
+    assert peak < 10**6
 
 
 def test_blocks_are_the_whole(three):

@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Errors and warnings of a pipeline as exceptions and Python warnings."""
 
+import os
 import re
 import warnings
 
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkObject, vtkOutputWindow
 
 from . import _native
 
@@ -43,6 +44,37 @@ def is_executive_message(message):
     return bool(_EXECUTIVE.search(message))
 
 
+def observe_messages(vtk_object, on_error, on_warning):
+    """Calls functions with the clean text of every error and warning of an object, whatever bytes it has.
+
+    Returns what remove_observers() takes.
+    """
+    observers = []
+    for event, say in (("ErrorEvent", on_error), ("WarningEvent", on_warning)):
+
+        def report(text, say=say):
+            say(clean_message(text) or f"{vtk_object.GetClassName()}: a message without text")
+
+        observers.append((vtk_object, _native.observe(vtk_object, event, report)))
+    return observers
+
+
+def remove_observers(observers):
+    """Ends what observe_messages() began."""
+    for vtk_object, tag in observers:
+        vtk_object.RemoveObserver(tag)
+    observers.clear()
+
+
+def report_error(algorithm, message):
+    """Reports an error of an algorithm written in Python, as vtkErrorMacro does."""
+    text = os.fsencode(message)  # a file name in it may be no UTF-8
+    if algorithm.HasObserver("ErrorEvent"):
+        algorithm.InvokeEvent("ErrorEvent", text)
+    else:
+        vtkOutputWindow.GetInstance().DisplayErrorText(text)
+
+
 class MessageLog:
     """Collects errors and warnings of the objects it watches, as a context manager."""
 
@@ -52,13 +84,7 @@ class MessageLog:
         self._observers = []
 
     def watch(self, vtk_object):
-        for event, messages in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
-
-            def collect(_caller, _event, text, messages=messages):
-                messages.append(clean_message(text))
-
-            collect.CallDataType = "string0"
-            self._observers.append((vtk_object, vtk_object.AddObserver(event, collect)))
+        self._observers += observe_messages(vtk_object, self.errors.append, self.warnings.append)
 
     def watch_with_strategies(self, algorithm):
         self.watch(algorithm)
@@ -77,9 +103,7 @@ class MessageLog:
         return self
 
     def __exit__(self, *_):
-        for vtk_object, tag in self._observers:
-            vtk_object.RemoveObserver(tag)
-        self._observers.clear()
+        remove_observers(self._observers)
 
 
 def upstream(algorithm):

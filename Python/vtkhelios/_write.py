@@ -5,6 +5,7 @@
 import importlib
 import os
 
+from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude
 
 
@@ -35,7 +36,7 @@ def _write_las(cloud, path, log):
 
 def _write_block(writer, cloud, path, log):
     log.watch(writer)
-    writer.SetFileName(path)
+    writer.SetFileName(to_vtk(path))
     if writer.Open() and writer.Write(cloud.polydata) and writer.Close():
         return True
     writer.Abandon()
@@ -47,7 +48,7 @@ def _write_vtp(cloud, path, log):
 
     writer = vtkXMLPolyDataWriter()
     log.watch(writer)
-    writer.SetFileName(path)
+    writer.SetFileName(to_vtk(path))
     writer.SetInputData(cloud.with_vertices().polydata)
     return writer.Write()
 

@@ -15,9 +15,11 @@ import os
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
+
+from ._pipeline import report_error
 
 __all__ = ["las_source", "points_from_arrays"]
 
@@ -132,7 +134,7 @@ class _LasSource(VTKPythonAlgorithmBase):
         try:
             cloud = self._read(begin, end - begin)
         except Exception as error:  # nothing may pass through the pipeline, whatever laspy raises
-            self._report(f"{self._path}: points {begin} to {end} cannot be read: {error}")
+            report_error(self, f"{self._path}: points {begin} to {end} cannot be read: {error}")
             return 0
         vtkPolyData.GetData(out_info).ShallowCopy(cloud)
         return 1
@@ -146,12 +148,6 @@ class _LasSource(VTKPythonAlgorithmBase):
         xyz = np.column_stack([rows.x, rows.y, rows.z])
         rgb = np.column_stack([rows.red, rows.green, rows.blue]) if self._colors else None
         return points_from_arrays(xyz, rgb=rgb, crs=self._crs)
-
-    def _report(self, message):
-        if self.HasObserver("ErrorEvent"):
-            self.InvokeEvent("ErrorEvent", message)
-        else:
-            vtkOutputWindow.GetInstance().DisplayErrorText(message)
 
 
 def _find_crs(reader):

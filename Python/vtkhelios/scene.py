@@ -14,6 +14,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude, update
 
 __all__ = ["Scene"]
@@ -76,7 +77,7 @@ class Scene:
     def write(self, path):
         """Writes an OBJ file, and the materials beside it, from which the same scene is read."""
         writer = _class("vtkHeliosObjSceneWriter")()
-        writer.SetFileName(os.fspath(path))
+        writer.SetFileName(to_vtk(path))
         writer.SetInputDataObject(self.polydata)
         with MessageLog() as log:
             log.watch(writer)

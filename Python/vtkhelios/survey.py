@@ -16,6 +16,7 @@ import typing
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 from . import _native
+from ._paths import from_vtk, to_vtk
 from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
 from ._properties import set_properties
 from ._watching import Progress
@@ -57,8 +58,10 @@ def read_survey(path, assets=()):
     reader = make_reader(os.fspath(path), assets)
     with MessageLog() as log:
         log.watch(reader)
-        reader.Read()
+        succeeded = reader.Read()
     conclude(log)
+    if not succeeded:
+        raise PipelineError([f"{path}: cannot be read"])
     return Survey(reader.GetSurvey(), os.fspath(path))
 
 
@@ -87,7 +90,7 @@ class Survey:
 
     @property
     def name(self):
-        return self.vtk.GetName()
+        return from_vtk(self.vtk.GetName())
 
     @property
     def legs(self):
@@ -190,15 +193,13 @@ class Survey:
         if pulses != int(pulses) or pulses < 1:
             raise ValueError(f"pulses is {pulses!r}; give a whole number of 1 or more")
         total = self._load(options).GetNumberOfPulses()
-        windows = [
-            (begin, min(begin + int(pulses), last))
-            for first, last in self._windows(legs)
-            for begin in range(first, min(last, total), int(pulses))
-        ]
+        step = int(pulses)
         with Progress(progress) as watched:
-            for first, last in windows:
-                watched.begin, watched.end = first / total, last / total
-                yield self._run_window(options, (first, last), watched)
+            for first, last in self._windows(legs):
+                for begin in range(first, min(last, total), step):
+                    end = min(begin + step, last)
+                    watched.begin, watched.end = begin / total, min(1.0, end / total)
+                    yield self._run_window(options, (begin, end), watched)
 
     def run_to(self, folder, format="xyz", progress=None, **options):
         """Runs the survey and writes a folder named as the survey below that folder; returns a report.
@@ -209,9 +210,8 @@ class Survey:
         has them. Memory holds a block of pulses at a time. The report (a dictionary) is
         that of run_summary.json, and has the "folder".
         """
-        player = _class("vtkHeliosSurveyPlayer")(
-            survey=self.vtk, output_directory=os.fspath(folder), format=format
-        )
+        player = _class("vtkHeliosSurveyPlayer")(survey=self.vtk, format=format)
+        player.SetOutputDirectory(to_vtk(folder))
         known = {**_OPTIONS, "waveforms": "write_waveforms", "pulses": "write_pulses"}
         for name in ("split_by_channel", "overwrite", "resume", "pulses_per_block"):
             known[name] = name
@@ -221,8 +221,9 @@ class Survey:
             succeeded, _ = _native.run(player, 0, [player], watched.callback, SECONDS_BETWEEN_SIGNS)
         conclude(log)
         if not succeeded:
-            raise PipelineError([player.GetMessage()])
-        return {**json.loads(player.GetReport()), "folder": pathlib.Path(player.GetRunFolder())}
+            raise PipelineError([from_vtk(player.GetMessage())])
+        report = json.loads(from_vtk(player.GetReport()))
+        return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
 
     def _prepare(self, options):
         """The source that is kept, with the options, and all others as they are by themselves."""
@@ -278,8 +279,10 @@ class Survey:
         with MessageLog() as log:
             log.watch(source)
             log.watch(source.GetExecutive())
-            _native.run(source, what, [source], callback, SECONDS_BETWEEN_SIGNS)
+            succeeded, _ = _native.run(source, what, [source], callback, SECONDS_BETWEEN_SIGNS)
         conclude(log, stacklevel=5)
+        if not succeeded:
+            raise PipelineError(["the survey cannot be run, for a reason that was not reported"])
 
     def __repr__(self):
         legs = self.legs

@@ -16,13 +16,14 @@ Exit codes: 0 done, 1 failed, 2 wrong usage, 130 interrupted (143 terminated).
 """
 
 import importlib
-import os
 import pkgutil
 import sys
 
 import vtkhelios
 
+from ._messages import say_error
 from ._parser import Parser
+from ._streams import standard_streams
 
 DESCRIPTION = (
     "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out. "
@@ -68,6 +69,20 @@ def make_parser():
 def main(argv=None):
     """Runs a command line and returns its exit code."""
     argv = sys.argv[1:] if argv is None else list(argv)
+    with standard_streams() as results:
+        try:
+            code = run_command(argv)
+        except UnicodeEncodeError as error:
+            text = error.object[max(0, error.start - 200) : error.end + 200]  # of a long one
+            say_error(f"{text}: is not UTF-8, and not supported here; give it another name")
+            code = 1
+        except SystemExit as end:  # of argparse
+            raise SystemExit(written(results, end.code)) from None
+        return written(results, code)
+
+
+def run_command(argv):
+    """Runs the command that is named and returns its exit code."""
     start = getattr(commands().get(argv[0]), "start", None) if argv else None
     if start:
         return start(argv[1:])
@@ -79,10 +94,16 @@ def main(argv=None):
     if not arguments.command:
         parser.print_help(sys.stderr)
         return 2
-    try:
-        code = arguments.run(arguments)
-        sys.stdout.flush()
+    return arguments.run(arguments)
+
+
+def written(results, code):
+    """The exit code, which is not 0 where results could not be printed."""
+    results.flush()
+    failure = results.failure()
+    if failure is None:
         return code
-    except BrokenPipeError:  # the reader of our output has gone: vtkhelios ... | head
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+    if not isinstance(failure, BrokenPipeError):  # the reader has gone: vtkhelios ... | head
+        done = "" if code else "; the files that the command wrote are complete"
+        say_error(f"standard output: {failure.strerror}: what it should hold is lost{done}")
+    return code or 1

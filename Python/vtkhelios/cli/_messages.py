@@ -6,7 +6,13 @@ import sys
 
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
-from .._pipeline import clean_message, is_executive_message
+from .._pipeline import is_executive_message, observe_messages, remove_observers
+from ._streams import visible
+
+
+def say_error(text):
+    """Prints an error where there are no Messages yet."""
+    print(f"error: {visible(text)}", file=sys.stderr, flush=True)
 
 
 class Messages:
@@ -20,34 +26,43 @@ class Messages:
         self.quiet = quiet
         self.results = results and not quiet  # whether info() prints
         self.errors = 0
-        self.last = None
         self.write_error = lambda text: print(text, file=sys.stderr, flush=True)
+        self._last = None
+        self._observers = []
+        self._display_mode = None
 
     def __enter__(self):
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-        self.watch(vtkOutputWindow.GetInstance())
-        vtkOutputWindow.GetInstance().SetDisplayModeToNever()
+        window = vtkOutputWindow.GetInstance()
+        self.watch(window)
+        self._display_mode = window.GetDisplayMode()
+        window.SetDisplayModeToNever()
         return self
 
     def __exit__(self, *_):
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_INFO)
-        vtkOutputWindow.GetInstance().SetDisplayModeToDefault()
+        vtkOutputWindow.GetInstance().SetDisplayMode(self._display_mode)
+        remove_observers(self._observers)
 
     def watch(self, vtk_object):
-        for event, say in (("ErrorEvent", self.error), ("WarningEvent", self.warning)):
+        self._observers += observe_messages(
+            vtk_object, self._passer_on(self.error), self._passer_on(self.warning)
+        )
 
-            def report(_caller, _event, text, say=say):
-                message = clean_message(text)
-                if not is_executive_message(message) and message != self.last:
-                    self.last = message
-                    say(message)
+    def _passer_on(self, say):
+        """A function that says a message once."""
 
-            report.CallDataType = "string0"
-            vtk_object.AddObserver(event, report)
+        def pass_on(message):
+            repeats = is_executive_message(message) and self.errors
+            if not repeats and (say, message) != self._last:
+                self._last = say, message
+                say(message)
+
+        return pass_on
 
     def error(self, text):
         self.errors += 1
-        self.write_error(f"error: {text}")
+        self.write_error(visible(f"error: {text}"))
 
     def error_unless_told(self, text):
         """An error, unless the reason was reported already."""
@@ -56,8 +71,8 @@ class Messages:
 
     def warning(self, text):
         if not self.quiet:
-            self.write_error(f"warning: {text}")
+            self.write_error(visible(f"warning: {text}"))
 
     def info(self, text):
         if self.results:
-            print(text, flush=True)
+            print(visible(text), flush=True)

@@ -3,10 +3,12 @@
 """What a plan came to: as JSON, as a table, in words."""
 
 import math
+import sys
 
 import vtkhelios
 
 from ._report import counted, readable
+from ._streams import unfiltered
 
 try:
     from rich import box
@@ -107,7 +109,7 @@ def print_table(rows):
             table.add_column(Text(title), justify="right", no_wrap=True)
         for row in cells:
             table.add_row(*row)
-        Console(highlight=False, width=120).print(table)
+        Console(file=unfiltered(sys.stdout), highlight=False, width=120).print(table)
     else:
         widths = [max(map(len, column)) for column in zip(titles, *cells)]
         for row in [titles, *cells]:

@@ -6,6 +6,9 @@ import collections
 import sys
 import time
 
+from .._paths import from_vtk
+from ._streams import unfiltered, visible
+
 try:
     import rich.progress as rich_progress
 except ImportError:
@@ -82,7 +85,7 @@ class Progress:
         """The state of the run in one line."""
         player = self._player
         if player.GetNumberOfPulsesDone() <= 0:
-            return player.GetMessage() or "loading"
+            return from_vtk(player.GetMessage()) or "loading"
         rate = self._fired.rate()
         pace = f"{rate / 1e6:.2f}" if rate else "-"
         left = duration(self._indices.remaining(player.GetNumberOfPulses()))
@@ -111,11 +114,15 @@ class PlainBar(Progress):
 
     def show(self):
         percent = 100.0 * min(1.0, max(0.0, self._player.GetProgress()))
-        print(f"\r\033[K{percent:3.0f} % {self.describe()}", end="", file=sys.stderr, flush=True)
+        _overwrite(f"{percent:3.0f} % {visible(self.describe())}")
 
     def __exit__(self, *_):
         super().__exit__()
-        print("\r\033[K", end="", file=sys.stderr, flush=True)
+        _overwrite("")
+
+
+def _overwrite(text):
+    print(f"\r\033[K{text}", end="", file=unfiltered(sys.stderr), flush=True)
 
 
 class RichBar(Progress):
@@ -127,7 +134,7 @@ class RichBar(Progress):
         super().__init__(player)
         from rich.console import Console
 
-        console = Console(stderr=True, highlight=False)
+        console = Console(file=unfiltered(sys.stderr), highlight=False)
         self._messages = messages
         self._bar = rich_progress.Progress(
             rich_progress.BarColumn(bar_width=24),
@@ -154,7 +161,7 @@ class RichBar(Progress):
 
     def show(self):
         done = min(1.0, max(0.0, self._player.GetProgress()))
-        self._bar.update(self._task, completed=done, description=self.describe())
+        self._bar.update(self._task, completed=done, description=visible(self.describe()))
         self._bar.refresh()
 
 

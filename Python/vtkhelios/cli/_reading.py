@@ -6,6 +6,8 @@ import pathlib
 
 import vtkhelios
 
+from .._paths import to_vtk
+
 
 def add_assets_argument(parser):
     parser.add_argument(
@@ -33,7 +35,7 @@ def look_up(reader, path, assets):
     """A reader, or writer, of a file that looks in the user's folders, beside it, then in what is shipped."""
     shipped = vtkhelios.data_directory()
     beside = str(pathlib.Path(path).parent)
-    reader.SetFileName(path)
+    reader.SetFileName(to_vtk(path))
     for folder in dict.fromkeys([*assets, beside, ".", f"{shipped}", f"{shipped}/Assets"]):
-        reader.AddAssetDirectory(folder)
+        reader.AddAssetDirectory(to_vtk(folder))
     return reader

@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
+from .._paths import to_vtk
 from ._messages import Messages
 from .run import DETECTORS, number, whole_number
 
@@ -122,8 +123,7 @@ def run(arguments):
         for piece in range(pieces):
             detection.UpdatePiece(piece, pieces, 0)
             if messages.errors or not writer.Write(complete(detection.GetOutput())):
-                writer.Abandon()
-                return 1
+                return give_up(arguments, writer)
         return conclude(arguments, writer, messages)
 
 
@@ -137,7 +137,7 @@ def make_reader(arguments):
     else:
         reader = vtkhelios.vtkHeliosWaveformTextReader()
         reader.SetOneWayTimes(arguments.one_way)
-    reader.SetFileName(arguments.waveforms)
+    reader.SetFileName(to_vtk(arguments.waveforms))
     return reader
 
 
@@ -176,7 +176,7 @@ def make_detection(arguments, reader):
 def make_writer(path):
     kind = "XML" if pathlib.Path(path).suffix == ".pvtp" else "Text"
     writer = getattr(vtkhelios, f"vtkHeliosPoint{kind}Writer")()
-    writer.SetFileName(path)
+    writer.SetFileName(to_vtk(path))
     return writer
 
 
@@ -191,15 +191,21 @@ def complete(echoes):
     return echoes
 
 
+def give_up(arguments, writer):
+    """Removes what was written, of which nothing goes on; returns the exit code."""
+    writer.Abandon()
+    pathlib.Path(f"{arguments.output}.part").unlink(missing_ok=True)
+    return 1
+
+
 def conclude(arguments, writer, messages):
     count = writer.GetNumberOfRecords()
     if count == 0:
-        writer.Abandon()
         messages.error(
             f"{arguments.waveforms}: no echo reaches {arguments.threshold:g} nW; "
             "give a lower --threshold"
         )
-        return 1
+        return give_up(arguments, writer)
     if not writer.Close():
         return 1
     messages.info(f"points   {count:,} by {arguments.detector} in {arguments.output}")

@@ -14,6 +14,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
+from .._paths import require_utf8
 from ._interrupt import Interrupt
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import PLATFORM, SCANNER, add_plan_arguments
@@ -90,6 +91,7 @@ def add_arguments(parser):
 
 
 def run(arguments):
+    require_utf8(arguments.input, arguments.output)  # the survey will name them, in XML
     with PlanMessages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         document = read_document(arguments, messages)

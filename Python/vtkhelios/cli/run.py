@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
+from .._paths import from_vtk, to_vtk
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
@@ -289,7 +290,7 @@ def make_player(arguments, survey, messages):
     player = vtkhelios.vtkHeliosSurveyPlayer()
     messages.watch(player)
     player.SetSurvey(survey)
-    player.SetOutputDirectory(arguments.output)
+    player.SetOutputDirectory(to_vtk(arguments.output))
     player.SetOverwrite(arguments.overwrite)
     player.SetResume(arguments.resume)
     player.SetPulsesPerBlock(arguments.pulses_per_block)
@@ -306,7 +307,7 @@ def make_player(arguments, survey, messages):
     player.SetNoise(not arguments.no_noise)
     player.SetRayCaster(arguments.ray_caster)
     messages.info(
-        f"survey   {survey.GetName()} ({arguments.survey}), seed {seed}"
+        f"survey   {from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
@@ -320,7 +321,7 @@ def plays_to_run(arguments, player, messages):
     if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
         for play in range(count):  # before the first one runs for an hour
             player.SetPlay(play)
-            folder = pathlib.Path(player.GetRunFolder())
+            folder = pathlib.Path(from_vtk(player.GetRunFolder()))
             if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
                 messages.error(
                     f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
@@ -340,7 +341,7 @@ def run_play(arguments, player, play, messages, interrupt, reports):
         messages.info(f"play     {play}, of {player.GetSurvey().GetNumberOfPlays()} from 0")
     with make_progress(player, messages, quiet=arguments.quiet):
         succeeded = player.Estimate() if arguments.dry_run else player.Run()
-    folder = pathlib.Path(player.GetRunFolder())
+    folder = pathlib.Path(from_vtk(player.GetRunFolder()))
     if interrupt.signal and not succeeded:
         points = player.GetNumberOfEchoes()
         kept = (
@@ -351,11 +352,11 @@ def run_play(arguments, player, play, messages, interrupt, reports):
         messages.error(f"interrupted at {100 * player.GetProgress():.0f} %: {kept}")
         return 128 + interrupt.signal
     if not succeeded:
-        messages.error_unless_told(player.GetMessage())
+        messages.error_unless_told(from_vtk(player.GetMessage()))
         return 1
-    report = json.loads(player.GetReport())
+    report = json.loads(from_vtk(player.GetReport()))
     if player.GetWasFinished():
-        messages.info(player.GetMessage())
+        messages.info(from_vtk(player.GetMessage()))
     for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
         messages.info(line)
     reports.append(report)

@@ -5,10 +5,10 @@
 import dataclasses
 import json
 import re
-import sys
 
-from ._messages import Messages
+from ._messages import Messages, say_error
 from ._reading import add_assets_argument, make_reader, missing_folder
+from ._streams import visible
 
 SUMMARY = "say everything that is wrong with surveys, scenes, scanners or platforms (XML)"
 
@@ -72,6 +72,7 @@ class Collector(Messages):
         self.add("warning", text)
 
     def add(self, severity, text):
+        text = visible(text)
         place = PLACE.fullmatch(text)
         text = text if place else text.removeprefix(f"{self.path}: ")
         file = place["file"] if place else self.path
@@ -83,12 +84,13 @@ class Collector(Messages):
 
 def check(path, assets):
     """What is wrong with a file and what it refers to, in the order of files and lines."""
-    with Collector(path) as messages:
+    shown = visible(path)
+    with Collector(shown) as messages:
         reader = make_reader(path, assets)
         messages.watch(reader)
         if not reader.Check():
             messages.error_unless_told("cannot be read")
-    files = list(dict.fromkeys([path, *(found.file for found in messages.findings)]))
+    files = list(dict.fromkeys([shown, *(found.file for found in messages.findings)]))
     return sorted(messages.findings, key=lambda found: (files.index(found.file), found.line or 0))
 
 
@@ -98,7 +100,7 @@ def count(number, word):
 
 def run(arguments):
     if problem := missing_folder(arguments.assets):
-        print(f"error: {problem}", file=sys.stderr)
+        say_error(problem)
         return 2
     findings = []
     for path in arguments.files:

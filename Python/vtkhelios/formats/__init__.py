@@ -21,6 +21,7 @@ To add a format: a module with a Reader and a Writer (see _base.py), and its lin
 import importlib
 import pathlib
 
+from .._paths import require_utf8
 from ._base import Chunk, FormatError, Header, Reader, Scan, Writer
 from ._run import RunReader, is_run
 
@@ -40,6 +41,8 @@ FORMATS = {
     ".e57": ("_e57", "E57Reader", "E57Writer"),
 }
 
+_ONLY_UTF8 = {".copc.laz", ".e57"}  # what their libraries take as a name
+
 
 def ending(path):
     """Which of FORMATS a name ends in."""
@@ -54,6 +57,13 @@ def ending(path):
 
 def _find(path, index):
     module = FORMATS[ending(path)]
+    if ending(path) in _ONLY_UTF8:
+        try:
+            require_utf8(path)
+        except UnicodeEncodeError as error:
+            raise FormatError(
+                f"{path}: its name is not UTF-8, and {ending(path)} files need that; give it another name"
+            ) from error
     return getattr(importlib.import_module(f"{__name__}.{module[0]}"), module[index])
 
 

@@ -1,0 +1,329 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Texts and names that are not UTF-8: no error is lost with its text, names work or are refused clearly."""
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+
+import pytest
+from vtkmodules.vtkCommonCore import vtkObject, vtkOutputWindow
+
+import vtkhelios
+from vtkhelios import _native, cli
+from vtkhelios._paths import from_vtk, to_vtk
+from vtkhelios._pipeline import MessageLog, report_error
+from vtkhelios.cli import detect
+from vtkhelios.cli._messages import Messages
+from vtkhelios.cli._streams import visible
+
+ODD = os.fsdecode(b"odd\xff\xfe")  # a file name that is no UTF-8
+BAD = b"\xff\xfe"
+
+
+@pytest.fixture
+def odd_survey(make_survey, tmp_path):
+    """A survey in a folder, and of a name, that are not UTF-8."""
+    make_survey()
+    folder = tmp_path / ODD
+    folder.mkdir()
+    for name in ("survey.xml", "scene.xml", "plane.obj"):
+        shutil.copy(tmp_path / name, folder / name)
+    return (folder / "survey.xml").rename(folder / f"{ODD}.xml")
+
+
+def expect_clear(done):
+    """One clear error that shows the name."""
+    assert done.returncode == 1, done
+    assert done.stderr.startswith("error: ") and done.stderr.count("error") == 1
+    assert r"odd\xff\xfe" in done.stderr and "Traceback" not in done.stderr
+
+
+# What an object reports.
+
+
+@pytest.mark.parametrize(
+    "text, expected",
+    [
+        (b"bad \xff\xfe bytes", r"bad \xff\xfe bytes"),
+        ("größer", "größer"),
+        (b"", "vtkObject: a message without text"),
+        (None, "vtkObject: a message without text"),
+    ],
+)
+def test_an_event_is_an_error_whatever_its_text(text, expected):
+    source = vtkObject()
+    with MessageLog() as log:
+        log.watch(source)
+        for event in ("ErrorEvent", "WarningEvent"):
+            source.InvokeEvent(event, *[text][: text is not None])
+    assert log.errors == log.warnings == [expected]
+    assert not source.HasObserver("ErrorEvent")
+
+
+def test_messages_count_them(capsys):
+    source = vtkObject()
+    with Messages() as messages:
+        messages.watch(source)
+        source.InvokeEvent("WarningEvent", b"x\xff")
+        source.InvokeEvent("ErrorEvent", b"x\xff")  # the same text, of another kind
+        vtkOutputWindow.GetInstance().DisplayErrorText(b"y\xff")
+    assert messages.errors == 2
+    assert capsys.readouterr().err == "warning: x\\xff\nerror: x\\xff\nerror: y\\xff\n"
+
+
+def test_failure_that_only_the_executive_tells_is_an_error(capsys):
+    source = vtkObject()
+    told = "Algorithm vtkFoo returned failure for request: vtkInformation"
+    with Messages() as messages:
+        messages.watch(source)
+        source.InvokeEvent("ErrorEvent", told)
+        assert messages.errors == 1
+        source.InvokeEvent("ErrorEvent", told)
+    assert messages.errors == 1
+    assert capsys.readouterr().err == f"error: {told}\n"
+
+
+@pytest.mark.parametrize(
+    "arguments, error, message",
+    [
+        ((None, "ErrorEvent", print), TypeError, "None cannot be watched"),
+        ((vtkObject(), "FooEvent", print), ValueError, "FooEvent is not an event of VTK"),
+        ((vtkObject(), "ErrorEvent", 3), TypeError, "the callback cannot be called"),
+    ],
+)
+def test_observe_wrongly(arguments, error, message):
+    with pytest.raises(error, match=message):
+        _native.observe(*arguments)
+
+
+def test_an_observer_that_raises_ends_nothing(monkeypatch):
+    unraisable = []
+    monkeypatch.setattr(sys, "unraisablehook", unraisable.append)
+    source = vtkObject()
+    _native.observe(source, "ErrorEvent", lambda text: 1 / 0)
+    source.InvokeEvent("ErrorEvent", "x")
+    assert unraisable[0].exc_type is ZeroDivisionError
+
+
+def test_an_observer_keeps_ctrl_c():
+    def interrupt(_text):
+        signal.raise_signal(signal.SIGINT)
+
+    source = vtkObject()
+    _native.observe(source, "ErrorEvent", interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        source.InvokeEvent("ErrorEvent", "x")
+        for _ in range(1000):
+            pass
+
+
+def test_an_error_of_python_may_have_such_a_name(capfd):
+    source = vtkObject()
+    with MessageLog() as log:
+        log.watch(source)
+        report_error(source, f"{ODD}: broken")
+    assert log.errors == [r"odd\xff\xfe: broken"]
+    report_error(source, f"{ODD}: broken")  # nobody listens
+    assert capfd.readouterr().err.startswith("odd")
+
+
+def test_names_to_vtk_and_back():
+    assert to_vtk("größe") == "größe"
+    assert to_vtk(ODD) == to_vtk(os.fsencode(ODD)) == b"odd\xff\xfe"
+    assert from_vtk(b"odd\xff\xfe") == from_vtk(ODD) == ODD and from_vtk(None) == ""
+
+
+# What readers report.
+
+
+def test_detect_loses_no_waveforms(make_survey, tmp_path, monkeypatch, capsys):
+    out = tmp_path / "out"
+    assert cli.main(["run", str(make_survey()), "--output", str(out), "--waveforms", "--quiet"]) == 0
+    path = out / "plane/leg000_fullwave.txt"
+    good = path.read_bytes()
+    lines = good.splitlines(keepends=True)
+    at = sum(map(len, lines[: len(lines) * 3 // 4])) + 4  # in a number of the second half
+    path.write_bytes(good[:at] + BAD + good[at + 2 :])
+    monkeypatch.setattr(detect, "PIECE_SIZE", len(good) // 2)
+    arguments = ["detect", str(path), "-o", str(tmp_path / "e.xyz"), "--pulse-length", "4"]
+    assert cli.main(arguments) == 1
+    error = capsys.readouterr().err
+    assert error.startswith("error: ") and r"\xff\xfe" in error and "leg000_fullwave.txt" in error
+    assert not list(tmp_path.glob("e.xyz*"))
+    path.write_bytes(good)
+    assert cli.main(arguments) == 0
+
+
+def test_read_survey_raises(make_survey):
+    path = make_survey()
+    text = path.read_bytes()
+    path.write_bytes(text.replace(b'pulseFreq_hz="100000"', b'pulseFreq_hz="' + BAD + b'"'))
+    with pytest.raises(vtkhelios.PipelineError, match=r'survey.xml:6: .*"\\xff\\xfe"'):
+        vtkhelios.read_survey(path)
+
+
+def test_a_reader_that_fails_in_silence_raises(make_survey, monkeypatch):
+    reader = vtkhelios.vtkHeliosSurveyReader
+
+    class Silent(reader):
+        def Read(self):
+            return False
+
+    monkeypatch.setattr(vtkhelios, "vtkHeliosSurveyReader", Silent)
+    with pytest.raises(vtkhelios.PipelineError, match="survey.xml: cannot be read"):
+        vtkhelios.read_survey(make_survey())
+
+
+# Names on the command line.
+
+
+def test_run_and_detect_take_any_name(command_line, odd_survey):
+    output = odd_survey.parent / "out"
+    for kind, ending in (("xyz", ".xyz"), ("vtp", ".pvtp")):
+        done = command_line(
+            *("run", odd_survey, "--assets", odd_survey.parent, "--output", output, "--overwrite"),
+            *("--waveforms", "--format", kind),
+        )
+        assert done.returncode == 0, done.stderr
+        assert r"odd\xff\xfe" in done.stdout
+        waves = output / f"plane/leg000_fullwave{'.txt' if kind == 'xyz' else '.pvtt'}"
+        echoes = odd_survey.parent / f"echoes{ending}"
+        done = command_line("detect", waves, "-o", echoes, "--pulse-length", "4")
+        assert done.returncode == 0, done.stderr
+        assert echoes.stat().st_size > 0
+    done = command_line("run", odd_survey, "--output", output, "--json", "--overwrite")
+    assert json.loads(done.stdout)["totals"]["points"] > 0
+    expect_clear(command_line("run", odd_survey, "--output", output))
+    expect_clear(command_line("run", odd_survey.parent / "none.xml"))
+    expect_clear(command_line("run", odd_survey, "--assets", odd_survey.parent / "none"))
+
+
+def test_validate_takes_any_name(command_line, odd_survey):
+    assert command_line("validate", odd_survey).returncode == 0
+    odd_survey.write_text("<document><survey nme='x'/></document>")
+    done = command_line("validate", odd_survey)
+    assert done.returncode == 1 and "Traceback" not in done.stderr
+    assert r"odd\xff\xfe/odd\xff\xfe.xml:1: error: " in done.stdout
+    found = json.loads(command_line("validate", odd_survey, "--json").stdout)
+    assert found[0]["file"].endswith(r"odd\xff\xfe.xml")
+
+
+def test_info_takes_any_name(command_line, odd_survey):
+    done = command_line("info", odd_survey)
+    assert done.returncode == 0 and r"odd\xff\xfe.xml" in done.stdout
+    expect_clear(command_line("info", odd_survey.parent / "none.las"))
+
+
+@pytest.fixture
+def expect_done_or_clear(capsys):
+    """Runs a command line here; it works, or one clear error says why not."""
+
+    def call(*arguments):
+        capsys.readouterr()
+        code = cli.main([*map(str, arguments)])
+        error = capsys.readouterr().err
+        if code and "pip install" not in error:
+            assert code == 1 and error.startswith("error: ") and error.count("error") == 1, error
+            assert r"odd\xff\xfe" in error and error.count("\n") == 1
+
+    return call
+
+
+@pytest.mark.parametrize("kind", ["xyz", "las", "vtp"])
+def test_points_of_any_name(expect_done_or_clear, small_runs, tmp_path, kind):
+    run = tmp_path / ODD
+    shutil.copytree(small_runs[kind], run)
+    expect_done_or_clear("info", run)
+    expect_done_or_clear("report", run, "--quiet")
+    expect_done_or_clear("convert", run, run / "a.xyz", "--quiet")
+
+
+ENDINGS = ("xyz", "las", "laz", "copc.laz", "e57", "ply", "pcd", "vtp", "pvtp")
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_formats_with_any_name(expect_done_or_clear, small_runs, tmp_path, ending):
+    """Written and read; no pieces stay behind."""
+    odd, plain = tmp_path / f"{ODD}.{ending}", tmp_path / f"plain.{ending}"
+    cloud = small_runs["las"] / "leg000_points.las"
+    expect_done_or_clear("convert", cloud, odd, "--every", "100", "--quiet")
+    assert not list(tmp_path.glob("*.part"))
+    if cli.main(["convert", str(cloud), str(plain), "--every", "100", "--quiet"]) == 0:
+        shutil.copy(plain, odd)
+        expect_done_or_clear("info", odd)
+
+
+def test_plan_refuses_what_its_survey_cannot_name(command_line, odd_survey, tmp_path):
+    expect_clear(command_line("plan", odd_survey.parent / "scene.xml", "--output", tmp_path / "p"))
+    expect_clear(command_line("plan", tmp_path / "scene.xml", "--output", tmp_path / ODD / "p"))
+    assert not (tmp_path / "p").exists() and not (tmp_path / ODD / "p").exists()
+
+
+def test_view_shows_any_name(command_line, tmp_path):
+    from vtkhelios.cli import view
+
+    if view.find_viewer() is None:
+        pytest.skip("the viewer is not built")
+    done = command_line("view", tmp_path / "odd\x1b[31m.las", "--offscreen", "--still", "x.png")
+    assert done.returncode and r"odd\x1b[31m.las" in done.stderr and "\x1b" not in done.stderr
+
+
+def test_python_takes_any_name(odd_survey, tmp_path):
+    survey = vtkhelios.read_survey(odd_survey, assets=odd_survey.parent)
+    report = survey.run_to(tmp_path / ODD / "out")
+    assert report["folder"] == tmp_path / ODD / "out/plane"
+    assert (report["folder"] / "leg000_points.xyz").stat().st_size > 0
+    cloud = survey.run()
+    for ending in ("las", "vtp"):
+        cloud.write(tmp_path / ODD / f"cloud.{ending}")
+        assert (tmp_path / ODD / f"cloud.{ending}").stat().st_size > 0
+    vtkhelios.Scene([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]).write(tmp_path / ODD / "s.obj")
+    assert (tmp_path / ODD / "s.obj").stat().st_size > 0
+
+
+# What reaches the terminal.
+
+
+@pytest.mark.parametrize(
+    "text, encoding, shown",
+    [
+        ("a\x1b]0;title\x07\rb\tc\nd", "utf-8", "a\\x1b]0;title\\x07\\rb\tc\nd"),
+        ("\x9b31m\u202etxt\x7f", "utf-8", "\\x9b31m\\u202etxt\\x7f"),
+        (ODD, "utf-8", r"odd\xff\xfe"),
+        ("µm\ud800", "utf-8", "µm\\ud800"),
+        ("µm", "ascii", r"\xb5m"),
+    ],
+)
+def test_visible(text, encoding, shown):
+    assert visible(text, encoding) == shown
+    assert visible(shown, encoding) == shown
+
+
+def test_contents_of_files_do_not_command_the_terminal(command_line, make_survey):
+    path = make_survey()
+    text = path.read_text()
+    path.write_text(text.replace('pulseFreq_hz="100000"', 'pulseFreq_hz="\x7f\u202e\u009b31m"'))
+    for command in (["run"], ["validate"], ["info"]):
+        done = command_line(*command, path)
+        assert done.returncode == 1
+        assert r"\x7f\u202e\x9b31m" in done.stdout + done.stderr
+        assert not set("\x7f\u202e\x9b") & set(done.stdout + done.stderr)
+    path.write_text(text.replace('name="plane"', 'name="plane\u009b31m"'))
+    done = command_line("info", path)
+    assert done.returncode == 0 and r"plane\x9b31m" in done.stdout
+
+
+def test_what_a_terminal_cannot_show(make_survey):
+    """A terminal of another language: the text is escaped, nothing raises."""
+    environment = {**os.environ, "PYTHONPATH": ":".join(sys.path), "PYTHONIOENCODING": "ascii"}
+    done = subprocess.run(
+        [sys.executable, "-P", "-m", "vtkhelios", "run", make_survey(), "--dry-run", "--assets", "µ"],
+        capture_output=True,
+        env=environment,
+    )
+    assert done.returncode == 1 and rb"--assets \xb5: no such folder" in done.stderr
+    assert done.stderr.isascii() and b"Traceback" not in done.stderr
