@@ -36,6 +36,10 @@ import importlib
 import pathlib
 import pkgutil
 
+from ._vtk import check_vtk
+
+check_vtk()  # before any binary module
+
 # Before _native, which links to what it loads.
 from . import vtkHeliosScannerSurvey as _  # noqa: F401
 from ._arrays import arrays

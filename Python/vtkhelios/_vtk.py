@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The VTK that Python finds must be the one that vtkHelios was built with.
+
+Two VTKs in one process end it by a segmentation fault. What Python would load is looked at as files,
+before anything of it, or of ours, is loaded.
+"""
+
+import importlib.machinery
+import importlib.util
+import pathlib
+import re
+import sys
+
+from ._built_with import VTK_LIBRARY, VTK_SONAME, VTK_VERSION
+
+_CURE = (
+    f"Remove it ({sys.executable} -m pip uninstall vtk), or use vtkHelios in an environment without "
+    "it; Docs/python.md says which PyVista brings no VTK of its own"
+)
+
+
+def check_vtk():
+    """Raises ImportError where vtkmodules are missing, or those of another VTK."""
+    folder = _find_folder()
+    if folder is None:
+        raise ImportError(
+            f"vtkHelios needs the Python modules of VTK {VTK_VERSION}, which it was built with, and "
+            "this Python finds no vtkmodules; install them (Debian: apt-get install python3-vtk9, "
+            "and a virtual environment with --system-site-packages)"
+        )
+    if not _is_own(folder):
+        loaded = "has loaded" if "vtkmodules.vtkCommonCore" in sys.modules else "would load"
+        raise ImportError(
+            f"vtkHelios was built with VTK {VTK_VERSION} ({VTK_LIBRARY}), but this Python {loaded} "
+            f"VTK {_version(folder) or 'of unknown version'} ({folder}), and two VTKs in one process "
+            f"crash it. {_CURE}"
+        )
+
+
+def _find_folder():
+    """The folder of the vtkmodules that are loaded, or would be; None where there are none."""
+    if "vtkmodules" in sys.modules:
+        folders = getattr(sys.modules["vtkmodules"], "__path__", [])
+    else:
+        spec = importlib.util.find_spec("vtkmodules")  # loads nothing
+        folders = spec.submodule_search_locations if spec else []
+    return next(map(pathlib.Path, folders or []), None)
+
+
+def _is_own(folder):
+    """Whether the modules of a folder link to the library that ours link to."""
+    spec = importlib.machinery.PathFinder.find_spec("vtkCommonCore", [str(folder)])
+    binary = pathlib.Path(spec.origin).read_bytes() if spec and spec.origin else b""
+    if binary.startswith(b"\x7fELF"):
+        return b"\0" + VTK_SONAME.encode() + b"\0" in binary
+    return (_version(folder) or "").split(".")[:2] == VTK_VERSION.split(".")[:2]
+
+
+def _version(folder):
+    """What vtkmodules/__init__.py says of its version, or None."""
+    try:
+        text = (folder / "__init__.py").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return None
+    found = re.search(r"^__version__ = [\"']([^\"']+)", text, re.M)
+    return found[1] if found else None
