@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
 # Sets up and builds what is missing (Debian 12), makes a village, scans it from a tripod and from the
-# air, and draws a picture of the point clouds. Everything goes to build/demo.
+# air, draws a picture of the point clouds, and builds the viewer. Everything goes to build/demo.
 
 # shellcheck source=setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -33,10 +33,15 @@ display=()
   --title "a village, scanned from two positions on its lane and from the air" \
   --azimuth 210 --elevation 30 --zoom 2.0
 
-helios_say "done"
+helios_say "the clouds and the picture are there"
 for what in "${clouds[@]}"; do
   echo "point cloud  $what"
   echo "trajectory   ${what%_points.xyz}_trajectory.txt"
 done
 echo "picture      $picture"
+
+helios_build release vtkhelios-viewer # last: all above needs no viewer
+
+helios_say "done"
 echo "now try      build/bin/vtkhelios run --help"
+echo "             build/bin/vtkhelios view $demo/village_tls"

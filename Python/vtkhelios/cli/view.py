@@ -9,6 +9,9 @@ import sys
 
 import vtkhelios
 
+from .._built_with import HAS_VIEWER
+from ._messages import say_error
+
 SUMMARY = "watch a survey while it runs, a run again, clouds and scenes"
 
 PROGRAM = "vtkhelios-viewer"
@@ -35,14 +38,26 @@ def command(viewer, arguments, environment):
     return [xvfb, "-a", "-s", SCREEN, *full] if xvfb else full
 
 
+def explain_missing():
+    """Why there is no viewer, and the cure."""
+    tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # of a build
+    build = f"cmake --build {tree} --target {PROGRAM}"
+    if not (tree / "CMakeCache.txt").is_file():
+        left_out = "was left out when vtkHelios was built; build it with -DVTKHELIOS_BUILD_VIEWER=ON"
+        missing = f"is not installed in {tree / 'bin'}; install it, too: cmake --install BUILD"
+        return f"{PROGRAM} {missing if HAS_VIEWER else left_out}"
+    if HAS_VIEWER:
+        return f"{PROGRAM} is not built yet; build it: {build}"
+    return (
+        f"{PROGRAM} is left out of this build (VTKHELIOS_BUILD_VIEWER is OFF); build it: "
+        f"cmake -DVTKHELIOS_BUILD_VIEWER=ON {tree} && {build}"
+    )
+
+
 def start(arguments):
     viewer = find_viewer()
     if viewer is None:
-        print(
-            f"error: {PROGRAM} is not there; it is built with -DVTKHELIOS_BUILD_VIEWER=ON and goes "
-            "to bin/ beside vtkhelios",
-            file=sys.stderr,
-        )
+        say_error(explain_missing())
         return 1
     full = command(viewer, arguments, os.environ)
     sys.stdout.flush()
