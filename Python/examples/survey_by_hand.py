@@ -77,7 +77,7 @@ def main():
     scanner.range_accuracy = 0.0
     exact = vtkhelios.Cloud(scanner())
     print(f"range noise: {1000 * np.std(ranges - exact['Range']):.2f} mm")
-    return vtkhelios.arrays(cloud.polydata)
+    return vtkhelios.arrays(cloud.data)
 
 
 if __name__ == "__main__":

@@ -84,7 +84,7 @@ def find_planes(cloud, noise, spacing):
         planes = vtkhelios.vtkHeliosPCLPlanes(
             distance_threshold=near, minimum_number_of_points=least, maximum_number_of_planes=12
         )
-        segmented = vtkhelios.Cloud((cloud[building].polydata >> planes)())
+        segmented = vtkhelios.Cloud((cloud[building] >> planes)())
         ids = segmented["PlaneIds"]
         roofs = []
         for number in range(ids.max() + 1):
@@ -108,7 +108,7 @@ def leave_out(cloud, echoes, roofs, near):
 def split(cloud, chosen, gap, least):
     """Those points of the cloud in groups with a gap around them [m], the largest first."""
     clusters = vtkhelios.vtkHeliosPCLClusters(tolerance=gap, minimum_cluster_size=least)
-    ids = vtkhelios.Cloud((cloud[chosen].polydata >> clusters)())["ClusterIds"]
+    ids = vtkhelios.Cloud((cloud[chosen] >> clusters)())["ClusterIds"]
     return [chosen[ids == number] for number in range(ids.max() + 1)]
 
 

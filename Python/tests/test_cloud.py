@@ -3,6 +3,10 @@
 """Clouds: views of VTK's memory, tables of records, files."""
 
 import gc
+import os
+import shutil
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -154,7 +158,7 @@ def test_write(cloud, tmp_path):
     assert np.array_equal(read.points, cloud.points)
     assert np.array_equal(read["PulseIds"], cloud["PulseIds"])
     assert reader.GetOutput().GetNumberOfVerts() == 5
-    assert cloud.polydata.GetNumberOfVerts() == 0
+    assert cloud.data.GetNumberOfVerts() == 0
     cloud.write(tmp_path / "cloud.las")
     las = vtkhelios.vtkHeliosLASReader(file_name=tmp_path / "cloud.las")
     assert np.allclose(Cloud(las()).points, cloud.points, atol=1e-3)
@@ -183,7 +187,75 @@ def test_write_what_cannot_be(cloud, tmp_path):
         cloud.write(tmp_path / "file" / "cloud.las")
 
 
+def test_vertices_come_when_they_are_asked_for(cloud):
+    assert cloud.data.GetNumberOfCells() == 0
+    shown = cloud.polydata
+    assert shown is cloud.data is cloud.polydata  # the same, and with vertices from now on
+    assert shown.GetNumberOfVerts() == shown.GetNumberOfCells() == 5
+    assert [shown.GetCell(k).GetPointId(0) for k in range(5)] == [0, 1, 2, 3, 4]
+    assert Cloud().polydata.GetNumberOfCells() == 0
+    scene = vtkhelios.vtkHeliosSyntheticScene(kind="blocks")()
+    assert Cloud(scene).polydata.GetNumberOfVerts() == 0  # what has cells keeps them
+
+
+def test_vertices_are_small_and_live_as_long_as_the_data():
+    points = np.zeros((100_000, 3))
+    data = Cloud.from_arrays(points).data
+    bare = data.GetActualMemorySize()
+    data = Cloud(data).polydata
+    gc.collect()
+    np.full(100_001, 7, np.int32)  # what would take the place
+    assert 0.7 < (data.GetActualMemorySize() - bare) / 800 < 1.3  # of 8 bytes a point [kB]
+    assert [data.GetCell(k).GetPointId(0) for k in (0, 1, 99_999)] == [0, 1, 99_999]
+
+
+def test_pipelines_make_no_vertices(cloud):
+    @vtkhelios.filter
+    def same(cloud):
+        return cloud
+
+    result = (cloud >> same())()
+    assert result.GetNumberOfPoints() == 5 and result.GetNumberOfCells() == 0
+    assert cloud[[0, 1]].data.GetNumberOfCells() == cloud.data.GetNumberOfCells() == 0
+    assert vtkhelios.Scene(cloud).polydata is cloud.data
+    assert cloud.data.GetNumberOfCells() == 0
+
+
 def test_pyvista_takes_it(cloud):
     pyvista = pytest.importorskip("pyvista")
     wrapped = pyvista.wrap(cloud.polydata)
     assert np.shares_memory(wrapped.points, cloud.points)
+
+
+DRAW = """
+import numpy as np, pyvista, sys
+from vtkhelios import Cloud
+x, y = np.meshgrid(np.arange(20.0), np.arange(20.0))
+cloud = Cloud.from_arrays(np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()]))
+plotter = pyvista.Plotter(off_screen=True, window_size=(400, 400))
+plotter.set_background("black")
+plotter.add_mesh(pyvista.wrap(eval(sys.argv[1])), color="white", point_size=5, lighting=False)
+plotter.view_xy()
+print(np.count_nonzero(plotter.screenshot(return_img=True).max(axis=2) > 128))
+"""
+
+
+def draw(what):
+    """The bright pixels of a drawing by PyVista of 400 points, 5 pixels wide each."""
+    pytest.importorskip("pyvista")
+    if not shutil.which("xvfb-run"):
+        pytest.skip("xvfb-run is missing")
+    done = subprocess.run(
+        ["xvfb-run", "-a", "-s", "-screen 0 800x600x24", sys.executable, "-c", DRAW, what],
+        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert done.returncode == 0, done.stderr
+    return int(done.stdout.split()[-1])
+
+
+def test_pyvista_draws_it():
+    assert 400 * 12 < draw("cloud.polydata") < 400 * 30
+    assert draw("cloud.data") == 0  # it is the vertices that are drawn

@@ -10,6 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkAlgorithmOutput
 
 from ._pipeline import update, upstream
+from .cloud import data_of
 
 __all__ = ["Pipeline", "select_ports"]
 
@@ -138,7 +139,7 @@ def _connect_one(source, algorithm, port, add):
         return
     output = _output_port(source)
     if output is None:
-        data = getattr(source, "polydata", source)
+        data = data_of(source)
         (algorithm.AddInputDataObject if add else algorithm.SetInputDataObject)(port, data)
     else:
         (algorithm.AddInputConnection if add else algorithm.SetInputConnection)(port, output)
@@ -161,12 +162,7 @@ def _is_source(item):
     if isinstance(item, (tuple, list)):
         return all(part is None or _is_source(part) for part in item)
     kinds = (vtkAlgorithm, vtkAlgorithmOutput, vtkDataObject, Pipeline, _Ports)
-    data = getattr(item, "polydata", None)
-    return (
-        isinstance(item, kinds)
-        or hasattr(item, "make_algorithm")
-        or isinstance(data, vtkDataObject)
-    )
+    return isinstance(data_of(item), kinds) or hasattr(item, "make_algorithm")
 
 
 def _first(source):

@@ -9,7 +9,7 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from ._compose import METHODS, compose
-from .cloud import Cloud
+from .cloud import Cloud, data_of
 
 __all__ = ["FunctionAlgorithm", "filter"]
 
@@ -94,7 +94,7 @@ class FunctionAlgorithm(VTKPythonAlgorithmBase):
             if not (given and isinstance(given[0], Cloud)):
                 raise TypeError(f"{name}() returns an array, but its first input is no cloud")
             result = given[0].filter(result)
-        result = getattr(result, "polydata", result)
+        result = data_of(result)
         if not isinstance(result, vtkDataObject) or not result.IsA(target.GetClassName()):
             raise TypeError(
                 f"{name}() returns {type(result).__name__}; return a Cloud, a "

@@ -18,7 +18,7 @@ def join_clouds(clouds):
     names = [name for name in full[0].names if all(name in cloud for cloud in full)]
     columns = {name: np.concatenate([cloud[name] for cloud in full]) for name in names}
     joined = Cloud.from_arrays(np.concatenate([cloud.points for cloud in full]), **columns)
-    joined.polydata.GetFieldData().ShallowCopy(full[0].polydata.GetFieldData())
+    joined.data.GetFieldData().ShallowCopy(full[0].data.GetFieldData())
     return joined
 
 

@@ -11,6 +11,7 @@ import math
 import re
 
 from ._pipeline import MessageLog
+from .cloud import data_of
 
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 
@@ -234,7 +235,7 @@ def _plain(value, before):
         raise TypeError("a truth value is wanted")
     if hasattr(value, "__fspath__"):
         return value.__fspath__()
-    return getattr(value, "polydata", value)  # a Cloud or a Scene
+    return data_of(value)  # a Cloud or a Scene
 
 
 def _is_as_given(value, given):

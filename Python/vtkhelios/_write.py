@@ -37,7 +37,7 @@ def _write_las(cloud, path, log):
 def _write_block(writer, cloud, path, log):
     log.watch(writer)
     writer.SetFileName(to_vtk(path))
-    if writer.Open() and writer.Write(cloud.polydata) and writer.Close():
+    if writer.Open() and writer.Write(cloud.data) and writer.Close():
         return True
     writer.Abandon()
     return False
@@ -49,7 +49,7 @@ def _write_vtp(cloud, path, log):
     writer = vtkXMLPolyDataWriter()
     log.watch(writer)
     writer.SetFileName(to_vtk(path))
-    writer.SetInputData(cloud.with_vertices().polydata)
+    writer.SetInputData(cloud.with_vertices().data)
     return writer.Write()
 
 

@@ -6,12 +6,17 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_DOUBLE, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    vtkPoints,
+    vtkTypeInt32Array,
+    vtkTypeInt64Array,
+)
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._arrays import arrays
 
-__all__ = ["Cloud", "Records"]
+__all__ = ["Cloud", "Records", "data_of"]
 
 _UNITS = {
     "Amplitude": "W", "BeamDivergence": "rad", "EchoWidth": "ns", "GpsTime": "s",
@@ -23,7 +28,10 @@ class Cloud:
     """A thin view of a vtkPolyData: nothing is copied, and writing to an array writes to the data.
 
     polydata
-        the vtkPolyData, for VTK, ParaView's writers, ``pyvista.wrap()``.
+        the vtkPolyData, for VTK, ParaView's writers, ``pyvista.wrap()``. Where it has no
+        cells it gets a vertex a point when it is first asked for, which is what draws.
+    data
+        the same vtkPolyData as it is: no vertices are made.
     waveforms, pulses, sub_rays
         what came with the echoes of a survey (a vtkTable and two Clouds), else None.
 
@@ -31,8 +39,8 @@ class Cloud:
     """
 
     def __init__(self, polydata=None, waveforms=None, pulses=None, sub_rays=None):
-        self.polydata = vtkPolyData() if polydata is None else polydata
-        if not hasattr(self.polydata, "IsA") or not self.polydata.IsA("vtkPolyData"):
+        self.data = vtkPolyData() if polydata is None else polydata
+        if not hasattr(self.data, "IsA") or not self.data.IsA("vtkPolyData"):
             kind = type(polydata).__name__
             raise TypeError(
                 f"a Cloud is made of a vtkPolyData, not of {kind}; see Cloud.from_arrays()"
@@ -53,21 +61,28 @@ class Cloud:
         if array.ndim != 2 or array.shape[1] != 3:
             raise ValueError(f"points has the shape {array.shape}; give an array of (n, 3)")
         holder.SetData(numpy_to_vtk(array))
-        cloud.polydata.SetPoints(holder)
+        cloud.data.SetPoints(holder)
         for name, values in columns.items():
             cloud[name] = values
         return cloud
 
     @property
+    def polydata(self):
+        """The vtkPolyData, with a vertex a point where it has no cells."""
+        if self.data.GetNumberOfCells() == 0 and len(self):
+            self.data.SetVerts(_make_vertices(len(self)))
+        return self.data
+
+    @property
     def points(self):
         """The coordinates [m], n x 3."""
-        holder = self.polydata.GetPoints()
+        holder = self.data.GetPoints()
         return vtk_to_numpy(holder.GetData()) if holder else np.empty((0, 3))
 
     @property
     def names(self):
         """The names of the arrays of the points; text is left out."""
-        return [name for name in arrays(self.polydata) if name != "points"]
+        return [name for name in arrays(self.data) if name != "points"]
 
     def __getitem__(self, key):
         """An array by its name, without a copy; by a mask, a slice or indices, a Cloud of points."""
@@ -75,7 +90,7 @@ class Cloud:
             return self.filter(key)
         if key == "points":
             return self.points
-        array = self.polydata.GetPointData().GetArray(key)
+        array = self.data.GetPointData().GetArray(key)
         if array is None:
             import difflib
 
@@ -96,13 +111,13 @@ class Cloud:
         array = np.ascontiguousarray(array.view(np.uint8) if array.dtype.kind == "b" else array)
         column = numpy_to_vtk(array)
         column.SetName(name)
-        self.polydata.GetPointData().AddArray(column)
+        self.data.GetPointData().AddArray(column)
 
     def __contains__(self, name):
         return name in self.names
 
     def __len__(self):
-        return self.polydata.GetNumberOfPoints()
+        return self.data.GetNumberOfPoints()
 
     def __bool__(self):
         return True
@@ -110,7 +125,7 @@ class Cloud:
     @property
     def records(self):
         """All arrays as the fields of one table, without a copy: see Records."""
-        columns = arrays(self.polydata)
+        columns = arrays(self.data)
         columns.setdefault("points", self.points)
         return Records(columns)
 
@@ -132,24 +147,20 @@ class Cloud:
                 )
             if keep.dtype.kind == "b" and len(keep) != len(self):
                 raise ValueError(f"the mask has {len(keep)} rows; give one a point: {len(self)}")
-        columns = arrays(self.polydata)
+        columns = arrays(self.data)
         kept = Cloud.from_arrays(self.points[keep])
         for name, values in columns.items():
             if name != "points":
                 kept[name] = values[keep]
-        kept.polydata.GetFieldData().ShallowCopy(self.polydata.GetFieldData())
+        kept.data.GetFieldData().ShallowCopy(self.data.GetFieldData())
         kept.waveforms, kept.pulses, kept.sub_rays = self.waveforms, self.pulses, self.sub_rays
         return kept
 
     def with_vertices(self):
-        """The same points and arrays with a cell each, which some viewers want."""
-        count = len(self)
-        cells = vtkCellArray()
-        offsets = np.arange(count + 1, dtype=np.int64)
-        cells.SetData(_ids(offsets), _ids(offsets[:-1]))
+        """The same points and arrays with a vertex a point, and no other cells."""
         shown = vtkPolyData()
-        shown.ShallowCopy(self.polydata)
-        shown.SetVerts(cells)
+        shown.ShallowCopy(self.data)
+        shown.SetVerts(_make_vertices(len(self)))
         return Cloud(shown, self.waveforms, self.pulses, self.sub_rays)
 
     def write(self, path):
@@ -178,10 +189,15 @@ class Cloud:
         rows = [
             f"<tr><td>{html.escape(name)}</td><td>{values.dtype}{_width(values)}</td>"
             f"<td>{_extent(values)}</td><td>{_UNITS.get(name, '')}</td></tr>"
-            for name, values in {"points": self.points, **arrays(self.polydata)}.items()
+            for name, values in {"points": self.points, **arrays(self.data)}.items()
         ]
         head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"
         return f"<b>Cloud</b>, {len(self):,} points<table>{head}{''.join(rows)}</table>"
+
+
+def data_of(item):
+    """The data object of a Cloud, as it is, or of a Scene; anything else is returned."""
+    return item.data if isinstance(item, Cloud) else getattr(item, "polydata", item)
 
 
 class Records:
@@ -248,8 +264,14 @@ class Records:
         return f"Records({len(self):,} rows: {', '.join(self._columns)})"
 
 
-def _ids(values):
-    return numpy_to_vtk(values, 1, vtkIdTypeArray().GetDataType())
+def _make_vertices(count):
+    """A cell a point, of 8 bytes each (16 from 2^31 points on); the memory is VTK's own."""
+    ids = vtkTypeInt32Array() if count < 2**31 - 1 else vtkTypeInt64Array()
+    ids.SetNumberOfValues(count)
+    vtk_to_numpy(ids)[:] = np.arange(count)
+    cells = vtkCellArray()
+    cells.SetData(1, ids)
+    return cells
 
 
 def _width(values):

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude, update
+from .cloud import data_of
 
 __all__ = ["Scene"]
 
@@ -103,7 +104,7 @@ class Scene:
 
 
 def _data_of(source):
-    data = getattr(source, "polydata", source)
+    data = data_of(source)
     if hasattr(data, "GetOutputPort"):
         data = update(data)
     if not (hasattr(data, "IsA") and data.IsA("vtkPolyData")):
