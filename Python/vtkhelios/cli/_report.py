@@ -99,17 +99,22 @@ def plays_lines(joined):
 
 def table_lines(legs, more):
     """The legs, one a line; more columns are (title, width, a value a leg)."""
-    yield "legs    " + "".join(
-        f"{title:>{width}}" for title, width, _ in [*COLUMNS, *more]
-    ).removeprefix("  ")
-    for index, leg in enumerate(legs[:MAXIMUM_LEGS]):
-        cells = [f"{text(leg):>{width}}" for _, width, text in COLUMNS]
-        for _, width, values in more:
-            value = values[index]
-            cells.append(f"{value if isinstance(value, str) else f'{value:.2f}':>{width}}")
-        yield "        " + "".join(cells).removeprefix("  ")
+    shown = legs[:MAXIMUM_LEGS]
+    columns = [(title, width, [text(leg) for leg in shown]) for title, width, text in COLUMNS]
+    for title, width, values in more:
+        texts = [value if isinstance(value, str) else f"{value:.2f}" for value in values]
+        columns.append((title, width, texts[:MAXIMUM_LEGS]))
+    padded = [_padded([title, *texts], width) for title, width, texts in columns]
+    for index, cells in enumerate(zip(*padded)):
+        yield f"{'' if index else 'legs':8}" + "".join(cells).removeprefix("  ")
     if len(legs) > MAXIMUM_LEGS:
         yield f"         and {len(legs) - MAXIMUM_LEGS} more"
+
+
+def _padded(texts, width):
+    """Texts of one column, at its width or two blanks more than the longest."""
+    width = max(width, 2 + max(map(len, texts)))
+    return [f"{text:>{width}}" for text in texts]
 
 
 def describe_paths(totals):
