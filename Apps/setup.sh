@@ -16,6 +16,7 @@ helios_packages=(
   coinor-libcbc-dev liblzf-dev libpcl-dev pybind11-dev libcli11-dev libx11-dev
   # Python
   python3 python3-dev python3-venv python3-vtk9 python3-numpy python3-rich python3-matplotlib
+  python3-jinja2
   # to test
   catch2 cloudcompare python3-pytest python3-gdal python3-lxml
   # pictures without a display

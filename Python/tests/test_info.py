@@ -174,6 +174,35 @@ def test_points_that_are_odd(tmp_path, info):
     ]
 
 
+def test_points_that_are_far(tmp_path, info):
+    points = np.array([[0, 0, 0], [1e300, 0, 0], [3, 4, 5], [0, -1.7e308, 0]], float)
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write({"points": points})
+    code, facts, err = info(tmp_path / "a.ply")
+    assert code == 0 and facts["bounds"]["maximum"] == [1e300, 4.0, 5.0]
+    assert facts["warnings"] == [
+        "2 points are more than 1e+12 m from the origin; the spacing is without them"
+    ]
+    with formats.open_writer(tmp_path / "b.ply") as writer:
+        writer.write({"points": points[1:2]})
+    assert info(tmp_path / "b.ply")[1]["spacing_m"] is None
+    assert cli.main(["info", str(tmp_path / "b.ply")]) == 0
+
+
+def test_numbers_of_arrays_that_cannot_be(tmp_path, info):
+    with formats.open_writer(tmp_path / "a.ply") as writer:
+        writer.write({
+            "points": np.zeros((4, 3)), "GpsTime": np.array([np.nan, np.inf, -np.inf, 1e308]),
+            "ReturnNumber": np.array([-1, 2**31 - 1, 1, 300], np.int32),
+            "NumberOfReturns": np.array([1, 1, 1, 1], np.int32),
+            "ClassificationIds": np.array([np.nan, 1e300, -5, 2]),
+            "LegIds": np.array([0.5, np.nan, 1, 2]),
+        })  # fmt: skip
+    code, facts, err = info(tmp_path / "a.ply")
+    assert code == 0 and "Traceback" not in err and "RuntimeWarning" not in err
+    assert facts["returns"] == {"1": 1} and facts["legs"] == {}
+
+
 def test_times_that_go_back_between_chunks():
     inspection = Inspection("a")
     for first in (5.0, 7.0, 6.0, 8.0):

@@ -236,6 +236,71 @@ def test_names_are_escaped(tmp_path, report):
     assert "Overlap" not in text  # of one leg
 
 
+def test_nothing_in_a_summary_becomes_markup(tmp_path, report):
+    """A script in every text of it, and in the keys of the options."""
+    script = "<script>alert('x')</script><img src=x onerror=alert(1)>\"'&"
+    run = make_run(tmp_path / "run", [strip(0, 10)])
+
+    def doctored(value, key=None):
+        if isinstance(value, dict):
+            return {name: doctored(each, name) for name, each in value.items()}
+        if isinstance(value, list):
+            return [doctored(each) for each in value]
+        return script + value if isinstance(value, str) and key != "name" else value
+
+    summary = doctored(json.loads((run / "run_summary.json").read_text()))
+    summary["options"][script] = script
+    (run / "run_summary.json").write_text(json.dumps(summary))
+    assert report(run)[0] == 0
+    text = (run / "report.html").read_text()
+    page = Page(text)  # has no script element
+    assert len(page.pictures) == text.count("<img ")
+    assert "<script" not in text and " ".join(page.words).count(script) == 11
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-9, 1.0, 1e6, 1e11])
+@pytest.mark.parametrize("shift", [0.0, 1e9, 3e11])
+def test_rasters_of_any_extent(scale, shift):
+    raster = Raster()
+    points = scale * np.random.default_rng(4).uniform(-1, 1, (1000, 2)) + shift
+    for scan, part in enumerate([points[:1], points[:1], points]):
+        assert raster.add(part, scan)
+    assert raster.counts.sum() == 1002 and raster.counts.size <= 512 * 512
+    assert 0 < raster.coverage() <= 1 and np.isfinite(raster.box).all()
+
+
+def test_cells_are_limited_in_all():
+    """Long and narrow is allowed, long and wide is not."""
+    assert Raster(cell=1.0).add(np.array([[0.0, 0.0], [19_999.0, 800.0]]), 0)
+    assert not Raster(cell=1.0).add(np.array([[0.0, 0.0], [19_999.0, 19_999.0]]), 0)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1.0, 1e11])
+def test_reports_of_any_extent(tmp_path, report, scale):
+    """One point, points that are equal, and far apart ones."""
+    for name, points in {
+        "one": np.full((1, 3), scale), "equal": np.full((50, 3), scale),
+        "apart": scale * np.array([[-1.0, -1.0, 0.0], [1.0, 2.0, 3.0]]),
+    }.items():  # fmt: skip
+        run = make_run(tmp_path / name, [points])
+        code, numbers, err = report(run)
+        assert code == 0 and numbers["points"] == len(points), err
+        assert "Warning" not in err
+
+
+def test_points_that_are_too_far(tmp_path, report):
+    run = make_run(tmp_path / "run", [np.array([[0.0, 0.0, 0.0], [0.0, -1e300, 0.0]])])
+    code, _, err = report(run)
+    assert code == 1
+    assert "has points more than 1e+12 m from the origin, up to 1e+300 m; run the survey" in err
+
+
+def test_histograms_of_anything():
+    histogram = Histogram(0.005)
+    histogram.add(np.array([np.nan, np.inf, -np.inf, 1e300, -1e300, 1e11, 5e-324, 2.0]))
+    assert histogram.counts.sum() == 3 and len(histogram.counts) <= 4096
+
+
 def test_memory_is_bounded():
     """Neither cells nor bins grow with the number of points."""
     raster, histogram = Raster(), Histogram(0.01)
@@ -281,9 +346,11 @@ def test_other_errors(tmp_path, report, capsys):
     assert "'x' is not a number from 0.001 to 100000" in capsys.readouterr().err
 
 
-def test_without_matplotlib(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("package", ["matplotlib", "jinja2"])
+def test_without_a_package(tmp_path, monkeypatch, capsys, package):
     run = make_run(tmp_path / "run", [strip(0, 10)])
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.setitem(sys.modules, package, None)
     assert cli.main(["report", str(run)]) == 1
-    assert "apt-get install python3-matplotlib" in capsys.readouterr().err
+    err = capsys.readouterr().err
+    assert f"need {package}, which is not installed: apt-get install python3-{package}" in err
     assert not (run / "report.html").exists()

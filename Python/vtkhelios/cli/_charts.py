@@ -57,7 +57,7 @@ def density_map(raster, paths=()):
         shown, origin="lower", extent=raster.box, cmap="viridis", interpolation="nearest",
         norm=LogNorm(low, high),
     )  # fmt: skip
-    for places in paths:
+    for places in filter(len, paths):
         stands = len(places) == 1 or np.ptp(places[:, :2], axis=0).max() == 0.0
         axes.plot(places[:, 0], places[:, 1], color=ORANGE, linewidth=1.2,
                   marker="^" if stands else None, markersize=8, markeredgecolor="white")  # fmt: skip

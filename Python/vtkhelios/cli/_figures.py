@@ -6,7 +6,7 @@ import numpy as np
 
 from ..formats import FormatError
 from ..formats._base import rows_of
-from ._raster import Histogram, Raster
+from ._raster import FARTHEST, Histogram, Raster, is_near, tally
 
 # Of ASPRS; those that scenes use.
 CLASSES = {
@@ -49,6 +49,11 @@ class Figures:
             raise FormatError(
                 f"{reader.path}: has points that are not finite; run the survey again"
             )
+        if not is_near(points).all():
+            raise FormatError(
+                f"{reader.path}: has points more than {FARTHEST:g} m from the origin, up to "
+                f"{np.abs(points).max():g} m; run the survey again"
+            )
         if not self.raster.add(points[:, :2], reader.scan):
             raise FormatError(
                 f"{reader.path}: with cells of {self.raster.cell:g} m the maps would be too large; "
@@ -59,7 +64,8 @@ class Figures:
         if len(points):
             self.low = np.minimum(self.low, points.min(axis=0))
             self.high = np.maximum(self.high, points.max(axis=0))
-        self._add_values(chunk)
+        with np.errstate(all="ignore"):  # of numbers that histograms leave out
+            self._add_values(chunk)
 
     def _add_values(self, chunk):
         histograms = self.histograms
@@ -68,16 +74,14 @@ class Figures:
         if "IncidenceAngle" in chunk:
             histograms["incidence"].add(chunk["IncidenceAngle"])
         if "Amplitude" in chunk:
-            with np.errstate(divide="ignore", invalid="ignore"):
-                histograms["amplitude"].add(10.0 * np.log10(1e9 * chunk["Amplitude"]))
+            histograms["amplitude"].add(10.0 * np.log10(1e9 * chunk["Amplitude"]))
         if "EchoWidth" in chunk:
             histograms["width"].add(chunk["EchoWidth"])
         if "ReturnNumber" in chunk and "NumberOfReturns" in chunk:
             first = chunk["NumberOfReturns"][chunk["ReturnNumber"] == 1]
-            self.echoes += np.bincount(first, minlength=256)[:256]
+            self.echoes += tally(first)
         if "ClassificationIds" in chunk:
-            known = np.clip(chunk["ClassificationIds"], 0, 255)
-            self.classes += np.bincount(known, minlength=256)
+            self.classes += tally(np.clip(chunk["ClassificationIds"], 0, 255))
 
     def _load_path(self, reader, chunk):
         if "Range" in chunk or "GpsTime" not in chunk:

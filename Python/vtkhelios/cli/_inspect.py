@@ -8,7 +8,7 @@ from .. import formats
 from ..formats._base import rows_of
 from ..formats._records import RecordReader
 from ..formats._run import is_run
-from ._raster import Raster
+from ._raster import FARTHEST, Raster, is_near, tally
 
 RECORDS = (".las", ".laz", ".copc.laz")
 UNITS = {
@@ -32,7 +32,7 @@ class Inspection:
         self._legs = {}
         self._times = [np.inf, -np.inf]
         self._last_time = -np.inf
-        self._backward = self._invalid = self._impossible = self._count = 0
+        self._backward = self._invalid = self._impossible = self._count = self._far = 0
         self._raster = Raster(limit=1024)
 
     def run(self, task):
@@ -57,20 +57,22 @@ class Inspection:
         if len(points):
             self._low = np.minimum(self._low, points.min(axis=0))
             self._high = np.maximum(self._high, points.max(axis=0))
-            self._raster.add(points[:, :2], scan)
+            near = is_near(points)
+            self._far += int(np.count_nonzero(~near))
+            self._raster.add(points[near, :2], scan)
         if "ReturnNumber" in chunk:
-            self._returns += np.bincount(chunk["ReturnNumber"], minlength=256)[:256]
+            self._returns += tally(chunk["ReturnNumber"])
             if "NumberOfReturns" in chunk:
                 odd = chunk["ReturnNumber"] > chunk["NumberOfReturns"]
                 self._impossible += int(np.count_nonzero(odd))
         if "ClassificationIds" in chunk:
-            known = np.clip(chunk["ClassificationIds"], 0, 255)
-            self._classes += np.bincount(known, minlength=256)
-        if "LegIds" in chunk:
+            self._classes += tally(np.clip(chunk["ClassificationIds"], 0, 255))
+        if "LegIds" in chunk and chunk["LegIds"].dtype.kind in "iu":
             for leg, count in zip(*np.unique(chunk["LegIds"], return_counts=True)):
                 self._legs[int(leg)] = self._legs.get(int(leg), 0) + int(count)
         if "GpsTime" in chunk and rows_of(chunk):
-            self._add_times(chunk["GpsTime"])
+            with np.errstate(all="ignore"):  # of times that are not finite
+                self._add_times(chunk["GpsTime"].reshape(rows_of(chunk), -1)[:, 0])
 
     def _add_times(self, times):
         self._times = [min(self._times[0], times.min()), max(self._times[1], times.max())]
@@ -84,7 +86,7 @@ class Inspection:
         facts["points"] = self._count
         if self._count > self._invalid:
             facts["bounds"] = {"minimum": self._low.tolist(), "maximum": self._high.tolist()}
-            facts["spacing_m"] = self._spacing()
+            facts["spacing_m"] = self._spacing() if self._raster.counts.size else None
         facts["crs"] = reader.header.crs or None
         if reader.header.epoch:
             facts["gpsEpoch_s"] = reader.header.epoch
@@ -176,6 +178,11 @@ class Inspection:
             self.warnings.append(
                 f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid leaves "
                 "them out"
+            )
+        if self._far:
+            self.warnings.append(
+                f"{self._far:,} points are more than {FARTHEST:g} m from the origin; the spacing is "
+                "without them"
             )
         if self._impossible:
             self.warnings.append(

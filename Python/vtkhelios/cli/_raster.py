@@ -7,6 +7,19 @@ import numpy as np
 FINEST = 2.0**-10  # [m]
 SCANS_A_PLANE = 64
 LARGEST = 20_000  # cells a side that a given size may lead to
+MOST_CELLS = 2**24  # in all
+FARTHEST = 1e12  # of coordinates and other numbers; what is beyond is damaged
+
+
+def is_near(points):
+    """Which rows are finite and not farther out than anything can be."""
+    return (np.abs(points) <= FARTHEST).all(axis=1)
+
+
+def tally(values):
+    """How many whole numbers there are of 0 to 255 each; others do not count."""
+    known = values[(values >= 0) & (values <= 255)]
+    return np.bincount(known.astype(np.int64).ravel(), minlength=256)
 
 
 class Raster:
@@ -26,7 +39,10 @@ class Raster:
         self._scans = []  # planes of 64 scans each, as bits
 
     def add(self, xy, scan):
-        """Counts points (n x 2) of a scan by its number; False where cells would be too many."""
+        """Counts points (n x 2) of a scan by its number; False where cells would be too many.
+
+        All coordinates are within FARTHEST, see is_near().
+        """
         if not len(xy):
             return True
         low, high = xy.min(axis=0), xy.max(axis=0)
@@ -53,7 +69,8 @@ class Raster:
                 height, width = self.counts.shape
                 last = np.maximum(last, self._corner + [width - 1, height - 1])
                 first = np.minimum(first, self._corner)
-            if (last - first < self._limit).all():
+            sides = last - first + 1
+            if (sides <= self._limit).all() and sides.prod() <= MOST_CELLS:
                 break
             if self._is_given:
                 return False
@@ -113,8 +130,9 @@ class Raster:
         """How many scans saw each cell."""
         total = np.zeros(self.counts.shape, np.int64)
         for plane in self._scans:
-            bits = np.unpackbits(plane.view(np.uint8).reshape(*plane.shape, 8), axis=2)
-            total += bits.sum(axis=2, dtype=np.int64)
+            for row, seen in zip(total, plane):  # bits take 64 times the memory
+                bits = np.unpackbits(seen.view(np.uint8).reshape(-1, 8), axis=1)
+                row += bits.sum(axis=1, dtype=np.int64)
         return total
 
     def outline(self):
@@ -144,7 +162,7 @@ class Histogram:
         self._limit = limit
 
     def add(self, values):
-        values = values[np.isfinite(values)]
+        values = values[np.abs(values) <= FARTHEST]
         if not len(values):
             return
         while True:

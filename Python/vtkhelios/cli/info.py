@@ -10,6 +10,7 @@ from ._inspect import Inspection, inspect_survey
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
+from ._raster import FARTHEST
 from ._reading import add_assets_argument
 from ._task import Interrupted, Task
 
@@ -81,8 +82,9 @@ def point_lines(facts):
     yield f"points     {facts['points']:,}"
     if "bounds" in facts:
         for axis, low, high in zip("xyz", *facts["bounds"].values()):
-            yield f"{axis:10} {low:.4f} to {high:.4f} m"
-        yield f"spacing    about {facts['spacing_m']:.3g} m, from above"
+            yield f"{axis:10} {_metres(low)} to {_metres(high)} m"
+        if facts["spacing_m"] is not None:
+            yield f"spacing    about {facts['spacing_m']:.3g} m, from above"
     crs = facts["crs"]
     yield f"crs        {'not known' if not crs else ' '.join(crs.split())[:100]}"
     if "gpsTime_s" in facts:
@@ -107,6 +109,10 @@ def point_lines(facts):
         yield f"extra      {extra['name']} ({extra['type']}): {extra['description'] or 'no description'}"
     for record in facts.get("headerRecords", []):
         yield f"record     {record['user']} {record['id']}: {record['description']}"
+
+
+def _metres(value):
+    return f"{value:.4f}" if abs(value) <= FARTHEST else f"{value:g}"
 
 
 def leg_lines(legs):

@@ -9,11 +9,12 @@ import pathlib
 from .. import formats
 from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
+from ..formats._summary import REPORT, check_summary
 from . import _charts
 from ._figures import Figures
 from ._interrupt import Interrupt
 from ._messages import Messages
-from ._page import write_page
+from ._page import load_template, write_page
 from ._progress import make_progress
 from ._report import readable
 from ._task import Interrupted, Task
@@ -29,7 +30,7 @@ with their SHA-256. It is one file that needs no other, and no network.
 Of text runs (.xyz) ranges are reckoned from the trajectory, and incidence is not known: run with
 --format las or vtp for all of it. Points are read once, in chunks: memory does not grow with the run.
 
-Needs matplotlib: apt-get install python3-matplotlib.
+Needs matplotlib and Jinja2: apt-get install python3-matplotlib python3-jinja2.
 
 examples:
   vtkhelios report output/village_als
@@ -61,10 +62,11 @@ def run(arguments):
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         try:
             return make_report(arguments, messages)
-        except ImportError:
+        except ImportError as error:
+            package = (error.name or "matplotlib").split(".")[0]
             messages.error(
-                "reports need matplotlib, which is not installed: apt-get install "
-                "python3-matplotlib, or pip install matplotlib"
+                f"reports need {package}, which is not installed: apt-get install "
+                f"python3-{package}, or pip install {package}"
             )
         except formats.FormatError as error:
             messages.error(str(error))
@@ -82,8 +84,10 @@ def make_report(arguments, messages):
     if page.exists() and not arguments.overwrite:
         raise formats.FormatError(f"{page}: is there already; give --overwrite to replace it")
     _charts.load()  # before all points are read
+    load_template()
     figures = Figures(arguments.cell)
     with RunReader(folder) as reader:
+        check_summary(reader.summary, folder / "run_summary.json", REPORT)
         task = Task("reading", reader.count)
         with Interrupt(task, messages) as interrupt:
             try:

@@ -22,7 +22,7 @@ import importlib
 import pathlib
 
 from .._paths import require_utf8
-from ._base import Chunk, FormatError, Header, Reader, Scan, Writer
+from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file
 from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
@@ -72,8 +72,7 @@ def open_reader(path):
     if is_run(path):
         return RunReader(path)
     kind = _find(path, 1)
-    if not pathlib.Path(path).is_file():
-        raise FormatError(f"{path}: no such file; check its name")
+    check_file(path)
     return kind(path)
 
 

@@ -7,6 +7,7 @@ import dataclasses
 import importlib
 import os
 import pathlib
+import stat
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -25,6 +26,31 @@ Chunk = dict  # name: numpy array; "points" is among them
 
 class FormatError(ValueError):
     """A file that cannot be read or written; says which, why, and what to do."""
+
+
+# What a path can name that is not a file to read.
+_KINDS = (
+    (stat.S_ISDIR, "is a folder; give the name of a file"),
+    (stat.S_ISFIFO, "is a FIFO, not a regular file; copy it to a file"),
+    (stat.S_ISSOCK, "is a socket, not a regular file; copy what it sends to a file"),
+    (stat.S_ISCHR, "is a character device, not a regular file; copy what is read to a file"),
+    (stat.S_ISBLK, "is a block device, not a regular file; copy what is read to a file"),
+)
+
+
+def check_file(path):
+    """FormatError where a path names no regular file. The words are those of heliosInputFile.h."""
+    path = os.fspath(path)
+    try:
+        mode = os.stat(path).st_mode
+    except FileNotFoundError:
+        raise FormatError(f"{path}: no such file; check its name") from None
+    except (OSError, ValueError) as error:  # ValueError: NUL in the name
+        reason = getattr(error, "strerror", None) or error
+        raise FormatError(f"{path}: cannot be read: {reason}; check its name") from None
+    for is_kind, problem in _KINDS:
+        if is_kind(mode):
+            raise FormatError(f"{path}: {problem}")
 
 
 class Header:

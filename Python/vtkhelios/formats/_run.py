@@ -3,7 +3,7 @@
 """The folder of a run: its summary, and the points of its legs as one cloud."""
 
 import itertools
-import json
+import os
 import pathlib
 import re
 
@@ -11,11 +11,12 @@ import numpy as np
 
 import vtkhelios
 
-from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
+from ._base import ROWS, Reader, Scan, call, check_file, from_cloud, rows_of
+from ._summary import read_summary
 from ._text import TextReader
 from ._vtp import PiecesReader
 
-POINTS = re.compile(r"((leg|strip)(-?\d+))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
+POINTS = re.compile(r"((leg|strip)(-?\d{1,9}))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
 
 
 def is_run(path):
@@ -59,14 +60,8 @@ class RunReader(Reader):
 
     def _read_summary(self):
         path = self.folder / "run_summary.json"
-        if path.is_file():
-            try:
-                summary = json.loads(path.read_text())
-            except ValueError as error:
-                self.fail(f"run_summary.json is no JSON: {error}; run the survey again")
-            if not isinstance(summary, dict) or "legs" not in summary:
-                self.fail("run_summary.json is none of vtkhelios run; run the survey again")
-            return summary
+        if os.path.lexists(path):
+            return read_summary(path)
         if (self.folder / "run.journal").is_file():
             self.fail("the run is not finished; vtkhelios run --resume goes on with it")
         if any(self.folder.glob("play[0-9]*/run_summary.json")):
@@ -77,7 +72,8 @@ class RunReader(Reader):
         from . import open_reader
 
         path = self.folder / name
-        if path.suffix == ".xyz" and path.is_file():
+        if path.suffix == ".xyz":
+            check_file(path)
             return TextReader(path, self._names)
         return open_reader(path)
 

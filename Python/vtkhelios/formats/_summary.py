@@ -1,0 +1,190 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""run_summary.json: read, and checked against what vtkhelios run writes."""
+
+import json
+
+from ._base import FormatError, check_file
+
+CURE = "run the survey again"
+LARGEST_COUNT = 2**63 - 1
+LARGEST = 1e15  # of other numbers
+LONGEST = 60  # characters of a value in a message
+
+
+def _count(value):
+    is_whole = isinstance(value, int) and not isinstance(value, bool)
+    return is_whole and 0 <= value <= LARGEST_COUNT
+
+
+def _index(value):
+    return _count(value) and value < 2**31
+
+
+def _number(value):
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return is_number and 0 <= value <= LARGEST
+
+
+def _text(value):
+    return isinstance(value, str) and not any("\ud800" <= c <= "\udfff" for c in value)
+
+
+def _file_name(value):
+    return _text(value) and value not in ("", ".", "..") and not set(value) & set("/\0")
+
+
+def _option(value):
+    return value is None or isinstance(value, bool) or _text(value) or _number(value)
+
+
+EXPECTED = {
+    _count: f"a whole number from 0 to {LARGEST_COUNT}",
+    _index: f"a whole number from 0 to {2**31 - 1}",
+    _number: f"a number from 0 to {LARGEST:g}",
+    _text: "a text",
+    _file_name: "the name of a file in the folder of the run",
+    _option: f"a text, true, false or a number from 0 to {LARGEST:g}",
+    dict: "an object",
+    list: "a list",
+}
+
+# What a summary holds: a dict by its keys, a list by its one kind of entry; of OPTIONS any keys.
+_COUNTS = ("firstReturns", "hitsOutOfRange", "points", "pulses", "pulsesBinned", "pulsesFired")
+_COUNTS += ("pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "subRays")
+_OPTIONS = {None: _option}
+WHOLE = {
+    "inputs": [{"bytes": _count, "file": _text, "sha256": _text}],
+    "legs": [{
+        "leg": _index, "start_s": _number, "duration_s": _number,
+        "files": [{"name": _file_name, "records": _count, "bytes": _count}],
+        **dict.fromkeys(("firstReturns", "points", "pulses", "pulsesFired", "pulsesHit"), _count),
+    }],
+    "options": _OPTIONS,
+    "rayCaster": _text,
+    "sampling": _text,
+    "scene": _text,
+    "survey": _text,
+    "timings": {"legs_s": [_number], "load_s": _number, "run_s": _number, "threads": _count},
+    "totals": dict.fromkeys(_COUNTS, _count),
+    "versions": {"VTK": _text, "vtkHelios": _text},
+}  # fmt: skip
+
+# What must be there for points to be found; all else is checked where it is there.
+FILES = {"legs": [{"files": [{"name": None, "records": None}]}]}
+# And for what reports say.
+REPORT = {
+    **FILES,
+    "inputs": [{"bytes": None, "file": None, "sha256": None}],
+    "legs": [{
+        **dict.fromkeys(("leg", "start_s", "duration_s", "points", "pulsesFired", "pulsesHit")),
+        "files": [{"name": None, "records": None}],
+    }],
+    **dict.fromkeys(("options", "rayCaster", "sampling", "scene", "survey")),
+    "timings": dict.fromkeys(("legs_s", "load_s", "run_s", "threads")),
+    "totals": dict.fromkeys(
+        ("pulsesFired", "pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "pulsesBinned", "subRays")
+    ),
+    "versions": dict.fromkeys(("VTK", "vtkHelios")),
+}  # fmt: skip
+
+
+def read_summary(path, needed=FILES):
+    """The summary in a file; FormatError where it cannot be read, or is not as it should be."""
+    check_file(path)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise FormatError(f"{path}: cannot be read: {error.strerror}") from error
+    return parse_summary(data, path, needed)
+
+
+def parse_summary(data, path, needed=FILES):
+    """The summary in text or bytes, of which a file is named in messages."""
+    try:
+        text = data if isinstance(data, str) else data.decode()
+        summary = json.loads(text, object_pairs_hook=_unique, parse_constant=_refuse)
+    except UnicodeDecodeError as error:
+        raise FormatError(f"{path}: byte {error.start} is not UTF-8; {CURE}") from error
+    except RecursionError as error:
+        raise FormatError(f"{path}: is nested too deeply; {CURE}") from error
+    except ValueError as error:
+        raise FormatError(f"{path}: is not valid JSON: {error}; {CURE}") from error
+    check_summary(summary, path, needed)
+    return summary
+
+
+def check_summary(summary, path, needed=FILES):
+    """FormatError where a key is missing that is needed, or a value is not what it should be."""
+    try:
+        _check(summary, WHOLE, "")
+        _check_keys(summary, needed, "")
+        _check_lengths(summary)
+    except _Wrong as wrong:
+        raise FormatError(f"{path}: {wrong}; {CURE}") from wrong
+
+
+class _Wrong(ValueError):
+    """What is wrong with a value, and where."""
+
+
+def _check(value, kind, where):
+    expected = type(kind) if isinstance(kind, (dict, list)) else kind
+    is_good = isinstance(value, expected) if isinstance(expected, type) else expected(value)
+    if not is_good:
+        raise _Wrong(f"{where or 'the file'} is {_quote(value)}: expected {EXPECTED[expected]}")
+    if isinstance(kind, list):
+        for index, each in enumerate(value):
+            _check(each, kind[0], f"{where}[{index}]")
+    elif isinstance(kind, dict):
+        for key, each in value.items():
+            if known := kind.get(key) or kind.get(None):
+                _check(each, known, f"{where}.{_plain(key)}" if where else _plain(key))
+            if not _text(key):
+                raise _Wrong(f"a key of {where or 'the file'} is {_quote(key)}: expected a text")
+
+
+def _check_keys(value, needed, where):
+    if isinstance(needed, list):
+        for index, each in enumerate(value):
+            _check_keys(each, needed[0], f"{where}[{index}]")
+    for key in needed if isinstance(needed, dict) else ():
+        if key not in value:
+            raise _Wrong(f"{where or 'the file'} has no {key}")
+        _check_keys(value[key], needed[key], f"{where}.{key}" if where else key)
+
+
+def _check_lengths(summary):
+    times = summary.get("timings", {}).get("legs_s")
+    if times is not None and len(times) != len(summary.get("legs", [])):
+        raise _Wrong(
+            f"timings.legs_s has {len(times)} entries, and there are "
+            f"{len(summary.get('legs', []))} legs"
+        )
+
+
+def _unique(pairs):
+    entries = dict(pairs)
+    if len(entries) < len(pairs):
+        seen = set()
+        twice = next(key for key, _ in pairs if key in seen or seen.add(key))
+        raise ValueError(f"the key {_quote(twice)} is given twice")
+    return entries
+
+
+def _refuse(word):
+    raise ValueError(f"{word} is not a number of JSON")
+
+
+def _quote(value):
+    """A value as a message shows it: one line of ASCII that is cut where it is long."""
+    if isinstance(value, (dict, list)):
+        return "an object" if isinstance(value, dict) else "a list"
+    if isinstance(value, int) and abs(value) > 10**LONGEST:
+        return f"a number of more than {LONGEST} digits"
+    text = json.dumps(value)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."
+
+
+def _plain(key):
+    return key if key.isidentifier() and key.isascii() else _quote(key)
