@@ -1,0 +1,8 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""All targets, by their names. A new one: a Target in a module of its kind, and in its make_targets()."""
+
+from . import targets_points, targets_run, targets_scene, targets_survey
+
+MODULES = (targets_points, targets_scene, targets_survey, targets_run)
+ALL = {target.name: target for module in MODULES for target in module.make_targets()}

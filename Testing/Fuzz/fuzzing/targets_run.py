@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What runs leave: the journal and parts of an interrupted one, the summary of a finished one."""
+
+import vtkhelios
+
+from . import small_files
+from .outcomes import check, check_count
+from .target import Seed, Target, collect_warnings, command_line, need
+from .targets_points import parse_strict, read_points
+
+CHARTS = ("matplotlib.pyplot", "matplotlib.backends.backend_agg", "vtkhelios.cli._charts")
+BLOCK = 40  # pulses
+POINTS = ("_points", "_trajectory", "_pulse", "_fullwave")
+
+
+def is_data(name):
+    """Whether a file of a run must be the same whatever happened on the way."""
+    return any(part in name for part in POINTS)
+
+
+class Journal(Target):
+    """Resumes an interrupted run whose journal, or a part, is damaged: the same bytes, or an error."""
+
+    kind = "json"
+
+    def __init__(self, form):
+        self.name = f"journal-{form}"
+        self.form = form
+        self.weight = 0.7
+
+    def make_seeds(self, folder):
+        small_files.write_survey(folder, small_files.STAND, small_files.SIMPLE_SCENE)
+        resume(folder, self.form, resume=False)
+        whole = {name: data for name, data in small_files.files_below(folder / "out").items()}
+        resume(folder, self.form, resume=False, blocks=5, output="broken")
+        beside = small_files.files_below(folder)
+        beside = {name: data for name, data in beside.items() if not name.startswith("out/")}
+        beside |= {f"whole/{name}": data for name, data in whole.items()}
+        seeds = []
+        for name in beside:
+            if name.endswith("run.journal") or (name.endswith(".part") and is_data(name)):
+                others = dict(beside)
+                seeds.append(Seed(name, others.pop(name), others))
+        journal = [seed for seed in seeds if seed.name.endswith("run.journal")]
+        return journal * 3 + seeds
+
+    def run(self, path, data):
+        folder = path
+        while not (folder / "survey.xml").is_file():
+            folder = folder.parent
+        before = (folder / "broken/stand/run_summary.json").exists()
+        with collect_warnings():
+            resume(folder, self.form, resume=True, output="broken")
+        check(not before, "a summary before the end")
+        whole = small_files.files_below(folder / "whole")
+        found = small_files.files_below(folder / "broken")
+        for name, right in whole.items():
+            if is_data(name):
+                check(name in found, f"{name} is missing after a resume that succeeded")
+                check(found[name] == right, f"{name} has other bytes after a resume that succeeded")
+        told, right = (files["stand/run_summary.json"] for files in (found, whole))
+        check(counts_of(told) == counts_of(right), "the summary counts otherwise")
+
+
+def counts_of(summary):
+    """What two summaries of the same run agree in."""
+    summary = parse_strict(summary.decode())
+
+    def strip(value):
+        if isinstance(value, dict):
+            return {
+                key: strip(each) for key, each in value.items()
+                if "time" not in key.lower() and "second" not in key.lower() and key != "options"
+            }  # fmt: skip
+        return [strip(each) for each in value] if isinstance(value, list) else value
+
+    return strip({key: summary[key] for key in ("legs", "totals") if key in summary})
+
+
+def resume(folder, form, resume, blocks=None, output="out"):
+    """Runs the survey of a folder; of some blocks only: as far as that, as Ctrl-C would."""
+    from vtkhelios import PipelineError
+    from vtkhelios._pipeline import MessageLog
+
+    import os
+
+    os.chdir(folder)  # names are the same wherever the folder is
+    survey = vtkhelios.read_survey("survey.xml")
+    player = vtkhelios.vtkHeliosSurveyPlayer()
+    player.SetSurvey(survey.vtk)
+    player.SetOutputDirectory(output)
+    player.SetFormat(form)
+    player.SetResume(resume)
+    player.SetPulsesPerBlock(BLOCK)
+    if blocks:
+        seen = []
+
+        def stop(*_):
+            seen.append(player.GetNumberOfPulsesDone())
+            if player.GetNumberOfPulsesDone() >= blocks * BLOCK:
+                player.Abort()
+
+        player.AddObserver("ProgressEvent", stop)
+    with MessageLog() as log:
+        log.watch(player)
+        good = player.Run()
+    if log.errors:
+        raise PipelineError(log.root_errors())
+    if not good and not blocks:
+        check(player.GetMessage().strip(), "no run and no reason")
+        raise PipelineError([player.GetMessage()])
+    check(not (good and blocks), "the run of seeds was not interrupted")
+
+
+class Summary(Target):
+    """A command on the folder of a run whose summary is damaged."""
+
+    kind = "json"
+
+    def __init__(self, command, weight):
+        self.command = command
+        self.name = f"summary-{command}"
+        self.modules = CHARTS if command == "report" else ()
+        self.weight = weight
+
+    def missing(self):
+        return need("matplotlib") if self.command == "report" else ""
+
+    def make_seeds(self, folder):
+        seeds = []
+        for form in ("xyz", "las"):
+            work = folder / form
+            work.mkdir()
+            run = small_files.run_survey(
+                work, small_files.STAND, "--format", form, scene=small_files.SIMPLE_SCENE
+            )
+            beside = {f"{form}/{name}": data for name, data in small_files.files_below(run).items()}
+            name = f"{form}/run_summary.json"
+            seeds.append(Seed(name, beside.pop(name), beside))
+        return seeds
+
+    def run(self, path, data):
+        run = path.parent
+        files = sorted(path.name for path in run.glob("*_points*"))
+        total = sum(read_points(run / name, 100_000)[0] for name in files)
+        if self.command == "info":
+            out, told = command_line("info", run, "--json")
+            facts = parse_strict(out)
+            check_count(facts["points"], total, facts["warnings"] or "warning" in told)
+            command_line("info", run)
+        elif self.command == "report":
+            page = run / "page.html"
+            command_line("report", run, "--output", page)
+            check_page(page.read_text(encoding="utf-8", errors="strict"))
+        else:
+            output = run / "all.ply"
+            _, told = command_line("convert", run, output)
+            check_count(read_points(output, 100_000)[0], total, "warning" in told)
+
+
+def check_page(text):
+    """A page without script of the summary's own."""
+    check("</html>" in text, "the page is not whole")
+    check("<script>alert" not in text and "onerror=alert" not in text, "a live script in the page")
+
+
+class ReportPoints(Target):
+    """The report on a run whose files of points are damaged."""
+
+    name = "report-points"
+    modules = CHARTS
+    kind = "text"
+    weight = 0.1
+
+    def missing(self):
+        return need("matplotlib")
+
+    def make_seeds(self, folder):
+        run = small_files.run_survey(folder, small_files.STAND, scene=small_files.SIMPLE_SCENE)
+        beside = small_files.files_below(run)
+        seeds = []
+        for name in ("leg000_points.xyz", "leg000_trajectory.txt"):
+            others = dict(beside)
+            seeds.append(Seed(name, others.pop(name), others))
+        return seeds
+
+    def run(self, path, data):
+        command_line("report", path.parent, "--output", path.with_name("page.html"))
+        check_page(path.with_name("page.html").read_text(encoding="utf-8"))
+
+
+def make_targets():
+    return [
+        Journal("xyz"), Journal("las"), Journal("vtp"),
+        Summary("info", 1.0), Summary("convert", 0.5), Summary("report", 0.1), ReportPoints(),
+    ]  # fmt: skip

@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""XML of surveys, scenes, assets and planners, and the texts that their attributes hold."""
+
+import contextlib
+import time
+import xml.sax.saxutils
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import vtkhelios
+
+from . import small_files
+from .outcomes import check, check_finite, check_polydata
+from .target import Seed, Target, command_line, pick
+from .targets_points import parse_strict
+
+LONGEST_RUN = 1.0  # [s]: a survey may mean hours, so it is interrupted as a user would
+LOADING = -1
+
+
+class Stop(BaseException):
+    """What interrupts a run that has shown that it goes on."""
+
+
+def stop_after(seconds=LONGEST_RUN):
+    end = time.monotonic() + seconds
+
+    def progress(_share):
+        if time.monotonic() > end:
+            raise Stop
+
+    return progress
+
+
+def run_in_memory(path):
+    """Reads and runs a survey, for a second at most; checks what came."""
+    from .target import collect_warnings
+
+    with collect_warnings():
+        survey = vtkhelios.read_survey(path)
+        with contextlib.suppress(Stop):
+            for cloud in survey.blocks(pulses=2000, progress=stop_after(), waveforms=True):
+                check_echoes(cloud.polydata)
+
+
+def check_echoes(cloud):
+    """What a run promises of its echoes."""
+    check_polydata(cloud)
+    data = cloud.GetPointData()
+    if cloud.GetNumberOfPoints():
+        number, count = (vtk_to_numpy(data.GetArray(n)) for n in ("ReturnNumber", "NumberOfReturns"))
+        check((number >= 1).all() and (number <= count).all(), "return numbers above their number")
+
+
+def xml_seeds(which):
+    """Surveys and what they name; the file that is damaged is one of them."""
+    everything = small_files.encoded({**small_files.BESIDE, **small_files.SURVEYS,
+                                      "plan.xml": small_files.PLANNER})  # fmt: skip
+    seeds = []
+    for name in which:
+        beside = dict(everything)
+        seeds.append(Seed(name, beside.pop(name), beside))
+    return seeds
+
+
+class Validate(Target):
+    name = "validate"
+    kind = "xml"
+
+    def make_seeds(self, folder):
+        return xml_seeds([*small_files.SURVEYS, "scene.xml", "assets.xml", "plan.xml"])
+
+    def run(self, path, data):
+        import json
+
+        out, _ = command_line("validate", path, "--json", allowed=(0, 1))
+        try:
+            findings = json.loads(out)
+        except ValueError as error:
+            raise AssertionError(f"validate --json is no JSON: {error}") from error
+        check(all(found["message"].strip() for found in findings), "a finding without a message")
+
+
+class Survey(Target):
+    """Surveys, scenes and assets, and the run of what is accepted."""
+
+    name = "survey-xml"
+    kind = "xml"
+
+    def make_seeds(self, folder):
+        return xml_seeds([*small_files.SURVEYS, "scene.xml", "assets.xml"])
+
+    def survey_of(self, path, data):
+        if path.name in small_files.SURVEYS:
+            return path
+        return path.with_name(pick(data, ["stand.xml", "flight.xml", "drive.xml"]))
+
+    def run(self, path, data):
+        run_in_memory(self.survey_of(path, data))
+
+
+class RunFiles(Survey):
+    """Surveys that are run to files, for a second at most."""
+
+    name = "survey-run"
+    weight = 0.4
+
+    def run(self, path, data):
+        from .target import collect_warnings
+        from .targets_points import read_points
+
+        form = pick(data, ["xyz", "las", "vtp"])
+        with collect_warnings() as warned:
+            survey = vtkhelios.read_survey(self.survey_of(path, data))
+            with contextlib.suppress(Stop):
+                report = survey.run_to(path.with_name("out"), format=form, progress=stop_after(),
+                                       waveforms=pick(data, [True, False]))  # fmt: skip
+                count, _ = read_points(report["folder"], 10_000)
+                told = report["totals"]["points"] if "totals" in report else report.get("points", count)
+                check(count == told, f"{count} points in files, {told} in the summary")
+        del warned
+
+
+class DryRun(Survey):
+    name = "dry-run"
+    weight = 0.3
+
+    def run(self, path, data):
+        player = vtkhelios.vtkHeliosSurveyPlayer()
+        from vtkhelios import PipelineError
+        from vtkhelios._pipeline import MessageLog
+
+        from .target import collect_warnings
+
+        with collect_warnings():
+            survey = vtkhelios.read_survey(self.survey_of(path, data))
+        player.SetSurvey(survey.vtk)
+        player.SetOutputDirectory(str(path.with_name("out")))
+        end = time.monotonic() + LONGEST_RUN
+
+        def watch(*_):
+            if time.monotonic() > end:
+                player.Abort()
+
+        player.AddObserver("ProgressEvent", watch)
+        with MessageLog() as log:
+            log.watch(player)
+            good = player.Estimate()
+        if log.errors:
+            raise PipelineError(log.root_errors())
+        if good:
+            parse_strict(player.GetReport())
+        else:
+            check(player.GetMessage().strip(), "no estimate and no reason")
+
+
+class Planner(Target):
+    name = "planner-xml"
+    kind = "xml"
+
+    def make_seeds(self, folder):
+        return xml_seeds(["plan.xml", "assets.xml"])
+
+    def run(self, path, data):
+        from vtkhelios import PipelineError
+        from vtkhelios._pipeline import MessageLog
+
+        reader = vtkhelios.vtkHeliosPlannerReader()
+        reader.SetFileName(str(path.with_name("plan.xml")))
+        with MessageLog() as log:
+            log.watch(reader)
+            good = reader.Read()
+        if log.errors:
+            raise PipelineError(log.root_errors())
+        check(good, "refused without a reason")
+        numbers = [
+            getattr(reader, f"Get{name}")()
+            for name in ("MinimumCoverage", "MinimumOverlap", "XStep", "YStep", "TestPointStep",
+                         "MaximumSlope", "ScannerHeight", "HitTolerance", "TimeLimit")
+        ]  # fmt: skip
+        check_finite("settings", numbers)
+
+
+class AttributeText(Target):
+    """The text of an attribute of a small survey: the whole text is damaged, not its quotes."""
+
+    attribute = ""  # where it is put
+    texts = ()
+
+    def make_seeds(self, folder):
+        return [Seed(f"{number}.txt", text, small_files.encoded(small_files.BESIDE))
+                for number, text in enumerate(self.texts)]  # fmt: skip
+
+    def quoted(self, data):
+        """As an attribute: controls that XML has no room for are left out."""
+        text = data.decode("utf-8", "replace")
+        text = "".join(c for c in text if c >= " " and c not in "\ufffe\uffff" or c in "\t\n")
+        return xml.sax.saxutils.quoteattr(text)
+
+
+class Expressions(AttributeText):
+    name = "expression"
+    texts = (
+        b"0.001 * t", b"sin(THETA) * 0.001 + 2 * pi / (1 + t^2)", b"atan2(t, 1) * -1e-3 + e - exp(1)",
+        b"abs(sqrt(t) * 0.0001) + ln(2 + t) * 1e-4", b"cosh(t * 0.001) - tanh(2) - .5",
+    )  # fmt: skip
+
+    def run(self, path, data):
+        survey = small_files.FLIGHT.replace('"0.001 * t"', self.quoted(data))
+        path.with_name("survey.xml").write_text(survey, encoding="utf-8")
+        run_in_memory(path.with_name("survey.xml"))
+
+
+class Patterns(AttributeText):
+    name = "efilepath"
+    texts = (b"trees/oak_.*[.]obj", b"trees/(a+)+b[0-9]{1,3}\\.obj", b"trees/[a-z_]+_[^x]?\\d*.obj")
+
+    def make_seeds(self, folder):
+        seeds = super().make_seeds(folder)
+        for seed in seeds:
+            for name in ("oak_1", "oak_22", "a" * 30 + "b1", "a" * 40):
+                seed.beside[f"trees/{name}.obj"] = small_files.PLANE.encode()
+        return seeds
+
+    def run(self, path, data):
+        scene = small_files.SIMPLE_SCENE.replace('key="filepath"', 'key="efilepath"')
+        scene = scene.replace('"plane.obj"', self.quoted(data))
+        path.with_name("scene.xml").write_text(scene, encoding="utf-8")
+        path.with_name("survey.xml").write_text(small_files.STAND)
+        from .target import collect_warnings
+
+        with collect_warnings():
+            vtkhelios.read_survey(path.with_name("survey.xml"))
+
+
+def make_targets():
+    return [
+        Validate(), Survey(), RunFiles(), DryRun(), Planner(), Expressions(), Patterns(),
+    ]  # fmt: skip
