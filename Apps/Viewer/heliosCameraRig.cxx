@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCameraRig.h"
 
-#include <json/json.h>
+#include "heliosJsonText.h"
+
 #include <vtkCamera.h>
 #include <vtkCameraInterpolator.h>
 #include <vtkMath.h>
@@ -23,6 +24,7 @@ constexpr double ScannerViewAngle = 75.0; // [deg]
 constexpr double DegreesPerSecond = 6.0;  // of the orbit
 constexpr double NearestFollow = 20.0;    // [m], from the platform
 constexpr double LookSeconds = 0.4;       // that the scanner's eye takes to turn
+constexpr double LargestNumber = 1e9;     // of key frames [m, s]
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
 Vec3 Unit(Vec3 v)
@@ -31,12 +33,18 @@ Vec3 Unit(Vec3 v)
   return v;
 }
 
+/// A number that cameras can be interpolated between.
+bool IsNumber(const Json::Value& value)
+{
+  return value.isNumeric() && std::abs(value.asDouble()) <= LargestNumber;
+}
+
 bool ReadVector(const Json::Value& value, Vec3& v)
 {
   bool isGood = value.isArray() && value.size() == 3;
   for (Json::ArrayIndex i = 0; isGood && i < 3; ++i)
   {
-    isGood = value[i].isNumeric();
+    isGood = IsNumber(value[i]);
     v[static_cast<int>(i)] = isGood ? value[i].asDouble() : 0.0;
   }
   return isGood;
@@ -257,7 +265,7 @@ std::string CameraRig::ReadScript(const std::string& fileName)
   {
     return fileName + ": cannot be read; check the name of the camera script";
   }
-  if (!Json::parseFromStream(Json::CharReaderBuilder(), file, &frames, &errors))
+  if (!ReadJson(file, frames, errors))
   {
     return fileName + ": is not JSON: " + errors.substr(0, errors.find_last_not_of('\n') + 1);
   }
@@ -268,13 +276,13 @@ std::string CameraRig::ReadScript(const std::string& fileName)
     Vec3 position;
     Vec3 focal;
     Vec3 up(0.0, 0.0, 1.0);
-    const bool isGood = frame.isObject() && frame["time"].isNumeric() &&
+    const bool isGood = frame.isObject() && IsNumber(frame["time"]) &&
       ReadVector(frame["position"], position) && ReadVector(frame["focalPoint"], focal) &&
       (!frame.isMember("viewUp") || ReadVector(frame["viewUp"], up));
     if (!isGood)
     {
       return fileName + ": key frame " + std::to_string(i) +
-        R"( is not {"time": s, "position": [x, y, z], "focalPoint": [x, y, z]})";
+        R"( is not {"time": s, "position": [x, y, z], "focalPoint": [x, y, z]} with numbers within 1e9)";
     }
     vtkNew<vtkCamera> camera;
     camera->SetPosition(position.GetData());

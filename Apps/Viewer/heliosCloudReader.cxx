@@ -3,12 +3,11 @@
 #include "heliosCloudReader.h"
 
 #include "heliosCloud.h"
+#include "heliosJsonText.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
 #include "vtkHeliosTrajectoryReader.h"
 #include "vtkHeliosXyzReader.h"
-
-#include <json/json.h>
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
@@ -22,6 +21,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 
@@ -79,10 +79,15 @@ int CountListedPieces(const std::string& path)
 int GetLeg(const std::string& path)
 {
   const std::string name = fs::path(path).filename().string();
+  int leg = -1;
   const bool isLeg = name.size() > 6 && name.compare(0, 3, "leg") == 0 &&
     std::all_of(
       name.begin() + 3, name.begin() + 6, [](unsigned char c) { return std::isdigit(c); });
-  return isLeg ? std::stoi(name.substr(3)) : -1;
+  if (isLeg)
+  {
+    std::from_chars(name.data() + 3, name.data() + name.size(), leg); // too large: none
+  }
+  return leg;
 }
 
 /// legNNN_points.xyz: legNNN_trajectory.txt beside it.
@@ -139,8 +144,7 @@ std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
   std::ifstream text(summary);
   Json::Value root;
   std::string fault;
-  if (!Json::parseFromStream(Json::CharReaderBuilder(), text, &root, &fault) || !root.isObject() ||
-    !root["legs"].isArray())
+  if (!ReadJson(text, root, fault) || !root.isObject() || !root["legs"].isArray())
   {
     error = summary.string() + " is no summary of a run; run the survey again";
     return files;

@@ -40,6 +40,22 @@ public:
     return bytes;
   }
 
+  /// Another value in the place of one of the numbers: the rest of a text stays as it is.
+  std::string ChangeNumber(std::string text)
+  {
+    static const char* const values[] = { "1e308", "-1e308", "1e-320", "1e999", "0", "-0", "-1",
+      "2147483648", "9223372036854775808", "99999999999999999999", "nan", "null", "\"\"", "[]" };
+    static const char* const digits = "0123456789";
+    std::size_t first = text.find_first_of(digits, this->Below(text.size()));
+    first = first == std::string::npos ? text.find_first_of(digits) : first;
+    if (first != std::string::npos)
+    {
+      const std::size_t end = text.find_first_not_of(digits, first);
+      text.replace(first, end - first, values[this->Below(std::size(values))]);
+    }
+    return text;
+  }
+
 private:
   std::size_t Below(std::size_t end) { return end > 0 ? this->Generator() % end : 0; }
 

@@ -158,4 +158,8 @@ TEST_CASE("CameraRig: what is wrong with key frames", "[Viewer]")
   CHECK(read("{}").find("has no key frames") != std::string::npos);
   CHECK(read(R"([{"time": 0, "position": [0, 0], "focalPoint": [0, 0, 0]}])")
           .find("key frame 0 is not") != std::string::npos);
+  CHECK(read(R"([{"time": 0, "position": [0, 1e10, 0], "focalPoint": [0, 0, 0]}])")
+          .find("with numbers within 1e9") != std::string::npos);
+  const std::string deep(5000, '[');
+  CHECK(read(deep.c_str()).find("is not JSON: Exceeded stackLimit") != std::string::npos);
 }
