@@ -210,6 +210,17 @@ def test_times_that_go_back_between_chunks():
     assert inspection._backward == 1
 
 
+def test_strips_with_names(tmp_path, info):
+    for name in ("strip00a", "strip9999999999", "leg000"):
+        (tmp_path / f"{name}_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)
+    names = ("strip00a", "strip9999999999", "leg000", "../leg000", "leg000")
+    files = [{"name": f"{name}_points.xyz", "records": 5} for name in names]
+    (tmp_path / "run_summary.json").write_text(json.dumps({"legs": [{"leg": 0, "files": files}]}))
+    _, facts, _ = info(tmp_path)
+    assert facts["points"] == 15
+    assert facts["legs"] == {"-1": 10, "0": 5}
+
+
 def test_strips(tmp_path, info):
     """Legs that share a file count their points together."""
     (tmp_path / "strip004_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)

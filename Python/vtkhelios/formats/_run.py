@@ -16,7 +16,8 @@ from ._summary import read_summary
 from ._text import TextReader
 from ._vtp import PiecesReader
 
-POINTS = re.compile(r"((leg|strip)(-?\d{1,9}))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
+POINTS = re.compile(r"((leg|strip)([^/\\]+?))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
+NUMBER = re.compile(r"-?\d{1,9}")
 
 
 def is_run(path):
@@ -78,8 +79,9 @@ class RunReader(Reader):
         return open_reader(path)
 
     def leg_of(self, name):
-        """The number of the leg or strip in the name of a file."""
-        return int(POINTS.fullmatch(name)[3])
+        """The number of the leg or strip in the name of a file; -1: its strip has a name."""
+        number = POINTS.fullmatch(name)[3]
+        return int(number) if NUMBER.fullmatch(number) else -1
 
     def chunks(self, rows=ROWS):
         for self.scan, (name, reader) in enumerate(zip(self.files, self._readers)):
