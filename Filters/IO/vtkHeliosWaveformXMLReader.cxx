@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformXMLReader.h"
 
-#include "heliosPartFile.h"
+#include "heliosVtkXmlReading.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 
-#include <vtkCommand.h>
 #include <vtkDataSetAttributes.h>
-#include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -16,8 +14,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLDataParser.h>
 #include <vtkXMLTableReader.h>
 
 #include <algorithm>
@@ -31,36 +27,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-/// Takes the messages of VTK's readers, so that there is one error and not several.
-class FaultListener : public vtkCommand
-{
-public:
-  static FaultListener* New() { return new FaultListener; }
-  void Execute(vtkObject*, unsigned long, void*) override { this->HasFault = true; }
-  void Listen(vtkObject* object)
-  {
-    object->AddObserver(vtkCommand::ErrorEvent, this);
-    object->AddObserver(vtkCommand::WarningEvent, this);
-  }
-  bool HasFault = false;
-};
-
-/// The table of a piece, or null. VTK makes nothing of a file that is cut off, and says nothing.
-vtkSmartPointer<vtkTable> ReadPiece(const std::string& name)
-{
-  const auto faults = vtkSmartPointer<FaultListener>::Take(FaultListener::New());
-  vtkNew<vtkXMLTableReader> reader;
-  faults->Listen(reader);
-  faults->Listen(reader->GetExecutive());
-  reader->SetFileName(name.c_str());
-  if (helios::GetSizeOfWhole(name, "</VTKFile>\n") < 0 || !reader->CanReadFile(name.c_str()))
-  {
-    return nullptr;
-  }
-  reader->Update();
-  return faults->HasFault ? nullptr : reader->GetOutput();
-}
 
 /// Appends the tuples of all arrays; false where they are not the same arrays.
 bool AppendArrays(vtkFieldData* from, vtkFieldData* to)
@@ -106,34 +72,20 @@ bool vtkHeliosWaveformXMLReader::FindPieces()
                   << "; give a file of waveforms, .pvtt or .vtt");
     return false;
   }
-  const auto faults = vtkSmartPointer<FaultListener>::Take(FaultListener::New());
-  vtkNew<vtkXMLTableReader> pieceReader;
-  faults->Listen(pieceReader);
-  if (pieceReader->CanReadFile(name.c_str()))
-  {
-    this->Pieces.push_back(name);
-    return true;
-  }
-  vtkNew<vtkXMLDataParser> parser;
-  faults->Listen(parser);
-  parser->SetFileName(name.c_str());
-  vtkXMLDataElement* root = parser->Parse() ? parser->GetRootElement() : nullptr;
-  vtkXMLDataElement* index = root ? root->FindNestedElementWithName("PTable") : nullptr;
-  for (int i = 0; index && i < index->GetNumberOfNestedElements(); ++i)
-  {
-    const char* source = index->GetNestedElement(i)->GetAttribute("Source");
-    if (source)
-    {
-      this->Pieces.push_back((fs::path(name).parent_path() / source).string());
-    }
-  }
-  if (!index)
+  helios::VtkXmlFile file;
+  if (!file.Open(name, "Table") && file.GetKind() == helios::VtkXmlFile::Kind::Other)
   {
     vtkErrorMacro(<< name
                   << ": is not a VTK XML file of tables; give a file of waveforms, .pvtt or "
-                  << ".vtt (text: vtkHeliosWaveformTextReader)");
+                  << ".vtt (text: vtkHeliosWaveformTextReader); it " << file.GetProblem());
+    return false;
   }
-  return index != nullptr;
+  this->Pieces = file.GetPieces();
+  if (file.GetKind() == helios::VtkXmlFile::Kind::Single)
+  {
+    this->Pieces.push_back(name);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -147,9 +99,10 @@ int vtkHeliosWaveformXMLReader::RequestInformation(
 //------------------------------------------------------------------------------
 bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* waveforms)
 {
-  const vtkSmartPointer<vtkTable> piece = ReadPiece(name);
-  const std::string problem =
-    piece ? helios::WaveformTable().Take(piece) : "cannot be read; is it there, and whole?";
+  std::string fault;
+  const auto piece = helios::ReadVtkXml<vtkXMLTableReader, vtkTable>(name, "Table", fault);
+  const std::string problem = piece ? helios::WaveformTable().Take(piece)
+                                    : "cannot be read; is it there, and whole? It " + fault;
   if (!problem.empty())
   {
     vtkErrorMacro(<< name << ": the piece " << problem << "; run the survey again");

@@ -3637,6 +3637,72 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     def SnapNeighborNormalOff(self) -> None: ...
     def SnapNeighborNormalOn(self) -> None: ...
 
+class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
+    """vtkHeliosPointXMLReader - points from VTP files, one or pieces, damaged ones among them"""
+    abort_execute: int
+    """Set/Get the AbortExecute flag for the process object. Process
+    objects may handle premature termination of execution in
+    different ways.
+    """
+    @property
+    def error_code(self) -> int:
+        """The error code contains a possible error that occurred while
+        reading or writing the file.
+        """
+    file_name: Optional[str]
+    """Set/Get the file to read. No default: an error without."""
+    @property
+    def m_time(self) -> int:
+        """Return this object's modified time."""
+    @property
+    def number_of_input_ports(self) -> int:
+        """Get the number of input ports used by the algorithm."""
+    @property
+    def number_of_output_ports(self) -> int:
+        """Get the number of output ports provided by the algorithm."""
+    @property
+    def number_of_pieces(self) -> int:
+        """Get the number of pieces that the file has, after
+        UpdateInformation(): 1 for a .vtp.
+        """
+    @property
+    def number_of_points(self) -> int:
+        """Get the number of points of a .vtp, after UpdateInformation(); 0
+        for a .pvtp.
+        """
+    @property
+    def progress(self) -> float:
+        """`SetProgress` is deprecated. Subclasses should use
+        `UpdateProgress` to report progress updates.
+        """
+    progress_text: Optional[str]
+    """Set the current text message associated with the progress state.
+    This may be used by a calling process/GUI. Note: Because
+    SetProgressText() is called from inside RequestData() it does not
+    modify the algorithm object. Algorithms are not allowed to modify
+    themselves from inside RequestData().
+    """
+    def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ...) -> None: ...
+    def __rshift__(self, right: Any) -> Pipeline: ...
+    def __rrshift__(self, left: Any) -> Pipeline: ...
+    def __call__(self, data: Any = None) -> Any: ...
+    def update(self) -> Any: ...
+    @property
+    def output(self) -> Any: ...
+    def GetFileName(self) -> str: ...
+    def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    def GetNumberOfPieces(self) -> int: ...
+    def GetNumberOfPoints(self) -> int: ...
+    def IsA(self, type: str) -> int: ...
+    @staticmethod
+    def IsTypeOf(type: str) -> int: ...
+    def NewInstance(self) -> vtkHeliosPointXMLReader: ...
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkHeliosPointXMLReader: ...
+    def SetFileName(self, _arg: str) -> None: ...
+
 class vtkHeliosPointXMLWriter(vtkHeliosXMLPieceWriter):
     """vtkHeliosPointXMLWriter - echoes as VTP pieces under a PVTP"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
