@@ -6,6 +6,7 @@
 #include "heliosJsonText.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
+#include "vtkHeliosPointXMLReader.h"
 #include "vtkHeliosTrajectoryReader.h"
 #include "vtkHeliosXyzReader.h"
 
@@ -16,8 +17,6 @@
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPPolyDataReader.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
 #include <cctype>
@@ -49,12 +48,6 @@ std::string GetEnding(const std::string& path)
 bool IsText(const std::string& ending)
 {
   return ending == ".xyz" || ending == ".txt" || ending == ".asc";
-}
-
-/// Whether VTK's own readers read it, whose messages name no cure.
-bool IsOfVtk(const std::string& ending)
-{
-  return ending == ".vtp" || ending == ".pvtp" || ending == ".ply";
 }
 
 int CountPieces(const std::string& path)
@@ -174,7 +167,8 @@ bool CloudReader::CanRead(const std::string& path)
     return fs::is_regular_file(fs::path(path) / "run_summary.json", ignored);
   }
   const std::string ending = GetEnding(path);
-  return IsText(ending) || ending == ".las" || ending == ".laz" || IsOfVtk(ending);
+  return IsText(ending) || ending == ".las" || ending == ".laz" || ending == ".vtp" ||
+    ending == ".pvtp" || ending == ".ply";
 }
 
 //------------------------------------------------------------------------------
@@ -270,17 +264,12 @@ std::string CloudReader::ReadCloud(const std::string& path)
     reader->SetFileName(name);
     return this->ReadPieces(reader, path, CountPieces(path), GetLeg(path));
   }
-  if (ending == ".vtp")
+  if (ending == ".vtp" || ending == ".pvtp")
   {
-    vtkNew<vtkXMLPolyDataReader> reader;
+    vtkNew<vtkHeliosPointXMLReader> reader;
     reader->SetFileName(name);
-    return this->ReadPieces(reader, path, 1, GetLeg(path));
-  }
-  if (ending == ".pvtp")
-  {
-    vtkNew<vtkXMLPPolyDataReader> reader;
-    reader->SetFileName(name);
-    return this->ReadPieces(reader, path, CountListedPieces(path), GetLeg(path));
+    return this->ReadPieces(
+      reader, path, ending == ".vtp" ? 1 : CountListedPieces(path), GetLeg(path));
   }
   if (ending == ".ply")
   {
@@ -335,7 +324,8 @@ std::string CloudReader::ReadPieces(
       this->OnBlock(block, (piece + 1.0) / pieces);
     }
   }
-  const char* cure = IsOfVtk(GetEnding(path)) ? "; the file may be damaged: write it again" : "";
+  // VTK's own reader names no cure
+  const char* cure = GetEnding(path) == ".ply" ? "; the file may be damaged: write it again" : "";
   return error.empty() ? "" : WithPath(path, error + cure);
 }
 

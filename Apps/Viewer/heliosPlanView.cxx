@@ -7,6 +7,7 @@
 #include "heliosSurveyData.h"
 #include "heliosViewer.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosPointXMLReader.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -22,7 +23,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <json/json.h>
 
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> Read(const fs::path& path, std::string& problem)
   {
     return nullptr;
   }
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<vtkHeliosPointXMLReader> reader;
   const ErrorText errors(reader);
   reader->SetFileName(path.c_str());
   reader->Update();

@@ -19,7 +19,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import vtkhelios
 
 from ._arrays import arrays
 
@@ -78,10 +79,9 @@ def read_cloud(path):
     """Points (n x 3), echo strengths and classes of a point cloud file (.xyz or .vtp)."""
     path = pathlib.Path(path)
     if path.suffix == ".vtp":
-        reader = vtkXMLPolyDataReader()
+        reader = vtkhelios.vtkHeliosPointXMLReader()
         reader.SetFileName(str(path))
-        reader.Update()
-        views = arrays(reader.GetOutput())
+        views = arrays(vtkhelios.update(reader))
         return views["points"], views["Amplitude"], views["ClassificationIds"]
     columns = np.loadtxt(path, usecols=list(XYZ_COLUMNS.values()), ndmin=2, dtype=np.float64)
     return columns[:, :3], columns[:, 3], columns[:, 4].astype(int)

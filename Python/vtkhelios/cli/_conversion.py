@@ -130,6 +130,8 @@ class Conversion:
             each if isinstance(each, RunReader) else formats.open_reader(each)
             for each in self.inputs
         ]
+        for reader in readers:
+            reader.keeps_invalid = True  # the selection says what to do about them
         self._check_headers(readers)
         counts = [reader.count for reader in readers]
         task.total = None if None in counts else sum(counts)

@@ -38,6 +38,7 @@ class Inspection:
     def run(self, task):
         with formats.open_reader(self.path) as reader:
             task.total = reader.count
+            reader.keeps_invalid = True  # they are counted
             arrays = None
             for chunk in reader.chunks():
                 arrays = arrays or {name: values[:0] for name, values in chunk.items()}

@@ -5,8 +5,6 @@
 import re
 import time
 
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
-
 import vtkhelios
 
 from ._messages import Messages
@@ -197,7 +195,7 @@ class Plan:
         candidates = vtkhelios.vtkHeliosScanPositionCandidates()
         candidates.SetInputConnection(0, self.document.GetOutputPort())
         if self.arguments.exclude:
-            reader = vtkXMLPolyDataReader()
+            reader = vtkhelios.vtkHeliosPointXMLReader()
             reader.SetFileName(self.arguments.exclude)
             candidates.SetInputConnection(1, reader.GetOutputPort())
         candidates.SetXStep(settings["grid_m"])

@@ -22,7 +22,7 @@ import importlib
 import pathlib
 
 from .._paths import require_utf8
-from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file
+from ._base import Chunk, FormatError, Header, Reader, Scan, Writer, check_file, guarded
 from ._run import RunReader, is_run
 
 __all__ = ["Chunk", "FormatError", "Header", "Reader", "Scan", "Writer"]
@@ -70,10 +70,12 @@ def _find(path, index):
 def open_reader(path):
     """The reader of a file, or of the folder of a run."""
     if is_run(path):
-        return RunReader(path)
+        with guarded(path):
+            return RunReader(path)
     kind = _find(path, 1)
     check_file(path)
-    return kind(path)
+    with guarded(path):
+        return kind(path)
 
 
 def open_writer(path, header=None):

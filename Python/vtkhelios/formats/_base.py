@@ -53,6 +53,41 @@ def check_file(path):
             raise FormatError(f"{path}: {problem}")
 
 
+def memory_limit(size):
+    """What one step of reading a file of a size may need [bytes]: some steps are at work at once."""
+    return 4e8 + 8.0 * size
+
+
+def is_failure(error):
+    """Whether an exception is a failure of a library; a panic of lazrs is no Exception."""
+    return isinstance(error, Exception) or type(error).__name__ == "PanicException"
+
+
+@contextlib.contextmanager
+def guarded(path):
+    """Whatever the libraries of a format raise becomes a FormatError that names the file."""
+    try:
+        yield
+    except FormatError:
+        raise
+    except MemoryError as error:
+        raise FormatError(
+            f"{path}: needs more memory than there is; split it, or use another machine"
+        ) from error
+    except OSError as error:
+        raise FormatError(
+            f"{path}: cannot be read: {error.strerror or error}; check the file and its folder"
+        ) from error
+    except BaseException as error:
+        if not is_failure(error):
+            raise
+        words = " ".join(str(error).split())[:200] or type(error).__name__
+        raise FormatError(
+            f"{path}: cannot be read: {words}; it is damaged, or of a form that is not known: copy or "
+            "write it again"
+        ) from error
+
+
 class Header:
     """What is the same for all points of a file: field arrays, as VTK has them."""
 
@@ -135,10 +170,42 @@ class Reader(_Closing):
         self.scan = 0  # whose points the latest chunk has
         self.has_waveforms = False  # that chunks do not have
         self.notes = []  # what is not read, or otherwise than it may seem
+        self.keeps_invalid = False  # whether points that are not finite are in chunks, too
 
     def chunks(self, rows=ROWS):
-        """Yields the points, at most so many at a time."""
+        """Yields the points, at most so many at a time. Points that are not finite are left out, unless
+        keeps_invalid; the notes count them, and other values that are not finite."""
+        invalid, seen = {}, 0
+        with guarded(self.path):
+            for chunk in self.read_chunks(rows):
+                seen += rows_of(chunk)
+                yield self._drop_invalid(chunk, invalid)
+        self._note_invalid(invalid, seen)
+
+    def read_chunks(self, rows):
+        """Yields the points as the file has them; of subclasses."""
         raise NotImplementedError
+
+    def _drop_invalid(self, chunk, invalid):
+        """The finite points of a chunk; counts by name of array what is not finite."""
+        finite = np.isfinite(chunk["points"]).all(axis=1)
+        for name, values in chunk.items():
+            if values.dtype.kind == "f" and name != "points" and not np.isfinite(values).all():
+                bad = ~np.isfinite(values).reshape(len(values), -1).all(axis=1)
+                invalid[name] = invalid.get(name, 0) + int(np.count_nonzero(bad & finite))
+        if self.keeps_invalid or finite.all():
+            return chunk
+        invalid["points"] = invalid.get("points", 0) + int(np.count_nonzero(~finite))
+        return select(chunk, finite)
+
+    def _note_invalid(self, invalid, seen):
+        for name, count in invalid.items():
+            if name == "points":
+                note = f"{count:,} of {seen:,} points are not finite, and left out"
+            else:
+                note = f"{name} is not finite at {count:,} of {seen:,} points, and is kept so"
+            if count and f"{self.path}: {note}" not in self.notes:
+                self.notes.append(f"{self.path}: {note}")
 
     def close(self):
         """Ends the reading."""

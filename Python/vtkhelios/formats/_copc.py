@@ -166,13 +166,11 @@ class CopcWriter(FileWriter):
         """Extra Bytes as copclib knows them: their names it takes from a LAZ file only."""
         import laspy
 
-        path = os.path.join(tempfile.gettempdir(), f"vtkhelios-{os.getpid()}.laz")
-        try:
+        with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
+            path = os.path.join(folder, "empty.laz")
             with laspy.open(path, "w", header=model.header, do_compress=True) as empty:
                 empty.write_points(laspy.ScaleAwarePointRecord.zeros(1, header=model.header))
             return self._copc.LazReader(path).laz_config.extra_bytes_vlr
-        finally:
-            pathlib.Path(path).unlink(missing_ok=True)
 
     def abandon(self):
         self._encoder.close()

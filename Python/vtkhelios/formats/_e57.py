@@ -67,7 +67,7 @@ class E57Reader(Reader):
         move = tuple(header.translation) if pose.isDefined("translation") else (0.0, 0.0, 0.0)
         return Scan(name, move, turn, True)
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         for self.scan, header in enumerate(self._headers):
             yield from self._chunks_of(header, rows)
         if self.skipped:

@@ -46,7 +46,7 @@ class LasReader(Reader):
         call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
         return self._reader.GetOutput()
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         pieces = -(-self.count // rows)
         for piece in range(pieces):
             yield from_cloud(self._piece(piece, pieces))

@@ -26,7 +26,7 @@ class PcdReader(Reader):
         if self.count == 0:
             self.fail("has no points; give a file with points")
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         for begin in range(0, self.count, rows):
             yield select(self._chunk, slice(begin, begin + rows))
 

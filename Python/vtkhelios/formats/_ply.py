@@ -46,9 +46,15 @@ class PlyReader(Reader):
                 f"is cut off: it has {size // self._type.itemsize} whole points of the "
                 f"{self.count} that its header counts; copy it again"
             )
+        too_few = size + 1 < 2 * len(self._properties) * self.count
+        if self._form == "ascii" and self.count > ROWS and too_few:
+            self.fail(
+                f"has {self.count} points, for which its {size} bytes after the header are too few; "
+                "copy it again"
+            )
         self.kind = f"PLY {self._form}"
         self.header.crs = self._marks.get("crs", "")
-        self.header.epoch = float(self._marks.get("epoch", 0.0))
+        self.header.epoch = self._read_epoch()
 
     def _read_head(self, file):
         if file.readline().split() != [b"ply"]:
@@ -63,30 +69,48 @@ class PlyReader(Reader):
                 self.fail("ends within its header; copy it again")
             if words[:1] == ["format"] and len(words) == 3:
                 self._form = words[1]
-            elif words[:2] == ["comment", MARK]:
+            elif words[:2] == ["comment", MARK] and len(words) > 2:
                 self._marks[words[2]] = " ".join(words[3:])
             elif words[:1] == ["element"] and len(words) == 3:
                 element = words[1]
+                if element == "vertex" and self.count is not None:
+                    self.fail("has vertices twice; write them as one element")
                 if element == "vertex":
                     self.count = self._whole(words[2])
                 elif self.count is None and self._whole(words[2]):
                     self.fail(f'has "{element}" before its vertices; write the vertices first')
             elif words[:1] == ["property"] and element == "vertex":
                 self._take_property(words)
+        else:
+            self.fail("has more than 10000 lines of header; is it a PLY file?")
         if self._form not in ("ascii", "binary_little_endian", "binary_big_endian"):
             self.fail(f'has the format "{self._form}"; give ascii or binary')
 
     def _whole(self, word):
-        if not word.isdigit():
+        if not (word.isascii() and word.isdigit() and len(word) < 19):
             self.fail(f'counts "{word}" elements, which is no number; write it again')
         return int(word)
 
     def _take_property(self, words):
         if len(words) != 3 or words[1] not in TYPES:
             self.fail(f'has a vertex with "{" ".join(words)}"; only plain numbers can be read')
+        if words[2] == "points" or words[2] in dict(self._properties):
+            why = "that is kept for coordinates" if words[2] == "points" else "twice"
+            self.fail(f'has a property "{words[2]}" {why}; give each property a name of its own')
         self._properties.append((words[2], TYPES[words[1]]))
 
-    def chunks(self, rows=ROWS):
+    def _read_epoch(self):
+        """What our comment says of the times, 0: nothing."""
+        word = self._marks.get("epoch", "0")
+        try:
+            epoch = float(word)
+        except ValueError:
+            epoch = np.nan
+        if not np.isfinite(epoch):
+            self.fail(f'says that its times count from "{word}", which is no number; correct it')
+        return epoch
+
+    def read_chunks(self, rows):
         done = 0
         with open(self.path, "rb") as file:
             file.seek(self._begin)
@@ -99,6 +123,8 @@ class PlyReader(Reader):
         if self._form != "ascii":
             return np.fromfile(file, self._type, number)
         lines = [file.readline() for _ in range(number)]
+        if not any(line.strip() for line in lines):
+            self.fail(f"has {done} whole points of {self.count}; copy it again")
         try:
             table = np.loadtxt(lines, ndmin=2, comments=None)
         except ValueError as error:
@@ -107,8 +133,20 @@ class PlyReader(Reader):
             self.fail(f"has {done + len(table)} whole points of {self.count}; copy it again")
         vertices = np.empty(number, self._type)
         for column, (name, _) in enumerate(self._properties):
-            vertices[name] = table[:, column]
+            self._fill(vertices, name, table[:, column], done)
         return vertices
+
+    def _fill(self, vertices, name, values, done):
+        """Numbers of text as the type that the header says."""
+        with np.errstate(invalid="ignore", over="ignore"):
+            vertices[name] = values
+        wrong = vertices[name] != values
+        if vertices.dtype[name].kind != "f" and wrong.any():
+            row = int(np.flatnonzero(wrong)[0])
+            self.fail(
+                f"{name} of vertex {done + row} is {values[row]:g}, no {vertices.dtype[name].name}; "
+                "correct it"
+            )
 
     def _to_chunk(self, vertices):
         fields = {name: vertices[name].astype(vertices[name].dtype.newbyteorder("="))
@@ -129,11 +167,21 @@ class PlyReader(Reader):
         """A property, or three of them, as an array."""
         three = [name[:-1] + axis for axis in "XYZ"]
         if name == three[0] and name[:-1] and all(each in fields for each in three):
+            if name[:-1] in {"points", *chunk}:
+                self.fail(f'has a property "{name}" beside {name[:-1]}; leave one out')
             chunk[name[:-1]] = _stack(fields, three)
             return
         values = fields.pop(name)
+        if name in chunk:
+            self.fail(f'has a property "{name}" beside those that are {name}; leave one out')
         wide = self._marks.get(f"type:{name}")
-        chunk[name] = values.astype(wide) if wide in ("int64", "uint64") else values
+        chunk[name] = self._widen(name, values, wide) if wide in ("int64", "uint64") else values
+
+    def _widen(self, name, values, kind):
+        """Whole numbers that the writer kept as doubles."""
+        if not ((np.abs(values) <= LARGEST) & (np.rint(values) == values)).all():
+            self.fail(f"has values of {name} that are no whole numbers to 2^53; correct them")
+        return values.astype(kind)
 
 
 def _stack(fields, names):

@@ -10,7 +10,8 @@ import struct
 
 import numpy as np
 
-from ._base import ROWS, FormatError, need
+from ._base import ROWS, FormatError, is_failure, need
+from ._las_check import Damage, check_header, check_points
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
 NOT_KEPT = (b"laszip encoded", b"copc")  # users of records that say how points are compressed
@@ -31,18 +32,19 @@ class RecordReader:
         logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
         self._size = os.path.getsize(self.path)
         try:
+            self._take_head()
             self._reader = laspy.open(self.path, read_evlrs=False)
             self.header = copy.deepcopy(self._reader.header)
             self.header.vlrs = [
                 each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
             ]
-            self._take_head()
         except FormatError:
             raise
         except Exception as error:  # whatever laspy raises for bytes that cannot be
             self.fail(f"is no LAS or LAZ file, or its header is damaged: {error}; write it again")
         if self.header.are_points_compressed:
             need("lazrs", "LAZ files")
+            self._check_points()
         self._check_size()
 
     def fail(self, problem):
@@ -51,6 +53,8 @@ class RecordReader:
     def _take_head(self):
         with open(self.path, "rb") as file:
             start = file.read(375)
+            if problem := check_header(start, self._size):
+                raise Damage(problem)
             self.minor = start[25]
             self.encoding = struct.unpack_from("<H", start, 6)[0]
             self.start = start
@@ -106,6 +110,18 @@ class RecordReader:
             place += size
         return found
 
+    def _check_points(self):
+        total = self.header.point_count
+        try:
+            check_points(self.path, self._reader.header, self._size)
+        except BaseException as error:
+            if not is_failure(error):
+                raise
+            self.fail(
+                f"points 0 to {total} of {total} cannot be read: {error}; the file is cut off or "
+                "damaged, copy it again"
+            )
+
     def _check_size(self):
         header = self.header
         if header.are_points_compressed:
@@ -138,7 +154,9 @@ class RecordReader:
             count = min(rows, total - done)
             try:
                 records = self._reader.read_points(count).array
-            except Exception as error:  # of lazrs
+            except BaseException as error:  # of lazrs
+                if not is_failure(error):
+                    raise
                 self.fail(
                     f"points {done} to {done + count} of {total} cannot be read: {error}; the file "
                     "is cut off or damaged, copy it again"

@@ -83,8 +83,9 @@ class RunReader(Reader):
         number = POINTS.fullmatch(name)[3]
         return int(number) if NUMBER.fullmatch(number) else -1
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         for self.scan, (name, reader) in enumerate(zip(self.files, self._readers)):
+            reader.keeps_invalid = self.keeps_invalid
             for chunk in reader.chunks(rows):
                 if "LegIds" not in chunk:
                     chunk["LegIds"] = np.full(rows_of(chunk), self.leg_of(name), np.int32)

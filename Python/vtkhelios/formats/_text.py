@@ -55,7 +55,7 @@ class TextReader(Reader):
                 "the first three are read as x y z, and no others"
             )
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         line = 1
         with open(self.path, "rb") as file:
             while lines := list(itertools.islice(file, rows)):

@@ -10,7 +10,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkCommonMisc import vtkErrorCode
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
@@ -33,6 +33,8 @@ class VtpReader(Reader):
         return [self.path]
 
     def _open(self, name):
+        if not vtkXMLPolyDataReader().CanReadFile(name):
+            self.fail(f"{name} is no VTK XML file of points (vtkPolyData); convert that one first")
         reader = vtkhelios.vtkHeliosPointXMLReader()
         reader.SetFileName(name)
         call(self, reader, reader.UpdateInformation)
@@ -42,7 +44,7 @@ class VtpReader(Reader):
         call(self, reader, reader.Update)
         return reader.GetOutput()
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         for index, name in enumerate(self._files):
             chunk = from_cloud(self._read(self._open(name)) if index else self._first)
             for begin in range(0, rows_of(chunk), rows):

@@ -212,7 +212,7 @@ TEST_CASE("CloudReader: errors name the file and the cure")
   check(
     "short.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7\n", ":2: column 8 (part) is missing");
   check("a.las", "no LAS at all", ": is no LAS file: it does not start with LASF");
-  check("a.vtp", "<VTKFile", "; the file may be damaged: write it again");
+  check("a.vtp", "<VTKFile", "a.vtp: is not whole XML; copy or write the file again");
   check("a.ply", "no PLY", "; the file may be damaged: write it again");
   check(".", nullptr, ": no run_summary.json in this folder; give the folder of a finished run");
   CHECK_FALSE(CloudReader::CanRead(folder / "."));
