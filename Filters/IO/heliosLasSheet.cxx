@@ -4,8 +4,14 @@
 
 #include "heliosLasFile.h"
 #include "heliosLasWaves.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace helios
@@ -49,6 +55,18 @@ std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packets
 }
 
 } // namespace
+
+bool TakeGpsEpoch(vtkPolyData* echoes, double& epoch)
+{
+  vtkAbstractArray* any = echoes->GetFieldData()->GetAbstractArray(vtkHeliosArrayNames::GpsEpoch);
+  auto* array = vtkDataArray::SafeDownCast(any);
+  if (any && (!array || array->GetNumberOfValues() != 1 || !std::isfinite(array->GetTuple1(0))))
+  {
+    return false;
+  }
+  epoch = array ? array->GetTuple1(0) : 0.0;
+  return true;
+}
 
 std::string LasSheet::EncodeRecords(std::uint32_t& count) const
 {

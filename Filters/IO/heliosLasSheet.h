@@ -36,6 +36,9 @@ struct LasSheet
     const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd);
 };
 
+/// The time that GpsTime counts from; 0: it is not known. False: the array is no number.
+bool TakeGpsEpoch(vtkPolyData* echoes, double& epoch);
+
 } // namespace helios
 
 #endif

@@ -47,7 +47,7 @@ int SyncPath(const std::string& path)
   return error;
 }
 
-bool IsRemoved(int descriptor)
+bool IsUnlinked(int descriptor)
 {
   struct stat status = {};
   return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
@@ -124,6 +124,12 @@ std::int64_t GetSizeOfWhole(const std::string& path, const std::string& ending)
   return file && last == ending ? size : -1;
 }
 
+FileBlock MakeFileBlock(const std::string& path, std::uint64_t begin, std::uint64_t end)
+{
+  return { std::filesystem::path(path).filename().string(), begin, end,
+    ComputeChecksum(path, begin, end) };
+}
+
 void RemoveFile(const std::string& path)
 {
   std::remove(path.c_str());
@@ -140,14 +146,15 @@ bool PartFile::Fail(const char* what, int error)
   return false;
 }
 
-bool PartFile::Open(const std::string& path)
+bool PartFile::Open(const std::string& path, Folders folders)
 {
   this->Abandon();
   this->Path = path;
   this->Size = 0;
+  this->BeginBlock();
   this->IsNowhere = false;
   this->IsInFolder = false;
-  this->Problem = MakeFoldersFor(path);
+  this->Problem = folders == Folders::Make ? MakeFoldersFor(path) : std::string();
   std::error_code error;
   if (this->Problem.empty() && std::filesystem::is_directory(path, error))
   {
@@ -187,7 +194,12 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
     return false;
   }
   this->Descriptor = ::open(part.c_str(), O_WRONLY | O_CLOEXEC);
-  return this->Descriptor >= 0 ? this->Cut(size) : this->Fail("opened", errno);
+  if (this->Descriptor < 0)
+  {
+    return this->Fail("opened", errno);
+  }
+  this->Size = this->BlockBegin = size;
+  return this->Cut(size);
 }
 
 bool PartFile::OpenNowhere(const std::string& path)
@@ -195,6 +207,7 @@ bool PartFile::OpenNowhere(const std::string& path)
   this->Abandon();
   this->Path = path;
   this->Size = 0;
+  this->BeginBlock();
   this->IsNowhere = true;
   this->Descriptor = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   return this->Descriptor >= 0 || this->Fail("opened", errno);
@@ -203,7 +216,15 @@ bool PartFile::OpenNowhere(const std::string& path)
 bool PartFile::Append(const char* bytes, std::size_t count)
 {
   const int error = WriteAll(this->Descriptor, bytes, count, this->Size);
-  return error == 0 || this->Fail("written", error);
+  if (error != 0)
+  {
+    return this->Fail("written", error);
+  }
+  if (!this->IsNowhere)
+  {
+    this->BlockSum.Add(bytes, count);
+  }
+  return true;
 }
 
 bool PartFile::Overwrite(std::uint64_t place, const char* bytes, std::size_t count)
@@ -230,8 +251,34 @@ bool PartFile::Cut(std::uint64_t size)
   {
     return this->Fail("cut", errno);
   }
+  if (size == this->Size)
+  {
+    return true;
+  }
   this->Size = size;
-  return true;
+  this->BlockBegin = std::min(this->BlockBegin, size);
+  this->BlockSum.Reset();
+  return size == this->BlockBegin ||
+    this->BlockSum.AddFile(this->GetPartPath(), this->BlockBegin, size) || this->Fail("read", EIO);
+}
+
+FileBlock PartFile::TakeBlock()
+{
+  const FileBlock block{ std::filesystem::path(this->Path).filename().string(), this->BlockBegin,
+    this->Size, this->BlockSum.Finish() };
+  this->BlockBegin = this->Size;
+  return block;
+}
+
+void PartFile::BeginBlock()
+{
+  this->BlockBegin = this->Size;
+  this->BlockSum.Reset();
+}
+
+bool PartFile::IsRemoved() const
+{
+  return this->Descriptor >= 0 && IsUnlinked(this->Descriptor);
 }
 
 bool PartFile::Sync()
@@ -240,7 +287,7 @@ bool PartFile::Sync()
   {
     return true;
   }
-  if (IsRemoved(this->Descriptor))
+  if (this->IsRemoved())
   {
     this->Problem = this->GetPartPath() + " " + WasRemoved;
     return false;
@@ -314,7 +361,12 @@ bool LogFile::Append(const std::string& text)
   {
     return this->Fail(std::string("cannot be written: ") + std::strerror(error));
   }
-  return !IsRemoved(this->Descriptor) || this->Fail(WasRemoved);
+  return this->Check();
+}
+
+bool LogFile::Check()
+{
+  return !IsUnlinked(this->Descriptor) || this->Fail(WasRemoved);
 }
 
 void LogFile::Close()

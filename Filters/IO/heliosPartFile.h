@@ -5,6 +5,7 @@
 #ifndef heliosPartFile_h
 #define heliosPartFile_h
 
+#include "heliosChecksum.h"
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 
 #include <cstdint>
@@ -12,6 +13,22 @@
 
 namespace helios
 {
+
+/// Bytes of a file that were appended together, and their checksum.
+struct FileBlock
+{
+  std::string Name; ///< the final one of the file, without its folder
+  std::uint64_t Begin = 0;
+  std::uint64_t End = 0; ///< the place after the last
+  std::string Checksum;
+};
+
+/// Whether the folders of a file that is opened are made, or need to be there.
+enum class Folders
+{
+  Make,
+  Need
+};
 
 class VTKHELIOSFILTERSIO_EXPORT PartFile
 {
@@ -21,8 +38,8 @@ public:
   PartFile(const PartFile&) = delete;
   void operator=(const PartFile&) = delete;
 
-  /// Makes the folders and an empty <path>.part. False here and below: see GetProblem().
-  bool Open(const std::string& path);
+  /// Makes an empty <path>.part. False here and below: see GetProblem().
+  bool Open(const std::string& path, Folders folders = Folders::Make);
   bool IsOpen() const { return this->Descriptor >= 0; }
 
   /// Opens what an earlier run left at <path>.part, or at path where it was renamed already, cut to
@@ -40,6 +57,15 @@ public:
 
   /// Takes back what was appended after a size.
   bool Cut(std::uint64_t size);
+
+  /// The bytes that were appended since this or BeginBlock() was called, or since the file was opened.
+  FileBlock TakeBlock();
+
+  /// The next block begins here.
+  void BeginBlock();
+
+  /// Whether the file that is open was removed.
+  bool IsRemoved() const;
 
   /// Returns when the disk has what was appended. A file that was removed meanwhile is a failure.
   bool Sync();
@@ -67,6 +93,8 @@ private:
   std::string Problem;
   int Descriptor = -1;
   std::uint64_t Size = 0;
+  Checksum BlockSum;
+  std::uint64_t BlockBegin = 0;
   bool IsNowhere = false;
   bool IsInFolder = false; // on the disk
 };
@@ -82,6 +110,9 @@ public:
 
   /// Opens a file that there is; false here and below: see GetProblem().
   bool Open(const std::string& path);
+
+  /// Whether it is still there.
+  bool Check();
 
   /// Takes away what is beyond a size.
   bool Cut(std::uint64_t size);
@@ -112,6 +143,10 @@ VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///
 /// The size of a file [bytes] whose last bytes are an ending; -1 where they are not.
 VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
   const std::string& path, const std::string& ending);
+
+/// A block of a file that has its final name.
+VTKHELIOSFILTERSIO_EXPORT FileBlock MakeFileBlock(
+  const std::string& path, std::uint64_t begin, std::uint64_t end);
 
 /// Removes a file, if it is there.
 VTKHELIOSFILTERSIO_EXPORT void RemoveFile(const std::string& path);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSha256.h"
 
+#include "heliosHexadecimal.h"
+
 #include <openssl/evp.h>
 
 #include <filesystem>
@@ -58,13 +60,7 @@ std::string Sha256::Finish()
   unsigned char bytes[EVP_MAX_MD_SIZE];
   unsigned int count = 0;
   Check(EVP_DigestFinal_ex(this->State->Digest, bytes, &count));
-  std::string text;
-  for (unsigned int i = 0; i < count; ++i)
-  {
-    text += "0123456789abcdef"[bytes[i] >> 4];
-    text += "0123456789abcdef"[bytes[i] & 15];
-  }
-  return text;
+  return ToHexadecimal(bytes, count);
 }
 
 std::string HashFile(const std::string& path)

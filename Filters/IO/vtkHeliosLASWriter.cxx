@@ -12,13 +12,10 @@
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosVersion.h"
 
-#include <vtkDataArray.h>
-#include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
-#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -31,19 +28,6 @@ namespace
 
 constexpr double StandardTimeOffset = 1e9; // [s]
 constexpr std::size_t LongestRecord = 65535;
-
-/// The time that GpsTime counts from; 0: it is not known. False: the array is no number.
-bool TakeEpoch(vtkPolyData* echoes, double& epoch)
-{
-  vtkAbstractArray* any = echoes->GetFieldData()->GetAbstractArray(names::GpsEpoch);
-  auto* array = vtkDataArray::SafeDownCast(any);
-  if (any && (!array || array->GetNumberOfValues() != 1 || !std::isfinite(array->GetTuple1(0))))
-  {
-    return false;
-  }
-  epoch = array ? array->GetTuple1(0) : 0.0;
-  return true;
-}
 
 } // namespace
 
@@ -120,6 +104,7 @@ bool vtkHeliosLASWriter::Open()
     this->Superclass::Abandon();
     return false;
   }
+  this->Packets->BeginBlock();
   this->NumberOfBytes += static_cast<vtkIdType>(head.size());
   return true;
 }
@@ -181,7 +166,7 @@ bool vtkHeliosLASWriter::MakeSheet(
     return this->RefusePoints("the CRS of a block is longer than the 65534 characters of a record");
   }
   double epoch = 0.0;
-  if (!TakeEpoch(echoes, epoch))
+  if (!helios::TakeGpsEpoch(echoes, epoch))
   {
     return this->RefusePoints("the field array GpsEpoch of a block is not one number; give seconds "
                               "of GPS time since 6 January 1980");
@@ -234,7 +219,9 @@ bool vtkHeliosLASWriter::WriteHead()
   header.CreationYear = this->CreationYear;
   const std::string records = this->Sheet->EncodeRecords(header.NumberOfRecords);
   header.PointsBegin = static_cast<std::uint32_t>(helios::LasHeader::Size14 + records.size());
-  return this->WriteText(header.Encode() + records);
+  const bool isWritten = this->WriteText(header.Encode() + records);
+  this->EndHead();
+  return isWritten;
 }
 
 //------------------------------------------------------------------------------
@@ -420,6 +407,49 @@ std::string vtkHeliosLASWriter::Sync()
 {
   return !this->Packets || this->Packets->Sync() ? this->Superclass::Sync()
                                                  : this->Packets->GetProblem();
+}
+
+//------------------------------------------------------------------------------
+std::vector<helios::FileBlock> vtkHeliosLASWriter::TakeBlocks()
+{
+  std::vector<helios::FileBlock> blocks = this->Superclass::TakeBlocks();
+  if (this->Packets)
+  {
+    blocks.push_back(this->Packets->TakeBlock());
+  }
+  if (!this->IsOpen() && this->Sheet) // nobody writes over the heads any more
+  {
+    blocks.push_back(
+      helios::MakeFileBlock(this->GetOpenName(), 0, this->Sheet->Header.PointsBegin));
+  }
+  if (!this->IsOpen() && this->Packets)
+  {
+    blocks.push_back(
+      helios::MakeFileBlock(this->GetPacketsName(), 0, helios::LasRecord::ExtendedHeadSize));
+  }
+  return blocks;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosLASWriter::GetHeadChecksum() const
+{
+  return this->Sheet && this->IsOpen()
+    ? helios::ComputeChecksum(this->GetOpenName() + ".part", 0, this->Sheet->Header.PointsBegin)
+    : std::string();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::RestoreHead(const std::string& checksum)
+{
+  if (this->Superclass::RestoreHead(checksum) || !this->Sheet || this->Sheet->Spacing == 0)
+  {
+    return this->GetHeadChecksum() == checksum;
+  }
+  // A block that is taken back may have been the first with waveforms.
+  this->Sheet->Spacing = 0;
+  std::uint32_t count = 0;
+  return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count)) &&
+    this->Superclass::RestoreHead(checksum);
 }
 
 //------------------------------------------------------------------------------

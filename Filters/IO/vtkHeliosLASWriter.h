@@ -143,6 +143,11 @@ public:
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
   bool Write(vtkDataObject* block) override;
   std::string Sync() override;
+#ifndef __VTK_WRAP__
+  std::vector<helios::FileBlock> TakeBlocks() override;
+  std::string GetHeadChecksum() const override;
+  bool RestoreHead(const std::string& checksum) override;
+#endif
   bool Close() override;
   bool Abandon() override;
 

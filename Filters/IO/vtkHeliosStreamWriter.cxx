@@ -215,6 +215,36 @@ vtkIdType vtkHeliosStreamWriter::GetFileSize() const
 }
 
 //------------------------------------------------------------------------------
+std::vector<helios::FileBlock> vtkHeliosStreamWriter::TakeBlocks()
+{
+  return { this->File->TakeBlock() };
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosStreamWriter::GetHeadChecksum() const
+{
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::RestoreHead(const std::string& checksum)
+{
+  return this->GetHeadChecksum() == checksum;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosStreamWriter::EndHead()
+{
+  this->File->BeginBlock();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::IsRemoved() const
+{
+  return this->File->IsRemoved();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosStreamWriter::GetSafePlace() const
 {
   return this->File->GetPartPath();
@@ -391,6 +421,12 @@ bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
 {
   // problem is a copy: cutting may replace the one of the file
   this->HasFailed = true;
+  if (this->File->IsRemoved())
+  {
+    vtkErrorMacro(<< problem << "; nothing is kept, since " << this->File->GetPartPath()
+                  << " was removed while it was written; run again");
+    return false;
+  }
   const bool isCut = this->File->Cut(static_cast<std::uint64_t>(size));
   vtkErrorMacro(<< problem << "; " << (isCut ? "" : "the first ") << this->NumberOfRecords
                 << " records are safe in " << this->GetSafePlace()

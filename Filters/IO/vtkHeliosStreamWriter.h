@@ -36,6 +36,7 @@
 #include <functional> // For the rows of a block
 #include <memory>     // For the file
 #include <string>     // For names and messages
+#include <vector>     // For blocks
 
 class vtkDataObject;
 class vtkFieldData;
@@ -46,6 +47,7 @@ namespace helios
 class Column;
 class PartFile;
 class TextBuffer;
+struct FileBlock;
 }
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosStreamWriter : public vtkObject
@@ -129,6 +131,24 @@ public:
   vtkIdType GetFileSize() const;
   ///@}
 
+#ifndef __VTK_WRAP__
+  /**
+   * What was written since this was called last, or since Open() or Reopen(): the
+   * bytes in every file, and their checksums.
+   */
+  virtual std::vector<helios::FileBlock> TakeBlocks();
+
+  ///@{
+  /**
+   * Get the checksum of what is written over by every block, the head of the file;
+   * empty: there is no head. After Reopen(), Restore brings back the head that has
+   * a checksum; false where that is not possible.
+   */
+  virtual std::string GetHeadChecksum() const;
+  virtual bool RestoreHead(const std::string& checksum);
+  ///@}
+#endif
+
 protected:
   vtkHeliosStreamWriter();
   ~vtkHeliosStreamWriter() override;
@@ -167,6 +187,12 @@ protected:
 
   /// An error about what was asked of the file. Returns false.
   bool FailFile(const std::string& problem);
+
+  /// What was written so far begins no block: it is written over.
+  void EndHead();
+
+  /// Whether the file that is open was removed.
+  bool IsRemoved() const;
 
   /// Appends text that has no records.
   bool WriteText(const std::string& text);

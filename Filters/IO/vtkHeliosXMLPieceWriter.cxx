@@ -7,7 +7,6 @@
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
-#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -75,14 +74,6 @@ std::string Declare(vtkDataArray* array, const char* name)
   return text.str();
 }
 
-/// The cause of a file that is not whole.
-std::string Explain(unsigned long error)
-{
-  return error == vtkErrorCode::NoError || error == vtkErrorCode::OutOfDiskSpaceError
-    ? "No space left on device"
-    : vtkErrorCode::GetStringFromErrorCode(error);
-}
-
 /// The pieces that an index lists.
 int CountPieces(const std::string& index)
 {
@@ -134,6 +125,15 @@ public:
 } // namespace
 
 //------------------------------------------------------------------------------
+vtkHeliosXMLPieceWriter::vtkHeliosXMLPieceWriter()
+  : PieceBlocks(std::make_unique<std::vector<helios::FileBlock>>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosXMLPieceWriter::~vtkHeliosXMLPieceWriter() = default;
+
+//------------------------------------------------------------------------------
 void vtkHeliosXMLPieceWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -171,6 +171,7 @@ bool vtkHeliosXMLPieceWriter::Open()
   this->HasHead = false;
   this->NumberOfPieces = 0;
   this->NumberOfPiecesOnDisk = 0;
+  this->PieceBlocks->clear();
   return true;
 }
 
@@ -183,6 +184,7 @@ bool vtkHeliosXMLPieceWriter::Reopen(
     return false;
   }
   this->Arrays.clear(); // those of the next block
+  this->PieceBlocks->clear();
   this->HasHead = fileSize > 0;
   this->NumberOfPieces = CountPieces(this->GetOpenName() + ".part");
   this->NumberOfPiecesOnDisk = this->NumberOfPieces;
@@ -211,6 +213,15 @@ std::string vtkHeliosXMLPieceWriter::Sync()
     problem = problem.empty() ? helios::SyncFolderOf(name) : problem;
   }
   return problem.empty() ? this->Superclass::Sync() : problem;
+}
+
+//------------------------------------------------------------------------------
+std::vector<helios::FileBlock> vtkHeliosXMLPieceWriter::TakeBlocks()
+{
+  std::vector<helios::FileBlock> blocks = this->Superclass::TakeBlocks();
+  blocks.insert(blocks.end(), this->PieceBlocks->begin(), this->PieceBlocks->end());
+  this->PieceBlocks->clear();
+  return blocks;
 }
 
 //------------------------------------------------------------------------------
@@ -282,34 +293,37 @@ std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std
   writer->SetIdTypeToInt64();
   writer->SetCompressorTypeToLZ4();
   writer->SetBlockSize(CompressorBlockSize);
-  if (this->CountOnly)
-  {
-    writer->SetWriteToOutputString(true);
-    writer->Write();
-    return static_cast<std::int64_t>(writer->GetOutputString().size());
-  }
-  std::int64_t size = -1;
-  const std::string problem = this->WritePieceFile(writer, name, size);
+  // VTK's writers of files do not say why they fail.
+  writer->SetWriteToOutputString(true);
+  writer->Write();
+  const std::string bytes = writer->GetOutputString();
+  const std::string problem = this->WritePieceFile(bytes, name);
   if (!problem.empty())
   {
     helios::RemoveFile(name + ".part");
     this->FailBlock(problem, this->GetFileSize());
     return -1;
   }
-  return size;
+  return static_cast<std::int64_t>(bytes.size());
 }
 
 //------------------------------------------------------------------------------
+/// Says what went wrong, or returns an empty text.
 std::string vtkHeliosXMLPieceWriter::WritePieceFile(
-  vtkXMLWriter* writer, const std::string& name, std::int64_t& size)
+  const std::string& bytes, const std::string& name)
 {
-  const std::string part = name + ".part";
-  writer->SetFileName(part.c_str());
-  writer->Write();
-  size = helios::GetSizeOfWhole(part, PieceEnd);
-  return writer->GetErrorCode() != vtkErrorCode::NoError || size < 0
-    ? part + " cannot be written: " + Explain(writer->GetErrorCode())
-    : helios::RenameFile(part, name);
+  if (this->CountOnly)
+  {
+    return {};
+  }
+  helios::PartFile file;
+  if (!file.Open(name, helios::Folders::Need) || !file.Append(bytes.data(), bytes.size()) ||
+    !file.Abandon())
+  {
+    return file.GetProblem();
+  }
+  this->PieceBlocks->push_back(file.TakeBlock());
+  return helios::RenameFile(file.GetPartPath(), name);
 }
 
 //------------------------------------------------------------------------------

@@ -61,6 +61,13 @@ public:
    */
   std::string Sync() override;
 
+#ifndef __VTK_WRAP__
+  /**
+   * What was written to the index, and the pieces.
+   */
+  std::vector<helios::FileBlock> TakeBlocks() override;
+#endif
+
   /**
    * Ends the index and gives it its final name.
    */
@@ -77,8 +84,8 @@ public:
   vtkGetMacro(NumberOfPieces, int);
 
 protected:
-  vtkHeliosXMLPieceWriter() = default;
-  ~vtkHeliosXMLPieceWriter() override = default;
+  vtkHeliosXMLPieceWriter();
+  ~vtkHeliosXMLPieceWriter() override;
 
   /// How the name of a piece ends, and the element of the index.
   virtual const char* GetPieceEnding() const = 0;
@@ -102,7 +109,7 @@ private:
   std::string GetPieceName(int piece) const;
   bool CheckArrays(vtkFieldData* data, vtkIdType records);
   std::int64_t WritePiece(vtkDataObject* block, const std::string& name); // its size; -1: an error
-  std::string WritePieceFile(vtkXMLWriter* writer, const std::string& name, std::int64_t& size);
+  std::string WritePieceFile(const std::string& bytes, const std::string& name);
   bool WriteHead();
   bool WriteFoot();
 
@@ -110,6 +117,7 @@ private:
   bool HasHead = false; // the index
   int NumberOfPieces = 0;
   int NumberOfPiecesOnDisk = 0;
+  std::unique_ptr<std::vector<helios::FileBlock>> PieceBlocks; // since TakeBlocks()
 };
 
 #endif

@@ -85,27 +85,38 @@ std::string GetSuffix(int port, const std::string& format)
   return port == EchoPort ? "." + format : ".txt";
 }
 
-/// How far the file of a writer is.
-FileProgress GetProgress(vtkHeliosStreamWriter* writer)
+/// The name of the file of a writer, without its folder.
+std::string GetName(vtkHeliosStreamWriter* writer)
 {
-  return { std::filesystem::path(writer->GetFileName()).filename().string(), writer->GetFileSize(),
-    writer->GetNumberOfRecords(), writer->GetNumberOfBytes() };
+  return std::filesystem::path(writer->GetFileName()).filename().string();
 }
 
-std::vector<FileProgress> GetProgress(const LegRunner::Outputs& outputs)
+/// How far the file of a writer is, and what was written since this was asked last.
+FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole)
+{
+  FileProgress progress{ GetName(writer), writer->GetFileSize(), writer->GetNumberOfRecords(),
+    writer->GetNumberOfBytes(), isWhole, writer->GetHeadChecksum(), {} };
+  const std::vector<FileBlock> blocks = writer->TakeBlocks();
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(progress.Blocks),
+    [](const FileBlock& block) { return block.Begin < block.End; });
+  return progress;
+}
+
+std::vector<FileProgress> TakeProgress(const LegRunner::Outputs& outputs, bool isWhole)
 {
   std::vector<FileProgress> files;
   for (const LegOutput& output : outputs)
   {
-    files.push_back(GetProgress(output.Writer));
+    files.push_back(TakeProgress(output.Writer, isWhole));
   }
   return files;
 }
 
 /// Notes what is written when the disk has it; says what went wrong, or returns an empty text.
-std::string Note(const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg,
-  const LegProgress& progress)
+std::string Note(
+  const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
 {
+  progress.Files = TakeProgress(outputs, false);
   for (const LegOutput& output : outputs)
   {
     const std::string problem = output.Writer->Sync();
@@ -240,8 +251,25 @@ bool LegRunner::EndsFiles(const LegPlan& plan) const
 bool LegRunner::Open(vtkHeliosStreamWriter* writer, const RunJournal& journal)
 {
   this->Listen(writer);
-  const FileProgress* file = journal.FindFile(GetProgress(writer).Name);
-  return file ? writer->Reopen(file->Size, file->Records, file->Bytes) : writer->Open();
+  const FileProgress* file = journal.FindFile(GetName(writer));
+  if (!file)
+  {
+    return writer->Open();
+  }
+  if (!writer->Reopen(file->Size, file->Records, file->Bytes))
+  {
+    return false;
+  }
+  if (!writer->RestoreHead(file->Head))
+  {
+    this->Log.Error(writer->GetFileName() +
+      std::string(".part: its head is not the one that was written, by its checksum in ") +
+      RunJournal::GetName() +
+      "; the file was changed or is damaged; set Overwrite (--overwrite) to run anew");
+    writer->Abandon();
+    return false;
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -276,7 +304,7 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
   }
   const bool ends = this->EndsFiles(plan);
   const bool good = ends ? writer->Close() : writer->Flush();
-  written = GetProgress(writer); // without the foot of an index: there the next leg goes on
+  written = TakeProgress(writer, ends); // without the foot of an index: there the next leg goes on
   return (ends || writer->Abandon()) && good;
 }
 
@@ -287,7 +315,11 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   if (before.IsDone)
   {
     this->Counts = before.Counts;
-    return !this->EndsFiles(plan) || this->CheckFiles(before, journal);
+    return true;
+  }
+  if (!this->Check(journal.Check())) // a folder that was removed is not made again
+  {
+    return false;
   }
   this->Counts = before.Blocks > 0 ? before.Counts : this->Counts;
   this->Scanner.SetUp(plan);
@@ -309,8 +341,8 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   done.IsDone = true;
   if (isWhole)
   {
-    done.Files =
-      GetProgress(outputs); // with the end of an index; the next leg of a strip goes on before that
+    done.Files = TakeProgress(
+      outputs, true); // with the end of an index; the next leg of a strip goes on before that
   }
   done.Files.push_back(trajectory);
   return this->Check(journal.Append(plan.Leg, done));
@@ -349,7 +381,6 @@ bool LegRunner::RunBlocks(
     progress.Blocks = block + 1;
     progress.Counts = this->Counts;
     progress.Seconds = Now() - start;
-    progress.Files = GetProgress(outputs);
     noted = std::async(std::launch::async,
       [&outputs, &journal, &plan, progress] { return Note(outputs, journal, plan.Leg, progress); });
     if (!onBlock(this->Counts))
@@ -395,26 +426,6 @@ bool LegRunner::Check(const std::string& problem)
       "again");
   }
   return problem.empty();
-}
-
-//------------------------------------------------------------------------------
-bool LegRunner::CheckFiles(const LegProgress& progress, const RunJournal& journal)
-{
-  for (const FileProgress& file : progress.Files)
-  {
-    const std::string path = (std::filesystem::path(this->Settings.Folder) / file.Name).string();
-    const FileProgress* last = journal.FindFile(file.Name);
-    std::error_code error;
-    const auto size = std::filesystem::file_size(path, error);
-    if (error || size != static_cast<std::uintmax_t>(last->Size))
-    {
-      this->Log.Error(path + ": was finished with " + std::to_string(last->Size) + " bytes and " +
-        (error ? "cannot be read: " + error.message() : "has " + std::to_string(size)) +
-        "; set Overwrite (--overwrite) to run anew");
-      return false;
-    }
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------

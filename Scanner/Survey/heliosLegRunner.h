@@ -102,7 +102,6 @@ private:
   bool RunBlocks(
     const LegPlan& plan, const Outputs& outputs, RunJournal& journal, const BlockCallback& onBlock);
   bool Check(const std::string& problem);
-  bool CheckFiles(const LegProgress& progress, const RunJournal& journal);
 
   const SurveyData& Survey;
   RunSettings Settings;

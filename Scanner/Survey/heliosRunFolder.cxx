@@ -4,6 +4,7 @@
 
 #include "heliosLegRunner.h"
 #include "heliosRunJournal.h"
+#include "heliosRunSummary.h"
 
 #include <fstream>
 #include <iterator>
@@ -140,9 +141,18 @@ std::string RunFolder::ReadSummary(Json::Value& summary) const
   const fs::path path = this->Path / RunFolder::GetSummaryName();
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  return FromText(text, summary)
+  if (!FromText(text, summary))
+  {
+    return path.string() + " is damaged";
+  }
+  if (!summary["checksum"].isString())
+  {
+    return path.string() +
+      " has no checksum: it was changed, or written by an earlier version of vtkHelios";
+  }
+  return summary["checksum"].asString() == ComputeChecksum(summary)
     ? std::string()
-    : path.string() + " is damaged; set Overwrite (--overwrite) to run anew";
+    : path.string() + " is damaged: it is not what its checksum says";
 }
 
 //------------------------------------------------------------------------------

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunJournal.h"
 
-#include <json/reader.h>
-#include <json/writer.h>
-
+#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 
 namespace helios
 {
@@ -15,107 +12,10 @@ namespace helios
 namespace
 {
 
-/// A whole number of the counts, and its name in files.
-struct CountName
-{
-  const char* Name;
-  vtkIdType RunCounts::*Count;
-};
-
-constexpr CountName CountNames[] = { { "pulses", &RunCounts::Pulses },
-  { "points", &RunCounts::Echoes }, { "firstReturns", &RunCounts::FirstReturns },
-  { "pulsesFired", &RunCounts::PulsesFired }, { "pulsesHit", &RunCounts::PulsesHit },
-  { "pulsesOnPlane", &RunCounts::PulsesOnPlane },
-  { "pulsesWithoutBins", &RunCounts::PulsesWithoutBins },
-  { "pulsesBinned", &RunCounts::PulsesBinned }, { "subRays", &RunCounts::SubRays },
-  { "hitsOutOfRange", &RunCounts::HitsOutOfRange } };
-
-Json::Value ToJson(const LegProgress& progress)
-{
-  Json::Value value;
-  value["blocks"] = progress.Blocks;
-  value["done"] = progress.IsDone;
-  value["seconds"] = progress.Seconds;
-  value["counts"] = ToJson(progress.Counts);
-  value["files"] = Json::arrayValue;
-  for (const FileProgress& file : progress.Files)
-  {
-    Json::Value& entry = value["files"].append(Json::objectValue);
-    entry["name"] = file.Name;
-    entry["size"] = Json::Int64(file.Size);
-    entry["records"] = Json::Int64(file.Records);
-    entry["bytes"] = Json::Int64(file.Bytes);
-  }
-  return value;
-}
-
-LegProgress ProgressFromJson(const Json::Value& value)
-{
-  LegProgress progress;
-  progress.Blocks = value["blocks"].asInt();
-  progress.IsDone = value["done"].asBool();
-  progress.Seconds = value["seconds"].asDouble();
-  progress.Counts = CountsFromJson(value["counts"]);
-  for (const Json::Value& file : value["files"])
-  {
-    progress.Files.push_back({ file["name"].asString(), file["size"].asInt64(),
-      file["records"].asInt64(), file["bytes"].asInt64() });
-  }
-  return progress;
-}
+constexpr const char* SealBegin = ",\"check\":\"";
+constexpr const char* SealEnd = "\"}";
 
 } // namespace
-
-//------------------------------------------------------------------------------
-Json::Value ToJson(const RunCounts& counts)
-{
-  Json::Value value;
-  for (const CountName& count : CountNames)
-  {
-    value[count.Name] = Json::Int64(counts.*count.Count);
-  }
-  value["largestAmplitude_W"] = counts.LargestAmplitude;
-  return value;
-}
-
-//------------------------------------------------------------------------------
-RunCounts CountsFromJson(const Json::Value& value)
-{
-  RunCounts counts;
-  for (const CountName& count : CountNames)
-  {
-    counts.*count.Count = value[count.Name].asInt64();
-  }
-  counts.LargestAmplitude = value["largestAmplitude_W"].asDouble();
-  return counts;
-}
-
-//------------------------------------------------------------------------------
-std::string ToLine(const Json::Value& value)
-{
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "";
-  return Json::writeString(builder, value);
-}
-
-//------------------------------------------------------------------------------
-std::string ToText(const Json::Value& value)
-{
-  Json::StreamWriterBuilder builder;
-  builder["indentation"] = "  ";
-  return Json::writeString(builder, value) + "\n";
-}
-
-//------------------------------------------------------------------------------
-bool FromText(const std::string& text, Json::Value& value)
-{
-  Json::CharReaderBuilder builder;
-  Json::CharReaderBuilder::strictMode(&builder.settings_);
-  const std::unique_ptr<Json::CharReader> reader(builder.newCharReader());
-  std::string ignored;
-  return reader->parse(text.data(), text.data() + text.size(), &value, &ignored) &&
-    value.isObject();
-}
 
 //------------------------------------------------------------------------------
 std::string WriteWhole(const std::string& path, const std::string& text)
@@ -146,65 +46,176 @@ bool RunJournal::Exists() const
 //------------------------------------------------------------------------------
 std::string RunJournal::Create(const Json::Value& fingerprint)
 {
+  this->Forget();
   this->Fingerprint = fingerprint;
+  const std::string problem = WriteWhole(this->Path, this->Seal(fingerprint));
+  return problem.empty() && !this->File.Open(this->Path) ? this->File.GetProblem() : problem;
+}
+
+//------------------------------------------------------------------------------
+void RunJournal::Forget()
+{
   this->Legs.clear();
   this->Files.clear();
-  const std::string problem = WriteWhole(this->Path, ToLine(fingerprint) + "\n");
-  return problem.empty() && !this->File.Open(this->Path) ? this->File.GetProblem() : problem;
+  this->Blocks.clear();
+  this->Counts = RunCounts();
+  this->Leg = 0;
+  this->LastSeal.clear();
+  this->Size = 0;
+  this->Fingerprint = Json::nullValue;
 }
 
 //------------------------------------------------------------------------------
 std::string RunJournal::Read()
 {
-  this->Legs.clear();
-  this->Files.clear();
-  this->Size = 0;
-  this->Fingerprint = Json::nullValue;
+  this->Forget();
   std::ifstream file(this->Path, std::ios::binary);
   bool isBroken = false;
+  std::size_t number = 0;
   for (std::string line; std::getline(file, line) && !file.eof();)
   {
     if (isBroken)
     {
-      return this->Path + " has a line that is damaged, and lines after it";
+      return this->Path + " has a line that is damaged (line " + std::to_string(number) +
+        ", and there are lines after it)";
     }
-    isBroken = !this->Take(line);
-    this->Size += isBroken ? 0 : line.size() + 1;
+    ++number;
+    std::string body;
+    isBroken = !this->Unseal(line, body);
+    if (isBroken)
+    {
+      continue; // a crash may have torn the last line
+    }
+    const std::string problem = this->Take(body);
+    if (!problem.empty())
+    {
+      return this->Path + ", line " + std::to_string(number) + ": " + problem;
+    }
+    this->Size += line.size() + 1;
   }
-  return this->Fingerprint.isObject() ? std::string()
-                                      : this->Path + " does not say which run it is of";
+  if (this->Fingerprint.isObject())
+  {
+    return {};
+  }
+  return this->Path +
+    (this->IsWithoutChecksums() ? " was written by an earlier version of vtkHelios: it has no "
+                                  "checksums, and what it says cannot be relied on"
+                                : " does not say which run it is of");
 }
 
 //------------------------------------------------------------------------------
-bool RunJournal::Take(const std::string& line)
+/// The journals of earlier versions are JSON in lines, too.
+bool RunJournal::IsWithoutChecksums() const
 {
+  std::ifstream file(this->Path, std::ios::binary);
+  std::string line;
   Json::Value value;
-  if (!FromText(line, value))
+  return std::getline(file, line) && FromText(line, value) && value.isMember("versions") &&
+    !value.isMember("check");
+}
+
+//------------------------------------------------------------------------------
+/// A value as a line with the checksum of it and all before it.
+std::string RunJournal::Seal(const Json::Value& value)
+{
+  std::string body = ToLine(value);
+  Checksum sum;
+  sum.Add(this->LastSeal + body);
+  this->LastSeal = sum.Finish();
+  body.pop_back();
+  return body + SealBegin + this->LastSeal + SealEnd + "\n";
+}
+
+//------------------------------------------------------------------------------
+/// The line without its checksum; false where it is not the one that was written here.
+bool RunJournal::Unseal(const std::string& line, std::string& body)
+{
+  const std::size_t length = std::strlen(SealBegin) + ChecksumDigits + std::strlen(SealEnd);
+  if (line.size() <= length)
   {
     return false;
+  }
+  body = line.substr(0, line.size() - length) + "}";
+  Checksum sum;
+  sum.Add(this->LastSeal + body);
+  const std::string seal = sum.Finish();
+  if (line.substr(line.size() - length) != SealBegin + seal + SealEnd)
+  {
+    return false;
+  }
+  this->LastSeal = seal;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Takes a line whose checksum is right; says what is wrong with it, or returns an empty text.
+std::string RunJournal::Take(const std::string& body)
+{
+  Json::Value value;
+  if (!FromText(body, value))
+  {
+    return "it is not JSON";
   }
   if (!this->Fingerprint.isObject())
   {
     this->Fingerprint = value;
-    return true;
+    return {};
   }
   try
   {
-    this->Take(value["leg"].asUInt(), ProgressFromJson(value));
+    const auto leg = static_cast<std::size_t>(GetCount(value, "leg"));
+    const LegProgress progress = ProgressFromJson(value);
+    const std::string problem = this->CheckFollows(leg, progress);
+    if (problem.empty())
+    {
+      this->Take(leg, progress);
+    }
+    return problem;
   }
-  catch (const Json::Exception&)
+  catch (const BadJson& problem)
   {
-    return false;
+    return problem.what();
   }
-  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Whether progress can come after what was read; says why not, or returns an empty text.
+std::string RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) const
+{
+  const LegProgress& before = this->GetLeg(leg);
+  const bool isNext =
+    leg == this->Leg || (leg > this->Leg && this->GetLeg(this->Leg).IsDone) || this->Legs.empty();
+  if (!isNext || before.IsDone || progress.Blocks != before.Blocks + (progress.IsDone ? 0 : 1))
+  {
+    return "\"leg\" " + std::to_string(leg) + " with \"blocks\" " +
+      std::to_string(progress.Blocks) + " does not follow what the lines before say";
+  }
+  if (!HasGrown(this->Counts, progress.Counts))
+  {
+    return "a number of \"counts\" is smaller than in the line before";
+  }
+  for (const FileProgress& file : progress.Files)
+  {
+    const FileProgress* last = this->FindFile(file.Name);
+    if (last && !HasGrown(*last, file))
+    {
+      return "a number of " + file.Name + " is smaller than in a line before";
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
 void RunJournal::Take(std::size_t leg, const LegProgress& progress)
 {
-  this->Legs[leg] = progress;
-  for (const FileProgress& file : progress.Files)
+  LegProgress& taken = this->Legs[leg];
+  taken = progress;
+  this->Leg = leg;
+  this->Counts = progress.Counts;
+  for (FileProgress& file : taken.Files)
   {
+    this->Blocks.insert(this->Blocks.end(), file.Blocks.begin(), file.Blocks.end());
+    file.Blocks.clear(); // they are of this line
     this->Files[file.Name] = file;
   }
 }
@@ -214,6 +225,12 @@ const FileProgress* RunJournal::FindFile(const std::string& name) const
 {
   const auto found = this->Files.find(name);
   return found != this->Files.end() ? &found->second : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string RunJournal::Check()
+{
+  return this->File.Check() ? std::string() : this->File.GetProblem();
 }
 
 //------------------------------------------------------------------------------
@@ -233,7 +250,7 @@ std::string RunJournal::Append(std::size_t leg, const LegProgress& progress)
   this->Take(leg, progress);
   Json::Value line = ToJson(progress);
   line["leg"] = Json::UInt(leg);
-  return this->File.Append(ToLine(line) + "\n") ? std::string() : this->File.GetProblem();
+  return this->File.Append(this->Seal(line)) ? std::string() : this->File.GetProblem();
 }
 
 //------------------------------------------------------------------------------

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run has finished, on the disk while it goes on: run.journal, one JSON object a line. The first
-// line is the fingerprint of the run, the others say after every block and every leg what is safe.
+// line is the fingerprint of the run, the others say after every block and every leg what is safe. The
+// last member of every line, "check", is a checksum of the line and of all lines before it.
 
 #ifndef heliosRunJournal_h
 #define heliosRunJournal_h
 
-#include "heliosPartFile.h"
-#include "heliosRunCounts.h"
-
-#include <json/value.h>
+#include "heliosRunProgress.h"
 
 #include <map>
 #include <string>
@@ -17,25 +15,6 @@
 
 namespace helios
 {
-
-/// How far a file of a leg is.
-struct FileProgress
-{
-  std::string Name;      ///< the final one, without its folder
-  vtkIdType Size = 0;    ///< [bytes]; of an index, without its pieces
-  vtkIdType Records = 0; ///< in it, or in its pieces
-  vtkIdType Bytes = 0;   ///< of the records, wherever they are
-};
-
-/// How far a leg is.
-struct LegProgress
-{
-  int Blocks = 0; ///< that are safe
-  bool IsDone = false;
-  std::vector<FileProgress> Files;
-  RunCounts Counts;     ///< of the run, up to here
-  double Seconds = 0.0; ///< of computing and writing, over all its attempts
-};
 
 class RunJournal
 {
@@ -61,13 +40,27 @@ public:
   /// How far a file is that some leg has written to; null: it has nothing that is safe.
   const FileProgress* FindFile(const std::string& name) const;
 
+  /// How far all files are, by their names.
+  const std::map<std::string, FileProgress>& GetFiles() const { return this->Files; }
+
+  /// What was read of the bytes of files, in the order in which they were written.
+  const std::vector<FileBlock>& GetBlocks() const { return this->Blocks; }
+
+  /// Whether the file is still there, while it is written; else an error in words.
+  std::string Check();
+
   /// After the run is whole.
   void Remove();
 
   static const char* GetName() { return "run.journal"; }
 
 private:
-  bool Take(const std::string& line);
+  void Forget();
+  bool IsWithoutChecksums() const;
+  std::string Seal(const Json::Value& value);
+  bool Unseal(const std::string& line, std::string& body);
+  std::string Take(const std::string& body);
+  std::string CheckFollows(std::size_t leg, const LegProgress& progress) const;
   void Take(std::size_t leg, const LegProgress& progress);
 
   std::string Path;
@@ -75,21 +68,12 @@ private:
   Json::Value Fingerprint;
   std::map<std::size_t, LegProgress> Legs;
   std::map<std::string, FileProgress> Files;
+  std::vector<FileBlock> Blocks;
+  std::size_t Leg = 0;    // of the last line
+  RunCounts Counts;       // of the last line
+  std::string LastSeal;   // the checksum of the last line
   std::uint64_t Size = 0; // of the lines that were read
 };
-
-///@{
-/// JSON in one line, or in lines for people; false where a text is none.
-std::string ToLine(const Json::Value& value);
-std::string ToText(const Json::Value& value);
-bool FromText(const std::string& text, Json::Value& value);
-///@}
-
-///@{
-/// Counts by their names.
-Json::Value ToJson(const RunCounts& counts);
-RunCounts CountsFromJson(const Json::Value& value);
-///@}
 
 /// Writes a text to a file: whole under its name, or not at all. Says what went wrong.
 std::string WriteWhole(const std::string& path, const std::string& text);

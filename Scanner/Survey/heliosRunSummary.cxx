@@ -7,6 +7,8 @@
 
 #include <vtkSMPTools.h>
 
+#include <filesystem>
+
 namespace helios
 {
 
@@ -25,6 +27,13 @@ Json::Value CountLeg(const RunCounts& before, const RunCounts& after)
   return leg;
 }
 
+/// Whether the records of a file are in pieces beside it.
+bool IsIndex(const std::string& name)
+{
+  const auto extension = std::filesystem::path(name).extension();
+  return extension == ".pvtp" || extension == ".pvtt";
+}
+
 Json::Value DescribeFiles(const LegProgress& progress)
 {
   Json::Value files = Json::arrayValue;
@@ -33,8 +42,7 @@ Json::Value DescribeFiles(const LegProgress& progress)
     Json::Value& entry = files.append(Json::objectValue);
     entry["name"] = file.Name;
     entry["records"] = Json::Int64(file.Records);
-    const bool hasPieces = file.Bytes != file.Size;
-    entry["bytes"] = Json::Int64(hasPieces ? file.Size + file.Bytes : file.Size);
+    entry["bytes"] = Json::Int64(IsIndex(file.Name) ? file.Size + file.Bytes : file.Bytes);
   }
   return files;
 }
@@ -49,7 +57,7 @@ Json::Value MakeSummary(
   summary["rayCaster"] = runner.GetRayCasterName();
   summary["sampling"] = runner.DescribeSampling();
   summary["legs"] = Json::arrayValue;
-  Json::Value& timings = summary["timings"];
+  Json::Value timings;
   double seconds = 0.0;
   RunCounts before;
   for (const LegPlan& plan : runner.GetPlans())
@@ -66,10 +74,22 @@ Json::Value MakeSummary(
     before = progress.Counts;
   }
   summary["totals"] = ToJson(runner.GetCounts());
+  summary["checksum"] = ComputeChecksum(summary);
   timings["load_s"] = loadSeconds;
   timings["run_s"] = seconds;
   timings["threads"] = vtkSMPTools::GetEstimatedNumberOfThreads();
+  summary["timings"] = timings;
   return summary;
+}
+
+//------------------------------------------------------------------------------
+std::string ComputeChecksum(Json::Value summary)
+{
+  summary.removeMember("timings");
+  summary.removeMember("checksum");
+  Checksum sum;
+  sum.Add(ToLine(summary));
+  return sum.Finish();
 }
 
 //------------------------------------------------------------------------------

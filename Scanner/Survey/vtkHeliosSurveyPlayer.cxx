@@ -5,6 +5,7 @@
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosPlays.h"
+#include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunFolder.h"
@@ -44,6 +45,7 @@ private:
   bool CheckSettings();
   bool FindEarlierRun();
   bool CheckEarlierRun(const Json::Value& then);
+  bool CheckEarlierFiles();
   bool Load();
   bool Plan();
   bool Begin();
@@ -149,8 +151,17 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
     return this->Fail(
       problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
   }
-  player->Report = player->WasFinished ? helios::ToText(summary) : "";
-  return this->CheckEarlierRun(player->WasFinished ? summary : this->Journal->GetFingerprint());
+  if (!player->WasFinished)
+  {
+    return this->CheckEarlierRun(this->Journal->GetFingerprint());
+  }
+  problem = helios::RunCheck(this->Settings.Folder).CheckSummary(summary);
+  if (!this->CheckEarlierRun(summary) || (!problem.empty() && !this->Fail(problem)))
+  {
+    return false;
+  }
+  player->Report = helios::ToText(summary);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -160,6 +171,24 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
   return difference.empty() ||
     this->Fail(this->Settings.Folder + ": the run there cannot be gone on with, since " +
       difference + "; run it with what it had, or set Overwrite (--overwrite) to run anew");
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveyPlayer::Internals::CheckEarlierFiles()
+{
+  const helios::RunCheck check(this->Settings.Folder);
+  std::string problem = check.CheckSizes(*this->Journal);
+  if (problem.empty())
+  {
+    problem = check.CheckBlocks(*this->Journal, this->Player->BytesToCheck,
+      [this] { return this->Tell("checking the files of the earlier run"); });
+  }
+  if (!problem.empty())
+  {
+    return this->Fail(problem);
+  }
+  this->Player->Message = this->Player->AbortRequested ? "Stopped." : this->Player->Message;
+  return !this->Player->AbortRequested;
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +229,7 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
   this->Fingerprint["scene"] = helios::HashScene(this->Scene);
   if (this->Resumes)
   {
-    return this->CheckEarlierRun(this->Journal->GetFingerprint());
+    return this->CheckEarlierRun(this->Journal->GetFingerprint()) && this->CheckEarlierFiles();
   }
   std::string problem = this->Folder->Clear();
   if (problem.empty())
@@ -240,9 +269,10 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
   helios::Sentence text;
   text << " after " << this->Player->NumberOfPulsesDone << " of " << this->Player->NumberOfPulses
        << " pulses; ";
-  if (!this->Folder->Exists())
+  if (!this->Folder->Exists() || !this->Journal->Check().empty())
   {
-    text << "nothing is kept, since the folder " << this->Settings.Folder << " is gone.";
+    text << "nothing is kept, since the folder " << this->Settings.Folder << " is gone"
+         << (this->Folder->Exists() ? ", or another has taken its place." : ".");
     return text.str();
   }
   text << "the " << this->Player->NumberOfEchoes << " points so far are kept in "
@@ -464,6 +494,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Overwrite: " << this->Overwrite << "\n"
      << indent << "Resume: " << this->Resume << "\n"
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
+     << indent << "BytesToCheck: " << this->BytesToCheck << "\n"
      << indent << "Progress: " << this->Progress << "\n"
      << indent << "Message: " << this->Message << "\n";
 }

@@ -221,6 +221,16 @@ public:
 
   ///@{
   /**
+   * Set/Get how many bytes of the earlier run's newest blocks Resume compares with
+   * their checksums in the journal before it goes on; the sizes of all files are
+   * always compared. Valid range: [0, VTK_ID_MAX], the latter: all. Default: 2^30.
+   */
+  vtkSetClampMacro(BytesToCheck, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(BytesToCheck, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the pulses between two writes. Valid range: [1, 2^24]. Default:
    * 262144.
    */
@@ -325,6 +335,7 @@ private:
   bool Resume = false;
   bool WasFinished = false;
   vtkIdType PulsesPerBlock = 262144;
+  vtkIdType BytesToCheck = 1073741824;
 
   std::atomic<bool> AbortRequested{ false };
   double Progress = 0.0;

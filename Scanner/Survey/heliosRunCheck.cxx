@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosRunCheck.h"
+
+#include "heliosRunJournal.h"
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+namespace helios
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr const char* Cure = "; set Overwrite (--overwrite) to run anew";
+
+/// The size of a file [bytes]; -1 where there is none, and then why.
+vtkIdType GetSize(const std::string& path, std::string& why)
+{
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  why = error ? error.message() : std::string();
+  return error ? -1 : static_cast<vtkIdType>(size);
+}
+
+/// What a size is not: "cannot be read: ..." or "has 5".
+std::string Describe(vtkIdType size, const std::string& why)
+{
+  return size < 0 ? "cannot be read: " + why : "has " + std::to_string(size);
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+RunCheck::RunCheck(const std::string& folder)
+  : Folder(folder)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::GetPath(const std::string& name) const
+{
+  return (fs::path(this->Folder) / name).string();
+}
+
+//------------------------------------------------------------------------------
+/// Where a file is that may have its final name already, or not.
+std::string RunCheck::FindFile(const std::string& name) const
+{
+  std::error_code ignored;
+  const std::string part = this->GetPath(name + ".part");
+  const std::string path = this->GetPath(name);
+  return fs::exists(part, ignored) || !fs::exists(path, ignored) ? part : path;
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::CheckSizes(const RunJournal& journal) const
+{
+  for (const auto& file : journal.GetFiles())
+  {
+    const std::string problem = this->CheckSize(file.second);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::CheckSize(const FileProgress& file) const
+{
+  const std::string path = file.IsWhole ? this->GetPath(file.Name) : this->FindFile(file.Name);
+  std::string why;
+  const vtkIdType size = GetSize(path, why);
+  if (file.IsWhole)
+  {
+    return size == file.Size ? std::string()
+                             : path + ": was finished with " + std::to_string(file.Size) +
+        " bytes and " + Describe(size, why) + Cure;
+  }
+  if (size >= file.Size)
+  {
+    return {}; // what is beyond is taken away
+  }
+  return path + " cannot be gone on with: " +
+    (size < 0 ? why : "it has " + std::to_string(size) + " bytes of " + std::to_string(file.Size)) +
+    Cure;
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::CheckBlocks(
+  const RunJournal& journal, vtkIdType bytes, const BlockCallback& onBlock) const
+{
+  const std::vector<FileBlock>& blocks = journal.GetBlocks();
+  std::string problem;
+  for (auto block = blocks.rbegin();
+       block != blocks.rend() && bytes > 0 && problem.empty() && onBlock(); ++block)
+  {
+    problem = this->CheckBlock(*block);
+    bytes -= static_cast<vtkIdType>(block->End - block->Begin);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::CheckBlock(const FileBlock& block) const
+{
+  const std::string path = this->FindFile(block.Name);
+  const std::string checksum = ComputeChecksum(path, block.Begin, block.End);
+  if (checksum == block.Checksum)
+  {
+    return {};
+  }
+  const std::string place =
+    "bytes " + std::to_string(block.Begin) + " to " + std::to_string(block.End);
+  return path + ": " + place +
+    (checksum.empty() ? " cannot be read"
+                      : " are not those that were written, by their checksum in " +
+          std::string(RunJournal::GetName())) +
+    "; the file was changed or is damaged" + Cure;
+}
+
+//------------------------------------------------------------------------------
+std::string RunCheck::CheckSummary(const Json::Value& summary) const
+{
+  // Legs of a strip write to the same files; the last one says their size.
+  std::map<std::string, vtkIdType> sizes;
+  for (const Json::Value& leg : summary["legs"])
+  {
+    for (const Json::Value& file : leg["files"])
+    {
+      sizes[file["name"].asString()] = file["bytes"].asInt64();
+    }
+  }
+  for (const auto& file : sizes)
+  {
+    std::string why;
+    const std::string path = this->GetPath(file.first);
+    const vtkIdType size = GetSize(path, why) < 0 ? -1 : this->GetSizeWithPieces(file.first);
+    if (size != file.second)
+    {
+      return path + ": was finished with " + std::to_string(file.second) + " bytes and " +
+        Describe(size, why) + Cure;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// The bytes of a file and of those that belong to it: pieces of an index, waveforms of LAS.
+vtkIdType RunCheck::GetSizeWithPieces(const std::string& name) const
+{
+  std::string why;
+  const fs::path path = this->GetPath(name);
+  vtkIdType size = GetSize(path.string(), why);
+  if (path.extension() == ".las")
+  {
+    return size + std::max<vtkIdType>(0, GetSize(fs::path(path).replace_extension(".wdp"), why));
+  }
+  if (path.extension() != ".pvtp" && path.extension() != ".pvtt")
+  {
+    return size;
+  }
+  const std::string stem = fs::path(path).replace_extension().string();
+  const std::string ending = path.extension() == ".pvtp" ? ".vtp" : ".vtt";
+  for (int piece = 0;; ++piece)
+  {
+    const std::string number = std::to_string(piece);
+    const vtkIdType more = GetSize(
+      stem + "_" + std::string(number.size() < 4 ? 4 - number.size() : 0, '0') + number + ending,
+      why);
+    if (more < 0)
+    {
+      return size;
+    }
+    size += more;
+  }
+}
+
+} // namespace helios
