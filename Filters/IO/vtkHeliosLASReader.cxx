@@ -13,11 +13,13 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <vector>
 
@@ -46,6 +48,17 @@ void SetFields(const helios::LasFile& file, vtkPolyData* output)
     epoch->InsertNextValue(StandardTimeOffset);
     output->GetFieldData()->AddArray(epoch);
   }
+}
+
+/// How many points have a time that is not a number.
+vtkIdType CountOddTimes(vtkPolyData* cloud)
+{
+  auto* times =
+    vtkDoubleArray::SafeDownCast(cloud->GetPointData()->GetArray(vtkHeliosArrayNames::GpsTime));
+  const double* values = times ? times->GetPointer(0) : nullptr;
+  return times ? std::count_if(values, values + times->GetNumberOfValues(),
+                   [](double value) { return !std::isfinite(value); })
+               : 0;
 }
 
 } // namespace
@@ -130,6 +143,14 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
   }
   arrays.MoveTo(output);
   SetFields(file, output);
+  const vtkIdType oddTimes = CountOddTimes(output);
+  if (oddTimes > 0 && this->WarnedTimes != file.GetPath())
+  {
+    this->WarnedTimes = file.GetPath();
+    vtkWarningMacro(<< file.GetPath() << ": " << oddTimes << " of " << end - begin
+                    << " points have a GPS time that is not a number; is the file damaged? Those "
+                    << "of further pieces are not reported");
+  }
   problem = hasWaves ? packets.Read(output, waveforms) : std::string();
   if (!problem.empty())
   {

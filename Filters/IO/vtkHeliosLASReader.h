@@ -105,7 +105,8 @@ private:
 
   char* FileName = nullptr;
   bool ReadWaveforms = false;
-  std::string WarnedName; // the file whose waveforms were warned of
+  std::string WarnedName;  // the file whose waveforms were warned of
+  std::string WarnedTimes; // the file whose times were warned of
 };
 
 #endif

@@ -76,8 +76,8 @@ public:
   /**
    * Set/Get the step of coordinates [units of the points], as the first block
    * takes it. 0: the finest power of ten, from 1e-6 on, that has room for eight
-   * times the first block, and so depends on its size. For degrees take 1e-8. Valid range: 0, [1e-9, 1000].
-   * Default: 0.0001.
+   * times the first block, and so depends on its size. For degrees take 1e-8. Valid
+   * range: 0, [1e-9, 1000]. Default: 0.0001.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1000.0);
   vtkGetMacro(Scale, double);

@@ -231,8 +231,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the pulses between two writes. Valid range: [1, 2^24]. Default:
-   * 262144.
+   * Set/Get the pulses between two writes. No byte of "xyz" and "las" depends on
+   * it; of "vtp" each block is a file. Valid range: [1, 2^24]. Default: 262144.
    */
   vtkSetClampMacro(PulsesPerBlock, vtkIdType, 1, 16777216);
   vtkGetMacro(PulsesPerBlock, vtkIdType);

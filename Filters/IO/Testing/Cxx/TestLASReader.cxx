@@ -398,6 +398,24 @@ TEST_CASE("LASReader: files that are wrong", "[LASReader]")
   CHECK(LasReading(Path).Read());
 }
 
+TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
+{
+  std::string bytes = WriteEchoes(MakeLasEchoes(10));
+  const std::size_t length = GetNumber<std::uint16_t>(bytes, 105);
+  for (const std::size_t row : { 2, 7 })
+  {
+    SetNumber(bytes, GetNumber<std::uint32_t>(bytes, 96) + row * length + 22, std::nan(""));
+  }
+  WriteFile(bytes);
+  LasReading reading(Path);
+  REQUIRE(reading.Read());
+  CHECK(reading.CountPoints() == 10);
+  CHECK(reading.Log->HasWarning(Path + ": 2 of 10 points have a GPS time that is not a number"));
+  reading.Log->Clear();
+  REQUIRE(reading.Read());
+  CHECK(reading.Log->Warnings.empty()); // once a file
+}
+
 TEST_CASE("LASReader: names that are wrong", "[LASReader]")
 {
   vtkNew<vtkHeliosLASReader> reader;
