@@ -120,7 +120,7 @@ std::string LasSheet::Read(
   {
     return path +
       " was begun by an earlier version, whose waveform vectors lead away from the "
-      "scanner, and cannot be gone on with; write it again from the start";
+      "scanner, and cannot be gone on with; write it anew (vtkhelios run --overwrite)";
   }
   this->Header.Points = summary;
   this->Arrays = extras ? extras->Data : std::string();

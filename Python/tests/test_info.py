@@ -140,8 +140,8 @@ def test_waveforms_of_an_earlier_version(small_runs, tmp_path, info):
     for ending in (".las", ".wdp"):
         shutil.copy(small_runs["las"] / f"leg000_points{ending}", path.with_suffix(ending))
     assert info(path)[1]["warnings"] == []
-    data = path.read_bytes().replace(b"waveform [W], to the scanner", b"waveform [W]".ljust(28, b"\0"))
-    path.write_bytes(data)
+    said, before = b"waveform [W], to the scanner", b"waveform [W]"
+    path.write_bytes(path.read_bytes().replace(said, before.ljust(len(said), b"\0")))
     (warning,) = info(path)[1]["warnings"]
     assert warning.startswith(f"{path}: an earlier version of vtkHelios wrote its waveforms")
     assert warning.endswith("vtkhelios convert turns them")

@@ -192,8 +192,8 @@ def add_arguments(parser):
         type=whole_number(2**24, lowest=1),
         default=262144,
         help="how many pulses are computed and written at a time: fewer take less memory and are "
-        "lost where a run is killed, more are faster; text and LAS are the same, byte for byte, of vtp "
-        "each block is a file (default: %(default)s)",
+        "lost where a run is killed, more are faster; text and LAS are byte-identical, of vtp each "
+        "block is a file (default: %(default)s)",
     )
     parser.add_argument(
         "--json", action="store_true", help="print what a run did, or --dry-run found, as JSON"
