@@ -13,6 +13,7 @@ import time
 import numpy as np
 import pytest
 from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
@@ -522,7 +523,7 @@ def test_errors_name_options(capsys):
     assert capsys.readouterr().err == ""
 
 
-class Sleeper:
+class Sleeper(vtkObject):
     """An algorithm that is half done."""
 
     def __init__(self):

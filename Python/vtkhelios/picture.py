@@ -11,6 +11,7 @@ xvfb-run -a -s "-screen 0 1280x1024x24" python3 -m vtkhelios.picture CLOUD... --
 
 import argparse
 import ctypes
+import errno
 import pathlib
 import sys
 
@@ -332,6 +333,9 @@ def write_png(rgb, output):
     writer.SetFileName(str(output))
     writer.SetInputData(image)
     writer.Write()
+    if writer.GetErrorCode():
+        pathlib.Path(output).unlink(missing_ok=True)  # it is not whole
+        raise OSError(errno.ENOSPC, "the disk may be full", str(output))
 
 
 def find_marks(cloud):
@@ -375,6 +379,9 @@ def main(argv=None):
         )
     except RuntimeError as error:
         print(f"error: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"error: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
         return 1
     return 0
 

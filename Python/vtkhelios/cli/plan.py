@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios plan: where to put the scanner, and a survey that scans from there."""
 
+import errno
 import json
 import os
 import pathlib
@@ -15,6 +16,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import vtkhelios
 
 from .._paths import require_utf8
+from ._files import cannot_be_written, write_whole
 from ._interrupt import Interrupt
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
 from ._plan_options import PLATFORM, SCANNER, add_plan_arguments
@@ -165,7 +167,7 @@ def find_unusable(arguments, folder):
         (folder / "survey.xml.part").touch()
         (folder / "survey.xml.part").unlink()
     except OSError as error:
-        return f"{folder}: cannot be written: {error.strerror}; give another --output"
+        return cannot_be_written(error, folder, "--output")
     return None
 
 
@@ -201,11 +203,16 @@ def conclude(arguments, plan, steps, folder, messages):
     for line in result_lines(report):
         messages.info(line)
     try:
-        clear(folder)
-        files = write_data(plan.planner, folder)
+        return write_plan(arguments, plan, steps, folder, report, messages)
     except OSError as error:
-        messages.error(f"{error.filename or folder}: cannot be written: {error.strerror}")
+        messages.error(cannot_be_written(error, folder, "--output"))
         return 1
+
+
+def write_plan(arguments, plan, steps, folder, report, messages):
+    """Writes the files of a plan, and the check; returns an exit code."""
+    clear(folder)
+    files = write_data(plan.planner, folder)
     survey = write_survey(arguments, plan, folder, messages)
     if survey is None:
         return 1
@@ -236,13 +243,6 @@ def clear(folder):
     shutil.rmtree(folder / "check", ignore_errors=True)
 
 
-def write_whole(path, text):
-    """Writes a file that has its name when it is whole."""
-    part = path.with_name(f"{path.name}.part")
-    part.write_text(text, encoding="utf-8")
-    os.replace(part, path)
-
-
 def write_data(planner, folder):
     """Candidates, test points and positions as VTK XML; returns their names."""
     files = []
@@ -254,8 +254,9 @@ def write_data(planner, folder):
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(part))
         writer.SetInputData(data)
-        if not writer.Write():
-            raise OSError(0, "the disk may be full", str(part))
+        if not writer.Write() or writer.GetErrorCode():
+            part.unlink(missing_ok=True)
+            raise OSError(errno.ENOSPC, "the disk may be full", str(folder / name))
         os.replace(part, folder / name)
         files.append(folder / name)
     return files

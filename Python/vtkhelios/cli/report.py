@@ -3,7 +3,6 @@
 """vtkhelios report: a run as a page of maps, histograms and numbers."""
 
 import json
-import os
 import pathlib
 
 from .. import formats
@@ -11,6 +10,7 @@ from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
 from ..formats._summary import REPORT, check_summary
 from . import _charts
+from ._files import cannot_be_written, write_whole
 from ._figures import Figures
 from ._interrupt import Interrupt
 from ._messages import Messages
@@ -71,7 +71,7 @@ def run(arguments):
         except formats.FormatError as error:
             messages.error(str(error))
         except OSError as error:
-            messages.error(f"{error.filename}: {error.strerror}; choose another --output")
+            messages.error(f"{error.filename or arguments.folder}: {error.strerror}; choose another --output")
         return 1
 
 
@@ -101,10 +101,11 @@ def make_report(arguments, messages):
         if figures.count == 0:
             raise formats.FormatError(f"{folder}: has no points; run the survey again")
         text = write_page(reader.summary, figures, reader)
-    page.parent.mkdir(parents=True, exist_ok=True)
-    part = page.with_name(f"{page.name}.part")
-    part.write_text(text)
-    os.replace(part, page)
+    try:
+        page.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(page, text)
+    except OSError as error:
+        raise formats.FormatError(cannot_be_written(error, page, "--output")) from error
     for note in reader.notes:
         messages.warning(note)
     messages.info(f"report   {page} ({readable(len(text.encode()))}), {figures.count:,} points")

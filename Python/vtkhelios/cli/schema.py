@@ -6,6 +6,7 @@ import pathlib
 
 import vtkhelios
 
+from ._files import cannot_be_written, write_whole
 from ._messages import Messages
 
 SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or its tables"
@@ -66,10 +67,10 @@ def run(arguments):
     try:
         folder.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
+            write_whole(folder / name, text)
     except OSError as error:
         with Messages() as messages:
-            messages.error(f"{error.filename}: cannot be written: {error.strerror}")
+            messages.error(cannot_be_written(error, folder, "--output"))
         return 1
     print("\n".join(str(folder / name) for name in files))
     return 0
