@@ -12,8 +12,7 @@ import time
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 

@@ -272,6 +272,18 @@ def test_view_shows_any_name(command_line, tmp_path):
     assert done.returncode and r"odd\x1b[31m.las" in done.stderr and "\x1b" not in done.stderr
 
 
+def test_names_in_files_are_texts(make_survey, capsys):
+    """What a survey is called, in bytes that are no UTF-8."""
+    path = make_survey()
+    path.write_bytes(path.read_bytes().replace(b'name="plane"', b'name="pl' + BAD + b'ne"'))
+    assert vtkhelios.read_survey(path).name == r"pl\xff\xfene"
+    assert repr(vtkhelios.read_survey(path)).startswith(r"Survey('pl\\xff\\xfene': ")
+    assert cli.main(["info", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["name"] == r"pl\xff\xfene"
+    assert cli.main(["run", str(path), "--dry-run"]) == 0
+    assert r"survey   pl\xff\xfene (" in capsys.readouterr().out
+
+
 def test_python_takes_any_name(odd_survey, tmp_path):
     survey = vtkhelios.read_survey(odd_survey, assets=odd_survey.parent)
     report = survey.run_to(tmp_path / ODD / "out")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names of files that need not be UTF-8, between Python and VTK."""
+"""Names of files, and texts, that need not be UTF-8, between Python and VTK."""
 
 import os
 
@@ -24,3 +24,8 @@ def require_utf8(*paths):
 def from_vtk(name):
     """A path, or a text with paths, that VTK returned; None is empty."""
     return os.fsdecode(name or "")
+
+
+def text_from_vtk(text):
+    """A text that VTK returned (bytes where it is not UTF-8), with \\xff for such a byte; None is empty."""
+    return text.decode(errors="backslashreplace") if isinstance(text, bytes) else text or ""

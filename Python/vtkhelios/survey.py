@@ -16,7 +16,7 @@ import typing
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
 
 from . import _native
-from ._paths import from_vtk, to_vtk
+from ._paths import from_vtk, text_from_vtk, to_vtk
 from ._pipeline import SECONDS_BETWEEN_SIGNS, MessageLog, PipelineError, conclude
 from ._properties import set_properties
 from ._watching import Progress
@@ -90,7 +90,7 @@ class Survey:
 
     @property
     def name(self):
-        return from_vtk(self.vtk.GetName())
+        return text_from_vtk(self.vtk.GetName())
 
     @property
     def legs(self):
@@ -287,9 +287,13 @@ class Survey:
     def __repr__(self):
         legs = self.legs
         active = sum(leg.active for leg in legs)
+        scanner, platform, scene = map(
+            text_from_vtk,
+            (self.vtk.GetScannerName(), self.vtk.GetPlatformName(), self.vtk.GetSceneName()),
+        )
         return (
-            f"Survey({self.name!r}: {self.vtk.GetScannerName()} on {self.vtk.GetPlatformName()}, "
-            f"{len(legs)} legs, {active} active, scene {self.vtk.GetSceneName()!r})"
+            f"Survey({self.name!r}: {scanner} on {platform}, "
+            f"{len(legs)} legs, {active} active, scene {scene!r})"
         )
 
     def _repr_html_(self):

@@ -205,6 +205,7 @@ def _triple(values):
 
 def inspect_survey(path, assets, messages):
     """What a survey asks for, or None after an error."""
+    from .._paths import text_from_vtk
     from ._reading import make_reader
 
     reader = make_reader(str(path), assets)
@@ -226,11 +227,11 @@ def inspect_survey(path, assets, messages):
     return {
         "file": str(path),
         "format": "survey (HELIOS XML)",
-        "name": survey.GetName(),
-        "scanner": survey.GetScannerName(),
-        "platform": survey.GetPlatformName(),
+        "name": text_from_vtk(survey.GetName()),
+        "scanner": text_from_vtk(survey.GetScannerName()),
+        "platform": text_from_vtk(survey.GetPlatformName()),
         "moving": survey.IsMoving(),
-        "scene": survey.GetSceneName(),
+        "scene": text_from_vtk(survey.GetSceneName()),
         "plays": survey.GetNumberOfPlays(),
         "seed": survey.GetSeed(),
         "legs": legs,

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 
 import vtkhelios
 
-from .._paths import from_vtk, to_vtk
+from .._paths import from_vtk, text_from_vtk, to_vtk
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
@@ -308,7 +308,7 @@ def make_player(arguments, survey, messages):
     player.SetNoise(not arguments.no_noise)
     player.SetRayCaster(arguments.ray_caster)
     messages.info(
-        f"survey   {from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
+        f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"
     )
     return player
