@@ -263,6 +263,14 @@ def test_plan_refuses_what_its_survey_cannot_name(command_line, odd_survey, tmp_
     assert not (tmp_path / "p").exists() and not (tmp_path / ODD / "p").exists()
 
 
+@pytest.mark.parametrize("old", [b'id="plane"', b'name="plane"'])
+def test_plan_refuses_names_in_files(command_line, make_survey, tmp_path, old):
+    path = make_survey()
+    path = path if b"name" in old else tmp_path / "scene.xml"
+    path.write_bytes(path.read_bytes().replace(old, old[:-1] + b"odd" + BAD + b'"'))
+    expect_clear(command_line("plan", path, "--output", tmp_path / "p", "--quiet"))
+
+
 def test_view_shows_any_name(command_line, tmp_path):
     from vtkhelios.cli import view
 

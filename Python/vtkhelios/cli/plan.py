@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
-from .._paths import require_utf8
+from .._paths import from_vtk, require_utf8
 from ._files import cannot_be_written, write_whole
 from ._interrupt import Interrupt
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
@@ -99,6 +99,8 @@ def run(arguments):
         document = read_document(arguments, messages)
         if document is None:
             return 1
+        for name in ("PlanName", "SceneReference", "PlatformReference", "ScannerReference"):
+            require_utf8(from_vtk(getattr(document, f"Get{name}")()))  # as above
         folder = pathlib.Path(arguments.output) / document.GetPlanName()
         if problem := find_earlier_plan(folder, arguments.overwrite):
             messages.error(problem)
