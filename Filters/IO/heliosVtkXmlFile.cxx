@@ -238,7 +238,14 @@ private:
     for (int i = 0; i < data->GetNumberOfNestedElements(); ++i)
     {
       vtkXMLDataElement* array = data->GetNestedElement(i);
-      this->CheckArray(array, this->CountOf(array, "NumberOfTuples"));
+      const vtkTypeInt64 tuples = this->CountOf(array, "NumberOfTuples");
+      const ArrayForm form = this->CheckArray(array, tuples);
+      double number = 0.0; // VTK's reader takes any for a time, and reads it at once
+      if (tuples == 1 && form.Components == 1 && form.Type != VTK_STRING && form.Type != VTK_BIT &&
+        !this->Parser->ReadNumber(array, 0, form.Type, number))
+      {
+        Fail("the array " + form.Name + " cannot be read; copy or write the file again");
+      }
     }
   }
 
@@ -373,8 +380,9 @@ bool VtkXmlFile::Open(const std::string& path, const std::string& type)
 {
   *this = VtkXmlFile();
   std::error_code problem;
-  std::ifstream file(path, std::ios::binary);
-  if (!fs::is_regular_file(path, problem) || !file)
+  const bool isFile = fs::is_regular_file(path, problem); // a pipe would be waited for
+  std::ifstream file(isFile ? path : "", std::ios::binary);
+  if (!file)
   {
     this->Problem = "is not a file that can be read; check its name";
     return false;

@@ -103,6 +103,7 @@ class _LasSource(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
         self._path = os.fspath(path)
         self._colors = colors
+        self._check()
         with self._open() as reader:
             header = reader.header
             self._count = header.point_count
@@ -112,6 +113,17 @@ class _LasSource(VTKPythonAlgorithmBase):
             raise ValueError(f"{self._path} has no points; give a file with points")
         if colors and not {"red", "green", "blue"} <= names:
             raise ValueError(f"{self._path} has no colours; leave colors off")
+
+    def _check(self):
+        """laspy and lazrs believe what a file says of itself."""
+        _laspy()
+        from .formats._records import FormatError, RecordReader
+
+        try:
+            RecordReader(self._path).close()
+        except FormatError as error:
+            words = str(error).removeprefix(f"{self._path}: ")
+            raise ValueError(f"{self._path} cannot be read: {words}") from error
 
     def _open(self):
         laspy = _laspy()

@@ -33,6 +33,11 @@ def rotation_matrix(quaternion):
     )
 
 
+def _first_line(error):
+    """What libE57Format says, without the places in its source."""
+    return (str(error).strip().splitlines() or [type(error).__name__])[0]
+
+
 class E57Reader(Reader):
     def __init__(self, path):
         super().__init__(path)
@@ -42,7 +47,7 @@ class E57Reader(Reader):
             headers = [self._file.get_header(i) for i in range(self._file.scan_count)]
             self.header.crs = self._text(self._file.root, "coordinateMetadata")
         except Exception as error:  # of libE57Format, whose type differs between releases
-            self.fail(f"is no E57 file, or is damaged: {error}; copy it again")
+            self.fail(f"is no E57 file, or is damaged: {_first_line(error)}; copy it again")
         self.count = sum(header.point_count for header in headers)
         self.kind = f"E57, {len(headers)} scan{'s'[: len(headers) != 1]}"
         if self.count == 0:
@@ -94,7 +99,9 @@ class E57Reader(Reader):
                 yield self._to_chunk({name: v[:count].copy() for name, v in data.items()}, header)
             reader.close()
         except self._pye57.libe57.E57Exception as error:
-            self.fail(f"its points cannot be read: {error}; it is damaged, copy it again")
+            self.fail(
+                f"its points cannot be read: {_first_line(error)}; it is damaged, copy it again"
+            )
 
     def _to_chunk(self, data, header):
         state = data.get("cartesianInvalidState", data.get("sphericalInvalidState"))
@@ -117,7 +124,11 @@ class E57Reader(Reader):
         return chunk
 
     def _place(self, data):
-        """World coordinates."""
+        """World coordinates; those that are not finite stay so."""
+        with np.errstate(invalid="ignore", over="ignore"):
+            return self._move_to_world(data)
+
+    def _move_to_world(self, data):
         if all(name in data for name in XYZ):
             xyz = np.column_stack([data[name] for name in XYZ])
         else:
@@ -139,7 +150,13 @@ class E57Reader(Reader):
         if header.node.isDefined("intensityLimits"):
             limits = header.node["intensityLimits"]
             low, high = (limits[f"intensity{end}"].value() for end in ("Minimum", "Maximum"))
-        scaled = (values - low) * (65535.0 / (high - low) if high > low else 0.0)
+        with np.errstate(invalid="ignore", over="ignore"):
+            scaled = (values - low) * (65535.0 / (high - low) if high > low else 0.0)
+        finite = np.isfinite(scaled)
+        if not finite.all():
+            count = np.count_nonzero(~finite)
+            self.notes.append(f"{self.path}: {count:,} intensities are not finite: read as 0")
+            scaled = np.where(finite, scaled, 0.0)
         chunk["Intensity"] = np.clip(np.rint(scaled), 0, 65535).astype(np.uint16)
 
     def close(self):

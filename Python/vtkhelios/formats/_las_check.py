@@ -67,6 +67,8 @@ def check_points(path, header, size):
     layers = _check_items(zipped[0].record_data, header.point_format.size)
     vlr = lazrs.LazVlr(zipped[0].record_data)
     count, width = header.point_count, header.point_format.size
+    if count == 0:
+        return
     if not vlr.uses_variable_size_chunks():
         _check_memory(vlr.chunk_size(), width, size)
     if count > FEW + POINTS_A_BYTE * size:

@@ -1,0 +1,261 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files of points that are damaged: what libraries would believe is an error, and nothing is silent."""
+
+import os
+import random
+import re
+import struct
+import tempfile
+
+import numpy as np
+import pytest
+from _point_files import make_chunk, read, write
+
+from vtkhelios import formats, points
+from vtkhelios.formats import FormatError
+from vtkhelios.formats._base import guarded
+
+PLY = "ply\nformat ascii 1.0\nelement vertex 1\n{}end_header\n{}\n"
+XYZ = "property double x\nproperty double y\nproperty double z\n"
+
+
+def patch(path, place, form, value):
+    with open(path, "r+b") as file:
+        file.seek(place)
+        file.write(struct.pack(form, value))
+
+
+def fails(path, message):
+    with pytest.raises(FormatError, match=message) as error:
+        read(path)
+    assert str(error.value).startswith(f"{path}: ")
+
+
+# LAZ
+
+
+@pytest.fixture
+def laz(tmp_path):
+    """5000 points of format 7 or so, in one chunk; their begin, and the place of the chunk table."""
+    pytest.importorskip("lazrs")
+    path = tmp_path / "a.laz"
+    write(path)
+    data = path.read_bytes()
+    begin = struct.unpack_from("<I", data, 96)[0]
+    return path, begin, struct.unpack_from("<q", data, begin)[0]
+
+
+@pytest.mark.parametrize(
+    "place, form, value, message",
+    [
+        (24, "B", 7, r"its version is 7.4, and 1.0 to 1.4 can be read; write it again"),
+        (94, "<H", 9, "its header has 9 bytes, and its points begin at byte"),
+        (100, "<I", 2**32 - 1, "it counts 4294967295 header records, for which it has no room"),
+        (131, "<d", 0.0, "it has a scale of 0 and an offset of .*, with which there are no coord"),
+        (139, "<d", np.nan, "it has a scale of nan and an offset"),
+        (147, "<d", 1e300, r"it has a scale of 1e\+300 and an offset"),
+        (243, "<I", 2**32 - 1, "is cut off: (an extended record|it has)"),
+        (247, "<Q", 2**40, r"bytes are too few for 1099511627776 points"),
+        (247, "<Q", 10, r"a chunk of 10 points in \d+ bytes says that it has 5000 points"),
+    ],
+)
+def test_laz_headers_that_are_wrong(laz, place, form, value, message):
+    patch(laz[0], place, form, value)
+    fails(laz[0], message)
+
+
+def test_laz_chunk_tables_that_are_wrong(laz):
+    path, begin, table = laz
+    whole = path.read_bytes()
+    for place, form, value, message in (
+        (begin, "<q", 2**62, "points 0 to 5000 of 5000 cannot be read: its chunk table should be at "),
+        (begin, "<q", -1, "its chunk table "),
+        (table, "<I", 7, "its chunk table has the version 7, which is not known"),
+        (table + 4, "<I", 2**32 - 1, "its chunk table counts 4294967295 chunks in .* 5000 points"),
+        (table + 8, "<I", 0xFFFFFF, "cannot be read"),
+    ):
+        path.write_bytes(whole)
+        patch(path, place, form, value)
+        fails(path, message)
+        with pytest.raises(ValueError, match="a.laz cannot be read: "):
+            points.las_source(path)
+
+
+def test_laz_chunks_that_are_wrong(laz):
+    """The head of a chunk: lazrs has memory for whatever its layers say."""
+    path, begin, _ = laz
+    width = struct.unpack_from("<H", path.read_bytes(), 105)[0]
+    patch(path, begin + 8 + width + 8, "<I", 2**32 - 1)
+    fails(path, r"a chunk of 5000 points in \d+ bytes says that it has 5000 points in 4\d+ bytes")
+
+
+def test_laszip_records_that_are_wrong(laz):
+    path, _, _ = laz
+    whole = path.read_bytes()
+    record = whole.find(b"laszip encoded") - 2 + 54
+    for place, form, value, message in (
+        (record, "<H", 9, r"it has compressor 9 of \d items, which cannot be read"),
+        (record, "<H", 2, r"it has an item of type 10 with 30 bytes, which cannot be read"),
+        (record + 12, "<I", 2**32 - 2, r"a chunk of 4294967294 points needs \d+ MB, too much for"),
+        (record + 12, "<I", 17, "1 chunks of 17 points are not 5000 points"),
+        (record + 36, "<H", 31, "an item of type 10 with 31 bytes, which cannot be read"),
+        (record + 32, "<H", 1, r"its items have 30 bytes, and its points \d+"),
+        (record - 52, "B", 0, "there is no header record of LASzip"),
+    ):
+        path.write_bytes(whole)
+        patch(path, place, form, value)
+        fails(path, message)
+
+
+# PLY
+
+
+@pytest.mark.parametrize(
+    "properties, line, message",
+    [
+        (XYZ + "property int x\n", "1 2 3 4", 'has a property "x" twice; give each property a name'),
+        (XYZ + "property int points\n", "1 2 3 4", '"points" that is kept for coordinates'),
+        (
+            XYZ + "property float red\nproperty float green\nproperty float blue\nproperty int RGB\n",
+            "1 2 3 0 0 0 1",
+            'has a property "RGB" beside those that are RGB; leave one out',
+        ),
+        (
+            XYZ + "property int a\nproperty int aX\nproperty int aY\nproperty int aZ\n",
+            "1 2 3 4 5 6 7",
+            'has a property "aX" beside a; leave one out',
+        ),
+        (XYZ + "property uchar n\n", "1 2 3 300", "n of vertex 0 is 300, no uint8; correct it"),
+        (XYZ + "property int n\n", "1 2 3 nan", "n of vertex 0 is nan, no int32; correct it"),
+        (XYZ + "element vertex 1\n", "1 2 3", "has vertices twice; write them as one element"),
+        (XYZ + "comment vtkhelios epoch x\n", "1 2 3", 'its times count from "x", which is no num'),
+        (
+            XYZ + "property double n\ncomment vtkhelios type:n int64\n",
+            "1 2 3 1.5",
+            r"has values of n that are no whole numbers to 2\^53; correct them",
+        ),
+        ("comment\n" * 10_000 + XYZ, "1 2 3", "has more than 10000 lines of header"),
+    ],
+)
+def test_ply_properties_that_are_wrong(tmp_path, properties, line, message):
+    path = tmp_path / "a.ply"
+    path.write_text(PLY.format(properties, line))
+    fails(path, message)
+
+
+def test_ply_of_too_many_points(tmp_path):
+    path = tmp_path / "a.ply"
+    path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex 999999999999"))
+    fails(path, "has 999999999999 points, for which its 6 bytes after the header are too few")
+    path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex " + "9" * 5000))
+    fails(path, "elements, which is no number; write it again")
+    path.write_text(PLY.format(XYZ + "comment vtkhelios\n", "1 2 3"))
+    assert read(path)[1]["points"].tolist() == [[1, 2, 3]]
+
+
+# Numbers that are not finite
+
+
+@pytest.mark.parametrize("ending", ["ply", "vtp", "pvtp"])
+def test_points_that_are_not_finite(tmp_path, ending):
+    chunk = make_chunk(10)
+    chunk["points"][3, 1], chunk["points"][4, 2] = np.nan, np.inf
+    chunk["Amplitude"][5] = np.inf
+    path = tmp_path / f"a.{ending}"
+    write(path, chunk, rows=4)
+    reader, back = read(path, rows=7)
+    assert np.array_equal(back["points"], np.delete(chunk["points"], [3, 4], axis=0))
+    assert np.array_equal(back["Range"], np.delete(chunk["Range"], [3, 4]))
+    assert sorted(reader.notes) == [
+        f"{path}: 2 of 10 points are not finite, and left out",
+        f"{path}: Amplitude is not finite at 1 of 10 points, and is kept so",
+    ]
+    with formats.open_reader(path) as reader:
+        reader.keeps_invalid = True
+        assert sum(len(each["points"]) for each in reader.chunks()) == 10
+        assert [note for note in reader.notes if "left out" in note] == []
+
+
+# Libraries
+
+
+class PanicException(BaseException):  # noqa: N818  the name that those of Rust have
+    pass
+
+
+@pytest.mark.parametrize(
+    "error, message",
+    [
+        (MemoryError(), "a.laz: needs more memory than there is; split it"),
+        (OSError(5, "Input/output error"), "a.laz: cannot be read: Input/output error; check"),
+        (OverflowError("too\n large"), "a.laz: cannot be read: too large; it is damaged, or of a form"),
+        (AssertionError(), "a.laz: cannot be read: AssertionError; it is damaged"),
+        (struct.error("unpack requires"), "a.laz: cannot be read: unpack requires; it is damaged"),
+        (PanicException("index out of bounds"), "a.laz: cannot be read: index out of bounds; it is"),
+    ],
+)
+def test_errors_of_libraries(error, message):
+    with pytest.raises(FormatError, match=re.escape(message)), guarded("a.laz"):
+        raise error
+
+
+def test_errors_that_are_none_of_libraries():
+    for error in (KeyboardInterrupt, SystemExit, FormatError):
+        with pytest.raises(error), guarded("a.laz"):
+            raise error
+
+
+def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
+    """A link of someone else in the folder of temporary files is not followed."""
+    pytest.importorskip("copclib")
+    (tmp_path / "scratch").mkdir()
+    (tmp_path / "theirs").write_text("precious")
+    (tmp_path / "scratch" / f"vtkhelios-{os.getpid()}.laz").symlink_to(tmp_path / "theirs")
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "scratch"))
+    write(tmp_path / "a.copc.laz")
+    assert (tmp_path / "theirs").read_text() == "precious"
+    assert len(list((tmp_path / "scratch").iterdir())) == 1
+
+
+# Bytes
+
+
+def damage(data, chance):
+    """Bytes changed, numbers replaced, the rest cut off."""
+    data = bytearray(data)
+    for _ in range(chance.randint(1, 3)):
+        place = chance.randrange(chance.choice([400, len(data)])) % len(data)
+        what = chance.randrange(4)
+        if what == 0:
+            data[place] = chance.randrange(256)
+        elif what == 1:
+            number = chance.choice([0, 1, 2**15, 2**31, 2**32 - 1, 2**40, 2**64 - 1])
+            data[place : place + 8] = number.to_bytes(8, "little")
+        elif what == 2:
+            number = chance.choice([np.nan, np.inf, 0.0, 1e300])
+            data[place : place + 8] = struct.pack("<d", number)
+        else:
+            del data[chance.choice([place, len(data) - chance.randrange(60)]) :]
+        data = data or bytearray(b"x")
+    return bytes(data)
+
+
+@pytest.mark.parametrize("ending", ["vtp", "pvtp", "ply", "laz", "copc.laz", "e57"])
+def test_damaged_bytes(tmp_path, ending):
+    """An error that names the file, or finite points."""
+    needed = {"laz": "lazrs", "copc.laz": "copclib", "e57": "pye57"}
+    pytest.importorskip(needed.get(ending, "numpy"))
+    path = tmp_path / f"a.{ending}"
+    write(path, make_chunk(60))
+    whole = path.read_bytes()
+    chance, errors = random.Random(20261), 0
+    for _ in range(int(os.environ.get("HELIOS_MUTATIONS", "150"))):
+        path.write_bytes(damage(whole, chance))
+        try:
+            _, back = read(path)
+            assert np.isfinite(back["points"]).all()
+        except FormatError as error:
+            errors += 1
+            assert str(path) in str(error)
+    assert errors > 20
