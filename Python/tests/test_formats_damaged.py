@@ -218,6 +218,30 @@ def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
     assert len(list((tmp_path / "scratch").iterdir())) == 1
 
 
+def test_octrees_that_are_wrong(tmp_path):
+    """All points are read, and a note says what is wrong."""
+    pytest.importorskip("copclib")
+    path = tmp_path / "a.copc.laz"
+    write(path)
+    assert read(path)[0].notes == []
+    whole = path.read_bytes()
+    page = struct.unpack_from("<Q", whole, 469)[0]
+    for place, form, value, message in (
+        (469, "<Q", 2**63, "a page of "),
+        (477, "<Q", 31, "a page of 31 bytes at byte"),
+        (page + 28, "<i", -7, "a node of -7 points in"),
+        (page + 28, "<i", 7, "it has 7 of 5000 points"),
+        (page + 16, "<Qii", (page, 32, -1), f"a page of 32 bytes at byte {page} of"),  # of itself
+    ):
+        path.write_bytes(whole)
+        with open(path, "r+b") as file:
+            file.seek(place)
+            file.write(struct.pack(form, *(value if isinstance(value, tuple) else (value,))))
+        reader, back = read(path)
+        assert len(back["points"]) == 5000
+        assert len(reader.notes) == 1 and f"its octree is damaged: {message}" in reader.notes[0]
+
+
 # Bytes
 
 

@@ -10,6 +10,7 @@ so that a node is a stretch of them; they wait in a scratch file.
 import math
 import os
 import pathlib
+import struct
 import tempfile
 
 import numpy as np
@@ -23,12 +24,41 @@ GRID = 7  # bits of a node's grid
 FEW = 20_000  # points that are not divided further
 
 
+INFO = 375 + 54  # the place of the record that says where the octree is
+ENTRY = struct.Struct("<4iQii")  # of a page: key, place, bytes, points; -1 points: another page
+
+
 class CopcReader(LazReader):
-    """As LAZ, which it is."""
+    """As LAZ, which it is; the octree is checked and not used."""
 
     def __init__(self, path):
         super().__init__(path)
         self.kind = self.kind.replace("LAZ", "COPC, LAZ")
+        if problem := self._find_wrong_octree():
+            self.notes.append(
+                f"{path}: its octree is damaged: {problem}; all points are read without it, convert "
+                "the file to make a new one"
+            )
+
+    def _find_wrong_octree(self):
+        """What is wrong with the pages of the octree, or None."""
+        size, count = os.path.getsize(self.path), 0
+        with open(self.path, "rb") as file:
+            file.seek(INFO + 40)
+            pages, seen = [struct.unpack("<QQ", file.read(16))], set()
+            while pages:
+                place, length = pages.pop()
+                if place in seen or length % ENTRY.size or place + length > size:
+                    return f"a page of {length} bytes at byte {place} of {size}"
+                seen.add(place)
+                file.seek(place)
+                for *_, place, length, points in ENTRY.iter_unpack(file.read(length)):
+                    if points < -1 or length < 0 or (points and place + length > size):
+                        return f"a node of {points} points in {length} bytes at byte {place}"
+                    if points == -1:
+                        pages.append((place, length))
+                    count += max(points, 0)
+        return None if count == self.count else f"it has {count} of {self.count} points"
 
 
 def spread(values):
