@@ -127,7 +127,7 @@ std::int64_t GetSizeOfWhole(const std::string& path, const std::string& ending)
 FileBlock MakeFileBlock(const std::string& path, std::uint64_t begin, std::uint64_t end)
 {
   return { std::filesystem::path(path).filename().string(), begin, end,
-    ComputeChecksum(path, begin, end) };
+    ComputeChecksum(path, begin, end), true };
 }
 
 void RemoveFile(const std::string& path)
@@ -265,7 +265,7 @@ bool PartFile::Cut(std::uint64_t size)
 FileBlock PartFile::TakeBlock()
 {
   const FileBlock block{ std::filesystem::path(this->Path).filename().string(), this->BlockBegin,
-    this->Size, this->BlockSum.Finish() };
+    this->Size, this->BlockSum.Finish(), false };
   this->BlockBegin = this->Size;
   return block;
 }

@@ -21,6 +21,7 @@ struct FileBlock
   std::uint64_t Begin = 0;
   std::uint64_t End = 0; ///< the place after the last
   std::string Checksum;
+  bool IsWhole = false; ///< no more is written to the file
 };
 
 /// Whether the folders of a file that is opened are made, or need to be there.
@@ -144,7 +145,7 @@ VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///
 VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
   const std::string& path, const std::string& ending);
 
-/// A block of a file that has its final name.
+/// A block of a file that is whole.
 VTKHELIOSFILTERSIO_EXPORT FileBlock MakeFileBlock(
   const std::string& path, std::uint64_t begin, std::uint64_t end);
 

@@ -323,6 +323,7 @@ std::string vtkHeliosXMLPieceWriter::WritePieceFile(
     return file.GetProblem();
   }
   this->PieceBlocks->push_back(file.TakeBlock());
+  this->PieceBlocks->back().IsWhole = true;
   return helios::RenameFile(file.GetPartPath(), name);
 }
 

@@ -65,6 +65,11 @@ def test_wrong_usage(arguments, message, capsys):
     assert message in capsys.readouterr().err
 
 
+def test_check_all_is_for_resume(capsys):
+    assert main(["run", "s.xml", "--check-all"]) == 2
+    assert "error: --check-all is for --resume: give both of them" in capsys.readouterr().err
+
+
 def test_sub_rays_or_a_tolerance(capsys):
     assert main(["run", "s.xml", "--sub-rays", "7", "--range-tolerance", "0.01"]) == 2
     assert "--sub-rays is always that many" in capsys.readouterr().err

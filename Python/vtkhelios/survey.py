@@ -206,14 +206,14 @@ class Survey:
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
         sub_rays, detector, ray_caster and play as run() has them; waveforms, pulses,
-        split_by_channel, overwrite, resume, pulses_per_block as vtkHeliosSurveyPlayer
-        has them. Memory holds a block of pulses at a time. The report (a dictionary) is
-        that of run_summary.json, and has the "folder".
+        split_by_channel, overwrite, resume, bytes_to_check, pulses_per_block as
+        vtkHeliosSurveyPlayer has them. Memory holds a block of pulses at a time. The report
+        (a dictionary) is that of run_summary.json, and has the "folder".
         """
         player = _class("vtkHeliosSurveyPlayer")(survey=self.vtk, format=format)
         player.SetOutputDirectory(to_vtk(folder))
         known = {**_OPTIONS, "waveforms": "write_waveforms", "pulses": "write_pulses"}
-        for name in ("split_by_channel", "overwrite", "resume", "pulses_per_block"):
+        for name in ("split_by_channel", "overwrite", "resume", "bytes_to_check", "pulses_per_block"):
             known[name] = name
         set_properties(player, _translate(options, known))
         with MessageLog() as log, Progress(progress) as watched:

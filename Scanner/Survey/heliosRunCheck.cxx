@@ -4,6 +4,7 @@
 
 #include "heliosRunJournal.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <system_error>
@@ -59,7 +60,15 @@ std::string RunCheck::FindFile(const std::string& name) const
 //------------------------------------------------------------------------------
 std::string RunCheck::CheckSizes(const RunJournal& journal) const
 {
-  for (const auto& file : journal.GetFiles())
+  std::map<std::string, FileProgress> files = journal.GetFiles();
+  for (const FileBlock& block : journal.GetBlocks()) // of files beside those
+  {
+    FileProgress& file = files[block.Name];
+    file.Name = block.Name;
+    file.Size = std::max(file.Size, static_cast<vtkIdType>(block.End));
+    file.IsWhole = file.IsWhole || block.IsWhole;
+  }
+  for (const auto& file : files)
   {
     const std::string problem = this->CheckSize(file.second);
     if (!problem.empty())

@@ -69,6 +69,12 @@ void RunJournal::Forget()
 std::string RunJournal::Read()
 {
   this->Forget();
+  if (this->IsWithoutChecksums())
+  {
+    return this->Path +
+      " was written by an earlier version of vtkHelios: it has no checksums, and what it says "
+      "cannot be relied on";
+  }
   std::ifstream file(this->Path, std::ios::binary);
   bool isBroken = false;
   std::size_t number = 0;
@@ -93,14 +99,8 @@ std::string RunJournal::Read()
     }
     this->Size += line.size() + 1;
   }
-  if (this->Fingerprint.isObject())
-  {
-    return {};
-  }
-  return this->Path +
-    (this->IsWithoutChecksums() ? " was written by an earlier version of vtkHelios: it has no "
-                                  "checksums, and what it says cannot be relied on"
-                                : " does not say which run it is of");
+  return this->Fingerprint.isObject() ? std::string()
+                                      : this->Path + " does not say which run it is of";
 }
 
 //------------------------------------------------------------------------------

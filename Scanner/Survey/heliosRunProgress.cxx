@@ -48,6 +48,7 @@ Json::Value ToJson(const FileProgress& file)
     part["begin"] = Json::Int64(block.Begin);
     part["end"] = Json::Int64(block.End);
     part["check"] = block.Checksum;
+    part["whole"] = block.IsWhole;
   }
   return entry;
 }
@@ -106,7 +107,8 @@ std::string GetName(const Json::Value& value)
 FileBlock BlockFromJson(const Json::Value& value)
 {
   FileBlock block{ GetName(value), static_cast<std::uint64_t>(GetCount(value, "begin")),
-    static_cast<std::uint64_t>(GetCount(value, "end")), GetText(value, "check") };
+    static_cast<std::uint64_t>(GetCount(value, "end")), GetText(value, "check"),
+    GetFlag(value, "whole") };
   if (block.Begin >= block.End)
   {
     throw BadJson("\"end\" of a block of " + block.Name + " is not after its \"begin\"");

@@ -47,7 +47,9 @@ how a run survives:
   Ctrl-C, or ended by a full disk goes on after its last block with the same command and --resume;
   its files are then the same, byte for byte, as those of a run that was never broken. What it
   read and was told (files, seed, format, sampling) must be the same, too; an error says what is
-  not. A run that is finished stays as it is. Docs/running.md has the whole of it.
+  not. The journal and the last blocks of the files have checksums: what is damaged is an error;
+  --check-all compares the whole of the files. A run that is finished stays as it is.
+  Docs/running.md has the whole of it.
 
 how long it will take:
   --dry-run loads the scene, runs a tenth of the pulses or less, here and there on every leg, and
@@ -213,6 +215,12 @@ def add_earlier_run_arguments(parser):
         action="store_true",
         help="go on with an earlier run that was killed, interrupted or has failed",
     )
+    parser.add_argument(
+        "--check-all",
+        action="store_true",
+        help="with --resume: compare all bytes that were written with their checksums before it "
+        "goes on, not those of the last blocks alone (1 GiB)",
+    )
 
 
 def add_sampling_arguments(parser):
@@ -256,6 +264,9 @@ def run(arguments):
             file=sys.stderr,
         )
         return 2
+    if arguments.check_all and not arguments.resume:
+        print("error: --check-all is for --resume: give both of them", file=sys.stderr)
+        return 2
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         survey = read_survey(arguments, messages)
@@ -294,6 +305,8 @@ def make_player(arguments, survey, messages):
     player.SetOutputDirectory(to_vtk(arguments.output))
     player.SetOverwrite(arguments.overwrite)
     player.SetResume(arguments.resume)
+    if arguments.check_all:
+        player.SetBytesToCheck(player.GetBytesToCheckMaxValue())
     player.SetPulsesPerBlock(arguments.pulses_per_block)
     player.SetFormat(arguments.format)
     player.SetWriteWaveforms(arguments.waveforms)
