@@ -3,22 +3,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds vtkHelios and runs every test; sets up what is missing first (Debian 12).
 #
-#   Testing/run.sh           the release build, the build without optional libraries, all tests
-#   Testing/run.sh --asan    the C++ tests under the address and undefined-behaviour sanitizers, too
+#   Testing/run.sh              the release build, the build without optional libraries, all tests
+#   Testing/run.sh --asan       the C++ tests under the address and undefined-behaviour sanitizers, too
+#   Testing/run.sh --fuzz [N]   N damaged files (100,000) for all readers, too
 #
 # Ends with the summaries of ctest and pytest; the exit code is not 0 where a test failed.
 
 # shellcheck source=../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"
 
-usage() { sed -n 's/^# \{0,1\}//; 5,8p' Testing/run.sh; }
+usage() { sed -n 's/^# \{0,1\}//; 5,9p' Testing/run.sh; }
 asan=false
-for argument in "$@"; do
-  case $argument in
+fuzz=0
+while [ $# -gt 0 ]; do
+  case $1 in
     --asan) asan=true ;;
+    --fuzz)
+      fuzz=100000
+      [[ ${2:-} =~ ^[0-9]+$ ]] && fuzz=$2 && shift
+      ;;
     -h | --help) usage && exit ;;
-    *) echo "unknown option $argument" >&2 && usage >&2 && exit 2 ;;
+    *) echo "unknown option $1" >&2 && usage >&2 && exit 2 ;;
   esac
+  shift
 done
 
 helios_setup
@@ -44,6 +51,11 @@ run_ctest build
 
 helios_say "pytest"
 build/venv/bin/python -m pytest || failed+=(pytest)
+
+if [ "$fuzz" -gt 0 ]; then
+  helios_say "fuzz: $fuzz damaged files"
+  build/venv/bin/python Testing/Fuzz/fuzz.py --cases "$fuzz" || failed+=(fuzz)
+fi
 
 for what in "${failed[@]}"; do
   echo "FAILED: $what" >&2

@@ -65,6 +65,7 @@ def test_laz_with_wrong_counts(tmp_path):
 @pytest.mark.parametrize(
     "text, message",
     [
+        ("1 2 3\n4 5 \0 6\n", "a.xyz:2: has zero bytes, which text has not: it is damaged"),
         ("1 2 3\n4 5\n", "a.xyz:2: has 2 columns and the first line 3; correct it"),
         ("1 2 3\n4 x 6\n", 'a.xyz:2: "x" in column 2 is no number; correct it'),
         ("1 2\n", "a.xyz: has 2 columns; give x y z"),

@@ -64,6 +64,9 @@ class TextReader(Reader):
 
     def _parse(self, lines, first):
         data = b"".join(lines)
+        if b"\0" in data:
+            place = next(number for number, line in enumerate(lines, first) if b"\0" in line)
+            self.fail_at(place, "has zero bytes, which text has not: it is damaged, copy it again")
         if b"#" in data or b"//" in data:
             lines = [b" ".join(_words(line)) + b"\n" for line in lines]
         table = self._table(lines, first)

@@ -43,8 +43,8 @@ def check_finite(name, values):
         raise Silent(f"{name} of record {row} is {values[row]}, not finite")
 
 
-def check_chunk(chunk, may_be_invalid=()):
-    """Arrays of points: of one length, finite, in their ranges."""
+def check_chunk(chunk, may_be_invalid=("Deviation",)):
+    """Arrays of points: of one length, finite, in their ranges. An echo without a fit has no Deviation."""
     count = len(chunk["points"])
     for name, values in chunk.items():
         check(len(values) == count, f"{name} has {len(values)} rows for {count} points")
