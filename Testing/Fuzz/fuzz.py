@@ -121,7 +121,9 @@ class Tally:
         row["cases"] += 1
         row[result.outcome] += 1
         self.peak[result.target] = max(self.peak[result.target], result.peak)
-        self.slowest[result.target] = max(self.slowest[result.target], (result.seconds, result.case))
+        self.slowest[result.target] = max(
+            self.slowest[result.target], (result.seconds, result.case)
+        )
         if result.failed:
             self.failures.append(result)
         self._done += 1
@@ -150,7 +152,9 @@ class Tally:
         peak = max((row[-2] for row in rows), default=0)
         slowest = max((float(row[-1]) for row in rows), default=0.0)
         rows.append(["all", *sums, peak, f"{slowest:.2f}"])
-        texts = [[f"{each:,}" if isinstance(each, int) else str(each) for each in row] for row in rows]
+        texts = [
+            [f"{each:,}" if isinstance(each, int) else str(each) for each in row] for row in rows
+        ]
         return _format([head, *texts], markdown)
 
 
@@ -206,8 +210,7 @@ def main(argv=None):
         parser.error(f"no target is called {unknown}; --list lists them")
     if arguments.list:
         for name, target in targets.items():
-            words = " ".join((target.__doc__ or type(target).run.__doc__ or "").split())
-            print(f"{name:20} {words}")
+            print(f"{name:20} {' '.join(target.__doc__.split())}")
         return 0
     if (arguments.input or arguments.case) and len(targets) != 1:
         parser.error("--input and --case need one --target")

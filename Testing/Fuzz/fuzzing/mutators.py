@@ -196,7 +196,11 @@ def damage_elements(data, random):
         depth = random.choice((2, 50, 5000))
         head = b"<" + tag[2] + b">"
         return data[:first] + head * depth + element + b"</" + tag[2] + b">" * depth + data[last:]
-    return data[: tag.start(1)] + random.choice((b"/", b"?", b"!--", b"![CDATA[")) + data[tag.start(1) :]
+    return (
+        data[: tag.start(1)]
+        + random.choice((b"/", b"?", b"!--", b"![CDATA["))
+        + data[tag.start(1) :]
+    )
 
 
 def _end_of(data, tag, tags):

@@ -66,7 +66,10 @@ def check_polydata(data):
         cells = getattr(data, f"Get{kind}")()
         if cells.GetNumberOfCells():
             ids = vtk_to_numpy(cells.GetConnectivityArray())
-            check(len(ids) == 0 or (ids.min() >= 0 and ids.max() < count), f"{kind}: ids out of bounds")
+            check(
+                len(ids) == 0 or (ids.min() >= 0 and ids.max() < count),
+                f"{kind}: ids out of bounds",
+            )
     check_fields(data.GetPointData(), count)
     check_fields(data.GetCellData(), data.GetNumberOfCells())
     return data.GetNumberOfCells()
@@ -78,7 +81,10 @@ def check_fields(fields, count):
         if array is None:
             continue
         name = array.GetName()
-        check(array.GetNumberOfTuples() == count, f"{name} has {array.GetNumberOfTuples()} rows for {count}")
+        check(
+            array.GetNumberOfTuples() == count,
+            f"{name} has {array.GetNumberOfTuples()} rows for {count}",
+        )
         if count:
             check_finite(name, vtk_to_numpy(array))
 

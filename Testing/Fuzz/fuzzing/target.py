@@ -7,6 +7,7 @@ import dataclasses
 import io
 import pathlib
 import random
+import re
 import warnings
 import zlib
 
@@ -14,6 +15,7 @@ from . import mutators
 from .outcomes import Refused, check
 
 KEPT = pathlib.Path(__file__).absolute().parents[1] / "seeds"  # of all that ever failed
+CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 KEPT_SHARE = 0.1  # of the mutants that are made of kept files
 
 
@@ -107,6 +109,7 @@ def command_line(*arguments, allowed=(0,)):
         finally:
             vtkOutputWindow.GetInstance().RemoveAllObservers()
     told = error.getvalue()
+    check(not CONTROL.search(told + out.getvalue()), f"control characters are printed: {told!r}")
     if code in allowed:
         check("error: " not in told, f"exit code {code} with an error: {told}")
         return out.getvalue(), told

@@ -189,7 +189,12 @@ class Waves(Target):
 
     def make_seeds(self, folder):
         run = small_files.run_survey(
-            folder, small_files.STAND, "--format", "las", "--waveforms", scene=small_files.SIMPLE_SCENE
+            folder,
+            small_files.STAND,
+            "--format",
+            "las",
+            "--waveforms",
+            scene=small_files.SIMPLE_SCENE,
         )
         las, wdp = run / "leg000_points.las", run / "leg000_points.wdp"
         return [
@@ -208,7 +213,9 @@ class Waves(Target):
         reader.SetReadWaveforms(True)
         vtkhelios.update(reader)
         check_polydata(reader.GetOutputDataObject(0))
-        check_count(reader.GetOutputDataObject(0).GetNumberOfPoints(), las_count(las.read_bytes()), False)
+        check_count(
+            reader.GetOutputDataObject(0).GetNumberOfPoints(), las_count(las.read_bytes()), False
+        )
         check_waveforms(reader.GetOutputDataObject(1))
 
 
@@ -266,5 +273,3 @@ def make_targets():
         + [Convert(key) for key in ("las", "laz", "ply", "xyz", "pcd", "vtp", "pvtp", "e57")]
         + [LasSource("las"), LasSource("laz"), Waves()]
     )
-
-

@@ -15,6 +15,8 @@ from .target import Seed, Target, command_line, pick, update
 
 
 class Obj(Target):
+    """OBJ: every triangle of its faces."""
+
     name = "obj"
 
     def make_seeds(self, folder):
@@ -42,10 +44,14 @@ class Obj(Target):
 
 
 class Mtl(Target):
+    """MTL beside a good OBJ: reflectances between 0 and 1."""
+
     name = "mtl"
 
     def make_seeds(self, folder):
-        return [Seed("a.mtl", small_files.MATERIALS.encode(), {"plane.obj": small_files.PLANE.encode()})]
+        return [
+            Seed("a.mtl", small_files.MATERIALS.encode(), {"plane.obj": small_files.PLANE.encode()})
+        ]
 
     def run(self, path, data):
         reader = vtkhelios.vtkHeliosObjSceneReader()
@@ -70,6 +76,8 @@ def check_materials(fields):
 
 
 class GeoTiff(Target):
+    """GeoTIFF as a scene."""
+
     name = "geotiff"
     kind = "binary"
 
@@ -110,6 +118,8 @@ def make_tiff(rows, form):
 
 
 class Xyz(Target):
+    """Points of scenes as text, plain and with normals and colours."""
+
     name = "xyz"
 
     def make_seeds(self, folder):
@@ -134,6 +144,8 @@ class Xyz(Target):
 
 
 class Voxels(Target):
+    """Voxel files."""
+
     name = "vox"
 
     def make_seeds(self, folder):
@@ -153,6 +165,8 @@ class Voxels(Target):
 
 
 class Spectrum(Target):
+    """The spectrum of a material, and the run of a survey of it."""
+
     name = "spectrum"
     weight = 0.4
 
@@ -180,6 +194,8 @@ def survey_files(folder):
 
 
 class Trajectory(Target):
+    """Trajectories: times in order, unit quaternions, every row."""
+
     name = "trajectory"
 
     def make_seeds(self, folder):
@@ -197,7 +213,9 @@ class Trajectory(Target):
         times = vtk_to_numpy(way.GetPointData().GetArray("GpsTime"))
         check((np.diff(times) >= 0).all(), "times go back")
         turns = vtk_to_numpy(way.GetPointData().GetArray("Orientation"))
-        check(np.allclose(np.linalg.norm(turns, axis=1), 1.0), "orientations are no unit quaternions")
+        check(
+            np.allclose(np.linalg.norm(turns, axis=1), 1.0), "orientations are no unit quaternions"
+        )
         lines = plain_lines(data)
         check_count(len(times), None if lines is None else len(lines), warned, "rows")
 
@@ -253,7 +271,9 @@ def check_waveforms(table):
         samples = table.GetFieldData().GetArray("Samples")
         check(samples is not None, "no samples")
         check_finite("Samples", vtk_to_numpy(samples))
-        offsets, counts = (vtk_to_numpy(table.GetRowData().GetArray(name)) for name in ("Offset", "Count"))
+        offsets, counts = (
+            vtk_to_numpy(table.GetRowData().GetArray(name)) for name in ("Offset", "Count")
+        )
         check((offsets >= 0).all() and (counts >= 0).all(), "offsets or counts below 0")
         last = (offsets + counts).max()
         check(last <= samples.GetNumberOfTuples(), "samples beyond the end")

@@ -49,7 +49,9 @@ def check_echoes(cloud):
     check_polydata(cloud)
     data = cloud.GetPointData()
     if cloud.GetNumberOfPoints():
-        number, count = (vtk_to_numpy(data.GetArray(n)) for n in ("ReturnNumber", "NumberOfReturns"))
+        number, count = (
+            vtk_to_numpy(data.GetArray(n)) for n in ("ReturnNumber", "NumberOfReturns")
+        )
         check((number >= 1).all() and (number <= count).all(), "return numbers above their number")
 
 
@@ -65,6 +67,8 @@ def xml_seeds(which):
 
 
 class Validate(Target):
+    """vtkhelios validate on surveys, scenes, assets and planners."""
+
     name = "validate"
     kind = "xml"
 
@@ -117,12 +121,18 @@ class RunFiles(Survey):
                 report = survey.run_to(path.with_name("out"), format=form, progress=stop_after(),
                                        waveforms=pick(data, [True, False]))  # fmt: skip
                 count, _ = read_points(report["folder"], 10_000)
-                told = report["totals"]["points"] if "totals" in report else report.get("points", count)
+                told = (
+                    report["totals"]["points"]
+                    if "totals" in report
+                    else report.get("points", count)
+                )
                 check(count == told, f"{count} points in files, {told} in the summary")
         del warned
 
 
 class DryRun(Survey):
+    """Surveys, and the estimate of what is accepted."""
+
     name = "dry-run"
     weight = 0.3
 
@@ -156,6 +166,8 @@ class DryRun(Survey):
 
 
 class Planner(Target):
+    """Planner documents and the assets that they name."""
+
     name = "planner-xml"
     kind = "xml"
 
@@ -200,6 +212,8 @@ class AttributeText(Target):
 
 
 class Expressions(AttributeText):
+    """Error expressions, in a survey that is then run."""
+
     name = "expression"
     texts = (
         b"0.001 * t", b"sin(THETA) * 0.001 + 2 * pi / (1 + t^2)", b"atan2(t, 1) * -1e-3 + e - exp(1)",
@@ -213,6 +227,8 @@ class Expressions(AttributeText):
 
 
 class Patterns(AttributeText):
+    """Patterns of file names (efilepath)."""
+
     name = "efilepath"
     texts = (b"trees/oak_.*[.]obj", b"trees/(a+)+b[0-9]{1,3}\\.obj", b"trees/[a-z_]+_[^x]?\\d*.obj")
 
