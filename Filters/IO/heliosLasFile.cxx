@@ -69,6 +69,10 @@ std::string LasFile::OpenFile()
   {
     return "is a folder; give the name of a file";
   }
+  if (std::filesystem::is_other(this->Path, error)) // whose reading may never end
+  {
+    return "is a pipe or a device; give the name of a file";
+  }
   this->File = std::ifstream(this->Path, std::ios::binary);
   if (!this->File)
   {

@@ -125,6 +125,11 @@ std::string LasPackets::Open(const LasFile& file)
   this->Path = isInternal ? file.GetPath() : GetPacketsName(file.GetPath());
   this->Begin = isInternal ? header.WavesBegin : 0;
   std::error_code error;
+  if (std::filesystem::is_other(this->Path, error))
+  {
+    return this->Path + ": is a pipe or a device, and should have the waveforms of " +
+      file.GetPath() + "; put them there, or switch ReadWaveforms off";
+  }
   this->File.open(this->Path, std::ios::binary);
   this->End = this->File ? std::filesystem::file_size(this->Path, error) : 0;
   if (!this->File || error)

@@ -11,6 +11,8 @@
 
 #include <limits>
 
+#include <sys/stat.h>
+
 namespace names = vtkHeliosArrayNames;
 using helios::CountWrong;
 using helios::GetNumber;
@@ -429,6 +431,13 @@ TEST_CASE("LASReader: names that are wrong", "[LASReader]")
   LasReading folder(Folder / "");
   CHECK_FALSE(folder.Read());
   CHECK(folder.Log->HasError("is a folder; give the name of a file"));
+  REQUIRE(::mkfifo((Folder / "pipe.las").c_str(), 0600) == 0);
+  LasReading pipe(Folder / "pipe.las");
+  CHECK_FALSE(pipe.Read());
+  CHECK(pipe.Log->HasError("pipe.las: is a pipe or a device; give the name of a file"));
+  LasReading device("/dev/zero");
+  CHECK_FALSE(device.Read());
+  CHECK(device.Log->HasError("/dev/zero: is a pipe or a device; give the name of a file"));
 }
 
 TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")

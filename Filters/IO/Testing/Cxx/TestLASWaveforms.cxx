@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include <sys/stat.h>
+
 namespace names = vtkHeliosArrayNames;
 namespace fs = std::filesystem;
 using helios::GetNumber;
@@ -290,6 +292,8 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
     "names the waveform descriptor 1, whose samples have no time between them"));
   fs::remove(writing.Packets);
   CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
+  REQUIRE(::mkfifo(writing.Packets.c_str(), 0600) == 0);
+  CHECK(fails(good, writing.Packets + ": is a pipe or a device, and should have the waveforms of"));
 }
 
 TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWaveforms]")
