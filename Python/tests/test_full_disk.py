@@ -30,7 +30,9 @@ def small_disk(tmp_path):
     disk.mkdir()
 
     def call(size, *arguments):
-        words = " ".join(f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments])
+        words = " ".join(
+            f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments]
+        )
         script = (
             f"mount -t tmpfs -o size={size} none '{disk}' && {words}; code=$?; "
             f"cd '{disk}' && find . -type f -name '*.part*'; exit $code"
@@ -78,6 +80,30 @@ def test_plan(small_disk, make_survey, size):
     assert done.stderr.splitlines()[-1].startswith(f"error: {disk}/scene/")
     assert done.stderr.endswith("; free space on its disk or give another --output\n")
     assert ".part" not in done.stdout
+
+
+def test_picture(small_disk):
+    """Of the size of a disk that holds the beginning."""
+    from vtkhelios import picture
+
+    disk, _ = small_disk
+    code = (
+        "import sys, numpy as np; from vtkhelios import picture; "
+        "picture.write_png(np.random.default_rng(1).random((400, 400, 3)), sys.argv[1])"
+    )
+    script = (
+        f"mount -t tmpfs -o size=16k none '{disk}' && "
+        f"'{sys.executable}' -c '{code}' '{disk}/a.png'; ls '{disk}'"
+    )
+    assert picture.OVERSAMPLING == 2
+    done = subprocess.run(
+        ["unshare", "-m", "sh", "-c", script],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    )
+    assert f"OSError: [Errno 28] the disk may be full: '{disk}/a.png'" in done.stderr
+    assert done.stdout == ""
 
 
 def test_write_whole(tmp_path, monkeypatch):

@@ -17,7 +17,9 @@ def shell():
     """Runs vtkhelios from a shell that redirects its streams."""
 
     def call(redirection, *arguments):
-        words = " ".join(f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments])
+        words = " ".join(
+            f"'{word}'" for word in [sys.executable, "-P", "-m", "vtkhelios", *arguments]
+        )
         return subprocess.run(
             ["sh", "-c", f"{words} {redirection}"],
             capture_output=True,
@@ -39,7 +41,11 @@ def expect_run(folder):
 
 @pytest.mark.parametrize(
     "redirection, reason",
-    [(">/dev/full", "No space left on device"), (">&-", "it is closed"), (">&- <&-", "it is closed")],
+    [
+        (">/dev/full", "No space left on device"),
+        (">&-", "it is closed"),
+        (">&- <&-", "it is closed"),
+    ],
 )
 @pytest.mark.parametrize("json", [False, True])
 def test_no_standard_output(shell, make_survey, tmp_path, redirection, reason, json):
@@ -54,7 +60,9 @@ def test_no_standard_output(shell, make_survey, tmp_path, redirection, reason, j
     expect_run(out)
 
 
-@pytest.mark.parametrize("redirection", [">&-", ">/dev/full", ">&- 2>&- <&-", ">/dev/full 2>/dev/full"])
+@pytest.mark.parametrize(
+    "redirection", [">&-", ">/dev/full", ">&- 2>&- <&-", ">/dev/full 2>/dev/full"]
+)
 def test_nothing_to_print_is_no_failure(shell, make_survey, tmp_path, redirection):
     out = tmp_path / "out"
     done = shell(redirection, "run", make_survey(), "--output", out, "--quiet")
@@ -93,7 +101,9 @@ def test_launcher_with_closed_streams(make_survey, tmp_path):
     launcher = Path(vtkhelios.__file__).absolute().parents[4] / "bin/vtkhelios"
     if not launcher.is_file():
         pytest.skip("no launcher in this installation")
-    command = f"'{launcher}' run '{make_survey()}' --output '{tmp_path / 'out'}' --quiet >&- 2>&- <&-"
+    command = (
+        f"'{launcher}' run '{make_survey()}' --output '{tmp_path / 'out'}' --quiet >&- 2>&- <&-"
+    )
     assert subprocess.run(["sh", "-c", command]).returncode == 0
     expect_run(tmp_path / "out")
 

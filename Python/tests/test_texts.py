@@ -142,7 +142,9 @@ def test_names_to_vtk_and_back():
 
 def test_detect_loses_no_waveforms(make_survey, tmp_path, monkeypatch, capsys):
     out = tmp_path / "out"
-    assert cli.main(["run", str(make_survey()), "--output", str(out), "--waveforms", "--quiet"]) == 0
+    assert (
+        cli.main(["run", str(make_survey()), "--output", str(out), "--waveforms", "--quiet"]) == 0
+    )
     path = out / "plane/leg000_fullwave.txt"
     good = path.read_bytes()
     lines = good.splitlines(keepends=True)
@@ -341,7 +343,17 @@ def test_what_a_terminal_cannot_show(make_survey):
     """A terminal of another language: the text is escaped, nothing raises."""
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path), "PYTHONIOENCODING": "ascii"}
     done = subprocess.run(
-        [sys.executable, "-P", "-m", "vtkhelios", "run", make_survey(), "--dry-run", "--assets", "µ"],
+        [
+            sys.executable,
+            "-P",
+            "-m",
+            "vtkhelios",
+            "run",
+            make_survey(),
+            "--dry-run",
+            "--assets",
+            "µ",
+        ],
         capture_output=True,
         env=environment,
     )

@@ -105,4 +105,6 @@ def test_no_vtk_at_all():
 
 def test_its_own_vtk_is_no_other():
     assert do("import vtkmodules.all, vtkhelios").returncode == 0
-    assert do("import vtkhelios, vtk; vtk.vtkObject(), vtkhelios.vtkHeliosScanner()").returncode == 0
+    assert (
+        do("import vtkhelios, vtk; vtk.vtkObject(), vtkhelios.vtkHeliosScanner()").returncode == 0
+    )

@@ -24,6 +24,8 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 import vtkhelios
 
 from ._arrays import arrays
+from .cli._files import cannot_be_written
+from .cli._streams import visible
 
 from vtkmodules import vtkRenderingCore as rendering
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
@@ -334,7 +336,8 @@ def write_png(rgb, output):
     writer.SetInputData(image)
     writer.Write()
     if writer.GetErrorCode():
-        pathlib.Path(output).unlink(missing_ok=True)  # it is not whole
+        if pathlib.Path(output).is_file():
+            pathlib.Path(output).unlink()  # it is not whole
         raise OSError(errno.ENOSPC, "the disk may be full", str(output))
 
 
@@ -378,10 +381,11 @@ def main(argv=None):
             point_size=given.point_size,
         )
     except RuntimeError as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(visible(f"error: {error}"), file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"error: {error.filename}: cannot be written: {error.strerror}", file=sys.stderr)
+        problem = cannot_be_written(error, given.output, "--output")
+        print(visible(f"error: {problem}"), file=sys.stderr)
         return 1
     return 0
 

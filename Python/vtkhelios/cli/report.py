@@ -71,7 +71,9 @@ def run(arguments):
         except formats.FormatError as error:
             messages.error(str(error))
         except OSError as error:
-            messages.error(f"{error.filename or arguments.folder}: {error.strerror}; choose another --output")
+            messages.error(
+                f"{error.filename or arguments.folder}: {error.strerror}; choose another --output"
+            )
         return 1
 
 

@@ -43,7 +43,9 @@ def explain_missing():
     tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # of a build
     build = f"cmake --build {tree} --target {PROGRAM}"
     if not (tree / "CMakeCache.txt").is_file():
-        left_out = "was left out when vtkHelios was built; build it with -DVTKHELIOS_BUILD_VIEWER=ON"
+        left_out = (
+            "was left out when vtkHelios was built; build it with -DVTKHELIOS_BUILD_VIEWER=ON"
+        )
         missing = f"is not installed in {tree / 'bin'}; install it, too: cmake --install BUILD"
         return f"{PROGRAM} {missing if HAS_VIEWER else left_out}"
     if HAS_VIEWER:
