@@ -175,6 +175,16 @@ def test_progress_line(three, capsys):
     assert file[-1].strip() == ""
 
 
+def test_progress_that_cannot_be_shown_ends_no_run(survey, monkeypatch):
+    with open("/dev/full", "w") as full:
+        monkeypatch.setattr("sys.stderr", full)
+        assert len(survey.run(progress=True)) > 0
+        full.buffer.raw.close()  # else Python's own flush at its end fails, too
+        assert len(survey.run(progress=True)) > 0
+    monkeypatch.setattr("sys.stderr", None)
+    assert len(survey.run(progress=True)) > 0
+
+
 def test_what_a_callback_raises_ends_the_run(three, tmp_path):
     def stop(share):
         raise RuntimeError(f"enough at {share:.0f}")

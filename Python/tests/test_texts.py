@@ -4,6 +4,7 @@
 
 import json
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -129,6 +130,12 @@ def test_an_error_of_python_may_have_such_a_name(capfd):
     assert log.errors == [r"odd\xff\xfe: broken"]
     report_error(source, f"{ODD}: broken")  # nobody listens
     assert capfd.readouterr().err.startswith("odd")
+
+
+def test_messages_have_one_door():
+    """VTK's own observers lose texts that are not UTF-8."""
+    package = pathlib.Path(vtkhelios.__file__).parent
+    assert not [path for path in package.rglob("*.py") if "CallDataType" in path.read_text()]
 
 
 def test_names_to_vtk_and_back():

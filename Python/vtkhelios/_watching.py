@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What ``progress=`` may be: nothing, True for a line on standard error, a function."""
 
+import contextlib
 import sys
 import time
 
@@ -9,7 +10,10 @@ SECONDS_BETWEEN_LINES = 0.2
 
 
 class ProgressLine:
-    """One line that is written over: a bar, the share done, the time that is left."""
+    """One line that is written over: a bar, the share done, the time that is left.
+
+    A file that cannot be written to ends no run: nothing is shown.
+    """
 
     def __init__(self, file=None):
         self._file = sys.stderr if file is None else file
@@ -27,15 +31,19 @@ class ProgressLine:
         share = min(1.0, max(0.0, share))
         left = f", {elapsed / share - elapsed:.0f} s left" if share > 0.02 else ""
         line = f"[{'#' * round(24 * share):24}] {100 * share:3.0f} %{left}"
-        self._file.write("\r" + line.ljust(self._width))
-        self._file.flush()
+        self._write("\r" + line.ljust(self._width))
         self._width = len(line)
+
+    def _write(self, text):
+        if self._file is not None:  # Python has none where the stream is closed
+            with contextlib.suppress(OSError, ValueError):
+                self._file.write(text)
+                self._file.flush()
 
     def close(self):
         """Wipes the line."""
         if self._width:
-            self._file.write("\r" + " " * self._width + "\r")
-            self._file.flush()
+            self._write("\r" + " " * self._width + "\r")
 
 
 class Progress:

@@ -82,8 +82,10 @@ class Scene:
         writer.SetInputDataObject(self.polydata)
         with MessageLog() as log:
             log.watch(writer)
-            writer.Write()
+            succeeded = writer.Write()
         conclude(log)
+        if not succeeded:
+            raise OSError(f"{path} cannot be written; is its folder there?")
 
     def save_for_surveys(self):
         """The OBJ file of the scene as it is, in a temporary folder that goes with the Scene."""
