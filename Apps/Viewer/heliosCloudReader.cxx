@@ -4,6 +4,7 @@
 
 #include "heliosCloud.h"
 #include "heliosJsonText.h"
+#include "heliosPlyPoints.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
 #include "vtkHeliosPointXMLReader.h"
@@ -14,7 +15,6 @@
 #include <vtkExecutive.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -273,9 +273,14 @@ std::string CloudReader::ReadCloud(const std::string& path)
   }
   if (ending == ".ply")
   {
-    vtkNew<vtkPLYReader> reader;
-    reader->SetFileName(name);
-    return this->ReadPieces(reader, path, 1);
+    vtkNew<vtkPolyData> cloud;
+    const std::string problem = ReadPlyPoints(path, cloud);
+    if (!problem.empty())
+    {
+      return path + ": " + problem + "; the file may be damaged: write it again";
+    }
+    this->OnBlock(cloud, 1.0);
+    return "";
   }
   return path + ": no cloud that can be read; " + Kinds;
 }
@@ -324,9 +329,7 @@ std::string CloudReader::ReadPieces(
       this->OnBlock(block, (piece + 1.0) / pieces);
     }
   }
-  // VTK's own reader names no cure
-  const char* cure = GetEnding(path) == ".ply" ? "; the file may be damaged: write it again" : "";
-  return error.empty() ? "" : WithPath(path, error + cure);
+  return error.empty() ? "" : WithPath(path, error);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 using namespace helios;
@@ -150,6 +151,20 @@ TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
   CHECK(fromVtp.GetEcho(0).Part == 1);
   REQUIRE(CloudReader().Read(folder / "a.PLY", fromPly) == "");
   CHECK(fromPly.GetEcho(2).Position[0] == 2.25);
+
+  std::string binary = "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty double x\n"
+                       "property double y\nproperty double z\nproperty uchar ReturnNumber\n"
+                       "element face 1\nproperty list uchar int corners\nend_header\n";
+  for (const double value : { 500000.123456789, 1.0, 2.0 })
+  {
+    std::string bytes(8, '\0');
+    std::memcpy(bytes.data(), &value, 8);
+    binary.append(bytes.rbegin(), bytes.rend());
+  }
+  std::ofstream(folder / "b.ply", std::ios::binary) << binary << '\3';
+  Cloud doubles;
+  REQUIRE(CloudReader().Read(folder / "b.ply", doubles) == "");
+  CHECK(std::abs(doubles.GetEcho(0).Position[0] - 500000.123456789) < 1e-7); // a float: 0.03
 }
 
 TEST_CASE("CloudReader: the folder of a run, and how far the reading is")
@@ -214,6 +229,29 @@ TEST_CASE("CloudReader: errors name the file and the cure")
   check("a.las", "no LAS at all", ": is no LAS file: it does not start with LASF");
   check("a.vtp", "<VTKFile", "a.vtp: is not whole XML; copy or write the file again");
   check("a.ply", "no PLY", "; the file may be damaged: write it again");
+  const std::string head = "ply\nformat ascii 1.0\nelement vertex 2\n";
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  const auto checkPly = [&](const std::string& text, const std::string& wanted)
+  { check("a.ply", text.c_str(), wanted + "; the file may be damaged: write it again"); };
+  checkPly(head, ": ends within its header");
+  checkPly(head + xyz + "property int x\nend_header\n", ": has the property x twice");
+  checkPly(head + "property list uchar int n\nend_header\n",
+    "a property list, and plain numbers can be read");
+  checkPly(head + "element vertex 1\nend_header\n", ": has vertices twice");
+  checkPly(head + "element face\nend_header\n", ": an element of its header has no count");
+  checkPly(
+    "ply\nelement face 1\n" + head.substr(4) + "end_header\n", ": has face before its vertices");
+  checkPly("ply\nend_header\n", ": has no vertices");
+  checkPly("ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nend_header\n",
+    ": has no vertices with x, y and z");
+  checkPly(head + "end_header\n", ": has no vertices with x, y and z");
+  checkPly(head + xyz.substr(17) + "end_header\n1 2\n3 4\n", ": has no vertices with x, y and z");
+  checkPly("ply\nformat text 1.0\nelement vertex 0\nproperty int x\nend_header\n",
+    ": has the format \"text\", and ascii or binary can be read");
+  checkPly(head + xyz + "end_header\n1 2 3\n", ": is cut off: it counts 2 vertices");
+  checkPly(head + xyz + "end_header\n1 2 3\n4 five 6\n", ": vertex 1 is missing or no numbers");
+  checkPly("ply\nformat ascii 1.0\nelement vertex 9223372036854775807\n" + xyz + "end_header\n1",
+    ": is cut off: it counts 9223372036854775807 vertices");
   check(".", nullptr, ": no run_summary.json in this folder; give the folder of a finished run");
   CHECK_FALSE(CloudReader::CanRead(folder / "."));
   CHECK_FALSE(CloudReader::CanRead(folder / "a.foo"));
