@@ -24,7 +24,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
 
 namespace
 {
@@ -211,13 +210,13 @@ int main(int argc, char** argv)
   const int repetitions = std::max(1, argc > 1 ? std::atoi(argv[1]) : 5);
   const std::int64_t side = std::max(2, argc > 2 ? std::atoi(argv[2]) : 4000);
   GDALRegister_GTiff();
-  const fs::path path =
-    fs::temp_directory_path() / ("vtkHeliosBenchGeoTiff" + std::to_string(getpid()) + ".tif");
+  std::string folder = (fs::temp_directory_path() / "vtkHeliosBenchXXXXXX").string();
+  const fs::path path = fs::path(::mkdtemp(folder.data())) / "a.tif";
   const Layout layouts[] = { { "strips", {}, false }, { "strips, holes", {}, true },
     { "tiles", { "TILED=YES" }, false },
     { "tiles, deflate", { "TILED=YES", "COMPRESS=DEFLATE", "PREDICTOR=3" }, true } };
   const bool isGood = std::all_of(std::begin(layouts), std::end(layouts),
     [&](const Layout& layout) { return Compare(layout, path.string(), side, repetitions); });
-  fs::remove(path);
+  fs::remove_all(folder);
   return isGood ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -22,7 +22,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
 
 namespace
 {
@@ -192,9 +191,8 @@ int main(int argc, char** argv)
 {
   namespace fs = std::filesystem;
   const int repetitions = std::max(1, argc > 1 ? std::atoi(argv[1]) : 5);
-  const fs::path folder =
-    fs::temp_directory_path() / ("vtkHeliosBenchObj" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  std::string name = (fs::temp_directory_path() / "vtkHeliosBenchXXXXXX").string();
+  const fs::path folder = ::mkdtemp(name.data());
   const Terrain local = { "local", 6, 1000000, { -256, -243, 10 } };
   const Terrain utm = { "utm", 3, 1000, { 476000, 5473000, 110 } };
   const bool good =

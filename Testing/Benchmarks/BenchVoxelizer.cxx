@@ -23,7 +23,6 @@
 #include <vector>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 namespace
 {
@@ -267,10 +266,10 @@ int main(int argc, char** argv)
 {
   const int repetitions = std::max(1, argc > 1 ? std::atoi(argv[1]) : 5);
   const vtkIdType rows = std::max(1000LL, argc > 2 ? std::atoll(argv[2]) : 10000000LL);
-  const std::filesystem::path path = std::filesystem::temp_directory_path() /
-    ("vtkHeliosBenchVoxelizer" + std::to_string(getpid()) + ".xyz");
+  std::string folder = (std::filesystem::temp_directory_path() / "vtkHeliosBenchXXXXXX").string();
+  const std::filesystem::path path = std::filesystem::path(::mkdtemp(folder.data())) / "a.xyz";
   const bool good = RunFromFile(rows, path.string());
-  std::filesystem::remove(path);
+  std::filesystem::remove_all(folder);
   return good && RunInMemory(false, 0.25, repetitions) && RunInMemory(true, 0.25, repetitions) &&
       RunInMemory(true, 1.0, repetitions)
     ? EXIT_SUCCESS

@@ -24,7 +24,6 @@
 #include <string>
 #include <vector>
 
-#include <unistd.h>
 
 namespace helios
 {
@@ -35,10 +34,8 @@ class TestFolder
 public:
   TestFolder()
   {
-    static int count = 0;
-    this->Path = std::filesystem::temp_directory_path() /
-      ("vtkHeliosObj" + std::to_string(getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(this->Path);
+    std::string name = (std::filesystem::temp_directory_path() / "vtkHeliosObjXXXXXX").string();
+    this->Path = ::mkdtemp(name.data());
   }
   ~TestFolder() { std::filesystem::remove_all(this->Path); }
 
