@@ -10,6 +10,7 @@
 
 #ifdef __linux__
 #include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 using helios::ObjReading;
@@ -273,11 +274,9 @@ TEST_CASE("ObjErrors: a stray vertex is named with the extent it gives the scene
 TEST_CASE("ObjErrors: what is unknown or empty is warned of once", "[ObjErrors]")
 {
   CheckWarning(ObjSquare + "face 1 2 3\nf 1 2 3\nV 1 2 3\n",
-    ":5: unknown keyword \"face\", ignored (2 such lines in this file)",
-    1);
+    ":5: unknown keyword \"face\", ignored (2 such lines in this file)", 1);
   CheckWarning(ObjSquare, ": no triangles, so the scene is empty; add faces: f 1 2 3", 0);
   CheckWarning("", ": no triangles, so the scene is empty", 0);
   CheckWarning(ObjSquare + "usemtl\nf 1 2 3\nusemtl \nf 1 3 4\n",
-    ":5: usemtl has no name, the default material is used; give that of a material",
-    2);
+    ":5: usemtl has no name, the default material is used; give that of a material", 2);
 }
