@@ -190,8 +190,9 @@ bool FromText(const std::string& text, Json::Value& value)
   std::string ignored;
   try
   {
-    return reader->parse(text.data(), text.data() + text.size(), &value, &ignored) &&
-      value.isObject();
+    // a reader of JSON may take zeros for its end
+    return text.find('\0') == std::string::npos &&
+      reader->parse(text.data(), text.data() + text.size(), &value, &ignored) && value.isObject();
   }
   catch (const Json::Exception&) // too deep
   {

@@ -26,6 +26,7 @@ import signal
 import sys
 import tempfile
 import time
+import traceback
 
 SURVEY = """\
 <document>
@@ -77,15 +78,22 @@ def run(name, output, *options):
     return code, said.getvalue()
 
 
+def without_timings(summary):
+    try:
+        report = json.loads(summary)
+    except ValueError:
+        return summary
+    report.pop("timings", None)
+    return json.dumps(report, sort_keys=True).encode()
+
+
 def contents(folder):
     """The digest of every file; of the summary all but what the computer and the day give it."""
     found = {}
     for path in folder.iterdir():
         data = path.read_bytes()
         if path.name == SUMMARY:
-            report = json.loads(data)
-            report.pop("timings", None)
-            data = json.dumps(report, sort_keys=True).encode()
+            data = without_timings(data)
         found[path.name] = hashlib.sha256(data).hexdigest()
     return found
 
@@ -234,6 +242,8 @@ def in_child(work, seconds=SLOWEST):
             with os.fdopen(write, "w") as pipe:
                 work(lambda what: print(json.dumps(what), file=pipe, flush=True))
             code = 0
+        except Exception:
+            traceback.print_exc()
         finally:
             os._exit(code)
     os.close(write)

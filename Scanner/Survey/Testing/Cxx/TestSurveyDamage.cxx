@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are gone on with after their journal or their files were damaged.
-#include "heliosPlaying.h"
+#include "heliosBrokenRun.h"
 
 #include "heliosChecksum.h"
 
@@ -76,7 +76,7 @@ TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
   std::vector<std::string> lines = SplitLines(ReadText(files / Journal));
   REQUIRE(lines.size() == 7); // fingerprint, 4 blocks, end of the leg, 1 block
   CHECK(Reseal(lines) == JoinLines(lines));
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   std::string place = "(line 3, and there are lines after it)";
   SECTION("deleted")
@@ -113,10 +113,10 @@ TEST_CASE("SurveyDamage: the last lines of the journal are gone", "[SurveyDamage
   std::vector<std::string> lines = SplitLines(ReadText(files / Journal));
   lines.resize(GENERATE(1, 2, 5));
   files.Write(Journal, JoinLines(lines));
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   CHECK(playing.Player->Run());
-  Playing whole(files, reading, "whole");
+  BlockRun whole(files, reading, "whole");
   REQUIRE(whole.Player->Run());
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
 }
@@ -132,7 +132,7 @@ TEST_CASE("SurveyDamage: a journal of an earlier version", "[SurveyDamage]")
     line = Unseal(line);
   }
   files.Write(Journal, JoinLines(lines));
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   playing.CheckFails({ "run.journal was written by an earlier version of vtkHelios: it has no "
                        "checksums",
@@ -186,7 +186,7 @@ TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[
   REQUIRE(line.find(test.From) != std::string::npos);
   line.replace(line.find(test.From), std::string(test.From).size(), test.To);
   files.Write(Journal, Reseal(lines));
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   playing.CheckFails({ "run.journal, line ", test.Message, "set Overwrite (--overwrite)" });
 }
@@ -203,14 +203,14 @@ TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
                           "leg001_points.pvtp.part", "leg001_fullwave_0000.vtt" };
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.Player->SetFormat(format.c_str());
   broken.AbortAfter(50000);
   REQUIRE_FALSE(broken.Player->Run());
   for (const std::string& name : names)
   {
     INFO(name);
-    Playing playing(files, reading);
+    BlockRun playing(files, reading);
     playing.Player->SetFormat(format.c_str());
     playing.Player->SetResume(true);
     for (const double place : { 0.03, 0.5, 0.85 })
@@ -224,10 +224,10 @@ TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
       Flip(files, path, at);
     }
   }
-  Playing whole(files, reading, "whole");
+  BlockRun whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
   REQUIRE(whole.Player->Run());
-  Playing again(files, reading);
+  BlockRun again(files, reading);
   again.Player->SetFormat(format.c_str());
   again.Player->SetResume(true);
   CHECK(again.Player->Run());
@@ -238,12 +238,12 @@ TEST_CASE("SurveyDamage: the head of LAS that goes on", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.Player->SetFormat("las");
   broken.AbortAfter(50000);
   REQUIRE_FALSE(broken.Player->Run());
   Flip(files, "out/test/leg001_points.las.part", 156); // of the offset of x
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetFormat("las");
   playing.Player->SetResume(true);
   playing.CheckFails({ "leg001_points.las.part: its head is not the one that was written",
@@ -255,13 +255,13 @@ TEST_CASE("SurveyDamage: a file beside others that is longer or not there", "[Su
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   const std::string format = GENERATE("las", "vtp");
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.Player->SetFormat(format.c_str());
   broken.AbortAfter(50000);
   REQUIRE_FALSE(broken.Player->Run());
   const std::string name =
     std::string("out/test/leg000_points") + (format == "las" ? ".wdp" : "_0002.vtp");
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetResume(true);
   playing.Player->SetBytesToCheck(0);
@@ -276,7 +276,7 @@ TEST_CASE("SurveyDamage: what is compared", "[SurveyDamage]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   BreakOff(files, reading);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   vtkHeliosSurveyPlayer* player = playing.Player;
   CHECK(player->GetBytesToCheck() == 1073741824);
   player->SetResume(true);
@@ -318,7 +318,7 @@ TEST_CASE("SurveyDamage: it can be stopped while files are compared", "[SurveyDa
     }
   };
   vtkNew<Stop> stop;
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   playing.Player->AddObserver(vtkCommand::ProgressEvent, stop);
   CHECK_FALSE(playing.Player->Run());
@@ -332,7 +332,7 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   const std::string format = GENERATE("xyz", "las", "vtp");
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetFormat(format.c_str());
   REQUIRE(playing.Player->Run());
   const std::string summary = "out/test/run_summary.json";
@@ -350,6 +350,11 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
     playing.CheckFails({ "run_summary.json has no checksum: it was changed, or written by an "
                          "earlier version of vtkHelios; ",
       "set Overwrite (--overwrite)" });
+  }
+  SECTION("zeros after it")
+  {
+    files.Write(summary, text + std::string(10, '\0'));
+    playing.CheckFails({ "run_summary.json is damaged" });
   }
   SECTION("too deep")
   {
@@ -376,7 +381,7 @@ TEST_CASE("SurveyDamage: the folder goes away, and another takes its place", "[S
   const std::string format = GENERATE("xyz", "las", "vtp");
   const bool isReplaced = GENERATE(false, true);
   const vtkIdType when = GENERATE(20000, 40000); // within a leg, and at its end
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetFormat(format.c_str());
   playing.Blocks->Action = [&](vtkHeliosSurveyPlayer* player)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that end early and go on; what a run says about itself; what one would come to.
-#include "heliosPlaying.h"
+#include "heliosBrokenRun.h"
 
 #include <algorithm>
 
@@ -18,10 +18,10 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
   const Reading reading(files, Flight, ThreeLegs);
   const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(10000, 40000, 70000);
-  Playing whole(files, reading, "whole");
+  BlockRun whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
   REQUIRE(whole.Player->Run());
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.Player->SetFormat(format.c_str());
   broken.AbortAfter(pulses);
   REQUIRE_FALSE(broken.Player->Run());
@@ -51,11 +51,11 @@ TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
   const Reading reading(files, Flight, legs);
   const std::string format = GENERATE("xyz", "las", "vtp");
   const vtkIdType pulses = GENERATE(20000, 40000, 60000);
-  Playing whole(files, reading, "whole");
+  BlockRun whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
   whole.Player->SetWriteWaveforms(format == "las");
   REQUIRE(whole.Player->Run());
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.Player->SetFormat(format.c_str());
   broken.Player->SetWriteWaveforms(format == "las");
   broken.AbortAfter(pulses);
@@ -79,7 +79,7 @@ TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
   const Reading reading(files, Flight, ThreeLegs);
   BreakOff(files, reading);
   const std::string text = ReadText(files / Journal);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetResume(true);
   SECTION("its last line is torn: the block is done again")
   {
@@ -130,7 +130,7 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   BreakOff(files, reading);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   vtkHeliosSurveyPlayer* player = playing.Player;
   SECTION("neither asked for nor replaced")
   {
@@ -179,7 +179,7 @@ TEST_CASE("SurveyResume: the folder goes away while a run writes", "[SurveyResum
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Blocks->Action = [&files](vtkHeliosSurveyPlayer*) { fs::remove_all(files / "out"); };
   playing.CheckFails({ "was removed while it was written; see that the output folder stays",
     "nothing is kept, since the folder", "out/test is gone." });
@@ -190,7 +190,7 @@ TEST_CASE("SurveyResume: files where the run wants its own", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   playing.Player->SetOverwrite(true);
   SECTION("a folder of the name of the journal appears")
   {
@@ -217,7 +217,7 @@ TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   REQUIRE(playing.Player->Run());
   CHECK_FALSE(fs::exists(files / Journal));
   const std::string report = playing.Player->GetReport();
@@ -257,7 +257,7 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
 <leg><platformSettings template="p" x="-60"/><scannerSettings template="c"/></leg>
 <leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
 <leg><platformSettings template="p" x="70"/><scannerSettings template="c"/></leg>)");
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   const std::string format = GENERATE("xyz", "las", "vtp");
   playing.Player->SetFormat(format.c_str());
   playing.Player->SetPulsesPerBlock(262144);
@@ -291,7 +291,7 @@ TEST_CASE("SurveyEstimate: short legs are run whole; it can be stopped", "[Surve
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  Playing playing(files, reading);
+  BlockRun playing(files, reading);
   REQUIRE(playing.Player->Estimate());
   CHECK(playing.Player->GetReport().find("\"points\" : 80000") != std::string::npos);
   playing.Player->RemoveAllObservers();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs for tests, and what they leave.
 
-#ifndef heliosPlaying_h
-#define heliosPlaying_h
+#ifndef heliosBrokenRun_h
+#define heliosBrokenRun_h
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosSurveyPlayer.h"
@@ -43,13 +43,13 @@ public:
 };
 
 /// A player of 8 blocks in 2 legs, into a folder.
-struct Playing
+struct BlockRun
 {
   vtkNew<vtkHeliosSurveyPlayer> Player;
   vtkNew<OnBlock> Blocks;
   vtkSmartPointer<helios::ErrorObserver> Log = Observe(Player);
 
-  Playing(const Files& files, const Reading& reading, const std::string& folder = "out")
+  BlockRun(const Files& files, const Reading& reading, const std::string& folder = "out")
   {
     INFO(reading.Log->Errors);
     REQUIRE(reading.Good);
@@ -100,7 +100,7 @@ inline std::map<std::string, std::string> ReadAll(const std::string& folder)
 
 inline void BreakOff(const Files& files, const Reading& reading, vtkIdType pulses = 50000)
 {
-  Playing broken(files, reading);
+  BlockRun broken(files, reading);
   broken.AbortAfter(pulses);
   CHECK_FALSE(broken.Player->Run());
   CHECK(broken.Player->GetMessage().find("Resume (--resume) goes on") != std::string::npos);
