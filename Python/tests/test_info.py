@@ -210,6 +210,19 @@ def test_times_that_go_back_between_chunks():
     assert inspection._backward == 1
 
 
+def test_texts_of_a_header_that_are_not_utf8(small_runs, tmp_path, info):
+    pytest.importorskip("laspy")
+    path = tmp_path / "a.las"
+    data = bytearray((small_runs["las"] / "leg000_points.las").read_bytes())
+    data[26:32] = b"\xff\xfeABC\0"
+    data[58:62] = b"\xe9t\xe9\0"
+    path.write_bytes(data)
+    shutil.copy(small_runs["las"] / "leg000_points.wdp", tmp_path / "a.wdp")
+    code, facts, _ = info(path)
+    assert code == 0
+    assert facts["system"] == "\ufffd\ufffdABC" and facts["software"] == "\ufffdt\ufffd"
+
+
 def test_strips_with_names(tmp_path, info):
     for name in ("strip00a", "strip9999999999", "leg000"):
         (tmp_path / f"{name}_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)

@@ -253,3 +253,12 @@ def test_las_without_laspy(monkeypatch, tmp_path):
     monkeypatch.setattr(builtins, "__import__", no_laspy)
     with pytest.raises(ImportError, match="pip install laspy lazrs"):
         points.las_source(tmp_path / "cloud.las")
+
+
+def test_las_coordinates_that_are_not_finite(las_file):
+    path = las_file()
+    data = bytearray(path.read_bytes())
+    data[131:139] = np.float64(1e308).tobytes()  # the scale of x
+    path.write_bytes(data)
+    with pytest.raises((ValueError, vtkhelios.PipelineError), match="scale|finite"):
+        vtkhelios.update(points.las_source(path))

@@ -157,7 +157,10 @@ class _LasSource(VTKPythonAlgorithmBase):
             rows = reader.read_points(count)
         if len(rows) != count:
             raise ValueError(f"the file ends after {begin + len(rows)} of {self._count} points")
-        xyz = np.column_stack([rows.x, rows.y, rows.z])
+        with np.errstate(over="ignore", invalid="ignore"):
+            xyz = np.column_stack([rows.x, rows.y, rows.z])
+        if not np.isfinite(xyz).all():
+            raise ValueError("coordinates are not finite; correct scale and offset in the header")
         rgb = np.column_stack([rows.red, rows.green, rows.blue]) if self._colors else None
         return points_from_arrays(xyz, rgb=rgb, crs=self._crs)
 

@@ -19,7 +19,7 @@ PROGRAM = fuzz.__file__
 def campaign(tmp_path_factory):
     """What came of all cases: failures by target, and the table."""
     failures = tmp_path_factory.mktemp("failures")
-    done = call("--cases", CASES, "--quiet", "--failures", failures)
+    done = call("--cases", CASES, "--quiet", "--failures", failures, "--hang", 60)  # busy machines
     assert done.returncode in (0, 1), done.stderr
     told = {}
     for part in done.stdout.split("\nFAILED ")[1:]:

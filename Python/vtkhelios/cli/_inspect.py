@@ -123,18 +123,20 @@ class Inspection:
             self.warnings.append(f"the header is not checked: {error}")
             return
         header, facts = reader.header, self.facts
-        facts["software"] = header.generating_software
-        facts["system"] = header.system_identifier
+        facts["software"] = _text(header.generating_software)
+        facts["system"] = _text(header.system_identifier)
         facts["scale"] = [float(x) for x in header.scales]
         facts["offset"] = [float(x) for x in header.offsets]
         facts["globalEncoding"] = reader.encoding
         facts["gpsTimeKind"] = "adjusted standard" if reader.encoding & 1 else "not adjusted"
         facts["headerRecords"] = [
-            {"user": each.user_id, "id": int(each.record_id), "description": each.description}
+            {"user": _text(each.user_id), "id": int(each.record_id),
+             "description": _text(each.description)}
             for each in header.vlrs if not 100 <= each.record_id < 355
         ]  # fmt: skip
         facts["extraBytes"] = [
-            {"name": each.name, "type": str(each.dtype), "description": each.description}
+            {"name": _text(each.name), "type": str(each.dtype),
+             "description": _text(each.description)}
             for each in header.point_format.extra_dimensions
         ]
         self._tell_waveforms(reader)
@@ -197,6 +199,11 @@ class Inspection:
                 "the order they were measured"
             )
         self.warnings += reader.notes
+
+
+def _text(value):
+    """A text of a header; laspy gives bytes where they are no UTF-8."""
+    return value.decode(errors="replace") if isinstance(value, bytes) else value
 
 
 def _triple(values):
