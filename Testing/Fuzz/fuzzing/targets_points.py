@@ -142,8 +142,6 @@ class Info(Points):
 class Convert(Points):
     """vtkhelios convert to another format, read again."""
 
-    weight = 0.5
-
     def __init__(self, key):
         super().__init__(key)
         self.name = f"convert-{key}"
@@ -159,9 +157,7 @@ class Convert(Points):
 class LasSource(Points):
     """vtkhelios.points.las_source, by laspy."""
 
-    name = "las-source"
-
-    def __init__(self, key="las"):
+    def __init__(self, key):
         super().__init__(key)
         self.name = f"source-{key}"
         self.weight = 0.5

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What runs leave: the journal and parts of an interrupted one, the summary of a finished one."""
 
+import os
+
 import vtkhelios
 
 from . import small_files
@@ -32,11 +34,12 @@ class Journal(Target):
     def make_seeds(self, folder):
         small_files.write_survey(folder, small_files.STAND, small_files.SIMPLE_SCENE)
         resume(folder, self.form, resume=False)
-        whole = {name: data for name, data in small_files.files_below(folder / "out").items()}
         resume(folder, self.form, resume=False, blocks=5, output="broken")
         beside = small_files.files_below(folder)
-        beside = {name: data for name, data in beside.items() if not name.startswith("out/")}
-        beside |= {f"whole/{name}": data for name, data in whole.items()}
+        beside = {
+            name.replace("out/", "whole/", 1) if name.startswith("out/") else name: data
+            for name, data in beside.items()
+        }
         seeds = []
         for name in beside:
             if name.endswith("run.journal") or (name.endswith(".part") and is_data(name)):
@@ -49,10 +52,8 @@ class Journal(Target):
         folder = path
         while not (folder / "survey.xml").is_file():
             folder = folder.parent
-        before = (folder / "broken/stand/run_summary.json").exists()
         with collect_warnings():
             resume(folder, self.form, resume=True, output="broken")
-        check(not before, "a summary before the end")
         whole = small_files.files_below(folder / "whole")
         found = small_files.files_below(folder / "broken")
         for name, right in whole.items():
@@ -82,8 +83,6 @@ def resume(folder, form, resume, blocks=None, output="out"):
     """Runs the survey of a folder; of some blocks only: as far as that, as Ctrl-C would."""
     from vtkhelios import PipelineError
     from vtkhelios._pipeline import MessageLog
-
-    import os
 
     os.chdir(folder)  # names are the same wherever the folder is
     survey = vtkhelios.read_survey("survey.xml")
