@@ -62,7 +62,7 @@ def test_everything_is_told_at_once(validate):
         ("a.xml:3: warning: attribute simSped of <survey> is unknown", "did you mean simSpeed?"),
         ('a.xml:5: error: x="1,5" is not a number', "[m]"),
         ('a.xml:12: error: template="fats"', "did you mean fast?"),
-        ('a.xml:12: error: pulseFreq_hz="-1" is out of range', "above 0 and up to 1000000000 [Hz]"),
+        ('a.xml:12: error: pulseFreq_hz="-1" is out of range', "from 0.001 to 1000000000 [Hz]"),
         ('a.xml:15: error: scanAngleMax_deg="1000" is out of range', "from 0 to 360 [deg]"),
         ('a.xml:16: error: platform tripod: type="statc" is none', "linearpath"),
         ('a.xml:17: error: crs="EPSG:99999999"', ""),

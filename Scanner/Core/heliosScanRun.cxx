@@ -8,6 +8,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 namespace helios
@@ -15,10 +16,25 @@ namespace helios
 namespace
 {
 
-// Pulses handed to a thread at a time; and chunks of a thread whose records are kept, and between two
-// looks at progress and abort: few enough that the records stay in its cache.
+// Pulses handed to a thread at a time; and chunks of a thread whose records are kept: few enough that
+// the records stay in its cache.
 constexpr vtkIdType PulsesPerChunk = 256;
-constexpr vtkIdType ChunksPerThread = 64;
+constexpr vtkIdType MostChunksPerThread = 64;
+
+// Of a batch.
+constexpr double ShortSeconds = 0.05;
+constexpr double LongSeconds = 0.5;
+constexpr std::size_t ManyBytes = std::size_t(1) << 28;
+
+std::size_t CountBytes(const std::vector<ChunkResult>& results)
+{
+  std::size_t samples = 0;
+  for (const ChunkResult& result : results)
+  {
+    samples += result.Samples.size();
+  }
+  return samples * sizeof(float);
+}
 
 /// Runs chunks of the pulses [First, Last), each thread with its own kernel.
 struct ChunkFunctor
@@ -49,21 +65,37 @@ struct ChunkFunctor
 } // namespace
 
 //------------------------------------------------------------------------------
+void BatchSize::Adapt(double seconds, std::size_t bytes)
+{
+  if (seconds > LongSeconds || bytes > ManyBytes)
+  {
+    this->ChunksPerThread = std::max<vtkIdType>(1, this->ChunksPerThread / 2);
+  }
+  else if (seconds < ShortSeconds && bytes < ManyBytes / 4)
+  {
+    this->ChunksPerThread = std::min(MostChunksPerThread, 4 * this->ChunksPerThread);
+  }
+}
+
+//------------------------------------------------------------------------------
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   const RunWatcher& goesOn, const ChunkSink& take)
 {
   ChunkFunctor functor{ model, first, first, {}, {} };
   const auto count = static_cast<double>(last - first);
-  const vtkIdType batch =
-    PulsesPerChunk * ChunksPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
+  BatchSize batch(vtkSMPTools::GetEstimatedNumberOfThreads());
   while (functor.Last < last && goesOn(static_cast<double>(functor.Last - first) / count))
   {
     functor.First = functor.Last;
-    functor.Last = std::min(last, functor.First + batch);
+    functor.Last = std::min(last, functor.First + PulsesPerChunk * batch.GetChunks());
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
     const vtkIdType chunks = (functor.Last - functor.First + PulsesPerChunk - 1) / PulsesPerChunk;
     functor.Results.resize(static_cast<std::size_t>(chunks));
     vtkSMPTools::For(0, chunks, 1, functor);
     take(functor.Results);
+    batch.Adapt(
+      std::chrono::duration<double>(Clock::now() - start).count(), CountBytes(functor.Results));
   }
   ScanCounts sum;
   for (auto& kernel : functor.Kernels)

@@ -14,7 +14,7 @@ namespace
 {
 
 // A waveform ends here: 16 million samples are 600 km in bins of 0.25 ns.
-constexpr double LongestWaveform = 1 << 24;
+constexpr double LongestWaveform = 1 << 20;
 
 } // namespace
 

@@ -133,6 +133,9 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+/// Of a run: at a billion pulses a second it takes eleven days.
+constexpr vtkIdType MostPulses = 1000000000000000;
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -162,6 +165,16 @@ bool LegRunner::Plan()
     plan.FirstShot = shots;
     plan.NumberOfPulses = this->Scanner.CountPulses();
     this->NumberOfPulses += plan.NumberOfPulses;
+    if (this->NumberOfPulses > MostPulses)
+    {
+      Sentence text;
+      text << this->Survey.Legs[plan.Leg].Where << ": "
+           << static_cast<double>(plan.NumberOfPulses)
+           << " pulses are more than a leg can have (all legs together: at most "
+           << static_cast<double>(MostPulses) << "); check its pulse frequency, its speed, its length and its duration";
+      this->Log.Error(text.str());
+      return false;
+    }
     shots += plan.NumberOfPulses / static_cast<vtkIdType>(this->Scanner.GetNumberOfChannels());
   }
   return !this->Log.HasError();

@@ -365,7 +365,7 @@ const XmlNote Notes[] = {
   { "filter:simplify", "", "fewer triangles, both surfaces proven within a distance; needs CGAL" },
   { "filter:simplify", "maximumDistance", "that distance", Required },
   { "filter:scale", "", "scales the part about its origin" },
-  { "filter:scale", "scale", "factor; 0: not used. The last scale of a part counts", "1" },
+  { "filter:scale", "scale", "factor; the last scale of a part counts", "1" },
   { "filter:translate", "", "moves the part. The last translate of a part counts" },
   { "filter:translate", "offset", "by how much", "0;0;0" },
   { "filter:translate", "onGround", "not 0: its lowest corner goes onto the ground below", "0" },

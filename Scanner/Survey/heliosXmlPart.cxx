@@ -385,13 +385,7 @@ void PartReader::ReadScale(const XmlFilter& filter)
     return;
   }
   this->WarnIfRepeated(filter, this->HasScale);
-  if (scale > 0.0)
-  {
-    this->Part.Scale = scale;
-    return;
-  }
-  filter.GetMessages().Warning(
-    filter.Where() + ": scale=\"0\" is not used; the part keeps its size");
+  this->Part.Scale = scale;
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,10 @@ namespace
 
 constexpr double WattsPerNanowatt = 1e-9;
 
+// The longest echo of one surface in a waveform [bins], and what it is of the pulse's length.
+constexpr double MostBins = 20000.0;
+constexpr double EchoPerPulse = 5.0;
+
 /// Reads one of some words; an error where it is another.
 void ReadChoice(const XmlElement& element, const char* name,
   const std::vector<std::string>& choices, std::string& target)
@@ -253,6 +257,12 @@ void CheckReceiver(const ScannerData& data, Messages& log)
   {
     text << "binSize_ns=\"" << receiver.BinSize << "\" is wider than half of pulseLength_ns=\""
          << data.PulseLength << "\"; give smaller bins";
+  }
+  else if (!isSampled && EchoPerPulse * data.PulseLength > MostBins * receiver.BinSize * (1 + 1e-9))
+  {
+    text << "binSize_ns=\"" << receiver.BinSize << "\" makes an echo of pulseLength_ns=\""
+         << data.PulseLength << "\" " << EchoPerPulse * data.PulseLength / receiver.BinSize
+         << " bins long, and at most " << MostBins << " are allowed; give wider bins";
   }
   else if (!isSampled && (isOfBins || length > 0.0) && length < data.PulseLength)
   {

@@ -24,11 +24,16 @@ constexpr auto Used = XmlUse::Used;
 constexpr auto Ignored = XmlUse::Ignored;
 constexpr auto Later = XmlUse::NotModelled;
 
-constexpr XmlRange Any = { -1e300, 1e300, false };
-constexpr XmlRange Positive = { 0.0, 1e9, true };
+// No survey needs more; nothing below divides or squares to infinity.
+constexpr XmlRange Frequency = { 1e-3, 1e9, false };
+constexpr XmlRange Distance = { 1e-3, 1e9, false };
+constexpr XmlRange Seconds = { 1e-3, 1e9, false };
+constexpr XmlRange Moment = { -1e12, 1e12, false };
+constexpr XmlRange PulseLength = { 1e-3, 1e3, false };
 constexpr XmlRange NotNegative = { 0.0, 1e12, false };
 constexpr XmlRange Fraction = { 0.0, 1.0, false };
-constexpr XmlRange Share = { 0.0, 1.0, true };
+constexpr XmlRange Share = { 1e-6, 1.0, false };
+constexpr XmlRange TimeStep = { 1e-9, 1.0, false };
 constexpr XmlRange RangeTolerance = { 1e-6, 1.0, false };
 constexpr XmlRange EnergyTolerance = { 1e-4, 1.0, false };
 constexpr XmlRange Angle = { -360.0, 360.0, false };
@@ -40,7 +45,7 @@ constexpr XmlRange RotorFrequency = { -1e6, 1e6, false };
 constexpr XmlRange WedgeAngle = { -89.0, 89.0, false };
 constexpr XmlRange RefractiveIndex = { 1.0, 10.0, false };
 constexpr XmlRange Steps = { 1.0, 1e9, false };
-constexpr XmlRange GridStep = { 0.0, 1e6, true };
+constexpr XmlRange GridStep = { 1e-3, 1e6, false };
 constexpr XmlRange RightAngle = { 0.0, 90.0, false };
 constexpr XmlRange Elevation = { -90.0, 90.0, false };
 constexpr bool Repeats = true;
@@ -63,8 +68,8 @@ const std::vector<XmlValueRule> ScannerValues = {
   { "id" },
   { "name" },
   { "optics" },
-  { "pulseFreqs_Hz", RealList, Used, "Hz", Positive },
-  { "pulseLength_ns", Real, Used, "ns", { 1e-3, 1e6, false } },
+  { "pulseFreqs_Hz", RealList, Used, "Hz", Frequency },
+  { "pulseLength_ns", Real, Used, "ns", PulseLength },
   { "beamDivergence_rad", Real, Used, "rad", Fraction },
   { "wavelength_nm", Real, Used, "nm", { 200.0, 20000.0, false } },
   { "averagePower_w", Real, Used, "W", NotNegative },
@@ -92,7 +97,7 @@ const std::vector<XmlValueRule> ScannerValues = {
   { "accuracyPerMeter", Real, Used, "m/m", Fraction },
   { "accuracyAtThreshold_m", Real, Used, "m", { 0.0, 1e3, false } },
   { "angleAccuracy_rad", Real, Used, "rad", { 0.0, 0.1, false } },
-  { "scanProduct", Real, Used, "deg Hz", Positive },
+  { "scanProduct", Real, Used, "deg Hz", Frequency },
   { "scanPattern" },
   { "turningPulses", Integer, Used, "", { 0.0, 1e9, false } },
   { "numFibers", Integer, Used, "", { 1.0, 1e6, false } },
@@ -178,14 +183,14 @@ const std::vector<XmlElementRule> Rules = {
       { "hitBehind", Boolean },
       { "scannerLimits", Boolean },
       { "rangeMin_m", Real, Used, "m", NotNegative },
-      { "rangeMax_m", Real, Used, "m", Positive },
+      { "rangeMax_m", Real, Used, "m", Distance },
       { "elevationMin_deg", Real, Used, "deg", Elevation },
       { "elevationMax_deg", Real, Used, "deg", Elevation },
       { "maxIncidence_deg", Real, Used, "deg", RightAngle },
       { "minPointDensity_1_m2", Real, Used, "1/m^2", NotNegative },
       { "areaWeights", Boolean },
       { "minOverlap_percent", Real, Used, "%", { 0.0, 99.9, false } },
-      { "timeLimit_s", Real, Used, "s", Positive },
+      { "timeLimit_s", Real, Used, "s", Seconds },
       { "interactive", Boolean, Ignored } },
     { { "scannerSettings" } } },
 
@@ -241,8 +246,8 @@ const std::vector<XmlElementRule> Rules = {
       { "toRadians", Boolean, Used },
       { "syncGPSTime", Boolean, Used },
       { "slopeFilterThreshold", Real, Used, "", NotNegative },
-      { "tStart", Real, Used, "s" },
-      { "tEnd", Real, Used, "s" },
+      { "tStart", Real, Used, "s", Moment },
+      { "tEnd", Real, Used, "s", Moment },
       { "teleportToStart", Boolean, Used } },
     {} },
 
@@ -251,7 +256,7 @@ const std::vector<XmlElementRule> Rules = {
       { "name", Text, Ignored },
       { "template", Reference },
       { "active", Boolean },
-      { "pulseFreq_hz", Real, Used, "Hz", Positive },
+      { "pulseFreq_hz", Real, Used, "Hz", Frequency },
       { "scanFreq_hz", Real, Used, "Hz", ScanFrequency },
       { "scanAngle_deg", Real, Used, "deg", HalfAngle },
       { "verticalAngleMin_deg", Real, Used, "deg", Angle },
@@ -289,7 +294,7 @@ const std::vector<XmlElementRule> Rules = {
       { "atmosphericVisibility", Real, Used, "km", { 1e-3, 1e300, false } },
       { "scannerWaveLength", Real, Used, "nm", { 200.0, 20000.0, false } },
       { "beamDivergence_rad", Real, Used, "rad", Fraction },
-      { "pulseLength_ns", Real, Used, "ns", { 1e-3, 1e6, false } },
+      { "pulseLength_ns", Real, Used, "ns", PulseLength },
       { "numTimeBins", Integer, Later },
       { "minEchoWidth", Real, Later },
       { "peakEnergy", Real, Later } },
@@ -347,11 +352,11 @@ const std::vector<XmlElementRule> Rules = {
       { "slowdown_magnitude", Real, Later, "1/s", { 0.0, 1e3, true } },
       { "slowdown_distance", Real, Later, "m", NotNegative },
       { "base_pitch_deg", Real, Used, "deg", { -60.0, 60.0, false } },
-      { "roll_speed_deg", Real, Used, "deg/s", { 0.0, 1e4, true } },
-      { "pitch_speed_deg", Real, Used, "deg/s", { 0.0, 1e4, true } },
-      { "yaw_speed_deg", Real, Used, "deg/s", { 0.0, 1e4, true } },
-      { "roll_offset_deg", Real, Used, "deg", { 0.0, 85.0, true } },
-      { "pitch_offset_deg", Real, Used, "deg", { 0.0, 85.0, true } } },
+      { "roll_speed_deg", Real, Used, "deg/s", { 1e-3, 1e4, false } },
+      { "pitch_speed_deg", Real, Used, "deg/s", { 1e-3, 1e4, false } },
+      { "yaw_speed_deg", Real, Used, "deg/s", { 1e-3, 1e4, false } },
+      { "roll_offset_deg", Real, Used, "deg", { 1e-3, 85.0, false } },
+      { "pitch_offset_deg", Real, Used, "deg", { 1e-3, 85.0, false } } },
     { { "scannerMount" },
       { "positionXNoise" },
       { "positionYNoise" },
@@ -390,7 +395,7 @@ const std::vector<XmlElementRule> Rules = {
       { "name" },
       { "crs" },
       { "dynStep", Integer, Used, "", Steps },
-      { "dynTimeStep", Real, Used, "s", Share } },
+      { "dynTimeStep", Real, Used, "s", TimeStep } },
     { { "part", Repeats },
       { "sunDir", false, Ignored },
       { "sky", false, Ignored },
@@ -400,9 +405,9 @@ const std::vector<XmlElementRule> Rules = {
     { { "id" },
       { "name", Text, Ignored },
       { "dynStep", Integer, Used, "", Steps },
-      { "dynTimeStep", Real, Used, "s", Share },
+      { "dynTimeStep", Real, Used, "s", TimeStep },
       { "kdtDynStep", Integer, Used, "", Steps },
-      { "kdtDynTimeStep", Real, Used, "s", Share } },
+      { "kdtDynTimeStep", Real, Used, "s", TimeStep } },
     { { "filter", Repeats },
       { "color", false, Ignored },
       { "swap", Repeats },
@@ -453,7 +458,7 @@ const std::vector<XmlElementRule> Rules = {
     { { "filepath" },
       { "efilepath" },
       { "separator" },
-      { "voxelSize", Real, Used, "m", { 0.0, 1e6, true } },
+      { "voxelSize", Real, Used, "m", { 1e-6, 1e6, false } },
       { "maxColorValue", Real, Ignored },
       { "normalXIndex", Integer, Used, "", Column },
       { "normalYIndex", Integer, Used, "", Column },
@@ -488,9 +493,9 @@ const std::vector<XmlElementRule> Rules = {
 
   { "filter:repair", {}, {} },
 
-  { "filter:simplify", { { "maximumDistance", Real, Used, "m", { 0.0, 1e6, true } } }, {} },
+  { "filter:simplify", { { "maximumDistance", Real, Used, "m", { 1e-9, 1e6, false } } }, {} },
 
-  { "filter:scale", { { "scale", Real, Used, "", { 0.0, 1e9, false } } }, {} },
+  { "filter:scale", { { "scale", Real, Used, "", { 1e-9, 1e9, false } } }, {} },
 
   { "filter:translate",
     { { "offset", Vector, Used, "m" }, { "onGround", Integer, Used, "", { -1e9, 1e9, false } } },
@@ -567,9 +572,7 @@ std::string XmlElementRule::FindNearestChild(const std::string& name) const
 //------------------------------------------------------------------------------
 std::string ToLower(std::string text)
 {
-  std::transform(text.begin(),
-    text.end(),
-    text.begin(),
+  std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }

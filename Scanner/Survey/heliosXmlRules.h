@@ -5,6 +5,8 @@
 #ifndef heliosXmlRules_h
 #define heliosXmlRules_h
 
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
 #include <string>
 #include <vector>
 
@@ -32,6 +34,12 @@ enum class XmlUse
   NotModelled // belongs to the dialect, warned of once
 };
 
+/// The largest number where nothing narrower is said: coordinates to a micrometre.
+constexpr double LargestNumber = 1e9;
+
+/// The smallest number but 0: below, squares and quotients are no numbers any more.
+constexpr double SmallestNumber = 1e-30;
+
 /// The numbers that a value may have.
 struct XmlRange
 {
@@ -41,7 +49,8 @@ struct XmlRange
 
   bool Contains(double value) const
   {
-    return (this->AboveLow ? value > this->Low : value >= this->Low) && value <= this->High;
+    return (this->AboveLow ? value > this->Low : value >= this->Low) && value <= this->High &&
+      (value == 0.0 || value >= SmallestNumber || value <= -SmallestNumber);
   }
 };
 
@@ -52,7 +61,7 @@ struct XmlValueRule
   XmlKind Kind = XmlKind::Text;
   XmlUse Use = XmlUse::Used;
   const char* Unit = "";
-  XmlRange Range = { -1e300, 1e300, false };
+  XmlRange Range = { -LargestNumber, LargestNumber, false };
 };
 
 struct XmlChildRule
@@ -82,7 +91,7 @@ struct XmlElementRule
 const XmlElementRule* FindXmlRule(const std::string& element);
 
 /// All of them.
-const std::vector<XmlElementRule>& GetXmlRules();
+VTKHELIOSSCANNERSURVEY_EXPORT const std::vector<XmlElementRule>& GetXmlRules();
 
 /// A text in lower case.
 std::string ToLower(std::string text);

@@ -289,6 +289,11 @@ std::string DescribeRange(const XmlElementRule& rule, const XmlValueRule& value)
   }
   const XmlRange& range = value.Range;
   std::string text;
+  if (value.Kind != XmlKind::Real && value.Kind != XmlKind::Integer &&
+    value.Kind != XmlKind::RealList && value.Kind != XmlKind::Vector)
+  {
+    return text;
+  }
   if (range.Low > -NoLimit)
   {
     text += (range.AboveLow ? "above " : "from ") + ToText(range.Low);

@@ -51,15 +51,9 @@ std::string RangeText(const XmlValueRule& rule)
   const XmlRange& range = rule.Range;
   Sentence text;
   text << "give a number ";
-  if (range.Low > -1e300)
-  {
-    text << (range.AboveLow ? "above " : "from ") << range.Low;
-  }
-  if (range.High < 1e300)
-  {
-    text << (range.AboveLow ? " and up to " : " to ") << range.High;
-  }
-  return text.str() + UnitOf(rule);
+  text << (range.AboveLow ? "above " : "from ") << range.Low
+       << (range.AboveLow ? " and up to " : " to ") << range.High << UnitOf(rule);
+  return text.str();
 }
 
 bool CheckRange(const XmlValue& value, const XmlValueRule& rule, Messages& log, double number)
@@ -68,7 +62,9 @@ bool CheckRange(const XmlValue& value, const XmlValueRule& rule, Messages& log, 
   {
     return true;
   }
-  log.Error(Quote(value) + " is out of range; " + RangeText(rule));
+  const bool isTiny = number != 0.0 && std::abs(number) < SmallestNumber;
+  log.Error(Quote(value) + " is out of range; " + RangeText(rule) +
+    (isTiny ? ", 0 or at least 1e-30 in size" : ""));
   return false;
 }
 
@@ -109,7 +105,7 @@ bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, d
   {
     return false;
   }
-  target = number;
+  target = number == 0.0 ? 0.0 : number; // no -0
   return true;
 }
 
@@ -134,9 +130,7 @@ bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log
 bool ParseBoolean(const XmlValue& value, Messages& log, bool& target)
 {
   std::string text = value.Text;
-  std::transform(text.begin(),
-    text.end(),
-    text.begin(),
+  std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (text == "true" || text == "1")
   {
@@ -153,10 +147,8 @@ bool ParseBoolean(const XmlValue& value, Messages& log, bool& target)
 }
 
 //------------------------------------------------------------------------------
-bool ParseRealList(const XmlValue& value,
-  const XmlValueRule& rule,
-  Messages& log,
-  std::vector<double>& target)
+bool ParseRealList(
+  const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target)
 {
   std::vector<double> numbers;
   for (const std::string& part : Split(value.Text, ','))
@@ -164,15 +156,15 @@ bool ParseRealList(const XmlValue& value,
     double number = 0.0;
     if (!FiniteFromText(part, number))
     {
-      log.Error(Quote(value) + " is not a list of numbers: \"" + Shorten(part) + "\" is none; give numbers" +
-        UnitOf(rule) + " with commas between them");
+      log.Error(Quote(value) + " is not a list of numbers: \"" + Shorten(part) +
+        "\" is none; give numbers" + UnitOf(rule) + " with commas between them");
       return false;
     }
     if (!CheckRange(value, rule, log, number))
     {
       return false;
     }
-    numbers.push_back(number);
+    numbers.push_back(number == 0.0 ? 0.0 : number);
   }
   target = numbers;
   return true;
@@ -193,6 +185,15 @@ bool ParseVector(const XmlValue& value, Messages& log, Vec3& target)
     log.Error(
       Quote(value) + " is not a vector; give three numbers with semicolons, as in 1.5;0;-2");
     return false;
+  }
+  static const XmlValueRule component = { "" };
+  for (int k = 0; k < 3; ++k)
+  {
+    if (!CheckRange(value, component, log, vector[k]))
+    {
+      return false;
+    }
+    vector[k] += 0.0; // no -0
   }
   target = vector;
   return true;

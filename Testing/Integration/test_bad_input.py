@@ -72,7 +72,7 @@ REFUSED = {
     "not a number": ([('x="0"', 'x="nan"')], ["survey.xml:4", 'x="nan"']),
     "frequency 0": (
         [('pulseFreq_hz="100000"', 'pulseFreq_hz="0"')],
-        ["survey.xml:5", 'pulseFreq_hz="0"', "above 0"],
+        ["survey.xml:5", 'pulseFreq_hz="0"', "from 0.001"],
     ),
     "a negative frequency": (
         [('pulseFreq_hz="100000"', 'pulseFreq_hz="-5"')],

@@ -3,6 +3,7 @@
 #include "vtkHeliosScanner.h"
 
 #include "heliosRadiometry.h"
+#include "heliosScanRun.h"
 #include "heliosScannerBench.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -472,4 +473,26 @@ TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "
     CHECK(echoes->GetPoint(i)[2] / echoes->GetPoint(i)[1] ==
       Approx(std::tan((2 * channel - 3) * 0.017453292519943295)).epsilon(1e-12));
   }
+}
+
+TEST_CASE("Scanner: batches grow while they are quick and small", "[Scanner]")
+{
+  helios::BatchSize batch(2);
+  CHECK(batch.GetChunks() == 2); // the first shows what pulses cost
+  for (vtkIdType chunks : { 8, 32, 128, 128 })
+  {
+    batch.Adapt(0.001, 1000);
+    CHECK(batch.GetChunks() == chunks);
+  }
+  batch.Adapt(0.2, 1000); // neither long nor short
+  CHECK(batch.GetChunks() == 128);
+  batch.Adapt(2.0, 1000);
+  CHECK(batch.GetChunks() == 64);
+  batch.Adapt(0.001, std::size_t(1) << 29);
+  CHECK(batch.GetChunks() == 32);
+  for (int i = 0; i < 10; ++i)
+  {
+    batch.Adapt(100.0, 0);
+  }
+  CHECK(batch.GetChunks() == 2);
 }

@@ -315,6 +315,16 @@ TEST_CASE("PlannerReader: what a plan does not see", "[PlannerReader]")
   CHECK(reading.Log->HasWarning("part hedge is turbid, and a plan sees through it; to have"));
 }
 
+TEST_CASE("PlannerReader: beyond a limit of the scanner is clipped to it", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading reading(WritePlanner(files, "",
+    R"(<scannerSettings scanFreq_hz="500" headRotatePerSec_deg="1" headRotateStop_deg="360"/>)"));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  CHECK(reading.Good);
+  CHECK(reading.Log->HasWarning("scanFreq_hz=\"500\" is clipped to 120, scanFreqMax_Hz"));
+}
+
 TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
 {
   const Files files;
@@ -339,8 +349,6 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
   fails(R"(rangeMin_m="5" rangeMax_m="4")",
     "rangeMin_m=\"5\" is not below rangeMax_m=\"4\", so that nothing is seen; give a smaller one");
   fails(R"(elevationMin_deg="5" elevationMax_deg="5")", "elevationMin_deg=\"5\" is not below");
-  fails("", "scanFreq_hz=\"500\" is above scanFreqMax_Hz",
-    R"(<scannerSettings scanFreq_hz="500" headRotatePerSec_deg="1"/>)");
   fails("", "never gets there", R"(<scannerSettings headRotatePerSec_deg="-5" scanFreq_hz="50"/>)");
 
   WritePlanner(files, "");

@@ -217,7 +217,7 @@ TEST_CASE("SurveyMotion: what is wrong with motions", "[SurveyMotion]")
         "a second <dmotion id=\"a\"> in one <part>; give each an id of its own"),
       { file, "<scene ", "<scene dynStep=\"0\" ", { "dynStep=\"0\" is out of range" } },
       { file, "<scene ", "<scene dynTimeStep=\"1.5\" ",
-        { "dynTimeStep=\"1.5\" is out of range; give a number above 0 and up to 1 [s]" } },
+        { "dynTimeStep=\"1.5\" is out of range; give a number from 1e-09 to 1 [s]" } },
       { file, "<part ", "<part dynStep=\"-3\" ", { "dynStep=\"-3\" is out of range" } },
       { file, "<part ", "<part kdtDynStep=\"0\" ", { "kdtDynStep=\"0\" is out of range" } },
       { file, "<part ", "<part kdtDynTimeStep=\"2\" ", { "kdtDynTimeStep=\"2\" is out of" } } });
