@@ -355,7 +355,15 @@ void ScanResolver::Warning(const Sentence& text)
 {
   if (this->Fires)
   {
-    this->Log.WarnOnce(text.str(), this->Given.Leg.Where + ": " + text.str());
+    const std::string said = text.str();
+    std::string key = said; // the same for all channels of a scanner
+    const std::size_t id = key.find(this->Scanner.Id);
+    if (id != std::string::npos && !this->Scanner.Channel.empty())
+    {
+      key.erase(id + this->Scanner.Id.rfind(", channel "),
+        std::string(", channel ").size() + this->Scanner.Channel.size());
+    }
+    this->Log.WarnOnce(key, this->Given.Leg.Where + ": " + said);
   }
 }
 

@@ -23,7 +23,9 @@ constexpr double SampledShare = 0.1;
 constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
-constexpr double FewestWindows = 8.0; // of a leg
+constexpr double PulsesPerTrial = 64.0;  // of the first window of a leg: what pulses cost
+constexpr double LongestSampling = 60.0; // [s], of all legs together
+constexpr double FewestWindows = 8.0;    // of a leg
 constexpr double GoldenRatio = 0.6180339887498949;
 constexpr double BytesPerKibibyte = 1024.0;
 constexpr vtkIdType TrajectorySamples = 4096;
@@ -120,9 +122,11 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
     this->LoadSeconds += Now() - start;
   }
   Sums sums;
-  for (std::size_t i = 0; i < windows.size() && good; ++i)
+  const Windows affordable = good ? this->Afford(plan, windows, scanner) : windows;
+  good = !this->Runner.HasError() && good;
+  for (std::size_t i = 0; i < affordable.size() && good; ++i)
   {
-    good = this->SampleWindow(windows[i], scanner, outputs, sums);
+    good = this->SampleWindow(affordable[i], scanner, outputs, sums);
   }
   for (const LegOutput& output : outputs)
   {
@@ -132,6 +136,47 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
   this->Samples.push_back(sums);
   this->Legs.push_back(this->Scale(plan, sums));
   return good;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * The windows where a few pulses show that all of them take no longer than the leg may; else
+ * shorter ones at the same places.
+ */
+RunEstimate::Windows RunEstimate::Afford(
+  const LegPlan& plan, const Windows& windows, LegScanner& scanner)
+{
+  if (windows.empty())
+  {
+    return windows;
+  }
+  const double step = plan.Duration / static_cast<double>(plan.NumberOfPulses);
+  const double middle = plan.StartTime + 0.5 * plan.Duration;
+  Sums trial;
+  if (!this->SampleWindow({ middle, middle + PulsesPerTrial * step }, scanner, {}, trial) ||
+    trial.Pulses == 0.0)
+  {
+    return windows;
+  }
+  double length = 0.0;
+  for (const auto& window : windows)
+  {
+    length += std::min(window.second - window.first, plan.Duration);
+  }
+  const double seconds = trial.Seconds / trial.Pulses * length / step;
+  const double most = LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
+  if (seconds <= most)
+  {
+    return windows;
+  }
+  Windows shorter;
+  for (const auto& window : windows)
+  {
+    const double start = std::max(window.first, plan.StartTime);
+    const double end = std::min(window.second, plan.StartTime + plan.Duration);
+    shorter.emplace_back(start, start + std::max(step, (end - start) * most / seconds));
+  }
+  return shorter;
 }
 
 //------------------------------------------------------------------------------

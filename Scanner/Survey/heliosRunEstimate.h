@@ -47,6 +47,7 @@ private:
 
   Windows ChooseWindows(const LegPlan& plan) const;
   bool Sample(const LegPlan& plan, const Windows& windows);
+  Windows Afford(const LegPlan& plan, const Windows& windows, LegScanner& scanner);
   bool SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
     const LegRunner::Outputs& outputs, Sums& sums);
   double CountTrajectoryBytes(const LegPlan& plan) const;

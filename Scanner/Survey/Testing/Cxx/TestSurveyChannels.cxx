@@ -267,3 +267,22 @@ TEST_CASE("SurveyChannels: chance moves legs once, by the seed", "[SurveyChannel
   CHECK(run(offset, 2, true) != moved);
   CHECK(run(offset + " seed=\"2\"", -1, true) == run(offset, 2, true)); // the survey's seed
 }
+
+TEST_CASE("SurveyChannels: what all channels clip is warned of once", "[SurveyChannels]")
+{
+  const Files files;
+  AddChannels(files);
+  const Reading reading(files, Tripod,
+    R"(<leg><platformSettings z="2"/><scannerSettings pulseFreq_hz="5000" scanFreq_hz="500"
+ headRotatePerSec_deg="20" headRotateStop_deg="10"/></leg>)");
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  const std::string& said = reading.Log->Warnings;
+  for (const char* warning : { "pulseFreq_hz=\"5000\" is not supported", "is clipped to 120" })
+  {
+    CAPTURE(warning);
+    const std::size_t first = said.find(warning);
+    REQUIRE(first != std::string::npos);
+    CHECK(said.find(warning, first + 1) == std::string::npos);
+  }
+}

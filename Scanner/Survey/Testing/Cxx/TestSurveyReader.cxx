@@ -493,7 +493,7 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
       { "scene.xml", "</part>", Filter("scale", "scale", "0") + "</part>",
         { "scene.xml:3", "scale=\"0\" is out of range; give a number from 1e-09" } },
       { "scene.xml", "</part>", Filter("scale", "scale", "1e-320") + "</part>",
-        { "scene.xml:3", "scale=\"1e-320\" is not a number" } },
+        { "scene.xml:3", "scale=\"1e-320\" is out of range" } },
       { "scene.xml", "</part>", Filter("translate", "offset", "1;2;-1e10") + "</part>",
         { "scene.xml:3", "offset=\"1;2;-1e10\" is out of range; give a number from -1000000000" } },
       { "scene.xml", "</part>", Filter("translate", "offset", "1;2") + "</part>",
