@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCameraRig.h"
 
+#include "heliosInputFile.h"
 #include "heliosJsonText.h"
 
 #include <vtkCamera.h>
@@ -258,6 +259,10 @@ void CameraRig::TurnRound(double seconds)
 //------------------------------------------------------------------------------
 std::string CameraRig::ReadScript(const std::string& fileName)
 {
+  if (const std::string problem = CheckInputFile(fileName); !problem.empty())
+  {
+    return fileName + ": " + problem;
+  }
   std::ifstream file(fileName);
   Json::Value frames;
   std::string errors;

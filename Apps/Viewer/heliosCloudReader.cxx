@@ -3,6 +3,7 @@
 #include "heliosCloudReader.h"
 
 #include "heliosCloud.h"
+#include "heliosInputFile.h"
 #include "heliosJsonText.h"
 #include "heliosPlyPoints.h"
 #include "vtkHeliosArrayNames.h"
@@ -134,6 +135,11 @@ void AddLeg(vtkPolyData* block, int leg)
 std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
 {
   std::vector<std::string> files;
+  if (const std::string problem = CheckInputFile(summary.string()); !problem.empty())
+  {
+    error = summary.string() + ": " + problem;
+    return files;
+  }
   std::ifstream text(summary);
   Json::Value root;
   std::string fault;
@@ -251,6 +257,10 @@ std::string CloudReader::ReadRun(const std::string& folder)
 //------------------------------------------------------------------------------
 std::string CloudReader::ReadCloud(const std::string& path)
 {
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  {
+    return path + ": " + problem;
+  }
   this->Files.push_back(path);
   const std::string ending = GetEnding(path);
   if (IsText(ending))

@@ -5,6 +5,7 @@
 #include "heliosCloudReader.h"
 #include "heliosEditTool.h"
 #include "heliosErrorText.h"
+#include "heliosInputFile.h"
 #include "heliosInspector.h"
 #include "heliosPlanView.h"
 #include "heliosSimulation.h"
@@ -46,7 +47,11 @@ std::string GetExtension(const fs::path& path)
 
 bool HasSurvey(const fs::path& path)
 {
-  std::ifstream file(path);
+  std::ifstream file;
+  if (CheckInputFile(path.string()).empty())
+  {
+    file.open(path);
+  }
   std::ostringstream text;
   text << file.rdbuf();
   return text.str().find("<survey ") != std::string::npos;
@@ -195,7 +200,8 @@ std::string ShowInputs(Viewer& viewer)
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
   std::vector<std::unique_ptr<ViewerTool>> tools;
-  tools.push_back(std::make_unique<EditTool>(viewer)); // asked first: it takes clicks while it is on
+  tools.push_back(
+    std::make_unique<EditTool>(viewer)); // asked first: it takes clicks while it is on
   tools.push_back(std::make_unique<Inspector>(viewer));
   tools.push_back(std::make_unique<PlanTool>(viewer));
   return tools;

@@ -4,10 +4,12 @@
 
 #include "heliosCameraRig.h"
 #include "heliosColorNames.h"
+#include "vtkHeliosMemoryLimit.h"
 #include "vtkHeliosVersion.h"
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <iostream>
 #include <regex>
 
@@ -51,6 +53,14 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
   app.add_option("--seed", options.Seed, "the key of all random numbers (default: the survey's)")
     ->check(CLI::Range(0LL, 4611686018427387904LL))
     ->option_text("N");
+  app
+    .add_option_function<std::uint64_t>(
+      "--memory",
+      [](const std::uint64_t& bytes)
+      { vtkHeliosMemoryLimit::SetLimit(static_cast<double>(bytes) / 1048576.0); },
+      "what may be taken in all, as 8G (default: what the machine has available)")
+    ->transform(CLI::AsSizeValue(true))
+    ->option_text("SIZE");
   app.add_flag("!--no-noise", options.Noise, "ranges without the scanner's noise");
 }
 

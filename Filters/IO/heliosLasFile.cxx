@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasFile.h"
 
+#include "heliosInputFile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -64,15 +66,12 @@ std::string LasFile::OpenFile()
   this->Records.clear();
   this->Extras.clear();
   this->Header = LasHeader();
+  std::string problem = CheckInputFile(this->Path);
+  if (!problem.empty())
+  {
+    return problem;
+  }
   std::error_code error;
-  if (std::filesystem::is_directory(this->Path, error))
-  {
-    return "is a folder; give the name of a file";
-  }
-  if (std::filesystem::is_other(this->Path, error)) // whose reading may never end
-  {
-    return "is a pipe or a device; give the name of a file";
-  }
   this->File = std::ifstream(this->Path, std::ios::binary);
   if (!this->File)
   {
@@ -84,7 +83,7 @@ std::string LasFile::OpenFile()
   {
     return "cannot be read";
   }
-  const std::string problem = this->Header.Decode(bytes);
+  problem = this->Header.Decode(bytes);
   return problem.empty() && this->Header.PointsBegin > this->Size
     ? "has " + std::to_string(this->Size) + " bytes, and its points begin at byte " +
       std::to_string(this->Header.PointsBegin) + ": it is cut off"

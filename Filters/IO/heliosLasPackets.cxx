@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasPackets.h"
 
+#include "heliosInputFile.h"
 #include "heliosLasWaves.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -124,12 +125,11 @@ std::string LasPackets::Open(const LasFile& file)
   const bool isInternal = (header.Encoding & InternalWaves) != 0;
   this->Path = isInternal ? file.GetPath() : GetPacketsName(file.GetPath());
   this->Begin = isInternal ? header.WavesBegin : 0;
-  std::error_code error;
-  if (std::filesystem::is_other(this->Path, error))
+  if (const std::string problem = CheckInputFile(this->Path); !problem.empty())
   {
-    return this->Path + ": is a pipe or a device, and should have the waveforms of " +
-      file.GetPath() + "; put them there, or switch ReadWaveforms off";
+    return this->Path + ": " + problem;
   }
+  std::error_code error;
   this->File.open(this->Path, std::ios::binary);
   this->End = this->File ? std::filesystem::file_size(this->Path, error) : 0;
   if (!this->File || error)

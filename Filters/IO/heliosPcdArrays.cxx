@@ -14,6 +14,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -209,17 +210,14 @@ PcdArrays::Column PcdArrays::MakeColumn(const PcdField& field)
 
 void PcdArrays::Append(const char* row, const double point[3])
 {
-  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+  const double* origin = this->Header.Origin;
+  const double sum[3] = { origin[0] + point[0], origin[1] + point[1], origin[2] + point[2] };
+  if (!std::isfinite(sum[0]) || !std::isfinite(sum[1]) || !std::isfinite(sum[2]))
   {
     ++this->NumberOfDropped;
     return;
   }
-  const double* origin = this->Header.Origin;
-  double* place = this->Points->GetPointer(3 * this->Row);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    place[axis] = origin[axis] + point[axis];
-  }
+  std::copy_n(sum, 3, this->Points->GetPointer(3 * this->Row));
   for (std::size_t i = 0; i < this->Columns.size(); ++i)
   {
     const Column& column = this->Columns[i];
@@ -281,6 +279,30 @@ std::string PcdArrays::AddLine(std::string_view line)
   }
   this->Append(this->Bytes.data(), point);
   return {};
+}
+
+std::vector<std::pair<std::string, vtkIdType>> PcdArrays::CountNotFinite() const
+{
+  std::vector<std::pair<std::string, vtkIdType>> counts;
+  for (const auto& array : this->Arrays)
+  {
+    const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+    vtkIdType count = 0;
+    for (vtkIdType row = 0; isReal && row < this->Row; ++row)
+    {
+      bool isFinite = true;
+      for (int i = 0; i < array->GetNumberOfComponents() && isFinite; ++i)
+      {
+        isFinite = std::isfinite(array->GetComponent(row, i));
+      }
+      count += !isFinite;
+    }
+    if (count > 0)
+    {
+      counts.emplace_back(array->GetName(), count);
+    }
+  }
+  return counts;
 }
 
 void PcdArrays::MoveTo(vtkPolyData* output)

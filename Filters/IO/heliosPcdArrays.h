@@ -12,6 +12,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -38,6 +39,9 @@ public:
 
   vtkIdType GetNumberOfRows() const { return this->Row + this->NumberOfDropped; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
+
+  /// The arrays with values that are not finite, and at how many points.
+  std::vector<std::pair<std::string, vtkIdType>> CountNotFinite() const;
 
   void MoveTo(vtkPolyData* output);
 

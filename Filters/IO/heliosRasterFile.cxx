@@ -3,6 +3,7 @@
 #include "heliosRasterFile.h"
 
 #include "heliosGdalMessages.h"
+#include "heliosInputFile.h"
 #include "heliosRasterUnits.h"
 
 #include <cpl_conv.h>
@@ -111,6 +112,10 @@ void RasterFile::Internals::Note(const GdalMessages& messages)
 
 std::string RasterFile::Internals::OpenDataset(const GdalMessages& messages)
 {
+  if (const std::string problem = CheckInputFile(this->Path); !problem.empty())
+  {
+    return problem;
+  }
   static const char* const drivers[] = { "GTiff", nullptr };
   this->Dataset.reset(GDALOpenEx(this->Path.c_str(),
     GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, nullptr, nullptr));
@@ -422,6 +427,19 @@ std::int64_t RasterFile::GetRowsPerBlock() const
     ? std::max<std::int64_t>(1, LargeBlock / rowSize)
     : height * std::max<std::int64_t>(1, SmallBlock / blockSize);
   return std::min(rows, this->State->Rows);
+}
+
+double RasterFile::CountPixels() const
+{
+  const Internals& self = *this->State;
+  double percent = 100.0;
+  const GdalMessages quiet;
+  const int status = GDALGetDataCoverageStatus(
+    self.Band, 0, 0, static_cast<int>(self.Columns), static_cast<int>(self.Rows), 0, &percent);
+  const double all = static_cast<double>(self.Columns) * static_cast<double>(self.Rows);
+  const bool isKnown = (status & GDAL_DATA_COVERAGE_STATUS_UNIMPLEMENTED) == 0 && percent >= 0.0;
+  const double least = (status & GDAL_DATA_COVERAGE_STATUS_DATA) != 0 ? 1.0 : 0.0;
+  return isKnown ? std::max(least, std::round(0.01 * percent * all)) : all;
 }
 
 std::int64_t RasterFile::GetNumberOfColumns() const

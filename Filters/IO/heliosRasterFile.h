@@ -46,6 +46,9 @@ public:
   /// WKT with heights in metres; empty: the file has none.
   const std::string& GetCrs() const;
 
+  /// The pixels, those of blocks left out; pixels of other blocks may lack a height, too.
+  double CountPixels() const;
+
   /// How many rows to read at a time: whole blocks of the file, some megabytes.
   std::int64_t GetRowsPerBlock() const;
 

@@ -3,10 +3,10 @@
 #include "heliosSha256.h"
 
 #include "heliosHexadecimal.h"
+#include "heliosInputFile.h"
 
 #include <openssl/evp.h>
 
-#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
@@ -65,9 +65,12 @@ std::string Sha256::Finish()
 
 std::string HashFile(const std::string& path)
 {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored))
+  std::ifstream file;
+  if (CheckInputFile(path).empty())
+  {
+    file.open(path, std::ios::binary);
+  }
+  if (!file.is_open())
   {
     return {};
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTextFile.h"
 
+#include "heliosInputFile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
@@ -42,10 +44,9 @@ TextFile::~TextFile()
 std::string TextFile::Open(const std::string& path)
 {
   this->Path = path;
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
   {
-    return path + ": cannot be read: it is a folder; give the name of a file";
+    return path + ": " + problem;
   }
   this->File = std::fopen(path.c_str(), "rb");
   if (!this->File)
@@ -53,6 +54,7 @@ std::string TextFile::Open(const std::string& path)
     return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
   }
   std::setvbuf(this->File, nullptr, _IONBF, 0);
+  std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   this->Size = error ? 0.0 : static_cast<double>(size);
   this->Buffer.resize(BlockSize);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosVtkXmlFile.h"
 
+#include "heliosInputFile.h"
 #include "heliosVtkXmlParser.h"
 
 #include <vtkNew.h>
@@ -379,14 +380,15 @@ double GetVtkXmlMemoryLimit(double fileSize)
 bool VtkXmlFile::Open(const std::string& path, const std::string& type)
 {
   *this = VtkXmlFile();
-  std::error_code problem;
-  const bool isFile = fs::is_regular_file(path, problem); // a pipe would be waited for
-  std::ifstream file(isFile ? path : "", std::ios::binary);
+  this->Problem = CheckInputFile(path);
+  std::ifstream file(this->Problem.empty() ? path : "", std::ios::binary);
   if (!file)
   {
-    this->Problem = "is not a file that can be read; check its name";
+    this->Problem =
+      this->Problem.empty() ? "is not a file that can be read; check its name" : this->Problem;
     return false;
   }
+  std::error_code problem;
   const auto size = static_cast<double>(fs::file_size(path, problem));
   try
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXyzFile.h"
 
+#include "heliosInputFile.h"
 #include "heliosTextFile.h"
 
 #include <algorithm>
@@ -51,16 +52,16 @@ XyzFile::~XyzFile()
 std::string XyzFile::Open(const std::string& path)
 {
   this->Path = path;
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
   {
-    return path + ": cannot be read: it is a folder; give the name of a file";
+    return path + ": " + problem;
   }
   this->File = std::fopen(path.c_str(), "rb");
   if (!this->File)
   {
     return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
   }
+  std::error_code error;
   const auto size = std::filesystem::file_size(path, error);
   if (error)
   {

@@ -3,6 +3,7 @@
 #include "vtkHeliosGeoTiffSceneReader.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosMemoryCheck.h"
 #include "heliosRasterFile.h"
 #include "heliosRasterMesh.h"
 #include "heliosSceneCrs.h"
@@ -86,10 +87,17 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   const std::int64_t rows = file.GetNumberOfRows();
   const std::int64_t step = file.GetRowsPerBlock();
   const std::string place = std::string(this->FileName) + ": ";
+  const double pixels = file.CountPixels();
+  const std::string excess =
+    helios::CheckMemory("pixels of two triangles", pixels, 2.0 * helios::BytesPerTriangle);
+  if (!excess.empty())
+  {
+    return this->Fail(place + excess + "; gdal_translate -srcwin cuts out a part");
+  }
   helios::RasterMesh<IndexArrayT> mesh(columns, file.GetTransform());
   const std::unique_ptr<double[]> heights(new double[static_cast<std::size_t>(columns * step)]);
   bool hasRoom = true;
-  for (std::int64_t row = 0; row < rows && hasRoom; row += step)
+  for (std::int64_t row = 0; row < rows && hasRoom && pixels > 0.0; row += step)
   {
     const std::int64_t count = std::min(step, rows - row);
     const std::string fault = file.Read(row, count, heights.get());

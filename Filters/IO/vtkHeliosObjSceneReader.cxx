@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosObjSceneReader.h"
 
+#include "heliosObjMemory.h"
 #include "heliosObjParser.h"
 #include "heliosObjScene.h"
 
@@ -29,9 +30,8 @@ bool vtkHeliosObjSceneReader::ReportBlock(double progress)
   return !this->AbortExecute;
 }
 
-int vtkHeliosObjSceneReader::RequestData(vtkInformation*,
-  vtkInformationVector**,
-  vtkInformationVector* outputVector)
+int vtkHeliosObjSceneReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   this->NumberOfDroppedTriangles = 0;
   if (!this->FileName || !*this->FileName)
@@ -46,7 +46,8 @@ int vtkHeliosObjSceneReader::RequestData(vtkInformation*,
   bool isRead = false;
   try
   {
-    isRead = parser.Read(this->FileName) && scene.ReadMaterials();
+    report.Error = helios::CheckObjMemory(this->FileName, parser.File.OnBlock);
+    isRead = report.Error.empty() && parser.Read(this->FileName) && scene.ReadMaterials();
     if (isRead)
     {
       scene.DropFlatTriangles();

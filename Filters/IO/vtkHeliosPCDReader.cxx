@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCDReader.h"
 
+#include "heliosInputFile.h"
 #include "heliosPcdArrays.h"
 #include "heliosTextFile.h"
 
@@ -43,11 +44,12 @@ public:
 
   std::string Run()
   {
-    std::error_code error;
-    if (std::filesystem::is_directory(this->Path, error))
+    std::string problem = helios::CheckInputFile(this->Path);
+    if (!problem.empty())
     {
-      return this->Path + ": cannot be read: it is a folder; give the name of a file";
+      return this->Path + ": " + problem;
     }
+    std::error_code error;
     this->File.open(this->Path, std::ios::binary);
     const auto size = std::filesystem::file_size(this->Path, error);
     if (!this->File || error)
@@ -55,7 +57,7 @@ public:
       return this->Path + ": cannot be read: " + std::strerror(errno ? errno : ENOENT) +
         "; check the file name";
     }
-    std::string problem = this->Header.Read(this->Path, this->File);
+    problem = this->Header.Read(this->Path, this->File);
     if (!problem.empty())
     {
       return problem;
@@ -289,6 +291,12 @@ bool vtkHeliosPCDReader::Read(vtkPolyData* output)
   {
     vtkWarningMacro(<< this->FileName << ": " << arrays.GetNumberOfDropped() << " of "
                     << arrays.GetNumberOfRows() << " points are not finite: dropped");
+  }
+  const vtkIdType kept = arrays.GetNumberOfRows() - arrays.GetNumberOfDropped();
+  for (const auto& [name, count] : arrays.CountNotFinite())
+  {
+    vtkWarningMacro(<< this->FileName << ": " << name << " is not finite at " << count << " of "
+                    << kept << " points, and is kept so");
   }
   arrays.MoveTo(output);
   return true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosVoxelReader.h"
 
+#include "heliosMemoryCheck.h"
 #include "heliosVoxelFile.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -25,6 +26,8 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
+
+constexpr double BytesPerCell = 16.0;
 
 /// The points of a grid of cells.
 void GetExtent(const helios::VoxelLayout& layout, int extent[6])
@@ -86,6 +89,11 @@ bool vtkHeliosVoxelReader::ReadHead(helios::VoxelFile& file, helios::TextReport&
     return false;
   }
   const std::int64_t cells = file.GetLayout().GetNumberOfCells();
+  const std::string excess = helios::CheckMemory("cells", static_cast<double>(cells), BytesPerCell);
+  if (cells <= this->MaximumNumberOfCells && !excess.empty())
+  {
+    return report.Fail(std::string(this->FileName) + ": " + excess);
+  }
   return cells <= this->MaximumNumberOfCells ||
     report.Fail(std::string(this->FileName) + ": has " + std::to_string(cells) +
       " cells, more than MaximumNumberOfCells (" + std::to_string(this->MaximumNumberOfCells) +

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformXMLReader.h"
 
+#include "heliosInputFile.h"
 #include "heliosVtkXmlReading.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
@@ -65,8 +66,13 @@ bool vtkHeliosWaveformXMLReader::FindPieces()
 {
   this->Pieces.clear();
   const std::string name = this->FileName ? this->FileName : "";
-  std::error_code problem;
-  if (name.empty() || !fs::is_regular_file(name, problem))
+  if (const std::string problem = helios::CheckInputFile(name); !problem.empty())
+  {
+    vtkErrorMacro(<< name << ": " << problem);
+    return false;
+  }
+  std::error_code ignored;
+  if (name.empty() || !fs::is_regular_file(name, ignored))
   {
     vtkErrorMacro(<< (name.empty() ? "FileName is not set" : name + ": there is no such file")
                   << "; give a file of waveforms, .pvtt or .vtt");

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPointVoxelizer.h"
 
+#include "heliosMemoryCheck.h"
 #include "heliosVoxelInput.h"
 #include "heliosVoxelScene.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosMemoryLimit.h"
 
 #include <vtkAlgorithmOutput.h>
 #include <vtkFieldData.h>
@@ -29,6 +31,7 @@ namespace
 {
 
 // A power of 4: small enough a share of any source to look at.
+constexpr double BytesPerCell = 500.0; // at most, with its triangles
 constexpr int ProbePieces = 65536;
 
 bool CanBePieces(vtkInformation* inInfo)
@@ -242,13 +245,23 @@ bool vtkHeliosPointVoxelizer::Gather(
                      "alone and update again");
     return false;
   };
+  const double available = 1048576.0 * vtkHeliosMemoryLimit::GetAvailable() / BytesPerCell;
+  const auto most = static_cast<vtkIdType>(std::min(available, 4e9));
   const auto gather = [&](const helios::VoxelInput& input)
   {
     if (again.Add(input) >= 0 || !bounds.Holds(again))
     {
       return fails();
     }
-    const bool fits = grid.Add(input.Get(), this->MaximumNumberOfCells);
+    const bool fits = grid.Add(input.Get(), std::min(this->MaximumNumberOfCells, most));
+    if (!fits && most < this->MaximumNumberOfCells)
+    {
+      vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m: "
+                    << helios::CheckMemory(
+                         "cells or more", static_cast<double>(most + 1), BytesPerCell)
+                    << "; a larger VoxelSize makes fewer");
+      return false;
+    }
     if (!fits)
     {
       vtkErrorMacro(

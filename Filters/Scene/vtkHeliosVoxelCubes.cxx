@@ -3,6 +3,7 @@
 #include "vtkHeliosVoxelCubes.h"
 
 #include "heliosMaterialTable.h"
+#include "heliosMemoryCheck.h"
 #include "heliosMeshBuilder.h"
 #include "heliosRandom.h"
 #include "heliosVoxelMesh.h"
@@ -171,6 +172,13 @@ int vtkHeliosVoxelCubes::RequestData(
                   << this->MaximumNumberOfCubes
                   << ") or 2097148; give fewer cells, or take them as "
                      "a turbid medium (input 2 of the scanner)");
+    return 0;
+  }
+  const std::string excess = helios::CheckMemory("cubes of twelve triangles",
+    static_cast<double>(this->NumberOfCubes), 12.0 * helios::BytesPerTriangle);
+  if (!excess.empty())
+  {
+    vtkErrorMacro(<< excess);
     return 0;
   }
   vtkPolyData* scene = vtkPolyData::GetData(outputVector);

@@ -4,6 +4,7 @@
 
 #include "heliosObserve.h"
 #include "heliosRun.h"
+#include "heliosSignals.h"
 #include "heliosTrajectory.h"
 #include "heliosTypes.h"
 
@@ -15,6 +16,7 @@ PyMethodDef Methods[] = {
   { "observe", heliosObserve, METH_VARARGS, "observe(object, event, callback): returns the tag" },
   { "guard", heliosGuard, METH_NOARGS, "guard(): Python filters take the interpreter lock" },
   { "trajectory", heliosGetTrajectory, METH_VARARGS, "trajectory(source, leg, interval)" },
+  { "end_at_second", heliosEndAtSecond, METH_VARARGS, "end_at_second(signals)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
   { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },
   { nullptr, nullptr, 0, nullptr },

@@ -9,6 +9,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 import types
 
@@ -200,3 +201,60 @@ def test_interrupt_between_plays(make_plays, capsys):
         interrupt = types.SimpleNamespace(signal=signal.SIGINT)
         assert run_play(None, None, 2, messages, interrupt, []) == 130
     assert "interrupted before play 2: --resume goes on with it" in capsys.readouterr().err
+
+
+# Signals where nothing is written yet.
+
+
+def start_loading(make_survey, tmp_path):
+    """A run of a survey whose scene takes long to read, while it reads."""
+    survey = make_survey(**LONG)
+    with open(tmp_path / "plane.obj", "ab") as file:
+        for _ in range(400):
+            file.write(b"#\n" * 500_000)  # reads for seconds, and takes no memory
+    run = start(survey, tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    place = f"/proc/{run.pid}/fd"
+    until = time.monotonic() + 60
+    while time.monotonic() < until:
+        if any(os.path.realpath(os.path.join(place, name)).endswith("plane.obj")
+               for name in os.listdir(place)):  # fmt: skip
+            return run
+        time.sleep(0.01)
+    raise AssertionError("the scene was not opened")
+
+
+@pytest.mark.parametrize("number, code", [(signal.SIGINT, 130), (signal.SIGTERM, 143)])
+def test_interrupt_while_the_scene_is_read(number, code, make_survey, tmp_path):
+    run = start_loading(make_survey, tmp_path)
+    begin = time.monotonic()
+    run.send_signal(number)
+    _, errors = run.communicate(timeout=60)
+    assert run.returncode == code
+    assert time.monotonic() - begin < 3.0  # all of it takes longer
+    assert "interrupted at 0 %: no points yet" in errors.decode()
+    assert "reading was aborted" not in errors.decode()
+    assert not list((tmp_path / "out").rglob("*points*"))
+
+
+DEAF = """
+import sys
+from vtkhelios.cli._interrupt import Interrupt
+from vtkhelios.cli._messages import Messages
+from vtkhelios.cli._task import Task
+with Messages() as messages, Interrupt(Task("deaf"), messages):
+    print("ready", flush=True)
+    sum(range(10**12))  # Python's handlers do not run meanwhile
+"""
+
+
+@pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("second", [signal.SIGINT, signal.SIGTERM])
+def test_a_second_signal_ends_it_at_once(first, second):
+    process = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE, text=True,
+                               env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
+    assert process.stdout.readline() == "ready\n"
+    process.send_signal(first)
+    with pytest.raises(subprocess.TimeoutExpired):
+        process.wait(timeout=0.5)
+    process.send_signal(second)
+    assert process.wait(timeout=10) == -second

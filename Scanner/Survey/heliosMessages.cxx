@@ -57,6 +57,10 @@ Messages::Messages(vtkObject* owner)
 //------------------------------------------------------------------------------
 void Messages::Error(const std::string& text)
 {
+  if (this->IsMuted)
+  {
+    return;
+  }
   ++this->NumberOfErrors;
   if (this->Seen.insert(text).second)
   {

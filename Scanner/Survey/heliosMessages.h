@@ -50,6 +50,9 @@ public:
   /// Warns unless something with this key was warned of before.
   void WarnOnce(const std::string& key, const std::string& text);
 
+  /// While muted no error is reported, nor counted: of what is stopped on request.
+  void Mute(bool isMuted) { this->IsMuted = isMuted; }
+
   bool HasError() const { return this->NumberOfErrors > 0; }
 
   /// So far, those that were told before counted again: what has failed since shows by it.
@@ -73,6 +76,7 @@ private:
   std::map<vtkObject*, std::string> Places;
   std::string LastError;
   int NumberOfErrors = 0;
+  bool IsMuted = false;
 };
 
 } // namespace helios

@@ -18,6 +18,7 @@
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
@@ -35,6 +36,8 @@ namespace helios
 
 namespace
 {
+
+constexpr std::chrono::milliseconds ProgressInterval(100);
 
 vtkSmartPointer<vtkHeliosXyzReader> MakePointReader(const PartData& part)
 {
@@ -157,13 +160,64 @@ bool PartPipelines::ReadFiles(const StepCallback& onStep)
 {
   for (const auto& reader : this->Readers)
   {
-    if (!onStep("reading " + reader.first))
+    this->Step = "reading " + reader.first;
+    this->LastProgress = std::chrono::steady_clock::now();
+    if (this->IsStopped || !onStep(this->Step))
     {
       return false;
     }
     reader.second->Update();
   }
-  return !this->Log.HasError();
+  this->Step = "putting the scene together";
+  return !this->IsStopped && !this->Log.HasError();
+}
+
+//------------------------------------------------------------------------------
+double PartPipelines::CountTriangles(vtkAlgorithm* filter)
+{
+  const int count =
+    filter->GetNumberOfInputPorts() > 0 ? filter->GetNumberOfInputConnections(0) : 0;
+  auto* mesh = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  const double own = mesh ? static_cast<double>(mesh->GetNumberOfPolys()) : 0.0;
+  if (count == 0 || own > 0.0)
+  {
+    return own;
+  }
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    sum += CountTriangles(filter->GetInputAlgorithm(0, i));
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::SetOnProgress(const StepCallback* onProgress)
+{
+  this->OnProgress = onProgress;
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::HandleProgress(vtkObject* caller, unsigned long, void*)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (this->OnProgress && now - this->LastProgress > ProgressInterval)
+  {
+    this->LastProgress = now;
+    this->IsStopped = this->IsStopped || !(*this->OnProgress)(this->Step);
+  }
+  if (this->IsStopped)
+  {
+    this->Log.Mute(true);
+    vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::Listen(vtkAlgorithm* filter, const std::string& where)
+{
+  this->Log.Listen(filter, where);
+  filter->AddObserver(vtkCommand::ProgressEvent, this, &PartPipelines::HandleProgress);
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +228,7 @@ PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
     return this->GetReader(part, part.Files.front());
   }
   auto composer = vtkSmartPointer<vtkHeliosSceneComposer>::New();
-  this->Log.Listen(composer, this->Where);
+  this->Listen(composer, this->Where);
   for (const std::string& file : part.Files)
   {
     composer->AddInputConnection(this->GetReader(part, file)->GetOutputPort());
@@ -193,7 +247,7 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   voxelizer->SetDefaultNormal(normal.GetData());
   voxelizer->SetNumberOfMaterials(part.Material.Count);
   const auto reader = MakePointReader(part);
-  this->Log.Listen(reader, this->Where);
+  this->Listen(reader, this->Where);
   this->Readers.emplace_back(part.Files.front(), voxelizer);
   return this->Connect(voxelizer, this->AddCrs(part, reader)); // cells lie along the target's axes
 }
@@ -209,7 +263,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
   if (!reader)
   {
     reader = part.Type == Loader::GeoTiff ? MakeGeoTiffReader(file) : MakeObjReader(part, file);
-    this->Log.Listen(reader, this->Where);
+    this->Listen(reader, this->Where);
     this->Readers.emplace_back(file, reader);
   }
   return reader;
@@ -221,7 +275,7 @@ PartPipelines::Filter PartPipelines::MakeCubes(const PartData& part, const std::
 {
   const VegetationData& cells = part.Vegetation;
   const Filter reader = MakeVegetationReader(part, file);
-  this->Log.Listen(reader);
+  this->Listen(reader, {});
   auto cubes = vtkSmartPointer<vtkHeliosVoxelCubes>::New();
   cubes->SetMode(
     cells.Mode == CellMode::Scaled ? vtkHeliosVoxelCubes::SCALED : vtkHeliosVoxelCubes::FIXED);
@@ -294,7 +348,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
 PartPipelines::Filter PartPipelines::Connect(Filter filter, const Filter& before)
 {
   filter->SetInputConnection(before->GetOutputPort());
-  this->Log.Listen(filter, this->Where);
+  this->Listen(filter, this->Where);
   return filter;
 }
 

@@ -9,6 +9,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <string>
@@ -18,6 +19,7 @@
 class vtkAlgorithm;
 class vtkHeliosSceneTransform;
 class vtkImageData;
+class vtkObject;
 
 namespace helios
 {
@@ -47,6 +49,14 @@ public:
   /// Reads all files; false after an error or where it was stopped.
   bool ReadFiles(const StepCallback& onStep);
 
+  /// Those that the readers before a filter have, a mesh that comes in twice counted twice.
+  static double CountTriangles(vtkAlgorithm* filter);
+
+  /// Called with the step at hand whenever a filter makes progress; where it returns false the filter
+  /// is stopped, and what it says of that is not reported. Null: nothing is called.
+  void SetOnProgress(const StepCallback* onProgress);
+  bool WasStopped() const { return this->IsStopped; }
+
 private:
   using Filter = vtkSmartPointer<vtkAlgorithm>;
 
@@ -58,11 +68,17 @@ private:
   Filter AddCrs(const PartData& part, Filter before);
   Filter AddMeshCare(const PartData& part, Filter before);
   Filter Connect(Filter filter, const Filter& before);
+  void Listen(vtkAlgorithm* filter, const std::string& where);
+  void HandleProgress(vtkObject* caller, unsigned long, void*);
 
   Messages& Log;
   vtkIdType Seed;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
-  std::string Where; // the part at hand
+  std::string Where;                                          // the part at hand
+  std::string Step;                                           // what is done
+  const StepCallback* OnProgress = nullptr;
+  bool IsStopped = false;
+  std::chrono::steady_clock::time_point LastProgress{};
   std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
   std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneBuilder.h"
 
+#include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
@@ -60,12 +61,13 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
   {
     this->Parts.push_back(this->Pipelines.Make(part));
   }
-  if (!this->Pipelines.ReadFiles(onStep) || !onStep("putting the scene together") ||
-    !this->PutOnGround())
-  {
-    return nullptr;
-  }
-  return this->Compose(true);
+  this->Pipelines.SetOnProgress(&onStep);
+  const bool isReady = this->Pipelines.ReadFiles(onStep) && onStep("putting the scene together") &&
+    this->PutOnGround();
+  auto scene = isReady ? this->Compose(true) : nullptr;
+  this->Pipelines.SetOnProgress(nullptr);
+  this->Log.Mute(false);
+  return this->Pipelines.WasStopped() ? nullptr : scene;
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +101,13 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
       ++count;
     }
   }
-  if (count > 0) // else there are voxels alone
+  const std::string excess = CheckMemory(
+    "triangles of all parts", this->Pipelines.CountTriangles(composer), BytesPerTriangle);
+  if (!excess.empty())
+  {
+    this->Log.Error(this->Scene.Where + ": " + excess);
+  }
+  else if (count > 0) // else there are voxels alone
   {
     composer->Update();
   }

@@ -3,6 +3,7 @@
 #include "heliosSceneEdit.h"
 
 #include "heliosAssets.h"
+#include "heliosInputFile.h"
 #include "heliosMessages.h"
 #include "heliosRunJournal.h"
 #include "heliosSceneBuilder.h"
@@ -190,7 +191,10 @@ bool SceneEdit::Internals::Take(const XmlElement& scene, Assets& assets)
 {
   pugi::xml_document file;
   const std::string path = scene.GetDocument().GetPath();
-  file.load_file(path.c_str());
+  if (CheckInputFile(path).empty())
+  {
+    file.load_file(path.c_str());
+  }
   const pugi::xml_node found =
     file.document_element().find_child_by_attribute("scene", "id", scene.GetText("id").c_str());
   const pugi::xml_node source = found ? found : file.document_element().child("scene");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a survey made by hand begins with: catalogues, and surveys that were read.
 #include "heliosAssets.h"
+#include "heliosInputFile.h"
 #include "heliosMessages.h"
 #include "heliosPlannerScan.h"
 #include "heliosSurveyEdit.h"
@@ -102,7 +103,10 @@ void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
     "basePlatform" };
   static const std::set<std::string> places = { "leg", "scan", "origin", "scannerMount" };
   pugi::xml_document document;
-  document.load_file(fileName.c_str());
+  if (CheckInputFile(fileName).empty())
+  {
+    document.load_file(fileName.c_str());
+  }
   const pugi::xml_node survey = document.document_element().child("survey");
   for (const pugi::xml_attribute attribute : survey.attributes())
   {

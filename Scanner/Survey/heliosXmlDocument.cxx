@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosInputFile.h"
 #include "heliosMessages.h"
 #include "heliosXmlElement.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -79,9 +79,13 @@ pugi::xml_node NextNode(pugi::xml_node node)
 //------------------------------------------------------------------------------
 std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages& messages)
 {
-  std::error_code ignored;
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  {
+    messages.Error(path + ": " + problem);
+    return nullptr;
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored))
+  if (!file)
   {
     messages.Error(path + ": cannot be read; give the name of an XML file");
     return nullptr;

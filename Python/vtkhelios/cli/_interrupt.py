@@ -4,11 +4,14 @@
 
 import signal
 
+from .. import _native
+
 
 class Interrupt:
     """While entered, SIGINT and SIGTERM ask the player to stop. ``signal`` is the one that came.
 
-    Python runs the handler when the player next reports its progress.
+    Python runs the handler when the player next reports its progress. A second signal ends the
+    process at once, also where nothing is reported.
     """
 
     def __init__(self, player, messages):
@@ -20,6 +23,7 @@ class Interrupt:
     def __enter__(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             self._previous[number] = signal.signal(number, self._stop)
+        _native.end_at_second(list(self._previous))
         return self
 
     def __exit__(self, *_):

@@ -2,11 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Readers of XML files, and where they look up what these name."""
 
+import argparse
 import pathlib
+import re
 
 import vtkhelios
 
 from .._paths import to_vtk
+
+SIZES = {"": 1, "k": 1e3, "m": 1e6, "g": 1e9, "t": 1e12}
+SIZES |= {f"{unit}i": 1024**power for power, unit in enumerate("kmgt", 1)}
+MEBIBYTE = 1024**2
 
 
 def add_assets_argument(parser):
@@ -17,6 +23,30 @@ def add_assets_argument(parser):
         default=[],
         help="a folder to look up scenes, scanners and platforms in; may be repeated",
     )
+
+
+def size(text):
+    """An argparse type: a number of bytes, as 8G or 512MiB."""
+    found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?((?:[kmgt]i?)?)b?", text.lower())
+    if not found or float(found[1]) == 0.0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a size; give one as 8G or 512M")
+    return float(found[1]) * SIZES[found[2]]
+
+
+def add_memory_argument(parser):
+    parser.add_argument(
+        "--memory",
+        metavar="SIZE",
+        type=size,
+        default=0.0,
+        help="what the run may take in all, as 8G: a scene that would take more is refused before "
+        "it is made (default: what the machine has available)",
+    )
+
+
+def limit_memory(arguments):
+    """From here on --memory holds."""
+    vtkhelios.vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
 
 
 def missing_folder(assets):

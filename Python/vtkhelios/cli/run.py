@@ -16,7 +16,8 @@ from .._paths import from_vtk, text_from_vtk, to_vtk
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
-from ._reading import add_assets_argument, make_reader, missing_folder
+from ._reading import add_assets_argument, add_memory_argument, limit_memory, make_reader
+from ._reading import missing_folder
 from ._report import estimate_lines, join_reports, plays_lines, summary_lines
 
 SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
@@ -181,6 +182,7 @@ def add_arguments(parser):
         default=0,
         help="how many processor cores to use; 0: all (default: %(default)s)",
     )
+    add_memory_argument(parser)
     parser.add_argument(
         "--ray-caster",
         metavar="NAME",
@@ -269,6 +271,7 @@ def run(arguments):
         return 2
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
+        limit_memory(arguments)
         survey = read_survey(arguments, messages)
         if survey is None:
             return 1

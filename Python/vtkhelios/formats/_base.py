@@ -28,29 +28,36 @@ class FormatError(ValueError):
     """A file that cannot be read or written; says which, why, and what to do."""
 
 
-# What a path can name that is not a file to read.
-_KINDS = (
-    (stat.S_ISDIR, "is a folder; give the name of a file"),
-    (stat.S_ISFIFO, "is a FIFO, not a regular file; copy it to a file"),
-    (stat.S_ISSOCK, "is a socket, not a regular file; copy what it sends to a file"),
-    (stat.S_ISCHR, "is a character device, not a regular file; copy what is read to a file"),
-    (stat.S_ISBLK, "is a block device, not a regular file; copy what is read to a file"),
-)
+# What a path can name that is not a file to read; the words are those of heliosInputFile.cxx.
+_KINDS = {
+    stat.S_IFDIR: "a folder; give the name of a file",
+    stat.S_IFIFO: "a FIFO, not a regular file; copy it to a file",
+    stat.S_IFSOCK: "a socket, not a regular file; copy what it sends to a file",
+    stat.S_IFCHR: "a character device, not a regular file; copy what is read to a file",
+    stat.S_IFBLK: "a block device, not a regular file; copy what is read to a file",
+}
+_KERNEL = "a file of the kernel (/proc, /sys), not a regular file; copy it to a file"
 
 
 def check_file(path):
-    """FormatError where a path names no regular file. The words are those of heliosInputFile.h."""
+    """FormatError where a path names no regular file, which may have no end or no size."""
     path = os.fspath(path)
     try:
-        mode = os.stat(path).st_mode
+        status = os.stat(path)
     except FileNotFoundError:
         raise FormatError(f"{path}: no such file; check its name") from None
     except (OSError, ValueError) as error:  # ValueError: NUL in the name
         reason = getattr(error, "strerror", None) or error
         raise FormatError(f"{path}: cannot be read: {reason}; check its name") from None
-    for is_kind, problem in _KINDS:
-        if is_kind(mode):
-            raise FormatError(f"{path}: {problem}")
+    kind = _KINDS.get(stat.S_IFMT(status.st_mode))
+    if kind or _is_of_kernel(status):
+        raise FormatError(f"{path}: cannot be read: it is {kind or _KERNEL}")
+
+
+def _is_of_kernel(status):
+    """Whether the kernel makes up what is in a file when it is read."""
+    mounts = {os.stat(path).st_dev for path in ("/proc", "/sys") if os.path.isdir(path)}
+    return status.st_dev in mounts - {os.stat("/").st_dev}
 
 
 def memory_limit(size):

@@ -16,7 +16,7 @@ import vtkhelios
 
 from .._pipeline import MessageLog
 from ._base import ROWS, Header, Reader, StreamWriter, Writer
-from ._base import call, from_cloud, rows_of, select, to_cloud
+from ._base import call, check_file, from_cloud, rows_of, select, to_cloud
 
 
 class VtpReader(Reader):
@@ -66,8 +66,9 @@ class PiecesReader(VtpReader):
         if not files:
             self.fail("names no pieces, so it has no points; give a file with points")
         for name in files:
-            if not pathlib.Path(name).is_file():
+            if not pathlib.Path(name).exists():
                 self.fail(f"its piece {name} is missing; keep the pieces beside it")
+            check_file(name)
         return files
 
 

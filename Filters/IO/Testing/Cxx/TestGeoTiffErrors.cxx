@@ -102,12 +102,15 @@ TEST_CASE("GeoTiffErrors: files that are none", "[GeoTiffErrors]")
   helios::WriteBytes(folder / "empty.tif", "");
   helios::WriteBytes(folder / "other.png", "\x89PNG\r\n\x1a\n");
   std::filesystem::create_directory(folder / "folder.tif");
-  for (const char* name : { "missing.tif", "text.tif", "empty.tif", "other.png", "folder.tif" })
+  for (const char* name : { "missing.tif", "text.tif", "empty.tif", "other.png" })
   {
     GeoTiffReading reading(folder / name);
     CheckError(reading, folder / name + ": cannot be read as GeoTIFF: ");
     CHECK(reading.Log->HasError(cure));
   }
+  GeoTiffReading inFolder(folder / "folder.tif");
+  CheckError(
+    inFolder, folder / "folder.tif" + ": cannot be read: it is a folder; give the name of a file");
   GeoTiffReading missing(folder / "missing.tif");
   CheckError(missing, "missing.tif: No such file or directory");
 

@@ -434,10 +434,10 @@ TEST_CASE("LASReader: names that are wrong", "[LASReader]")
   REQUIRE(::mkfifo((Folder / "pipe.las").c_str(), 0600) == 0);
   LasReading pipe(Folder / "pipe.las");
   CHECK_FALSE(pipe.Read());
-  CHECK(pipe.Log->HasError("pipe.las: is a pipe or a device; give the name of a file"));
+  CHECK(pipe.Log->HasError("pipe.las: cannot be read: it is a FIFO, not a regular file"));
   LasReading device("/dev/zero");
   CHECK_FALSE(device.Read());
-  CHECK(device.Log->HasError("/dev/zero: is a pipe or a device; give the name of a file"));
+  CHECK(device.Log->HasError("/dev/zero: cannot be read: it is a character device, not a regular file"));
 }
 
 TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")

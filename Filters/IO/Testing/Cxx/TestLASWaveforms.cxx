@@ -293,7 +293,7 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   fs::remove(writing.Packets);
   CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
   REQUIRE(::mkfifo(writing.Packets.c_str(), 0600) == 0);
-  CHECK(fails(good, writing.Packets + ": is a pipe or a device, and should have the waveforms of"));
+  CHECK(fails(good, writing.Packets + ": cannot be read: it is a FIFO, not a regular file"));
 }
 
 TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWaveforms]")

@@ -9,7 +9,10 @@
 #include <cstdio>
 
 #ifdef __linux__
+#include <fcntl.h>
+#include <filesystem>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
@@ -50,6 +53,23 @@ void CheckWarning(const std::string& text, const std::string& message, vtkIdType
   CHECK(reading.Log->HasWarning(path + message));
   CHECK(reading.TriangleCount() == triangleCount);
 }
+
+#ifdef __linux__
+/// From here on every read of an open file fails.
+void ReplaceByFolder(const std::string& path)
+{
+  const int folder = open("/", O_RDONLY);
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd"))
+  {
+    std::error_code ignored;
+    if (std::filesystem::read_symlink(entry.path(), ignored) == path)
+    {
+      dup2(folder, std::stoi(entry.path().filename().string()));
+    }
+  }
+  close(folder);
+}
+#endif
 
 } // namespace
 
@@ -177,10 +197,37 @@ TEST_CASE("ObjErrors: too large for 32-bit cells", "[ObjErrors]")
 #ifdef __linux__
 TEST_CASE("ObjErrors: a disk that fails while reading", "[ObjErrors]")
 {
-  ObjReading reading("/proc/self/mem"); // opens, and has nothing at address 0
-  CHECK_FALSE(reading.Read());
-  CHECK(reading.Log->HasError(
-    "/proc/self/mem: cannot be read any further: Input/output error; check the disk"));
+  TestFolder folder;
+  std::string text;
+  while (text.size() < (std::size_t(3) << 20)) // more than a block
+  {
+    text += "v 0 0 0\n";
+  }
+  const std::string path = folder.Write("a.obj", text);
+  helios::TextReport report;
+  helios::ObjParser parser(report);
+  parser.File.OnBlock = [&path](double)
+  {
+    ReplaceByFolder(path); // reading goes on in what cannot be read
+    return true;
+  };
+  CHECK_FALSE(parser.Read(path));
+  CHECK(report.Error == path + ": cannot be read any further: Is a directory; check the disk");
+}
+
+TEST_CASE("ObjErrors: what is not a regular file", "[ObjErrors]")
+{
+  TestFolder folder;
+  const std::string fifo = folder.Write("a.obj", "") + ".fifo";
+  REQUIRE(mkfifo(fifo.c_str(), 0600) == 0);
+  ObjReading first(fifo);
+  CHECK_FALSE(first.Read());
+  CHECK(first.Log->HasError(
+    fifo + ": cannot be read: it is a FIFO, not a regular file; copy it to a file"));
+  ObjReading second("/dev/zero");
+  CHECK_FALSE(second.Read());
+  CHECK(second.Log->HasError("/dev/zero: cannot be read: it is a character device, not a regular "
+                             "file; copy what is read to a file"));
 }
 
 #ifndef __SANITIZE_ADDRESS__

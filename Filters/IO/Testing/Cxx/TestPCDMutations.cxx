@@ -62,7 +62,46 @@ std::string MakeCompressed()
     bytes + packed.substr(0, size);
 }
 
+/// A header with another value of an entry.
+std::string SetEntry(std::string text, const std::string& key, const std::string& value)
+{
+  const std::size_t at = text.find('\n' + key + ' ') + 1;
+  return text.replace(at, text.find('\n', at) - at, key + ' ' + value);
+}
+
 } // namespace
+
+TEST_CASE("PCDMutations: sizes that cannot be are refused at once", "[PCDMutations][mutation]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "a.pcd";
+  helios::PcdReading reading(path);
+  const std::string binary = MakeBinary(path);
+  const std::string numbers[] = { "0", "1", "-1", "19", "21", "4294967295", "4294967296",
+    "1099511627776", "1099511627777", "1000000000000000000", "9223372036854775808",
+    "18446744073709551615", "18446744073709551616", "99999999999999999999999", "1e18", "2.5", "" };
+  for (const std::string& whole : { helios::AsciiPcd, binary, MakeCompressed() })
+  {
+    for (const std::string& width : numbers)
+    {
+      for (const std::string& height : numbers)
+      {
+        for (const bool hasPoints : { true, false })
+        {
+          std::string text = SetEntry(SetEntry(whole, "WIDTH", width), "HEIGHT", height);
+          text = SetEntry(text, "POINTS", hasPoints ? width : "");
+          text = hasPoints ? text : helios::Replace(text, "POINTS \n", "");
+          helios::WriteFile(path, text);
+          INFO("WIDTH " << width << " HEIGHT " << height << ' ' << hasPoints);
+          const bool isGood = reading.Read();
+          REQUIRE((isGood || reading.Log->HasError(path + ":")));
+          REQUIRE(reading.CountPoints() <= 20);
+          REQUIRE(IsWhole(reading.Cloud()));
+        }
+      }
+    }
+  }
+}
 
 TEST_CASE("PCDMutations: damaged files give an error or points", "[PCDMutations][mutation]")
 {

@@ -114,6 +114,7 @@ TEST_CASE("PCDReader: ascii with all digits, types and counts", "[PCDReader]")
   FileReading reading;
   REQUIRE(reading.ReadText(AsciiPcd));
   CHECK(reading.Log->HasWarning("a.pcd: 1 of 4 points are not finite: dropped"));
+  CHECK(reading.Log->HasWarning("a.pcd: Intensity is not finite at 1 of 3 points, and is kept so"));
   REQUIRE(reading.CountPoints() == 3);
   CHECK(reading.Cloud()->GetPoints()->GetDataType() == VTK_DOUBLE);
   CHECK(reading.Cloud()->GetPoint(1)[1] == -20.0);

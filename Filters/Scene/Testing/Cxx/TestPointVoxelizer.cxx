@@ -3,6 +3,7 @@
 // Solid cells from points: which cells, which faces, whatever the order and the pieces.
 #include "heliosVoxelGrid.h"
 #include "heliosVoxelTesting.h"
+#include "vtkHeliosMemoryLimit.h"
 
 #include <catch2/catch.hpp>
 
@@ -408,6 +409,13 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     cloud.Filter->SetMaximumNumberOfCells(3);
     cloud.Log->Clear();
     CHECK(cloud.Run());
+  }
+  SECTION("more memory than may be taken")
+  {
+    vtkHeliosMemoryLimit::SetLimit(0.001);
+    const bool fails = cloud.FailsWith("m: 1 cells or more take about 0.0005 MB of memory");
+    vtkHeliosMemoryLimit::SetLimit(0.0);
+    CHECK(fails);
   }
   SECTION("points that are not finite")
   {

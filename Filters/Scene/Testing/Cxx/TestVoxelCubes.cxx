@@ -4,6 +4,7 @@
 #include "heliosErrorObserver.h"
 #include "heliosMaterialTable.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosMemoryLimit.h"
 #include "vtkHeliosVoxelCubes.h"
 
 #include <vtkCellData.h>
@@ -224,6 +225,11 @@ TEST_CASE("VoxelCubes: errors", "[VoxelCubes]")
   run.Update();
   CHECK(run.Log->HasError("2 opaque cells"));
   CHECK(run.Log->HasError("MaximumNumberOfCubes (1)"));
+  run.Filter->SetMaximumNumberOfCubes(2);
+  vtkHeliosMemoryLimit::SetLimit(0.001);
+  run.Update();
+  vtkHeliosMemoryLimit::SetLimit(0.0);
+  CHECK(run.Log->HasError("2 cubes of twelve triangles take about 0.00281 MB of memory"));
   grid->GetCellData()->Initialize();
   run.Update();
   CHECK(run.Log->HasError("has no cell array PAD"));

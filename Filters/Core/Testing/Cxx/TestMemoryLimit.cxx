@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosMemoryCheck.h"
+#include "vtkHeliosMemoryLimit.h"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using helios::CheckMemory;
+
+namespace
+{
+
+/// A limit for one test.
+struct Limit
+{
+  explicit Limit(double mebibytes) { vtkHeliosMemoryLimit::SetLimit(mebibytes); }
+  ~Limit() { vtkHeliosMemoryLimit::SetLimit(0.0); }
+};
+
+} // namespace
+
+TEST_CASE("MemoryLimit: what the machine has", "[MemoryLimit]")
+{
+  CHECK(vtkHeliosMemoryLimit::GetLimit() == 0.0);
+  const double available = vtkHeliosMemoryLimit::GetAvailable();
+  CHECK(available > 1.0);
+  CHECK(CheckMemory("cells", 1000.0, 8.0).empty());
+  const std::string text = CheckMemory("cells", 1e10, 2e6);
+  CHECK(text.find("10000000000 cells take about 20 PB of memory, and ") == 0);
+  CHECK(text.find(" are available; take fewer, or allow more with vtkhelios run "
+                  "--memory (vtkHeliosMemoryLimit)") != std::string::npos);
+}
+
+TEST_CASE("MemoryLimit: what is allowed, without what there is already", "[MemoryLimit]")
+{
+  const Limit limit(1e6);
+  CHECK(vtkHeliosMemoryLimit::GetLimit() == 1e6);
+  const double available = vtkHeliosMemoryLimit::GetAvailable();
+  CHECK(available < 1e6 - 1.0);
+  CHECK(available > 1e6 - 10000.0);
+  CHECK(CheckMemory("cells", available - 100.0, 1048576.0).empty()); // the machine may have less
+  CHECK(
+    CheckMemory("cells", available + 100.0, 1048576.0).find(" of the 1.05 TB that may be taken") !=
+    std::string::npos);
+}
+
+TEST_CASE("MemoryLimit: nothing is left", "[MemoryLimit]")
+{
+  const Limit limit(0.001);
+  CHECK(vtkHeliosMemoryLimit::GetAvailable() == 0.0);
+  CHECK(CheckMemory("cells", 0.0, 8.0).empty());
+  CHECK(CheckMemory("cells", 1.0, 1e6) ==
+    "1 cells take about 1 MB of memory, and 0 MB are available of the 0.00105 MB that may be "
+    "taken; "
+    "take fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)");
+  vtkHeliosMemoryLimit::SetLimit(-1.0);
+  CHECK(vtkHeliosMemoryLimit::GetLimit() == 0.0);
+}
