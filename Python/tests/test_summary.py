@@ -123,6 +123,20 @@ def test_a_summary_that_is_no_file(tmp_path):
         read_summary(tmp_path / "run_summary.json")
 
 
+def test_resuming_a_run_that_is_finished(make_survey, tmp_path, capsys):
+    """What is said of it is what its summary holds."""
+    arguments = ["run", str(make_survey(stop=1)), "--output", str(tmp_path / "out"), "--resume"]
+    assert cli.main(arguments[:-1]) == 0 and cli.main(arguments) == 0
+    assert "the run in" in capsys.readouterr().out
+    path = tmp_path / "out/plane/run_summary.json"
+    whole = json.loads(path.read_text())
+    del whole["timings"]["run_s"]
+    path.write_text(json.dumps(whole))
+    assert cli.main(arguments) == 1
+    err = capsys.readouterr().err
+    assert "run_summary.json: timings has no run_s; run the survey again" in err
+
+
 def test_mutants(tmp_path):
     """Whatever is in it, there is a summary or a message."""
     whole = json.dumps(WHOLE).encode()

@@ -1766,6 +1766,40 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     def SetRandomRange(self, _arg: float) -> None: ...
     def SetSeed(self, _arg: int) -> None: ...
 
+class vtkHeliosMemoryLimit(vtkObject):
+    """vtkHeliosMemoryLimit - how much memory this process may take for scenes"""
+    @property
+    def available(self) -> Any:
+        """What can still be taken [MiB]: the limit without what this
+        process has; without a limit what the machine has available
+        (MemAvailable of /proc/meminfo), or less where a control group
+        allows less. Infinite where the system does not say.
+        """
+    limit: Any
+    """What this process may take in all [MiB], 0 or more. 0: what the
+    machine, or the control group this process is in, has available.
+    Default 0.
+    """
+    @property
+    def m_time(self) -> int:
+        """Return this object's modified time."""
+    def __init__(self, *, limit: Any = ...) -> None: ...
+    @staticmethod
+    def GetAvailable() -> float: ...
+    @staticmethod
+    def GetLimit() -> float: ...
+    def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
+    @staticmethod
+    def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
+    def IsA(self, type: str) -> int: ...
+    @staticmethod
+    def IsTypeOf(type: str) -> int: ...
+    def NewInstance(self) -> vtkHeliosMemoryLimit: ...
+    @staticmethod
+    def SafeDownCast(o: vtkObjectBase) -> vtkHeliosMemoryLimit: ...
+    @staticmethod
+    def SetLimit(mebibytes: float) -> None: ...
+
 class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
     """vtkHeliosMeshRepair - takes out the triangles and points that no scene needs, and counts bad
     edges

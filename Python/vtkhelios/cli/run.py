@@ -13,6 +13,8 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from .._paths import from_vtk, text_from_vtk, to_vtk
+from ..formats import FormatError
+from ..formats._summary import FINISHED, parse_summary
 from ._interrupt import Interrupt
 from ._messages import Messages
 from ._progress import make_progress
@@ -371,13 +373,24 @@ def run_play(arguments, player, play, messages, interrupt, reports):
     if not succeeded:
         messages.error_unless_told(from_vtk(player.GetMessage()))
         return 1
-    report = json.loads(from_vtk(player.GetReport()))
+    try:
+        report = read_report(player, folder)
+    except FormatError as error:
+        messages.error(str(error))
+        return 1
     if player.GetWasFinished():
         messages.info(from_vtk(player.GetMessage()))
     for line in estimate_lines(report) if arguments.dry_run else summary_lines(report, folder):
         messages.info(line)
     reports.append(report)
     return 0
+
+
+def read_report(player, folder):
+    """What a run did, or did before: then it is what its summary holds, which is checked."""
+    if player.GetWasFinished():
+        return parse_summary(from_vtk(player.GetReport()), folder / "run_summary.json", FINISHED)
+    return json.loads(from_vtk(player.GetReport()))
 
 
 def conclude(arguments, plays, reports, messages):

@@ -10,7 +10,7 @@ import struct
 
 import numpy as np
 
-from ._base import ROWS, FormatError, is_failure, need
+from ._base import ROWS, FormatError, check_file, is_failure, need
 from ._las_check import Damage, check_header, check_points
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
@@ -30,6 +30,8 @@ class RecordReader:
         self.notes = []  # what is read otherwise than it may seem
         laspy = need("laspy", "LAS and LAZ files")
         logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
+        if os.path.exists(self.path):
+            check_file(self.path)
         self._size = os.path.getsize(self.path)
         try:
             self._take_head()

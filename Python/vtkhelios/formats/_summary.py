@@ -87,6 +87,10 @@ REPORT = {
     ),
     "versions": dict.fromkeys(("VTK", "vtkHelios")),
 }  # fmt: skip
+# And for what vtkhelios run says of a run that was finished before.
+FINISHED = {**REPORT, "totals": {**REPORT["totals"], "points": None, "firstReturns": None}}
+FINISHED["legs"] = [{**REPORT["legs"][0], "pulses": None,
+                     "files": [{"name": None, "records": None, "bytes": None}]}]  # fmt: skip
 
 
 def read_summary(path, needed=FILES):
