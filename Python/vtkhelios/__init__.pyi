@@ -1563,8 +1563,9 @@ class vtkHeliosLASWriter(vtkHeliosStreamWriter):
     scale: float
     """Set/Get the step of coordinates [units of the points], as the
     first block takes it. 0: the finest power of ten, from 1e-6 on,
-    that has room for eight times the first block. For degrees take
-    1e-8. Valid range: 0, [1e-9, 1000]. Default: 0.0001.
+    that has room for eight times the first block, and so depends on
+    its size. For degrees take 1e-8. Valid range: 0, [1e-9, 1000].
+    Default: 0.0001.
     """
     system_identifier: Optional[str]
     """Set/Get the system identifier in the header, of which 32
@@ -5273,8 +5274,9 @@ class vtkHeliosSurveyPlayer(vtkObject):
         it ended, in words.
         """
     pulses_per_block: int
-    """Set/Get the pulses between two writes. Valid range: [1, 2^24].
-    Default: 262144.
+    """Set/Get the pulses between two writes. No byte of "xyz" and "las"
+    depends on it; of "vtp" each block is a file. Valid range: [1,
+    2^24]. Default: 262144.
     """
     range_tolerance: float
     """Set/Get the errors that the sampling of the beam may make, in
