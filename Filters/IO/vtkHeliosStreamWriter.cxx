@@ -192,7 +192,8 @@ std::string vtkHeliosStreamWriter::Sync()
 bool vtkHeliosStreamWriter::FailFile(const std::string& problem)
 {
   this->HasFailed = this->IsOpen();
-  vtkErrorMacro(<< problem << "; see that the output folder stays as it is, and run again");
+  vtkErrorMacro(<< problem
+                << "; see that the output folder stays as it is and has room, and run again");
   return false;
 }
 
@@ -239,9 +240,12 @@ void vtkHeliosStreamWriter::EndHead()
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosStreamWriter::IsRemoved() const
+/// What is left of the blocks that were written, in words.
+std::string vtkHeliosStreamWriter::DescribeKept() const
 {
-  return this->File->IsRemoved();
+  return this->File->IsRemoved()
+    ? "nothing is kept, since " + this->File->GetPartPath() + " was removed"
+    : std::to_string(this->NumberOfRecords) + " records are safe in " + this->GetSafePlace();
 }
 
 //------------------------------------------------------------------------------
@@ -262,8 +266,7 @@ bool vtkHeliosStreamWriter::CheckOpen()
   if (this->HasFailed)
   {
     vtkErrorMacro(<< this->GetOpenName() << " lacks a block that could not be written; "
-                  << this->NumberOfRecords << " records are safe in " << this->GetSafePlace()
-                  << "; call Abandon() and run again");
+                  << this->DescribeKept() << "; call Abandon() and run again");
     return false;
   }
   return true;
@@ -277,10 +280,13 @@ bool vtkHeliosStreamWriter::Close()
     this->Abandon();
     return false;
   }
+  const bool isRemoved = this->File->IsRemoved();
   if (!this->File->Close())
   {
-    vtkErrorMacro(<< this->File->GetProblem() << "; " << this->NumberOfRecords
-                  << " records were written to " << this->GetSafePlace());
+    vtkErrorMacro(<< this->File->GetProblem() << "; "
+                  << (isRemoved ? std::string("nothing is kept; run again")
+                                : std::to_string(this->NumberOfRecords) +
+                           " records were written to " + this->GetSafePlace()));
     return false;
   }
   return true;
@@ -423,8 +429,7 @@ bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
   this->HasFailed = true;
   if (this->File->IsRemoved())
   {
-    vtkErrorMacro(<< problem << "; nothing is kept, since " << this->File->GetPartPath()
-                  << " was removed while it was written; run again");
+    vtkErrorMacro(<< problem << "; " << this->DescribeKept() << "; run again");
     return false;
   }
   const bool isCut = this->File->Cut(static_cast<std::uint64_t>(size));

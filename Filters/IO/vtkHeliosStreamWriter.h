@@ -191,9 +191,6 @@ protected:
   /// What was written so far begins no block: it is written over.
   void EndHead();
 
-  /// Whether the file that is open was removed.
-  bool IsRemoved() const;
-
   /// Appends text that has no records.
   bool WriteText(const std::string& text);
 
@@ -219,6 +216,7 @@ private:
   void operator=(const vtkHeliosStreamWriter&) = delete;
 
   bool PrepareOpen();
+  std::string DescribeKept() const;
 
   std::unique_ptr<helios::PartFile> File;
   bool HasFailed = false; // since Open()

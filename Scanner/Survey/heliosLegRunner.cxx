@@ -6,12 +6,8 @@
 #include "heliosRunJournal.h"
 #include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
-#include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
-#include "vtkHeliosPulseTextWriter.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
-#include "vtkHeliosWaveformTextWriter.h"
-#include "vtkHeliosWaveformXMLWriter.h"
 
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -20,7 +16,6 @@
 #include <chrono>
 #include <filesystem>
 #include <future>
-#include <iterator>
 #include <limits>
 
 namespace helios
@@ -30,86 +25,10 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-// Of vtkHeliosScanner.
-constexpr int EchoPort = 0;
-constexpr int WaveformPort = 1;
-constexpr int PulsePort = 2;
-
 /// A word of at least three characters, with zeros before it.
 std::string Pad(const std::string& word)
 {
   return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
-}
-
-/// The writer of a port of the scanner.
-vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
-{
-  const bool isXml = settings.Format == "vtp";
-  vtkSmartPointer<vtkHeliosStreamWriter> writer;
-  if (port == WaveformPort && isXml)
-  {
-    writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
-  }
-  else if (port == WaveformPort)
-  {
-    writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
-  }
-  else if (isXml)
-  {
-    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
-  }
-  else if (port == PulsePort)
-  {
-    writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
-  }
-  else if (settings.Format == "las")
-  {
-    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
-    las->SetWriteWaveforms(settings.Waveforms);
-    writer = las;
-  }
-  else
-  {
-    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
-  }
-  return writer;
-}
-
-/// How the name of its file ends.
-std::string GetSuffix(int port, const std::string& format)
-{
-  if (format == "vtp")
-  {
-    return port == WaveformPort ? ".pvtt" : ".pvtp";
-  }
-  return port == EchoPort ? "." + format : ".txt";
-}
-
-/// The name of the file of a writer, without its folder.
-std::string GetName(vtkHeliosStreamWriter* writer)
-{
-  return std::filesystem::path(writer->GetFileName()).filename().string();
-}
-
-/// How far the file of a writer is, and what was written since this was asked last.
-FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole)
-{
-  FileProgress progress{ GetName(writer), writer->GetFileSize(), writer->GetNumberOfRecords(),
-    writer->GetNumberOfBytes(), isWhole, writer->GetHeadChecksum(), {} };
-  const std::vector<FileBlock> blocks = writer->TakeBlocks();
-  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(progress.Blocks),
-    [](const FileBlock& block) { return block.Begin < block.End; });
-  return progress;
-}
-
-std::vector<FileProgress> TakeProgress(const LegRunner::Outputs& outputs, bool isWhole)
-{
-  std::vector<FileProgress> files;
-  for (const LegOutput& output : outputs)
-  {
-    files.push_back(TakeProgress(output.Writer, isWhole));
-  }
-  return files;
 }
 
 /// Notes what is written when the disk has it; says what went wrong, or returns an empty text.

@@ -5,6 +5,7 @@
 #ifndef heliosLegRunner_h
 #define heliosLegRunner_h
 
+#include "heliosLegOutput.h"
 #include "heliosLegPlan.h"
 #include "heliosLegScanner.h"
 #include "heliosRunCounts.h"
@@ -18,7 +19,6 @@
 #include <string>
 #include <vector>
 
-class vtkHeliosStreamWriter;
 class vtkPolyData;
 
 namespace helios
@@ -26,26 +26,14 @@ namespace helios
 
 class Messages;
 class RunJournal;
-struct FileProgress;
-struct LegProgress;
 
 /// Called after every block; false ends the run.
 using BlockCallback = std::function<bool(const RunCounts&)>;
 
-/// A writer, and what it writes: a port of the scanner, of all its channels together or of one.
-struct LegOutput
-{
-  static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
-
-  vtkSmartPointer<vtkHeliosStreamWriter> Writer;
-  int Port = 0;
-  std::size_t Channel = AllChannels;
-};
-
 class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
 {
 public:
-  using Outputs = std::vector<LegOutput>;
+  using Outputs = LegOutputs;
 
   LegRunner(
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);

@@ -365,3 +365,22 @@ TEST_CASE("PointXMLWriter: a full disk keeps whole pieces and says how many", "[
     CHECK_FALSE(fs::exists(full));
   }
 }
+
+TEST_CASE("PointXMLWriter: a folder that is removed meanwhile", "[PointXMLWriter]")
+{
+  const helios::TempFolder folder;
+  const std::string path = folder / "new/points.pvtp";
+  vtkNew<vtkHeliosPointXMLWriter> writer;
+  const auto log = helios::WatchErrors(writer);
+  writer->SetFileName(path.c_str());
+  REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(10))));
+  fs::remove_all(folder / "new");
+  CHECK_FALSE(writer->Write(helios::MakeEchoes(10)));
+  CHECK(log->HasError("points_0001.vtp.part cannot be opened: No such file or directory; nothing "
+                      "is kept, since " +
+    path + ".part was removed; run again"));
+  CHECK_FALSE(writer->Close());
+  CHECK(log->HasError("lacks a block that could not be written; nothing is kept"));
+  CHECK_FALSE(log->HasError("are safe"));
+  CHECK_FALSE(fs::exists(folder / "new")); // it is not made again
+}

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosLegOutput.h"
+
+#include "heliosRunProgress.h"
+#include "heliosRunSettings.h"
+#include "vtkHeliosLASWriter.h"
+#include "vtkHeliosPointTextWriter.h"
+#include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosPulseTextWriter.h"
+#include "vtkHeliosWaveformTextWriter.h"
+#include "vtkHeliosWaveformXMLWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+
+namespace helios
+{
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
+{
+  const bool isXml = settings.Format == "vtp";
+  vtkSmartPointer<vtkHeliosStreamWriter> writer;
+  if (port == WaveformPort && isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosWaveformXMLWriter>::New();
+  }
+  else if (port == WaveformPort)
+  {
+    writer = vtkSmartPointer<vtkHeliosWaveformTextWriter>::New();
+  }
+  else if (isXml)
+  {
+    writer = vtkSmartPointer<vtkHeliosPointXMLWriter>::New();
+  }
+  else if (port == PulsePort)
+  {
+    writer = vtkSmartPointer<vtkHeliosPulseTextWriter>::New();
+  }
+  else if (settings.Format == "las")
+  {
+    const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
+    las->SetWriteWaveforms(settings.Waveforms);
+    writer = las;
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkHeliosPointTextWriter>::New();
+  }
+  return writer;
+}
+
+//------------------------------------------------------------------------------
+std::string GetSuffix(int port, const std::string& format)
+{
+  if (format == "vtp")
+  {
+    return port == WaveformPort ? ".pvtt" : ".pvtp";
+  }
+  return port == EchoPort ? "." + format : ".txt";
+}
+
+//------------------------------------------------------------------------------
+std::string GetName(vtkHeliosStreamWriter* writer)
+{
+  return std::filesystem::path(writer->GetFileName()).filename().string();
+}
+
+//------------------------------------------------------------------------------
+FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole)
+{
+  FileProgress progress{ GetName(writer), writer->GetFileSize(), writer->GetNumberOfRecords(),
+    writer->GetNumberOfBytes(), isWhole, writer->GetHeadChecksum(), {} };
+  const std::vector<FileBlock> blocks = writer->TakeBlocks();
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(progress.Blocks),
+    [](const FileBlock& block) { return block.Begin < block.End; });
+  return progress;
+}
+
+//------------------------------------------------------------------------------
+std::vector<FileProgress> TakeProgress(const LegOutputs& outputs, bool isWhole)
+{
+  std::vector<FileProgress> files;
+  for (const LegOutput& output : outputs)
+  {
+    files.push_back(TakeProgress(output.Writer, isWhole));
+  }
+  return files;
+}
+
+} // namespace helios
