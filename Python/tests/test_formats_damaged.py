@@ -108,6 +108,26 @@ def test_laszip_records_that_are_wrong(laz):
         fails(path, message)
 
 
+def test_laz_texts_that_are_not_ascii(laz):
+    """Names of people and programs are no reason to refuse a file."""
+    path, _, _ = laz
+    patch(path, 26, "<4s", b"M\xfcll")  # the system, and the program
+    patch(path, 58, "<4s", b"\xff\xcb\xfce")
+    data = path.read_bytes()
+    patch(path, data.find(b"LASF_Projection") + 15 + 1 + 4, "<3s", b"\xe4\xf6\xfc")  # a description
+    patch(path, data.find(b'PROJ') if b"PROJ" in data else 400, "<2s", b"\xff\xfe")
+    reader, back = read(path)
+    assert len(back["points"]) == 5000
+    assert isinstance(reader.header.crs, str)
+
+
+def test_laz_that_laspy_does_not_write(laz):
+    path, _, _ = laz
+    patch(path, 25, "B", 0)
+    patch(path, 107, "<I", 5000)
+    fails(path, "its records cannot be copied by laspy: FileVersionNotSupported 1.0; convert it with")
+
+
 # PLY
 
 

@@ -170,7 +170,9 @@ def _find_crs(reader):
     records = list(reader.header.vlrs) + list(reader.evlrs or [])
     for record in records:
         if type(record).__name__ == "WktCoordinateSystemVlr" and record.string:
-            return record.string.rstrip("\0")
+            text = record.string  # bytes where they are no text
+            text = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
+            return text.rstrip("\0")
     projected, geographic = 3072, 2048  # keys of GeoTIFF, with an EPSG code in place
     codes = {
         key.id: key.value_offset

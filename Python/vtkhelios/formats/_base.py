@@ -95,6 +95,11 @@ def guarded(path):
         ) from error
 
 
+def _as_text(value):
+    """A text of VTK, which gives bytes where they are not UTF-8."""
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
+
+
 class Header:
     """What is the same for all points of a file: field arrays, as VTK has them."""
 
@@ -107,7 +112,7 @@ class Header:
     def crs(self):
         """The coordinate system: WKT or EPSG:n; empty: not known."""
         array = self.fields.GetAbstractArray("CRS")
-        return array.GetValue(0) if array and array.GetNumberOfValues() else ""
+        return _as_text(array.GetValue(0)) if array and array.GetNumberOfValues() else ""
 
     @crs.setter
     def crs(self, text):
@@ -132,7 +137,8 @@ class Header:
     def part_names(self):
         """The names of scene parts, by PartIds."""
         array = self.fields.GetAbstractArray("Part.Name")
-        return [array.GetValue(i) for i in range(array.GetNumberOfValues())] if array else []
+        values = range(array.GetNumberOfValues() if array else 0)
+        return [_as_text(array.GetValue(i)) for i in values]
 
     @part_names.setter
     def part_names(self, names):

@@ -37,6 +37,7 @@ class RecordReader:
             self._take_head()
             self._reader = laspy.open(self.path, read_evlrs=False)
             self.header = copy.deepcopy(self._reader.header)
+            self._make_plain(self.header)
             self.header.vlrs = [
                 each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
             ]
@@ -51,6 +52,19 @@ class RecordReader:
 
     def fail(self, problem):
         raise FormatError(f"{self.path}: {problem}")
+
+    def _make_plain(self, header):
+        """laspy writes no texts that are not ASCII; the bytes of the head come back when it is closed."""
+        for name in ("generating_software", "system_identifier"):
+            setattr(header, name, _as_ascii(getattr(header, name)))
+        from laspy import VLR
+
+        for place, record in enumerate(header.vlrs):
+            texts = [_as_ascii(text) for text in (record.user_id, record.description)]
+            if texts != [record.user_id, record.description]:
+                user, words = texts
+                data = record.record_data_bytes()
+                header.vlrs[place] = VLR(user, record.record_id, words, data)
 
     def _take_head(self):
         with open(self.path, "rb") as file:
@@ -175,6 +189,12 @@ class RecordReader:
         self._reader.close()
 
 
+def _as_ascii(text):
+    """A text of a header, as laspy gives it, with ? for what is not ASCII."""
+    data = text if isinstance(text, bytes) else str(text).encode("latin-1", "replace")
+    return data.decode("ascii", "replace").replace("\ufffd", "?")
+
+
 def _split(data, count):
     """The variable length records of a head: user, bytes."""
     at = 0
@@ -208,9 +228,15 @@ class RecordWriter:
         if compress:
             need("lazrs", "LAZ files")
         backend = self._choose_backend(laspy, reader.header.point_format) if compress else None
-        self._writer = laspy.LasWriter(
-            file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
-        )
+        try:
+            self._writer = laspy.LasWriter(
+                file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
+            )
+        except Exception as error:  # what laspy reads and does not write
+            raise FormatError(
+                f"{reader.path}: its records cannot be copied by laspy: {type(error).__name__} "
+                f"{error}; convert it with another program first"
+            ) from error
         self._laspy = laspy
 
     def _choose_backend(self, laspy, form):
