@@ -91,6 +91,7 @@ def make_report(arguments, messages):
     with RunReader(folder) as reader:
         check_summary(reader.summary, folder / "run_summary.json", REPORT)
         task = Task("reading", reader.count)
+        reader.keeps_invalid = True  # they are an error
         with Interrupt(task, messages) as interrupt:
             try:
                 with make_progress(task, messages, quiet=arguments.quiet):
