@@ -17,6 +17,9 @@ namespace
 /// The longest leg [s]: beyond it a head practically never stops.
 constexpr double LongestLeg = 1e9;
 
+/// Of a platform that moves [m/s]: beyond it a flight practically never ends.
+constexpr double SlowestSpeed = 1e-6;
+
 /// Resolves what one channel does on a leg, step by step; a step that fails has reported why.
 class ScanResolver
 {
@@ -372,7 +375,7 @@ void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
   const LegData& data = survey.Legs[leg];
   const bool flies = survey.IsMoving(leg) && !survey.EndsJourney(leg) &&
     survey.GetPlatform(leg).Type != PlatformType::Interpolated;
-  if (flies && !(data.Speed > 0.0))
+  if (flies && !(data.Speed > SlowestSpeed))
   {
     Sentence text;
     text << data.Where << ": movePerSec_m=\"" << data.Speed

@@ -19,7 +19,7 @@ namespace
 constexpr double WattsPerNanowatt = 1e-9;
 
 // The longest echo of one surface in a waveform [bins], and what it is of the pulse's length.
-constexpr double MostBins = 20000.0;
+constexpr double MostBins = 5000.0;
 constexpr double EchoPerPulse = 5.0;
 
 /// Reads one of some words; an error where it is another.

@@ -34,10 +34,11 @@ enum class XmlUse
   NotModelled // belongs to the dialect, warned of once
 };
 
-/// The largest number where nothing narrower is said: coordinates to a micrometre.
-constexpr double LargestNumber = 1e9;
+/// The largest number where nothing narrower is said.
+constexpr double LargestNumber = 1e12;
 
-/// The smallest number but 0: below, squares and quotients are no numbers any more.
+/// The smallest but 0 of numbers that are not negative: quotients and squares stay numbers. Coordinates
+/// and angles may come as near to 0 as rounding brings them.
 constexpr double SmallestNumber = 1e-30;
 
 /// The numbers that a value may have.
@@ -50,7 +51,7 @@ struct XmlRange
   bool Contains(double value) const
   {
     return (this->AboveLow ? value > this->Low : value >= this->Low) && value <= this->High &&
-      (value == 0.0 || value >= SmallestNumber || value <= -SmallestNumber);
+      (value == 0.0 || this->Low < 0.0 || value >= SmallestNumber);
   }
 };
 

@@ -62,7 +62,7 @@ bool CheckRange(const XmlValue& value, const XmlValueRule& rule, Messages& log, 
   {
     return true;
   }
-  const bool isTiny = number != 0.0 && std::abs(number) < SmallestNumber;
+  const bool isTiny = number > 0.0 && number < SmallestNumber;
   log.Error(Quote(value) + " is out of range; " + RangeText(rule) +
     (isTiny ? ", 0 or at least 1e-30 in size" : ""));
   return false;

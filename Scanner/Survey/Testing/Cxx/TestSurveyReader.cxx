@@ -494,8 +494,9 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
         { "scene.xml:3", "scale=\"0\" is out of range; give a number from 1e-09" } },
       { "scene.xml", "</part>", Filter("scale", "scale", "1e-320") + "</part>",
         { "scene.xml:3", "scale=\"1e-320\" is out of range" } },
-      { "scene.xml", "</part>", Filter("translate", "offset", "1;2;-1e10") + "</part>",
-        { "scene.xml:3", "offset=\"1;2;-1e10\" is out of range; give a number from -1000000000" } },
+      { "scene.xml", "</part>", Filter("translate", "offset", "1;2;-1e13") + "</part>",
+        { "scene.xml:3",
+          "offset=\"1;2;-1e13\" is out of range; give a number from -1000000000000" } },
       { "scene.xml", "</part>", Filter("translate", "offset", "1;2") + "</part>",
         { "scene.xml:3", "offset=\"1;2\" is not a vector", "semicolons" } },
       { "scene.xml", "</part>", Filter("translate", "offset", "1;2;x") + "</part>",
@@ -550,7 +551,9 @@ TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
     });
   CheckAllRefused(Flight, ThreeLegs,
     { { "survey.xml", "movePerSec_m=\"50\"", "movePerSec_m=\"0\"",
-      { "survey.xml:5", "movePerSec_m=\"0\"", "above 0 [m/s]" } } });
+        { "survey.xml:5", "movePerSec_m=\"0\"", "above 0 [m/s]" } },
+      { "survey.xml", "movePerSec_m=\"50\"", "movePerSec_m=\"1e-300\"",
+        { "survey.xml:5", "movePerSec_m=\"1e-300\"", "never reaches the next leg" } } });
 }
 
 TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[SurveyReader]")

@@ -337,9 +337,9 @@ TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyRec
     { "energyTolerance=\"2\"", "energyTolerance=\"2\" is out of range" },
     { "binSize_ns=\"0.0005\"",
       "binSize_ns=\"0.0005\" makes an echo of pulseLength_ns=\"5\" 50000 bins long, and at most "
-      "20000" },
+      "5000 are allowed" },
     { "pulseLength_ns=\"1e6\"",
-      "pulseLength_ns=\"1e6\" is out of range; give a number from 0.001 to 1000" },
+      "pulseLength_ns=\"1e6\" is out of range; give a number from 0.01 to 1000" },
     { "winSize_ns=\"-1\"", "winSize_ns=\"-1\" is out of range" },
     { "numFullwaveBins=\"0\"", "numFullwaveBins=\"0\" is out of range" },
     { "maxFullwaveRange_ns=\"1,5\"", "maxFullwaveRange_ns=\"1,5\"" },
