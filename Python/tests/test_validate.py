@@ -67,7 +67,7 @@ def test_everything_is_told_at_once(validate):
         ('a.xml:16: error: platform tripod: type="statc" is none', "linearpath"),
         ('a.xml:17: error: crs="EPSG:99999999"', ""),
         ('a.xml:18: error: filepath="missing.obj": no such file', "missing.obj"),
-        ('a.xml:19: error: scale="-2" is out of range', "from 0"),
+        ('a.xml:19: error: scale="-2" is out of range', "from 1e-09"),
         ("a.xml:19: error: <part> has no loader", "objloader"),
     ]
     found = [line.replace("1e3", "1000") for line in lines[:-1]]

@@ -260,7 +260,7 @@ TEST_CASE("SurveyWriter: what cannot be written", "[SurveyWriter]")
   fails([](Writer w) { w->SetPlatform("assets.xml#plane"); },
     "Platform assets.xml#plane moves, and positions are for one that stands");
   fails([](Writer w) { w->SetScene("nowhere.obj"); }, "\"nowhere.obj\": no such file");
-  fails([](Writer w) { w->SetScanFrequency(1.0); },
+  fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); },
     "not written: the survey could not be run; correct the properties");
   fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); }, "never gets there");
   files.Write("plain", "");
