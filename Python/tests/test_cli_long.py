@@ -252,9 +252,14 @@ with Messages() as messages, Interrupt(Task("deaf"), messages):
 def test_a_second_signal_ends_it_at_once(first, second):
     process = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE, text=True,
                                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
-    assert process.stdout.readline() == "ready\n"
-    process.send_signal(first)
-    with pytest.raises(subprocess.TimeoutExpired):
-        process.wait(timeout=0.5)
-    process.send_signal(second)
-    assert process.wait(timeout=10) == -second
+    with process.stdout:
+        assert process.stdout.readline() == "ready\n"
+    try:
+        process.send_signal(first)
+        with pytest.raises(subprocess.TimeoutExpired):
+            process.wait(timeout=0.5)
+        process.send_signal(second)
+        assert process.wait(timeout=10) == -second
+    finally:
+        process.kill()
+        process.wait()
