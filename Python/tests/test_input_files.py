@@ -140,7 +140,7 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
     own = 1e6 + vtkhelios_memory()
     assert cli.main(["run", str(survey), "--dry-run", "--memory", f"{own + 5e7:.0f}"]) == 1
     err = capsys.readouterr().err
-    assert "899400 triangles of all parts take about 105 MB of memory, and" in err
+    assert "899400 triangles of all parts take about 148 MB of memory, and" in err
 
 
 def vtkhelios_memory():
