@@ -17,10 +17,10 @@ constexpr double Ridge = 1e-3;
 
 } // namespace
 
-GroundSurface::GroundSurface(const pcl::PointCloud<pcl::PointXYZ>& ground, double smoothing)
-  : Places(new pcl::PointCloud<pcl::PointXYZ>(ground))
-  , Smoothing(smoothing)
+void GroundSurface::Build(const pcl::PointCloud<pcl::PointXYZ>& ground, double smoothing)
 {
+  this->Places.reset(new pcl::PointCloud<pcl::PointXYZ>(ground));
+  this->Smoothing = smoothing;
   this->Heights.reserve(ground.size());
   for (pcl::PointXYZ& p : *this->Places)
   {

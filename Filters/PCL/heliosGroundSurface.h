@@ -19,7 +19,7 @@ namespace helios
 class GroundSurface
 {
 public:
-  GroundSurface(const pcl::PointCloud<pcl::PointXYZ>& ground, double smoothing);
+  void Build(const pcl::PointCloud<pcl::PointXYZ>& ground, double smoothing);
 
   double GetHeight(float x, float y) const;
 
@@ -27,7 +27,7 @@ private:
   pcl::PointCloud<pcl::PointXYZ>::Ptr Places; // at z = 0, so that the nearest are so on the map
   std::vector<float> Heights;
   pcl::KdTreeFLANN<pcl::PointXYZ> Tree;
-  double Smoothing;
+  double Smoothing = 0.0;
 };
 
 } // namespace helios

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPclIcp.h"
 
-#include <pcl/features/normal_3d_omp.h>
-#include <pcl/registration/correspondence_estimation.h>
+#include "heliosPclNormals.h"
+
 #include <pcl/registration/transformation_estimation_point_to_plane_lls.h>
 #include <pcl/registration/transformation_estimation_svd.h>
-#include <pcl/search/kdtree.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace helios
 {
@@ -59,20 +59,26 @@ const PointT& At(const pcl::PointCloud<PointT>& cloud, T index)
 
 } // namespace
 
-/// With normals and curvatures where planes are asked for.
-PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points) const
+bool PclIcp::GoesOn(double iterations) const
+{
+  return !this->OnProgress || this->OnProgress(iterations);
+}
+
+/// With normals and curvatures where planes are asked for; null where it was stopped.
+PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double from)
 {
   Cloud::Ptr cloud(new Cloud);
   cloud->resize(points->size());
   pcl::PointCloud<pcl::Normal> normals;
   if (this->PointToPlane)
   {
-    pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
-    estimation.setInputCloud(points);
-    estimation.setSearchMethod(
-      pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
-    estimation.setKSearch(std::min(this->NumberOfNeighbors, static_cast<int>(points->size())));
-    estimation.compute(normals);
+    this->Stopped = !EstimateNormals(
+      points, 0.0, this->NumberOfNeighbors,
+      [this, from](double share) { return this->GoesOn(from + 0.5 * share); }, normals);
+  }
+  if (this->Stopped)
+  {
+    return nullptr;
   }
   for (std::size_t i = 0; i < points->size(); ++i)
   {
@@ -89,14 +95,14 @@ PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& 
 
 void PclIcp::SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points)
 {
-  this->Fixed = this->MakeCloud(points);
+  this->Fixed = this->MakeCloud(points, 0.0);
 }
 
 void PclIcp::SetMoving(
   std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local)
 {
   this->Moving = std::move(points);
-  this->MovingNormals = this->MakeCloud(local);
+  this->MovingNormals = this->Stopped ? nullptr : this->MakeCloud(local, 0.5);
 }
 
 bool PclIcp::IsFlat(const PointT& point) const
@@ -181,6 +187,35 @@ bool PclIcp::LowerLimit()
   return isLower;
 }
 
+void PclIcp::BuildTree(Estimation& estimation)
+{
+  using Tree = pcl::search::KdTree<PointT>;
+  const Tree::Ptr tree(new Tree);
+  const Cloud::Ptr fixed = this->Fixed;
+  this->Stopped = !RunApart([this](double share) { return this->GoesOn(share); }, 1.0,
+    [tree, fixed] { tree->setInputCloud(fixed); });
+  estimation.setInputTarget(this->Fixed);
+  estimation.setSearchMethodTarget(tree, true);
+}
+
+/// Each moved point with the nearest one that stays; false where it was stopped.
+bool PclIcp::FindPairs(
+  Estimation& estimation, const Cloud::Ptr& moved, int iteration, pcl::Correspondences& pairs) const
+{
+  estimation.setInputSource(moved);
+  return ForChunks(
+    moved->size(), [this, iteration](double share) { return this->GoesOn(iteration + share); },
+    [&](std::size_t begin, std::size_t end)
+    {
+      const pcl::IndicesPtr chunk(new pcl::Indices(end - begin));
+      std::iota(chunk->begin(), chunk->end(), static_cast<pcl::index_t>(begin));
+      estimation.setIndicesSource(chunk);
+      pcl::Correspondences found;
+      estimation.determineCorrespondences(found, this->MaximumDistance);
+      pairs.insert(pairs.end(), found.begin(), found.end());
+    });
+}
+
 std::string PclIcp::Run()
 {
   double reach = 1.0;
@@ -189,14 +224,20 @@ std::string PclIcp::Run()
     reach = std::max(reach, p.norm());
   }
   const double small = std::max(SmallMotion, 1e-7 * reach); // as float has it
-  pcl::registration::CorrespondenceEstimation<PointT, PointT> estimation;
-  estimation.setInputTarget(this->Fixed);
-  for (int i = 1; i <= this->MaximumNumberOfIterations && !this->Settled; ++i)
+  Estimation estimation;
+  if (!this->Stopped)
+  {
+    this->BuildTree(estimation);
+  }
+  for (int i = 1; i <= this->MaximumNumberOfIterations && !this->Settled && !this->Stopped; ++i)
   {
     const Cloud::Ptr moved = this->Move();
     pcl::Correspondences pairs;
-    estimation.setInputSource(moved);
-    estimation.determineCorrespondences(pairs, this->MaximumDistance);
+    if (!this->FindPairs(estimation, moved, i, pairs))
+    {
+      this->Stopped = true;
+      return {};
+    }
     const std::size_t near = pairs.size();
     if (this->PointToPlane)
     {
@@ -220,11 +261,6 @@ std::string PclIcp::Run()
     this->Motion = step * this->Motion;
     const double angle = std::abs(Eigen::AngleAxisd(step.linear()).angle());
     this->Settled = step.translation().norm() + angle * reach < small && !this->LowerLimit();
-    if (this->OnIteration && !this->OnIteration(i))
-    {
-      this->Stopped = true;
-      return {};
-    }
   }
   return {};
 }

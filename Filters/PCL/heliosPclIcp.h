@@ -8,6 +8,7 @@
 #include <pcl/correspondence.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
+#include <pcl/registration/correspondence_estimation.h>
 
 #include <functional>
 #include <limits>
@@ -26,8 +27,9 @@ public:
   int NumberOfNeighbors = 16;
   double MaximumCurvature = 0.01;
 
-  /// Called after every iteration with their number; false ends the work.
-  std::function<bool(int)> OnIteration;
+  /// Called again and again with the number of iterations done and the share of the one under way,
+  /// the first of which is the preparation; false ends the work.
+  std::function<bool(double)> OnProgress;
 
   /// Points that stay, relative to an origin.
   void SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points);
@@ -53,7 +55,14 @@ public:
 private:
   using Cloud = pcl::PointCloud<pcl::PointNormal>;
 
-  Cloud::Ptr MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points) const;
+  using Estimation =
+    pcl::registration::CorrespondenceEstimation<pcl::PointNormal, pcl::PointNormal>;
+
+  bool GoesOn(double iterations) const;
+  Cloud::Ptr MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double from);
+  void BuildTree(Estimation& estimation);
+  bool FindPairs(Estimation& estimation, const Cloud::Ptr& moved, int iteration,
+    pcl::Correspondences& pairs) const;
   Cloud::Ptr Move() const;
   bool IsFlat(const pcl::PointNormal& point) const;
   void Reject(const Cloud& moved, pcl::Correspondences& pairs);

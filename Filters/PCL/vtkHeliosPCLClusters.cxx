@@ -3,6 +3,7 @@
 #include "vtkHeliosPCLClusters.h"
 
 #include "heliosPclInput.h"
+#include "heliosPointClusters.h"
 #include "heliosPointSelection.h"
 #include "vtkHeliosPCLArrayNames.h"
 
@@ -12,13 +13,44 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
-#include <pcl/search/kdtree.h>
-#include <pcl/segmentation/extract_clusters.h>
-
 #include <algorithm>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCLClusters);
+
+namespace
+{
+
+/// The numbers of clusters by their first points: the largest is 0, of the same size the first one
+/// comes first; -1: no first point, or a size that is not asked for.
+std::vector<int> NumberClusters(const std::vector<int>& first, int smallest, int largest)
+{
+  const auto at = [](std::vector<int>& values, int i) -> int&
+  { return values[static_cast<std::size_t>(i)]; };
+  std::vector<int> sizes(first.size(), 0);
+  for (const int i : first)
+  {
+    ++at(sizes, i);
+  }
+  std::vector<int> order;
+  for (int i = 0; i < static_cast<int>(sizes.size()); ++i)
+  {
+    if (at(sizes, i) >= smallest && at(sizes, i) <= largest)
+    {
+      order.push_back(i);
+    }
+  }
+  std::stable_sort(
+    order.begin(), order.end(), [&](int a, int b) { return at(sizes, a) > at(sizes, b); });
+  std::vector<int> numbers(first.size(), -1);
+  for (std::size_t c = 0; c < order.size(); ++c)
+  {
+    at(numbers, order[c]) = static_cast<int>(c);
+  }
+  return numbers;
+}
+
+} // namespace
 
 //------------------------------------------------------------------------------
 void vtkHeliosPCLClusters::PrintSelf(ostream& os, vtkIndent indent)
@@ -47,37 +79,23 @@ bool vtkHeliosPCLClusters::CheckProperties()
 //------------------------------------------------------------------------------
 bool vtkHeliosPCLClusters::Process(helios::PclInput& input, vtkPolyData* output)
 {
-  pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
-  extraction.setClusterTolerance(this->Tolerance);
-  extraction.setMinClusterSize(this->MinimumClusterSize);
-  extraction.setMaxClusterSize(this->MaximumClusterSize);
-  extraction.setSearchMethod(
-    pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
-  extraction.setInputCloud(input.GetCloud());
-  std::vector<pcl::PointIndices> clusters;
-  extraction.extract(clusters);
-  // of the same size: by the first point
-  std::sort(clusters.begin(), clusters.end(),
-    [](const pcl::PointIndices& a, const pcl::PointIndices& b)
-    {
-      const auto firstOf = [](const pcl::PointIndices& c)
-      { return *std::min_element(c.indices.begin(), c.indices.end()); };
-      return a.indices.size() != b.indices.size() ? a.indices.size() > b.indices.size()
-                                                  : firstOf(a) < firstOf(b);
-    });
-  this->NumberOfClusters = static_cast<int>(clusters.size());
+  const std::vector<int> first = helios::FindClusters(input.GetCloud(), this->Tolerance,
+    [this](double share) { return this->GoOn(0.1 + 0.8 * share); });
+  if (first.empty())
+  {
+    return false;
+  }
+  const std::vector<int> numbers =
+    NumberClusters(first, this->MinimumClusterSize, this->MaximumClusterSize);
+  this->NumberOfClusters = 1 + *std::max_element(numbers.begin(), numbers.end());
 
   helios::SelectPoints(input.GetData(), input.GetIds(), output);
   vtkNew<vtkIntArray> ids;
   ids->SetName(vtkHeliosPCLArrayNames::ClusterIds);
   ids->SetNumberOfValues(input.GetSize());
-  ids->FillValue(-1);
-  for (std::size_t c = 0; c < clusters.size(); ++c)
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    for (const pcl::index_t i : clusters[c].indices)
-    {
-      ids->SetValue(i, static_cast<int>(c));
-    }
+    ids->SetValue(static_cast<vtkIdType>(i), numbers[static_cast<std::size_t>(first[i])]);
   }
   output->GetPointData()->AddArray(ids);
   return true;

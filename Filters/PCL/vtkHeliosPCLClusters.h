@@ -5,9 +5,10 @@
  * @brief   groups of points with a gap around them
  *
  * Input 0: a vtkPolyData with points. Output 0: the same, with the point array ClusterIds (int):
- * points that a chain of steps of at most Tolerance joins have one number, from 0 for the largest
- * cluster on; -1 in clusters below MinimumClusterSize or above MaximumClusterSize
- * (pcl::EuclideanClusterExtraction).
+ * points that a chain of steps shorter than Tolerance joins have one number, from 0 for the largest
+ * cluster on; -1 in clusters below MinimumClusterSize or above MaximumClusterSize. The clusters are
+ * those of pcl::EuclideanClusterExtraction, whose time is quadratic in the density; here it grows
+ * with n log n.
  *
  * @sa
  * vtkHeliosPCLFilter vtkHeliosPCLGroundFilter
@@ -28,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the longest step within a cluster [m]. Valid range: [1e-4, 1000]. Default: 0.5.
+   * Set/Get what steps within a cluster are shorter than [m]. Valid range: [1e-4, 1000]. Default: 0.5.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1000.0);
   vtkGetMacro(Tolerance, double);

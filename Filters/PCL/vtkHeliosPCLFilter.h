@@ -15,8 +15,9 @@
  * there is a warning.
  *
  * Errors: a property out of range, a point array with another number of tuples than there are
- * points, more than 2^31 - 1 points, no memory. Progress is reported and AbortExecute looked at
- * before and after PCL's part, and between the parts where there are several.
+ * points, more than 2^31 - 1 points, no memory, an abort. Progress is reported and AbortExecute looked
+ * at some ten times a second: PCL works in chunks, or in a thread of its own that goes on alone where
+ * it cannot be stopped.
  *
  * To add a filter: subclass and implement Process().
  */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCLGroundFilter.h"
 
+#include "heliosGroundOpening.h"
 #include "heliosGroundSurface.h"
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
@@ -16,11 +17,11 @@
 #include <vtkSMPTools.h>
 
 #include <pcl/filters/grid_minimum.h>
-#include <pcl/segmentation/progressive_morphological_filter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCLGroundFilter);
@@ -33,13 +34,43 @@ constexpr int Ground = 2;
 
 using Cloud = helios::PclInput::Cloud;
 
-Cloud::Ptr TakeLowest(const Cloud::Ptr& points, double cellSize)
+/// The lowest points of cells; false where it was stopped.
+bool TakeLowest(
+  const Cloud::Ptr& points, double cellSize, const helios::GoOn& goOn, const Cloud::Ptr& lowest)
 {
-  pcl::GridMinimum<pcl::PointXYZ> grid(static_cast<float>(cellSize));
-  grid.setInputCloud(points);
-  Cloud::Ptr lowest(new Cloud);
-  grid.filter(*lowest);
-  return lowest;
+  return helios::RunApart(goOn, 0.0,
+    [points, cellSize, lowest]
+    {
+      pcl::GridMinimum<pcl::PointXYZ> grid(static_cast<float>(cellSize));
+      grid.setInputCloud(points);
+      grid.filter(*lowest);
+    });
+}
+
+/// Points that are near the surface through some; false where it was stopped.
+bool MarkNear(const Cloud::Ptr& ground, double cellSize, const Cloud& points, double tolerance,
+  const helios::GoOn& goOn, std::vector<char>& isNear)
+{
+  const auto surface = std::make_shared<helios::GroundSurface>();
+  if (!helios::RunApart(
+        goOn, 0.0, [surface, ground, cellSize] { surface->Build(*ground, cellSize); }))
+  {
+    return false;
+  }
+  return helios::ForChunks(points.size(), goOn,
+    [&](std::size_t begin, std::size_t end)
+    {
+      vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end),
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+          {
+            const pcl::PointXYZ& p = points[i];
+            const double height = static_cast<double>(p.z) - surface->GetHeight(p.x, p.y);
+            isNear[i] = std::abs(height) <= tolerance;
+          }
+        });
+    });
 }
 
 /// The classes of the input, where it has them, with ground as it was found.
@@ -93,35 +124,24 @@ bool vtkHeliosPCLGroundFilter::Process(helios::PclInput& input, vtkPolyData* out
   {
     return false;
   }
-  const Cloud::Ptr lowest = TakeLowest(input.GetCloud(), this->CellSize);
-  pcl::ProgressiveMorphologicalFilter<pcl::PointXYZ> filter;
-  filter.setInputCloud(lowest);
-  filter.setCellSize(static_cast<float>(this->CellSize));
-  filter.setMaxWindowSize(static_cast<int>(std::ceil(this->MaximumWindowSize)));
-  filter.setSlope(static_cast<float>(this->Slope));
-  filter.setInitialDistance(static_cast<float>(this->InitialDistance));
-  filter.setMaxDistance(static_cast<float>(this->MaximumDistance));
-  filter.setExponential(true);
+  const helios::GroundWindows windows = { static_cast<float>(this->CellSize),
+    static_cast<float>(std::ceil(this->MaximumWindowSize)), static_cast<float>(this->Slope),
+    static_cast<float>(this->InitialDistance), static_cast<float>(this->MaximumDistance) };
   pcl::Indices kept;
-  filter.extract(kept);
-  if (!this->GoOn(0.6))
+  std::vector<char> isGround(static_cast<std::size_t>(input.GetSize()), 0);
+  const helios::GoOn goOn = [this](double share) { return this->GoOn(0.1 + 0.85 * share); };
+  const Cloud::Ptr lowest(new Cloud);
+  if (!TakeLowest(input.GetCloud(), this->CellSize, goOn, lowest) ||
+    !helios::FindGround(*lowest, windows, helios::Within(goOn, 0.1, 0.5), kept))
   {
     return false;
   }
-  std::vector<char> isGround(static_cast<std::size_t>(input.GetSize()), 0);
-  if (!kept.empty())
+  const Cloud::Ptr ground(new Cloud(*lowest, kept));
+  if (!ground->empty() &&
+    !MarkNear(ground, this->CellSize, *input.GetCloud(), this->Tolerance,
+      helios::Within(goOn, 0.5, 1.0), isGround))
   {
-    const helios::GroundSurface surface(Cloud(*lowest, kept), this->CellSize);
-    vtkSMPTools::For(0, input.GetSize(),
-      [this, &input, &surface, &isGround](vtkIdType begin, vtkIdType end)
-      {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-        {
-          const pcl::PointXYZ& p = (*input.GetCloud())[i];
-          const double height = static_cast<double>(p.z) - surface.GetHeight(p.x, p.y);
-          isGround[i] = std::abs(height) <= this->Tolerance;
-        }
-      });
+    return false;
   }
   helios::SelectPoints(input.GetData(), input.GetIds(), output);
   vtkPointData* data = output->GetPointData();

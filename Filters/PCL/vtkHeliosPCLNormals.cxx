@@ -3,6 +3,7 @@
 #include "vtkHeliosPCLNormals.h"
 
 #include "heliosPclInput.h"
+#include "heliosPclNormals.h"
 #include "heliosPointSelection.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosPCLArrayNames.h"
@@ -12,40 +13,10 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
 
-#include <pcl/features/normal_3d_omp.h>
-#include <pcl/search/kdtree.h>
-
-#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkHeliosPCLNormals);
-
-namespace
-{
-
-void Estimate(const helios::PclInput& input, double radius, int numberOfNeighbors,
-  pcl::PointCloud<pcl::Normal>& normals)
-{
-  pcl::NormalEstimationOMP<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setNumberOfThreads(
-    static_cast<unsigned int>(vtkSMPTools::GetEstimatedNumberOfThreads()));
-  estimation.setInputCloud(input.GetCloud());
-  estimation.setSearchMethod(
-    pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
-  if (radius > 0.0)
-  {
-    estimation.setRadiusSearch(radius);
-  }
-  else
-  {
-    estimation.setKSearch(std::min(numberOfNeighbors, input.GetSize()));
-  }
-  estimation.compute(normals);
-}
-
-} // namespace
 
 //------------------------------------------------------------------------------
 void vtkHeliosPCLNormals::PrintSelf(ostream& os, vtkIndent indent)
@@ -91,7 +62,12 @@ double vtkHeliosPCLNormals::GetTowards(const double point[3], const float normal
 bool vtkHeliosPCLNormals::Process(helios::PclInput& input, vtkPolyData* output)
 {
   pcl::PointCloud<pcl::Normal> found;
-  Estimate(input, this->Radius, this->NumberOfNeighbors, found);
+  if (!helios::EstimateNormals(
+        input.GetCloud(), this->Radius, this->NumberOfNeighbors,
+        [this](double share) { return this->GoOn(0.1 + 0.8 * share); }, found))
+  {
+    return false;
+  }
   helios::SelectPoints(input.GetData(), input.GetIds(), output);
   vtkNew<vtkFloatArray> normals;
   normals->SetName(vtkHeliosArrayNames::Normals);

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCLOutlierRemoval.h"
 
+#include "heliosOutliers.h"
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
-#include <pcl/filters/statistical_outlier_removal.h>
-
 #include <algorithm>
+#include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCLOutlierRemoval);
 
@@ -32,13 +32,23 @@ bool vtkHeliosPCLOutlierRemoval::Process(helios::PclInput& input, vtkPolyData* o
       input.GetData(), this->SelectOutliers ? std::vector<vtkIdType>() : input.GetIds(), output);
     return true;
   }
-  pcl::StatisticalOutlierRemoval<pcl::PointXYZ> filter;
-  filter.setInputCloud(input.GetCloud());
-  filter.setMeanK(std::min(this->NumberOfNeighbors, input.GetSize() - 1));
-  filter.setStddevMulThresh(this->StandardDeviations);
-  filter.setNegative(this->SelectOutliers);
+  const std::vector<float> distances = helios::GetNeighborDistances(input.GetCloud(),
+    std::min(this->NumberOfNeighbors, input.GetSize() - 1),
+    [this](double share) { return this->GoOn(0.1 + 0.8 * share); });
+  if (distances.empty())
+  {
+    return false;
+  }
+  const double limit = helios::GetDistanceLimit(distances, this->StandardDeviations);
   pcl::Indices kept;
-  filter.filter(kept);
+  for (std::size_t i = 0; i < distances.size(); ++i)
+  {
+    const bool isInlier = !(static_cast<double>(distances[i]) > limit);
+    if (isInlier != this->SelectOutliers)
+    {
+      kept.push_back(static_cast<pcl::index_t>(i));
+    }
+  }
   helios::SelectPoints(input.GetData(), input.GetIds(kept), output);
   return true;
 }

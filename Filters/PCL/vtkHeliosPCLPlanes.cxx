@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCLPlanes.h"
 
+#include "heliosChunks.h"
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
 #include "vtkHeliosPCLArrayNames.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCLPlanes);
@@ -43,6 +45,15 @@ public:
 
 private:
   pcl::console::VERBOSITY_LEVEL Level = pcl::console::getVerbosityLevel();
+};
+
+/// A search for one plane, on its own.
+struct Segmentation
+{
+  QuietPcl Quiet;
+  pcl::SACSegmentation<pcl::PointXYZ> Method; // the same random numbers each time
+  pcl::PointIndices Found;
+  pcl::ModelCoefficients Plane;
 };
 
 struct Plane
@@ -110,9 +121,10 @@ vtkSmartPointer<vtkDoubleArray> MakeRows(const char* name, int components)
 class vtkHeliosPCLPlanes::Search
 {
 public:
-  Search(const vtkHeliosPCLPlanes& settings, helios::PclInput& input)
+  Search(const vtkHeliosPCLPlanes& settings, helios::PclInput& input, const helios::GoOn& goOn)
     : Settings(settings)
     , Input(input)
+    , Report(goOn)
     , Left(new pcl::Indices(static_cast<std::size_t>(input.GetSize())))
   {
     for (std::size_t i = 0; i < this->Left->size(); ++i)
@@ -124,7 +136,7 @@ public:
     this->Ids->FillValue(-1);
   }
 
-  /// False where there is none any more.
+  /// False where there is none any more, or where it was stopped.
   bool Next()
   {
     const int least = this->Settings.MinimumNumberOfPoints;
@@ -133,7 +145,7 @@ public:
     {
       this->FindOne(found);
     }
-    if (static_cast<int>(found.indices.size()) < least)
+    if (this->IsStopped || static_cast<int>(found.indices.size()) < least)
     {
       return false;
     }
@@ -150,6 +162,7 @@ public:
   }
 
   int GetNumber() const { return this->Number; }
+  bool WasStopped() const { return this->IsStopped; }
 
   void MoveTo(vtkPolyData* output)
   {
@@ -170,7 +183,8 @@ private:
     {
       judges->push_back((*this->Left)[i]);
     }
-    pcl::SACSegmentation<pcl::PointXYZ> segmentation; // the same random numbers each time
+    const auto one = std::make_shared<Segmentation>();
+    pcl::SACSegmentation<pcl::PointXYZ>& segmentation = one->Method;
     segmentation.setModelType(pcl::SACMODEL_PLANE);
     segmentation.setMethodType(pcl::SAC_RANSAC);
     segmentation.setOptimizeCoefficients(true);
@@ -179,15 +193,13 @@ private:
     segmentation.setProbability(this->Settings.Probability);
     segmentation.setInputCloud(this->Input.GetCloud());
     segmentation.setIndices(judges);
-    pcl::ModelCoefficients plane;
-    const QuietPcl quiet;
-    segmentation.segment(found, plane);
-    if (found.indices.empty() || plane.values.size() != 4)
+    const double share = static_cast<double>(this->Number) / this->Settings.MaximumNumberOfPlanes;
+    this->IsStopped = !helios::RunApart(
+      this->Report, share, [one] { one->Method.segment(one->Found, one->Plane); });
+    if (!this->IsStopped && !one->Found.indices.empty() && one->Plane.values.size() == 4)
     {
-      found.indices.clear();
-      return;
+      this->TakeNear(one->Plane.values, found.indices);
     }
-    this->TakeNear(plane.values, found.indices);
   }
 
   void TakeNear(const std::vector<float>& plane, pcl::Indices& near) const
@@ -214,6 +226,8 @@ private:
 
   const vtkHeliosPCLPlanes& Settings;
   helios::PclInput& Input;
+  const helios::GoOn& Report;
+  bool IsStopped = false;
   pcl::IndicesPtr Left; // points on no plane yet
   vtkNew<vtkIntArray> Ids;
   int Number = 0;
@@ -244,14 +258,14 @@ bool vtkHeliosPCLPlanes::CheckProperties()
 //------------------------------------------------------------------------------
 bool vtkHeliosPCLPlanes::Process(helios::PclInput& input, vtkPolyData* output)
 {
-  Search search(*this, input);
+  const helios::GoOn goOn = [this](double share) { return this->GoOn(0.1 + 0.85 * share); };
+  Search search(*this, input, goOn);
   while (search.GetNumber() < this->MaximumNumberOfPlanes && search.Next())
   {
-    const double share = static_cast<double>(search.GetNumber()) / this->MaximumNumberOfPlanes;
-    if (!this->GoOn(0.1 + 0.85 * share))
-    {
-      return false;
-    }
+  }
+  if (search.WasStopped())
+  {
+    return false;
   }
   this->NumberOfPlanes = search.GetNumber();
   helios::SelectPoints(input.GetData(), input.GetIds(), output);

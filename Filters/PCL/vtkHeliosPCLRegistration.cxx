@@ -169,18 +169,25 @@ bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vt
   icp.PointToPlane = this->PointToPlane;
   icp.NumberOfNeighbors = this->NumberOfNeighbors;
   icp.MaximumCurvature = this->MaximumCurvature;
-  icp.OnIteration = [this](int iteration)
+  double progress = 0.0;
+  icp.OnProgress = [this, &progress](double iterations)
   {
-    this->UpdateProgress(static_cast<double>(iteration) / (1 + this->MaximumNumberOfIterations));
+    progress = iterations / (1 + this->MaximumNumberOfIterations);
+    this->UpdateProgress(progress);
     return !this->AbortExecute;
   };
   icp.SetFixed(inputs[0].GetCloud());
   icp.SetMoving(GetLocalPoints(inputs[1], origin), inputs[1].GetCloud());
   const std::string problem = icp.Run();
-  if (!problem.empty() || icp.IsStopped())
+  if (icp.IsStopped())
   {
-    vtkErrorMacro(<< (icp.IsStopped() ? "The work was aborted; update again for the whole"
-                                      : problem));
+    vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
+                  << " %; update again for the whole");
+    return false;
+  }
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
     return false;
   }
   if (!icp.HasSettled())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCLVoxelGrid.h"
 
+#include "heliosChunks.h"
 #include "heliosPclInput.h"
 #include "heliosPointSelection.h"
 #include "vtkHeliosPCLArrayNames.h"
@@ -19,7 +20,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPCLVoxelGrid);
@@ -145,13 +148,17 @@ bool vtkHeliosPCLVoxelGrid::Process(helios::PclInput& input, vtkPolyData* output
   {
     return false;
   }
+  const auto made = std::make_shared<std::pair<pcl::VoxelGrid<pcl::PointXYZ>, Cloud>>();
   const auto size = static_cast<float>(this->VoxelSize);
-  pcl::VoxelGrid<pcl::PointXYZ> grid;
-  grid.setInputCloud(input.GetCloud());
-  grid.setLeafSize(size, size, size);
-  Cloud means;
-  grid.filter(means);
-  const CellPoints cells(grid, *input.GetCloud());
+  made->first.setInputCloud(input.GetCloud());
+  made->first.setLeafSize(size, size, size);
+  if (!helios::RunApart([this](double share) { return this->GoOn(share); }, 0.15,
+        [made] { made->first.filter(made->second); }))
+  {
+    return false;
+  }
+  const Cloud& means = made->second;
+  const CellPoints cells(made->first, *input.GetCloud());
   if (means.size() != cells.GetNumberOfCells())
   {
     vtkErrorMacro(<< "PCL made " << means.size() << " points of " << cells.GetNumberOfCells()

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The progressive morphological filter (Zhang et al. 2003), as pcl::ProgressiveMorphologicalFilter has
+// it with exponential windows. PCL's looks at all points of each window, and cannot be stopped.
+
+#ifndef heliosGroundOpening_h
+#define heliosGroundOpening_h
+
+#include "heliosChunks.h"
+#include "vtkHeliosFiltersPCLModule.h" // For export macro
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/types.h>
+
+namespace helios
+{
+
+struct GroundWindows
+{
+  float CellSize;          // [m]
+  float MaximumWindowSize; // [m]
+  float Slope;             // rise over run
+  float InitialDistance;   // [m]
+  float MaximumDistance;   // [m]
+};
+
+/// Points that are less above their opening (the highest of the lowest of a window around each) than
+/// windows of growing size allow. False where it was stopped.
+VTKHELIOSFILTERSPCL_EXPORT bool FindGround(const pcl::PointCloud<pcl::PointXYZ>& points,
+  const GroundWindows& settings, const GoOn& goOn, pcl::Indices& ground);
+
+} // namespace helios
+
+#endif

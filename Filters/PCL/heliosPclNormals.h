@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Normals and curvatures of points by PCL, a chunk of the points after the other.
+
+#ifndef heliosPclNormals_h
+#define heliosPclNormals_h
+
+#include "heliosChunks.h"
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+namespace helios
+{
+
+/// Of the points within a radius [m] of each, or of so many nearest ones where it is 0. False where
+/// it was stopped.
+bool EstimateNormals(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double radius,
+  int numberOfNeighbors, const GoOn& goOn, pcl::PointCloud<pcl::Normal>& normals);
+
+} // namespace helios
+
+#endif
