@@ -226,7 +226,8 @@ ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start, Overlap
   return answer;
 }
 
-double GetLinearBound(const CoverProblem& problem, std::int64_t maximumBits, double timeLimit)
+double GetLinearBound(
+  const CoverProblem& problem, std::int64_t maximumBits, double timeLimit, const StopTest& stop)
 {
   if (CountAllBits(problem.Rows) > maximumBits)
   {
@@ -234,6 +235,7 @@ double GetLinearBound(const CoverProblem& problem, std::int64_t maximumBits, dou
   }
   BinaryProgram program = MakeProgram(problem);
   program.TimeLimit = timeLimit;
+  program.Stop = stop;
   return SolveRelaxed(program);
 }
 
@@ -250,7 +252,7 @@ ExactAnswer SolveCover(
   return { start, 0, false };
 }
 
-double GetLinearBound(const CoverProblem&, std::int64_t, double)
+double GetLinearBound(const CoverProblem&, std::int64_t, double, const StopTest&)
 {
   return 0.0;
 }

@@ -28,9 +28,10 @@ struct ExactAnswer
 VTKHELIOSPLANNING_EXPORT ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start,
   OverlapNetwork* network, double timeLimit, const StopTest& stop = {});
 
-/// The bound of the linear relaxation; 0: more bits than allowed, or not solved within the time [s].
-VTKHELIOSPLANNING_EXPORT double GetLinearBound(
-  const CoverProblem& problem, std::int64_t maximumBits, double timeLimit);
+/// The bound of the linear relaxation; 0: more bits than allowed, stopped, or not solved within the
+/// time [s].
+VTKHELIOSPLANNING_EXPORT double GetLinearBound(const CoverProblem& problem,
+  std::int64_t maximumBits, double timeLimit, const StopTest& stop = {});
 
 } // namespace helios
 

@@ -20,7 +20,7 @@ namespace helios
 namespace
 {
 
-/// For the linear bound of methods that prove nothing [s].
+/// For the linear bound of methods that prove nothing, and at least of the one that does [s].
 constexpr double BoundTime = 10.0;
 
 /// Bits of a problem up to which there is a linear bound, and what ours looks at otherwise.
@@ -163,11 +163,12 @@ private:
   {
     const int count = static_cast<int>(this->Result.Selected.size());
     const bool isExact = this->Settings.Method == PlanMethod::Optimal;
-    const double time = isExact ? this->Settings.TimeLimit : BoundTime;
+    const double time = isExact ? std::max(this->GetTimeLeft(), BoundTime) : BoundTime;
     double bound = 0.0;
     if (isExact || this->Problem.IsFull)
     {
-      bound = GetLinearBound(this->Reduced.Problem, isExact ? ExactBits : BoundBits, time);
+      bound = GetLinearBound(
+        this->Reduced.Problem, isExact ? ExactBits : BoundBits, time, this->Settings.Stop);
     }
     if (bound == 0.0)
     {
@@ -217,7 +218,8 @@ private:
     ExactAnswer answer;
     if (this->Network)
     {
-      const ReducedCover points = ReduceCover(this->Problem, { false, this->Problem.IsFull });
+      const ReducedCover points =
+        ReduceCover(this->Problem, { false, this->Problem.IsFull }, this->Settings.Stop);
       answer = SolveCover(points.Problem, this->Result.Selected, this->Network.get(),
         this->GetTimeLeft(), this->Settings.Stop);
     }

@@ -28,7 +28,7 @@ struct PlanSettings
   bool IsAscending = true;            // order of removal
   std::vector<double> MeanAngles;     // of candidates, for MeanIncidenceAngle [deg]
   int NumberOfStarts = 4;             // of local searches
-  double TimeLimit = 60.0;            // of Optimal [s]
+  double TimeLimit = 300.0;           // of Optimal, by the clock on the wall [s]
   double MinimumOverlap = 0.0;        // 0: need not be connected
   std::function<void(double)> Report; // progress in [0, 1]; may be empty
   StopTest Stop;

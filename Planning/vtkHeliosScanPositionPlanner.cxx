@@ -17,6 +17,7 @@
 #include <vtkPolyData.h>
 #include <vtkSMPTools.h>
 
+#include <chrono>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -29,6 +30,8 @@ namespace
 
 constexpr const char* MethodNames[] = { "ViewshedSize", "MeanIncidenceAngle", "Greedy", "Best",
   "Optimal" };
+
+constexpr std::chrono::milliseconds TimeBetweenReports(50);
 
 using Vectors = std::vector<helios::Incidence::Vector>;
 
@@ -237,11 +240,11 @@ private:
     settings.NumberOfStarts = this->Self->NumberOfStarts;
     settings.TimeLimit = this->Self->TimeLimit;
     settings.MinimumOverlap = this->Self->MinimumOverlap;
-    settings.Report = [this](double progress) { this->Self->UpdateProgress(progress); };
-    settings.Stop = [this] { return this->Self->GetAbortExecute() != 0; };
-    this->Self->UpdateProgress(0.05);
+    settings.Report = [this](double progress) { this->Report(progress); };
+    settings.Stop = [this] { return this->MustStop(); };
+    this->Report(0.05);
     this->Result = helios::MakePlan(this->Problem, this->Angles, settings);
-    if (settings.Stop())
+    if (this->Self->GetAbortExecute())
     {
       return "aborted before the plan was made; update again";
     }
@@ -254,6 +257,22 @@ private:
       return text.str();
     }
     return {};
+  }
+
+  void Report(double progress)
+  {
+    this->LastReport = std::chrono::steady_clock::now();
+    this->Self->UpdateProgress(progress);
+  }
+
+  /// Reports now and then: who watches progress may abort.
+  bool MustStop()
+  {
+    if (std::chrono::steady_clock::now() - this->LastReport > TimeBetweenReports)
+    {
+      this->Report(this->Self->GetProgress());
+    }
+    return this->Self->GetAbortExecute() != 0;
   }
 
   void Tell(const helios::PlanOutput& output)
@@ -313,6 +332,7 @@ private:
   std::vector<double> MeanAngles;
   double All = 0.0;
   helios::PlanResult Result;
+  std::chrono::steady_clock::time_point LastReport;
 };
 
 vtkStandardNewMacro(vtkHeliosScanPositionPlanner);

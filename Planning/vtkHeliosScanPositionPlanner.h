@@ -31,7 +31,8 @@
  * - OPTIMAL: starts from BEST and proves the smallest number by branch and cut (COIN-OR CBC), then
  *   the smallest worst angle (bisection over the distinct angles), then the smallest mean (through
  *   all such plans), the last two where all of the coverable points are asked, no overlap, and at
- *   most 2e7 pairs of candidate and point. What TimeLimit cuts off is the best found, with its bound.
+ *   most 2e7 pairs of candidate and point. What TimeLimit cuts off is the best found, with its bound
+ *   and Gap.
  *
  * Angles of incidence are from the normal, folded to [0, 90], between line of sight and normal.
  *
@@ -146,7 +147,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long OPTIMAL may take for its proofs [s]. Valid range: [0, 1e6]. Default: 60.
+   * Set/Get how long OPTIMAL may take for its proofs [s], on the clock of the wall however busy the
+   * machine is; what it takes from BEST is not cut short. Valid range: [0, 1e6]. Default: 300.
    */
   vtkSetClampMacro(TimeLimit, double, 0.0, 1e6);
   vtkGetMacro(TimeLimit, double);
@@ -220,7 +222,7 @@ private:
   int CoverageOf = COVERABLE;
   bool UseAreas = false;
   double MinimumOverlap = 0.0;
-  double TimeLimit = 60.0;
+  double TimeLimit = 300.0;
   int NumberOfStarts = 4;
 
   vtkIdType NumberOfSelected = 0;

@@ -11,11 +11,15 @@
 #include <coin/CglMixedIntegerRounding2.hpp>
 #include <coin/CglProbing.hpp>
 #include <coin/CglZeroHalf.hpp>
+#include <coin/ClpEventHandler.hpp>
+#include <coin/ClpSolve.hpp>
 #include <coin/CoinPackedMatrix.hpp>
 #include <coin/OsiClpSolverInterface.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 
 namespace helios
 {
@@ -42,20 +46,109 @@ private:
   struct sigaction Old = {};
 };
 
-/// Ends a search when it is told to.
-class StopHandler : public CbcEventHandler
+/// What ends a search: it is told to, or time is up on the wall's clock. CBC's own limits count the
+/// time of the processor, and look at it between nodes only.
+class Limit
 {
 public:
-  explicit StopHandler(const std::function<bool()>& test)
-    : Stop(test)
+  explicit Limit(const BinaryProgram& program)
+    : Stop(program.Stop)
+    , WorkOfIteration(program.Starts.back())
+    , End(Clock::now() + Duration(program.TimeLimit))
+    , NodeEnd(this->End - Duration(std::min(LongestSpare, SpareShare * program.TimeLimit)))
   {
   }
 
-  CbcAction event(CbcEvent) override { return this->Stop && this->Stop() ? stop : noAction; }
-  CbcEventHandler* clone() const override { return new StopHandler(*this); }
+  /// Of a search between nodes, whose bound stays good.
+  bool IsOverAtNode() { return this->IsOver() || Clock::now() >= this->NodeEnd; }
+
+  /// Of a linear solve, which is of no use then, nor is what is made of it.
+  bool IsOverAtIteration()
+  {
+    this->WorkToSpare -= this->WorkOfIteration;
+    return this->WorkToSpare < 0 && this->IsOver();
+  }
+
+  /// Stays true.
+  bool IsOver()
+  {
+    this->IsCut = this->IsCut || Clock::now() >= this->End || (this->Stop && this->Stop());
+    return this->IsCut;
+  }
+
+  void SpareNothing() { this->WorkToSpare = 0; }
+  bool WasCut() const { return this->IsCut; }
+  double GetNodeTime() const
+  {
+    return std::max(0.0, Duration(this->NodeEnd - Clock::now()).count());
+  }
+
+  double Bound = 0.0; // at the last node before
 
 private:
-  std::function<bool()> Stop;
+  using Clock = std::chrono::steady_clock;
+  using Duration = std::chrono::duration<double>;
+  using Time = std::chrono::time_point<Clock, Duration>;
+
+  /// Coefficients times iterations of a relaxation that is finished all the same, in some
+  /// milliseconds: a bound remains.
+  std::int64_t WorkToSpare = 10000000;
+
+  static constexpr double SpareShare = 0.1;
+  static constexpr double LongestSpare = 0.5; // [s]
+
+  const std::function<bool()>& Stop;
+  std::int64_t WorkOfIteration;
+  Time End;
+  Time NodeEnd;
+  bool IsCut = false;
+};
+
+/// Ends a search between nodes.
+class NodeHandler : public CbcEventHandler
+{
+public:
+  explicit NodeHandler(Limit& limit)
+    : Known(limit)
+  {
+  }
+
+  CbcAction event(CbcEvent what) override
+  {
+    if (this->Known.IsOverAtNode())
+    {
+      return stop;
+    }
+    if (what == node)
+    {
+      this->Known.Bound = std::max(this->Known.Bound, this->getModel()->getBestPossibleObjValue());
+    }
+    return noAction;
+  }
+  CbcEventHandler* clone() const override { return new NodeHandler(*this); }
+
+private:
+  Limit& Known;
+};
+
+/// Ends a linear solve, and those after it.
+class IterationHandler : public ClpEventHandler
+{
+public:
+  explicit IterationHandler(Limit& limit)
+    : Known(limit)
+  {
+  }
+
+  int event(Event what) override
+  {
+    const bool isPlace = what == endOfIteration || what == endOfFactorization;
+    return isPlace && this->Known.IsOverAtIteration() ? 0 : -1;
+  }
+  ClpEventHandler* clone() const override { return new IterationHandler(*this); }
+
+private:
+  Limit& Known;
 };
 
 void Load(const BinaryProgram& program, OsiClpSolverInterface& solver)
@@ -83,12 +176,15 @@ void Load(const BinaryProgram& program, OsiClpSolverInterface& solver)
 }
 
 /// True: solved. The relaxation of a programme with solutions always has one.
-bool Relax(const BinaryProgram& program, OsiClpSolverInterface& solver)
+bool Relax(OsiClpSolverInterface& solver, Limit& limit)
 {
-  solver.getModelPtr()->setMaximumSeconds(program.TimeLimit);
+  IterationHandler handler(limit);
+  solver.getModelPtr()->passInEventHandler(&handler); // copies it
+  ClpSolve options;
+  options.setSpecialOption(2, 1); // no handler of interrupts
+  solver.setSolveOptions(options);
   solver.initialSolve();
-  solver.getModelPtr()->setMaximumSeconds(-1.0);
-  return solver.isProvenOptimal();
+  return !limit.WasCut() && solver.isProvenOptimal();
 }
 
 void AddCuts(CbcModel& model)
@@ -127,7 +223,7 @@ void Start(const BinaryProgram& program, CbcModel& model)
   model.setBestSolution(program.Start.data(), static_cast<int>(program.Start.size()), cost, true);
 }
 
-void Search(const BinaryProgram& program, CbcModel& model)
+void Search(const BinaryProgram& program, Limit& limit, CbcModel& model)
 {
   model.setLogLevel(0);
   model.messageHandler()->setLogLevel(0);
@@ -135,9 +231,10 @@ void Search(const BinaryProgram& program, CbcModel& model)
   AddCuts(model);
   CbcRounding rounding(model);
   model.addHeuristic(&rounding);
-  StopHandler handler(program.Stop);
+  NodeHandler handler(limit);
   model.passInEventHandler(&handler);
-  model.setMaximumSeconds(program.TimeLimit);
+  model.setUseElapsedTime(true);
+  model.setMaximumSeconds(limit.GetNodeTime());
   model.setNumberStrong(10);
   model.setNumberBeforeTrust(5);
   if (program.HasWholeCosts)
@@ -145,6 +242,7 @@ void Search(const BinaryProgram& program, CbcModel& model)
     model.setDblParam(CbcModel::CbcCutoffIncrement, WholeIncrement);
   }
   Start(program, model);
+  limit.SpareNothing();
   model.branchAndBound();
 }
 
@@ -172,32 +270,37 @@ void BinaryProgram::EndRow(double lower)
 double SolveRelaxed(const BinaryProgram& program)
 {
   const SignalGuard guard;
+  Limit limit(program);
   OsiClpSolverInterface solver;
   Load(program, solver);
-  return Relax(program, solver) ? solver.getObjValue() - Rounding : 0.0;
+  return Relax(solver, limit) ? solver.getObjValue() - Rounding : 0.0;
 }
 
 BinaryAnswer SolveBinary(const BinaryProgram& program)
 {
   const SignalGuard guard;
+  Limit limit(program);
   BinaryAnswer answer;
   answer.Values = program.Start;
   OsiClpSolverInterface solver;
   Load(program, solver);
-  if (!Relax(program, solver))
+  if (!Relax(solver, limit))
   {
-    answer.IsProved = solver.isProvenPrimalInfeasible();
+    answer.IsProved = !limit.WasCut() && solver.isProvenPrimalInfeasible();
     return answer;
   }
   answer.LinearBound = solver.getObjValue() - Rounding;
   CbcModel model(solver);
-  Search(program, model);
+  Search(program, limit, model);
   if (model.bestSolution())
   {
     answer.Values.assign(model.bestSolution(), model.bestSolution() + program.Costs.size());
   }
-  answer.IsProved = model.isProvenOptimal() || model.isProvenInfeasible();
-  answer.Bound = std::max(answer.LinearBound, model.getBestPossibleObjValue() - Rounding);
+  // A node whose linear solve was cut short looks like one without solutions.
+  const bool isWhole = !limit.WasCut();
+  answer.IsProved = isWhole && (model.isProvenOptimal() || model.isProvenInfeasible());
+  const double bound = isWhole ? model.getBestPossibleObjValue() : limit.Bound;
+  answer.Bound = std::max(answer.LinearBound, bound - Rounding);
   return answer;
 }
 

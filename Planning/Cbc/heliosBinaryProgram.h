@@ -24,8 +24,8 @@ struct VTKHELIOSPLANNINGCBC_EXPORT BinaryProgram
   std::vector<double> Lower;  // a row each
   bool HasWholeCosts = false; // of every solution: it takes a better one to be better by 1
   std::vector<double> Start;  // a solution that is known; empty: none
-  double TimeLimit = 60.0;    // [s]
-  std::function<bool()> Stop; // asked while it runs; empty: never stops
+  double TimeLimit = 60.0;    // of the clock on the wall, however busy the machine is [s]
+  std::function<bool()> Stop; // asked within linear solves, too; empty: never stops
 
   int AddColumn(double cost, bool isBinary);
   void Add(int column, double coefficient);
@@ -44,7 +44,7 @@ struct BinaryAnswer
 /// Prints nothing, and leaves the handlers of signals as they are.
 VTKHELIOSPLANNINGCBC_EXPORT BinaryAnswer SolveBinary(const BinaryProgram& program);
 
-/// The relaxation alone; 0 where it took longer than the time limit.
+/// The relaxation alone; 0 where it was stopped or took longer than the time limit.
 VTKHELIOSPLANNINGCBC_EXPORT double SolveRelaxed(const BinaryProgram& program);
 
 } // namespace helios

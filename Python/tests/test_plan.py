@@ -348,6 +348,9 @@ def test_proofs_in_words():
         "4 scans; no plan has fewer than 3 (lower bound 2.13, gap 25 %); --method optimal searches on"
     )
     proved = {**result, "scans": 1, "isProvedOptimal": True}
+    assert _plan_report.describe_proof(result, 300.0).endswith(
+        "gap 25 %); the proof was not finished in 300 s: a longer --time-limit searches on"
+    )
     assert _plan_report.describe_proof(proved).startswith("1 scan, proved: no plan on these")
 
 

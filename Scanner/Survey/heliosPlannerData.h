@@ -59,7 +59,7 @@ struct PlannerData
   double MinimumPointDensity = 0.0;    ///< [1/m^2]
   bool UseAreas = false;
   double MinimumOverlap = 0.0; ///< [%]
-  double TimeLimit = 60.0;     ///< [s]
+  double TimeLimit = 300.0;    ///< [s]
 };
 
 } // namespace helios

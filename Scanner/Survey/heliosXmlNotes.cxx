@@ -89,7 +89,7 @@ const XmlNote Notes[] = {
   { "surveyPlanner", "minPointDensity_1_m2", "nothing is seen that gets fewer points a square metre from one position", "0" },
   { "surveyPlanner", "areaWeights", "points count by the area that they stand for", "false" },
   { "surveyPlanner", "minOverlap_percent", "share of its points that each scan has in common with others", "0" },
-  { "surveyPlanner", "timeLimit_s", "optimal: how long it may search", "60" },
+  { "surveyPlanner", "timeLimit_s", "optimal: how long it may search", "300" },
   { "surveyPlanner", "interactive", "the Java program asks between its steps" },
 
   { "leg", "", "a scan position; on a platform that moves, the way to the next leg" },

@@ -452,3 +452,43 @@ TEST_CASE("a time limit of nothing leaves the best found", "[vtkHeliosScanPositi
     CHECK(site.Filter->GetBestBound() <= site.Filter->GetNumberOfSelected());
   }
 }
+
+// Too hard to be proved within the limit: 400 points of which each is seen by some 8 of 200 candidates.
+TEST_CASE("a hard proof reports, is aborted, or ends with a gap", "[vtkHeliosScanPositionPlanner]")
+{
+  const helios::SmallCover cover(200, 400, 0.04, 1);
+  Site site(cover.Rows.View());
+  if (!Planner::HasOptimal())
+  {
+    return;
+  }
+  site.Filter->SetMethodToOptimal();
+  site.Filter->SetMinimumCoverage(99.5); // without what BEST tries by itself
+  SECTION("an abort in the middle of branch and cut")
+  {
+    site.Filter->SetTimeLimit(60.0);
+    int reports = 0;
+    vtkNew<vtkCallbackCommand> abort;
+    abort->SetClientData(&reports);
+    abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
+      {
+        auto* filter = static_cast<vtkAlgorithm*>(caller);
+        int& count = *static_cast<int*>(data);
+        count += filter->GetProgress() >= 0.7 ? 1 : 0;
+        filter->SetAbortExecute(count >= 5);
+      });
+    site.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
+    CHECK(site.Fails("aborted before the plan was made; update again"));
+    CHECK(reports >= 5);
+    CHECK(reports <= 7);
+  }
+  SECTION("the end of the time")
+  {
+    site.Filter->SetTimeLimit(1.0);
+    CHECK_FALSE(site.GetSelected().empty());
+    CHECK(site.Filter->GetBestBound() > 10);
+    CHECK(site.Filter->GetGap() > 0.0);
+    CHECK_FALSE(site.Filter->GetIsProvedOptimal());
+  }
+}

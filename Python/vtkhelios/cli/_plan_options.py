@@ -97,7 +97,7 @@ def add_method_arguments(group):
         "--time-limit",
         metavar="S",
         type=number(0, 1e6),
-        help="optimal: how long it may search (default: 60 s)",
+        help="optimal: how long it may search, on the clock (default: 300 s)",
     )
 
 

@@ -132,17 +132,21 @@ def result_lines(report):
             f"angles   best incidence of a point: {result['worstIncidence_deg']:.1f} deg at worst, "
             f"{result['meanBestIncidence_deg']:.1f} deg on average"
         )
-    yield f"scans    {describe_proof(result)}"
+    yield f"scans    {describe_proof(result, report['settings'].get('timeLimit_s'))}"
 
 
-def describe_proof(result):
+def describe_proof(result, limit=None):
+    """The count and what is proved of it; limit is how long the exact method could search [s]."""
     scans = counted(result["scans"], "scan")
     bound = f"lower bound {result['lowerBound']:.2f}"
     if result["isProvedOptimal"]:
         return f"{scans}, proved: no plan on these candidates has fewer ({bound})"
+    cure = "--method optimal searches on"
+    if limit is not None:
+        cure = f"the proof was not finished in {limit:g} s: a longer --time-limit searches on"
     return (
         f"{scans}; no plan has fewer than {result['bestBound']} ({bound}, gap "
-        f"{result['gap_percent']:.0f} %); --method optimal searches on"
+        f"{result['gap_percent']:.0f} %); {cure}"
     )
 
 

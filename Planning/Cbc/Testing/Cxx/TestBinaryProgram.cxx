@@ -5,9 +5,12 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <ctime>
 #include <random>
+#include <thread>
 #include <unistd.h>
 
 namespace
@@ -67,6 +70,14 @@ double GetCost(const helios::BinaryProgram& program, const std::vector<double>& 
     cost += program.Costs[c] * values[c];
   }
   return cost;
+}
+
+/// The processor's time of this thread.
+double GetThreadSeconds()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// The least cost, by trying all.
@@ -178,6 +189,101 @@ TEST_CASE("cut short, the start and a bound remain", "[BinaryProgram]")
   CHECK_FALSE(answer.IsProved);
   CHECK(answer.Bound > 20.0);
   CHECK(answer.Bound <= GetCost(program, answer.Values));
+}
+
+TEST_CASE("a linear solve is stopped between its iterations", "[BinaryProgram]")
+{
+  helios::BinaryProgram program = MakeCover(400, 1500, 12, 1);
+  int calls = 0;
+  int last = 0;
+  program.Stop = [&] { return ++calls == last; };
+  REQUIRE(helios::SolveRelaxed(program) > 20.0);
+  REQUIRE(calls > 100);
+  last = 100;
+  calls = 0;
+  CHECK(helios::SolveRelaxed(program) == 0.0);
+  CHECK(calls == last);
+}
+
+TEST_CASE("wherever a search is stopped, what it says is true", "[BinaryProgram]")
+{
+  for (unsigned int seed = 0; seed < 2; ++seed)
+  {
+    helios::BinaryProgram program = MakeCover(50, 100, 4, seed);
+    const helios::BinaryAnswer whole = helios::SolveBinary(program);
+    REQUIRE(whole.IsProved);
+    const double least = GetCost(program, whole.Values);
+    program.Start.assign(50, 1.0);
+    bool wasStopped = true;
+    for (int last = 1; wasStopped; last *= 2)
+    {
+      INFO(seed << ", stopped at question " << last);
+      int calls = 0;
+      program.Stop = [&] { return ++calls == last; };
+      const helios::BinaryAnswer answer = helios::SolveBinary(program);
+      wasStopped = calls >= last;
+      REQUIRE(Holds(program, answer.Values));
+      REQUIRE(answer.Bound <= least + 1e-6);
+      REQUIRE(answer.IsProved != wasStopped);
+      REQUIRE(calls <= last); // nothing is asked any more
+    }
+  }
+}
+
+// CBC's own limit is of the processor's time. With busy threads, 8 a core, a search of 2 s on the wall
+// has less than that, and the less the busier the machine is.
+TEST_CASE("the time limit is that of the clock on the wall", "[BinaryProgram]")
+{
+  std::atomic<bool> isOver{ false };
+  std::vector<std::thread> busy;
+  for (unsigned int i = 0; i < 8 * std::max(1u, std::thread::hardware_concurrency()); ++i)
+  {
+    busy.emplace_back(
+      [&isOver]
+      {
+        while (!isOver)
+        {
+        }
+      });
+  }
+  helios::BinaryProgram program = MakeCover(200, 400, 8, 1);
+  program.Start.assign(200, 1.0);
+  program.TimeLimit = 2.0;
+  const double start = GetThreadSeconds();
+  const helios::BinaryAnswer answer = helios::SolveBinary(program);
+  const double time = GetThreadSeconds() - start;
+  isOver = true;
+  for (std::thread& thread : busy)
+  {
+    thread.join();
+  }
+  CHECK_FALSE(answer.IsProved);
+  CHECK(Holds(program, answer.Values));
+  CHECK(time < 0.75 * program.TimeLimit);
+}
+
+TEST_CASE("interrupts go where they went while it runs, too", "[BinaryProgram]")
+{
+  const auto own = [](int) {};
+  struct sigaction old = {};
+  struct sigaction mine = {};
+  mine.sa_handler = own;
+  sigaction(SIGINT, &mine, &old);
+  helios::BinaryProgram program = MakeCover(40, 120, 4, 2);
+  int calls = 0;
+  int elsewhere = 0;
+  program.Stop = [&]
+  {
+    struct sigaction now = {};
+    sigaction(SIGINT, nullptr, &now);
+    ++calls;
+    elsewhere += now.sa_handler == mine.sa_handler ? 0 : 1;
+    return false;
+  };
+  helios::SolveBinary(program);
+  sigaction(SIGINT, &old, nullptr);
+  CHECK(calls > 100);
+  CHECK(elsewhere == 0);
 }
 
 TEST_CASE("nothing is printed, and interrupts go where they went", "[BinaryProgram]")

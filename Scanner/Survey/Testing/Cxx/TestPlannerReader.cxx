@@ -63,7 +63,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetLegAngularStep() == Approx(0.1));
   CHECK_FALSE(reader->GetUseAreas());
   CHECK(reader->GetMinimumOverlap() == 0.0);
-  CHECK(reader->GetTimeLimit() == 60.0);
+  CHECK(reader->GetTimeLimit() == 300.0);
   // 0.1 degrees: f r / (2 * 120), and r degrees a line
   CHECK(reader->GetLegPulseFrequency() == 100000.0);
   CHECK(reader->GetLegScanFrequency() == Approx(100000.0 * 0.1 / 240.0));
