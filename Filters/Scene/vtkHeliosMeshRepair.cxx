@@ -321,7 +321,9 @@ int vtkHeliosMeshRepair::RequestData(
     this->UpdateProgress(progress += 0.15);
     if (this->GetAbortExecute())
     {
-      return 1;
+      vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
+                    << " %; update again for the whole");
+      return 0;
     }
   }
   this->Write(mesh, input, output);

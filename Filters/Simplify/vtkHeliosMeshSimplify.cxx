@@ -10,7 +10,9 @@
 #include "vtkHeliosMeshRepair.h"
 
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -237,7 +239,14 @@ int vtkHeliosMeshSimplify::RequestData(
   vtkNew<vtkHeliosMeshRepair> repair;
   repair->SetInputData(input);
   repair->MergePointsOn();
+  repair->AddObserver(vtkCommand::ProgressEvent, this, &vtkHeliosMeshSimplify::Follow);
+  repair->AddObserver(vtkCommand::ErrorEvent, this, &vtkHeliosMeshSimplify::Follow);
+  repair->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &vtkHeliosMeshSimplify::Follow);
   repair->Update();
+  if (this->GetAbortExecute())
+  {
+    return this->Abort();
+  }
   vtkPolyData* scene = repair->GetOutput();
   this->NumberOfDroppedTriangles = input->GetNumberOfCells() - scene->GetNumberOfCells();
   this->UpdateProgress(0.1);
@@ -251,11 +260,32 @@ int vtkHeliosMeshSimplify::RequestData(
   helios::PatchSource source = MakeSource(scene, mesh);
   const Silence silence;
   Run run(this, source);
-  if (run.Execute())
+  if (!run.Execute())
   {
-    run.Finish(scene, output);
+    return this->Abort();
   }
+  run.Finish(scene, output);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+/// The repair is a part of the work, and what goes wrong in it has been checked for.
+void vtkHeliosMeshSimplify::Follow(vtkObject* repair, unsigned long event, void*)
+{
+  if (event == vtkCommand::ProgressEvent)
+  {
+    auto* algorithm = static_cast<vtkAlgorithm*>(repair);
+    this->UpdateProgress(0.1 * algorithm->GetProgress());
+    algorithm->SetAbortExecute(this->GetAbortExecute());
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosMeshSimplify::Abort()
+{
+  vtkErrorMacro(<< "The work was aborted at " << 100.0 * this->GetProgress()
+                << " %; update again for the whole");
+  return 0;
 }
 
 //------------------------------------------------------------------------------

@@ -98,6 +98,8 @@ private:
 
   class Run;
   bool Check(vtkPolyData* input);
+  void Follow(vtkObject* repair, unsigned long event, void*);
+  int Abort();
 
   double MaximumDistance = 0.01;
   double VerifiedDistance = 0.0;

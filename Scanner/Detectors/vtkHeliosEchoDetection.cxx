@@ -36,9 +36,10 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-// Waveforms handed to a thread at a time, and between two looks at progress and abort.
+// Waveforms handed to a thread at a time, and such chunks of each thread between two looks at progress
+// and abort, some 0.1 s.
 constexpr vtkIdType RowsPerChunk = 256;
-constexpr vtkIdType ChunksPerBatch = 256;
+constexpr vtkIdType ChunksOfThread = 8;
 
 struct Record
 {
@@ -376,9 +377,16 @@ int vtkHeliosEchoDetection::RequestData(
   }
   const vtkIdType chunks = (run.Table.NumberOfRows + RowsPerChunk - 1) / RowsPerChunk;
   run.Chunks.resize(static_cast<std::size_t>(chunks));
-  for (vtkIdType chunk = 0; chunk < chunks && !this->GetAbortExecute(); chunk += ChunksPerBatch)
+  const vtkIdType batch = ChunksOfThread * vtkSMPTools::GetEstimatedNumberOfThreads();
+  for (vtkIdType chunk = 0; chunk < chunks; chunk += batch)
   {
-    const vtkIdType end = std::min(chunks, chunk + ChunksPerBatch);
+    if (this->GetAbortExecute())
+    {
+      vtkErrorMacro(<< "The work was aborted at " << 100.0 * this->GetProgress()
+                    << " %; update again for the whole");
+      return 0;
+    }
+    const vtkIdType end = std::min(chunks, chunk + batch);
     vtkSMPTools::For(
       chunk, end, 1, [&run](vtkIdType from, vtkIdType to) { run.DetectChunks(from, to); });
     this->UpdateProgress(static_cast<double>(end) / static_cast<double>(chunks));

@@ -7,6 +7,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
@@ -413,6 +414,10 @@ TEST_CASE("MeshRepair: stops when told to", "[MeshRepair]")
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn(); });
   repair->AddObserver(vtkCommand::ProgressEvent, stop);
+  const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(repair);
+  log->Watch(repair->GetExecutive());
   repair->Update();
   CHECK(repair->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(log->HasError("The work was aborted at 25 %; update again for the whole"));
 }

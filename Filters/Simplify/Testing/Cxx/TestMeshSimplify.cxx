@@ -12,6 +12,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkGenericCell.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -551,6 +552,30 @@ TEST_CASE("MeshSimplify: tells its progress and stops when told to", "[MeshSimpl
       algorithm->SetAbortExecute(algorithm->GetProgress() > 0.15);
     });
   simplify->AddObserver(vtkCommand::ProgressEvent, stop);
+  const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(simplify);
+  log->Watch(simplify->GetExecutive());
   simplify->Update();
   CHECK(simplify->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(log->HasError("The work was aborted at 20 %; update again for the whole"));
+}
+
+TEST_CASE("MeshSimplify: stops while the scene is repaired, too", "[MeshSimplify]")
+{
+  vtkNew<vtkHeliosMeshSimplify> simplify;
+  simplify->SetInputData(MakeGrid(20, 0.125, Hills));
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      algorithm->SetAbortExecute(algorithm->GetProgress() > 0.0);
+    });
+  simplify->AddObserver(vtkCommand::ProgressEvent, stop);
+  const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  log->Watch(simplify);
+  log->Watch(simplify->GetExecutive());
+  simplify->Update();
+  CHECK(simplify->GetOutput()->GetNumberOfCells() == 0);
+  CHECK(log->HasError("The work was aborted at 2.5 %; update again for the whole"));
 }

@@ -12,6 +12,7 @@
 #include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkSMPTools.h>
@@ -412,4 +413,41 @@ TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
   detection.Filter->SetEchoDetector(nullptr);
   CHECK(detection.Run()->GetNumberOfPoints() == 0);
   CHECK(detection.Log->HasError("EchoDetector was set to nothing"));
+}
+
+TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetection]")
+{
+  const vtkIdType rows = 100000; // all like the first
+  const auto one = MakeTable();
+  vtkNew<vtkTable> table;
+  table->GetFieldData()->ShallowCopy(one->GetFieldData());
+  for (int i = 0; i < one->GetNumberOfColumns(); ++i)
+  {
+    auto* from = vtkDataArray::SafeDownCast(one->GetColumn(i));
+    const auto column = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
+    column->SetName(from->GetName());
+    column->SetNumberOfComponents(from->GetNumberOfComponents());
+    column->SetNumberOfTuples(rows);
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      column->SetTuple(row, 0, from);
+    }
+    table->AddColumn(column);
+  }
+  Detection detection(table);
+  int reports = 0;
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetClientData(&reports);
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* filter = static_cast<vtkAlgorithm*>(caller);
+      *static_cast<int*>(data) += filter->GetProgress() > 0.0 ? 1 : 0;
+      filter->SetAbortExecute(filter->GetProgress() > 0.0);
+    });
+  detection.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  CHECK(detection.Run()->GetNumberOfPoints() == 0);
+  CHECK(detection.Log->HasError("The work was aborted at "));
+  CHECK(detection.Log->HasError(" %; update again for the whole"));
+  CHECK(reports == 1);
 }
