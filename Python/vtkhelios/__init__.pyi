@@ -2447,8 +2447,8 @@ class vtkHeliosPCLClusters(vtkHeliosPCLFilter):
     def number_of_clusters(self) -> int:
         """Get how many clusters the last update found."""
     tolerance: float
-    """Set/Get the longest step within a cluster [m]. Valid range:
-    [1e-4, 1000]. Default: 0.5.
+    """Set/Get what steps within a cluster are shorter than [m]. Valid
+    range: [1e-4, 1000]. Default: 0.5.
     """
     def __init__(self, *, abort_execute: int = ..., maximum_cluster_size: int = ..., minimum_cluster_size: int = ..., progress_text: Optional[str] = ..., tolerance: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -4313,8 +4313,9 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     first, as the paper does, or the largest. Default: ASCENDING.
     """
     time_limit: float
-    """Set/Get how long OPTIMAL may take for its proofs [s]. Valid
-    range: [0, 1e6]. Default: 60.
+    """Set/Get how long OPTIMAL may take for its proofs [s], on the
+    clock of the wall however busy the machine is; what it takes from
+    BEST is not cut short. Valid range: [0, 1e6]. Default: 300.
     """
     use_areas: bool
     """Set/Get whether test points count by the array Area in coverage,
