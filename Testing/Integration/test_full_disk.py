@@ -91,7 +91,7 @@ def test_at_any_point(name, disk, tmp_path):
         for file, digest in digests(folder).items():
             assert file == "run.journal" or file.endswith(".part") or digest == truth[file], (room, file)
     disk(4 * total + 1000)
-    done = run(tmp_path, *options, "--resume")
+    done = run(tmp_path, *options, "--resume", "--check-all")
     assert done.returncode == 0, done.stderr
     assert digests(folder) == truth
     summaries = [json.loads((each / "run_summary.json").read_text()) for each in (folder, tmp_path / "whole/yard")]
