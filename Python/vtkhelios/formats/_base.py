@@ -61,7 +61,7 @@ def _is_of_kernel(status):
 
 
 def memory_limit(size):
-    """What one step of reading a file of a size may need [bytes]: some steps are at work at once."""
+    """What one step of reading a file of a size may need [bytes]; some steps overlap."""
     return 4e8 + 8.0 * size
 
 
@@ -90,8 +90,8 @@ def guarded(path):
             raise
         words = " ".join(str(error).split())[:200] or type(error).__name__
         raise FormatError(
-            f"{path}: cannot be read: {words}; it is damaged, or of a form that is not known: copy or "
-            "write it again"
+            f"{path}: cannot be read: {words}; it is damaged, or of a form that is not known: copy "
+            "or write it again"
         ) from error
 
 
@@ -186,8 +186,8 @@ class Reader(_Closing):
         self.keeps_invalid = False  # whether points that are not finite are in chunks, too
 
     def chunks(self, rows=ROWS):
-        """Yields the points, at most so many at a time. Points that are not finite are left out, unless
-        keeps_invalid; the notes count them, and other values that are not finite."""
+        """Yields the points, at most so many at a time. Points that are not finite are left out,
+        unless keeps_invalid; the notes count them, and other values that are not finite."""
         invalid, seen = {}, 0
         with guarded(self.path):
             for chunk in self.read_chunks(rows):

@@ -78,7 +78,9 @@ def check_points(path, header, size):
         end, chunks = _find_table(file, begin, size)
         room = end - begin - 8
         if chunks > count or chunks * width > room:
-            raise Damage(f"its chunk table counts {chunks} chunks in {room} bytes of {count} points")
+            raise Damage(
+                f"its chunk table counts {chunks} chunks in {room} bytes of {count} points"
+            )
         file.seek(end)
         sizes = _read_table(lazrs, file, vlr, count)
         _check_chunks(sizes, count, width, room, size)
@@ -131,7 +133,7 @@ def _unpack(file, form):
 
 def _read_table(lazrs, file, vlr, count):
     """The chunks: number of points, bytes."""
-    table = [(int(points), int(length)) for points, length in lazrs.read_chunk_table_only(file, vlr)]
+    table = [(int(n), int(length)) for n, length in lazrs.read_chunk_table_only(file, vlr)]
     if vlr.uses_variable_size_chunks():
         return table
     chunk = vlr.chunk_size()

@@ -54,7 +54,7 @@ class RecordReader:
         raise FormatError(f"{self.path}: {problem}")
 
     def _make_plain(self, header):
-        """laspy writes no texts that are not ASCII; the bytes of the head come back when it is closed."""
+        """laspy writes no texts that are not ASCII; RecordWriter brings their bytes back."""
         for name in ("generating_software", "system_identifier"):
             setattr(header, name, _as_ascii(getattr(header, name)))
         from laspy import VLR
