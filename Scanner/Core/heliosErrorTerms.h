@@ -11,6 +11,8 @@
 
 #include <array>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 namespace helios
 {
@@ -51,6 +53,18 @@ struct TermFault
       this->First = other.First;
       this->Variable = other.Variable;
     }
+  }
+
+  /// What follows the name of the term in a message.
+  std::string Describe(int term, vtkIdType fired) const
+  {
+    const bool isOfRange = term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR;
+    std::ostringstream text;
+    text << " is not finite, or beyond 1e9, for " << this->Pulses << " of " << fired
+         << " pulses, the first of them pulse " << this->First << " at "
+         << (isOfRange ? "a range of " : "a scan angle of ") << this->Variable
+         << (isOfRange ? " m" : " rad") << "; give one that is finite there";
+    return text.str();
   }
 };
 

@@ -451,16 +451,11 @@ bool vtkHeliosScanner::CheckErrorTerms(const helios::ScanCounts& counts)
   bool good = true;
   for (int term = 0; term < vtkHeliosErrorModel::NUMBER_OF_TERMS; ++term)
   {
-    const helios::TermFault& fault = counts.Faults[static_cast<std::size_t>(term)];
-    const bool isOfRange = term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR;
+    const auto& fault = counts.Faults[static_cast<std::size_t>(term)];
     if (fault.Pulses > 0)
     {
       vtkErrorMacro(<< this->ErrorModel->GetTermName(term)
-                    << " is not finite, or beyond 1e9, for " << fault.Pulses << " of "
-                    << counts.PulsesFired << " pulses, the first of them pulse " << fault.First
-                    << " at " << (isOfRange ? "a range of " : "a scan angle of ")
-                    << fault.Variable << (isOfRange ? " m" : " rad")
-                    << "; give one that is finite there");
+                    << fault.Describe(term, counts.PulsesFired));
       good = false;
     }
   }
