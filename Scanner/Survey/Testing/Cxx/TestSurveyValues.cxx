@@ -88,11 +88,11 @@ TEST_CASE("SurveyValues: what lies outside names file:line, value and range", "[
 TEST_CASE("SurveyValues: a negative zero is a zero", "[SurveyValues]")
 {
   const Files files;
-  const Reading reading = ReadWith(files, "headRotateStart_deg=\"-0\"", "x=\"-0.0\"");
+  const Reading reading = ReadWith(files, "verticalAngleMin_deg=\"-0\"", "x=\"-0.0\"");
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
   CHECK_FALSE(std::signbit(reading.Data().Legs.at(0).Position[0]));
-  CHECK_FALSE(std::signbit(reading.Data().Legs.at(0).Scans.at(0).HeadRotateStart));
+  CHECK_FALSE(std::signbit(reading.Data().Legs.at(0).Scans.at(0).VerticalAngleMin));
 }
 
 TEST_CASE("SurveyValues: a long value is shown in part", "[SurveyValues]")
