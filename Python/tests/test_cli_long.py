@@ -16,7 +16,9 @@ import types
 import numpy as np
 import pytest
 
+import vtkhelios
 from vtkhelios.cli._messages import Messages
+from vtkhelios.cli._reading import make_reader
 from vtkhelios.cli.run import run_play
 
 from _command_line import PULSES, expect_failure, start
@@ -210,8 +212,8 @@ def start_loading(make_survey, tmp_path):
     """A run of a survey whose scene takes long to read, while it reads."""
     survey = make_survey(**LONG)
     with open(tmp_path / "plane.obj", "ab") as file:
-        for _ in range(400):
-            file.write(b"#\n" * 500_000)  # reads for seconds, and takes no memory
+        for _ in range(600):  # reads for many seconds, and takes no memory
+            file.write(b"vn 0.123456789 0.234567891 0.345678912\n" * 25_000)
     run = start(survey, tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     place = f"/proc/{run.pid}/fd"
     until = time.monotonic() + 60
@@ -230,10 +232,35 @@ def test_interrupt_while_the_scene_is_read(number, code, make_survey, tmp_path):
     run.send_signal(number)
     _, errors = run.communicate(timeout=60)
     assert run.returncode == code
-    assert time.monotonic() - begin < 3.0  # all of it takes longer
+    assert time.monotonic() - begin < 2.0  # all of it takes longer
     assert "interrupted at 0 %: no points yet" in errors.decode()
     assert "reading was aborted" not in errors.decode()
     assert not list((tmp_path / "out").rglob("*points*"))
+
+
+def test_a_file_is_not_read_to_its_end(make_survey, tmp_path):
+    """A run that is stopped amid a file says nothing of the file."""
+    survey = make_survey()
+    with open(tmp_path / "plane.obj", "ab") as file:
+        file.write(b"vn 0.123456789 0.234567891 0.345678912\n" * 5_000_000)
+    reader = make_reader(str(survey), [])
+    assert reader.Read()
+    player = vtkhelios.vtkHeliosSurveyPlayer()
+    player.SetSurvey(reader.GetSurvey())
+    player.SetOutputDirectory(str(tmp_path / "out"))
+    told, errors = [], []
+
+    def stop_at_second(*_):
+        told.append(player.GetMessage())
+        if told[-2:] == [f"reading {tmp_path / 'plane.obj'}"] * 2:  # amid the file
+            player.Abort()
+
+    player.AddObserver("ProgressEvent", stop_at_second)
+    player.AddObserver("ErrorEvent", lambda *_: errors.append(1))
+    assert not player.Run()
+    assert told[-1].startswith("reading ")
+    assert player.GetMessage() == "Stopped while the scene was loaded; nothing was written."
+    assert not errors and not list((tmp_path / "out").rglob("*points*"))
 
 
 DEAF = """
