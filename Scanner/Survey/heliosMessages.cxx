@@ -103,6 +103,10 @@ void Messages::Listen(vtkAlgorithm* algorithm, const std::string& where)
 void Messages::Forward(vtkObject* caller, unsigned long event, void* self, void* data)
 {
   auto* messages = static_cast<Messages*>(self);
+  if (messages->IsMuted)
+  {
+    return;
+  }
   const std::string& where = messages->Places[caller];
   const std::string text =
     where + (where.empty() ? "" : ": ") + StripOrigin(data ? static_cast<const char*>(data) : "");
