@@ -8,6 +8,7 @@ crash; another worker goes on after it.
 """
 
 import dataclasses
+import faulthandler
 import json
 import mmap
 import os
@@ -125,6 +126,7 @@ def _set_up(folder):
     null = os.open(os.devnull, os.O_WRONLY)  # what libraries print past Python
     for number in (1, 2):
         os.dup2(null, number)
+    faulthandler.disable()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     for number in (signal.SIGALRM, signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)
