@@ -5,8 +5,13 @@
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkTable.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace helios
 {
@@ -44,6 +49,38 @@ std::string TakeIntegers(vtkFieldData* data, const char* name, vtkIdType rows, C
       data->GetArray(name)->GetDataTypeAsString() + "; it must hold integers";
   }
   return problem;
+}
+
+/// The first value that is not finite, or -1; other types than real numbers have none.
+template <typename ArrayT>
+vtkIdType FindNotFinite(vtkDataArray* data)
+{
+  auto* array = ArrayT::FastDownCast(data);
+  if (!array)
+  {
+    return -1;
+  }
+  const auto* first = array->GetPointer(0);
+  const auto* last = first + array->GetNumberOfValues();
+  const auto* found = std::find_if(first, last, [](auto value) { return !std::isfinite(value); });
+  return found == last ? -1 : found - first;
+}
+
+std::string CheckFinite(vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const vtkIdType value = array
+      ? std::max(FindNotFinite<vtkFloatArray>(array), FindNotFinite<vtkDoubleArray>(array))
+      : -1;
+    if (value >= 0)
+    {
+      return "has an array " + std::string(array->GetName() ? array->GetName() : "") +
+        " whose value " + std::to_string(value) + " is not finite";
+    }
+  }
+  return {};
 }
 
 } // namespace
@@ -94,6 +131,12 @@ std::string WaveformTable::CheckSamples() const
     }
   }
   return {};
+}
+
+std::string CheckFinite(vtkTable* table)
+{
+  const std::string columns = CheckFinite(table->GetRowData());
+  return columns.empty() ? CheckFinite(table->GetFieldData()) : columns;
 }
 
 } // namespace helios

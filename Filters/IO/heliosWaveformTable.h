@@ -32,6 +32,9 @@ private:
   std::string CheckSamples() const;
 };
 
+/// Says which array has a value that is not finite; empty: none.
+std::string CheckFinite(vtkTable* table);
+
 } // namespace helios
 
 #endif

@@ -93,3 +93,14 @@ def test_other_data_is_refused():
 
 def test_same_as_stock_vtk(cloud):
     assert (vtkhelios.arrays(cloud)["points"] == vtk_to_numpy(cloud.GetPoints().GetData())).all()
+
+
+def test_names_that_are_not_utf8():
+    from vtkmodules.vtkCommonCore import vtkFloatArray
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    cloud = vtkPolyData()
+    array = vtkFloatArray()
+    array.SetName(b"\xfdum")
+    cloud.GetPointData().AddArray(array)
+    assert list(vtkhelios.arrays(cloud)) == ["\\xfdum"]

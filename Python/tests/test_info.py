@@ -223,6 +223,17 @@ def test_texts_of_a_header_that_are_not_utf8(small_runs, tmp_path, info):
     assert facts["system"] == "\ufffd\ufffdABC" and facts["software"] == "\ufffdt\ufffd"
 
 
+def test_points_that_the_summary_does_not_name(tmp_path, info):
+    for name in ("leg000_points.xyz", "leg001_points.xyz"):
+        (tmp_path / name).write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)
+    legs = [{"leg": 0, "files": [{"name": "leg000_points.xyz", "records": 5}]}]
+    (tmp_path / "run_summary.json").write_text(json.dumps({"legs": legs}))
+    _, facts, _ = info(tmp_path)
+    assert facts["points"] == 5
+    assert len(facts["warnings"]) == 1
+    assert "leg001_points.xyz: is not read: run_summary.json does not name it" in facts["warnings"][0]
+
+
 def test_strips_with_names(tmp_path, info):
     for name in ("strip00a", "strip9999999999", "leg000"):
         (tmp_path / f"{name}_points.xyz").write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)

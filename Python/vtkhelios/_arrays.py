@@ -36,4 +36,7 @@ def _add_views(views, attributes):
     for index in range(attributes.GetNumberOfArrays()):
         array = attributes.GetArray(index)  # None for text
         if array is not None and array.GetName():
-            views[array.GetName()] = vtk_to_numpy(array)
+            name = array.GetName()
+            if isinstance(name, bytes):  # VTK's, of a text that is not UTF-8
+                name = name.decode(errors="backslashreplace")
+            views[name] = vtk_to_numpy(array)

@@ -42,7 +42,7 @@ class RunReader(Reader):
             self.fail("its run_summary.json names no files of points; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
         self._names = {}  # of objects in text
-        self.notes = []
+        self.notes = [] if only else self._find_unnamed()
         self._readers = [self._open(name) for name in self.files]
         self.header = self._readers[0].header
         self.has_waveforms = any(reader.has_waveforms for reader in self._readers) or any(
@@ -52,6 +52,15 @@ class RunReader(Reader):
         self.kind = (
             f"run of {len(self.files)} files of points ({pathlib.Path(self.files[0]).suffix})"
         )
+
+    def _find_unnamed(self):
+        """Notes on files of points in the folder that the summary does not name."""
+        beside = {path.name for path in self.folder.iterdir() if POINTS.fullmatch(path.name)}
+        return [
+            f"{self.folder / name}: is not read: run_summary.json does not name it; run the survey "
+            "again, or take the file away"
+            for name in sorted(beside - set(self.files))
+        ]
 
     def _count(self):
         """The points of the files; what legs of a strip write to the same one adds up there."""

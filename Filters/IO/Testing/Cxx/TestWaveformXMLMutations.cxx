@@ -71,6 +71,22 @@ bool IsWhole(vtkTable* table)
 
 } // namespace
 
+TEST_CASE("WaveformXMLMutations: samples that are not finite are refused", "[WaveformXMLReader]")
+{
+  const Files files;
+  auto table = helios::MakeWaveforms(3);
+  table->GetFieldData()->GetArray(names::Samples)->SetComponent(4, 0, std::nan(""));
+  vtkNew<vtkHeliosWaveformXMLWriter> writer;
+  writer->SetFileName((files.Folder / "nan.pvtt").c_str());
+  REQUIRE((writer->Open() && writer->Write(table) && writer->Close()));
+  vtkNew<vtkHeliosWaveformXMLReader> reader;
+  const auto log = helios::WatchErrors(reader);
+  const auto quiet = helios::WatchErrors(reader->GetExecutive());
+  reader->SetFileName((files.Folder / "nan.pvtt").c_str());
+  reader->Update();
+  CHECK(log->HasError("has an array Samples whose value 4 is not finite"));
+}
+
 TEST_CASE("WaveformXMLMutations: damaged files give an error or waveforms",
   "[WaveformXMLMutations][mutation]")
 {
