@@ -204,6 +204,16 @@ class PanicException(BaseException):  # noqa: N818  the name that those of Rust 
     pass
 
 
+@pytest.mark.parametrize("ending", ["vtp", "pcd"])
+def test_arrays_of_one_value_a_point(tmp_path, ending):
+    chunk = make_chunk(10)
+    chunk["ReturnNumber"] = np.ones((10, 3), np.uint8)
+    path = tmp_path / f"a.{ending}"
+    with formats.open_writer(path) as writer:
+        writer.write(chunk)
+    fails(path, "ReturnNumber has 3 values a point, and one is meant")
+
+
 @pytest.mark.parametrize(
     "error, message",
     [

@@ -21,6 +21,14 @@ ROWS = 500_000  # points of a chunk
 
 NUMBERS = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8")  # types of arrays
 
+# Arrays of clouds that have one value a point.
+SCALARS = frozenset(
+    "Amplitude CellIds ChannelIds ClassificationFlags ClassificationIds Deviation EchoWidth "
+    "EdgeOfFlightLine GpsTime IncidenceAngle Intensity LegIds MaterialIds NearInfrared "
+    "NumberOfReturns PartIds PulseIds Range ReturnNumber ScanAngle ScanDirection UserData "
+    "WaveformIds".split()
+)
+
 Chunk = dict  # name: numpy array; "points" is among them
 
 
@@ -191,6 +199,7 @@ class Reader(_Closing):
         invalid, seen = {}, 0
         with guarded(self.path):
             for chunk in self.read_chunks(rows):
+                self._check_shapes(chunk)
                 seen += rows_of(chunk)
                 yield self._drop_invalid(chunk, invalid)
         self._note_invalid(invalid, seen)
@@ -198,6 +207,14 @@ class Reader(_Closing):
     def read_chunks(self, rows):
         """Yields the points as the file has them; of subclasses."""
         raise NotImplementedError
+
+    def _check_shapes(self, chunk):
+        for name in SCALARS.intersection(chunk):
+            if chunk[name].ndim != 1:
+                self.fail(
+                    f"{name} has {chunk[name].shape[1]} values a point, and one is meant; give the "
+                    "array another name, or write the file again"
+                )
 
     def _drop_invalid(self, chunk, invalid):
         """The finite points of a chunk; counts by name of array what is not finite."""
