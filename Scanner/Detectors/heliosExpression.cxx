@@ -210,7 +210,8 @@ std::string FindUsableValue(const std::string& text)
       return {};
     }
   }
-  return "its value is never finite and within 1e9, neither for an angle nor for a range; correct it";
+  return "its value is never finite and within 1e9, neither for an angle nor for a range; correct "
+         "it";
 }
 
 } // namespace

@@ -46,7 +46,7 @@ std::string vtkHeliosExpressionErrorModel::FindFault(const std::string& text)
 //------------------------------------------------------------------------------
 vtkHeliosExpressionErrorModel::Term& vtkHeliosExpressionErrorModel::GetTerm(int term) const
 {
-  return term == RANGE_ERROR  ? *this->Range
+  return term == RANGE_ERROR   ? *this->Range
     : term == DEFLECTION_ERROR ? *this->Deflection
     : term == HEAD_ERROR       ? *this->Head
                                : *this->NoiseFactor;

@@ -87,10 +87,10 @@ bool LegRunner::Plan()
     if (this->NumberOfPulses > MostPulses)
     {
       Sentence text;
-      text << this->Survey.Legs[plan.Leg].Where << ": "
-           << static_cast<double>(plan.NumberOfPulses)
+      text << this->Survey.Legs[plan.Leg].Where << ": " << static_cast<double>(plan.NumberOfPulses)
            << " pulses are more than a leg can have (all legs together: at most "
-           << static_cast<double>(MostPulses) << "); check its pulse frequency, its speed, its length and its duration";
+           << static_cast<double>(MostPulses)
+           << "); check its pulse frequency, its speed, its length and its duration";
       this->Log.Error(text.str());
       return false;
     }

@@ -22,7 +22,6 @@
 #include <string>
 #include <vector>
 
-
 namespace
 {
 
@@ -62,11 +61,8 @@ bool WriteTerrain(const Terrain& terrain, const std::string& path)
     std::fputc('v', file);
     for (const std::int64_t units : p)
     {
-      std::fprintf(file,
-        " %s%lld.%0*lld",
-        units < 0 ? "-" : "",
-        static_cast<long long>(std::abs(units) / terrain.UnitsPerMetre),
-        terrain.Decimals,
+      std::fprintf(file, " %s%lld.%0*lld", units < 0 ? "-" : "",
+        static_cast<long long>(std::abs(units) / terrain.UnitsPerMetre), terrain.Decimals,
         static_cast<long long>(std::abs(units) % terrain.UnitsPerMetre));
     }
     std::fputc('\n', file);
@@ -76,14 +72,8 @@ bool WriteTerrain(const Terrain& terrain, const std::string& path)
     for (std::int64_t x = 1; x < Side; ++x)
     {
       const long long a = y * Side + x;
-      std::fprintf(file,
-        "f %lld %lld %lld\nf %lld %lld %lld\n",
-        a,
-        a + 1,
-        a + Side,
-        a + 1,
-        a + Side + 1,
-        a + Side);
+      std::fprintf(file, "f %lld %lld %lld\nf %lld %lld %lld\n", a, a + 1, a + Side, a + 1,
+        a + Side + 1, a + Side);
     }
   }
   return std::fclose(file) == 0;
@@ -132,8 +122,7 @@ bool RunOurs(const Terrain& terrain, const std::string& path, std::vector<double
   times.push_back(Seconds(start));
   if (times.size() == 1)
   {
-    std::printf("%-6s scene in memory: %.1f bytes a triangle\n",
-      terrain.Name,
+    std::printf("%-6s scene in memory: %.1f bytes a triangle\n", terrain.Name,
       1024.0 * reader->GetOutput()->GetActualMemorySize() / NumberOfTriangles);
   }
   return IsRight(terrain, reader->GetOutput());
@@ -174,14 +163,8 @@ bool Compare(const Terrain& terrain, const std::string& folder, int repetitions)
   const double median = GetMedian(ours);
   std::printf("%-6s %lld triangles, %.0f MB: vtkHelios %.3f s (%.0f MB/s), tinyobjloader %.3f s, "
               "ratio %.3f (median of %d)\n",
-    terrain.Name,
-    static_cast<long long>(NumberOfTriangles),
-    megabytes,
-    median,
-    megabytes / median,
-    GetMedian(tiny),
-    median / GetMedian(tiny),
-    repetitions);
+    terrain.Name, static_cast<long long>(NumberOfTriangles), megabytes, median, megabytes / median,
+    GetMedian(tiny), median / GetMedian(tiny), repetitions);
   return true;
 }
 

@@ -437,7 +437,8 @@ TEST_CASE("LASReader: names that are wrong", "[LASReader]")
   CHECK(pipe.Log->HasError("pipe.las: cannot be read: it is a FIFO, not a regular file"));
   LasReading device("/dev/zero");
   CHECK_FALSE(device.Read());
-  CHECK(device.Log->HasError("/dev/zero: cannot be read: it is a character device, not a regular file"));
+  CHECK(device.Log->HasError(
+    "/dev/zero: cannot be read: it is a character device, not a regular file"));
 }
 
 TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")

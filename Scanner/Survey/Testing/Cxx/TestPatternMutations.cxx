@@ -60,7 +60,8 @@ TEST_CASE(
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
     (reading.Good ? goodCount : errorCount) += 1;
     REQUIRE((reading.Good || reading.Log->HasError("scene.xml:")));
+    CHECK((i >= 4 || reading.Good)); // not damaged
   }
   CHECK(errorCount > 20);
-  CHECK(goodCount > 20);
+  CHECK(goodCount > 10);
 }
