@@ -66,21 +66,14 @@ vtkIdType FindNotFinite(vtkDataArray* data)
   return found == last ? -1 : found - first;
 }
 
-std::string CheckFinite(vtkFieldData* data)
+std::string CheckFinite(vtkDataArray* array)
 {
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    const vtkIdType value = array
-      ? std::max(FindNotFinite<vtkFloatArray>(array), FindNotFinite<vtkDoubleArray>(array))
-      : -1;
-    if (value >= 0)
-    {
-      return "has an array " + std::string(array->GetName() ? array->GetName() : "") +
-        " whose value " + std::to_string(value) + " is not finite";
-    }
-  }
-  return {};
+  const vtkIdType value = array
+    ? std::max(FindNotFinite<vtkFloatArray>(array), FindNotFinite<vtkDoubleArray>(array))
+    : -1;
+  return value < 0 ? std::string()
+                   : "has an array " + std::string(array->GetName() ? array->GetName() : "") +
+      " whose value " + std::to_string(value) + " is not finite";
 }
 
 } // namespace
@@ -135,8 +128,14 @@ std::string WaveformTable::CheckSamples() const
 
 std::string CheckFinite(vtkTable* table)
 {
-  const std::string columns = CheckFinite(table->GetRowData());
-  return columns.empty() ? CheckFinite(table->GetFieldData()) : columns;
+  // other field data may have NaN for what is not known
+  std::string problem = CheckFinite(table->GetFieldData()->GetArray(names::Samples));
+  vtkFieldData* columns = table->GetRowData();
+  for (int i = 0; problem.empty() && i < columns->GetNumberOfArrays(); ++i)
+  {
+    problem = CheckFinite(columns->GetArray(i));
+  }
+  return problem;
 }
 
 } // namespace helios

@@ -333,6 +333,11 @@ def test_temporary_folders_go_away():
     assert folders() <= before
 
 
+def test_limits_of_the_scanner_clip_with_a_warning():
+    with pytest.warns(RuntimeWarning, match='^leg 0: scan_frequency="1" is clipped to 3, '):
+        _scan(scan_frequency=1)
+
+
 @pytest.mark.parametrize(
     "make, error, message",
     [
@@ -365,9 +370,9 @@ def test_temporary_folders_go_away():
         (lambda: vtkhelios.Scene("x"), TypeError, "made of points and triangles, .* not of str"),
         (lambda: _scan(scan_freq=9), TypeError, "scan_freq is neither a setting of a leg"),
         (
-            lambda: _scan(scan_frequency=1),
+            lambda: _scan(scan_frequency=-1),
             vtkhelios.PipelineError,
-            '^leg 0: scan_frequency="1" is below',
+            '^leg 0: scan_frequency="-1.0" is out of range',
         ),
         (lambda: _scan(position=(1,)), ValueError, "give x, y, or x, y, z"),
         (lambda: _scan(scanner="laser"), vtkhelios.PipelineError, "laser"),

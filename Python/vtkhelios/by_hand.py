@@ -7,6 +7,7 @@
 
 import pathlib
 import re
+import warnings
 
 from ._pipeline import PipelineError
 from .scene import Scene
@@ -91,10 +92,14 @@ def make_survey(
     folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
     path = pathlib.Path(folder.name) / "survey.xml"
     path.write_text(text, encoding="utf-8")
-    try:
-        survey = read_survey(path, assets)
-    except PipelineError as error:
-        raise PipelineError([_by_hand(message, path) for message in error.messages]) from None
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            survey = read_survey(path, assets)
+        except PipelineError as error:
+            raise PipelineError([_by_hand(message, path) for message in error.messages]) from None
+    for warning in caught:
+        warnings.warn(_by_hand(str(warning.message), path), warning.category, stacklevel=2)
     survey.path = None
     survey.keeps = (scene, scene.save_for_surveys(), folder)  # as long as it may be run
     return survey

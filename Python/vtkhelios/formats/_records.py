@@ -41,6 +41,7 @@ class RecordReader:
             self.header.vlrs = [
                 each for each in self.header.vlrs if each.user_id.encode() not in NOT_KEPT
             ]
+            self._turn_descriptors()
         except FormatError:
             raise
         except Exception as error:  # whatever laspy raises for bytes that cannot be
@@ -78,7 +79,6 @@ class RecordReader:
             file.seek(header_size)
             data = file.read(self._points_begin - header_size)
             self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
-            self._turn_descriptors()
             self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if self.minor >= 3 else 0
             self.extended = self._find_extended(file, start) if self.minor >= 4 else []
 
