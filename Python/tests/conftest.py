@@ -105,3 +105,14 @@ def small_runs(tmp_path_factory):
         assert cli.main([*map(str, arguments), "--pulses", "--quiet"]) == 0
         runs[kind] = output / "fence"
     return runs
+
+
+@pytest.fixture
+def window():
+    """VTK's output window as it is at first: PyVista, once imported, puts its own there."""
+    from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+    before, own = vtkOutputWindow.GetInstance(), vtkOutputWindow()
+    vtkOutputWindow.SetInstance(own)
+    yield own
+    vtkOutputWindow.SetInstance(before)

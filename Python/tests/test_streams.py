@@ -7,7 +7,6 @@ import subprocess
 import sys
 
 import pytest
-from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 from vtkhelios import cli
 
@@ -114,9 +113,8 @@ def test_reader_that_goes(shell, make_survey, tmp_path):
     expect_run(tmp_path / "out")
 
 
-def test_main_leaves_no_trace(make_survey, tmp_path, capsys):
+def test_main_leaves_no_trace(make_survey, window, capsys):
     """Called in a process again and again: streams, observers and display mode stay as they were."""
-    window = vtkOutputWindow.GetInstance()
     window.SetDisplayModeToAlways()
     streams = sys.stdout, sys.stderr
     tags = []

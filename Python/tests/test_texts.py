@@ -122,7 +122,7 @@ def test_an_observer_keeps_ctrl_c():
             pass
 
 
-def test_an_error_of_python_may_have_such_a_name(capfd):
+def test_an_error_of_python_may_have_such_a_name(window, capfd):
     source = vtkObject()
     with MessageLog() as log:
         log.watch(source)
