@@ -172,7 +172,7 @@ def test_dry_run_of_plays(command_line, make_plays, tmp_path):
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
 def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
     survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices a play
-    more = ["--pulses-per-block", "4096"]
+    more = ["--pulses-per-block", "2048"]
     folder = tmp_path / "out/plane"
     for _ in range(10):  # where the machine is busy a play may be over before the signal comes
         shutil.rmtree(tmp_path / "out", ignore_errors=True)
