@@ -8,7 +8,6 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
-#include <OpenMesh/Tools/Decimater/Observer.hh>
 
 #include <algorithm>
 #include <utility>
@@ -59,11 +58,15 @@ public:
 
   void SetTolerances(const std::vector<double>& tolerances) { this->Tolerances = &tolerances; }
 
+  /// OpenMesh asks for priorities all the time, at its start for every point: there it is stopped.
+  void SetStopCheck(StopCheck& check) { this->Check = &check; }
+
   /// The point that each collapse took out, and the one it went to.
   const std::vector<std::pair<int, int>>& GetHistory() const { return this->History; }
 
   float collapse_priority(const CollapseInfo& info) override
   {
+    this->Check->Count();
     this->Collect(info);
     const bool isLegal = this->KeepsFacing() &&
       std::all_of(this->Samples.begin(), this->Samples.end(),
@@ -203,6 +206,7 @@ private:
   std::vector<std::pair<int, int>> Ends;           ///< of the edges of the patch
   std::vector<bool> IsOriginal;                    ///< edges that are as in the patch
   const std::vector<double>* Tolerances = nullptr; ///< one a vertex
+  StopCheck* Check = nullptr;
   std::vector<std::pair<int, int>> History;
   std::vector<int> First; ///< sample counted to a triangle; -1: none
   std::vector<int> Next;  ///< sample counted to the same triangle
@@ -210,23 +214,6 @@ private:
   std::vector<int> Changed;
   std::vector<Triangle> Before, After; ///< the changed ones
   std::vector<int> Samples;
-};
-
-/// Lets a decimation be stopped.
-class StopObserver : public OpenMesh::Decimater::Observer
-{
-public:
-  explicit StopObserver(const std::function<bool()>& shouldStop)
-    : Observer(1000)
-    , ShouldStop(shouldStop)
-  {
-  }
-  void notify(std::size_t) override { this->IsStopped = this->IsStopped || this->ShouldStop(); }
-  bool abort() const override { return this->IsStopped; }
-
-private:
-  const std::function<bool()>& ShouldStop;
-  bool IsStopped = false;
 };
 
 /// OpenMesh's decimater, which can also do given collapses only.
@@ -261,8 +248,8 @@ public:
 };
 
 /// The patch as half-edges; lists the triangle of each face, and the triangles that do not fit.
-HalfedgeMesh MakeMesh(
-  const Patch& patch, std::vector<vtkIdType>& ofFace, std::vector<vtkIdType>& rejected)
+HalfedgeMesh MakeMesh(const Patch& patch, std::vector<vtkIdType>& ofFace,
+  std::vector<vtkIdType>& rejected, StopCheck& check)
 {
   HalfedgeMesh mesh;
   const std::size_t count = patch.Cells.size();
@@ -277,6 +264,7 @@ HalfedgeMesh MakeMesh(
   const auto handle = [](vtkTypeInt32 id) { return HalfedgeMesh::VertexHandle(id); };
   for (std::size_t i = 0; i < count; ++i)
   {
+    check.Count();
     const vtkTypeInt32* c = &patch.Corners[3 * i];
     const bool fits = mesh.add_face(handle(c[0]), handle(c[1]), handle(c[2])).is_valid();
     (fits ? ofFace : rejected).push_back(static_cast<vtkIdType>(i));
@@ -333,12 +321,11 @@ MeshDecimation::MeshDecimation(const Patch& patch)
 {
 }
 
-DecimatedPatch MeshDecimation::Run(
-  const std::vector<double>& tolerances, const std::function<bool()>& shouldStop)
+DecimatedPatch MeshDecimation::Run(const std::vector<double>& tolerances, StopCheck& check)
 {
   std::vector<vtkIdType> ofFace;
   std::vector<vtkIdType> rejected;
-  HalfedgeMesh mesh = MakeMesh(this->Source, ofFace, rejected);
+  HalfedgeMesh mesh = MakeMesh(this->Source, ofFace, rejected, check);
 
   Decimater decimater(mesh);
   OpenMesh::Decimater::ModQuadricT<HalfedgeMesh>::Handle quadric;
@@ -347,9 +334,9 @@ DecimatedPatch MeshDecimation::Run(
   decimater.add(distance);
   decimater.module(quadric).unset_max_err();
   decimater.module(distance).SetTolerances(tolerances);
-  StopObserver observer(shouldStop);
-  decimater.set_observer(&observer);
+  decimater.module(distance).SetStopCheck(check);
   decimater.initialize();
+  check.Ask();
   decimater.Repeat(this->History);
   decimater.decimate();
   this->History = decimater.module(distance).GetHistory();

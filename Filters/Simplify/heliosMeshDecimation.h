@@ -6,10 +6,10 @@
 #define heliosMeshDecimation_h
 
 #include "heliosPose.h"
+#include "heliosStopCheck.h"
 
 #include <vtkType.h>
 
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -40,16 +40,15 @@ struct DecimatedPatch
  * Takes points out, the least quadric error first (M. Garland, P. Heckbert 1997, OpenMesh's
  * ModQuadric), as long as every point taken out, and the middle of every edge, is within its tolerance of the triangle it is
  * counted to and no triangle turns its face. Run again, it repeats what it did as far as the
- * tolerances still allow it, which takes a fraction of the time. Asks shouldStop() now and then;
- * what it leaves then is of no use.
+ * tolerances still allow it, which takes a fraction of the time. Throws Stopped where it
+ * is told to stop.
  */
 class MeshDecimation
 {
 public:
   explicit MeshDecimation(const Patch& patch);
 
-  DecimatedPatch Run(
-    const std::vector<double>& tolerances, const std::function<bool()>& shouldStop);
+  DecimatedPatch Run(const std::vector<double>& tolerances, StopCheck& check);
 
 private:
   const Patch& Source;

@@ -47,7 +47,7 @@ vtkTypeInt32 GetNextCorner(vtkIdType corner)
 
 } // namespace
 
-MeshPatches::MeshPatches(const PatchSource& source)
+MeshPatches::MeshPatches(const PatchSource& source, StopCheck& check)
   : Source(source)
   , Fans(source.Corners.size())
   , Components(source.Parts.size())
@@ -55,13 +55,15 @@ MeshPatches::MeshPatches(const PatchSource& source)
 {
   std::iota(this->Fans.begin(), this->Fans.end(), 0);
   std::iota(this->Components.begin(), this->Components.end(), 0);
-  this->Join();
+  this->Join(check);
+  check.Ask();
   this->Lock();
+  check.Ask();
   this->Sort();
 }
 
 /// Joins triangles and their corners across edges, and locks the points of all other edges.
-void MeshPatches::Join()
+void MeshPatches::Join(StopCheck& check)
 {
   const vtkTypeInt32* corners = this->Source.Corners.data();
   const Triangles triangles = { corners, this->Source.Parts.data(),
@@ -70,6 +72,7 @@ void MeshPatches::Join()
   ForEachEdge(SortSides(triangles),
     [&](const SideRecord* first, const SideRecord* last)
     {
+      check.Count();
       const bool isPair = last - first == 2 &&
         IsAscending(first[0], corners) != IsAscending(first[1], corners) &&
         this->Source.Materials[first[0].Use / 3] == this->Source.Materials[first[1].Use / 3];
@@ -166,7 +169,7 @@ void MeshPatches::Sort()
   }
 }
 
-Patch MeshPatches::MakePatch(std::size_t patch) const
+Patch MeshPatches::MakePatch(std::size_t patch, StopCheck& check) const
 {
   Patch result;
   result.Cells.assign(
@@ -177,6 +180,7 @@ Patch MeshPatches::MakePatch(std::size_t patch) const
   copies.reserve(result.Cells.size());
   for (const vtkIdType cell : result.Cells)
   {
+    check.Count();
     for (vtkIdType k = 3 * cell; k < 3 * cell + 3; ++k)
     {
       const auto next = static_cast<vtkTypeInt32>(result.Points.size());

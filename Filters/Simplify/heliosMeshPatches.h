@@ -32,7 +32,8 @@ struct PatchSource
 class MeshPatches
 {
 public:
-  explicit MeshPatches(const PatchSource& source);
+  /// Throws Stopped, as MakePatch() does, where it is told to stop.
+  MeshPatches(const PatchSource& source, StopCheck& check);
 
   /// Number of triangles at edges of more than two triangles.
   vtkIdType GetNumberOfNonManifoldTriangles() const { return this->NonManifold; }
@@ -47,11 +48,11 @@ public:
   {
     return static_cast<vtkIdType>(this->Begins[patch + 1] - this->Begins[patch]);
   }
-  Patch MakePatch(std::size_t patch) const;
+  Patch MakePatch(std::size_t patch, StopCheck& check) const;
   ///@}
 
 private:
-  void Join();
+  void Join(StopCheck& check);
   void Lock();
   void Sort();
 

@@ -52,16 +52,17 @@ void Tighten(
 
 } // namespace
 
-SimplifiedPatch Simplify(const Patch& patch, double limit, const std::function<bool()>& shouldStop)
+SimplifiedPatch Simplify(const Patch& patch, double limit, StopCheck& check)
 {
   const double allowed = std::max(limit, GetRounding(patch));
   std::vector<double> tolerances(patch.Points.size(), FirstTolerance * allowed);
   MeshDecimation decimation(patch);
-  PatchVerifier verifier(patch, allowed);
+  PatchVerifier verifier(patch, allowed, check);
   SimplifiedPatch result;
-  for (int round = 0; round < NumberOfRounds && !shouldStop(); ++round)
+  for (int round = 0; round < NumberOfRounds; ++round)
   {
-    result.Mesh = decimation.Run(tolerances, shouldStop);
+    check.Ask();
+    result.Mesh = decimation.Run(tolerances, check);
     if (result.Mesh.Triangles.size() == patch.Cells.size())
     {
       break;

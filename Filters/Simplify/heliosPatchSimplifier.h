@@ -7,8 +7,6 @@
 
 #include "heliosMeshDecimation.h"
 
-#include <functional>
-
 namespace helios
 {
 
@@ -22,9 +20,9 @@ struct SimplifiedPatch
 /**
  * Decimates, bounds the distance of each changed triangle from the other surface, in both
  * directions, locks the triangles where that exceeds the limit and begins anew; leaves the patch as
- * it is in the end. Asks shouldStop() now and then; what it leaves then is of no use.
+ * it is in the end. Throws Stopped where it is told to stop.
  */
-SimplifiedPatch Simplify(const Patch& patch, double limit, const std::function<bool()>& shouldStop);
+SimplifiedPatch Simplify(const Patch& patch, double limit, StopCheck& check);
 
 } // namespace helios
 

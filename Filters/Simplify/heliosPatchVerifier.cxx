@@ -5,6 +5,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 
 namespace helios
@@ -12,6 +13,25 @@ namespace helios
 
 namespace
 {
+
+/// Triangles measured between two questions whether to stop: so many as take some 0.05 s.
+class Portion
+{
+public:
+  vtkIdType Get() const { return this->Size; }
+
+  template <typename WorkT>
+  void Run(WorkT&& work)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const bool isShort = std::chrono::steady_clock::now() - start < std::chrono::milliseconds(50);
+    this->Size = std::clamp<vtkIdType>(isShort ? 2 * this->Size : this->Size / 2, 64, 65536);
+  }
+
+private:
+  vtkIdType Size = 1024;
+};
 
 std::vector<Triangle> GetTriangles(const Patch& patch)
 {
@@ -31,11 +51,12 @@ bool IsSame(const Triangle& a, const Triangle& b)
 
 } // namespace
 
-PatchVerifier::PatchVerifier(const Patch& patch, double limit)
+PatchVerifier::PatchVerifier(const Patch& patch, double limit, StopCheck& check)
   : Source(patch)
   , Limit(limit)
+  , Stop(check)
   , Before(GetTriangles(patch))
-  , Surface(this->Before)
+  , Surface(this->Before, check)
   , After(this->Before)
   , Places(this->Before.size())
   , IsNew(this->Before.size())
@@ -96,16 +117,24 @@ bool PatchVerifier::NeedsCheck(const Result& result) const
 void PatchVerifier::Check(const std::vector<vtkIdType>& which, const std::vector<Triangle>& from,
   const SurfaceDistance& to, const std::vector<vtkIdType>& hints, std::vector<Result>& results)
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(which.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  const auto measure = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (; begin < end; ++begin)
     {
-      for (; begin < end; ++begin)
-      {
-        const auto triangle = static_cast<std::size_t>(which[static_cast<std::size_t>(begin)]);
-        results[triangle] =
-          to.Measure(from[triangle], this->Limit, this->Limit / 8.0, hints[triangle]);
-      }
-    });
+      const auto triangle = static_cast<std::size_t>(which[static_cast<std::size_t>(begin)]);
+      results[triangle] =
+        to.Measure(from[triangle], this->Limit, this->Limit / 8.0, hints[triangle]);
+    }
+  };
+  const auto count = static_cast<vtkIdType>(which.size());
+  Portion portion;
+  for (vtkIdType begin = 0; begin < count;)
+  {
+    this->Stop.Ask();
+    const vtkIdType end = std::min(count, begin + portion.Get());
+    portion.Run([&]() { vtkSMPTools::For(begin, end, measure); });
+    begin = end;
+  }
 }
 
 /// From the patch to the decimation.
@@ -128,7 +157,8 @@ void PatchVerifier::CheckThere(const DecimatedPatch& mesh)
       which.push_back(static_cast<vtkIdType>(i));
     }
   }
-  this->Check(which, this->Before, SurfaceDistance(std::move(surface)), hints, this->There);
+  this->Check(
+    which, this->Before, SurfaceDistance(std::move(surface), this->Stop), hints, this->There);
   for (const vtkIdType triangle : which)
   {
     Result& result = this->There[static_cast<std::size_t>(triangle)];

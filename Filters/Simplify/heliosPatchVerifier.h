@@ -21,7 +21,8 @@ namespace helios
 class PatchVerifier
 {
 public:
-  PatchVerifier(const Patch& patch, double limit);
+  /// Throws Stopped, here and later, where it is told to stop.
+  PatchVerifier(const Patch& patch, double limit, StopCheck& check);
 
   /// Whether both directions are within the limit.
   bool Verify(const DecimatedPatch& mesh);
@@ -43,6 +44,7 @@ private:
 
   const Patch& Source;
   double Limit;
+  StopCheck& Stop;
   std::vector<Triangle> Before;
   SurfaceDistance Surface; ///< of the patch
 

@@ -197,14 +197,37 @@ class SurfaceDistance::Tree
   };
 
 public:
-  explicit Tree(const std::vector<Triangle>& surface)
+  /// Sorts primitives as CGAL does, and lets that be stopped.
+  class Split
+  {
+  public:
+    Split(const Traits& traits, StopCheck& check)
+      : Sort(traits.split_primitives_object())
+      , Check(check)
+    {
+    }
+    template <typename IteratorT>
+    void operator()(IteratorT first, IteratorT last, const CGAL::Bbox_3& box) const
+    {
+      this->Check.Count(static_cast<std::size_t>(last - first) / 8);
+      this->Sort(first, last, box);
+    }
+
+  private:
+    Traits::Split_primitives Sort;
+    StopCheck& Check;
+  };
+
+  Tree(const std::vector<Triangle>& surface, StopCheck& check)
     : First(surface.data())
   {
     for (const Triangle& triangle : surface)
     {
+      check.Count();
       this->Boxes.insert(Primitive(&triangle));
     }
-    this->Boxes.build();
+    const Traits& traits = this->Boxes.traits();
+    this->Boxes.custom_build(traits.compute_bbox_object(), Split(traits, check));
   }
 
   /// The triangle nearest to a point, given one that is not far.
@@ -365,9 +388,9 @@ void SurfaceDistance::Result::Use(vtkIdType triangle)
 }
 
 //------------------------------------------------------------------------------
-SurfaceDistance::SurfaceDistance(std::vector<Triangle> surface)
+SurfaceDistance::SurfaceDistance(std::vector<Triangle> surface, StopCheck& check)
   : Surface(std::move(surface))
-  , Boxes(std::make_unique<Tree>(this->Surface))
+  , Boxes(std::make_unique<Tree>(this->Surface, check))
 {
 }
 

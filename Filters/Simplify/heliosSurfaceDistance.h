@@ -6,6 +6,7 @@
 #define heliosSurfaceDistance_h
 
 #include "heliosPose.h"
+#include "heliosStopCheck.h"
 
 #include <vtkType.h>
 
@@ -32,7 +33,8 @@ double GetDistance(const Vec3& point, const Triangle& triangle);
 class SurfaceDistance
 {
 public:
-  explicit SurfaceDistance(std::vector<Triangle> surface);
+  /// Throws Stopped where it is told to stop.
+  SurfaceDistance(std::vector<Triangle> surface, StopCheck& check);
   ~SurfaceDistance();
   SurfaceDistance(const SurfaceDistance&) = delete;
   void operator=(const SurfaceDistance&) = delete;

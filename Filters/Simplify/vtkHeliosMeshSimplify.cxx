@@ -5,6 +5,7 @@
 #include "heliosMeshPatches.h"
 #include "heliosPatchSimplifier.h"
 #include "heliosSceneSubset.h"
+#include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosMeshRepair.h"
@@ -86,7 +87,8 @@ public:
   Run(vtkHeliosMeshSimplify* self, helios::PatchSource& source)
     : Self(self)
     , Source(source)
-    , Patches(source)
+    , Check([this]() { return this->Report(); })
+    , Patches(source, this->Check)
     , IsKept(source.Parts.size(), 0)
     , Results(this->Patches.GetNumberOfPatches())
   {
@@ -97,20 +99,18 @@ public:
     this->Corners = source.Corners;
   }
 
-  /// False if it was told to stop.
-  bool Execute()
+  /// Throws helios::Stopped where it was told to stop.
+  void Execute()
   {
     const std::size_t count = this->Results.size();
     std::size_t begin = 0;
     for (; begin < count && this->Patches.GetNumberOfTriangles(begin) >= Large; ++begin)
     {
-      if (!this->Simplify(begin, [this]() { return this->Report(); }))
-      {
-        return false;
-      }
+      this->Simplify(begin, this->Check);
     }
-    while (begin < count && !this->Report())
+    while (begin < count)
     {
+      this->Check.Ask();
       std::size_t end = begin; // a share of about a large patch
       for (vtkIdType size = 0; end < count && size < 4 * Large; ++end)
       {
@@ -119,14 +119,15 @@ public:
       vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), 1,
         [this](vtkIdType first, vtkIdType last)
         {
+          helios::StopCheck never([]() { return false; });
           for (; first < last; ++first)
           {
-            this->Simplify(static_cast<std::size_t>(first), []() { return false; });
+            this->Simplify(static_cast<std::size_t>(first), never);
           }
         });
       begin = end;
     }
-    return !this->Self->GetAbortExecute();
+    this->Check.Ask();
   }
 
   void Finish(vtkPolyData* scene, vtkPolyData* output)
@@ -170,15 +171,15 @@ private:
   bool Report()
   {
     this->Self->UpdateProgress(
-      0.2 + 0.7 * static_cast<double>(this->Done) / static_cast<double>(this->IsKept.size()));
+      0.2 + 0.7 * static_cast<double>(this->Done) / static_cast<double>(this->Source.Parts.size()));
     return this->Self->GetAbortExecute() != 0;
   }
 
-  bool Simplify(std::size_t index, const std::function<bool()>& shouldStop)
+  void Simplify(std::size_t index, helios::StopCheck& check)
   {
-    const helios::Patch patch = this->Patches.MakePatch(index);
+    const helios::Patch patch = this->Patches.MakePatch(index, check);
     const helios::SimplifiedPatch result =
-      helios::Simplify(patch, this->Self->MaximumDistance, shouldStop);
+      helios::Simplify(patch, this->Self->MaximumDistance, check);
     this->Results[index] = { result.Distance, result.IsUntouched, result.Mesh.Rejected };
     for (std::size_t i = 0; i < result.Mesh.Triangles.size(); ++i)
     {
@@ -189,16 +190,16 @@ private:
         [&patch](vtkTypeInt32 corner) { return patch.PointIds[corner]; });
     }
     this->Done += static_cast<vtkIdType>(patch.Cells.size());
-    return !this->Self->GetAbortExecute();
   }
 
   vtkHeliosMeshSimplify* Self;
   const helios::PatchSource& Source;
+  std::atomic<vtkIdType> Done{ 0 }; ///< triangles
+  helios::StopCheck Check;
   helios::MeshPatches Patches;
   std::vector<unsigned char> IsKept;
   std::vector<vtkTypeInt32> Corners;
   std::vector<Summary> Results;
-  std::atomic<vtkIdType> Done{ 0 };
 };
 
 //------------------------------------------------------------------------------
@@ -259,12 +260,16 @@ int vtkHeliosMeshSimplify::RequestData(
   mesh.Set(scene);
   helios::PatchSource source = MakeSource(scene, mesh);
   const Silence silence;
-  Run run(this, source);
-  if (!run.Execute())
+  try
+  {
+    Run run(this, source);
+    run.Execute();
+    run.Finish(scene, output);
+  }
+  catch (const helios::Stopped&)
   {
     return this->Abort();
   }
-  run.Finish(scene, output);
   return 1;
 }
 

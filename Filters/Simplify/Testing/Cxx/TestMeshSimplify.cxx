@@ -579,3 +579,55 @@ TEST_CASE("MeshSimplify: stops while the scene is repaired, too", "[MeshSimplify
   CHECK(simplify->GetOutput()->GetNumberOfCells() == 0);
   CHECK(log->HasError("The work was aborted at 2.5 %; update again for the whole"));
 }
+
+namespace
+{
+
+/// Counts the progress events of the work itself, and aborts at one of them.
+struct CountedEvents
+{
+  int Count = 0;
+  int Last = VTK_INT_MAX;
+
+  static void Take(vtkObject* caller, unsigned long, void* self, void*)
+  {
+    auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+    auto* events = static_cast<CountedEvents*>(self);
+    events->Count += algorithm->GetProgress() >= 0.2;
+    algorithm->SetAbortExecute(events->Count >= events->Last);
+  }
+};
+
+} // namespace
+
+TEST_CASE("MeshSimplify: stops at any time within one large patch", "[MeshSimplify]")
+{
+  const auto scene = OfOneKind(MakeGrid(160, 0.125, Hills)); // 51,200 triangles
+  const auto run = [&scene](int last, helios::ErrorObserver* log)
+  {
+    CountedEvents events;
+    events.Last = last;
+    vtkNew<vtkHeliosMeshSimplify> simplify;
+    simplify->SetInputData(scene);
+    simplify->SetMaximumDistance(1e-9); // nothing can be taken out: it is all looking
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetClientData(&events);
+    stop->SetCallback(CountedEvents::Take);
+    simplify->AddObserver(vtkCommand::ProgressEvent, stop);
+    log->Watch(simplify);
+    log->Watch(simplify->GetExecutive());
+    simplify->Update();
+    CHECK((simplify->GetOutput()->GetNumberOfCells() == 0) == (last < VTK_INT_MAX));
+    return events.Count;
+  };
+  const auto none = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+  const int all = run(VTK_INT_MAX, none);
+  REQUIRE(all > 20);
+  for (int last = 1; last < all; last += 3)
+  {
+    CAPTURE(last, all);
+    const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
+    CHECK(run(last, log) == last);
+    CHECK(log->HasError("The work was aborted at 20 %; update again for the whole"));
+  }
+}
