@@ -40,6 +40,15 @@ helios::Pose ToPose(const double position[3], const double q[4])
   return pose;
 }
 
+/// Half of a result is none.
+void ClearOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
 } // namespace
 
 /// The model of the kernel, and what keeps its pointers alive.
@@ -421,26 +430,32 @@ int vtkHeliosScanner::RequestData(
 bool vtkHeliosScanner::RunPulses(
   const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs)
 {
-  const auto goesOn = [this](double share)
+  bool isAborted = false;
+  const auto goesOn = [this, &isAborted](double share)
   {
     this->UpdateProgress(share);
-    return !this->GetAbortExecute();
+    isAborted = this->GetAbortExecute() != 0;
+    return !isAborted;
   };
   helios::ScanOutput output(scan.Model, { this->LegId, this->ChannelId }, last - first, outputs);
   const auto take = [&output](const std::vector<helios::ChunkResult>& chunks)
   { output.Add(chunks); };
   const helios::ScanCounts sum = helios::RunScan(scan.Model, first, last, goesOn, take);
   output.Finish();
+  if (isAborted)
+  {
+    vtkErrorMacro(<< "The scan was aborted at " << 100.0 * this->GetProgress()
+                  << " %; update again for the whole");
+    ClearOutputs(outputs);
+    return false;
+  }
   const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
   this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
   if (this->CheckErrorTerms(sum))
   {
     return true;
   }
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
+  ClearOutputs(outputs);
   return false;
 }
 

@@ -4,6 +4,7 @@
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosRotatingMirror.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkIntArray.h>
@@ -206,4 +207,36 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     bench.Scanner->SetInputData(1, path);
     expect("go back at sample 1");
   }
+}
+
+TEST_CASE("Scanner: aborted it says so and gives nothing, then all again", "[Scanner]")
+{
+  Bench bench(MakeScene({ Wall(50, 1000) }));
+  bench.Scanner->SetDuration(1.0); // several batches of pulses
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  bench.Scanner->GenerateWaveformsOn();
+  bench.Scanner->GeneratePulsesOn();
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* scanner = static_cast<vtkAlgorithm*>(caller);
+      scanner->SetAbortExecute(scanner->GetProgress() > 0.0);
+    });
+  const unsigned long tag = bench.Scanner->AddObserver(vtkCommand::ProgressEvent, stop);
+  CHECK(bench.Run()->GetNumberOfPoints() == 0);
+  CHECK(bench.Log->HasError("The scan was aborted at "));
+  CHECK(bench.Log->HasError(" %; update again for the whole"));
+  for (int port = 0; port < bench.Scanner->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* output = bench.Scanner->GetOutputDataObject(port);
+    CHECK(output->GetNumberOfElements(vtkDataObject::POINT) == 0);
+    CHECK(output->GetNumberOfElements(vtkDataObject::ROW) == 0);
+  }
+
+  bench.Log->Clear();
+  bench.Scanner->RemoveObserver(tag);
+  bench.Scanner->Modified();
+  CHECK(bench.Run()->GetNumberOfPoints() == 100000);
+  CHECK(bench.Log->Errors.empty());
 }
