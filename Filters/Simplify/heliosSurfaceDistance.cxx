@@ -197,27 +197,6 @@ class SurfaceDistance::Tree
   };
 
 public:
-  /// Sorts primitives as CGAL does, and lets that be stopped.
-  class Split
-  {
-  public:
-    Split(const Traits& traits, StopCheck& check)
-      : Sort(traits.split_primitives_object())
-      , Check(check)
-    {
-    }
-    template <typename IteratorT>
-    void operator()(IteratorT first, IteratorT last, const CGAL::Bbox_3& box) const
-    {
-      this->Check.Count(static_cast<std::size_t>(last - first) / 8);
-      this->Sort(first, last, box);
-    }
-
-  private:
-    Traits::Split_primitives Sort;
-    StopCheck& Check;
-  };
-
   Tree(const std::vector<Triangle>& surface, StopCheck& check)
     : First(surface.data())
   {
@@ -227,7 +206,9 @@ public:
       this->Boxes.insert(Primitive(&triangle));
     }
     const Traits& traits = this->Boxes.traits();
-    this->Boxes.custom_build(traits.compute_bbox_object(), Split(traits, check));
+    using Split = StoppableSplit<Traits::Split_primitives>;
+    this->Boxes.custom_build(
+      traits.compute_bbox_object(), Split(traits.split_primitives_object(), check));
   }
 
   /// The triangle nearest to a point, given one that is not far.

@@ -326,11 +326,35 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
   }
   const std::string fault =
     helios::PrepareScene(vtkPolyData::GetData(inputs[0]), grids, this->RayCaster, scan.Model);
-  if (!fault.empty())
+  if (!fault.empty() && !this->GetAbortExecute())
   {
     vtkErrorMacro(<< fault);
   }
   return fault.empty();
+}
+
+//------------------------------------------------------------------------------
+/// Scene and beam, which take time: an abort is heard meanwhile.
+bool vtkHeliosScanner::PrepareSearch(vtkInformationVector** inputs, Scan& scan)
+{
+  const auto shouldStop = [this]()
+  {
+    this->UpdateProgress(0.0);
+    return this->GetAbortExecute() != 0;
+  };
+  this->RayCaster->SetShouldStop(shouldStop);
+  const bool isReady = this->PrepareScene(inputs, scan);
+  if (isReady)
+  {
+    this->PrepareBeam(scan);
+  }
+  this->RayCaster->SetShouldStop(nullptr);
+  if (this->GetAbortExecute())
+  {
+    vtkErrorMacro(<< "The scan was aborted at 0 %; update again for the whole");
+    return false;
+  }
+  return isReady;
 }
 
 //------------------------------------------------------------------------------
@@ -406,11 +430,11 @@ int vtkHeliosScanner::RequestData(
 {
   Scan scan;
   if (!this->CheckSettings() || !this->PrepareSources(vtkPolyData::GetData(inputs[1]), scan) ||
-    !this->PreparePulses(scan) || !this->PrepareScene(inputs, scan) || !this->PrepareReceiver(scan))
+    !this->PreparePulses(scan) || !this->PrepareReceiver(scan) ||
+    !this->PrepareSearch(inputs, scan))
   {
     return 0;
   }
-  this->PrepareBeam(scan);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   const int port = std::max(0, request->Get(Pipeline::FROM_OUTPUT_PORT()));
   vtkInformation* info = outputs->GetInformationObject(port);

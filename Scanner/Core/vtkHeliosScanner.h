@@ -363,6 +363,7 @@ private:
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
   bool PrepareScene(vtkInformationVector** inputs, Scan& scan);
+  bool PrepareSearch(vtkInformationVector** inputs, Scan& scan);
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);

@@ -37,12 +37,13 @@ struct BeamTree::Share
 class BeamTree::Collapse
 {
 public:
-  explicit Collapse(const Bvh& binary)
+  Collapse(const Bvh& binary, StopCheck& check)
     : Binary(binary)
     , Shares(binary.Nodes.size())
   {
     for (std::size_t i = this->Shares.size(); i-- > 0;) // children come after their parents
     {
+      check.Count();
       this->SetShare(this->Shares[i], binary.Nodes[i]);
     }
   }
@@ -130,7 +131,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void BeamTree::Build(const TriangleMesh& mesh)
+void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   *this = BeamTree();
   this->Mesh = &mesh;
@@ -167,7 +168,8 @@ void BeamTree::Build(const TriangleMesh& mesh)
     (isInside ? inside : outside).push_back(i);
   }
   this->HasOutliers = !outside.empty();
-  this->Outliers.Build(mesh, std::move(outside));
+  check.Ask();
+  this->Outliers.Build(mesh, std::move(outside), check);
   if (inside.empty())
   {
     return;
@@ -182,8 +184,8 @@ void BeamTree::Build(const TriangleMesh& mesh)
   }
   this->Scale = std::ldexp(1.0, -std::ilogb(largest) - 1);
   Bvh binary;
-  binary.Build(mesh, std::move(inside));
-  this->MakeNode(binary, Collapse(binary), 0);
+  binary.Build(mesh, std::move(inside), check);
+  this->MakeNode(binary, Collapse(binary, check), 0, check);
   this->Nodes.shrink_to_fit();
   this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read beyond the last
   this->Leaves.shrink_to_fit();
@@ -210,8 +212,10 @@ vtkTypeUInt32 BeamTree::MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeI
 }
 
 /// Makes a wide node of a binary one.
-vtkTypeUInt32 BeamTree::MakeNode(const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index)
+vtkTypeUInt32 BeamTree::MakeNode(
+  const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check)
 {
+  check.Count();
   Collapse::Child children[Width];
   const int count = collapse.GetChildren(index, children);
   const auto made = static_cast<vtkTypeUInt32>(this->Nodes.size());
@@ -226,7 +230,7 @@ vtkTypeUInt32 BeamTree::MakeNode(const Bvh& binary, const Collapse& collapse, vt
     const int side = children[i].Side;
     const vtkTypeUInt32 child = b.Count[side] > 0
       ? this->MakeLeaf(binary, b.First[side], b.Count[side])
-      : this->MakeNode(binary, collapse, b.First[side]);
+      : this->MakeNode(binary, collapse, b.First[side], check);
     Node& n = this->Nodes[made]; // only now: making nodes moves them
     for (int axis = 0; axis < 3; ++axis)
     {

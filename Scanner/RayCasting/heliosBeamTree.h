@@ -64,8 +64,8 @@ public:
   static constexpr vtkIdType MaximumTriangles = 200000000;
 
   /// Over the triangles of a mesh that have an area; the mesh must outlive it. Empty if there are
-  /// too many.
-  void Build(const TriangleMesh& mesh);
+  /// too many. Throws Stopped where it is told to stop, and is of no use then.
+  void Build(const TriangleMesh& mesh, StopCheck& check);
 
   /// The first hits of beams, each of so many rays.
   void Intersect(
@@ -126,7 +126,8 @@ private:
   static constexpr vtkTypeUInt32 LeafBit = 0x80000000u;
 
   vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
-  vtkTypeUInt32 MakeNode(const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index);
+  vtkTypeUInt32 MakeNode(
+    const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
   void Prefetch(vtkTypeUInt32 child) const;
   bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;

@@ -105,15 +105,17 @@ struct Binning
 class Bvh::Builder
 {
 public:
-  Builder(std::vector<Primitive>& primitives, std::vector<Node>& nodes)
+  Builder(std::vector<Primitive>& primitives, std::vector<Node>& nodes, StopCheck& check)
     : Primitives(primitives)
     , Nodes(nodes)
+    , Check(check)
   {
   }
 
   /// Makes the node of at least two primitives; returns its index.
   vtkTypeInt32 MakeNode(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
   {
+    this->Check.Count(1 + static_cast<std::size_t>(last - first) / 32);
     const vtkTypeInt32 middle = this->Part(first, last, depth);
     const vtkTypeInt32 index = static_cast<vtkTypeInt32>(this->Nodes.size());
     this->Nodes.emplace_back();
@@ -224,9 +226,10 @@ private:
 
   std::vector<Primitive>& Primitives;
   std::vector<Node>& Nodes;
+  StopCheck& Check;
 };
 
-void Bvh::Build(const TriangleMesh& mesh)
+void Bvh::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   std::vector<vtkTypeInt32> triangles;
   triangles.reserve(static_cast<std::size_t>(mesh.GetNumberOfTriangles()));
@@ -237,10 +240,10 @@ void Bvh::Build(const TriangleMesh& mesh)
       triangles.push_back(i);
     }
   }
-  this->Build(mesh, std::move(triangles));
+  this->Build(mesh, std::move(triangles), check);
 }
 
-void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles)
+void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, StopCheck& check)
 {
   this->Mesh = &mesh;
   this->Order = std::move(triangles);
@@ -251,7 +254,7 @@ void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles)
   {
     primitives[i] = { GetBox(mesh, this->Order[i]), this->Order[i] };
   }
-  Builder builder(primitives, this->Nodes);
+  Builder builder(primitives, this->Nodes, check);
   if (count > 1)
   {
     builder.MakeNode(0, count, 0);

@@ -6,6 +6,7 @@
 #define heliosBvh_h
 
 #include "heliosPose.h"
+#include "heliosStopCheck.h"
 #include "heliosTriangleTest.h"
 
 #include <vtkType.h>
@@ -26,10 +27,16 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT Bvh
 {
 public:
   /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  void Build(const TriangleMesh& mesh);
+  /// Both throw Stopped where they are told to stop; it is of no use then until it is built anew.
+  void Build(const TriangleMesh& mesh, StopCheck& check);
+  void Build(const TriangleMesh& mesh)
+  {
+    StopCheck never(nullptr);
+    this->Build(mesh, never);
+  }
 
   /// Over some triangles of a mesh, all of which have an area.
-  void Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles);
+  void Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, StopCheck& check);
 
   /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.
   vtkHeliosHit Intersect(const TestRay& ray) const;

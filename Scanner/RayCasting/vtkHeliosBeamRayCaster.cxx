@@ -35,7 +35,7 @@ bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
                   << "; use \"embree\" or \"bvh\", or a part of the scene.");
     return false;
   }
-  this->Tree->Build(mesh);
+  this->Tree->Build(mesh, this->GetStopCheck());
   return true;
 }
 

@@ -26,7 +26,7 @@ void vtkHeliosBvhRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosBvhRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 {
-  this->Tree->Build(mesh);
+  this->Tree->Build(mesh, this->GetStopCheck());
   return true;
 }
 

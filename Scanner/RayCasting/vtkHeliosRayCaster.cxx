@@ -4,6 +4,7 @@
 
 #include "heliosBeamTree.h"
 #include "heliosConeProbe.h"
+#include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -78,7 +79,8 @@ const char* vtkHeliosRayCaster::GetBackendName(int index)
 }
 
 vtkHeliosRayCaster::vtkHeliosRayCaster()
-  : Mesh(new helios::TriangleMesh)
+  : Check(new helios::StopCheck(nullptr))
+  , Mesh(new helios::TriangleMesh)
 {
 }
 
@@ -109,7 +111,7 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
     vtkErrorMacro(<< "Build: " << problem << ".");
     return false;
   }
-  if (!this->BuildAccelerator(*this->Mesh))
+  if (!this->TryToBuild())
   {
     *this->Mesh = helios::TriangleMesh();
     return false;
@@ -119,6 +121,28 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   this->BuiltPolys = scene->GetPolys();
   this->BuiltTime = scene->GetMTime();
   return true;
+}
+
+/// Forgets what is half done where it was told to stop.
+bool vtkHeliosRayCaster::TryToBuild()
+{
+  try
+  {
+    this->Check->Ask();
+    return this->BuildAccelerator(*this->Mesh);
+  }
+  catch (const helios::Stopped&)
+  {
+    this->BuildAccelerator(helios::TriangleMesh());
+    vtkErrorMacro(<< "Build: aborted; build again.");
+    return false;
+  }
+}
+
+void vtkHeliosRayCaster::SetShouldStop(const std::function<bool()>& shouldStop)
+{
+  this->ShouldStop = shouldStop;
+  *this->Check = helios::StopCheck(shouldStop);
 }
 
 bool vtkHeliosRayCaster::IsBuilt(vtkPolyData* scene) const
@@ -194,8 +218,16 @@ void vtkHeliosRayCaster::PrepareConeProbe()
     const vtkIdType count = this->Mesh->GetNumberOfTriangles();
     if (!this->ConeTree && count <= helios::BeamTree::MaximumTriangles)
     {
-      this->OwnConeTree.reset(new helios::BeamTree);
-      this->OwnConeTree->Build(*this->Mesh);
+      auto tree = std::make_unique<helios::BeamTree>();
+      try
+      {
+        tree->Build(*this->Mesh, *this->Check);
+      }
+      catch (const helios::Stopped&)
+      {
+        return;
+      }
+      this->OwnConeTree = std::move(tree);
       this->ConeTree = this->OwnConeTree.get();
     }
   }

@@ -24,8 +24,9 @@
 #include "vtkObject.h"
 #include "vtkWeakPointer.h" // For the scene it was built from
 
-#include <limits> // For an endless ray
-#include <memory> // For the private mesh
+#include <functional> // For the question whether to stop
+#include <limits>     // For an endless ray
+#include <memory>     // For the private mesh
 
 class vtkCellArray;
 class vtkDoubleArray;
@@ -36,6 +37,7 @@ class vtkPolyData;
 namespace helios
 {
 class BeamTree;
+class StopCheck;
 class TriangleMesh;
 }
 
@@ -160,6 +162,14 @@ public:
   /// Adds a backend to those that Create() knows; the one with the highest priority is the default.
   static bool Register(const char* name, int priority, Factory create);
 
+  /**
+   * What Build() and PrepareConeProbe() ask some ten times a second, in the thread that called
+   * them; null: nothing. Where it says true, Build() ends with an error, and both leave the caster
+   * as if they had not been called, but for the scene before. vtkHeliosObbTreeRayCaster asks at its
+   * start only.
+   */
+  void SetShouldStop(const std::function<bool()>& shouldStop);
+
   /// The triangles it was built from.
   const helios::TriangleMesh& GetMesh() const
   {
@@ -174,6 +184,19 @@ protected:
   /// Makes the accelerator of the mesh; false after an error.
   virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
 
+#ifndef __VTK_WRAP__
+  /// To be asked while an accelerator is built: it throws out of BuildAccelerator().
+  helios::StopCheck& GetStopCheck()
+  {
+    return *this->Check;
+  }
+
+  const std::function<bool()>& GetShouldStop() const
+  {
+    return this->ShouldStop;
+  }
+#endif
+
   /// The accelerator, if it is what ProbeCone() needs.
   virtual const helios::BeamTree* GetBeamTree() const
   {
@@ -187,6 +210,10 @@ private:
   /// Whether the accelerator is that of a scene, or of another one with the same triangles.
   bool IsBuilt(vtkPolyData* scene) const;
 
+  bool TryToBuild();
+
+  std::function<bool()> ShouldStop;
+  std::unique_ptr<helios::StopCheck> Check;
   std::unique_ptr<helios::TriangleMesh> Mesh;
   std::unique_ptr<helios::BeamTree> OwnConeTree;
   const helios::BeamTree* ConeTree = nullptr; ///< once it is prepared

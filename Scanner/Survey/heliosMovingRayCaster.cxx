@@ -88,6 +88,10 @@ bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
   {
     this->MakeShares(mesh);
   }
+  for (const Share* share : { &this->Resting, &this->Moving })
+  {
+    share->Caster->SetShouldStop(this->GetShouldStop());
+  }
   const bool hasResting = !this->Resting.Cells.empty();
   if ((hasResting && !this->Resting.Caster->Build(this->Resting.Scene)) || !this->BuildMoving(mesh))
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosCgalTree.h"
 
+#include "heliosStopCheck.h"
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 
@@ -148,7 +149,7 @@ CgalTree::CgalTree()
 CgalTree::~CgalTree() = default;
 
 //------------------------------------------------------------------------------
-void CgalTree::Build(const TriangleMesh& mesh)
+void CgalTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   std::vector<vtkTypeInt32> triangles;
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
@@ -161,7 +162,10 @@ void CgalTree::Build(const TriangleMesh& mesh)
   this->State.reset(new Internals);
   this->State->Mesh = &mesh;
   this->State->Boxes.insert(triangles.begin(), triangles.end(), &mesh);
-  this->State->Boxes.build(); // now: a query that built would not be const
+  const Tree::AABB_traits& traits = this->State->Boxes.traits();
+  using Split = StoppableSplit<Tree::AABB_traits::Split_primitives>;
+  this->State->Boxes.custom_build(traits.compute_bbox_object(),
+    Split(traits.split_primitives_object(), check)); // now: a query that built would not be const
 }
 
 //------------------------------------------------------------------------------

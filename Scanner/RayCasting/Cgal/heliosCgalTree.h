@@ -13,6 +13,7 @@
 namespace helios
 {
 
+class StopCheck;
 class TriangleMesh;
 
 class CgalTree
@@ -22,7 +23,8 @@ public:
   ~CgalTree();
 
   /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  void Build(const TriangleMesh& mesh);
+  /// Throws Stopped where it is told to stop.
+  void Build(const TriangleMesh& mesh, StopCheck& check);
 
   /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.
   vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;

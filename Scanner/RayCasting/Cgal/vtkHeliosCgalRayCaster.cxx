@@ -36,7 +36,7 @@ void vtkHeliosCgalRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosCgalRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 {
-  this->Tree->Build(mesh);
+  this->Tree->Build(mesh, this->GetStopCheck());
   return true;
 }
 

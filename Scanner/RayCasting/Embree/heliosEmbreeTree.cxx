@@ -9,8 +9,10 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <limits>
+#include <thread>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -60,6 +62,42 @@ int GetNativeWidth(RTCDevice device)
   return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
 }
 
+/// Embree tells its progress in any of its threads; whether to stop is asked in the first one.
+struct Watch
+{
+  explicit Watch(const StopCheck& check)
+    : Check(check)
+  {
+  }
+
+  static bool OnProgress(void* self, double)
+  {
+    auto* watch = static_cast<Watch*>(self);
+    if (std::this_thread::get_id() == watch->Thread && !watch->IsStopped)
+    {
+      watch->Ask();
+    }
+    return !watch->IsStopped;
+  }
+
+  /// Nothing may be thrown through Embree.
+  void Ask()
+  {
+    try
+    {
+      this->Check.Ask();
+    }
+    catch (const Stopped&)
+    {
+      this->IsStopped = true;
+    }
+  }
+
+  const StopCheck& Check;
+  std::thread::id Thread = std::this_thread::get_id();
+  std::atomic<bool> IsStopped{ false };
+};
+
 /// The one valid ray of a packet, for Embree's functions that take one.
 RTCRay GetAlone(const Packet& rays)
 {
@@ -101,7 +139,7 @@ std::size_t EmbreeTree::GetMemorySize() const
     this->Outliers.GetMemorySize();
 }
 
-std::string EmbreeTree::Build(const TriangleMesh& mesh)
+std::string EmbreeTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   this->Clear();
   this->Problem.clear();
@@ -110,14 +148,14 @@ std::string EmbreeTree::Build(const TriangleMesh& mesh)
   {
     return {};
   }
-  this->SortTriangles();
-  const std::string problem = this->Commit();
+  this->SortTriangles(check);
+  const std::string problem = this->Commit(check);
   this->IsLeftOut = std::vector<bool>();
   return problem;
 }
 
 /// Decides which triangles go to Embree, which of them in pairs, and which are outliers.
-void EmbreeTree::SortTriangles()
+void EmbreeTree::SortTriangles(StopCheck& check)
 {
   const auto count = static_cast<vtkTypeInt32>(this->Mesh->GetNumberOfTriangles());
   this->IsLeftOut.assign(static_cast<std::size_t>(count), false);
@@ -130,6 +168,7 @@ void EmbreeTree::SortTriangles()
   bool mayPair = false;
   for (vtkTypeInt32 i = 0; i < count; ++i)
   {
+    check.Count();
     const double* p[3];
     this->GetPoints(i, p);
     bool isInside = true;
@@ -160,7 +199,7 @@ void EmbreeTree::SortTriangles()
     mayPair = isTaken && !isPair;
   }
   this->HasOutliers = !outliers.empty();
-  this->Outliers.Build(*this->Mesh, std::move(outliers));
+  this->Outliers.Build(*this->Mesh, std::move(outliers), check);
   this->Frame.Set(low, high);
 }
 
@@ -176,7 +215,7 @@ bool EmbreeTree::HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const
   return common == 2;
 }
 
-std::string EmbreeTree::Commit()
+std::string EmbreeTree::Commit(StopCheck& check)
 {
   const std::string threads = std::to_string(vtkSMPTools::GetEstimatedNumberOfThreads());
   this->Device = rtcNewDevice(("threads=" + threads).c_str());
@@ -200,7 +239,14 @@ std::string EmbreeTree::Commit()
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(this->Scene, geometry);
   rtcReleaseGeometry(geometry);
+  Watch watch(check);
+  rtcSetSceneProgressMonitorFunction(this->Scene, Watch::OnProgress, &watch);
   rtcCommitScene(this->Scene);
+  rtcSetSceneProgressMonitorFunction(this->Scene, nullptr, nullptr);
+  if (watch.IsStopped)
+  {
+    throw Stopped();
+  }
   return this->Problem;
 }
 

@@ -29,8 +29,9 @@ public:
   EmbreeTree(const EmbreeTree&) = delete;
   void operator=(const EmbreeTree&) = delete;
 
-  /// Over a mesh, which must outlive it. Returns an empty text, or what went wrong.
-  std::string Build(const TriangleMesh& mesh);
+  /// Over a mesh, which must outlive it. Returns an empty text, or what went wrong. Throws Stopped
+  /// where it is told to stop.
+  std::string Build(const TriangleMesh& mesh, StopCheck& check);
   void Clear();
 
   void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const;
@@ -46,8 +47,8 @@ private:
     Packet Rays;
   };
 
-  void SortTriangles();
-  std::string Commit();
+  void SortTriangles(StopCheck& check);
+  std::string Commit(StopCheck& check);
   void GetPoints(vtkTypeInt32 triangle, const double* points[3]) const;
   bool HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const;
   TrianglePair GetPair(unsigned int first) const;

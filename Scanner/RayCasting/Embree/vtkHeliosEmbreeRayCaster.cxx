@@ -34,7 +34,7 @@ void vtkHeliosEmbreeRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosEmbreeRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
 {
-  const std::string problem = this->Tree->Build(mesh);
+  const std::string problem = this->Tree->Build(mesh, this->GetStopCheck());
   if (!problem.empty())
   {
     this->Tree->Clear();

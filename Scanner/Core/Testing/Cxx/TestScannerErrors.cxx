@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosScannerBench.h"
 #include "vtkHeliosErrorModel.h"
+#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRotatingMirror.h"
 
 #include <vtkCallbackCommand.h>
@@ -239,4 +240,84 @@ TEST_CASE("Scanner: aborted it says so and gives nothing, then all again", "[Sca
   bench.Scanner->Modified();
   CHECK(bench.Run()->GetNumberOfPoints() == 100000);
   CHECK(bench.Log->Errors.empty());
+}
+
+namespace
+{
+
+/// Aborts at one of a scanner's progress events; counts them before its first pulse.
+struct EventsBeforePulses
+{
+  int Count = 0;
+  int Last = VTK_INT_MAX;
+
+  static void Take(vtkObject* caller, unsigned long, void* self, void*)
+  {
+    auto* scanner = static_cast<vtkAlgorithm*>(caller);
+    auto* events = static_cast<EventsBeforePulses*>(self);
+    events->Count += scanner->GetProgress() == 0.0;
+    scanner->SetAbortExecute(events->Count >= events->Last);
+  }
+};
+
+/// A wave of so many squares along each side, above and below a height of 50 m.
+vtkSmartPointer<vtkPolyData> MakeWave(int squares)
+{
+  auto scene = MakeScene({});
+  for (int i = 0; i <= squares; ++i)
+  {
+    for (int j = 0; j <= squares; ++j)
+    {
+      scene->GetPoints()->InsertNextPoint(i - squares / 2.0, 50 + (i % 7) * 0.1, j - squares / 2.0);
+    }
+  }
+  for (int i = 0; i < squares; ++i)
+  {
+    for (int j = 0; j < squares; ++j)
+    {
+      const vtkIdType a = i * (squares + 1) + j;
+      scene->GetPolys()->InsertNextCell({ a, a + 1, a + squares + 1 });
+      scene->GetPolys()->InsertNextCell({ a + 1, a + squares + 2, a + squares + 1 });
+    }
+  }
+  return scene;
+}
+
+} // namespace
+
+TEST_CASE("Scanner: stops at any time while the scene is made ready", "[Scanner]")
+{
+  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  {
+    const std::string name = vtkHeliosRayCaster::GetBackendName(i);
+    Bench bench(MakeWave(200)); // 80,000 triangles
+    const auto caster =
+      vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
+    bench.Scanner->SetRayCaster(caster);
+    bench.Scanner->SetSamplingToTolerance();
+    EventsBeforePulses events;
+    vtkNew<vtkCallbackCommand> stop;
+    stop->SetClientData(&events);
+    stop->SetCallback(EventsBeforePulses::Take);
+    bench.Scanner->AddObserver(vtkCommand::ProgressEvent, stop);
+    REQUIRE(bench.Run()->GetNumberOfPoints() == 1000);
+    const int all = events.Count;
+    REQUIRE(all > 5);
+    // How often Embree asks in this thread, and not in others, differs from run to run.
+    const int most = name == "embree" ? all / 4 : all;
+    for (int last = 2; last < most; ++last)
+    {
+      CAPTURE(name, last, all);
+      bench.Scanner->GetInputDataObject(0, 0)->Modified(); // to be built anew
+      events = { 0, last };
+      bench.Log->Clear();
+      CHECK(bench.Run()->GetNumberOfPoints() == 0);
+      CHECK(bench.Log->HasError("The scan was aborted at 0 %; update again for the whole"));
+    }
+    events = { 0, VTK_INT_MAX };
+    bench.Log->Clear();
+    bench.Scanner->Modified(); // the scene is as it was
+    CHECK(bench.Run()->GetNumberOfPoints() == 1000);
+    CHECK(bench.Log->Errors.empty());
+  }
 }

@@ -11,8 +11,8 @@
 namespace helios
 {
 
-/// Thrown where work was told to stop.
-struct Stopped
+/// Thrown where work was told to stop, across libraries too.
+struct __attribute__((visibility("default"))) Stopped
 {
 };
 
@@ -22,6 +22,7 @@ class StopCheck
 public:
   static constexpr std::size_t Interval = 20000; ///< steps, of some microseconds each at most
 
+  /// Null: never.
   explicit StopCheck(const std::function<bool()>& shouldStop)
     : ShouldStop(shouldStop)
   {
@@ -40,7 +41,7 @@ public:
 
   void Ask() const
   {
-    if (this->ShouldStop())
+    if (this->ShouldStop && this->ShouldStop())
     {
       throw Stopped();
     }
@@ -49,6 +50,28 @@ public:
 private:
   std::function<bool()> ShouldStop;
   std::size_t Steps = 0;
+};
+
+/// Sorts primitives of a tree of CGAL's as a functor of its traits does, and lets that be stopped.
+template <typename SortT>
+class StoppableSplit
+{
+public:
+  StoppableSplit(const SortT& sort, StopCheck& check)
+    : Sort(sort)
+    , Check(check)
+  {
+  }
+  template <typename IteratorT, typename BoxT>
+  void operator()(IteratorT first, IteratorT last, const BoxT& box) const
+  {
+    this->Check.Count(1 + static_cast<std::size_t>(last - first) / 8);
+    this->Sort(first, last, box);
+  }
+
+private:
+  SortT Sort;
+  StopCheck& Check;
 };
 
 } // namespace helios
