@@ -281,30 +281,6 @@ std::string PcdArrays::AddLine(std::string_view line)
   return {};
 }
 
-std::vector<std::pair<std::string, vtkIdType>> PcdArrays::CountNotFinite() const
-{
-  std::vector<std::pair<std::string, vtkIdType>> counts;
-  for (const auto& array : this->Arrays)
-  {
-    const bool isReal = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-    vtkIdType count = 0;
-    for (vtkIdType row = 0; isReal && row < this->Row; ++row)
-    {
-      bool isFinite = true;
-      for (int i = 0; i < array->GetNumberOfComponents() && isFinite; ++i)
-      {
-        isFinite = std::isfinite(array->GetComponent(row, i));
-      }
-      count += !isFinite;
-    }
-    if (count > 0)
-    {
-      counts.emplace_back(array->GetName(), count);
-    }
-  }
-  return counts;
-}
-
 void PcdArrays::MoveTo(vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;

@@ -12,7 +12,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -39,9 +38,6 @@ public:
 
   vtkIdType GetNumberOfRows() const { return this->Row + this->NumberOfDropped; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
-
-  /// The arrays with values that are not finite, and at how many points.
-  std::vector<std::pair<std::string, vtkIdType>> CountNotFinite() const;
 
   void MoveTo(vtkPolyData* output);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosLASReader.h"
 
+#include "heliosFiniteCheck.h"
 #include "heliosLasArrays.h"
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
@@ -48,17 +49,6 @@ void SetFields(const helios::LasFile& file, vtkPolyData* output)
     epoch->InsertNextValue(StandardTimeOffset);
     output->GetFieldData()->AddArray(epoch);
   }
-}
-
-/// How many points have a time that is not a number.
-vtkIdType CountOddTimes(vtkPolyData* cloud)
-{
-  auto* times =
-    vtkDoubleArray::SafeDownCast(cloud->GetPointData()->GetArray(vtkHeliosArrayNames::GpsTime));
-  const double* values = times ? times->GetPointer(0) : nullptr;
-  return times ? std::count_if(values, values + times->GetNumberOfValues(),
-                   [](double value) { return !std::isfinite(value); })
-               : 0;
 }
 
 } // namespace
@@ -143,14 +133,7 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
   }
   arrays.MoveTo(output);
   SetFields(file, output);
-  const vtkIdType oddTimes = CountOddTimes(output);
-  if (oddTimes > 0 && this->WarnedTimes != file.GetPath())
-  {
-    this->WarnedTimes = file.GetPath();
-    vtkWarningMacro(<< file.GetPath() << ": " << oddTimes << " of " << end - begin
-                    << " points have a GPS time that is not a number; is the file damaged? Those "
-                    << "of further pieces are not reported");
-  }
+  this->WarnOfValues(file.GetPath(), output);
   problem = hasWaves ? packets.Read(output, waveforms) : std::string();
   if (!problem.empty())
   {
@@ -159,6 +142,24 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
     return file.GetPath() + ": " + problem;
   }
   return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosLASReader::WarnOfValues(const std::string& path, vtkPolyData* cloud)
+{
+  const auto counts = helios::CountNotFinite(cloud->GetPointData());
+  if (counts.empty() || this->WarnedValues == path)
+  {
+    return;
+  }
+  this->WarnedValues = path;
+  for (const auto& [name, count] : counts)
+  {
+    vtkWarningMacro(<< path << ": " << name << " is not finite at " << count << " of "
+                    << cloud->GetNumberOfPoints()
+                    << " points, and is kept so; is the file damaged? Those of further pieces are "
+                    << "not reported");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -100,13 +100,14 @@ private:
   vtkHeliosLASReader(const vtkHeliosLASReader&) = delete;
   void operator=(const vtkHeliosLASReader&) = delete;
 
+  void WarnOfValues(const std::string& path, vtkPolyData* cloud);
   std::string ReadPoints(helios::LasFile& file, std::uint64_t begin, std::uint64_t end,
     vtkPolyData* output, vtkTable* waveforms);
 
   char* FileName = nullptr;
   bool ReadWaveforms = false;
-  std::string WarnedName;  // the file whose waveforms were warned of
-  std::string WarnedTimes; // the file whose times were warned of
+  std::string WarnedName;   // the file whose waveforms were warned of
+  std::string WarnedValues; // the file whose values were warned of
 };
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCDReader.h"
 
+#include "heliosFiniteCheck.h"
 #include "heliosInputFile.h"
 #include "heliosPcdArrays.h"
 #include "heliosTextFile.h"
@@ -9,6 +10,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <lzf.h>
@@ -293,12 +295,12 @@ bool vtkHeliosPCDReader::Read(vtkPolyData* output)
                     << arrays.GetNumberOfRows() << " points are not finite: dropped");
   }
   const vtkIdType kept = arrays.GetNumberOfRows() - arrays.GetNumberOfDropped();
-  for (const auto& [name, count] : arrays.CountNotFinite())
+  arrays.MoveTo(output);
+  for (const auto& [name, count] : helios::CountNotFinite(output->GetPointData()))
   {
     vtkWarningMacro(<< this->FileName << ": " << name << " is not finite at " << count << " of "
                     << kept << " points, and is kept so");
   }
-  arrays.MoveTo(output);
   return true;
 }
 

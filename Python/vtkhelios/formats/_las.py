@@ -15,7 +15,7 @@ import numpy as np
 import vtkhelios
 
 from ..points import _find_crs
-from ._base import ROWS, FileWriter, Header, Reader, StreamWriter
+from ._base import FileWriter, Header, Reader, StreamWriter
 from ._base import call, from_cloud, need, to_cloud
 from ._records import RecordReader, RecordWriter
 
@@ -43,13 +43,20 @@ class LasReader(Reader):
             self.fail("has no points; give a file with points")
 
     def _piece(self, piece, pieces):
-        call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
+        _call(self, self._reader, lambda: self._reader.UpdatePiece(piece, pieces, 0))
         return self._reader.GetOutput()
 
     def read_chunks(self, rows):
         pieces = -(-self.count // rows)
         for piece in range(pieces):
             yield from_cloud(self._piece(piece, pieces))
+
+
+def _call(owner, reader, action):
+    """As call(); values that are not finite are not noted: Reader counts them."""
+    known = len(owner.notes)
+    call(owner, reader, action)
+    owner.notes[known:] = [note for note in owner.notes[known:] if "is not finite at" not in note]
 
 
 class LazReader(Reader):
@@ -79,10 +86,10 @@ class LazReader(Reader):
             writer.close(bare=True)
         reader = vtkhelios.vtkHeliosLASReader()
         reader.SetFileName(str(path))
-        call(self, reader, reader.Update)
+        _call(self, reader, reader.Update)
         return reader.GetOutput()
 
-    def chunks(self, rows=ROWS):
+    def read_chunks(self, rows):
         reader = RecordReader(self.path)
         for records in reader.chunks(rows):
             yield from_cloud(self._to_cloud(records))

@@ -412,7 +412,7 @@ TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
   LasReading reading(Path);
   REQUIRE(reading.Read());
   CHECK(reading.CountPoints() == 10);
-  CHECK(reading.Log->HasWarning(Path + ": 2 of 10 points have a GPS time that is not a number"));
+  CHECK(reading.Log->HasWarning(Path + ": GpsTime is not finite at 2 of 10 points, and is kept so"));
   reading.Log->Clear();
   REQUIRE(reading.Read());
   CHECK(reading.Log->Warnings.empty()); // once a file
