@@ -126,7 +126,21 @@ std::string WaveformTable::CheckSamples() const
   return {};
 }
 
-std::string CheckFinite(vtkTable* table)
+/// The first bin size that is 0 or less, in words; empty: none.
+std::string CheckBinSizes(vtkDataArray* sizes)
+{
+  for (vtkIdType row = 0; sizes && row < sizes->GetNumberOfTuples(); ++row)
+  {
+    if (!(sizes->GetComponent(row, 0) > 0.0))
+    {
+      return std::string("has a row ") + std::to_string(row) + " whose " + names::BinSize +
+        " is not above 0 ns";
+    }
+  }
+  return {};
+}
+
+std::string CheckValues(vtkTable* table)
 {
   // other field data may have NaN for what is not known
   std::string problem = CheckFinite(table->GetFieldData()->GetArray(names::Samples));
@@ -135,7 +149,7 @@ std::string CheckFinite(vtkTable* table)
   {
     problem = CheckFinite(columns->GetArray(i));
   }
-  return problem;
+  return problem.empty() ? CheckBinSizes(columns->GetArray(names::BinSize)) : problem;
 }
 
 } // namespace helios

@@ -32,8 +32,8 @@ private:
   std::string CheckSamples() const;
 };
 
-/// Says which array has a value that is not finite; empty: none.
-std::string CheckFinite(vtkTable* table);
+/// Says which array has a value that is not finite, or which row bins of no width; empty: none.
+std::string CheckValues(vtkTable* table);
 
 } // namespace helios
 

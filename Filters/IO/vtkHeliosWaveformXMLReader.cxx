@@ -114,7 +114,7 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
     vtkErrorMacro(<< name << ": the piece " << problem << "; run the survey again");
     return false;
   }
-  if (const std::string wrong = helios::CheckFinite(piece); !wrong.empty())
+  if (const std::string wrong = helios::CheckValues(piece); !wrong.empty())
   {
     vtkErrorMacro(<< name << ": the piece " << wrong << "; run the survey again");
     return false;

@@ -71,20 +71,32 @@ bool IsWhole(vtkTable* table)
 
 } // namespace
 
-TEST_CASE("WaveformXMLMutations: samples that are not finite are refused", "[WaveformXMLReader]")
+TEST_CASE("WaveformXMLMutations: values that cannot be are refused", "[WaveformXMLReader]")
 {
   const Files files;
   auto table = helios::MakeWaveforms(3);
-  table->GetFieldData()->GetArray(names::Samples)->SetComponent(4, 0, std::nan(""));
+  vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
+  auto* sizes = vtkDataArray::SafeDownCast(table->GetColumnByName(names::BinSize));
   vtkNew<vtkHeliosWaveformXMLWriter> writer;
-  writer->SetFileName((files.Folder / "nan.pvtt").c_str());
-  REQUIRE((writer->Open() && writer->Write(table) && writer->Close()));
+  writer->SetFileName((files.Folder / "odd.pvtt").c_str());
   vtkNew<vtkHeliosWaveformXMLReader> reader;
   const auto log = helios::WatchErrors(reader);
   const auto quiet = helios::WatchErrors(reader->GetExecutive());
-  reader->SetFileName((files.Folder / "nan.pvtt").c_str());
-  reader->Update();
-  CHECK(log->HasError("has an array Samples whose value 4 is not finite"));
+  reader->SetFileName((files.Folder / "odd.pvtt").c_str());
+  const auto fails = [&](vtkDataArray* array, vtkIdType row, double value, const char* message)
+  {
+    const double before = array->GetComponent(row, 0);
+    array->SetComponent(row, 0, value);
+    REQUIRE((writer->Open() && writer->Write(table) && writer->Close()));
+    array->SetComponent(row, 0, before);
+    log->Clear();
+    reader->Modified();
+    reader->Update();
+    return log->HasError(message);
+  };
+  CHECK(fails(samples, 4, std::nan(""), "has an array Samples whose value 4 is not finite"));
+  CHECK(fails(sizes, 1, 0.0, "has a row 1 whose BinSize is not above 0 ns"));
+  CHECK(fails(sizes, 2, -0.25, "has a row 2 whose BinSize is not above 0 ns"));
 }
 
 TEST_CASE("WaveformXMLMutations: damaged files give an error or waveforms",
