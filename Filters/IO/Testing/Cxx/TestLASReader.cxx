@@ -412,7 +412,8 @@ TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
   LasReading reading(Path);
   REQUIRE(reading.Read());
   CHECK(reading.CountPoints() == 10);
-  CHECK(reading.Log->HasWarning(Path + ": GpsTime is not finite at 2 of 10 points, and is kept so"));
+  CHECK(
+    reading.Log->HasWarning(Path + ": GpsTime is not finite at 2 of 10 points, and is kept so"));
   reading.Log->Clear();
   REQUIRE(reading.Read());
   CHECK(reading.Log->Warnings.empty()); // once a file
