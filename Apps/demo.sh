@@ -8,8 +8,9 @@
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 helios_setup
+export CCACHE_DISABLE=1 # a first build finds nothing in a cache, and filling it takes time
 helios_configure release
-helios_build release vtkhelios_package
+helios_build release vtkhelios_core # all that the clouds need
 
 demo=build/demo
 python=build/venv/bin/python
@@ -40,7 +41,7 @@ for what in "${clouds[@]}"; do
 done
 echo "picture      $picture"
 
-helios_build release vtkhelios-viewer # last: all above needs no viewer
+helios_build release vtkhelios_package vtkhelios-viewer # last: nothing above needs the rest
 
 helios_say "done"
 echo "now try      build/bin/vtkhelios run --help"

@@ -1,0 +1,45 @@
+# Precompiled headers: those that most sources include, parsed once for all modules and once for all programs.
+# Sources name all that they use themselves; the preset "minimal" builds without.
+
+set(vtkhelios_precompiled
+  <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
+  <numeric> <set> <sstream> <string> <utility> <vector>
+  <vtkCallbackCommand.h> <vtkCellArray.h> <vtkCellData.h> <vtkDoubleArray.h> <vtkFieldData.h>
+  <vtkFloatArray.h> <vtkImageData.h> <vtkInformation.h> <vtkInformationVector.h> <vtkIntArray.h> <vtkMath.h>
+  <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkPoints.h> <vtkPolyData.h> <vtkPolyDataAlgorithm.h>
+  <vtkSMPTools.h> <vtkSmartPointer.h> <vtkStringArray.h> <vtkTable.h>)
+
+# -pthread, since some libraries ask for it and users of one header must agree; the other is for ccache.
+set(vtkhelios_precompile_options -pthread $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+
+# helios_add_precompiled(<target> [OPTIONS option...] [HEADERS header...])
+# A library without code whose precompiled headers others use; their options must be the same.
+function(helios_add_precompiled target)
+  cmake_parse_arguments(arg "" "" "OPTIONS;HEADERS" ${ARGN})
+  if(NOT VTKHELIOS_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${target}.cxx" CONTENT "// Only the headers are of use.\n")
+  add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cxx")
+  target_compile_options(${target} PRIVATE ${vtkhelios_precompile_options} ${arg_OPTIONS})
+  # The folders alone: what some libraries define others do not, and no header here asks for it.
+  foreach(library IN ITEMS VTK::CommonCore Catch2::Catch2 Python3::Module)
+    target_include_directories(${target} SYSTEM PRIVATE
+      $<$<TARGET_EXISTS:${library}>:$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>>)
+  endforeach()
+  target_precompile_headers(${target} PRIVATE ${vtkhelios_precompiled} ${arg_HEADERS})
+endfunction()
+
+# helios_precompile(<target> <precompiled>): takes the headers of that library.
+function(helios_precompile target precompiled)
+  if(VTKHELIOS_PRECOMPILE_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM ${precompiled})
+    target_compile_options(${target} PRIVATE ${vtkhelios_precompile_options})
+  endif()
+endfunction()
+
+# ccache takes precompiled headers where it is told that their dates do not matter.
+if(VTKHELIOS_PRECOMPILE_HEADERS AND CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+    "${CCACHE_PROGRAM}")
+endif()
