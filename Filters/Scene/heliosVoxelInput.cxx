@@ -52,7 +52,7 @@ std::string CheckTuples(vtkDataArray* array, vtkIdType count)
 
 std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
 {
-  this->Points = VoxelPoints();
+  this->Points = this->Range = VoxelPoints();
   if (!data || data->GetNumberOfPoints() == 0)
   {
     return {};
@@ -74,6 +74,7 @@ std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
   {
     fault = this->SetColors(colors);
   }
+  this->SetRange(0, this->Points.Count);
   return fault;
 }
 
@@ -104,9 +105,13 @@ std::string VoxelInput::SetColors(vtkDataArray* colors)
   return {};
 }
 
-VoxelPoints VoxelInput::Get() const
+void VoxelInput::SetRange(vtkIdType first, vtkIdType end)
 {
-  return this->Points;
+  const VoxelPoints& all = this->Points;
+  this->Range.Points = all.Points ? all.Points + 3 * first : nullptr;
+  this->Range.Normals = all.Normals ? all.Normals + 3 * first : nullptr;
+  this->Range.Colors = all.Colors ? all.Colors + 3 * first : nullptr;
+  this->Range.Count = end - first;
 }
 
 VoxelBounds::VoxelBounds()

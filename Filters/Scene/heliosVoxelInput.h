@@ -25,8 +25,11 @@ public:
   /// Says in words what is wrong with the attributes, or returns an empty text.
   std::string Set(vtkPointSet* data, bool withNormals);
 
-  VoxelPoints Get() const;
-  vtkIdType GetNumberOfPoints() const { return this->Points.Count; }
+  /// Of the points only those from first to before end, for Get and GetNumberOfPoints.
+  void SetRange(vtkIdType first, vtkIdType end);
+
+  VoxelPoints Get() const { return this->Range; }
+  vtkIdType GetNumberOfPoints() const { return this->Range.Count; }
   /// The precision that the coordinates are stored in.
   double GetEpsilon() const { return this->Epsilon; }
 
@@ -34,6 +37,7 @@ private:
   std::string SetColors(vtkDataArray* colors);
 
   VoxelPoints Points;
+  VoxelPoints Range;
   double Epsilon = 0x1p-52;
   std::vector<double> OwnPoints;
   std::vector<double> OwnNormals;

@@ -33,6 +33,8 @@ namespace
 // A power of 4: small enough a share of any source to look at.
 constexpr double BytesPerCell = 500.0; // at most, with its triangles
 constexpr int ProbePieces = 65536;
+constexpr vtkIdType PointsPerStep = 65536; // between two looks at AbortExecute
+constexpr double SharePerVisit = 0.45;     // of the progress; the rest is for the triangles
 
 bool CanBePieces(vtkInformation* inInfo)
 {
@@ -128,6 +130,18 @@ int vtkHeliosPointVoxelizer::ChooseNumberOfPieces(vtkInformation* inInfo)
   return 1;
 }
 
+bool vtkHeliosPointVoxelizer::IsAborted(double progress)
+{
+  this->UpdateProgress(progress);
+  if (this->AbortExecute)
+  {
+    vtkErrorMacro(<< "Voxelizing was aborted at " << static_cast<int>(100.0 * progress)
+                  << " %; update again for the whole");
+    return true;
+  }
+  return false;
+}
+
 bool vtkHeliosPointVoxelizer::ForEachPiece(
   vtkInformation* inInfo, int count, double progress, const PieceVisitor& visit)
 {
@@ -144,17 +158,23 @@ bool vtkHeliosPointVoxelizer::ForEachPiece(
       vtkErrorMacro(<< "Input: " << fault);
       return false;
     }
-    if (!visit(input))
+    const vtkIdType size = input.GetNumberOfPoints();
+    vtkIdType done = 0;
+    do
     {
-      return false;
-    }
-    this->UpdateProgress(progress + 0.45 * (piece + 1) / count);
-    if (this->AbortExecute)
-    {
-      vtkErrorMacro(<< "Voxelizing was aborted at piece " << piece << " of " << count
-                    << "; update again for the whole");
-      return false;
-    }
+      const vtkIdType end = std::min(size, done + PointsPerStep);
+      input.SetRange(done, end);
+      if (!visit(input))
+      {
+        return false;
+      }
+      done = end;
+      const double share = size > 0 ? static_cast<double>(done) / static_cast<double>(size) : 1.0;
+      if (this->IsAborted(progress + SharePerVisit * (piece + share) / count))
+      {
+        return false;
+      }
+    } while (done < size);
   }
   return true;
 }
@@ -271,7 +291,7 @@ bool vtkHeliosPointVoxelizer::Gather(
     }
     return fits;
   };
-  return this->ForEachPiece(inInfo, count, 0.45, gather) &&
+  return this->ForEachPiece(inInfo, count, SharePerVisit, gather) &&
     (again.Count == bounds.Count || fails());
 }
 

@@ -178,6 +178,7 @@ private:
   bool CheckProperties();
   bool FetchPiece(vtkInformation* inInfo, int piece, int count);
   int ChooseNumberOfPieces(vtkInformation* inInfo);
+  bool IsAborted(double progress);
   bool ForEachPiece(vtkInformation* inInfo, int count, double progress, const PieceVisitor& visit);
   bool CheckBounds(const helios::VoxelBounds& bounds);
   bool CheckAttributes(const helios::VoxelBounds& bounds);

@@ -484,3 +484,25 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     CHECK(cloud.FaceCount() == 10);
   }
 }
+
+TEST_CASE("PointVoxelizer: stops within a piece when told to", "[PointVoxelizer]")
+{
+  struct Stop
+  {
+    int Steps;
+    void Count(vtkObject* caller, unsigned long, void*)
+    {
+      if (--this->Steps == 0)
+      {
+        static_cast<vtkAlgorithm*>(caller)->AbortExecuteOn();
+      }
+    }
+  };
+  // The start, then twice four steps of at most 65536 points.
+  const auto stop = GENERATE(std::make_pair(2, "14 %"), std::make_pair(6, "59 %"));
+  Stop watch = { stop.first };
+  Voxelizing cloud(MakeCloud(MakeRandomPoints(200000, 20.0)), 1.0);
+  cloud.Filter->AddObserver(vtkCommand::ProgressEvent, &watch, &Stop::Count);
+  CHECK(cloud.FailsWith("Voxelizing was aborted at " + std::string(stop.second)));
+  CHECK(watch.Steps == 0); // and none after
+}
