@@ -23,9 +23,12 @@ constexpr double SampledShare = 0.1;
 constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
-constexpr double PulsesPerTrial = 64.0; // of the first window of a leg: what pulses cost
-constexpr double LongestSampling = 8.0; // [s], of all legs together
 constexpr double FewestWindows = 8.0;   // of a leg
+constexpr double LongestSampling = 8.0; // [s], of all legs together
+// Trials, each longer than the last, until one tells what a pulse costs.
+constexpr double PulsesPerTrial = 8.0;
+constexpr double TrialGrowth = 8.0;
+constexpr double TrialSeconds = 0.05; // and no more than a tenth of what the leg may take
 constexpr double GoldenRatio = 0.6180339887498949;
 constexpr double BytesPerKibibyte = 1024.0;
 constexpr vtkIdType TrajectorySamples = 4096;
@@ -60,7 +63,7 @@ bool RunEstimate::Make(const std::function<bool(double)>& onStep)
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
     if (!onStep(static_cast<double>(i) / static_cast<double>(plans.size())) ||
-      !this->Sample(plans[i], this->ChooseWindows(plans[i])))
+      !this->Sample(plans[i]))
     {
       return false;
     }
@@ -69,7 +72,7 @@ bool RunEstimate::Make(const std::function<bool(double)>& onStep)
 }
 
 //------------------------------------------------------------------------------
-RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
+RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affordable) const
 {
   const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
   const auto pulses = static_cast<double>(plan.NumberOfPulses);
@@ -80,11 +83,16 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
   const double frequency = pulses / plan.Duration;
   const double lines = this->Runner.GetSurvey().Legs[plan.Leg].Scans.front().ScanFrequency;
   // Whole lines: some of a line's pulses may not leave.
-  const double length = lines > 0.0
+  double length = lines > 0.0
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
     : PulsesPerWindow / frequency;
-  const double budget = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
+  const double wanted = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
+  const double budget = std::min(wanted, affordable);
   const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
+  if (count * length * frequency > 2.0 * affordable) // parts of lines where whole ones take too long
+  {
+    length = std::max(1.0, affordable / count) / frequency;
+  }
   const double stratum = plan.Duration / count;
   if (2.0 * length > stratum)
   {
@@ -103,7 +111,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan) const
 }
 
 //------------------------------------------------------------------------------
-bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
+bool RunEstimate::Sample(const LegPlan& plan)
 {
   LegScanner& scanner = this->Runner.Prepare(plan);
   const LegRunner::Outputs outputs = this->Runner.MakeOutputs(plan);
@@ -114,19 +122,23 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
     output.Writer->CountOnlyOn();
     good = output.Writer->Open() && good;
   }
-  if (this->Samples.empty() && !windows.empty())
+  const Window empty(plan.StartTime, plan.StartTime);
+  if (this->Samples.empty())
   {
     Sums ignored; // the first window pays for the ray caster's tree
     const double start = Now();
-    good = good && this->SampleWindow({ windows[0].first, windows[0].first }, scanner, {}, ignored);
+    good = good && this->SampleWindow(empty, scanner, {}, ignored);
     this->LoadSeconds += Now() - start;
   }
+  Sums idle; // what a window takes without pulses
+  good = good && this->SampleWindow(empty, scanner, {}, idle);
   Sums sums;
-  const Windows affordable = good ? this->Afford(plan, windows, scanner) : windows;
-  good = !this->Runner.HasError() && good;
-  for (std::size_t i = 0; i < affordable.size() && good; ++i)
+  const double affordable = good ? this->CountAffordable(plan, scanner) : 0.0;
+  good = good && !this->Runner.HasError();
+  for (const Window& window : good ? this->ChooseWindows(plan, affordable) : Windows())
   {
-    good = this->SampleWindow(affordable[i], scanner, outputs, sums);
+    good = good && this->SampleWindow(window, scanner, outputs, sums);
+    sums.Seconds -= std::min(sums.Seconds, idle.Seconds);
   }
   for (const LegOutput& output : outputs)
   {
@@ -139,49 +151,31 @@ bool RunEstimate::Sample(const LegPlan& plan, const Windows& windows)
 }
 
 //------------------------------------------------------------------------------
-/**
- * The windows where a few pulses show that all of them take no longer than the leg may; else
- * shorter ones at the same places.
- */
-RunEstimate::Windows RunEstimate::Afford(
-  const LegPlan& plan, const Windows& windows, LegScanner& scanner)
+/// The pulses of a leg that can be computed in the time that its samples may take.
+double RunEstimate::CountAffordable(const LegPlan& plan, LegScanner& scanner)
 {
-  if (windows.empty())
-  {
-    return windows;
-  }
-  const double step = plan.Duration / static_cast<double>(plan.NumberOfPulses);
+  const auto pulses = static_cast<double>(plan.NumberOfPulses);
+  const double step = plan.Duration / std::max(1.0, pulses);
   const double middle = plan.StartTime + 0.5 * plan.Duration;
-  Sums trial;
-  if (!this->SampleWindow({ middle, middle + PulsesPerTrial * step }, scanner, {}, trial) ||
-    trial.Pulses == 0.0)
-  {
-    return windows;
-  }
-  double length = 0.0;
-  for (const auto& window : windows)
-  {
-    length += std::min(window.second - window.first, plan.Duration);
-  }
-  const double seconds = trial.Seconds / trial.Pulses * length / step;
   const double most = LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
-  if (seconds <= most)
+  for (double count = PulsesPerTrial; count < 0.5 * pulses; count *= TrialGrowth)
   {
-    return windows;
+    Sums trial;
+    if (!this->SampleWindow({ middle, middle + count * step }, scanner, {}, trial))
+    {
+      return 0.0;
+    }
+    if (trial.Seconds > std::min(TrialSeconds, 0.1 * most) && trial.Pulses > 0.0)
+    {
+      return trial.Pulses * most / trial.Seconds;
+    }
   }
-  Windows shorter;
-  for (const auto& window : windows)
-  {
-    const double start = std::max(window.first, plan.StartTime);
-    const double end = std::min(window.second, plan.StartTime + plan.Duration);
-    shorter.emplace_back(start, start + std::max(step, (end - start) * most / seconds));
-  }
-  return shorter;
+  return pulses;
 }
 
 //------------------------------------------------------------------------------
-bool RunEstimate::SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
-  const LegRunner::Outputs& outputs, Sums& sums)
+bool RunEstimate::SampleWindow(
+  const Window& window, LegScanner& scanner, const LegRunner::Outputs& outputs, Sums& sums)
 {
   const double start = Now();
   scanner.SetTimeWindow(window.first, window.second);

@@ -10,6 +10,7 @@
 #include <json/value.h>
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace helios
@@ -19,7 +20,7 @@ namespace helios
  * Short time windows of every leg, one near the middle of each of its equal parts and each
  * of whole scan lines, are computed and formatted as the run would, and counted instead of written;
  * a leg's sums are its samples' times its pulses over theirs. A leg that is not much longer than its
- * samples is computed as a whole.
+ * samples is computed as a whole; where pulses take long, samples are fewer, and in the end shorter.
  */
 class RunEstimate
 {
@@ -43,13 +44,14 @@ private:
     double Memory = 0.0; // of the outputs [bytes]
     double Seconds = 0.0;
   };
-  using Windows = std::vector<std::pair<double, double>>;
+  using Window = std::pair<double, double>; // times [s]
+  using Windows = std::vector<Window>;
 
-  Windows ChooseWindows(const LegPlan& plan) const;
-  bool Sample(const LegPlan& plan, const Windows& windows);
-  Windows Afford(const LegPlan& plan, const Windows& windows, LegScanner& scanner);
-  bool SampleWindow(const std::pair<double, double>& window, LegScanner& scanner,
-    const LegRunner::Outputs& outputs, Sums& sums);
+  Windows ChooseWindows(const LegPlan& plan, double affordable) const;
+  bool Sample(const LegPlan& plan);
+  double CountAffordable(const LegPlan& plan, LegScanner& scanner);
+  bool SampleWindow(
+    const Window& window, LegScanner& scanner, const LegRunner::Outputs& outputs, Sums& sums);
   double CountTrajectoryBytes(const LegPlan& plan) const;
   Sums Scale(const LegPlan& plan, const Sums& sampled) const;
   double GuessMemory(const Sums& totals) const;

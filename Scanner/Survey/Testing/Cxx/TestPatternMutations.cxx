@@ -13,8 +13,9 @@ using namespace helios::test;
 namespace
 {
 
-const char* const Patterns[] = { "trees/oak_.*[.]obj", "trees/(a+)+b[0-9]{1,3}[.]obj",
-  "trees/[a-z_]+_[^x]?\\d*.obj", "trees/(oak|ash)_(\\w)+.obj" };
+/// Of files in the folder "trees".
+const char* const Patterns[] = { "oak_.*[.]obj", "(a+)+b[0-9]{1,3}[.]obj", "[a-z_]+_[^x]?\\d*.obj",
+  "(oak|ash)_(\\w)+.obj" };
 
 /// As the value of an attribute; controls, which XML cannot hold, become blanks.
 std::string Quote(const std::string& text)
@@ -52,7 +53,7 @@ TEST_CASE(
     const std::string text = i < 4 ? pattern : mutate(pattern);
     files.Write("scene.xml",
       "<document><scene id=\"s\"><part>\n<filter type=\"objloader\">"
-      "<param key=\"efilepath\" value=\"" +
+      "<param key=\"efilepath\" value=\"trees/" +
         Quote(text) + "\"/></filter></part></scene></document>");
     INFO("case " << i << "\n" << text);
     const auto start = std::chrono::steady_clock::now();

@@ -274,6 +274,7 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
   };
   const std::string estimate = playing.Player->GetReport();
   CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses")); // it did sample
+  CHECK(number(estimate, "pulsesSampled") > 0.19 * number(estimate, "pulses")); // whole lines
   REQUIRE(playing.Player->Run());
   double bytes = 0.0;
   for (const auto& file : ReadAll(files / "out/test"))
@@ -285,6 +286,24 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
   CHECK(number(estimate, "points") ==
     Approx(static_cast<double>(playing.Player->GetNumberOfEchoes())).epsilon(0.05));
   CHECK(number(estimate, "bytes") == Approx(bytes).epsilon(0.05));
+}
+
+TEST_CASE("SurveyEstimate: of pulses that take long it computes fewer", "[SurveyEstimate]")
+{
+  const Files files;
+  const Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="20"/>
+<scannerSettings id="c" pulseFreq_hz="200000" scanFreq_hz="50" scanAngle_deg="15"/>
+<leg><platformSettings template="p" x="-60"/><scannerSettings template="c"/></leg>
+<leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
+<FWFSettings beamSampleQuality="60"/>)");
+  BlockRun playing(files, reading);
+  playing.Player->SetWriteWaveforms(false);
+  REQUIRE(playing.Player->Estimate());
+  const std::string report = playing.Player->GetReport();
+  const std::string name = "\"pulsesSampled\" : ";
+  const double sampled = std::stod(report.substr(report.rfind(name) + name.size()));
+  CHECK(sampled < 200000.0); // else 262144
+  CHECK(sampled >= 8.0);
 }
 
 TEST_CASE("SurveyEstimate: short legs are run whole; it can be stopped", "[SurveyEstimate]")
