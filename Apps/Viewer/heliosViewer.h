@@ -77,8 +77,7 @@ public:
   void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
 
   /// Shows a scene and its turbid voxels without a survey [m].
-  void ShowScene(
-    vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
+  void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
   /// Shows a message for a while; errors go to standard error, too.
   void Tell(const std::string& message);

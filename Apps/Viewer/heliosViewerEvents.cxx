@@ -32,10 +32,10 @@ void Viewer::SetUpEvents()
   this->Observer->SetClientData(this);
   this->Observer->SetCallback(OnEvent);
   for (const unsigned long event : { vtkCommand::KeyPressEvent, vtkCommand::LeftButtonPressEvent,
-         vtkCommand::MiddleButtonPressEvent,
-         vtkCommand::RightButtonPressEvent, vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent, vtkCommand::TimerEvent, vtkCommand::ConfigureEvent,
-         vtkCommand::ExitEvent, vtkCommand::MouseMoveEvent })
+         vtkCommand::MiddleButtonPressEvent, vtkCommand::RightButtonPressEvent,
+         vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent,
+         vtkCommand::TimerEvent, vtkCommand::ConfigureEvent, vtkCommand::ExitEvent,
+         vtkCommand::MouseMoveEvent })
   {
     this->Interactor->AddObserver(event, this->Observer, 10.0F);
   }

@@ -31,12 +31,12 @@ struct CoordinateSystemData
   std::string Label;
   std::string Name;
   std::string UnitName;
-  std::string HeightUnitName; // empty: nothing said of heights
-  double Unit = 1.0;          // [m]; 0: degrees
-  double HeightUnit = 1.0;    // [m]
-  bool IsCompound = false;    // with a system of heights
-  bool IsPlane = false;       // nothing said of heights
-  bool IsLocal = false;       // unknown to PROJ
+  std::string HeightUnitName;           // empty: nothing said of heights
+  double Unit = 1.0;                    // [m]; 0: degrees
+  double HeightUnit = 1.0;              // [m]
+  bool IsCompound = false;              // with a system of heights
+  bool IsPlane = false;                 // nothing said of heights
+  bool IsLocal = false;                 // unknown to PROJ
   double Origin[3] = { 0.0, 0.0, 0.0 }; // of a local one: latitude, longitude [deg], height [m]
   AxisOrder Axes;
   MapProjectionPointer Projection; // where GeographicLib computes it; else null

@@ -18,7 +18,7 @@ namespace vtkHeliosArrayNames
 /** Scene: cell data. MaterialIds is a row of the material columns, PartIds the scene part. */
 inline constexpr const char* MaterialIds = "MaterialIds";
 inline constexpr const char* PartIds = "PartIds";
-inline constexpr const char* Normals = "Normals"; // unit; where it is, incidence is measured from it
+inline constexpr const char* Normals = "Normals";         // unit; where it is, incidence is from it
 inline constexpr const char* EdgeDefects = "EdgeDefects"; // bits, see vtkHeliosMeshRepair
 ///@}
 
@@ -48,15 +48,15 @@ inline constexpr const char* PartName = "Part.Name";
 ///@{
 /** Turbid voxels: cell data of an image, and its field data. */
 inline constexpr const char* PAD = "PAD"; // plant area density [m2/m3], NaN: not known
-inline constexpr const char* Transmittance = "Transmittance"; // [0..1], NaN: not known
-inline constexpr const char* MaximumPAD = "MaximumPAD";       // one value
+inline constexpr const char* Transmittance = "Transmittance";   // [0..1], NaN: not known
+inline constexpr const char* MaximumPAD = "MaximumPAD";         // one value
 inline constexpr const char* LeafProjection = "LeafProjection"; // rows x y z G(direction)
 ///@}
 
 ///@{
 /** Waypoints: point data. */
-inline constexpr const char* Speed = "Speed";       // [m/s] towards the next waypoint
-inline constexpr const char* OnGround = "OnGround"; // 1: z comes from the ground below
+inline constexpr const char* Speed = "Speed";             // [m/s] towards the next waypoint
+inline constexpr const char* OnGround = "OnGround";       // 1: z comes from the ground below
 inline constexpr const char* StopAndTurn = "StopAndTurn"; // 1: a multicopter rests and turns there
 inline constexpr const char* SmoothTurn = "SmoothTurn";   // 1: it cuts the corner there
 inline constexpr const char* YawAtDeparture = "YawAtDeparture"; // [deg], NaN: not given
@@ -99,10 +99,10 @@ inline constexpr const char* Weight = "Weight"; // a sub-ray's share of the puls
 
 ///@{
 /** Clouds of LAS files: point data that echoes have not. */
-inline constexpr const char* Intensity = "Intensity";           // 16 bits
-inline constexpr const char* NearInfrared = "NearInfrared";     // 16 bits
-inline constexpr const char* UserData = "UserData";             // 8 bits
-inline constexpr const char* ScanDirection = "ScanDirection";   // 1: to larger angles
+inline constexpr const char* Intensity = "Intensity";               // 16 bits
+inline constexpr const char* NearInfrared = "NearInfrared";         // 16 bits
+inline constexpr const char* UserData = "UserData";                 // 8 bits
+inline constexpr const char* ScanDirection = "ScanDirection";       // 1: to larger angles
 inline constexpr const char* EdgeOfFlightLine = "EdgeOfFlightLine"; // 1: the last before a turn
 // bits 1 synthetic, 2 key point, 4 withheld, 8 overlap
 inline constexpr const char* ClassificationFlags = "ClassificationFlags";
@@ -110,12 +110,12 @@ inline constexpr const char* ClassificationFlags = "ClassificationFlags";
 
 ///@{
 /** Waveforms: columns of the table, and Samples in its field data. */
-inline constexpr const char* Origin = "Origin";       // [m]
-inline constexpr const char* StartTime = "StartTime"; // [ns], two-way, after the emission
-inline constexpr const char* BinSize = "BinSize";     // [ns]
-inline constexpr const char* Offset = "Offset";       // of the first sample
-inline constexpr const char* Count = "Count";         // of samples
-inline constexpr const char* Samples = "Samples";     // float32 [W]
+inline constexpr const char* Origin = "Origin";           // [m]
+inline constexpr const char* StartTime = "StartTime";     // [ns], two-way, after the emission
+inline constexpr const char* BinSize = "BinSize";         // [ns]
+inline constexpr const char* Offset = "Offset";           // of the first sample
+inline constexpr const char* Count = "Count";             // of samples
+inline constexpr const char* Samples = "Samples";         // float32 [W]
 inline constexpr const char* PulseLength = "PulseLength"; // [ns], one value in the field data
 ///@}
 

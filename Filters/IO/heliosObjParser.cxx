@@ -15,9 +15,8 @@ namespace
 // Statements without surfaces.
 bool IsIgnored(std::string_view keyword)
 {
-  static constexpr std::array<std::string_view, 10> keywords = {
-    "o", "g", "s", "l", "p", "vp", "mg", "lod", "maplib", "usemap"
-  };
+  static constexpr std::array<std::string_view, 10> keywords = { "o", "g", "s", "l", "p", "vp",
+    "mg", "lod", "maplib", "usemap" };
   return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
 }
 

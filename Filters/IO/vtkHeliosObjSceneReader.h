@@ -84,8 +84,7 @@ protected:
   vtkHeliosObjSceneReader();
   ~vtkHeliosObjSceneReader() override;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:

@@ -158,14 +158,11 @@ protected:
   ~vtkHeliosPointVoxelizer() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
@@ -182,12 +179,9 @@ private:
   bool ForEachPiece(vtkInformation* inInfo, int count, double progress, const PieceVisitor& visit);
   bool CheckBounds(const helios::VoxelBounds& bounds);
   bool CheckAttributes(const helios::VoxelBounds& bounds);
-  bool Measure(
-    vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene);
-  bool Gather(vtkInformation* inInfo,
-    int count,
-    const helios::VoxelBounds& bounds,
-    helios::VoxelGrid& grid);
+  bool Measure(vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene);
+  bool Gather(
+    vtkInformation* inInfo, int count, const helios::VoxelBounds& bounds, helios::VoxelGrid& grid);
   bool MakeScene(helios::VoxelGrid& grid, const helios::VoxelBounds& bounds, vtkPolyData* scene);
 
   double VoxelSize = 1.0;

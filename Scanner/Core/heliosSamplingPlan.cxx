@@ -57,8 +57,7 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
 int SamplingPlan::GetStep(double spread) const
 {
   int step = 0;
-  for (double rings = this->Rings; step < this->FinerSteps && spread > SpreadOfRing * rings;
-       ++step)
+  for (double rings = this->Rings; step < this->FinerSteps && spread > SpreadOfRing * rings; ++step)
   {
     rings *= 2.0;
   }

@@ -49,17 +49,14 @@ public:
   XmlElement FindElement(const char* tag, const XmlElement& from, const char* attribute);
 
   /// The same of a reference that need not stand in a file.
-  XmlElement FindElement(
-    const char* tag, const XmlValue& reference, const XmlDocument& from);
+  XmlElement FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from);
 
   /// The folders that a file named by this document is looked for in.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;
 
 private:
-  XmlElement FindElementById(const char* tag,
-    const std::string& id,
-    const XmlDocument& document,
-    const std::string& where);
+  XmlElement FindElementById(
+    const char* tag, const std::string& id, const XmlDocument& document, const std::string& where);
 
   Messages& Log;
   std::vector<std::string> Directories;

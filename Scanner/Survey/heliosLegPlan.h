@@ -29,7 +29,7 @@ struct LegPlan
   double Duration = 0.0;                       ///< [s]
   vtkIdType FirstPulse = 0;                    ///< id, over the run
   vtkIdType NumberOfPulses = 0;
-  vtkIdType FirstShot = 0;                     ///< pulses of one channel in the legs before
+  vtkIdType FirstShot = 0; ///< pulses of one channel in the legs before
 };
 
 /**

@@ -89,8 +89,9 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affo
   const double wanted = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
   const double budget = std::min(wanted, affordable);
   const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
-  if (count * length * frequency > 2.0 * affordable) // parts of lines where whole ones take too long
+  if (count * length * frequency > 2.0 * affordable)
   {
+    // Parts of lines where whole ones take too long.
     length = std::max(1.0, affordable / count) / frequency;
   }
   const double stratum = plan.Duration / count;

@@ -91,7 +91,7 @@ struct ScannerData
   ReceiverData Receiver;
   Pose Beam; ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };
-  ModelData Model; ///< in the frame of the head
+  ModelData Model;                        ///< in the frame of the head
   std::vector<ScannerData> OtherChannels; ///< beside this one; each has none
 
   std::size_t GetNumberOfChannels() const { return 1 + this->OtherChannels.size(); }
@@ -118,12 +118,12 @@ struct NoiseData
 /// What vehicles are like, as files say it.
 struct VehicleData
 {
-  double BasePitch = -5.0;       ///< [deg]
-  double RollSpeed = 28.65;      ///< [deg/s]
-  double PitchSpeed = 85.94;     ///< [deg/s]
-  double YawSpeed = 85.94;       ///< [deg/s]
-  double RollOffset = 25.0;      ///< [deg]
-  double PitchOffset = 35.0;     ///< [deg]
+  double BasePitch = -5.0;   ///< [deg]
+  double RollSpeed = 28.65;  ///< [deg/s]
+  double PitchSpeed = 85.94; ///< [deg/s]
+  double YawSpeed = 85.94;   ///< [deg/s]
+  double RollOffset = 25.0;  ///< [deg]
+  double PitchOffset = 35.0; ///< [deg]
 };
 
 struct PlatformData
@@ -331,7 +331,7 @@ struct SurveyData
   std::vector<std::string> Documents; ///< all files that the survey was read from
   std::string RayCaster;              ///< its name; empty: the default
   vtkIdType Seed = -1;                ///< negative: not given
-  bool IsCanonical = false; ///< how attitudes in files count; else as ARINC 705 has it
+  bool IsCanonical = false;           ///< how attitudes in files count; else as ARINC 705 has it
   LegOffsetData LegOffset;
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;

@@ -26,14 +26,8 @@ const Vec3* FindAxis(const std::string& name)
     const char* Name;
     const Vec3* Direction;
   };
-  static const Axis axes[] = { { "x", &AxisX },
-    { "X", &AxisX },
-    { "pitch", &AxisX },
-    { "y", &AxisY },
-    { "Y", &AxisY },
-    { "roll", &AxisY },
-    { "z", &AxisZ },
-    { "Z", &AxisZ },
+  static const Axis axes[] = { { "x", &AxisX }, { "X", &AxisX }, { "pitch", &AxisX },
+    { "y", &AxisY }, { "Y", &AxisY }, { "roll", &AxisY }, { "z", &AxisZ }, { "Z", &AxisZ },
     { "yaw", &AxisZ } };
   for (const Axis& axis : axes)
   {

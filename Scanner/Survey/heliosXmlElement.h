@@ -66,10 +66,8 @@ struct XmlValue
 bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target);
 bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target);
 bool ParseBoolean(const XmlValue& value, Messages& log, bool& target);
-bool ParseRealList(const XmlValue& value,
-  const XmlValueRule& rule,
-  Messages& log,
-  std::vector<double>& target);
+bool ParseRealList(
+  const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target);
 bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
 
 /// An element of a document, or none. It holds as long as its document.

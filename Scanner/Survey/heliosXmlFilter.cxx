@@ -105,8 +105,7 @@ bool XmlFilter::Read(const char* key, Vec3& target) const
 const std::vector<std::string>& GetFilterTypes()
 {
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
-    "detailedvoxels", "crs",
-    "repair", "simplify", "rotate", "scale", "translate" };
+    "detailedvoxels", "crs", "repair", "simplify", "rotate", "scale", "translate" };
   return types;
 }
 

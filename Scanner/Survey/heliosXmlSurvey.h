@@ -18,9 +18,8 @@ class Messages;
 class XmlDocument;
 
 /// The first survey of a file with all that it refers to. Complete only if log has no error then.
-SurveyData ReadSurvey(const std::string& fileName,
-  const std::vector<std::string>& assetDirectories,
-  Messages& log);
+SurveyData ReadSurvey(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
 /// The same of a document, which may be null.
 SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
@@ -30,9 +29,8 @@ std::string MakeFolderName(std::string name);
 
 /// Checks a whole file: its surveys and planners, as they are read, and all scenes, scanners, platforms and
 /// templates in it, whether a survey uses them or not.
-void CheckFile(const std::string& fileName,
-  const std::vector<std::string>& assetDirectories,
-  Messages& log);
+void CheckFile(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
 } // namespace helios
 

@@ -153,8 +153,7 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
 std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instrument) const
 {
   pugi::xml_document document;
-  pugi::xml_node root =
-    helios::StartDocument(document, " Scan positions, written by vtkHelios. ");
+  pugi::xml_node root = helios::StartDocument(document, " Scan positions, written by vtkHelios. ");
   this->AddScene(root);
   this->AddSettings(root);
   pugi::xml_node survey = root.append_child("survey");

@@ -176,7 +176,8 @@ bool Measure(Survey& survey, int repetitions)
   const auto count = static_cast<vtkIdType>(rays.size());
   vtkHeliosRayCaster* caster = survey.Scanner->GetRayCaster();
   const int subRays = survey.Scanner->GetBeamSampler()->GetNumberOfSubRays();
-  const auto cast = [&] { caster->IntersectBeams(rays.data(), hits.data(), subRays, count / subRays); };
+  const auto cast = [&]
+  { caster->IntersectBeams(rays.data(), hits.data(), subRays, count / subRays); };
   cast();
   if (!Check(survey, hits))
   {
@@ -205,8 +206,8 @@ bool Measure(Survey& survey, int repetitions)
   const double million = 1e-6 * static_cast<double>(count);
   std::printf("%-18s %7.2f %9.2f %12.3f %10.2f %13.2f %10.3f %10.3f %10.3f\n", survey.Name.c_str(),
     million / Median(bare), million / Median(one), million / 19 / Median(one), Median(ratio),
-    Median(wallOne) / Median(wallTwo), million / 19 / Median(wallTwo),
-    million / 19 / Median(fine), million / 19 / Median(wide));
+    Median(wallOne) / Median(wallTwo), million / 19 / Median(wallTwo), million / 19 / Median(fine),
+    million / 19 / Median(wide));
   return true;
 }
 

@@ -63,21 +63,9 @@ TEST_CASE("ObjSceneReader: decimals become the nearest doubles", "[ObjSceneReade
 {
   TestFolder folder;
   std::mt19937_64 random(20210);
-  std::vector<std::string> numbers = { "5500000.654321",
-    "+0.1",
-    "-0.0",
-    "1.",
-    ".5",
-    "-.5e-3",
-    "1E+5",
-    "0.30000000000000004",
-    "9007199254740993",
-    "2.2250738585072011e-308",
-    "4.9e-324",
-    "179769.31348623157e3",
-    "123456789012345678901234567890",
-    "1e-7",
-    "7.2057594037927933e16" };
+  std::vector<std::string> numbers = { "5500000.654321", "+0.1", "-0.0", "1.", ".5", "-.5e-3",
+    "1E+5", "0.30000000000000004", "9007199254740993", "2.2250738585072011e-308", "4.9e-324",
+    "179769.31348623157e3", "123456789012345678901234567890", "1e-7", "7.2057594037927933e16" };
   while (numbers.size() % 3 != 0 || numbers.size() < 3000)
   {
     char text[64];
@@ -125,17 +113,9 @@ TEST_CASE("ObjSceneReader: every way to write a corner", "[ObjSceneReader]")
 {
   TestFolder folder;
   const std::string head = ObjSquare + "vt 0 0\nvt 1 0 0\nvt 0.5\nvn 0 0 1\n";
-  for (const char* face : { "f 1 2 3",
-         "f 1/1 2/2 3/3",
-         "f 1//1 2//1 3//1",
-         "f 1/1/1 2/2/1 3/3/1",
-         "f -4 -3 -2",
-         "f -4/-3/-1 2/-2/-1 -2/3/1",
-         "  f\t1   2 3  ",
-         "f 1 2 3 # a comment",
-         "f 1 2 \\\n3",
-         "f \\\n 1 \\\r\n 2 \\\n 3\\\n",
-         "f 1/1/ 2// 3/" })
+  for (const char* face : { "f 1 2 3", "f 1/1 2/2 3/3", "f 1//1 2//1 3//1", "f 1/1/1 2/2/1 3/3/1",
+         "f -4 -3 -2", "f -4/-3/-1 2/-2/-1 -2/3/1", "  f\t1   2 3  ", "f 1 2 3 # a comment",
+         "f 1 2 \\\n3", "f \\\n 1 \\\r\n 2 \\\n 3\\\n", "f 1/1/ 2// 3/" })
   {
     INFO(face);
     ObjReading reading(folder.Write("a.obj", head + face));
@@ -159,8 +139,8 @@ TEST_CASE("ObjSceneReader: a polygon becomes a fan about its first corner", "[Ob
   CHECK(reading.MaterialOf(3).Name == "b");
 }
 
-TEST_CASE("ObjSceneReader: indices count from the face back or from the start on",
-  "[ObjSceneReader]")
+TEST_CASE(
+  "ObjSceneReader: indices count from the face back or from the start on", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj",
@@ -212,8 +192,8 @@ TEST_CASE("ObjSceneReader: y up becomes z up", "[ObjSceneReader]")
   CHECK(reading.Scene()->GetPoint(0)[1] == 2.0);
 }
 
-TEST_CASE("ObjSceneReader: lines run over blocks, and a line may be longer than one",
-  "[ObjSceneReader]")
+TEST_CASE(
+  "ObjSceneReader: lines run over blocks, and a line may be longer than one", "[ObjSceneReader]")
 {
   TestFolder folder;
   constexpr int count = 150000;

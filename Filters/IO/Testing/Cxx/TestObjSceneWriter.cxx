@@ -111,8 +111,7 @@ TEST_CASE("ObjSceneWriter: what is written is read back bit for bit", "[ObjScene
   REQUIRE(reading.Scene()->GetNumberOfPoints() == scene->GetNumberOfPoints());
   const auto bytes = sizeof(double) * 3 * static_cast<std::size_t>(scene->GetNumberOfPoints());
   CHECK(std::memcmp(reading.Scene()->GetPoints()->GetVoidPointer(0),
-          scene->GetPoints()->GetVoidPointer(0),
-          bytes) == 0);
+          scene->GetPoints()->GetVoidPointer(0), bytes) == 0);
 
   REQUIRE(reading.TriangleCount() == scene->GetNumberOfPolys());
   for (vtkIdType i = 0; i < scene->GetNumberOfPolys(); ++i)
@@ -127,8 +126,8 @@ TEST_CASE("ObjSceneWriter: what is written is read back bit for bit", "[ObjScene
   }
 }
 
-TEST_CASE("ObjSceneWriter: a scene without material arrays gets the default one",
-  "[ObjSceneWriter]")
+TEST_CASE(
+  "ObjSceneWriter: a scene without material arrays gets the default one", "[ObjSceneWriter]")
 {
   TestFolder folder;
   const auto scene = MakeScene(2, MaterialTable(1));
@@ -188,8 +187,7 @@ TEST_CASE("ObjSceneWriter: errors say what cannot be written", "[ObjSceneWriter]
 
   const auto scene = MakeScene(2, MaterialTable(1));
   const std::string below = folder.Write("plain.txt", "") + "/a.obj";
-  check(scene,
-    below,
+  check(scene, below,
     folder.GetPath("plain.txt") +
       "/a.mtl: cannot be written: Not a directory; choose another folder, or make this one "
       "writable with space left");
@@ -200,8 +198,7 @@ TEST_CASE("ObjSceneWriter: errors say what cannot be written", "[ObjSceneWriter]
   vtkNew<vtkPolyData> wrong;
   wrong->DeepCopy(scene);
   wrong->GetCellData()->GetArray(vtkHeliosArrayNames::MaterialIds)->SetComponent(1, 0, 3);
-  check(wrong,
-    path,
+  check(wrong, path,
     "cell 1 of the scene has MaterialIds 3, but there are 1 materials; correct the array or add "
     "the material");
 

@@ -20,8 +20,7 @@ namespace
 {
 
 vtkSmartPointer<vtkPolyData> Run(const std::vector<helios::Point>& positions,
-  const std::vector<double>& speeds,
-  double start = 0.0)
+  const std::vector<double>& speeds, double start = 0.0)
 {
   vtkNew<vtkHeliosLinearPathPlatform> platform;
   platform->SetStartTime(start);
@@ -45,8 +44,7 @@ void CheckForward(vtkPolyData* path, vtkIdType sample, double x, double y)
 TEST_CASE("LinearPathPlatform: 1000 m at 25 m/s take exactly 40 s", "[LinearPathPlatform]")
 {
   for (const helios::Point& end : { helios::Point{ 1000.0, 0.0, 0.0 },
-         helios::Point{ 600.0, -800.0, 0.0 },
-         helios::Point{ 0.0, 0.0, 1000.0 } })
+         helios::Point{ 600.0, -800.0, 0.0 }, helios::Point{ 0.0, 0.0, 1000.0 } })
   {
     auto path = Run({ { 0.0, 0.0, 0.0 }, end }, { 25.0, 0.0 });
     REQUIRE(path->GetNumberOfPoints() == 2);
@@ -64,14 +62,12 @@ TEST_CASE("LinearPathPlatform: two samples a leg, turning at once", "[LinearPath
 {
   auto path =
     Run({ { 0.0, 0.0, 10.0 }, { 100.0, 0.0, 10.0 }, { 100.0, 50.0, 60.0 }, { 0.0, 150.0, 60.0 } },
-      { 10.0, 5.0, 20.0, 0.0 },
-      100.0);
+      { 10.0, 5.0, 20.0, 0.0 }, 100.0);
   REQUIRE(path->GetNumberOfPoints() == 6);
   const double climb = std::hypot(50.0, 50.0) / 5.0;
   const double last = std::hypot(100.0, 100.0) / 20.0;
-  const double times[6] = {
-    100.0, 110.0, 110.0, 110.0 + climb, 110.0 + climb, 110.0 + climb + last
-  };
+  const double times[6] = { 100.0, 110.0, 110.0, 110.0 + climb, 110.0 + climb,
+    110.0 + climb + last };
   for (vtkIdType i = 0; i < 6; ++i)
   {
     CHECK(helios::Value(path, names::GpsTime, i) == Approx(times[i]).epsilon(1e-15));
@@ -181,8 +177,7 @@ TEST_CASE("LinearPathPlatform: bad input is an error", "[LinearPathPlatform]")
   }
   SECTION("a speed that is no speed")
   {
-    const std::pair<double, std::string> speeds[] = { { 0.0, "0" },
-      { -3.0, "-3" },
+    const std::pair<double, std::string> speeds[] = { { 0.0, "0" }, { -3.0, "-3" },
       { std::numeric_limits<double>::quiet_NaN(), "nan" },
       { std::numeric_limits<double>::infinity(), "inf" } };
     for (const auto& [speed, text] : speeds)
@@ -203,8 +198,8 @@ TEST_CASE("LinearPathPlatform: bad input is an error", "[LinearPathPlatform]")
   CHECK(platform->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("LinearPathPlatform: the speed at the last waypoint does not matter",
-  "[LinearPathPlatform]")
+TEST_CASE(
+  "LinearPathPlatform: the speed at the last waypoint does not matter", "[LinearPathPlatform]")
 {
   auto path = Run({ { 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } }, { 4.0, -1.0 });
   CHECK(helios::Value(path, names::GpsTime, 1) == 0.5);

@@ -135,7 +135,8 @@ TEST_CASE("SurveyDialect: the scans of the planner of the Java program", "[Surve
   CHECK(scan.ScanFrequency == 120);   // so the mirror
 }
 
-TEST_CASE("SurveyDialect: models of platforms and scanners are named, not opened", "[SurveyDialect]")
+TEST_CASE(
+  "SurveyDialect: models of platforms and scanners are named, not opened", "[SurveyDialect]")
 {
   const Files files;
   files.Replace("assets.xml", "type=\"static\"", "type=\"static\" visModel=\"tripod.obj\"");
@@ -145,7 +146,8 @@ TEST_CASE("SurveyDialect: models of platforms and scanners are named, not opened
   files.Write("tripod.obj", "this is no model\n");
   files.Write("Models/sr22/sr22.obj", "nor this\n");
   const std::string flight = R"( platform="assets.xml#plane" scanner="assets.xml#als")";
-  const Reading reading(files, Tripod, Leg("", "z=\"5\"") + Leg(flight, "") + Leg(flight, "x=\"5\""));
+  const Reading reading(
+    files, Tripod, Leg("", "z=\"5\"") + Leg(flight, "") + Leg(flight, "x=\"5\""));
   const helios::SurveyData& data = Read(reading);
   CHECK(data.GetPlatform(0).Model.Name == "tripod.obj");
   CHECK(data.GetPlatform(0).Model.File == files / "tripod.obj");

@@ -179,8 +179,7 @@ TEST_CASE("SurveyReader: parameters of parts that are not used", "[SurveyReader]
   INFO(reading.Log->Errors << reading.Log->Warnings);
   CHECK(reading.Good);
   CHECK(reading.Log->HasWarning("matname=\"oak\" is not used without a matfile"));
-  CHECK(reading.Log->HasWarning(
-    "randomMaterials=\"3\" is not used without a matfile"));
+  CHECK(reading.Log->HasWarning("randomMaterials=\"3\" is not used without a matfile"));
   CHECK(reading.Log->HasWarning(
     "parameter \"voxelsize\" of filter xyzloader is unknown; did you mean voxelSize?"));
 }

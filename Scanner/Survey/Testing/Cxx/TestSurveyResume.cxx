@@ -273,7 +273,7 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
     return std::stod(report.substr(report.find(':', at) + 1));
   };
   const std::string estimate = playing.Player->GetReport();
-  CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses")); // it did sample
+  CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses"));  // it did sample
   CHECK(number(estimate, "pulsesSampled") > 0.19 * number(estimate, "pulses")); // whole lines
   REQUIRE(playing.Player->Run());
   double bytes = 0.0;
