@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 namespace helios
 {
@@ -24,7 +25,8 @@ constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
 constexpr double FewestWindows = 8.0;   // of a leg
-constexpr double LongestSampling = 8.0; // [s], of all legs together
+constexpr double MostOverBudget = 4.0;  // in pulses, for whole lines
+constexpr double LongestSampling = 4.0; // [s], of all legs together
 // Trials, each longer than the last, until one tells what a pulse costs.
 constexpr double PulsesPerTrial = 8.0;
 constexpr double TrialGrowth = 8.0;
@@ -72,43 +74,55 @@ bool RunEstimate::Make(const std::function<bool(double)>& onStep)
 }
 
 //------------------------------------------------------------------------------
-RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affordable) const
+/// The pulses of a leg that should be sampled.
+double RunEstimate::GetWanted(const LegPlan& plan) const
 {
   const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
   const auto pulses = static_cast<double>(plan.NumberOfPulses);
-  if (pulses == 0.0)
+  const double all = std::clamp(SampledShare * total, FewestPulses, MostPulses);
+  return std::max(PulsesPerWindow, all * pulses / total);
+}
+
+//------------------------------------------------------------------------------
+RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affordable) const
+{
+  if (plan.NumberOfPulses == 0)
   {
     return {};
   }
-  const double frequency = pulses / plan.Duration;
+  const double frequency = static_cast<double>(plan.NumberOfPulses) / plan.Duration;
   const double lines = this->Runner.GetSurvey().Legs[plan.Leg].Scans.front().ScanFrequency;
   // Whole lines: some of a line's pulses may not leave.
   double length = lines > 0.0
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
     : PulsesPerWindow / frequency;
-  const double wanted = std::clamp(SampledShare * total, FewestPulses, MostPulses) * pulses / total;
-  const double budget = std::min(wanted, affordable);
+  const double budget = std::min(this->GetWanted(plan), affordable);
   const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
-  if (count * length * frequency > 2.0 * affordable)
+  if (count * length * frequency > MostOverBudget * budget)
   {
     // Parts of lines where whole ones take too long.
-    length = std::max(1.0, affordable / count) / frequency;
+    length = std::max(1.0, budget / count) / frequency;
   }
   const double stratum = plan.Duration / count;
   if (2.0 * length > stratum)
   {
     return { { plan.StartTime - 1.0, plan.StartTime + plan.Duration + 1.0 } };
   }
-  Windows windows;
+  std::map<double, Window> windows; // the first few of them sample the whole leg, too
   for (double i = 0.0; i < count; ++i)
   {
     // About the middle, but not in step with what the scene repeats.
     const double turns = (i + 1.0) * GoldenRatio;
     const double place = 0.25 + 0.5 * (turns - std::floor(turns));
     const double start = plan.StartTime + i * stratum + place * (stratum - length);
-    windows.emplace_back(start, start + length);
+    windows.emplace(place, Window(start, start + length));
   }
-  return windows;
+  Windows sorted;
+  for (const auto& window : windows)
+  {
+    sorted.push_back(window.second);
+  }
+  return sorted;
 }
 
 //------------------------------------------------------------------------------
@@ -136,9 +150,14 @@ bool RunEstimate::Sample(const LegPlan& plan)
   Sums sums;
   const double affordable = good ? this->CountAffordable(plan, scanner) : 0.0;
   good = good && !this->Runner.HasError();
+  const double latest = Now() + 2.0 * this->GetLongestSampling();
   for (const Window& window : good ? this->ChooseWindows(plan, affordable) : Windows())
   {
-    good = good && this->SampleWindow(window, scanner, outputs, sums);
+    if (!good || Now() > latest)
+    {
+      break;
+    }
+    good = this->SampleWindow(window, scanner, outputs, sums);
     sums.Seconds -= std::min(sums.Seconds, idle.Seconds);
   }
   for (const LegOutput& output : outputs)
@@ -152,14 +171,22 @@ bool RunEstimate::Sample(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
+/// The time that the samples of a leg should take [s].
+double RunEstimate::GetLongestSampling() const
+{
+  return LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
+}
+
+//------------------------------------------------------------------------------
 /// The pulses of a leg that can be computed in the time that its samples may take.
 double RunEstimate::CountAffordable(const LegPlan& plan, LegScanner& scanner)
 {
   const auto pulses = static_cast<double>(plan.NumberOfPulses);
   const double step = plan.Duration / std::max(1.0, pulses);
   const double middle = plan.StartTime + 0.5 * plan.Duration;
-  const double most = LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
-  for (double count = PulsesPerTrial; count < 0.5 * pulses; count *= TrialGrowth)
+  const double most = this->GetLongestSampling();
+  const double largest = std::min(0.5 * pulses, this->GetWanted(plan));
+  for (double count = PulsesPerTrial; count < largest; count *= TrialGrowth)
   {
     Sums trial;
     if (!this->SampleWindow({ middle, middle + count * step }, scanner, {}, trial))

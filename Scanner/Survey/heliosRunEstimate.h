@@ -47,8 +47,10 @@ private:
   using Window = std::pair<double, double>; // times [s]
   using Windows = std::vector<Window>;
 
+  double GetWanted(const LegPlan& plan) const;
   Windows ChooseWindows(const LegPlan& plan, double affordable) const;
   bool Sample(const LegPlan& plan);
+  double GetLongestSampling() const;
   double CountAffordable(const LegPlan& plan, LegScanner& scanner);
   bool SampleWindow(
     const Window& window, LegScanner& scanner, const LegRunner::Outputs& outputs, Sums& sums);
