@@ -217,15 +217,19 @@ TEST_CASE("Scanner: aborted it says so and gives nothing, then all again", "[Sca
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   bench.Scanner->GenerateWaveformsOn();
   bench.Scanner->GeneratePulsesOn();
+  int count = 0;
   vtkNew<vtkCallbackCommand> stop;
+  stop->SetClientData(&count);
   stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
+    [](vtkObject* caller, unsigned long, void* counter, void*)
     {
       auto* scanner = static_cast<vtkAlgorithm*>(caller);
       scanner->SetAbortExecute(scanner->GetProgress() > 0.0);
+      *static_cast<int*>(counter) += scanner->GetAbortExecute();
     });
   const unsigned long tag = bench.Scanner->AddObserver(vtkCommand::ProgressEvent, stop);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
+  CHECK(count == 1); // no batch after that
   CHECK(bench.Log->HasError("The scan was aborted at "));
   CHECK(bench.Log->HasError(" %; update again for the whole"));
   for (int port = 0; port < bench.Scanner->GetNumberOfOutputPorts(); ++port)

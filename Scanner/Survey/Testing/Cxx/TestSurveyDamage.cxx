@@ -191,6 +191,20 @@ TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[
   playing.CheckFails({ "run.journal, line ", test.Message, "set Overwrite (--overwrite)" });
 }
 
+TEST_CASE("SurveyDamage: a leg does not end twice", "[SurveyDamage]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  BreakOff(files, reading);
+  std::vector<std::string> lines = SplitLines(ReadText(files / Journal));
+  REQUIRE(lines[5].find("\"done\":true") != std::string::npos);
+  lines.insert(lines.begin() + 5, lines[5]);
+  files.Write(Journal, Reseal(lines));
+  BlockRun playing(files, reading);
+  playing.Player->SetResume(true);
+  playing.CheckFails({ "run.journal, line 7: \"leg\" 0 with \"blocks\" 4 does not follow" });
+}
+
 TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
 {
   const std::string format = GENERATE("xyz", "las", "vtp");

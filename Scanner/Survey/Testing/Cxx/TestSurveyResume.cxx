@@ -295,7 +295,7 @@ TEST_CASE("SurveyEstimate: of pulses that take long it computes fewer", "[Survey
 <scannerSettings id="c" pulseFreq_hz="200000" scanFreq_hz="50" scanAngle_deg="15"/>
 <leg><platformSettings template="p" x="-60"/><scannerSettings template="c"/></leg>
 <leg><platformSettings template="p" x="60"/><scannerSettings template="c"/></leg>
-<FWFSettings beamSampleQuality="60"/>)");
+<FWFSettings beamSampleQuality="64" binSize_ns="0.01"/>)");
   BlockRun playing(files, reading);
   playing.Player->SetWriteWaveforms(false);
   REQUIRE(playing.Player->Estimate());
