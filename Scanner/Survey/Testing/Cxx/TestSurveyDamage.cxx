@@ -191,6 +191,19 @@ TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[
   playing.CheckFails({ "run.journal, line ", test.Message, "set Overwrite (--overwrite)" });
 }
 
+TEST_CASE("SurveyDamage: a leg does not begin before the last one ends", "[SurveyDamage]")
+{
+  const Files files;
+  const Reading reading(files, Flight, ThreeLegs);
+  BreakOff(files, reading);
+  std::vector<std::string> lines = SplitLines(ReadText(files / Journal));
+  lines.erase(lines.begin() + 5); // the end of leg 0
+  files.Write(Journal, Reseal(lines));
+  BlockRun playing(files, reading);
+  playing.Player->SetResume(true);
+  playing.CheckFails({ "run.journal, line 6: \"leg\" 1 with \"blocks\" 1 does not follow" });
+}
+
 TEST_CASE("SurveyDamage: a leg does not end twice", "[SurveyDamage]")
 {
   const Files files;
