@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by demo.sh and Testing/run.sh: all that a fresh Debian 12 needs to build this checkout,
-# and the build. Quick when there is nothing to do.
+# Sourced by demo.sh and Testing/run.sh: all packages to build this checkout on a fresh Debian 12,
+# and the build. Fast if nothing is to be done.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Every package vtkHelios is built, run and tested with; README.md points here.
+# All packages to build, run and test vtkHelios; README.md refers to this list.
 helios_packages=(
   # to build
   git g++ cmake ninja-build ccache pkgconf
@@ -45,7 +45,7 @@ helios_install_packages() {
     apt-get install -y -q --no-install-recommends -o DPkg::Lock::Timeout=300 "${missing[@]}"
 }
 
-# The Python that build/bin/vtkhelios runs in: Debian's, which VTK's modules are made for. It finds the
+# The Python of build/bin/vtkhelios: Debian's, which VTK's modules are built for. It finds the
 # package of this build by itself.
 helios_make_venv() {
   [ -x build/venv/bin/python ] || /usr/bin/python3 -m venv --system-site-packages build/venv
@@ -58,23 +58,24 @@ helios_make_venv() {
   helios_install_formats
 }
 
-# LAS and LAZ files as scenes, which Debian has no package for. Without it the tests of them are skipped.
-# --no-deps: the numpy of Debian stays, which its VTK was built with.
+# LAS and LAZ files as scenes; Debian has no package for it. Without it their tests are skipped.
+# --no-deps keeps the numpy of Debian, which its VTK was built with.
 helios_install_laspy() {
   build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
 }
 
-# A PyVista of the time of VTK 9.1, for the test that it takes our data; newer ones bring a vtk of their own.
+# A PyVista contemporary with VTK 9.1, for the test of its interoperability; newer ones install
+# their own vtk.
 helios_install_pyvista() {
   build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
     'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be had here: its test is skipped" >&2
 }
 
-# COPC and E57 files, LAZ with waveforms of several channels, and what reads PLY files in tests.
-# Without them the tests of these are skipped.
+# COPC and E57 files, LAZ with waveforms of several channels, and a reader of PLY files in tests.
+# Without them their tests are skipped.
 helios_install_formats() {
   build/venv/bin/python -c 'import copclib, laszip, pye57, plyfile' 2>/dev/null && return
   local package
@@ -94,7 +95,7 @@ helios_configure() {
   }
 }
 
-# helios_build PRESET [TARGET...]: all, where no target is named.
+# helios_build PRESET [TARGET...]: everything without a target.
 helios_build() {
   local preset=$1
   shift

@@ -1,10 +1,11 @@
-# What every module and every test program of vtkHelios is built with.
+# Build rules for all modules and test programs of vtkHelios.
 
 set(vtkhelios_warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 
 # helios_add_module(<name> CLASSES ... [SOURCES ...] [HEADERS ...] [LINK ...])
-# A VTK module with the project's warnings; HEADERS are installed and not wrapped, SOURCES are private.
-# Floating-point contraction stays off: the same bytes on every machine, no leak between triangles.
+# A VTK module with the project's warnings; HEADERS are installed and not wrapped, SOURCES are
+# private. Floating-point contraction is off: byte-identical on every machine, no leak between
+# triangles.
 function(helios_add_module name)
   cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
   vtk_module_add_module(vtkHelios::${name}
@@ -20,7 +21,7 @@ function(helios_add_module name)
   endif()
 endfunction()
 
-# Takes the modules whose optional library is switched off out of the list of vtk.module files.
+# Removes the modules with a disabled optional library from the list of vtk.module files.
 function(helios_drop_disabled_modules files)
   set(kept ${${files}})
   if(NOT VTKHELIOS_ENABLE_EMBREE)
@@ -39,8 +40,8 @@ function(helios_drop_disabled_modules files)
 endfunction()
 
 # helios_add_test_program(<module> <folder> [LINK <module>...])
-# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, each case a ctest of its own. Cases tagged
-# [mutation] feed damaged files to a reader and live in Test*Mutations.cxx.
+# One Catch2 program of all Test*.cxx in <folder>/Testing/Cxx, one ctest per case. Cases tagged
+# [mutation] pass damaged files to a reader and are in Test*Mutations.cxx.
 function(helios_add_test_program module folder)
   cmake_parse_arguments(arg "" "" "LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/Testing/Cxx/Test*.cxx")
@@ -63,7 +64,7 @@ function(helios_add_test_program module folder)
   endif()
 endfunction()
 
-# Registers VTK's drawing classes in a program or library of the viewer.
+# Registers VTK's rendering classes in a program or library of the viewer.
 function(helios_register_drawing target)
   list(TRANSFORM vtkhelios_viewer_components PREPEND "VTK::" OUTPUT_VARIABLE modules)
   vtk_module_autoinit(TARGETS ${target} MODULES ${modules})

@@ -1,4 +1,4 @@
-# The build's switches, and the directories everything goes to.
+# Build options and output directories.
 
 option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)
 option(VTKHELIOS_BUILD_VIEWER "Build the viewer" ON)
@@ -36,7 +36,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}"
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
 
-# A wheel carries the libraries beside the Python modules.
+# A wheel has the libraries beside the Python modules.
 if(SKBUILD)
   set(vtkhelios_library_dir vtkhelios)
   set(vtkhelios_python_dir ".")
@@ -52,7 +52,7 @@ if(VTKHELIOS_WRAP_PYTHON)
   list(APPEND vtkhelios_vtk_components FiltersPython WrappingPythonCore Python)
 endif()
 
-# What the viewer draws with; not part of the package that other projects find.
+# Rendering components of the viewer; not part of the package for other projects.
 set(vtkhelios_viewer_components)
 if(VTKHELIOS_BUILD_VIEWER)
   set(vtkhelios_viewer_components

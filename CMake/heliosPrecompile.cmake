@@ -1,5 +1,5 @@
-# Precompiled headers: those that most sources include, parsed once for all modules and once for all programs.
-# Sources name all that they use themselves; the preset "minimal" builds without.
+# Precompiled headers: those that most sources include, parsed once for all modules and once for all
+# programs. Sources still include what they use; the preset "minimal" builds without.
 
 set(vtkhelios_precompiled
   <algorithm> <array> <cmath> <cstdint> <cstring> <filesystem> <fstream> <functional> <limits> <map> <memory>
@@ -9,7 +9,8 @@ set(vtkhelios_precompiled
   <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkPoints.h> <vtkPolyData.h> <vtkPolyDataAlgorithm.h>
   <vtkSMPTools.h> <vtkSmartPointer.h> <vtkStringArray.h> <vtkTable.h>)
 
-# -pthread, since some libraries ask for it and users of one header must agree; the other is for ccache.
+# -pthread, since some libraries require it and users of one header must agree; the other is for
+# ccache.
 set(vtkhelios_precompile_options -pthread $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 
 # helios_add_precompiled(<target> [OPTIONS option...] [HEADERS header...])
@@ -22,7 +23,7 @@ function(helios_add_precompiled target)
   file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${target}.cxx" CONTENT "// Only the headers are of use.\n")
   add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cxx")
   target_compile_options(${target} PRIVATE ${vtkhelios_precompile_options} ${arg_OPTIONS})
-  # The folders alone: what some libraries define others do not, and no header here asks for it.
+  # Include directories only: compile definitions differ, and no header here uses them.
   foreach(library IN ITEMS VTK::CommonCore Catch2::Catch2 Python3::Module)
     target_include_directories(${target} SYSTEM PRIVATE
       $<$<TARGET_EXISTS:${library}>:$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>>)
@@ -30,7 +31,7 @@ function(helios_add_precompiled target)
   target_precompile_headers(${target} PRIVATE ${vtkhelios_precompiled} ${arg_HEADERS})
 endfunction()
 
-# helios_precompile(<target> <precompiled>): takes the headers of that library.
+# helios_precompile(<target> <precompiled>): uses the headers of that library.
 function(helios_precompile target precompiled)
   if(VTKHELIOS_PRECOMPILE_HEADERS)
     target_precompile_headers(${target} REUSE_FROM ${precompiled})
@@ -38,7 +39,7 @@ function(helios_precompile target precompiled)
   endif()
 endfunction()
 
-# ccache takes precompiled headers where it is told that their dates do not matter.
+# ccache accepts precompiled headers only if set to ignore their dates.
 if(VTKHELIOS_PRECOMPILE_HEADERS AND CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
     "${CCACHE_PROGRAM}")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Areas of a map, given by their outlines.
+// Areas on a map, given by their outlines.
 
 #ifndef heliosAreas_h
 #define heliosAreas_h
@@ -13,14 +13,14 @@ class vtkPolyData;
 namespace helios
 {
 
-/// The polygons and closed lines of a data set, seen from above.
+/// The polygons and closed lines of a data set, in plan view.
 class Areas
 {
 public:
-  /// Null has no areas.
+  /// Null: no areas.
   explicit Areas(vtkPolyData* outlines);
 
-  /// Whether a place is in one of the areas or on its border.
+  /// Whether a position is inside one of the areas or on its border.
   bool Contain(double x, double y) const;
 
 private:

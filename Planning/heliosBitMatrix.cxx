@@ -11,7 +11,7 @@ namespace helios
 namespace
 {
 
-/// 64 words of 64 bits, transposed in place by swapping ever smaller squares.
+/// Transposes 64 words of 64 bits in place by swapping successively smaller squares.
 void TransposeBlock(std::array<Word, 64>& block)
 {
   Word mask = 0x00000000FFFFFFFFu;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sets as rows of bits, 64 to a word: what the choice of scan positions computes with.
+// Sets as rows of bits, 64 per word: the data structure of the scan position selection.
 
 #ifndef heliosBitMatrix_h
 #define heliosBitMatrix_h
@@ -91,13 +91,13 @@ void VisitBits(const Word* set, int length, VisitT visit)
   }
 }
 
-/// Rows of bits that someone else owns; the bits after the last column are zero.
+/// A view of rows of bits; the bits after the last column are zero.
 struct BitRows
 {
   const Word* Data = nullptr;
   int Rows = 0;
   int Columns = 0;
-  int Length = 0; // words a row
+  int Length = 0; // words per row
 
   const Word* Get(int row) const
   {
@@ -125,10 +125,10 @@ private:
   int Length = 0;
 };
 
-/// Columns as rows.
+/// The columns as rows.
 VTKHELIOSPLANNING_EXPORT BitMatrix Transpose(const BitRows& matrix);
 
-/// Some of the rows, in the order given.
+/// The given rows, in the order given.
 VTKHELIOSPLANNING_EXPORT BitMatrix SelectRows(const BitRows& matrix, const std::vector<int>& rows);
 
 } // namespace helios

@@ -17,16 +17,16 @@ namespace helios
 namespace
 {
 
-/// What rounding may add to a bound.
+/// Tolerance for rounding in a bound.
 constexpr double Rounding = 1e-6;
 
-/// Bits looked at for a bound.
+/// Bits read for a bound.
 constexpr std::int64_t BoundWork = 50000000;
 
-/// Words looked at to go through all covers.
+/// Words read to enumerate all covers.
 constexpr std::int64_t TreeWork = 20000000;
 
-/// False: all covers of fewer scans have been gone through; the choice becomes the best met.
+/// False: all covers of fewer scans were enumerated; the choice becomes the best found.
 bool HasFewer(const CoverProblem& problem, Choice& choice, const StopTest& stop)
 {
   const BitMatrix columns = Transpose(problem.Rows);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A good cover soon: greedy ways, what they leave needless removed, and local search.
+// A good cover in short time: greedy methods, removal of redundant scans, and local search.
 
 #ifndef heliosCoverBest_h
 #define heliosCoverBest_h
@@ -15,18 +15,18 @@ namespace helios
 struct BestSettings
 {
   int NumberOfStarts = 4;       // of the local search
-  int Target = 0;               // scans that are few enough
-  std::int64_t Work = 60000000; // of a local search
+  int Target = 0;               // number of scans at which the search ends
+  std::int64_t Work = 60000000; // of one local search
 };
 
 /**
- * Of a reduced problem: the better of greedy and greedy by rarity (1/c^2), without what others see;
- * then local searches from it, until a lower bound says that there is no better one.
+ * For a reduced problem: the better of greedy and greedy by rarity (1/c^2), without redundant
+ * scans; then local searches from it, until a lower bound shows that no better cover exists.
  */
 VTKHELIOSPLANNING_EXPORT Choice ChooseBest(
   const CoverProblem& problem, const BestSettings& settings, const StopTest& stop = {});
 
-/// Removes, the smallest viewsheds first, whoever is not needed for what is required.
+/// Removes redundant candidates, the smallest viewsheds first.
 VTKHELIOSPLANNING_EXPORT Choice RemoveWhatIsLeft(
   const CoverProblem& problem, const Choice& choice, const StopTest& stop = {});
 

@@ -11,14 +11,14 @@ namespace helios
 namespace
 {
 
-/// Steps without a better bound after which steps get shorter, and their number at most.
+/// Steps without a better bound before the step length is reduced, and their maximum number.
 constexpr int Patience = 30;
 constexpr int MaximumSteps = 1000;
 
-/// How much of the last direction stays in the next: without it steps go to and fro.
+/// Share of the last direction kept in the next: without it steps oscillate.
 constexpr double Inertia = 0.95;
 
-/// What rounding may add to a bound.
+/// Tolerance for rounding in a bound.
 constexpr double Rounding = 1e-9;
 
 class Lagrange
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  /// L(u), and its slope.
+  /// L(u), and its subgradient.
   double Evaluate()
   {
     double bound = this->SeeEnough();
@@ -95,7 +95,7 @@ private:
     return bound;
   }
 
-  /// The second term, its z as the slope so far.
+  /// The second term; its z enters the subgradient.
   double SeeEnough()
   {
     std::fill(this->Slope.begin(), this->Slope.end(), 0.0);
@@ -135,7 +135,7 @@ private:
     return sum;
   }
 
-  /// A step up the slope; false: there is none.
+  /// A step along the subgradient; false: it is zero.
   bool Move(double length, int upper)
   {
     double square = 0.0;
@@ -155,7 +155,7 @@ private:
     const double step = length * std::max(0.01 * upper, upper - this->Value) / square;
     for (std::size_t v = 0; v < this->Prices.size(); ++v)
     {
-      // The best prices are at most 1, the cost of a scan.
+      // The optimal prices are at most 1, the cost of a scan.
       this->Prices[v] = std::clamp(this->Prices[v] + step * this->Way[v], 0.0, 1.0);
     }
     return true;
@@ -165,7 +165,7 @@ private:
   std::vector<double> Prices;
   std::vector<double> Best;
   std::vector<double> Slope;
-  std::vector<double> Way; // of the steps: slopes, the older the less
+  std::vector<double> Way; // of the steps: subgradients with decaying weights
   std::vector<int> Order;
   std::int64_t Bits = 0;
   double Value = 0.0;

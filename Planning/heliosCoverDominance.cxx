@@ -12,10 +12,10 @@ namespace helios
 namespace
 {
 
-/// Below so many words of common bits it pays to count the bits.
+/// Up to this many words of common bits, counting the bits is worthwhile.
 constexpr std::size_t FewWords = 16;
 
-/// Sets over a ground set, both ways, and the search for supersets.
+/// Sets over a ground set, in both directions, and the superset search.
 class Supersets
 {
 public:
@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /// Calls visit(t) for every set t other than s that holds all of s.
+  /// Calls visit(t) for every set t other than s that contains all of s.
   template <typename VisitT>
   void Visit(int s, VisitT visit)
   {
@@ -51,12 +51,12 @@ public:
   }
 
 private:
-  /// Common: the sets that hold the elements of s; all of them (IsWhole), or so many that the few
-  /// sets left are quicker compared.
+  /// Common: the sets that contain the elements of s; all elements (IsWhole), or only until the few
+  /// remaining sets are faster to compare.
   void Intersect()
   {
     const int count = static_cast<int>(this->Elements.size());
-    // Neighbours have much in common: large strides leave few sets soon.
+    // Neighbours have much in common: large strides reduce the sets quickly.
     int stride = static_cast<int>(0.618 * count) | 1;
     while (std::gcd(stride, count) != 1)
     {
@@ -105,7 +105,7 @@ private:
     this->Common.resize(kept);
   }
 
-  /// Whether the sets left are so few that comparing them beats the elements left.
+  /// Whether comparing the remaining sets is cheaper than processing the remaining elements.
   bool IsFew(int elementsLeft) const
   {
     if (this->Common.size() > FewWords)
@@ -155,7 +155,8 @@ std::vector<int> SortBySize(const std::vector<int>& sizes)
   return order;
 }
 
-/// What stays: all sets but the empty ones and, by isLost(s, t, sizes), those lost to a superset.
+/// What remains: all sets except empty ones and, by isLost(s, t, sizes), those removed for a
+/// superset.
 class Sieve
 {
 public:
@@ -171,7 +172,7 @@ public:
     }
   }
 
-  /// The largest sets stay.
+  /// Keeps the largest sets.
   std::vector<int> KeepLargest(const StopTest& stop)
   {
     return this->Keep(stop,
@@ -179,7 +180,7 @@ public:
       { this->Lost[s] = this->Lost[s] || this->Sizes[t] > this->Sizes[s] || t < s; });
   }
 
-  /// The smallest sets stay.
+  /// Keeps the smallest sets.
   std::vector<int> KeepSmallest(const StopTest& stop)
   {
     return this->Keep(stop,
@@ -229,7 +230,7 @@ std::vector<int> Pick(const std::vector<int>& values, const std::vector<int>& wh
   return picked;
 }
 
-/// One of the two steps; false: nothing left out.
+/// One of the two steps; false: nothing removed.
 bool LeaveOutPoints(ReducedCover& cover, std::int64_t& work, const StopTest& stop)
 {
   const std::vector<int> kept =
@@ -258,7 +259,7 @@ bool LeaveOutCandidates(ReducedCover& cover, std::int64_t& work, const StopTest&
   return true;
 }
 
-/// Points that none sees are of no use to anyone.
+/// Removes points that no candidate sees.
 void LeaveOutUnseen(ReducedCover& cover, const CoverProblem& problem)
 {
   VisitBits(

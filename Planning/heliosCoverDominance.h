@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a cover need not look at: candidates that see no more than another, points that come with others.
+// Removes dominated candidates and points from a cover problem.
 
 #ifndef heliosCoverDominance_h
 #define heliosCoverDominance_h
@@ -12,10 +12,10 @@
 namespace helios
 {
 
-/// A smaller problem, and what its rows and columns are in the larger one.
+/// A smaller problem; maps its rows and columns to those of the larger one.
 struct VTKHELIOSPLANNING_EXPORT ReducedCover
 {
-  CoverProblem Problem; // looks at Rows
+  CoverProblem Problem; // refers to Rows
   BitMatrix Rows;       // candidates by points
   BitMatrix Columns;    // points by candidates
   std::vector<int> Candidates;
@@ -25,26 +25,26 @@ struct VTKHELIOSPLANNING_EXPORT ReducedCover
   ReducedCover(ReducedCover&&) = default;
   ReducedCover& operator=(ReducedCover&&) = default;
 
-  /// A choice of the smaller problem in the larger one.
+  /// Maps a choice of the smaller problem to the larger one.
   Choice Restore(const Choice& choice) const;
 };
 
-/// What may be left out.
+/// What may be removed.
 struct DominanceRules
 {
-  bool Candidates = true;         // not where an overlap is asked: a small viewshed may link others
-  bool Points = true;             // not where a part of the points will do
-  std::int64_t Work = 1500000000; // words looked at, at most
+  bool Candidates = true;         // not with a required overlap: a small viewshed may link others
+  bool Points = true;             // not if a part of the points is enough
+  std::int64_t Work = 1500000000; // words read, at most
 };
 
 /**
- * Leaves out candidates whose viewshed is in another's, and points that are seen by all who see
- * some other point (of equal ones the first stays), and points that none sees; again until nothing
- * changes. The fewest scans, and the linear bound, stay what they are.
+ * Removes candidates whose viewshed is contained in another's, points seen by all candidates that
+ * see some other point (of equal ones the first stays), and points that none sees; repeats until
+ * nothing changes. The fewest scans and the linear bound do not change.
  *
- * The points that come with point q are the bits common to the viewsheds of all who see q: rare
- * points first, since these have the fewest, and stopping when only q is left. The same with
- * candidates and points swapped. When the work allowed is done the rest stays as it is.
+ * The points implied by point q are the bits common to the viewsheds of all candidates that see q:
+ * rare points first, since these have the fewest, stopping when only q is left. The same with
+ * candidates and points swapped. When the work is used up the rest stays unchanged.
  */
 VTKHELIOSPLANNING_EXPORT ReducedCover ReduceCover(
   const CoverProblem& problem, DominanceRules rules, const StopTest& stop = {});

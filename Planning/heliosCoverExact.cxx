@@ -25,7 +25,7 @@ double GetSeconds()
   return std::chrono::duration<double>(now).count();
 }
 
-/// Every point is seen: a row each.
+/// Every point is seen: one row each.
 void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
 {
   VisitBits(problem.Coverable.data(), problem.Rows.Length,
@@ -36,7 +36,7 @@ void AddPoints(const CoverProblem& problem, const BitRows& points, BinaryProgram
     });
 }
 
-/// Enough weight is seen: a column for all points that the same candidates see.
+/// Enough weight is seen: one column for all points seen by the same candidates.
 void AddShares(const CoverProblem& problem, const BitRows& points, BinaryProgram& program)
 {
   std::map<Words, double> classes;
@@ -116,7 +116,7 @@ Choice GetChoice(const CoverProblem& problem, const std::vector<double>& values)
   return choice;
 }
 
-/// The neighbours of a part that are next to what can be reached from b without them: they separate.
+/// The neighbours of a part adjacent to the region reachable from b without them: a separator.
 Choice FindSeparator(OverlapNetwork& network, const Choice& part, int b, int candidates)
 {
   const int length = GetWordCount(candidates);
@@ -215,7 +215,7 @@ ExactAnswer SolveCover(const CoverProblem& problem, const Choice& start, Overlap
       continue;
     }
     const bool isFewer = choice.size() < answer.Best.size();
-    const bool isEnough = CoverCounts(problem, choice).IsEnough(); // to our tolerance, too
+    const bool isEnough = CoverCounts(problem, choice).IsEnough(); // within the cover's tolerance
     answer.Best = isFewer && isEnough ? choice : answer.Best;
     answer.IsProved = found.IsProved && (isEnough || !isFewer);
     break;

@@ -18,14 +18,14 @@ struct Offer
   double Gain;
   int Candidate;
 
-  /// A queue gives the largest first: the larger gain, then the lower index.
+  /// Order of a priority queue: the larger gain, then the lower index.
   bool operator<(const Offer& o) const
   {
     return this->Gain != o.Gain ? this->Gain < o.Gain : this->Candidate > o.Candidate;
   }
 };
 
-/// Calls take(candidate) on the best offer, as gain(candidate) has it, until done() or none is left.
+/// Calls take(candidate) on the best offer by gain(candidate), until done() or none is left.
 template <typename GainT, typename DoneT, typename TakeT>
 void TakeBest(const Choice& candidates, GainT gain, DoneT done, TakeT take)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Choosing scan positions one after the other.
+// Greedy selection of scan positions.
 
 #ifndef heliosCoverGreedy_h
 #define heliosCoverGreedy_h
@@ -10,7 +10,7 @@
 namespace helios
 {
 
-/// A choice in the order of choosing, and the points each adds.
+/// A choice in order of selection, and the number of points each adds.
 struct GreedyChoice
 {
   Choice Candidates;
@@ -18,23 +18,23 @@ struct GreedyChoice
 };
 
 /**
- * Until enough is covered, takes the candidate of a list that adds most weight (ties: lowest
- * index). Lazily: a gain only falls, so only the best of yesterday's gains are computed anew.
+ * Takes the candidate of a list that adds most weight (ties: lowest index), until enough is
+ * covered. Lazy evaluation: gains only fall, so only the best of the previous gains are recomputed.
  */
 VTKHELIOSPLANNING_EXPORT GreedyChoice ChooseGreedily(
   const CoverProblem& problem, const Choice& candidates, const StopTest& stop = {});
 
 /**
- * The same with other gains: a point counts its price. Prices 1/c^2, of a point that c candidates
- * see, make for the points that are hard to see first.
+ * The same with other gains: a point counts its price. Prices of 1/c^2, for a point seen by c
+ * candidates, favour points that are hard to see.
  */
 VTKHELIOSPLANNING_EXPORT Choice ChooseByPrice(
   const CoverProblem& problem, const std::vector<double>& prices, const StopTest& stop = {});
 
-/// 1/c^2 a point, times its weight.
+/// 1/c^2 per point, times its weight.
 VTKHELIOSPLANNING_EXPORT std::vector<double> GetRarityPrices(const CoverProblem& problem);
 
-/// All of a choice, those first that add most; whoever adds nothing last.
+/// The whole choice in order of decreasing gain; members that add nothing last.
 VTKHELIOSPLANNING_EXPORT GreedyChoice SortByGain(const CoverProblem& problem, const Choice& choice);
 
 /// All candidates of a problem.

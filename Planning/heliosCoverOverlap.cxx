@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-/// Shares of areas are compared with this relative tolerance.
+/// Relative tolerance for comparing shares of areas.
 constexpr double Rounding = 1e-12;
 
 /// Splits members into parts by areLinked(a, b); each part ascends from its lowest member.
@@ -116,7 +116,7 @@ Choice OverlapNetwork::FindWay(const std::vector<Choice>& parts, const StopTest&
   Choice shortest;
   for (std::size_t start = 0; start + 1 < parts.size(); ++start)
   {
-    // Breadth first from one part to the next reached; the lowest indices win.
+    // Breadth-first search from one part to the next reached; ties by lowest index.
     Words targets(GetWordCount(this->Problem->Rows.Rows));
     for (std::size_t p = 0; p < parts.size(); ++p)
     {

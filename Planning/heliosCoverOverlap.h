@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scans that share enough points to be registered with each other, as a network.
+// Connected networks of scans that share enough points for registration.
 
 #ifndef heliosCoverOverlap_h
 #define heliosCoverOverlap_h
@@ -13,8 +13,8 @@ namespace helios
 {
 
 /**
- * Two candidates are neighbours where the points both see are at least a share of the smaller
- * viewshed, by weight. Neighbours are found when asked for, and kept.
+ * Two candidates are neighbours if the points seen by both are at least a share of the smaller
+ * viewshed, by weight. Neighbours are computed on demand and cached.
  */
 class VTKHELIOSPLANNING_EXPORT OverlapNetwork
 {
@@ -27,20 +27,20 @@ public:
   /// The neighbours of a candidate, as bits.
   const Words& GetNeighbours(int candidate);
 
-  /// The parts of a choice that are connected within it.
+  /// The connected parts of a choice.
   std::vector<Choice> GetParts(const Choice& choice) const;
   bool IsConnected(const Choice& choice) const { return this->GetParts(choice).size() <= 1; }
 
-  /// The connected parts of all candidates that see anything.
+  /// The connected parts of all candidates that see any point.
   std::vector<Choice> GetAllParts(const StopTest& stop = {}) const;
 
   /**
-   * Adds candidates until the choice is connected: the two parts with the shortest way between them
-   * are joined first, by those on the way. False: there is no way.
+   * Adds candidates until the choice is connected: joins the two parts with the shortest path
+   * between them first, by the candidates on that path. False: no path exists.
    */
   bool Connect(Choice& choice, const StopTest& stop = {});
 
-  /// Removes, in the order given, whoever neither covering nor connection needs.
+  /// Removes, in the order given, each member that neither coverage nor connectivity needs.
   Choice RemoveNeedless(const Choice& order, const StopTest& stop = {}) const;
 
 private:

@@ -10,7 +10,7 @@ namespace helios
 namespace
 {
 
-/// Sums of areas are compared with this relative tolerance.
+/// Relative tolerance for comparing sums of areas.
 constexpr double Rounding = 1e-12;
 
 } // namespace

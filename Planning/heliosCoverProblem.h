@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The choice of scan positions as a set cover: candidates that see points, a weight a point, and how
-// much weight is to be seen. A choice is a list of candidates.
+// Selection of scan positions as a set cover: candidates that see points, a weight per point, and
+// the weight to be seen. A choice is a list of candidates.
 
 #ifndef heliosCoverProblem_h
 #define heliosCoverProblem_h
@@ -17,22 +17,22 @@ namespace helios
 
 using Choice = std::vector<int>;
 
-/// Asked in long loops: true stops them.
+/// Polled in long loops: true stops them.
 using StopTest = std::function<bool()>;
 
 struct VTKHELIOSPLANNING_EXPORT CoverProblem
 {
-  BitRows Rows;                // the points a candidate sees
+  BitRows Rows;                // the points each candidate sees
   std::vector<double> Weights; // of points; empty: 1 each
   Words Coverable;             // points that some candidate sees
   double Required = 0.0;       // the weight to be seen
-  bool IsFull = true;          // every coverable point is to be seen
+  bool IsFull = true;          // all coverable points are required
 
   CoverProblem() = default;
-  /// All coverable points are required.
+  /// Requires all coverable points.
   explicit CoverProblem(const BitRows& rows, std::vector<double> weights = {});
 
-  /// Requires so much weight, with a tolerance for rounding.
+  /// Requires this weight, with a tolerance for rounding.
   void Require(double weight);
 
   double GetWeight(int point) const { return this->Weights.empty() ? 1.0 : this->Weights[point]; }
@@ -40,7 +40,7 @@ struct VTKHELIOSPLANNING_EXPORT CoverProblem
   double GetCommonWeight(const Word* a, const Word* b) const;
 };
 
-/// How often each point is seen by a choice that candidates join and leave.
+/// How many members of a choice see each point; candidates join and leave.
 class VTKHELIOSPLANNING_EXPORT CoverCounts
 {
 public:
@@ -54,17 +54,17 @@ public:
   const Words& GetCoveredOnce() const { return this->Once; }
   double GetCoveredWeight() const { return this->Weight; }
 
-  /// Whether a member sees no point alone.
+  /// Whether a member sees no point exclusively.
   bool IsRedundant(int candidate) const;
 
-  /// The weight and number of points that a member sees alone.
+  /// The weight and number of points that only this member sees.
   double GetExclusiveWeight(int candidate) const;
   int GetExclusiveCount(int candidate) const;
 
-  /// The weight of points that no member sees, and a candidate does.
+  /// The weight of points that a candidate sees and no member does.
   double GetGain(int candidate) const;
 
-  /// Whether enough is covered; with what a member sees alone taken off.
+  /// Whether enough is covered; also without the points that only one given member sees.
   bool IsEnough() const;
   bool IsEnoughWithout(int candidate) const;
 

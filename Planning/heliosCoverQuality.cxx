@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Sums that differ by this share count as equal.
+/// Relative tolerance for comparing sums.
 constexpr double Rounding = 1e-12;
 
 /// The sum of best angles, by weight.
@@ -65,7 +65,7 @@ bool MinimiseWorst(const CoverProblem& problem, const AngleTable& table, const I
   const int count = static_cast<int>(choice.size());
   bool isProved = true;
   std::size_t low = 0;
-  std::size_t high = angles.size(); // what the choice has
+  std::size_t high = angles.size(); // the angle of the choice
   while (low < high)
   {
     const std::size_t middle = (low + high) / 2;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Among choices of so many scans: the one whose worst, then mean incidence is best.
+// Among choices of the same number of scans: the one with the best worst, then mean incidence.
 
 #ifndef heliosCoverQuality_h
 #define heliosCoverQuality_h
@@ -18,7 +18,7 @@ namespace helios
 class VTKHELIOSPLANNING_EXPORT AngleTable
 {
 public:
-  /// Pairs beyond which there is no table.
+  /// More pairs than this: no table.
   static constexpr std::int64_t MaximumPairs = 20000000;
 
   AngleTable(const CoverProblem& problem, const Incidence& incidence);
@@ -28,13 +28,13 @@ public:
     return this->Angles.data() + static_cast<std::size_t>(candidate) * this->Points;
   }
 
-  /// The weight of a point in means: 0 without a normal.
+  /// The weight of each point in means: 0 without a normal.
   const std::vector<double>& GetWeights() const { return this->Weights; }
 
-  /// Who sees what at most so obliquely.
+  /// The visibility matrix restricted to angles up to this one.
   BitMatrix Restrict(double angle) const;
 
-  /// Distinct angles in [the smallest worst angle of all candidates together, below).
+  /// The distinct angles from the worst angle of all candidates together to below (exclusive).
   std::vector<double> GetThresholds(double below) const;
 
 private:
@@ -44,29 +44,29 @@ private:
   std::vector<double> Weights;
 };
 
-/// Looks for a cover of at most so many scans, and puts it into the choice.
+/// Searches for a cover of at most count scans and writes it to choice.
 using CoverSolver = std::function<CoverAnswer(const CoverProblem&, int count, Choice& choice)>;
 
 /**
- * The smallest worst angle of covers of as many scans: a cover that sees every point at most so
- * obliquely is a cover of the problem with fewer bits, and the smallest such angle is found by
- * bisection over the distinct ones. The choice becomes that cover. True: the solver has answered
- * every question, so there is no smaller one.
+ * The smallest worst angle of covers of the same number of scans. A cover that sees every point at
+ * an angle up to a limit is a cover of the problem with fewer bits; the smallest such limit is
+ * found by bisection over the distinct angles. The choice becomes that cover. True: the solver
+ * answered every query, so no smaller one exists.
  */
 VTKHELIOSPLANNING_EXPORT bool MinimiseWorst(const CoverProblem& problem, const AngleTable& table,
   const Incidence& incidence, const CoverSolver& solver, Choice& choice);
 
 /**
- * The smallest mean among covers of as many scans whose worst angle is not larger: goes through all
- * of them (CoverTree). True: it has seen all within the work (words and angles looked at).
+ * The smallest mean among covers of the same number of scans and no larger worst angle: enumerates
+ * all (CoverTree). True: the enumeration was complete within the work (words and angles read).
  */
 VTKHELIOSPLANNING_EXPORT bool MinimiseMean(const CoverProblem& problem, const AngleTable& table,
   const Incidence& incidence, std::int64_t work, Choice& choice, const StopTest& stop = {});
 
 /**
- * Swaps a member for another candidate as long as worst, then mean get better and enough stays
- * covered, and connected where there is a network; after so much work (words and angles looked at)
- * it stops.
+ * Swaps a member for another candidate as long as worst, then mean improve and enough stays
+ * covered, and connected if there is a network; stops when the work (words and angles read) is used
+ * up.
  */
 VTKHELIOSPLANNING_EXPORT void ImproveBySwaps(const CoverProblem& problem,
   const Incidence& incidence, const OverlapNetwork* network, std::int64_t work, Choice& choice,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's reduction: candidates leave as long as others see all they see.
+// The paper's reduction: removes candidates whose points are all seen by others.
 
 #ifndef heliosCoverReduction_h
 #define heliosCoverReduction_h
@@ -11,25 +11,25 @@ namespace helios
 {
 
 /**
- * Candidates by a key, the first to be removed first: those that see nothing (whose key may be NaN),
- * then by ascending or descending key; ties by lower index.
+ * Candidates in order of removal: those that see nothing (whose key may be NaN) first, then by
+ * ascending or descending key; ties by lower index.
  */
 VTKHELIOSPLANNING_EXPORT Choice SortForRemoval(
   const CoverProblem& problem, const std::vector<double>& keys, bool isAscending);
 
-/// Viewsheds' weights: the key of the order viewshedSize.
+/// The weights of the viewsheds: the key of the order viewshedSize.
 VTKHELIOSPLANNING_EXPORT std::vector<double> GetViewshedWeights(const CoverProblem& problem);
 
 /**
- * Removes, in that order, every candidate that sees no point alone. One pass does, since what a
- * candidate sees alone only grows while others leave: O(bits set). Keeps the order.
+ * Removes, in that order, every candidate that sees no point exclusively. One pass is enough, since
+ * exclusive points only increase while others leave: O(bits set). Keeps the order.
  */
 VTKHELIOSPLANNING_EXPORT Choice RemoveRedundant(
   const CoverProblem& problem, const Choice& order, const StopTest& stop = {});
 
 /**
- * The paper's coverage-limited step: removes the one that sees least alone (ties: lowest index) as
- * long as what is required stays covered.
+ * The paper's coverage-limited step: removes the candidate that sees the fewest points exclusively
+ * (ties: lowest index) as long as the required weight stays covered.
  */
 VTKHELIOSPLANNING_EXPORT Choice RemoveToLimit(
   const CoverProblem& problem, Choice choice, const StopTest& stop = {});

@@ -12,13 +12,13 @@ namespace helios
 namespace
 {
 
-/// Bits in a problem beyond which its lists would take too much memory.
+/// More bits than this: the lists of a problem would take too much memory.
 constexpr std::int64_t MaximumBits = 30000000;
 
-/// Steps a candidate or point at most.
+/// Maximum number of steps per candidate or point.
 constexpr int StepsEach = 100;
 
-/// Lists of lists of numbers, one after the other.
+/// Consecutive lists of numbers.
 class Lists
 {
 public:
@@ -137,7 +137,7 @@ private:
     }
   }
 
-  /// The member that loses least, the oldest of equal ones; not the newest, if there are others.
+  /// The member that loses least, the oldest for ties; not the newest, unless it is the only one.
   int FindLeaver(int newest)
   {
     int leaver = -1;
@@ -152,7 +152,7 @@ private:
     return leaver < 0 ? newest : leaver;
   }
 
-  /// The best of those who see a point and may join; whoever has just left may not.
+  /// The best candidate that sees a point and may join; one that has just left may not.
   int FindJoiner(int point)
   {
     int joiner = -1;
@@ -173,7 +173,7 @@ private:
                                               : this->Stamps[a] < this->Stamps[b];
   }
 
-  /// The scores of those who see a point change, as it becomes seen or missing.
+  /// Updates the scores of the candidates that see a point when it becomes seen or missing.
   void Change(int point, double by, int except)
   {
     for (const int a : this->GetSeers(point))
@@ -262,12 +262,12 @@ private:
   SearchSettings Settings;
   Lists Points;
   Lists Seers;
-  std::vector<int> Counts;     // members that see a point
-  std::vector<int> Members;    // their exclusive or: the member, where it is one
+  std::vector<int> Counts;     // number of members that see a point
+  std::vector<int> Members;    // their exclusive or: the member, if there is only one
   std::vector<int> Missing;    // points that no member sees
   std::vector<int> Place;      // of a point in Missing
   std::vector<double> Weights; // of points
-  std::vector<double> Scores;  // what a candidate adds, or minus what a member alone sees
+  std::vector<double> Scores;  // gain of a candidate, or minus the exclusive weight of a member
   std::vector<char> IsMember;
   std::vector<char> MayJoin;
   std::vector<std::uint32_t> Stamps;

@@ -43,7 +43,7 @@ public:
 private:
   bool IsOn() const { return this->Work > 0 && !(this->Stop && this->Stop()); }
 
-  /// Swaps one member for the others in turn; true: one is better.
+  /// Tries to swap one member for each other candidate; true: one is better.
   bool Replace(std::size_t k)
   {
     Choice others = this->Members;
@@ -65,7 +65,7 @@ private:
     return isBetter;
   }
 
-  /// Points that whoever joins must see, and not worse than the worst now.
+  /// Points that a new member must see, at no worse than the current worst angle.
   std::vector<int> FindNeedy(const CoverCounts& counts, const std::vector<double>& best) const
   {
     std::vector<int> needy;

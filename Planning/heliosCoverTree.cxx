@@ -82,7 +82,7 @@ bool CoverTree::Branch(int left, const Words& missing, Words isOut)
   return true;
 }
 
-/// The last one: whoever sees all that is missing.
+/// The last member: each candidate that sees all missing points.
 bool CoverTree::Finish(const Words& missing, const Words& isOut)
 {
   const int length = this->Columns.Length;
@@ -136,7 +136,8 @@ bool CoverTree::Follow(int candidate, int left, const Words& missing, const Word
   return size > static_cast<std::int64_t>(left) * this->Largest || this->Branch(left, rest, isOut);
 }
 
-/// The missing point that fewest see who are not out; -1: so few scans cannot see what is missing.
+/// The missing point that the fewest remaining candidates see; -1: the missing points cannot be
+/// covered with the scans left.
 int CoverTree::FindRarest(int left, const Words& missing, const Words& isOut)
 {
   int rarest = -1;

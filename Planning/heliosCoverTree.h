@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// All covers of few scans, one after the other.
+// Enumeration of all covers of few scans.
 
 #ifndef heliosCoverTree_h
 #define heliosCoverTree_h
@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// What a search for covers ends with.
+/// The result of a search for covers.
 enum class CoverAnswer
 {
   Found,
@@ -21,21 +21,21 @@ enum class CoverAnswer
 };
 
 /**
- * Goes through the covers of at most so many scans, each once: of the point that fewest can still
- * see, one after the other of those who see it joins, and is out when it had its turn. A branch
- * ends where more points than scans are left of which no two are seen by the same candidate, or
- * where the largest viewsheds left are too small.
+ * Enumerates the covers of at most a number of scans, each once. Branches on the point seen by the
+ * fewest remaining candidates: each of these joins in turn, and is excluded afterwards. A branch
+ * ends if more points than scans are left no two of which are seen by the same candidate, or if the
+ * largest viewsheds left are too small.
  */
 class VTKHELIOSPLANNING_EXPORT CoverTree
 {
 public:
-  /// Takes a cover, which need not be sorted; true: go on.
+  /// Receives a cover, not necessarily sorted; true: continue.
   using Visitor = std::function<bool(const Choice&)>;
 
-  /// All points are to be seen; columns: the problem's rows, transposed. Both must outlive this.
+  /// All points are to be seen; columns: the transpose of rows. Both must outlive this.
   CoverTree(const BitRows& rows, const BitRows& columns);
 
-  /// Found: the visitor has had enough. None: it has had all. Unknown: after so much work.
+  /// Found: the visitor ended the search. None: all were visited. Unknown: the work is used up.
   CoverAnswer Visit(
     int count, const Visitor& visitor, std::int64_t& work, const StopTest& stop = {});
 
@@ -53,7 +53,7 @@ private:
   Visitor Take;
   StopTest Stop;
   std::int64_t* Work = nullptr;
-  std::vector<int> Order; // points, those first that fewest see
+  std::vector<int> Order; // points, those seen by the fewest first
   Words Free;             // scratch
   Words Seen;             // scratch
 };

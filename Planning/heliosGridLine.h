@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Evenly spaced places along one axis.
+// Evenly spaced positions along one axis.
 
 #ifndef heliosGridLine_h
 #define heliosGridLine_h
@@ -14,8 +14,8 @@ namespace helios
 {
 
 /**
- * Places a step apart from half a step inside the lower end on; none lies on the upper end, which may
- * be the border of a scene. One in the middle where the way is shorter than a step.
+ * Positions one step apart, the first half a step above the lower end; none is on the upper end,
+ * which may be the border of a scene. One in the middle if the interval is shorter than a step.
  */
 class GridLine
 {

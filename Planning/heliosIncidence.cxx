@@ -17,7 +17,7 @@ namespace
 
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
-/// Means are compared with this tolerance [deg]: sums depend on the order of their terms.
+/// Tolerance for comparing means [deg]: sums depend on the order of their terms.
 constexpr double MeanTolerance = 1e-9;
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How obliquely candidates look at points.
+// Angles of incidence of candidates at points.
 
 #ifndef heliosIncidence_h
 #define heliosIncidence_h
@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// The worst and the mean of the best angles of incidence [deg]; NaN: no normals.
+/// The largest and the mean of the smallest angles of incidence [deg]; NaN: no normals.
 struct VTKHELIOSPLANNING_EXPORT Quality
 {
   double Worst;
@@ -29,7 +29,7 @@ public:
   using Vector = std::array<double, 3>;
 
   Incidence() = default;
-  /// A normal of length 0 is none.
+  /// A normal of length 0 means no normal.
   Incidence(std::vector<Vector> positions, std::vector<Vector> points, std::vector<Vector> normals);
 
   /// The same for some of the candidates.
@@ -38,18 +38,18 @@ public:
   bool HasNormals() const { return !this->Normals.empty(); }
 
   /**
-   * From the normal, folded to [0, 90] [deg], in steps of 1e-9 degrees, so that angles that are equal
-   * but for rounding compare equal; NaN without a normal.
+   * From the normal, folded to [0, 90] [deg], in steps of 1e-9 degrees, so that angles equal up to
+   * rounding compare equal; NaN without a normal.
    */
   double GetAngle(int candidate, int point) const;
 
-  /// The mean over what a candidate sees [deg]; NaN: it sees nothing with a normal.
+  /// The mean over the points a candidate sees [deg]; NaN: it sees none with a normal.
   double GetMean(const CoverProblem& problem, int candidate) const;
 
-  /// The best angle of every point [deg] over the members that see it; NaN: none.
+  /// The smallest angle of every point [deg] over the members that see it; NaN: none.
   std::vector<double> GetBest(const CoverProblem& problem, const Choice& choice) const;
 
-  /// Of the best angles, the mean by weight.
+  /// The largest of these angles, and their mean by weight.
   static Quality Judge(const CoverProblem& problem, const std::vector<double>& best);
 
 private:

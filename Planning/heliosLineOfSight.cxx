@@ -11,11 +11,11 @@ namespace helios
 namespace
 {
 
-// Of sines and cosines: what lies on a limit keeps it.
+// Of sines and cosines: values on a limit are within it.
 constexpr double Rounding = 1e-12;
 
-// Of the tolerance: how far behind the surface is aimed. A line straight to a point on an edge, or one
-// that touches an edge on its way, would hit or miss it by rounding.
+// As a share of the tolerance: how far behind the surface lines are aimed. Rounding would decide
+// whether a line to a point on an edge, or one that touches an edge, hits it.
 constexpr double BehindSurface = 1e-3;
 
 } // namespace
@@ -61,7 +61,7 @@ void LineOfSight::Aim(const Vec3& eye, vtkIdType first)
     Target target{ v - first, way.Norm(), 1.0 };
     if (target.Distance == 0.0)
     {
-      continue; // no line, and nothing to be seen
+      continue; // no line, and not visible
     }
     const double perMetre = 1.0 / target.Distance;
     Vec3 aim = way;
@@ -102,7 +102,7 @@ void LineOfSight::Cast()
   for (vtkIdType i = 0; i < count; ++i)
   {
     const vtkHeliosHit& hit = this->Hits[i];
-    // Ranges are shares of the way, and rays end at the tolerance behind the test point.
+    // Ranges are relative to the distance; rays end at the tolerance behind the test point.
     this->IsHidden[i] =
       hit.CellId < 0 || (1.0 - hit.Range) * this->Aimed[i].Distance > this->Limits.HitTolerance;
   }

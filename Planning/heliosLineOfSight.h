@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether an instrument at a place sees test points.
+// Visibility of test points from an instrument position.
 
 #ifndef heliosLineOfSight_h
 #define heliosLineOfSight_h
@@ -14,11 +14,11 @@
 namespace helios
 {
 
-/// What an instrument must keep to see a test point. Angles in radians.
+/// Limits for a test point to be seen. Angles in radians.
 struct SightLimits
 {
   double HitTolerance = 0.05; ///< [m]
-  bool BothSides = false;     ///< the first surface must not be behind the point, either
+  bool BothSides = false;     ///< the first surface must not be behind the point by more, either
   double MinimumRange = 0.0;  ///< [m]
   double MaximumRange = 1e9;
   double MinimumCosine = 0.0; ///< of the incidence
@@ -35,26 +35,26 @@ struct SightTargets
   vtkIdType Count = 0;
 };
 
-/// What a run of test points gave.
+/// The result of a range of test points.
 struct SightSum
 {
   double Incidence = 0.0; ///< the sum of the angles [rad]
   vtkIdType Rays = 0;
 };
 
-/// Casts lines of sight, some at a time. One a thread.
+/// Casts lines of sight in batches. One instance per thread.
 class LineOfSight
 {
 public:
-  /// Test points that are looked at together; they fill whole words of bits.
+  /// Test points per batch; they fill whole words of bits.
   static constexpr vtkIdType PointsAtOnce = 1024;
 
   LineOfSight(
     const vtkHeliosRayCaster& caster, const SightTargets& targets, const SightLimits& limits);
 
   /**
-   * Looks from eye at the test points from first on, PointsAtOnce or what there is, and sets the bits
-   * of those seen: test point first is bit 0 of words[0].
+   * Tests visibility from eye of the test points from first on, at most PointsAtOnce, and sets the
+   * bits of those seen: test point first is bit 0 of words[0].
    */
   SightSum Look(const Vec3& eye, vtkIdType first, vtkTypeUInt64* words);
 
@@ -66,7 +66,7 @@ private:
     double Cosine;
   };
 
-  /// Makes a ray to every test point that is within the limits.
+  /// Builds a ray to every test point within the limits.
   void Aim(const Vec3& eye, vtkIdType first);
   bool IsWithinLimits(double sine, const Target& target) const;
   void Cast();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What would be too much is refused before it is tried.
+// Rejects requests beyond a memory limit before they are tried.
 
 #ifndef heliosMemory_h
 #define heliosMemory_h
@@ -13,8 +13,8 @@ namespace helios
 {
 
 /**
- * "3.2e+07 places take 2300 MiB, more than MemoryLimit (2048 MiB)" where so many things of a size in
- * bytes go beyond a limit in MiB; an empty text where they do not.
+ * "3.2e+07 places take 2300 MiB, more than MemoryLimit (2048 MiB)" if n items of a size in bytes
+ * exceed a limit in MiB; else an empty string.
  */
 inline std::string DescribeExcess(
   const char* things, double count, double bytesEach, double limitMiB)

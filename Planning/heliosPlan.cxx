@@ -20,26 +20,26 @@ namespace helios
 namespace
 {
 
-/// For the linear bound of methods that prove nothing, and at least of the one that does [s].
+/// For the linear bound of methods without a proof, and the minimum for the one with a proof [s].
 constexpr double BoundTime = 10.0;
 
-/// Bits of a problem up to which there is a linear bound, and what ours looks at otherwise.
+/// Maximum number of bits for a linear bound, and the bits read by the Lagrangian bound instead.
 constexpr std::int64_t ExactBits = 2000000;
 constexpr std::int64_t BoundBits = 500000;
 constexpr std::int64_t BoundWork = 600000000;
 
-/// What rounding may add to a linear bound.
+/// Tolerance for rounding in a linear bound.
 constexpr double Rounding = 1e-6;
 
-/// Pairs of candidate and point up to which Best goes for the best worst angle by bisection.
+/// Maximum number of candidate-point pairs for which Best bisects for the best worst angle.
 constexpr std::int64_t BestPairs = 5000000;
 
-/// Words and angles looked at for the best incidence.
+/// Words and angles read for the best incidence.
 constexpr std::int64_t QualityWork = 50000000;
 constexpr std::int64_t ProofWork = 1000000000;
 
-/// Of one question after a smaller worst angle: scores changed by local search, words looked at to go
-/// through all covers; what Best has of the latter; the share of the time left that CBC has.
+/// For one query for a smaller worst angle: scores changed by local search, words read to enumerate
+/// all covers; the latter for Best; the share of the remaining time for CBC.
 constexpr std::int64_t SearchWork = 5000000;
 constexpr std::int64_t TreeWork = 1000000000;
 constexpr std::int64_t BestShare = 20;
@@ -56,7 +56,7 @@ double GetSeconds()
   return std::chrono::duration<double>(now).count();
 }
 
-/// A problem whose candidates can all be connected, if that is asked.
+/// A problem whose candidates can all be connected, if required.
 class Planning
 {
 public:
@@ -180,7 +180,7 @@ private:
 
   double GetTimeLeft() const { return std::max(0.0, this->End - GetSeconds()); }
 
-  /// For what only Optimal does, and what it does more of.
+  /// Stop test for the additional work of Optimal.
   bool IsOver() const
   {
     const bool isLate = this->Settings.Method == PlanMethod::Optimal && this->GetTimeLeft() == 0.0;
@@ -192,7 +192,7 @@ private:
     return this->Result.Bound >= static_cast<int>(this->Result.Selected.size());
   }
 
-  /// Small problems need no more than to go through what is left.
+  /// For small problems an enumeration of the remaining candidates is enough.
   void LookForFewer()
   {
     CoverAnswer answer = CoverAnswer::Found;
@@ -234,7 +234,7 @@ private:
     this->Result.Bound = std::max(this->Result.Bound, answer.Bound);
   }
 
-  /// The best choice, whose members are all candidates of the reduced problem, as one of it.
+  /// The best choice, whose members are all candidates of the reduced problem, as a choice of it.
   Choice GetReducedChoice() const
   {
     Choice choice;
@@ -247,7 +247,7 @@ private:
     return choice;
   }
 
-  /// Worst, then mean incidence.
+  /// Improves worst, then mean incidence.
   void Improve()
   {
     const bool isOptimal = this->Settings.Method == PlanMethod::Optimal;
@@ -275,7 +275,7 @@ private:
     }
   }
 
-  /// Is there a cover of so many scans?
+  /// Searches for a cover of this many scans.
   CoverAnswer Answer(const CoverProblem& problem, int count, Choice& choice) const
   {
     const StopTest& stop = this->Settings.Stop;
@@ -294,7 +294,7 @@ private:
     return answer;
   }
 
-  /// By going through all covers, where they are few.
+  /// By enumeration of all covers, if they are few.
   CoverAnswer GoThrough(const ReducedCover& reduced, int count, Choice& found) const
   {
     const StopTest& stop = this->Settings.Stop;
@@ -345,7 +345,7 @@ bool IsBetter(
         .IsBetterThan(Incidence::Judge(problem, incidence.GetBest(problem, b)));
 }
 
-/// One plan for each part of the network that sees enough; the best of them.
+/// One plan for each connected part that sees enough; the best of them.
 PlanResult PlanConnected(
   const CoverProblem& problem, const Incidence& incidence, const PlanSettings& settings)
 {

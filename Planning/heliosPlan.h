@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The choice of scan positions: the methods, one after the other step they are made of.
+// Selection of scan positions: the methods, composed of their steps.
 
 #ifndef heliosPlan_h
 #define heliosPlan_h
@@ -28,7 +28,7 @@ struct PlanSettings
   bool IsAscending = true;            // order of removal
   std::vector<double> MeanAngles;     // of candidates, for MeanIncidenceAngle [deg]
   int NumberOfStarts = 4;             // of local searches
-  double TimeLimit = 300.0;           // of Optimal, by the clock on the wall [s]
+  double TimeLimit = 300.0;           // of Optimal, wall time [s]
   double MinimumOverlap = 0.0;        // 0: need not be connected
   std::function<void(double)> Report; // progress in [0, 1]; may be empty
   StopTest Stop;
@@ -36,12 +36,12 @@ struct PlanSettings
 
 struct PlanResult
 {
-  std::string Fault;          // in words; empty: none
-  Choice Selected;            // those that add most first
+  std::string Fault;          // error message; empty: none
+  Choice Selected;            // in order of decreasing gain
   double LinearBound = 0.0;   // scans: of the linear relaxation, or a valid bound below it
   int Bound = 0;              // no plan has fewer scans
-  bool IsWorstProved = false; // no plan of so many scans has a better worst incidence
-  bool IsMeanProved = false;  // nor with that one a better mean
+  bool IsWorstProved = false; // no plan of as many scans has a better worst incidence
+  bool IsMeanProved = false;  // nor, with that one, a better mean
 };
 
 VTKHELIOSPLANNING_EXPORT PlanResult MakePlan(

@@ -27,7 +27,7 @@ public:
     vtkPolyData* input, const std::vector<double>& meanAngles, vtkPolyData* output) const;
   void WriteTestPoints(vtkPolyData* input, vtkPolyData* output) const;
 
-  /// Takes what WriteCandidates has written.
+  /// Takes the output of WriteCandidates.
   void WriteSelected(vtkPolyData* candidates, vtkPolyData* output) const;
 
 private:

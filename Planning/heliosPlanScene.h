@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene made ready for the rays of planning.
+// A scene prepared for the rays of planning.
 
 #ifndef heliosPlanScene_h
 #define heliosPlanScene_h
@@ -26,7 +26,7 @@ public:
   PlanScene();
   ~PlanScene();
 
-  /// Takes all triangles of a scene. Says in words what is wrong, or returns an empty text.
+  /// Takes all triangles of a scene. Returns an error message, or an empty string.
   std::string Set(vtkPolyData* scene);
 
   /// Takes some triangles of a scene.
@@ -37,16 +37,16 @@ public:
   /// x0 x1 y0 y1 z0 z1 of the triangles taken.
   const double* GetBounds() const { return this->Bounds; }
 
-  /// The cell of the scene that a hit of the caster is on.
+  /// The cell of the scene hit, given the hit id of the caster.
   vtkIdType GetCell(vtkIdType hit) const { return this->Cells.empty() ? hit : this->Cells[hit]; }
 
-  /// The unit normal of the triangle hit: of its corners, by the right-hand rule.
+  /// The unit normal of the triangle hit, from its corners by the right-hand rule.
   Vec3 GetFaceNormal(vtkIdType hit) const;
 
-  /// The cell array Normals where the scene has it, else the normal of the corners.
+  /// The cell array Normals if the scene has it, else the normal from the corners.
   Vec3 GetNormal(vtkIdType hit) const;
 
-  /// Steps not given (0) are a twentieth of the diagonal; bounds not given (NaN) are the scene's.
+  /// Steps not set (0) are a twentieth of the diagonal; bounds not set (NaN) are the scene's.
   double GetStep(double given) const;
   double GetBound(double given, int side) const
   {

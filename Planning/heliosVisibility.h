@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which candidate sees which test point: a matrix of bits, kept in an array of the candidates.
+// Visibility matrix: which candidate sees which test point, as bits in an array of the candidates.
 
 #ifndef heliosVisibility_h
 #define heliosVisibility_h
@@ -28,8 +28,8 @@ public:
   static vtkIdType GetRowLength(vtkIdType testPoints) { return (testPoints + 63) / 64; }
 
   /**
-   * Looks at the array, which must outlive this. Says in words what is wrong (no array, of another
-   * type or width, bits set beyond the last test point), or returns an empty text.
+   * Refers to the array, which must outlive this. Returns an error message (no array, another type
+   * or width, bits set beyond the last test point), or an empty string.
    */
   std::string Set(vtkPolyData* candidates, vtkIdType testPoints);
 
@@ -61,7 +61,7 @@ public:
     }
   }
 
-  /// How many test points a candidate sees.
+  /// The number of test points a candidate sees.
   vtkIdType GetSize(vtkIdType candidate) const;
 
 private:

@@ -32,10 +32,10 @@ using helios::Vec3;
 namespace
 {
 
-// Of slopes: a plane of 30 degrees is one of 30 degrees.
+// For slopes: a plane of 30 degrees must pass a limit of 30 degrees.
 constexpr double AngleRounding = 1e-9;
 
-/// A place of the grid, and what became of it.
+/// A position of the grid, and its status.
 struct Place
 {
   enum Fates
@@ -54,7 +54,7 @@ struct Place
   Vec3 Normal{ 0.0, 0.0, 1.0 };
 };
 
-/// Directions spread evenly over the sky: Fibonacci's spiral.
+/// Directions spread evenly over the sky: a Fibonacci spiral.
 std::vector<Vec3> GetSky()
 {
   constexpr int Count = 128;
@@ -73,7 +73,7 @@ std::vector<Vec3> GetSky()
 
 vtkStandardNewMacro(vtkHeliosScanPositionCandidates);
 
-/// Goes over the places of the grid.
+/// Processes the positions of the grid.
 class vtkHeliosScanPositionCandidates::Search
 {
 public:
@@ -83,7 +83,7 @@ public:
   {
   }
 
-  /// Says in words what is wrong, or returns an empty text.
+  /// Returns an error message, or an empty string.
   std::string Prepare(vtkPolyData* scene)
   {
     const int surface = this->Self->Surface;
@@ -99,7 +99,7 @@ public:
     return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
   }
 
-  /// Makes the grid; says in words what is wrong, or returns an empty text.
+  /// Builds the grid; returns an error message, or an empty string.
   std::string MakeGrid()
   {
     const double* region = this->Self->Region;
@@ -124,7 +124,7 @@ public:
     return excess.empty() ? excess : excess + "; make XStep and YStep larger";
   }
 
-  /// Looks at all places; false where it is aborted.
+  /// Checks all positions; false on an abort request.
   bool Run()
   {
     const vtkIdType rows = this->Y.GetCount();
@@ -149,12 +149,12 @@ public:
     return true;
   }
 
-  /// Leaves out places that are closed all around, unless all are. Says in words what is wrong.
+  /// Removes enclosed positions, unless all are. Returns an error message, or an empty string.
   std::string LeaveOutEnclosed(vtkPolyData* scene)
   {
     if (!this->IsBelowOthers())
     {
-      return {}; // the way up is free
+      return {}; // nothing overhead
     }
     helios::PlanScene whole;
     const std::string fault = whole.Set(scene);
@@ -219,13 +219,13 @@ public:
   }
 
 private:
-  /// Whether places may have surfaces above.
+  /// Whether surfaces may be above positions.
   bool IsBelowOthers() const
   {
     return !this->IsGround.empty() && this->Self->Surface != OPEN_GROUND;
   }
 
-  /// Of the instrument.
+  /// Position of the instrument.
   Vec3 GetPosition(vtkIdType place) const
   {
     return { this->X.GetPlace(place % this->X.GetCount()),

@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosScanPositionCandidates
- * @brief   places of a scene where a scanner could stand
+ * @brief   candidate scan positions on the surfaces of a scene
  *
- * Port 0: the scene (triangles). Port 1, optional: areas to keep away from, polygons or closed lines
- * of which only x and y count; a place on their border is in them.
+ * Port 0: the scene (triangles). Port 1, optional: areas to exclude, polygons or closed lines of
+ * which only x and y count; their border belongs to them.
  *
- * Output: a point a candidate, where the instrument is, ScannerHeight above the surface, in rows of x
- * from the smallest y on; point arrays Slope [deg], CellIds (of the scene) and Normal (of the surface,
- * unit, upwards). Field data CRS passes.
+ * Output: one point per candidate, the instrument position, ScannerHeight above the surface, in
+ * rows of x from the smallest y on; point arrays Slope [deg], CellIds (of the scene) and Normal (of
+ * the surface, unit, upwards). Field data CRS passes.
  *
- * Vertical rays go down on a grid that starts half a step inside the scene. What counts is the
- * highest surface (Bechtold and Hoefle 2016, section 10), or the highest with a ground material.
- * A surface steeper than MaximumSlope is none to stand on. A place from which none of 128 lines, spread
- * evenly over the sky, gets out of the scene is inside of something, e.g. of a closed house; such places
- * count only where there are no others, as in a hall, or without SkipEnclosed.
+ * Vertical rays are cast downwards on a grid that starts half a step inside the scene. They find
+ * the highest surface (Bechtold and Hoefle 2016, section 10), or the highest with a ground
+ * material. Surfaces steeper than MaximumSlope are excluded. A position from which none of 128
+ * lines, spread evenly over the sky, leaves the scene is enclosed, e.g. in a closed house; such
+ * positions are used only if there are no others, as in a hall, or without SkipEnclosed.
  *
- * Errors: an empty scene or one that is not of finite triangles; GROUND without a ground material; a
- * grid beyond MemoryLimit; no candidate left, with how many places each limit took; abortion.
+ * Errors: an empty scene or one that is not of finite triangles; GROUND without a ground material;
+ * a grid beyond MemoryLimit; no candidate left, with the number removed by each limit; an abort
+ * request.
  *
  * @sa
  * vtkHeliosVisibilityTestPoints vtkHeliosViewsheds vtkHeliosScanPositionPlanner
@@ -30,7 +31,7 @@
 #include "vtkHeliosPlanningModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <limits> // For what is not given
+#include <limits> // For limits that are not set
 
 class VTKHELIOSPLANNING_EXPORT vtkHeliosScanPositionCandidates : public vtkPolyDataAlgorithm
 {
@@ -39,18 +40,18 @@ public:
   vtkTypeMacro(vtkHeliosScanPositionCandidates, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What a scanner may stand on.
+  /// Surfaces for scan positions.
   enum Surfaces
   {
-    HIGHEST = 0,     ///< the highest surface, whatever it is
+    HIGHEST = 0,     ///< the highest surface, of any material
     GROUND = 1,      ///< the highest surface with a ground material, whatever is above it
-    OPEN_GROUND = 2, ///< the highest surface, where it has a ground material
-    AUTOMATIC = 3    ///< GROUND where the scene has a ground material, else HIGHEST
+    OPEN_GROUND = 2, ///< the highest surface, if it has a ground material
+    AUTOMATIC = 3    ///< GROUND if the scene has a ground material, else HIGHEST
   };
 
   ///@{
   /**
-   * Set/Get the distance of candidates along x and y [m]. Valid range: [0, 1e6].
+   * Set/Get the spacing of candidates along x and y [m]. Valid range: [0, 1e6].
    * Default: 0, a twentieth of the scene's diagonal.
    */
   vtkSetClampMacro(XStep, double, 0.0, 1e6);
@@ -62,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where candidates may be: x from, x to, y from, y to [m]. The grid starts half a step
+   * Set/Get the region of candidates: x min, x max, y min, y max [m]. The grid starts half a step
    * inside. Default: NaN for each, the scene's bounds.
    */
   vtkSetVector4Macro(Region, double);
@@ -71,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest angle of the surface from the horizontal [deg], which still counts. Valid
-   * range: [0, 90]. Default: 15.
+   * Set/Get the largest allowed angle of the surface from the horizontal [deg]. Valid range:
+   * [0, 90]. Default: 15.
    */
   vtkSetClampMacro(MaximumSlope, double, 0.0, 90.0);
   vtkGetMacro(MaximumSlope, double);
@@ -80,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what a scanner may stand on. Default: AUTOMATIC.
+   * Set/Get the surfaces for scan positions. Default: AUTOMATIC.
    */
   vtkSetClampMacro(Surface, int, HIGHEST, AUTOMATIC);
   vtkGetMacro(Surface, int);
@@ -92,8 +93,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether places that are closed all around are left out where there are open ones.
-   * Default: on.
+   * Set/Get whether enclosed positions are left out if there are open ones. Default: on.
    */
   vtkSetMacro(SkipEnclosed, bool);
   vtkGetMacro(SkipEnclosed, bool);
@@ -101,13 +101,13 @@ public:
   ///@}
 
   /**
-   * Get how many places the last update left out because they are closed all around.
+   * Get the number of enclosed positions left out in the last update.
    */
   vtkGetMacro(NumberOfEnclosed, vtkIdType);
 
   ///@{
   /**
-   * Set/Get how high the instrument stands above the surface [m]. Valid range: [1e-6, 1e4].
+   * Set/Get the height of the instrument above the surface [m]. Valid range: [1e-6, 1e4].
    * Default: 1.5.
    */
   vtkSetClampMacro(ScannerHeight, double, 1e-6, 1e4);
@@ -116,7 +116,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the memory that the places of the grid may take [MiB]. Valid range: [1, 1e9].
+   * Set/Get the limit for the memory of the grid positions [MiB]. Valid range: [1, 1e9].
    * Default: 2048.
    */
   vtkSetClampMacro(MemoryLimit, double, 1.0, 1e9);

@@ -35,7 +35,7 @@ constexpr std::chrono::milliseconds TimeBetweenReports(50);
 
 using Vectors = std::vector<helios::Incidence::Vector>;
 
-/// Coordinates or normals; says in words which tuple is not finite.
+/// Reads coordinates or normals; returns an error message with the tuple that is not finite.
 std::string Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
 {
   vectors.resize(array ? array->GetNumberOfTuples() : 0);
@@ -53,7 +53,7 @@ std::string Read(vtkDataArray* array, const std::string& what, Vectors& vectors)
 
 } // namespace
 
-/// One update: what is computed from the inputs.
+/// One update: the data computed from the inputs.
 class vtkHeliosScanPositionPlanner::Run
 {
 public:
@@ -64,7 +64,7 @@ public:
   {
   }
 
-  /// Says in words what is wrong, or returns an empty text.
+  /// Returns an error message, or an empty string.
   std::string Execute()
   {
     std::string fault = this->ReadMatrix();
@@ -265,7 +265,7 @@ private:
     this->Self->UpdateProgress(progress);
   }
 
-  /// Reports now and then: who watches progress may abort.
+  /// Reports from time to time: observers of progress may abort.
   bool MustStop()
   {
     if (std::chrono::steady_clock::now() - this->LastReport > TimeBetweenReports)

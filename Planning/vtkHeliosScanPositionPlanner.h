@@ -2,43 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosScanPositionPlanner
- * @brief   which candidates to scan from
+ * @brief   selects scan positions among candidates
  *
- * Port 0: candidates (vtkPolyData, the points are the instrument's positions) with the point
- * array Visibility (unsigned 64-bit words; bit v % 64 of word v / 64: sees test point v) and, if
- * known, MeanIncidenceAngle [deg]. Port 1: test points (vtkPolyData), with the point arrays
- * Normal (3 components) and Area [m2], if known.
+ * Port 0: candidates (vtkPolyData, the points are the instrument positions) with the point array
+ * Visibility (unsigned 64-bit words; bit v % 64 of word v / 64: sees test point v) and, if known,
+ * MeanIncidenceAngle [deg]. Port 1: test points (vtkPolyData), with the point arrays Normal
+ * (3 components) and Area [m2], if known.
  *
  * Outputs:
- * - port 0: all candidates, with ViewshedSize (test points seen), MeanIncidenceAngle [deg] (of
- *   what they see; NaN: unknown), Selected (0 or 1) and Exclusivity (test points no other
- *   selected one sees; 0 where not selected). The numbers below are in the field data, too
+ * - port 0: all candidates, with ViewshedSize (test points seen), MeanIncidenceAngle [deg] (of the
+ *   points seen; NaN: unknown), Selected (0 or 1) and Exclusivity (test points no other selected
+ *   one sees; 0 if not selected). The numbers below are also in the field data
  *   (Plan.NumberOfSelected and so on).
  * - port 1: the test points, with Coverable (1: some candidate sees it), NumberOfScans (selected
  *   candidates that see it) and BestIncidenceAngle [deg] of these (NaN: none, or no normal).
- * - port 2: the selected candidates as vertices, those first that add most, with the arrays of
- *   port 0 but Visibility, and NewlyCovered, the test points each adds to those before it.
+ * - port 2: the selected candidates as vertices, in order of decreasing gain, with the arrays of
+ *   port 0 except Visibility, and NewlyCovered, the test points each adds to those before it.
  *
- * To see enough with as few scans as possible is a set cover. The methods:
- * - VIEWSHED_SIZE and MEAN_INCIDENCE_ANGLE, the paper's: candidates leave in the order of the size
- *   of their viewshed or their mean angle of incidence, if others see all that they see; ties by
- *   lower index, whoever sees nothing first. One pass, O(bits set). With a MinimumCoverage below
- *   100 the one with the smallest exclusivity then leaves, as long as coverage stays at least that.
- * - GREEDY: take what adds most, then remove what is not needed.
- * - BEST: leave out candidates and points that others dominate; greedy by 1/c^2 for a point that c
- *   candidates see; remove what is not needed; local search. Then, with normals, the best worst and
- *   mean incidence it finds among plans of so many scans.
+ * Finding the fewest scans that see enough is a set cover problem. The methods:
+ * - VIEWSHED_SIZE and MEAN_INCIDENCE_ANGLE, the paper's: candidates leave in the order of viewshed
+ *   size or mean angle of incidence, if others see all points they see; ties by lower index, those
+ *   that see nothing first. One pass, O(bits set). With a MinimumCoverage below 100 the one with
+ *   the smallest exclusivity then leaves, as long as coverage stays at least that.
+ * - GREEDY: takes the candidate that adds most, then removes redundant ones.
+ * - BEST: removes dominated candidates and points; greedy by 1/c^2 for a point seen by c
+ *   candidates; removes redundant ones; local search. Then, with normals, the best worst and mean
+ *   incidence it finds among plans of as many scans.
  * - OPTIMAL: starts from BEST and proves the smallest number by branch and cut (COIN-OR CBC), then
- *   the smallest worst angle (bisection over the distinct angles), then the smallest mean (through
- *   all such plans), the last two where all of the coverable points are asked, no overlap, and at
- *   most 2e7 pairs of candidate and point. What TimeLimit cuts off is the best found, with its bound
- *   and Gap.
+ *   the smallest worst angle (bisection over the distinct angles), then the smallest mean
+ *   (enumeration of all such plans). The last two need all coverable points required, no overlap,
+ *   and at most 2e7 pairs of candidate and point. After TimeLimit the result is the best found,
+ *   with its bound and Gap.
  *
- * Angles of incidence are from the normal, folded to [0, 90], between line of sight and normal.
+ * Angles of incidence are between line of sight and normal, folded to [0, 90].
  *
- * Errors: no candidates, no test points, a Visibility that does not fit, no candidate sees
- * anything, coverage out of reach, no connected network, a missing or unusable array that a property
- * asks for, OPTIMAL in a build without CBC, abortion.
+ * Errors: no candidates, no test points, a Visibility that does not fit, no candidate that sees any
+ * point, unreachable coverage, no connected network, a missing or unusable array that a property
+ * needs, OPTIMAL in a build without CBC, an abort request.
  *
  * @sa
  * vtkHeliosViewsheds
@@ -57,7 +57,7 @@ public:
   vtkTypeMacro(vtkHeliosScanPositionPlanner, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How candidates are chosen.
+  /// Selection methods.
   enum Methods
   {
     VIEWSHED_SIZE = 0,
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how candidates are chosen. Default: BEST.
+   * Set/Get the selection method. Default: BEST.
    */
   vtkSetClampMacro(Method, int, VIEWSHED_SIZE, OPTIMAL);
   vtkGetMacro(Method, int);
@@ -80,7 +80,7 @@ public:
   void SetMethodToOptimal() { this->SetMethod(OPTIMAL); }
   ///@}
 
-  /// Who leaves first.
+  /// Order of removal.
   enum RemovalOrders
   {
     ASCENDING = 0,
@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the paper's methods remove the smallest key first, as the paper does, or the
+   * Set/Get whether the paper's methods remove the smallest key first, as in the paper, or the
    * largest. Default: ASCENDING.
    */
   vtkSetClampMacro(RemovalOrder, int, ASCENDING, DESCENDING);
@@ -100,14 +100,13 @@ public:
 
   ///@{
   /**
-   * Set/Get the share of CoverageOf that is to be seen [%]. Valid range: [1e-6, 100].
-   * Default: 100.
+   * Set/Get the required share of CoverageOf [%]. Valid range: [1e-6, 100]. Default: 100.
    */
   vtkSetClampMacro(MinimumCoverage, double, 1e-6, 100.0);
   vtkGetMacro(MinimumCoverage, double);
   ///@}
 
-  /// What MinimumCoverage is a share of.
+  /// Reference of MinimumCoverage.
   enum CoverageBases
   {
     COVERABLE = 0,
@@ -116,8 +115,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what MinimumCoverage is a share of: the test points that some candidate sees, or
-   * all. Default: COVERABLE.
+   * Set/Get the reference of MinimumCoverage: the test points that some candidate sees, or all.
+   * Default: COVERABLE.
    */
   vtkSetClampMacro(CoverageOf, int, COVERABLE, ALL);
   vtkGetMacro(CoverageOf, int);
@@ -127,8 +126,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether test points count by the array Area in coverage, the order of viewsheds, gains,
-   * overlap and mean angles, instead of one each. Default: off.
+   * Set/Get whether test points are weighted by the array Area in coverage, viewshed order, gains,
+   * overlap and mean angles, instead of 1 each. Default: off.
    */
   vtkSetMacro(UseAreas, bool);
   vtkGetMacro(UseAreas, bool);
@@ -137,9 +136,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the overlap of neighbouring scans, so that they can be registered: two are neighbours
-   * where the test points both see are at least this share of the smaller viewshed, and the selected
-   * ones are a connected network of neighbours. Valid range: [0, 0.999]. Default: 0, none is asked.
+   * Set/Get the overlap of neighbouring scans for registration: two are neighbours if the test
+   * points seen by both are at least this share of the smaller viewshed, and the selected ones are
+   * a connected network of neighbours. Valid range: [0, 0.999]. Default: 0, not required.
    */
   vtkSetClampMacro(MinimumOverlap, double, 0.0, 0.999);
   vtkGetMacro(MinimumOverlap, double);
@@ -147,8 +146,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long OPTIMAL may take for its proofs [s], on the clock of the wall however busy the
-   * machine is; what it takes from BEST is not cut short. Valid range: [0, 1e6]. Default: 300.
+   * Set/Get the wall time limit of the proofs of OPTIMAL [s]; the part taken from BEST is not
+   * limited. Valid range: [0, 1e6]. Default: 300.
    */
   vtkSetClampMacro(TimeLimit, double, 0.0, 1e6);
   vtkGetMacro(TimeLimit, double);
@@ -156,8 +155,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many local searches BEST makes. Their random numbers are counter-based: results do
-   * not depend on the number of threads. Valid range: [1, 1000]. Default: 4.
+   * Set/Get the number of local searches of BEST. Their random numbers are counter-based: results
+   * do not depend on the number of threads. Valid range: [1, 1000]. Default: 4.
    */
   vtkSetClampMacro(NumberOfStarts, int, 1, 1000);
   vtkGetMacro(NumberOfStarts, int);
@@ -165,7 +164,7 @@ public:
 
   ///@{
   /**
-   * Get, of the last update: the candidates selected; the test points these see, and those that
+   * Get, for the last update: the candidates selected; the test points these see, and those that
    * some candidate sees; the first as a share of all and of the second [%], by area with UseAreas.
    */
   vtkGetMacro(NumberOfSelected, vtkIdType);
@@ -177,9 +176,9 @@ public:
 
   ///@{
   /**
-   * Get, of the last update: a lower bound of the number of scans, that of the linear
-   * relaxation or a valid one below it; the best bound known in whole scans; by how much the plan
-   * is above that [% of the plan]; and whether it is proved to have the fewest scans.
+   * Get, for the last update: a lower bound on the number of scans, that of the linear relaxation
+   * or a valid one below it; the best known bound in whole scans; the gap of the plan to it [% of
+   * the plan]; and whether the plan is proved to have the fewest scans.
    */
   vtkGetMacro(LowerBound, double);
   vtkGetMacro(BestBound, vtkIdType);
@@ -189,8 +188,9 @@ public:
 
   ///@{
   /**
-   * Get, of the last update: the largest and the mean of BestIncidenceAngle [deg] (NaN: no normals);
-   * whether no plan of so many scans has a smaller largest one, and none of these a smaller mean.
+   * Get, for the last update: the largest and the mean of BestIncidenceAngle [deg] (NaN: no
+   * normals); whether no plan of as many scans has a smaller largest one, and none of these a
+   * smaller mean.
    */
   vtkGetMacro(WorstIncidenceAngle, double);
   vtkGetMacro(MeanBestIncidenceAngle, double);
@@ -199,7 +199,7 @@ public:
   ///@}
 
   /**
-   * Whether this build has OPTIMAL.
+   * Whether this build supports OPTIMAL.
    */
   static bool HasOptimal();
 

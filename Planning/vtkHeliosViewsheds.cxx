@@ -35,7 +35,7 @@ using helios::Vec3;
 namespace
 {
 
-/// The numbers of an array of 3 components as doubles; null where there is no such array.
+/// The values of an array of 3 components as doubles; null if there is no such array.
 vtkSmartPointer<vtkDoubleArray> GetDoubles(vtkDataArray* array)
 {
   if (!array || array->GetNumberOfComponents() != 3)
@@ -66,7 +66,7 @@ vtkIdType FindNotFinite(vtkPolyData* data)
   return -1;
 }
 
-/// Points of a data set with all their arrays.
+/// Copies points of a data set with all their arrays.
 void CopyPoints(vtkPolyData* from, vtkIdType first, vtkIdType last, vtkPolyData* to)
 {
   vtkNew<vtkIdList> ids;
@@ -93,7 +93,7 @@ void CopyPoints(vtkPolyData* from, vtkIdType first, vtkIdType last, vtkPolyData*
 
 vtkStandardNewMacro(vtkHeliosViewsheds);
 
-/// Candidates that look at the test points, and what they see.
+/// Candidates, and the test points they see.
 class vtkHeliosViewsheds::Observers
 {
 public:
@@ -116,7 +116,7 @@ public:
     this->Sizes->SetName(names::ViewshedSize);
   }
 
-  /// Looks from all candidates; false where it is aborted.
+  /// Processes all candidates; false on an abort request.
   bool Run()
   {
     const vtkIdType count = this->Candidates->GetNumberOfPoints();
@@ -166,7 +166,7 @@ private:
     return (this->Targets.Count + LineOfSight::PointsAtOnce - 1) / LineOfSight::PointsAtOnce;
   }
 
-  /// The threads take runs of test points, whoever's.
+  /// Threads process ranges of test points of any candidate.
   void LookFrom(vtkIdType first, vtkIdType last)
   {
     const vtkIdType runs = this->GetRunCount();
@@ -272,7 +272,7 @@ int vtkHeliosViewsheds::RequestUpdateExtent(
   for (int port : { 0, 1, 2 })
   {
     vtkInformation* info = inputs[port]->GetInformationObject(0);
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // inputs are always whole
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // inputs are always complete
     info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }

@@ -2,32 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosViewsheds
- * @brief   which scan position sees which test point
+ * @brief   visibility of test points from scan positions
  *
- * Port 0: the scene (triangles). Port 1: candidates, points where the instrument would be. Port 2:
- * test points; point array Normal (3 components), if there is one, gives incidence angles.
+ * Port 0: the scene (triangles). Port 1: candidates, the instrument positions. Port 2: test points;
+ * the optional point array Normal (3 components) gives incidence angles.
  *
  * Output: the candidates, with the point arrays Visibility (unsigned 64-bit words, test point v is
- * bit v % 64 of component v / 64), ViewshedSize (int64, how many are seen) and, where there are
- * normals, MeanIncidenceAngle [deg] of the lines of sight, from the normal whichever way it looks, in
- * [0, 90]; NaN where nothing is seen.
+ * bit v % 64 of component v / 64), ViewshedSize (int64, the number seen) and, with normals,
+ * MeanIncidenceAngle [deg] of the lines of sight, from the normal on either side, in [0, 90]; NaN
+ * if nothing is seen.
  *
- * A test point is seen if nothing is nearer than HitTolerance before it. With BothSides the first
- * surface must also be no further behind it (Bechtold and Hoefle 2016, section 10: the first hit lies
- * within the tolerance of the point). Points out of range, out of the field of view, at too flat an
- * incidence or too thinly scanned are not seen; no such limit is set by default. Where there are
- * normals, lines are aimed a thousandth of HitTolerance behind the surface: a point on an edge would be hit
- * or missed by rounding.
+ * A test point is seen if no surface is more than HitTolerance in front of it. With BothSides the
+ * first surface must also be no further behind it (Bechtold and Hoefle 2016, section 10: the first
+ * hit lies within the tolerance of the point). Points out of range, out of the field of view,
+ * beyond the incidence limit or below the point density are not seen; no such limit is set by
+ * default. With normals, lines are aimed a thousandth of HitTolerance behind the surface: rounding
+ * would decide whether a point on an edge is hit.
  *
- * Output can be asked for in pieces, contiguous ranges of the candidates: a matrix larger than
- * memory is made piece by piece. The same bytes for any number of threads.
+ * The output supports pieces, contiguous ranges of the candidates: a matrix larger than memory is
+ * computed piece by piece. It is byte-identical for any number of threads.
  *
  * @warning
- * Turbid voxels are seen through.
+ * Turbid voxels are transparent.
  *
- * Errors: an empty scene or one that is not of finite triangles; no candidates or test points, or
- * ones that are not finite; a limit that asks for normals where there are none; a matrix beyond
- * MemoryLimit; abortion.
+ * Errors: an empty scene or one that is not of finite triangles; missing or non-finite candidates
+ * or test points; a limit that needs normals without normals; a matrix beyond MemoryLimit; an abort
+ * request.
  *
  * @sa
  * vtkHeliosScanPositionCandidates vtkHeliosVisibilityTestPoints vtkHeliosScanPositionPlanner
@@ -40,7 +40,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For the ray caster
 
-#include <string> // For what is wrong
+#include <string> // For error messages
 
 class vtkHeliosRayCaster;
 
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what casts the rays. Default: the default backend.
+   * Set/Get the ray caster. Default: the default backend.
    */
   void SetRayCaster(vtkHeliosRayCaster* caster);
   vtkHeliosRayCaster* GetRayCaster() const;
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far before a test point, along the line of sight, a surface may be that does not
-   * hide it [m]. Valid range: [1e-6, 1e3]. Default: 0.05.
+   * Set/Get how far in front of a test point, along the line of sight, a surface may be without
+   * hiding it [m]. Valid range: [1e-6, 1e3]. Default: 0.05.
    */
   vtkSetClampMacro(HitTolerance, double, 1e-6, 1e3);
   vtkGetMacro(HitTolerance, double);
@@ -70,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there must be a surface within HitTolerance of the test point. Default: off, a
+   * Set/Get whether a surface is required within HitTolerance of the test point. Default: off, a
    * line of sight that just misses an edge still sees it.
    */
   vtkSetMacro(BothSides, bool);
@@ -100,8 +100,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the field of view of the instrument, upright, as angles above the horizon [deg].
-   * Valid range: [-90, 90]. Default: -90 and 90.
+   * Set/Get the field of view of the vertical instrument, as angles above the horizon [deg]. Valid
+   * range: [-90, 90]. Default: -90 and 90.
    */
   vtkSetClampMacro(MinimumElevation, double, -90.0, 90.0);
   vtkGetMacro(MinimumElevation, double);
@@ -111,10 +111,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how many points a square metre of surface shall have at least from a single position
-   * [1/m2], given the angle between neighbouring pulses [deg]: at range R and incidence i
-   * that is cos(i) / (R AngularStep)^2. Valid range: [0, 1e12] and [0, 90]. Default: 0,
-   * any, and 0.
+   * Set/Get the minimum point density on a surface from a single position [1/m2], and the angle
+   * between neighbouring pulses [deg]: at range R and incidence i the density is cos(i) / (R
+   * AngularStep)^2. Valid range: [0, 1e12] and [0, 90]. Default: 0, any, and 0.
    */
   vtkSetClampMacro(MinimumPointDensity, double, 0.0, 1e12);
   vtkGetMacro(MinimumPointDensity, double);
@@ -124,8 +123,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the memory that the matrix, or a piece of it, may take [MiB]. Valid range: [1, 1e9].
-   * Default: 2048.
+   * Set/Get the limit for the memory of the matrix, or of a piece of it [MiB]. Valid range:
+   * [1, 1e9]. Default: 2048.
    */
   vtkSetClampMacro(MemoryLimit, double, 1.0, 1e9);
   vtkGetMacro(MemoryLimit, double);

@@ -31,7 +31,7 @@ using helios::Vec3;
 namespace
 {
 
-/// Where a line meets a surface.
+/// Intersection of a line and a surface.
 struct Meeting
 {
   Vec3 Point;
@@ -39,14 +39,14 @@ struct Meeting
   int Axis; ///< of the line
 };
 
-/// Rays that are cast together.
+/// Rays per batch.
 constexpr vtkIdType RaysAtOnce = 2048;
 
 } // namespace
 
 vtkStandardNewMacro(vtkHeliosVisibilityTestPoints);
 
-/// Sends lines through a scene.
+/// Casts lines through a scene.
 class vtkHeliosVisibilityTestPoints::Search
 {
 public:
@@ -55,7 +55,7 @@ public:
   {
   }
 
-  /// Says in words what is wrong, or returns an empty text.
+  /// Returns an error message, or an empty string.
   std::string Prepare(vtkPolyData* scene)
   {
     if (!this->Self->Vertical && !this->Self->Horizontal)
@@ -66,7 +66,7 @@ public:
     return fault.empty() ? this->MakeGrid() : fault;
   }
 
-  /// Sends all lines; false where it is aborted.
+  /// Casts all lines; false on an abort request.
   bool Run()
   {
     double lines = 0.0;
@@ -208,7 +208,7 @@ private:
     }
   }
 
-  /// Casts rays, and again from behind what each has met, until none meets anything.
+  /// Casts rays, and again from behind each hit, until there are no more hits.
   void FollowBatch(int axis, vtkIdType first, vtkIdType last, std::vector<Meeting>& found) const
   {
     const double behind = this->GetTolerance();
@@ -240,7 +240,7 @@ private:
         {
           onLine[lines[i] - first].push_back({ point, hits[i].CellId, axis });
         }
-        // Where the tolerance drowns in the coordinate, on to the next number.
+        // If the tolerance is below the coordinate's precision, continue at the next number.
         const double next = ray.Origin[axis] + sign * behind;
         ray.Origin[axis] = next != ray.Origin[axis] ? next : std::nextafter(next, sign * 1e300);
         rays[kept] = ray;
@@ -274,7 +274,7 @@ private:
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // The scene's own bounds do not limit: the highest point must not fall to a rounding.
+      // The scene's own bounds do not limit: rounding must not drop the highest point.
       if (p[axis] < this->Self->Region[2 * axis] || p[axis] > this->Self->Region[2 * axis + 1])
       {
         return false;

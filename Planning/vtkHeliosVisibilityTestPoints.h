@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosVisibilityTestPoints
- * @brief   points that stand for the surfaces of a scene
+ * @brief   points that sample the surfaces of a scene
  *
- * Port 0: the scene (triangles). Output: a point wherever a line of a grid meets a surface; point
- * arrays Normal (unit), CellIds (of the scene) and, with GenerateAreas, Area [m2]. Field data CRS
- * passes.
+ * Port 0: the scene (triangles). Output: one point at each intersection of a grid line with a
+ * surface; point arrays Normal (unit), CellIds (of the scene) and, with GenerateAreas, Area [m2].
+ * Field data CRS passes.
  *
- * Vertical and horizontal lines, the latter along x and along y, go through the whole scene, and
- * every surface they meet counts (Bechtold and Hoefle 2016, section 10: rays from above and from four
- * sides, all hits). A point nearer than MergeTolerance to one before it is left out, and its area
- * goes to that one. Vertical lines come first, in rows of x from the smallest y on, then lines
- * along x, then lines along y; along a line points go down or up the axis.
+ * Vertical and horizontal lines, the latter along x and along y, cross the whole scene, and every
+ * surface they intersect counts (Bechtold and Hoefle 2016, section 10: rays from above and from
+ * four sides, all hits). A point nearer than MergeTolerance to an earlier one is left out, and its
+ * area is added to that one. Vertical lines come first, in rows of x from the smallest y on, then
+ * lines along x, then lines along y; along a line points go down or up the axis.
  *
- * A surface with the unit normal n is met by lines along an axis a of a grid of cells G once in
- * G / |n_a|. The area of a point is that, times n_a^2 over the sum of squares for the axes in use,
- * so that the areas of all points have the surface's area as their expectation.
+ * Lines along an axis a of a grid of cell area G intersect a surface with the unit normal n once
+ * per area G / |n_a|. The area of a point is that, times n_a^2 over the sum of squares for the axes
+ * in use, so that the expected sum of all areas is the surface's area.
  *
  * Errors: an empty scene or one that is not of finite triangles; no direction of lines; a grid
- * beyond MemoryLimit; no line that meets a surface; abortion.
+ * beyond MemoryLimit; no line that intersects a surface; an abort request.
  *
  * @sa
  * vtkHeliosScanPositionCandidates vtkHeliosViewsheds vtkHeliosScanPositionPlanner
@@ -31,7 +31,7 @@
 #include "vtkHeliosPlanningModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <limits> // For what is not given
+#include <limits> // For limits that are not set
 
 class VTKHELIOSPLANNING_EXPORT vtkHeliosVisibilityTestPoints : public vtkPolyDataAlgorithm
 {
@@ -42,7 +42,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance of lines along x, y and z [m]. Valid range: [0, 1e6].
+   * Set/Get the spacing of lines along x, y and z [m]. Valid range: [0, 1e6].
    * Default: 0, a twentieth of the scene's diagonal.
    */
   vtkSetClampMacro(XStep, double, 0.0, 1e6);
@@ -56,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the box of points that count: x from, x to, y from, y to, z from, z to [m]. The grid
-   * starts half a step inside. Default: NaN for each, the scene's bounds.
+   * Set/Get the region of points: x min, x max, y min, y max, z min, z max [m]. The grid starts
+   * half a step inside. Default: NaN for each, the scene's bounds.
    */
   vtkSetVector6Macro(Region, double);
   vtkGetVector6Macro(Region, double);
@@ -65,7 +65,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether there are vertical lines, and horizontal ones. Default: both.
+   * Set/Get whether vertical and horizontal lines are used. Default: both.
    */
   vtkSetMacro(Vertical, bool);
   vtkGetMacro(Vertical, bool);
@@ -77,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how near points are taken as one [m]; never more than a thousandth of the smallest
+   * Set/Get the distance up to which points are merged [m]; at most a thousandth of the smallest
    * step. Valid range: [0, 1e3]. Default: 1e-4.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, 1e3);
@@ -86,7 +86,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether points get the array Area. Default: off.
+   * Set/Get whether the output has the point array Area. Default: off.
    */
   vtkSetMacro(GenerateAreas, bool);
   vtkGetMacro(GenerateAreas, bool);
@@ -95,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the memory that points may take, a hit a line assumed [MiB]. Valid range: [1, 1e9].
+   * Set/Get the limit for the memory of points, at one hit per line [MiB]. Valid range: [1, 1e9].
    * Default: 2048.
    */
   vtkSetClampMacro(MemoryLimit, double, 1.0, 1e9);

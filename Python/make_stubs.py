@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes vtkhelios/__init__.pyi: what editors and type checkers know of the wrapped classes.
+"""Writes vtkhelios/__init__.pyi: types of the wrapped classes for editors and type checkers.
 
     build/venv/bin/python Python/make_stubs.py
 
-Methods come from the signatures that VTK's wrapper tells, properties and their texts, with units
-and ranges, from the C++ documentation. A test says when the file is no longer current.
+Methods come from the signatures of VTK's wrapper, properties and their texts, with units and
+ranges, from the C++ documentation. A test fails when the file is out of date.
 """
 
 import importlib
@@ -48,7 +48,7 @@ PIPELINE_METHODS = """\
     @property
     def output(self) -> Any: ...
 """
-# name(arguments) -> result, up to the line that says what it is in C++
+# name(arguments) -> result, up to the line with the C++ signature
 SIGNATURE = re.compile(r"^(\w+)\(([^\n]*(?:\n(?!C\+\+)[^\n]*)*?)\)\s*->\s*([^\n]+)\nC\+\+:", re.M)
 # A name and a type, which may be a tuple or a list.
 ARGUMENT = re.compile(r"(\w+):(\((?:[^()]|\([^()]*\))*\)|\[[^\]]*\]|[\w.]+)")
@@ -58,7 +58,7 @@ STOCK = ["vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkC
 
 
 class Types:
-    """Types as the wrapper spells them, as Python spells them; notes what is to be imported."""
+    """Converts wrapper types to Python types; records the required imports."""
 
     def __init__(self, package):
         self.own = {name for name in package.__all__ if name.startswith("vtkHelios")}
@@ -69,7 +69,7 @@ class Types:
         self.used = set()
 
     def of(self, text, taken=False):
-        """taken: of an argument, where any sequence does for a tuple."""
+        """taken: of an argument, which accepts any sequence for a tuple."""
         text = " ".join(text.split())
         if text[:1] in "([":
             inner = text[1:-1].split(",")
@@ -162,7 +162,7 @@ def _property(value, types):
 
 
 def _methods(name, method, types):
-    """A line an overload."""
+    """One line per overload."""
     lines = []
     for found, arguments, result in SIGNATURE.findall(method.__doc__ or ""):
         if found != name:

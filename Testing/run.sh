@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds vtkHelios and runs every test; sets up what is missing first (Debian 12).
+# Builds vtkHelios and runs every test; first sets up what is missing (Debian 12).
 #
 #   Testing/run.sh              the release build, the build without optional libraries, all tests
-#   Testing/run.sh --asan       the C++ tests under the address and undefined-behaviour sanitizers, too
-#   Testing/run.sh --fuzz [N]   N damaged files (100,000) for all readers, too
+#   Testing/run.sh --asan       also the C++ tests under address and undefined-behaviour sanitizers
+#   Testing/run.sh --fuzz [N]   also N damaged files (100,000) for all readers
 #
-# Ends with the summaries of ctest and pytest; the exit code is not 0 where a test failed.
+# Ends with the summaries of ctest and pytest; the exit code is not 0 if a test failed.
 
 # shellcheck source=../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"

@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-/// The number of points measured at a time or before, in a cloud in time order.
+/// The number of points up to a time, in a cloud in time order.
 vtkIdType CountUntil(const Cloud& cloud, double time)
 {
   const auto& chunks = cloud.GetChunks();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which points were measured just before a time.
+// Selects the points measured just before a time.
 
 #ifndef heliosBeamFan_h
 #define heliosBeamFan_h
@@ -14,8 +14,8 @@ namespace helios
 
 class Cloud;
 
-/// At most count points of a cloud in time order, evenly from those measured in the duration [s] before a
-/// time [s]; of the whole cloud's last ones where the time is infinite.
+/// At most count points of a cloud in time order, spread evenly over those measured in the duration
+/// [s] before a time [s]; an infinite time selects from the cloud's last points.
 std::vector<Vec3> FindNewestPoints(
   const Cloud& cloud, double time, double duration, std::size_t count);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws nothing, but takes room: cameras are reset to it, whatever part of a cloud is drawn.
+// Draws nothing but has bounds: camera resets use them, whichever part of a cloud is drawn.
 
 #ifndef heliosBoundsProp_h
 #define heliosBoundsProp_h

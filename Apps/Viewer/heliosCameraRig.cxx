@@ -24,7 +24,7 @@ constexpr double ViewAngle = 45.0;        // [deg]
 constexpr double ScannerViewAngle = 75.0; // [deg]
 constexpr double DegreesPerSecond = 6.0;  // of the orbit
 constexpr double NearestFollow = 20.0;    // [m], from the platform
-constexpr double LookSeconds = 0.4;       // that the scanner's eye takes to turn
+constexpr double LookSeconds = 0.4;       // for the scanner view to turn
 constexpr double LargestNumber = 1e9;     // of key frames [m, s]
 const Vec3 FromSouthWest{ -0.55, -0.65, 0.5 };
 
@@ -34,7 +34,7 @@ Vec3 Unit(Vec3 v)
   return v;
 }
 
-/// A number that cameras can be interpolated between.
+/// A number that allows camera interpolation.
 bool IsNumber(const Json::Value& value)
 {
   return value.isNumeric() && std::abs(value.asDouble()) <= LargestNumber;
@@ -91,7 +91,7 @@ Vec3 CameraRig::GetCenter() const
 }
 
 //------------------------------------------------------------------------------
-/// The radius of the ball around all of it.
+/// The radius of the bounding sphere.
 double CameraRig::GetSize() const
 {
   const double* b = this->Bounds;
@@ -194,7 +194,7 @@ void CameraRig::FollowScript()
 }
 
 //------------------------------------------------------------------------------
-/// Behind and above the platform at first; then it moves as the platform does.
+/// Initially behind and above the platform; then moves with it.
 void CameraRig::Follow(const Subject& subject)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
@@ -236,7 +236,7 @@ void CameraRig::LookFromScanner(double seconds, const Subject& subject)
   this->LookDirection = Unit(this->LookDirection + share * (wish - this->LookDirection));
   const Vec3 focal = eye + this->GetSize() * this->LookDirection;
   Vec3 up(0.0, 0.0, 1.0);
-  if (std::abs(this->LookDirection[2]) > 0.95) // straight down: the way ahead is up
+  if (std::abs(this->LookDirection[2]) > 0.95) // straight down: forward is up
   {
     up = Rotate(subject.Platform.Orientation, Vec3(0.0, 1.0, 0.0));
   }

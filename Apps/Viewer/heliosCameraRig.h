@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the camera is: in the user's hands, with the platform, in the scanner's place, or on a script.
+// Camera modes: user-controlled, following the platform, at the scanner, or scripted.
 
 #ifndef heliosCameraRig_h
 #define heliosCameraRig_h
@@ -22,21 +22,21 @@ namespace helios
 
 enum class CameraMode
 {
-  Free,    ///< the user turns it
-  Fly,     ///< the user flies it
-  Follow,  ///< goes with the platform; the user turns it
-  Scanner, ///< in the scanner's place, towards what it measures
-  Top,     ///< straight down, parallel, north up
+  Free,    ///< rotated by the user
+  Fly,     ///< flown by the user
+  Follow,  ///< follows the platform; the user rotates it
+  Scanner, ///< at the scanner, facing what it measures
+  Top,     ///< nadir view, parallel, north up
   Side,    ///< from the south, parallel
-  Orbit,   ///< round the scene once a minute
+  Orbit,   ///< orbits once a minute
   Script   ///< along key frames
 };
 
-/// The names of the modes, as options and the state file have them: free, fly, follow ...
+/// Mode names used by options and the state file: free, fly, follow ...
 const std::vector<std::string>& GetCameraModeNames();
 std::string GetCameraModeName(CameraMode mode);
 
-/// Coordinates are those of the view.
+/// Coordinates are view coordinates.
 class CameraRig
 {
 public:
@@ -46,16 +46,16 @@ public:
   CameraMode GetMode() const { return this->Mode; }
   void SetMode(CameraMode mode);
 
-  /// What the view's coordinates are relative to [m]; key frames are in the world.
+  /// Origin of the view coordinates [m]; key frames are in world coordinates.
   void SetOrigin(const Vec3& origin) { this->Origin = origin; }
 
-  /// The box that is looked at: of scene and cloud.
+  /// Bounds of scene and cloud to be viewed.
   void SetBounds(const double bounds[6]);
 
-  /// Looks at all of it from the south-west and above.
+  /// Frames everything from the south-west and above.
   void Reset();
 
-  /// What moves: the platform, and the mean of the points that the scanner has just measured.
+  /// Moving target: the platform, and the mean of the points just measured.
   struct Subject
   {
     Pose Platform;
@@ -64,11 +64,11 @@ public:
     bool HasTarget = false;
   };
 
-  /// Time passes [s]; a null subject: nothing moves.
+  /// Advances by a time [s]; null subject: no motion.
   void Update(double seconds, const Subject* subject);
 
-  /// Reads key frames from a JSON file: a list of {"time", "position", "focalPoint", "viewUp"}; says
-  /// what is wrong with it, or returns an empty text.
+  /// Reads key frames from a JSON file: a list of {"time", "position", "focalPoint", "viewUp"};
+  /// returns an error message, or an empty string.
   std::string ReadScript(const std::string& fileName);
 
 private:

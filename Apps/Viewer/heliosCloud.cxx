@@ -26,7 +26,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t NoPulse = std::numeric_limits<std::int32_t>::min();
 
-/// Reads an array's numbers as doubles, tuple by tuple.
+/// Reads array values as doubles, tuple by tuple.
 struct CopyWorker
 {
   template <typename Array>
@@ -41,7 +41,7 @@ struct CopyWorker
   }
 };
 
-/// The numbers of the tuples [begin, end).
+/// The values of the tuples [begin, end).
 std::vector<double> ToDoubles(vtkDataArray* array, vtkIdType begin, vtkIdType end)
 {
   const vtkIdType width = array->GetNumberOfComponents();
@@ -63,7 +63,7 @@ std::size_t GetBytes(const std::vector<T>& values)
 } // namespace
 
 //------------------------------------------------------------------------------
-/// The columns of some rows of a block as doubles; empty: not there.
+/// The columns of some rows of a block as doubles; empty: missing.
 struct Cloud::Block
 {
   vtkIdType Begin;
@@ -125,7 +125,7 @@ struct Cloud::Block
 
   vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Xyz.size()) / 3; }
 
-  /// Whether a row's pulse can be told by its distance from a base.
+  /// Whether a row's pulse can be stored as an offset from a base.
   bool IsNear(vtkIdType row, std::int64_t base) const
   {
     const double pulse = this->Get(CloudColumn::Pulse, row, -1.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A point cloud as the viewer keeps it: 34 bytes a point, in chunks that never move.
+// A point cloud held by the viewer: 34 bytes/point, in chunks that never move.
 
 #ifndef heliosCloud_h
 #define heliosCloud_h
@@ -21,7 +21,7 @@ class vtkPolyData;
 namespace helios
 {
 
-/// What is known of a point, beside where it is.
+/// Attributes of a point besides its position.
 enum class CloudColumn : int
 {
   Height,
@@ -39,10 +39,10 @@ enum class CloudColumn : int
 };
 constexpr int NumberOfCloudColumns = 12;
 
-/// A point with all that is known of it; what is not: NaN, ids -1, counts and classes 0.
+/// A point with all its attributes; unknown values: NaN, ids -1, counts and classes 0.
 struct Echo
 {
-  vtkIdType Row = -1; ///< in the cloud, in the order of Append()
+  vtkIdType Row = -1; ///< in the cloud, in Append() order
   Vec3 Position;      ///< [m]
   std::int64_t PulseId = -1;
   int ReturnNumber = 0;
@@ -52,12 +52,12 @@ struct Echo
   int Material = -1;
   int Leg = -1;
   double GpsTime;        ///< [s]
-  double Amplitude;      ///< [W], or what a file has for it; to 0.07 %
+  double Amplitude;      ///< [W], or in units of the file; to 0.07 %
   double Range;          ///< [m]
   double IncidenceAngle; ///< [deg], to 0.18
 };
 
-/// Points that came one after the other; of one size at most, so that growth copies nothing.
+/// Consecutive points, at most a fixed number, so that growth copies nothing.
 struct CloudChunk
 {
   static constexpr vtkIdType Capacity = vtkIdType(1) << 17;
@@ -92,21 +92,21 @@ struct CloudChunk
 };
 
 /**
- * Grows by blocks of echoes. Places are floats relative to an origin; times are floats relative to
- * the chunk's first, so exact to 2^-24 of what 131,072 points take: microseconds in a day-long run. Not thread-safe: append and draw in one
- * thread.
+ * Grows by blocks of echoes. Positions are floats relative to an origin; times are floats relative
+ * to the chunk's first, so exact to 2^-24 of the time of 131,072 points: microseconds in a day-long
+ * run. Not thread-safe: append and draw in one thread.
  */
 class Cloud
 {
 public:
-  /// What coordinates are relative to [m]; before any data. Default: the first point, rounded.
+  /// Origin of the coordinates [m]; set before any data. Default: the first point, rounded.
   bool SetOrigin(const Vec3& origin);
   const Vec3& GetOrigin() const { return this->Origin; }
 
   /**
-   * Appends the points of a block: with the arrays that vtkHeliosScanner or vtkHeliosLASReader
-   * give (an Intensity stands for a missing Amplitude), as far as there are. Points that are not
-   * finite are left out and counted.
+   * Appends the points of a block with the arrays of vtkHeliosScanner or vtkHeliosLASReader that
+   * are present (Intensity replaces a missing Amplitude). Points that are not finite are skipped
+   * and counted.
    */
   void Append(vtkPolyData* echoes);
 
@@ -118,28 +118,28 @@ public:
   /// Whether any block had this column.
   bool Has(CloudColumn column) const { return this->Present[static_cast<int>(column)]; }
 
-  /// Whether amplitudes are raw numbers of a file (Intensity), not watts.
+  /// Whether amplitudes are raw file values (Intensity), not watts.
   bool HasRawAmplitudes() const { return this->RawAmplitudes; }
 
-  /// x0 x1 y0 y1 z0 z1 [m] in the world; false for no points.
+  /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without points.
   bool GetBounds(double bounds[6]) const;
 
-  /// First and last GPS time [s]; false where there is none.
+  /// First and last GPS time [s]; false if there is none.
   bool GetTimeRange(double range[2]) const;
 
   /// The point of a row in [0, number of points).
   Echo GetEcho(vtkIdType row) const;
 
-  /// Numbers of a column for points [begin, end) of a chunk; height is of the world [m].
+  /// Values of a column for points [begin, end) of a chunk; height is world z [m].
   void GetValues(const CloudChunk& chunk, CloudColumn column, vtkIdType begin, vtkIdType end,
     double* values) const;
 
   const std::vector<std::unique_ptr<CloudChunk>>& GetChunks() const { return this->Chunks; }
 
-  /// The chunk that holds a row.
+  /// The chunk that contains a row.
   const CloudChunk& FindChunk(vtkIdType row) const;
 
-  /// Bytes of all that is kept, capacity counted.
+  /// Memory in bytes, capacity included.
   std::size_t GetMemorySize() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers of points in one or two bytes.
+// Encodes point values in one or two bytes.
 
 #ifndef heliosCloudCodes_h
 #define heliosCloudCodes_h
@@ -15,7 +15,7 @@ namespace helios
 
 constexpr std::uint8_t NoIncidence = 255;
 
-/// 512 steps an octave, from 2^-96 on; 0: none.
+/// 512 steps per octave, from 2^-96 on; 0: not set.
 inline std::uint16_t EncodeAmplitude(double amplitude)
 {
   if (!(amplitude > 0.0))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which colour a point of a cloud has, and the legend that goes with it.
+// Maps the points of a cloud to colours, with the legend.
 
 #ifndef heliosCloudColors_h
 #define heliosCloudColors_h
@@ -16,11 +16,11 @@ class vtkUnsignedCharArray;
 namespace helios
 {
 
-/// What colours show; all but One are columns of the cloud.
+/// Coloured quantity; all but One are columns of the cloud.
 enum class ColorBy : int
 {
   Height = static_cast<int>(CloudColumn::Height),
-  Amplitude = static_cast<int>(CloudColumn::Amplitude), ///< by its logarithm
+  Amplitude = static_cast<int>(CloudColumn::Amplitude), ///< logarithmic
   ReturnNumber = static_cast<int>(CloudColumn::ReturnNumber),
   NumberOfReturns = static_cast<int>(CloudColumn::NumberOfReturns),
   Class = static_cast<int>(CloudColumn::Class),
@@ -33,7 +33,7 @@ enum class ColorBy : int
   One = -1 ///< one colour for all
 };
 
-/// Maps numbers to colours: along the ramp between two ends, or number by number.
+/// Maps values to colours: along the ramp between two ends, or per category.
 class CloudColors
 {
 public:
@@ -42,10 +42,10 @@ public:
   double Low = 0.0;
   double High = 1.0;
 
-  /// Of a number that is not known.
+  /// For unknown values.
   static constexpr Rgb Unknown = { 128, 128, 128 };
 
-  /// Whether numbers stand for things (classes, parts ...) rather than amounts.
+  /// Whether values are categories (classes, parts ...) rather than quantities.
   bool IsCategory() const;
   bool IsLogarithmic() const { return this->By == ColorBy::Amplitude; }
 
@@ -55,13 +55,13 @@ public:
   void Map(const Cloud& cloud, const CloudChunk& chunk, vtkIdType begin, vtkIdType end,
     std::uint8_t* rgba) const;
 
-  /// The ends that leave 2 % of the values out on either side, NaN aside; false: no values.
+  /// The ends that exclude 2 % of the values on either side, NaN ignored; false: no values.
   bool FitRange(std::vector<double> values);
 
   /// "Height [m]" ...
   std::string GetTitle(const Cloud& cloud) const;
 
-  /// Makes a table of the same colours; categories get the names of those among values.
+  /// Fills a table with the same colours; categories get the names of those among values.
   void FillTable(vtkLookupTable* table, const std::vector<double>& values) const;
 
 private:

@@ -18,10 +18,10 @@ namespace helios
 namespace
 {
 
-/// The best first: a point that covers the spot, then the nearest, then the closest to the camera.
+/// The best first: covers the spot, then nearest, then closest to the camera.
 struct Candidate
 {
-  double Distance = HUGE_VAL; ///< [pixels], 0: it covers the spot
+  double Distance = HUGE_VAL; ///< [pixels], 0: covers the spot
   double Depth = HUGE_VAL;
   vtkIdType Row = -1;
 
@@ -80,7 +80,7 @@ struct Search
   }
 };
 
-/// The closest point of every pixel, as its depth's bits and its row in one number.
+/// The closest point of every pixel, packed as depth bits and row in one number.
 struct VisibleSearch
 {
   static constexpr std::uint64_t Nothing = ~std::uint64_t(0);
@@ -126,7 +126,7 @@ struct VisibleSearch
       if (index >= 0)
       {
         const auto depth =
-          static_cast<float>(1.0 + pixel[2]); // not negative: its bits are in order
+          static_cast<float>(1.0 + pixel[2]); // not negative: its bits sort in order
         std::uint32_t bits;
         std::memcpy(&bits, &depth, sizeof(bits));
         const std::uint64_t key =
@@ -161,7 +161,7 @@ bool CloudWindow::IsOutside(const CloudChunk& chunk) const
 //------------------------------------------------------------------------------
 bool CloudWindow::Contains(const CloudChunk& chunk, vtkIdType i) const
 {
-  if (chunk.GetTime(i) > this->TimeLimit) // false for a point without time
+  if (chunk.GetTime(i) > this->TimeLimit) // false for NaN times
   {
     return false;
   }

@@ -57,7 +57,7 @@ int CountPieces(const std::string& path)
   return 1 + static_cast<int>(static_cast<double>(fs::file_size(path, ignored)) / PieceBytes);
 }
 
-/// The pieces that a .pvtp lists.
+/// Counts the pieces of a .pvtp.
 int CountListedPieces(const std::string& path)
 {
   std::ifstream file(path);
@@ -69,7 +69,7 @@ int CountListedPieces(const std::string& path)
   return std::max(1, count);
 }
 
-/// The leg that a file's name tells (leg012_points.xyz), or -1.
+/// The leg in a file name (leg012_points.xyz), or -1.
 int GetLeg(const std::string& path)
 {
   const std::string name = fs::path(path).filename().string();
@@ -79,7 +79,7 @@ int GetLeg(const std::string& path)
       name.begin() + 3, name.begin() + 6, [](unsigned char c) { return std::isdigit(c); });
   if (isLeg)
   {
-    std::from_chars(name.data() + 3, name.data() + name.size(), leg); // too large: none
+    std::from_chars(name.data() + 3, name.data() + name.size(), leg); // too large: -1
   }
   return leg;
 }
@@ -94,7 +94,7 @@ std::string GetTrajectoryName(const std::string& path)
     : (fs::path(path).parent_path() / (stem.substr(0, at) + "_trajectory.txt")).string();
 }
 
-/// Keeps the first error of a reader, without where in the code it came from.
+/// Keeps the first error of a reader, without its code location.
 void KeepError(vtkObject*, unsigned long, void* kept, void* text)
 {
   std::string message = text ? static_cast<const char*>(text) : "";
@@ -131,7 +131,7 @@ void AddLeg(vtkPolyData* block, int leg)
   }
 }
 
-/// The files that a summary lists; a message in error where it is none.
+/// The files listed by a summary; sets error if it is not valid.
 std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
 {
   std::vector<std::string> files;
@@ -268,7 +268,7 @@ std::string CloudReader::ReadCloud(const std::string& path)
     return this->ReadText(path);
   }
   const char* name = path.c_str();
-  if (ending == ".las" || ending == ".laz") // the reader says what to do about the latter
+  if (ending == ".las" || ending == ".laz") // the reader's message covers the latter
   {
     vtkNew<vtkHeliosLASReader> reader;
     reader->SetFileName(name);
@@ -305,7 +305,7 @@ std::string CloudReader::ReadText(const std::string& path)
   std::error_code ignored;
   if (fs::file_size(path, ignored) == 0)
   {
-    return ""; // told as a cloud without points
+    return ""; // reported as an empty cloud
   }
   vtkNew<vtkHeliosXyzReader> reader;
   reader->SetFileName(path.c_str());

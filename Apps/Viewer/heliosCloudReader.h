@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finished runs and clouds from files, block by block.
+// Reads runs and clouds from files, block by block.
 
 #ifndef heliosCloudReader_h
 #define heliosCloudReader_h
@@ -21,26 +21,26 @@ namespace helios
 class Cloud;
 
 /**
- * Reads the folder of a run (run_summary.json names the files of its legs) or one file:
+ * Reads a run folder (run_summary.json lists the files of its legs) or one file:
  * - .xyz, .txt, .asc: the columns of vtkHeliosPointTextWriter, or any text with x y z first;
  * - .las (vtkHeliosLASReader), .vtp, .pvtp, .ply.
- * The trajectories of a run come as polylines (of a static platform: a vertex) in the world, also
- * that beside a single legNNN_points file.
+ * The trajectories of a run are polylines (of a static platform: a vertex) in world coordinates,
+ * also the one beside a single legNNN_points file.
  */
 class CloudReader
 {
 public:
-  /// Names of parts in the order of their ids; set those of the scene before reading text files.
+  /// Part names in id order; set those of the scene before reading text files.
   std::vector<std::string> PartNames;
 
   /// Files read so far, and the trajectories found.
   std::vector<std::string> Files;
   std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
 
-  /// Whether the name of a file, or what is in a folder, is something this reads.
+  /// Whether the file, or the folder's contents, can be read.
   static bool CanRead(const std::string& path);
 
-  /// Hands the blocks over one by one. Says in words what is wrong, or returns an empty text.
+  /// Passes on the blocks one by one. Returns an error message, or an empty string.
   std::string Read(const std::string& path, const BlockFunction& onBlock);
 
   /// Appends all points to a cloud.
@@ -55,7 +55,7 @@ private:
 
   BlockFunction OnBlock;
   bool Stopped = false;
-  double FirstShare = 0.0; // of the file being read, among all
+  double FirstShare = 0.0; // of the current file, of the total
   double ShareOfFile = 1.0;
 };
 

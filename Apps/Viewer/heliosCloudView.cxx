@@ -74,7 +74,7 @@ CloudView::~CloudView()
 //------------------------------------------------------------------------------
 void CloudView::Update()
 {
-  if (this->Points.GetNumberOfPoints() < this->Sampled) // it was cleared
+  if (this->Points.GetNumberOfPoints() < this->Sampled) // was cleared
   {
     this->Chunks.clear();
     this->Sample->SetVisible(false);
@@ -84,7 +84,7 @@ void CloudView::Update()
   }
   if (this->Sampled == 0)
   {
-    this->SetUpPlanes(); // with the first points there is an origin
+    this->SetUpPlanes(); // the first points set the origin
   }
   this->UpdateSample();
   const bool hasGrown = this->Points.GetNumberOfPoints() > 1.1 * this->FittedTo;
@@ -122,7 +122,7 @@ bool CloudView::FitRange()
   {
     return false;
   }
-  // Small changes are not worth that all points are coloured again.
+  // Small changes do not justify recolouring all points.
   const double tolerance = 0.05 * (fitted.High - fitted.Low);
   const bool differs = std::abs(fitted.Low - this->Colors.Low) > tolerance ||
     std::abs(fitted.High - this->Colors.High) > tolerance;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a cloud: all that is to be seen of it when still, a sample while the camera moves.
+// Draws a cloud: all visible points when still, a sample while the camera moves.
 
 #ifndef heliosCloudView_h
 #define heliosCloudView_h
@@ -27,21 +27,21 @@ namespace helios
 class PointActor;
 
 /**
- * Points without cells; the renderer's coordinates are the cloud's less its origin. Call Update()
- * once the cloud has grown, before anything is drawn.
+ * Points without cells; renderer coordinates are the cloud's relative to its origin. Call Update()
+ * after the cloud has grown, before drawing.
  *
- * A cloud of up to GetWholeLimit() points is drawn as it is, for 4 bytes a point beside its own. Of
- * a larger one each picture draws the points that are closest to the camera at some pixel, found
- * among all in parallel: the same picture, and quick where a processor draws it.
+ * A cloud of up to GetWholeLimit() points is drawn whole, for 4 extra bytes/point. Of a larger one
+ * each frame draws the point closest to the camera at each pixel, found among all points in
+ * parallel: the same picture, and fast with software rendering.
  */
 class CloudView
 {
 public:
-  /// Points drawn while moving, at most.
+  /// Maximum number of moving points.
   static constexpr std::size_t MaximumSample = 120000;
 
   ///@{
-  /// Clouds of up to so many points are drawn as they are. Default: 2 million.
+  /// Clouds of up to this many points are drawn whole. Default: 2 million.
   void SetWholeLimit(vtkIdType points);
   vtkIdType GetWholeLimit() const { return this->WholeLimit; }
   ///@}
@@ -52,10 +52,10 @@ public:
   CloudView(const CloudView&) = delete;
   void operator=(const CloudView&) = delete;
 
-  /// Takes up what the cloud has become.
+  /// Updates from the changed cloud.
   void Update();
 
-  /// What colours show. Default: Height.
+  /// Coloured quantity. Default: Height.
   void SetColorBy(ColorBy by);
   ColorBy GetColorBy() const { return this->Colors.By; }
   /// The colour of ColorBy::One.
@@ -63,9 +63,9 @@ public:
 
   ///@{
   /**
-   * The numbers at the ends of the ramp: set, or from the points so that 2 % lie beyond either.
-   * Default: from the points; they follow a growing cloud in steps. False, and nothing is changed,
-   * where low is not below high.
+   * Ends of the ramp: set, or from the points with 2 % beyond either end. Default: from the points;
+   * they follow a growing cloud in steps. Returns false and changes nothing if low is not below
+   * high.
    */
   bool SetRange(double low, double high);
   void SetAutomaticRange();
@@ -74,18 +74,18 @@ public:
   const CloudColors& GetColors() const { return this->Colors; }
   ///@}
 
-  /// Side of a point [pixels], in [1, 50]. Default: 2.
+  /// Size of a point [pixels], in [1, 50]. Default: 2.
   void SetPointSize(double size);
   double GetPointSize() const { return this->PointSize; }
 
-  /// Shades edges by depth; for everything solid in the renderer. Default: off.
+  /// Eye-dome lighting (EDL) of all solid props of the renderer. Default: off.
   void SetEyeDomeLighting(bool on);
   bool GetEyeDomeLighting() const { return this->EyeDomeLighting; }
 
   ///@{
   /**
-   * A box, x0 x1 y0 y1 z0 z1 [m] in the world, that points must lie in to be drawn. Default: off. A
-   * box with low above high is refused.
+   * Draws only the points in a box, x0 x1 y0 y1 z0 z1 [m] in world coordinates. Default: off. A box
+   * with low above high is rejected.
    */
   bool SetClipBox(const double bounds[6]);
   void SetClipping(bool on);
@@ -101,25 +101,25 @@ public:
   bool IsInteracting() const { return this->Interacting; }
 
   /**
-   * How long the last picture took [s], if the view is to keep 10 frames a second while moving: one
-   * that took above 80 ms makes the next do without eye-dome lighting, then with half the points
-   * (down to 20,000); below 25 ms points come back.
+   * Reports the duration of the last frame [s], to keep 10 frames/s while moving: above 80 ms the
+   * next one omits eye-dome lighting, then half of the points (down to 20,000); below 25 ms points
+   * are restored.
    */
   void ReportFrame(double seconds);
   void SetVisible(bool on);
 
-  /// The legend; hidden where there is one colour or SetScalarBarVisible(false).
+  /// The legend; hidden with a single colour or after SetScalarBarVisible(false).
   vtkScalarBarActor* GetScalarBar() const { return this->Bar; }
   void SetScalarBarVisible(bool on);
 
-  /// The echo drawn at a pixel of the window, or within a radius [pixels] of it.
+  /// The echo drawn at a window pixel, or within a radius [pixels] of it.
   std::optional<Echo> Pick(double x, double y, double radius) const;
 
-  /// Points that are drawn; those outside the clip box of a chunk that reaches in, too. Of a cloud
-  /// above GetWholeLimit(): in the last picture.
+  /// Points drawn, including those outside the clip box in chunks that intersect it. Of a cloud
+  /// above GetWholeLimit(): in the last frame.
   vtkIdType GetNumberOfDrawnPoints() const;
 
-  /// Bytes beside the cloud's own.
+  /// Bytes besides the cloud's own.
   std::size_t GetMemorySize() const;
 
 private:
@@ -147,11 +147,11 @@ private:
   bool AutomaticRange = true;
   bool EyeDomeLighting = false;
   bool Interacting = false;
-  bool Shaded = false;   // eye-dome lighting is at work
-  bool Unshaded = false; // it is too slow while moving
-  bool Stale = true;     // what is visible has to be found again
+  bool Shaded = false;   // eye-dome lighting is active
+  bool Unshaded = false; // EDL is too slow while moving
+  bool Stale = true;     // visible points are out of date
   vtkIdType WholeLimit = 2000000;
-  std::uint32_t MovingMask = 0; // of the sample's rows that are drawn
+  std::uint32_t MovingMask = 0; // of the sample's drawn rows
   std::unique_ptr<PixelMap> VisibleFrom;
   unsigned long Observer = 0;
   bool Visible = true;
@@ -162,7 +162,7 @@ private:
   std::vector<std::uint32_t> SampleRows;
   std::vector<float> SampleXyz;
   std::uint32_t SampleMask = 0;
-  vtkIdType Sampled = 0; // points of the cloud that were asked
+  vtkIdType Sampled = 0; // points of the cloud considered
   vtkIdType FittedTo = 0;
   vtkNew<BoundsProp> Room;
   vtkNew<vtkPlaneCollection> Planes;

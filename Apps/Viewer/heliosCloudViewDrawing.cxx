@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a cloud is drawn: all, a sample, or what is seen.
+// Selects the drawn points: all, a sample or the visible.
 #include "heliosCloudView.h"
 
 #include "heliosEyeDome.h"
@@ -20,7 +20,7 @@ namespace helios
 namespace
 {
 
-/// Spreads rows, so that a sample by the hash's last bits has no pattern.
+/// Hashes rows, so that a sample by the last bits has no pattern.
 std::uint32_t Hash(std::uint32_t row)
 {
   row = (row ^ (row >> 16)) * 0x7feb352du;
@@ -221,7 +221,7 @@ void CloudView::ShowRows(const std::vector<std::uint32_t>& rows)
       }
     });
   this->Sample->ColorsChanged();
-  this->Sample->Show(this->SampleXyz.data(), 0); // the numbers have changed in place
+  this->Sample->Show(this->SampleXyz.data(), 0); // the values have changed in place
   this->Sample->Show(this->SampleXyz.data(), static_cast<vtkIdType>(rows.size()));
   this->Sample->SetVisible(this->Visible);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours that clouds and scenes are drawn in.
+// Colours of clouds and scenes.
 
 #ifndef heliosColorMaps_h
 #define heliosColorMaps_h
@@ -14,10 +14,10 @@ namespace helios
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// 256 colours from low to high, alike in brightness steps: light blue over green to red.
+/// 256 colours from low to high, uniform in brightness: light blue over green to red.
 const std::array<Rgb, 256>& GetRamp();
 
-/// The colour of number n of things that have no order: 12 muted colours, then again.
+/// The colour of category n: 12 muted colours, repeated.
 Rgb GetDistinctColor(std::int64_t n);
 
 /// The colour of an ASPRS class; grey for one without a colour of its own.

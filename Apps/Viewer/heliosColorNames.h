@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The names of what colours show, as options and the state file have them.
+// Names of the coloured quantities, used by options and the state file.
 
 #ifndef heliosColorNames_h
 #define heliosColorNames_h
@@ -14,7 +14,7 @@
 namespace helios
 {
 
-/// In the order that the user goes through them.
+/// In the order of cycling through them.
 inline const std::vector<std::pair<std::string, ColorBy>>& GetColorings()
 {
   static const std::vector<std::pair<std::string, ColorBy>> colorings{ { "height",

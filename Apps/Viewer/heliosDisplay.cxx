@@ -17,7 +17,7 @@ const char* const WaysOut =
   "; log in with a desktop, use ssh -X, or draw without a window: "
   "xvfb-run -a vtkhelios view ... --offscreen --still picture.png (Debian package xvfb)";
 
-/// What Xlib calls when its server is gone; it ends the program when this returns.
+/// Called by Xlib when its server is lost; Xlib exits when this returns.
 int OnLostDisplay(Display*)
 {
   std::cerr

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The display that windows are on: all of the operating system that the viewer sees.
+// Display of the windows: the only use of the operating system in the viewer.
 
 #ifndef heliosDisplay_h
 #define heliosDisplay_h
@@ -10,11 +10,11 @@
 namespace helios
 {
 
-/// Says why there is no display to draw on, and the ways out; empty: there is one. VTK would end the
-/// program without a word.
+/// Returns why there is no display to draw on, with remedies; empty: there is one. VTK would exit
+/// without a message.
 std::string CheckDisplay();
 
-/// Where the display goes away later, says so instead of what the window system says.
+/// Reports a display lost later, instead of the window system's message.
 void ExplainLostDisplay();
 
 } // namespace helios

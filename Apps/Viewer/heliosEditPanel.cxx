@@ -26,14 +26,14 @@ namespace helios
 namespace
 {
 
-// Shares of the window's width and height, from the lower left.
+// Fractions of the window's width and height, from the lower left.
 constexpr double Left = 0.015;
 constexpr double Right = 0.2;
 constexpr double HeadingTop = 0.88;
 constexpr double FirstSlider = 0.66;
 constexpr double SliderStep = 0.058;
 constexpr double LabelAbove = 0.014;
-constexpr double Margin = 0.02; // about a slider, that clicks belong to it in
+constexpr double Margin = 0.02; // clickable margin around a slider
 
 void SetUpText(vtkTextActor* actor, double y, bool isTop)
 {
@@ -59,7 +59,7 @@ std::string MakeLabel(const EditRange& range, double value)
 
 } // namespace
 
-/// One number.
+/// A single value.
 class EditPanel::Slider
 {
 public:

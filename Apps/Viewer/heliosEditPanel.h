@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The panel at the left of a survey made by hand: what is chosen, and sliders of its numbers.
+// The panel at the left of an edited survey: the selection, and sliders for its values.
 
 #ifndef heliosEditPanel_h
 #define heliosEditPanel_h
@@ -26,31 +26,31 @@ namespace helios
 class EditPanel
 {
 public:
-  /// A slider was moved; isOver: and let go.
+  /// A slider was moved; isOver: and released.
   using Change = std::function<void(const std::string& name, double value, bool isOver)>;
 
-  /// Without an interactor there are words only.
+  /// Without an interactor only text is shown.
   EditPanel(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, Change onChange);
   ~EditPanel();
   EditPanel(const EditPanel&) = delete;
   void operator=(const EditPanel&) = delete;
 
-  /// Other sliders. Not to be called from onChange.
+  /// Replaces the sliders. Not allowed in onChange.
   void SetRanges(const std::vector<EditRange>& ranges);
 
-  /// The values of a survey on the sliders that nobody holds.
+  /// Shows a survey's values on the sliders not in use.
   void ShowValues(const SurveyEdit& edit);
 
   void SetHeading(const std::string& text);
   void SetVisible(bool visible);
 
-  /// Letters as large as the window asks for [pixels].
+  /// Fits the font size to the window [pixels].
   void Resize(int width, int height);
 
-  /// Whether a place of the window, in shares of its size, belongs to the sliders.
+  /// Whether a window position, in fractions of its size, belongs to the sliders.
   bool Contains(double x, double y) const;
 
-  /// What the sliders show, and where they are.
+  /// Values and positions of the sliders.
   Json::Value Describe() const;
 
 private:

@@ -27,7 +27,7 @@ namespace
 
 constexpr std::size_t MostUndos = 200;
 
-/// The entry of a reference, some steps on.
+/// An entry, some steps after a given one.
 template <typename T>
 const std::pair<std::string, T>* FindNext(
   const std::vector<std::pair<std::string, T>>& entries, const std::string& reference, int step)
@@ -43,7 +43,7 @@ const std::pair<std::string, T>* FindNext(
   return &entries[static_cast<std::size_t>((at + step + 2 * count) % count)];
 }
 
-/// Something that stands still fires all around only where its head turns.
+/// A static platform covers all directions only with head rotation.
 bool IsFit(const SurveyEdit& edit, const ScannerData& scanner)
 {
   return edit.IsMoving() || scanner.HeadRotateSpeedMax > 0.0;
@@ -220,7 +220,7 @@ void EditTool::SetStand(const ScenePick& pick, bool isMore)
   this->Remember();
   if (this->Edit.HasArea)
   {
-    this->Edit.Legs.clear(); // strips are not gone on from by hand
+    this->Edit.Legs.clear(); // strips cannot be extended by hand
   }
   const bool isNew = isMore || this->Edit.IsMoving() || this->Edit.Legs.empty();
   isNew ? AddLeg(this->Edit, pick.Position, pick.IsGround)
@@ -328,7 +328,7 @@ void EditTool::ChangeScanner(int step, bool isRemembered)
 }
 
 //------------------------------------------------------------------------------
-/// Called by the panel's sliders, which stay as they are.
+/// Called by the panel's sliders, which keep their state.
 void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
 {
   if (!this->IsSliding)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanner in the user's hands: stands, ways and flight lines by clicks, parts of the scene, too.
+// Interactive editing of a scanner: scan positions, trajectories, flight lines, parts of the scene.
 
 #ifndef heliosEditTool_h
 #define heliosEditTool_h
@@ -39,16 +39,16 @@ public:
 private:
   enum class Mode
   {
-    Scanner, ///< clicks are stands and waypoints
-    Area,    ///< clicks are the corners of a rectangle to fly over
-    Parts    ///< clicks choose parts of the scene
+    Scanner, ///< clicks set positions, waypoints
+    Area,    ///< clicks set the corners of a flight area
+    Parts    ///< clicks select parts of the scene
   };
 
-  /// What an undo goes back to.
+  /// State restored by an undo.
   struct Before
   {
     SurveyEdit Edit;
-    std::string Scene; ///< empty: it was not changed
+    std::string Scene; ///< empty: unchanged
   };
 
   void MakeActions();
@@ -91,26 +91,26 @@ private:
   std::map<std::string, void (*)(EditTool&)> PartActions;
   bool IsOn = false;
   bool HasBegun = false;
-  bool IsMine = false; ///< the survey that is being shown
+  bool IsMine = false; ///< the survey being shown
   Mode Doing = Mode::Scanner;
   Catalogue Choice;
   SurveyEdit Edit;
   SceneEdit Scene;
-  std::string FirstScene;   ///< before parts were changed
-  bool HasNewScene = false; ///< parts were changed
+  std::string FirstScene;   ///< before parts changed
+  bool HasNewScene = false; ///< parts have changed
   bool HasChanges = false;  ///< since the last scan
-  bool IsSliding = false;   ///< a slider is held
+  bool IsSliding = false;   ///< a slider is dragged
   bool HasCorner = false;
   Vec3 Corner;
-  std::string Part;               ///< that is chosen; empty: none
-  std::vector<std::string> Files; ///< that parts can be added from
+  std::string Part;               ///< selected; empty: none
+  std::vector<std::string> Files; ///< sources of new parts
   std::size_t File = 0;
   std::vector<Before> Befores;
   std::unique_ptr<EditPanel> Panel;
   std::unique_ptr<PlatformView> Ghost;
-  std::shared_ptr<ModelFiles> Models; // that it may look like
+  std::shared_ptr<ModelFiles> Models; // platform models
   std::string Saved;
-  int Scans = 0; ///< that were begun
+  int Scans = 0; ///< started
 };
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of the scene in the user's hands.
+// Editing the parts of the scene.
 #include "heliosEditTool.h"
 
 #include "heliosErrorText.h"
@@ -30,9 +30,9 @@ namespace helios
 namespace
 {
 
-constexpr double StepShare = 0.01; // of the scene's size, that arrow keys move by
+constexpr double StepShare = 0.01; // arrow key step, of the scene's size
 
-/// 1, 2 or 5 times a power of ten, not above a number.
+/// 1, 2 or 5 times a power of ten, at most a number.
 double MakeRound(double value)
 {
   const double ten = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-3))));
@@ -66,7 +66,7 @@ bool EditTool::LoadScene()
 }
 
 //------------------------------------------------------------------------------
-/// OBJ files of the asset folders, and of the folders that the scene's own files are in.
+/// OBJ files in the asset folders and in the folders of the scene's own files.
 void EditTool::FindFiles()
 {
   std::set<std::string> folders(
@@ -92,7 +92,7 @@ void EditTool::FindFiles()
 }
 
 //------------------------------------------------------------------------------
-/// The chosen part in the mesh that is shown, and its box [m].
+/// The selected part in the shown mesh, and its box [m].
 bool EditTool::FindMeshPart(int& part, double bounds[6]) const
 {
   SceneView* view = this->Owner.GetSceneView();
@@ -195,7 +195,7 @@ void EditTool::AddPart(const ScenePick& pick)
 }
 
 //------------------------------------------------------------------------------
-/// After a change that was remembered: shown, or forgotten where nothing was changed.
+/// After a change with an undo entry: shows it, or drops the entry if nothing changed.
 void EditTool::ChangeParts(bool isGood)
 {
   if (!isGood)
@@ -211,7 +211,7 @@ void EditTool::ChangeParts(bool isGood)
 }
 
 //------------------------------------------------------------------------------
-/// The mesh of the scene as it is now; echoes of the last scan stay.
+/// Shows the current scene mesh; echoes of the last scan are kept.
 void EditTool::ShowScene()
 {
   vtkNew<vtkHeliosSurvey> owner;

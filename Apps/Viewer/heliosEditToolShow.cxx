@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a survey made by hand begins with, and what of it is shown.
+// The initial state of an edited survey, and its display.
 #include "heliosEditTool.h"
 
 #include "heliosErrorText.h"
@@ -27,7 +27,7 @@ namespace helios
 namespace
 {
 
-/// The platform of a leg, its front to the next or from the last.
+/// The platform of a leg, facing the next one or away from the last.
 Pose FindPose(const SurveyEdit& edit, std::size_t leg)
 {
   const Vec3 here = edit.Legs[leg].Settings.Leg.Position;
@@ -39,7 +39,7 @@ Pose FindPose(const SurveyEdit& edit, std::size_t leg)
   return { here, AxisAngle({ 0.0, 0.0, 1.0 }, heading) };
 }
 
-/// What PlatformView draws as ways and stands.
+/// Trajectories and positions for PlatformView.
 std::vector<SimulatedLeg> MakeWays(const SurveyEdit& edit)
 {
   std::vector<SimulatedLeg> ways;
@@ -68,7 +68,7 @@ std::string EditTool::GetFolder() const
 }
 
 //------------------------------------------------------------------------------
-/// The files that what is shown was read from.
+/// The source files of the shown data.
 std::vector<std::string> EditTool::GetDocuments() const
 {
   std::vector<std::string> files = this->Owner.GetOptions().Inputs;
@@ -122,7 +122,7 @@ bool EditTool::BeginWithSurvey()
 }
 
 //------------------------------------------------------------------------------
-/// Legs on the ground stand where the run has put them.
+/// Legs on the ground are placed as in the run.
 void EditTool::FindGround()
 {
   Simulation* run = this->Owner.GetSimulation();
@@ -139,7 +139,7 @@ void EditTool::FindGround()
 }
 
 //------------------------------------------------------------------------------
-/// The first tripod of the catalogue, and the first instrument that turns.
+/// The first tripod of the catalogue, and the first rotating instrument.
 bool EditTool::BeginWithScene()
 {
   const fs::path input = fs::absolute(this->Owner.GetOptions().Inputs.front());
@@ -218,7 +218,7 @@ std::string EditTool::MakeHeading() const
 }
 
 //------------------------------------------------------------------------------
-/// The platform where it was put, until it scans there.
+/// The platform where it was placed, until it scans there.
 void EditTool::ShowGhost()
 {
   this->Ghost.reset();
@@ -266,7 +266,7 @@ bool EditTool::OnFrame()
   }
   if (this->Ghost)
   {
-    this->PlaceGhost(); // as large as it can be seen
+    this->PlaceGhost(); // scaled to be visible
   }
   return false;
 }

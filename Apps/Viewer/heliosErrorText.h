@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a VTK object complains of, as text.
+// Collects the errors of a VTK object.
 
 #ifndef heliosErrorText_h
 #define heliosErrorText_h
@@ -18,8 +18,8 @@
 namespace helios
 {
 
-/// Keeps the errors of an object, a line each, without VTK's frame around them. That an algorithm's
-/// pipeline complains, too, is not kept.
+/// Keeps the errors of an object, one per line, without VTK's prefix. Errors of the pipeline of an
+/// algorithm are dropped.
 class ErrorText
 {
 public:
@@ -52,7 +52,7 @@ public:
 
   bool IsEmpty() const { return this->Text.empty(); }
 
-  /// The errors; where there are none, a text instead.
+  /// The errors; without any, a replacement text.
   std::string Get(const std::string& instead) const
   {
     return this->Text.empty() ? instead : this->Text;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Eye-dome lighting (Boucheny 2009): the more its neighbours are in front, the darker a pixel.
+// Eye-dome lighting (Boucheny 2009): pixels are darker the more their neighbours are in front.
 
 #ifndef heliosEyeDome_h
 #define heliosEyeDome_h
@@ -12,7 +12,7 @@ class vtkRenderPass;
 namespace helios
 {
 
-/// Shades what is solid; what is 2D is drawn over it as it is.
+/// Shades solid props; 2D props are drawn over it unchanged.
 vtkSmartPointer<vtkRenderPass> MakeEyeDomePass();
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers in words.
+// Number formatting.
 
 #ifndef heliosFormat_h
 #define heliosFormat_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// As printf writes it, up to 255 characters.
+/// As printf formats it, up to 255 characters.
 __attribute__((format(printf, 1, 2))) inline std::string Format(const char* format, ...)
 {
   char text[256];

@@ -29,7 +29,7 @@ void SetUp(vtkTextActor* actor, double x, double y, bool isRight, bool isTop)
   actor->PickableOff();
 }
 
-/// Same text: no new picture of it.
+/// The same text is not redrawn.
 void SetText(vtkTextActor* actor, const std::string& text)
 {
   if (text != (actor->GetInput() ? actor->GetInput() : ""))

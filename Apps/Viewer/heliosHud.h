@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The words over the picture: what is going on, the legs, messages, and the help.
+// Text over the picture: status, legs, messages, and the help.
 
 #ifndef heliosHud_h
 #define heliosHud_h
@@ -25,19 +25,19 @@ public:
   void SetStatus(const std::string& text);  ///< top left
   void SetLegs(const std::string& text);    ///< top right
   void SetMessage(const std::string& text); ///< above the time bar
-  void SetHelp(const std::string& text);    ///< in the middle, over all
+  void SetHelp(const std::string& text);    ///< centred, on top
 
   void SetHelpVisible(bool visible);
   bool IsHelpVisible() const;
 
-  /// Status, legs and messages; the help is apart.
+  /// Status, legs and messages; the help is separate.
   void SetVisible(bool visible);
   bool IsVisible() const;
 
-  /// Fits the letters to the window's size [pixels].
+  /// Fits the font to the window size [pixels].
   void Resize(int width, int height);
 
-  /// What is written now: status, legs and message.
+  /// The current text: status, legs and message.
   std::string GetText() const;
 
 private:

@@ -25,18 +25,18 @@ namespace
 {
 
 constexpr double PickPixels = 6.0;
-constexpr vtkIdType MostPulses = 4096; // of a line that is run again
+constexpr vtkIdType MostPulses = 4096; // of a line when re-run
 constexpr vtkIdType MostWaveforms = 256;
-constexpr vtkIdType UsualLine = 1000; // pulses, where the scan has no lines or is not known
-constexpr double WaveShare = 0.35;    // of its length, that a waveform is high
-constexpr double LineShare = 0.015;   // of its range, that a line's waveform is high
+constexpr vtkIdType UsualLine = 1000; // pulses, if the scan has no lines or is unknown
+constexpr double WaveShare = 0.35;    // waveform height, of its length
+constexpr double LineShare = 0.015;   // waveform height in a line, of its range
 
 bool IsReady(const std::future<PulseRecord>& answer)
 {
   return answer.valid() && answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-/// The record; where it throws, words.
+/// The record, or an error message.
 std::string Take(std::future<PulseRecord>& answer, PulseRecord& record)
 {
   try
@@ -173,7 +173,7 @@ void Inspector::Inspect(vtkIdType row)
 }
 
 //------------------------------------------------------------------------------
-/// The echoes of the pulse as the cloud has them: they came one after the other.
+/// The echoes of the pulse in the cloud: they are consecutive.
 void Inspector::FindEchoes(const Echo& echo)
 {
   const Cloud& cloud = this->Owner.GetCloud();
@@ -207,7 +207,7 @@ void Inspector::Ask(const Echo& echo)
 }
 
 //------------------------------------------------------------------------------
-/// An answer to come; none, and a problem, where nobody knows.
+/// A pending result; invalid, with a problem, if there is no source.
 std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType last, bool hasSubRays)
 {
   Simulation* run = this->Owner.GetSimulation();
@@ -232,7 +232,7 @@ std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType las
 }
 
 //------------------------------------------------------------------------------
-/// On in the order of the cloud: the echoes of the pulse, then those of the next.
+/// Steps in cloud order: the echoes of the pulse, then those of the next.
 void Inspector::StepEcho(int step)
 {
   const vtkIdType row = this->Row + step;
@@ -259,7 +259,7 @@ void Inspector::StepPulse(int step)
 }
 
 //------------------------------------------------------------------------------
-/// Pulses from one line of the scan to the next.
+/// The number of pulses per scan line.
 vtkIdType Inspector::FindLineLength(int leg) const
 {
   vtkHeliosSurvey* survey = this->Owner.GetSurvey();
@@ -277,7 +277,7 @@ vtkIdType Inspector::FindLineLength(int leg) const
 }
 
 //------------------------------------------------------------------------------
-/// Half a line before and behind the echo; where none is picked, the line of the newest one.
+/// Half a line before and after the echo; if none is selected, the line of the newest one.
 void Inspector::ShowLine()
 {
   const Cloud& cloud = this->Owner.GetCloud();

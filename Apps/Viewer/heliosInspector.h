@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The inspector: click an echo, and see its pulse: waveform, echoes, Gaussians, sub-rays.
+// Inspector: shows the pulse of a clicked echo: waveform, echoes, Gaussians, sub-rays.
 
 #ifndef heliosInspector_h
 #define heliosInspector_h
@@ -24,8 +24,8 @@ class Viewer;
 struct Echo;
 
 /**
- * Where a survey runs, the pulse is run again; of a cloud that was made, its waveform is looked for
- * beside the file. Neither is waited for: what is known of the echo is shown at once.
+ * With a running survey, the pulse is run again; for a finished cloud, its waveform is searched
+ * beside the file. Neither blocks: the known attributes of the echo are shown at once.
  */
 class Inspector : public ViewerTool
 {
@@ -42,14 +42,14 @@ public:
   std::string GetStatus() const override;
   void Describe(Json::Value& state) const override;
 
-  /// Shows the pulse of a row of the cloud.
+  /// Shows the pulse of a cloud row.
   void Inspect(vtkIdType row);
   void Close();
 
-  /// Whether an answer is being waited for.
+  /// Whether a result is pending.
   bool IsWaiting() const { return this->Answer.valid() || this->LineAnswer.valid(); }
 
-  vtkIdType GetRow() const { return this->Row; } ///< -1: none is shown
+  vtkIdType GetRow() const { return this->Row; } ///< -1: not shown
   const PulseReading& GetReading() const { return this->Reading; }
   const PulseView& GetView() const { return this->View; }
   const WaveformChart& GetChart() const { return this->Chart; }

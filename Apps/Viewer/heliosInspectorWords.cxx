@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The inspector in words: beside its chart, and in the state file.
+// The inspector as text: beside its chart, and in the state file.
 #include "heliosInspector.h"
 
 #include "heliosCloudView.h"
@@ -20,7 +20,7 @@ namespace helios
 namespace
 {
 
-/// A number with words around it; nothing where it is not known.
+/// A formatted number; empty if it is unknown.
 std::string Say(const char* format, double value)
 {
   char text[64];

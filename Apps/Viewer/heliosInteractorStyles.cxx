@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-/// A style of VTK without its keys.
+/// A VTK style without its keys.
 template <typename Style>
 class Keyless : public Style
 {

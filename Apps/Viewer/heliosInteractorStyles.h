@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the mouse moves the camera.
+// Mouse control of the camera.
 
 #ifndef heliosInteractorStyles_h
 #define heliosInteractorStyles_h
@@ -10,8 +10,8 @@ class vtkRenderWindowInteractor;
 namespace helios
 {
 
-/// The user turns the camera about what it looks at, or flies it. VTK's own keys are off: those of
-/// the viewer count.
+/// The user rotates the camera about its focal point, or flies it. VTK's own keys are off: the
+/// viewer's keys apply.
 void UseStyle(vtkRenderWindowInteractor* interactor, bool flies);
 
 } // namespace helios

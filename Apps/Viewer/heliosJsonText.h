@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// JSON from a stream, with what is wrong in words: never an exception.
+// Reads JSON from a stream, with error messages: never an exception.
 
 #ifndef heliosJsonText_h
 #define heliosJsonText_h
@@ -13,14 +13,14 @@
 namespace helios
 {
 
-/// False, with a problem in words, where a stream is no JSON, or nested too deeply.
+/// Returns false and sets a problem if a stream is not JSON, or nested too deeply.
 inline bool ReadJson(std::istream& stream, Json::Value& value, std::string& problem)
 {
   try
   {
     return Json::parseFromStream(Json::CharReaderBuilder(), stream, &value, &problem);
   }
-  catch (const Json::Exception& error) // more than 1000 brackets within one another
+  catch (const Json::Exception& error) // more than 1000 nested brackets
   {
     problem = error.what();
     return false;

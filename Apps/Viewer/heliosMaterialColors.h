@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What colour a material of a scene is drawn in: scenes carry reflectances, no colours.
+// Colours of materials: scenes have reflectances, no colours.
 
 #ifndef heliosMaterialColors_h
 #define heliosMaterialColors_h
@@ -12,8 +12,8 @@ namespace helios
 {
 
 /**
- * That of its class, where it has one; else that of a word in its name (ground, leaf, bark, roof,
- * wall ...); else ground where it is; else the distinct colour of its row in the table.
+ * The colour of its class, if set; else of a word in its name (ground, leaf, bark, roof, wall ...);
+ * else the ground colour if it is ground; else the distinct colour of its table row.
  */
 Rgb GetMaterialColor(const Material& material, std::size_t row);
 

@@ -24,7 +24,7 @@ namespace
 
 constexpr const char* Instead = "; a simple model is shown instead";
 
-/// What is given for materials of the kind that scenes have says nothing of a picture.
+/// Suppresses warnings: material entries like those of scenes do not describe a picture.
 void Silence(vtkObject* reader)
 {
   vtkNew<vtkCallbackCommand> nobody;
@@ -32,7 +32,7 @@ void Silence(vtkObject* reader)
   reader->AddObserver(vtkCommand::WarningEvent, nobody);
 }
 
-/// One material is the usual colour.
+/// One material: default colour.
 void ColorCells(vtkPolyData* model)
 {
   const MaterialTable materials = GetMaterials(model);
@@ -53,7 +53,7 @@ void ColorCells(vtkPolyData* model)
   model->GetCellData()->SetScalars(colors);
 }
 
-/// Says what is wrong, or returns an empty text.
+/// Returns an error message, or an empty string.
 std::string Read(const std::string& file, vtkSmartPointer<vtkPolyData>& model)
 {
   std::string extension = std::filesystem::path(file).extension().string();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What platforms and scanners look like in the files that surveys name for it.
+// Reads the platform and scanner models that surveys name.
 
 #ifndef heliosModelFile_h
 #define heliosModelFile_h
@@ -17,15 +17,15 @@ namespace helios
 
 struct ModelData;
 
-/// Each file is read once. OBJ, in metres and as it stands in the file: x right, y forward, z up.
+/// Each file is read once. OBJ, in metres, axes as in the file: x right, y forward, z up.
 class ModelFiles
 {
 public:
-  /// The model, with colours of its cells where it has several materials; null where none is given or
-  /// none can be shown.
+  /// The model, with cell colours if it has several materials; null if none is set or it cannot be
+  /// shown.
   vtkPolyData* Find(const ModelData& model);
 
-  /// Why a model that is given cannot be shown; empty: it can.
+  /// Why a model that is set cannot be shown; empty: it can.
   std::string GetProblem(const ModelData& model);
 
 private:
@@ -37,7 +37,7 @@ private:
 
   const Entry& Get(const ModelData& model);
 
-  std::map<std::string, Entry> Known; // by what the survey says
+  std::map<std::string, Entry> Known; // by survey entry
 };
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a renderer's camera shows a point.
+// Maps points to a renderer's pixels.
 
 #ifndef heliosPixelMap_h
 #define heliosPixelMap_h
@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// From coordinates less the origin to pixels and depth.
+/// Coordinates relative to the origin to pixels and depth.
 class PixelMap
 {
 public:
@@ -45,7 +45,7 @@ public:
       std::equal(this->Middle, this->Middle + 2, b.Middle);
   }
 
-  /// The pixel of the renderer, counted row by row from its lower left; -1: beyond its edges.
+  /// The pixel of the renderer, row by row from its lower left; -1: outside.
   vtkIdType GetIndex(const double pixel[3]) const
   {
     const auto x = static_cast<vtkIdType>(std::floor(pixel[0] - this->Middle[0] + this->Half[0]));
@@ -66,7 +66,7 @@ public:
     return w > 0.0 && std::abs(depth) <= w;
   }
 
-  /// Whether a box may have points within a reach [pixels] of a pixel.
+  /// Whether a box may have points within a distance [pixels] of a pixel.
   bool MayShow(const double box[6], double px, double py, double reach) const
   {
     double low[2] = { HUGE_VAL, HUGE_VAL }, high[2] = { -HUGE_VAL, -HUGE_VAL };
@@ -76,7 +76,7 @@ public:
                    z = box[4 + (corner >> 2)];
       if (this->M[12] * x + this->M[13] * y + this->M[14] * z + this->M[15] <= 0.0)
       {
-        return true; // it reaches behind the camera
+        return true; // extends behind the camera
       }
       double pixel[3];
       this->Map(x, y, z, pixel);

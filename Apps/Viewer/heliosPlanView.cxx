@@ -40,8 +40,8 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double Lift = 0.05;         // [m], of test points off their surface
-constexpr double TripodShare = 0.045; // of the plan's diagonal, that a tripod is high at least
+constexpr double Lift = 0.05;         // [m], of test points above their surface
+constexpr double TripodShare = 0.045; // minimum height of a tripod, of the plan's diagonal
 
 fs::path GetFolder(const std::string& path)
 {
@@ -49,7 +49,7 @@ fs::path GetFolder(const std::string& path)
   return fs::is_directory(path, error) ? fs::path(path) : fs::path(path).parent_path();
 }
 
-/// Null, and words, where the file is no such data; null alone where there is none.
+/// Null and a problem if the file is not valid; null alone if it is missing.
 vtkSmartPointer<vtkPolyData> Read(const fs::path& path, std::string& problem)
 {
   std::error_code error;
@@ -94,7 +94,7 @@ void Show(vtkActor* actor, vtkPoints* points, vtkUnsignedCharArray* colors, floa
   actor->PickableOff();
 }
 
-/// A number over the picture, at a place of the renderer's coordinates.
+/// A number over the picture, at a position in renderer coordinates.
 vtkSmartPointer<vtkTextActor> MakeLabel(const std::string& text, const Vec3& place)
 {
   auto label = vtkSmartPointer<vtkTextActor>::New();
@@ -222,7 +222,7 @@ void PlanView::AddCandidates(vtkPolyData* candidates)
 }
 
 //------------------------------------------------------------------------------
-/// The instrument is where it is planned to be; small tripods are made larger, downwards.
+/// The instrument is at its planned position; small tripods are enlarged downwards.
 void PlanView::AddPositions(vtkPolyData* positions, double size)
 {
   const auto model = MakePlatformModel(PlatformType::Static);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan of scan positions, as vtkhelios plan writes it: where to stand, and what is seen from there.
+// A scan plan written by vtkhelios plan: scan positions, and their coverage.
 
 #ifndef heliosPlanView_h
 #define heliosPlanView_h
@@ -27,26 +27,26 @@ namespace helios
 
 class Viewer;
 
-/// The files of a plan, read.
+/// The files of a plan.
 struct Plan
 {
-  vtkSmartPointer<vtkPolyData> Positions;  ///< those chosen, the one that adds most first
+  vtkSmartPointer<vtkPolyData> Positions;  ///< selected, largest gain first
   vtkSmartPointer<vtkPolyData> Candidates; ///< may be null
   vtkSmartPointer<vtkPolyData> TestPoints; ///< may be null
-  std::string Survey;                      ///< file; empty: there is none
+  std::string Survey;                      ///< file; empty: missing
 };
 
-/// Whether a path is a plan's folder, or the file positions.vtp in it.
+/// Whether a path is a plan's folder, or its positions.vtp.
 bool IsPlan(const std::string& path);
 
-/// Reads a plan; says in words what is wrong with it, or returns an empty text.
+/// Reads a plan; returns an error message, or an empty string.
 std::string ReadPlan(const std::string& path, Plan& plan);
 
-/// Test points in five colours by the number of scans, numbered tripods, candidates small.
+/// Test points in five colours by number of scans, numbered tripods, small candidates.
 class PlanView
 {
 public:
-  /// Everything is drawn less an origin [m].
+  /// Drawn relative to an origin [m].
   PlanView(vtkRenderer* renderer, const Plan& plan, const Vec3& origin);
   ~PlanView();
   PlanView(const PlanView&) = delete;
@@ -55,10 +55,10 @@ public:
   void SetVisible(bool visible);
   bool IsVisible() const { return this->Visible; }
 
-  /// Hides the numbers behind the camera; before every picture.
+  /// Hides numbers behind the camera; call before every frame.
   void Update();
 
-  /// Of no position at all, of none chosen, of 1, 2, and 3 or more scans.
+  /// Not coverable, by no selected position, by 1, 2, and 3 or more.
   static const Rgb& GetColor(bool isCoverable, int scans);
 
   vtkIdType GetNumberOfPositions() const;
@@ -66,7 +66,7 @@ public:
   vtkIdType GetNumberCoverable() const { return this->NumberCoverable; }
   vtkIdType GetNumberCovered() const { return this->NumberCovered; }
 
-  /// How much is covered, in words, and what the colours mean.
+  /// The coverage and the meaning of the colours, as text.
   std::string Describe() const;
 
 private:
@@ -86,7 +86,7 @@ private:
   std::vector<vtkSmartPointer<vtkTextActor>> Labels;
 };
 
-/// Shows the plan among the inputs of a viewer, over its scene.
+/// Shows the plan from a viewer's inputs, over its scene.
 class PlanTool : public ViewerTool
 {
 public:
@@ -104,7 +104,7 @@ public:
 
 private:
   Viewer& Owner;
-  bool IsWanted = false; // a plan is among the inputs
+  bool IsWanted = false; // the inputs include a plan
   Vec3 Origin{ 0.0, 0.0, 0.0 };
   Plan Files;
   std::unique_ptr<PlanView> View;

@@ -22,7 +22,7 @@ namespace helios
 namespace
 {
 
-/// Parts that are put together.
+/// Assembles parts.
 class Model
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What platforms look like: simple models of their own, in metres, in the body frame (x right, y forward, z up).
+// Simple built-in platform models, in metres, in the body frame (x right, y forward, z up).
 
 #ifndef heliosPlatformModel_h
 #define heliosPlatformModel_h
@@ -17,7 +17,7 @@ enum class PlatformType;
 /// A tripod (its feet at z = 0), an aircraft, a car, or a multicopter.
 vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformType type);
 
-/// A scanner: a head on a base, its front to y.
+/// A scanner: a head on a base, facing y.
 vtkSmartPointer<vtkPolyData> MakeScannerModel();
 
 } // namespace helios

@@ -35,7 +35,7 @@ void Show(vtkActor* actor, vtkPolyData* data)
   actor->SetMapper(mapper);
 }
 
-/// A pose, with everything s times as large, as a matrix.
+/// A pose, scaled by s, as a matrix.
 vtkSmartPointer<vtkMatrix4x4> MakeMatrix(const Pose& pose, double s)
 {
   auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
@@ -88,7 +88,7 @@ PlatformView::PlatformView(
   Show(this->Fan, this->Beams);
   for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get() })
   {
-    actor->VisibilityOff(); // until it is placed
+    actor->VisibilityOff(); // until placed
   }
   for (vtkActor* actor : { this->Body.Get(), this->Scanner.Get(), this->Ways.Get(),
          this->Stands.Get(), this->Fan.Get() })
@@ -164,7 +164,7 @@ bool PlatformView::IsFanVisible() const
 }
 
 //------------------------------------------------------------------------------
-/// How many times its size a thing has to have, not to be too small to see.
+/// The scale factor that keeps an object of a size visible.
 double PlatformView::FindScale(const Vec3& position, double size) const
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The platform with its scanner, its way, and the fan of beams that have just been measured.
+// The platform with its scanner, its trajectory, and the fan of the newest beams.
 
 #ifndef heliosPlatformView_h
 #define heliosPlatformView_h
@@ -26,28 +26,28 @@ namespace helios
 class PlatformView
 {
 public:
-  /// Everything is drawn less an origin [m]. Models that others have read need not be read again.
+  /// Everything is drawn relative to an origin [m]. Models already read need not be read again.
   PlatformView(vtkRenderer* renderer, const Vec3& origin,
     std::shared_ptr<ModelFiles> models = std::make_shared<ModelFiles>());
   ~PlatformView();
 
-  /// The ways of all legs, as lines; positions of tripods, as points.
+  /// The trajectories of the legs, as lines; scan positions as points.
   void SetWays(const std::vector<SimulatedLeg>& legs);
 
-  /// Platform, scanner and ways.
+  /// Platform, scanner, trajectories.
   void SetVisible(bool visible);
 
-  /// Platform and scanner, which are in the way of an eye in the scanner's place.
+  /// Platform and scanner, which would block the view from the scanner.
   void SetModelVisible(bool visible);
 
   void SetFanVisible(bool visible);
   bool IsFanVisible() const;
 
-  /// Reads the models of all legs; says which cannot be shown, a line each.
+  /// Reads the models of all legs; returns errors, one per line.
   std::string ReadModels(const std::vector<SimulatedLeg>& legs);
 
-  /// Puts the platform of a leg where it is at a time [m], [s], no smaller than it can be seen. It looks
-  /// as its model says, or where that cannot be shown like its kind.
+  /// Places the platform of a leg at a time [m], [s], scaled up to stay visible. Its model is
+  /// shown, or one of its kind if that cannot be shown.
   void Place(const SimulatedLeg& leg, const Pose& platform, double time);
 
   /// The beams that end at these points, from the scanner [m].

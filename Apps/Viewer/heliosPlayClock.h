@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The time that is shown: it plays, pauses, steps and is sought.
+// Playback time: play, pause, step and seek.
 
 #ifndef heliosPlayClock_h
 #define heliosPlayClock_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// Runs within a span; as fast as it computes it follows what is there.
+/// Runs within a span; at full speed it follows the computed time.
 class PlayClock
 {
 public:
@@ -30,26 +30,26 @@ public:
 
   double GetTime() const { return this->Time; }
 
-  /// Shows another time, within the span [s].
+  /// Shows another time within the span [s].
   void Seek(double time) { this->Time = std::clamp(time, this->Start, this->End); }
 
-  /// Seconds of the survey a second; 1 is real time.
+  /// Survey seconds per second; 1 is real time.
   double GetSpeed() const { return this->Speed; }
   void SetSpeed(double speed) { this->Speed = speed > 0.0 ? speed : this->Speed; }
 
-  /// The next of the speeds 0.01, 0.02, 0.05 ... 1000 and as fast as it computes; down: a step of -1.
+  /// The next of the speeds 0.01, 0.02, 0.05 ... 1000 and full speed; down: a step of -1.
   void ChangeSpeed(int steps);
 
   bool IsPlaying() const { return this->Playing; }
   void SetPlaying(bool playing) { this->Playing = playing; }
 
-  /// The time that the simulation has to reach now, some of it ahead of what is shown [s].
+  /// The time that the simulation must reach now, slightly ahead of the shown time [s].
   double GetTarget() const
   {
     return this->Playing ? this->Time + this->Speed * LookAhead : this->Time;
   }
 
-  /// Wall time passes [s]; echoes are there up to a time [s], and nothing later is shown.
+  /// Advances wall time [s]; echoes exist up to a time [s], nothing later is shown.
   void Advance(double seconds, double available);
 
 private:
@@ -81,7 +81,7 @@ inline void PlayClock::Advance(double seconds, double available)
     return;
   }
   const double wish = std::isinf(this->Speed) ? available : this->Time + this->Speed * seconds;
-  // What has been sought beyond what is there stays there.
+  // A time sought beyond the available time is kept.
   const double latest = std::max(available, this->Time);
   this->Time = std::clamp(std::min(wish, latest), this->Start, this->End);
 }

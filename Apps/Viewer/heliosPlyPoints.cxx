@@ -26,7 +26,7 @@ struct Type
 {
   const char* Name;
   const char* OtherName;
-  char Kind; // whole, unsigned or real number
+  char Kind; // integer, unsigned or floating point
   std::size_t Size;
 };
 
@@ -141,7 +141,7 @@ double Cast(const unsigned char* bytes)
   return static_cast<double>(value);
 }
 
-/// A number of a binary file, in the order of this machine.
+/// A value of a binary file, in host byte order.
 double Decode(const unsigned char* bytes, const Type& type)
 {
   if (type.Kind == 'f')
@@ -194,7 +194,7 @@ bool ReadText(std::istream& file, std::vector<double>& values)
   return true;
 }
 
-/// A column for each property, and which of them are x, y and z.
+/// A column for each property, and the indices of x, y and z.
 class Columns
 {
 public:
@@ -252,7 +252,7 @@ private:
   std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
 };
 
-/// Whether the rest of a file has room for the vertices.
+/// Whether the rest of a file can hold the vertices.
 bool HasRoom(std::istream& file, const Header& header)
 {
   const std::streampos begin = file.tellg();

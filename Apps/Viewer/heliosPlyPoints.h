@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The vertices of a PLY file, in double precision. VTK's reader has floats, and ends the process where
-// a header is wrong.
+// The vertices of a PLY file, in double precision. VTK's reader uses floats, and ends the process
+// if a header is wrong.
 
 #ifndef heliosPlyPoints_h
 #define heliosPlyPoints_h
@@ -13,7 +13,8 @@ class vtkPolyData;
 namespace helios
 {
 
-/// Reads vertices as points, and their other properties as arrays. What is wrong, or an empty text.
+/// Reads vertices as points, and their other properties as arrays. Returns an error or empty
+/// string.
 std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud);
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Coloured points in a renderer, without cells; coordinates are borrowed.
+// Coloured points in a renderer, without cells; coordinates are not copied.
 
 #ifndef heliosPointActor_h
 #define heliosPointActor_h
@@ -33,10 +33,10 @@ public:
   /// Red, green, blue, opaque for each point.
   std::vector<std::uint8_t> Rgba;
 
-  /// Draws the first count points of xyz, which must stay where they are, in their colours.
+  /// Draws the first count points of xyz, which must stay in place, in their colours.
   void Show(const float* xyz, vtkIdType count);
 
-  /// Draws those points of xyz, copied.
+  /// Draws selected points of xyz, copied.
   void ShowSome(const float* xyz, const std::vector<vtkIdType>& which);
 
   void SetVisible(bool on);
@@ -45,7 +45,7 @@ public:
   void SetPointSize(double size);
   void SetPlanes(vtkPlaneCollection* planes);
 
-  /// After Rgba has changed and nothing else.
+  /// Call after only Rgba has changed.
   void ColorsChanged() { this->Changed = true; }
 
   std::size_t GetMemorySize() const;

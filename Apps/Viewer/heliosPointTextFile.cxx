@@ -31,7 +31,7 @@ constexpr int PartColumn = 8;
 constexpr vtkIdType BlockSize = 1 << 17;
 constexpr double WattsPerNanowatt = 1e-9;
 
-// What the columns after x, y, z are; the part is a name.
+// The columns after x, y, z; the part is a name.
 constexpr const char* Arrays[NumberOfColumns] = { "", "", "", names::Amplitude, names::EchoWidth,
   names::ReturnNumber, names::NumberOfReturns, names::PulseIds, names::PartIds,
   names::ClassificationIds, names::GpsTime };
@@ -42,7 +42,7 @@ struct PointRow
   std::string_view Part;
 };
 
-/// Reads a line; the column that is wrong, or -1.
+/// Parses a line; returns the invalid column, or -1.
 int ReadRow(std::string_view line, PointRow& row)
 {
   TextWords words(line);
@@ -125,7 +125,7 @@ private:
   int LastRow = 0;
 };
 
-/// Rows on their way into a vtkPolyData.
+/// Rows collected for a vtkPolyData.
 class PointBlock
 {
 public:

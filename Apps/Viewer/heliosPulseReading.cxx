@@ -24,7 +24,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double SmallestShare = 0.01; // of the largest sample, that a Gaussian has
+constexpr double SmallestShare = 0.01; // minimum of a Gaussian, of the largest sample
 const double WidthsPerSigma = 2.0 * std::sqrt(2.0 * std::log(2.0));
 
 double Get(vtkDataSetAttributes* data, const char* name, vtkIdType row, double missing)
@@ -97,7 +97,7 @@ void ReadSubRays(vtkPolyData* hits, vtkPolyData* scene, PulseReading& reading)
   }
 }
 
-/// The echoes' Gaussians, whose sum the waveform is.
+/// The Gaussians of the echoes; their sum is the waveform.
 void FitGaussians(const std::vector<float>& samples, double startTime, PulseReading& reading)
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;

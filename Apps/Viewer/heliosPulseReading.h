@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one pulse left behind, in plain numbers: its waveform, echoes, Gaussians and sub-rays.
+// The record of one pulse, as plain numbers: its waveform, echoes, Gaussians and sub-rays.
 
 #ifndef heliosPulseReading_h
 #define heliosPulseReading_h
@@ -18,7 +18,7 @@ class vtkPolyData;
 namespace helios
 {
 
-/// An echo of the pulse; what is not known: NaN, ids -1, counts and classes 0.
+/// An echo of the pulse; unknown values: NaN, ids -1, counts and classes 0.
 struct PulseEcho
 {
   Vec3 Position; ///< [m]
@@ -41,12 +41,12 @@ struct PulseGaussian
   double Sigma; ///< [m]
 };
 
-/// Where a sub-ray ended.
+/// End point of a sub-ray.
 struct SubRayHit
 {
   Vec3 Position; ///< [m]
-  double Weight; ///< its share of the pulse's energy
-  int Part;      ///< -1: not known
+  double Weight; ///< fraction of the pulse's energy
+  int Part;      ///< -1: unknown
 };
 
 struct PulseReading
@@ -55,22 +55,22 @@ struct PulseReading
   Vec3 Origin{ 0.0, 0.0, 0.0 }; ///< [m]
   Vec3 Direction{ 0.0, 0.0, 1.0 };
   bool HasOrigin = false;
-  double PulseLength = 0.0;    ///< [ns], full width at half maximum; 0: not known
+  double PulseLength = 0.0;    ///< [ns], full width at half maximum; 0: unknown
   double BinSize = 0.0;        ///< [ns], two-way
   std::vector<double> Ranges;  ///< [m], of the samples
   std::vector<double> Samples; ///< [W]
   std::vector<PulseEcho> Echoes;
-  std::vector<PulseGaussian> Gaussians; ///< fitted to the samples, in the order of range
+  std::vector<PulseGaussian> Gaussians; ///< fitted to the samples, sorted by range
   std::vector<SubRayHit> SubRays;
-  std::string Problem; ///< with the waveform, in words
+  std::string Problem; ///< with the waveform, as text
 };
 
-/// [m] to [ns], there and back.
+/// [m] to [ns], two-way.
 double GetTwoWayTime(double range);
 
 /**
- * What a record says of a pulse; its outputs may be null. The parts of sub-rays are those of the
- * scene's cells. Gaussians below a hundredth of the largest sample are left out.
+ * Extracts a pulse from a record; its outputs may be null. The parts of sub-rays are those of the
+ * scene's cells. Gaussians below 1 % of the largest sample are dropped.
  */
 PulseReading ReadPulse(const PulseRecord& record, std::int64_t pulse, vtkPolyData* scene);
 

@@ -47,7 +47,7 @@ void SetUp(vtkRenderer* renderer, vtkActor* actor, vtkPolyData* data, bool hasCo
   renderer->AddActor(actor);
 }
 
-/// Draws lines and points over the picture, whatever hides them.
+/// Draws lines and points on top of the picture.
 void SetUpOverlay(vtkRenderer* renderer, vtkActor2D* actor, vtkPolyData* data, bool hasColors)
 {
   vtkNew<vtkCoordinate> world;
@@ -77,7 +77,7 @@ void SetUpRing(vtkActor2D* actor)
   actor->VisibilityOff();
 }
 
-/// Where the beams end: sub-rays, or else the echoes.
+/// End points of the beams: sub-rays, or else the echoes.
 std::vector<SubRayHit> FindEnds(const PulseReading& reading)
 {
   std::vector<SubRayHit> ends = reading.SubRays;
@@ -193,7 +193,7 @@ std::string PulseView::SetWaveforms(
   }
   this->Waveforms->SetPoints(points);
   this->Waveforms->SetLines(curves->GetOutput()->GetLines());
-  this->WaveformActor->SetVisibility(pulse < 0); // many: those near hide those behind
+  this->WaveformActor->SetVisibility(pulse < 0); // many: near ones occlude far ones
   this->Curve->SetVisibility(pulse >= 0);
   return {};
 }

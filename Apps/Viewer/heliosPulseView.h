@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A pulse in the scene: the echo that is marked, sub-rays to what they hit, waveforms along beams.
+// A pulse in the scene: the marked echo, sub-rays to their hits, waveforms along beams.
 
 #ifndef heliosPulseView_h
 #define heliosPulseView_h
@@ -29,27 +29,27 @@ public:
   PulseView(const PulseView&) = delete;
   void operator=(const PulseView&) = delete;
 
-  /// What everything is drawn less [m]; before anything else.
+  /// Origin of everything drawn [m]; set it first.
   void SetOrigin(const Vec3& origin) { this->Origin = origin; }
 
-  /// A ring around a place [m], of the same size from everywhere.
+  /// A ring around a position [m], of constant size on screen.
   void SetMark(const Vec3& position);
 
   /**
-   * Lines from where the pulse leaves to the hits of its sub-rays, in the colours of the parts;
-   * without sub-rays the axis of the beam, to each echo.
+   * Lines from the pulse origin to the hits of its sub-rays, in the colours of the parts; without
+   * sub-rays the beam axis, to each echo.
    */
   void SetBeams(const PulseReading& reading);
 
   /**
-   * Waveforms as curves along their beams, the highest so high [m], across the view: every nth,
-   * or those of one pulse alone (0 or more). Says in words what is wrong with them.
+   * Waveforms as curves along their beams, the highest of a height [m], across the view: every nth,
+   * or those of one pulse alone (0 or more). Returns an error message.
    */
   std::string SetWaveforms(vtkTable* waveforms, double height, int everyNth, std::int64_t pulse);
 
   void Clear();
 
-  /// Hides the ring where it is behind the camera; before every picture.
+  /// Hides the ring behind the camera; call before every frame.
   void Update();
 
   vtkIdType GetNumberOfBeams() const;
@@ -67,7 +67,7 @@ private:
   vtkNew<vtkActor> BeamActor;
   vtkNew<vtkActor2D> HitActor;
   vtkNew<vtkActor> WaveformActor; // of a line
-  vtkNew<vtkActor2D> Curve;       // of one pulse, over all
+  vtkNew<vtkActor2D> Curve;       // of one pulse, on top
   vtkNew<vtkPolyData> Beams;
   vtkNew<vtkPolyData> Hits;
   vtkNew<vtkPolyData> Waveforms;

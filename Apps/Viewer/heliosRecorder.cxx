@@ -23,7 +23,7 @@ namespace helios
 namespace
 {
 
-/// Says why a file cannot be made there, or returns an empty text.
+/// Returns why a file cannot be created there, or an empty string.
 std::string CheckFolder(const std::string& fileName)
 {
   const fs::path folder = fs::path(fileName).parent_path();

@@ -17,7 +17,7 @@ class vtkWindowToImageFilter;
 namespace helios
 {
 
-/// Writes a PNG; says what went wrong, or returns an empty text.
+/// Writes a PNG; returns an error message, or an empty string.
 std::string WriteStill(vtkRenderWindow* window, const std::string& fileName);
 
 /// A video (.ogv), or a folder of frames (a name with one %d such as frame%04d.png).
@@ -28,7 +28,7 @@ public:
   ~Recorder();
 
   ///@{
-  /// Says what went wrong, or returns an empty text.
+  /// Returns an error message, or an empty string.
   std::string Open(vtkRenderWindow* window, const std::string& fileName, double framesPerSecond);
   std::string AddFrame();
   std::string Close();

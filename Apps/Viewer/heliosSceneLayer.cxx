@@ -25,7 +25,7 @@ namespace helios
 namespace
 {
 
-/// Points in floats, less an origin.
+/// Points in floats, relative to an origin.
 vtkSmartPointer<vtkPoints> MakeLocal(vtkPolyData* mesh, const Vec3& origin)
 {
   vtkNew<vtkFloatArray> xyz;
@@ -50,12 +50,12 @@ vtkSmartPointer<vtkPolyData> MakeSmooth(vtkPolyData* mesh)
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(mesh);
   normals->SetFeatureAngle(40.0);
-  normals->ConsistencyOff(); // the order of the cells stays
+  normals->ConsistencyOff(); // keeps the order of the cells
   normals->Update();
   return normals->GetOutput();
 }
 
-/// The triangles with corners put together in cubes so large that few triangles are left.
+/// The triangles with corners merged in cubes so large that few triangles remain.
 vtkSmartPointer<vtkPolyData> MakeCoarse(vtkPolyData* mesh)
 {
   double size[3];

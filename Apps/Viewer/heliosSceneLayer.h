@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of a scene that are drawn together: those that rest, or those that move.
+// Triangles of a scene that are drawn together: the static or the moving ones.
 
 #ifndef heliosSceneLayer_h
 #define heliosSceneLayer_h
@@ -26,8 +26,8 @@ namespace helios
 {
 
 /**
- * The renderer's coordinates are the world's less the origin, in floats: large coordinates do not
- * tremble. The mesh's cells are shared, its points copied.
+ * Renderer coordinates are relative to the origin, in floats: large coordinates do not jitter. The
+ * mesh's cells are shared, its points copied.
  */
 class SceneLayer
 {
@@ -38,32 +38,32 @@ public:
   SceneLayer(const SceneLayer&) = delete;
   void operator=(const SceneLayer&) = delete;
 
-  /// Takes triangles (null: none), and what they are called in the scene; empty: as here.
+  /// Sets the triangles (null: none) and their cell ids in the scene; empty: the same.
   void SetMesh(vtkPolyData* mesh, const std::vector<vtkIdType>& cells = {});
 
-  /// Null: there is none.
+  /// Null: not set.
   vtkPolyData* GetMesh() const { return this->Mesh; }
 
   /// The same triangles with other points.
   void Move(vtkPolyData* mesh);
 
-  /// Makes what is drawn, less an origin [m]; smooth: over edges of less than 40 degrees.
+  /// Builds the drawn mesh, relative to an origin [m]; smooth: over edges below 40 degrees.
   void Draw(const Vec3& origin, bool smooth);
 
-  /// Colours the cells by what they are called in the scene.
+  /// Colours the cells by their ids in the scene.
   void Color(const std::function<Rgb(vtkIdType)>& getColor);
 
   void SetVisible(bool on);
   bool IsVisible() const { return this->Visible; }
 
-  /// Triangles that are drawn at most while the camera moves.
+  /// Maximum number of triangles drawn while the camera moves.
   static constexpr vtkIdType MostWhileMoving = 200000;
 
-  /// While the camera moves a mesh of more is drawn coarsely. Default: off.
+  /// Larger meshes are drawn coarsely while the camera moves. Default: off.
   void SetInteracting(bool on);
   bool IsCoarse() const;
 
-  /// What a ray meets: the cell as it is called in the scene, -1: none; and where its normal goes.
+  /// Ray intersection: the cell id in the scene, -1: none; and the normal.
   vtkHeliosHit Pick(const vtkHeliosRay& ray, Vec3& normal);
 
 private:
@@ -79,12 +79,12 @@ private:
   bool Visible = false;
   bool Interacting = false;
   vtkSmartPointer<vtkPolyData> Drawn;
-  vtkSmartPointer<vtkPolyData> Coarse; // made when it is first due
+  vtkSmartPointer<vtkPolyData> Coarse; // built on first use
   vtkNew<vtkActor> Actor;
   vtkNew<vtkPolyDataMapper> Mapper;
-  vtkNew<vtkActor> CoarseActor; // of its own: neither is sent to the graphics again and again
+  vtkNew<vtkActor> CoarseActor; // separate: avoids repeated uploads to the GPU
   vtkNew<vtkPolyDataMapper> CoarseMapper;
-  vtkSmartPointer<vtkHeliosRayCaster> Caster; // made with the first pick
+  vtkSmartPointer<vtkHeliosRayCaster> Caster; // built at the first pick
 };
 
 } // namespace helios

@@ -18,7 +18,7 @@ namespace helios
 namespace
 {
 
-/// The last pulse of a channel of a leg that has left at a time [s]; the first where none has.
+/// The last pulse of a channel of a leg emitted by a time [s]; the first if there is none.
 vtkIdType FindPulse(const SimulatedLeg& leg, double time)
 {
   const double elapsed = std::clamp(time, leg.StartTime, leg.EndTime) - leg.StartTime;
@@ -36,7 +36,7 @@ SceneMover::SceneMover(const SceneData& scene, SceneView& view)
   nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   this->Owner->AddObserver(vtkCommand::ErrorEvent, nobody);
   this->Owner->AddObserver(vtkCommand::WarningEvent, nobody);
-  vtkNew<vtkPolyData> mesh; // the run has the view's in its hands
+  vtkNew<vtkPolyData> mesh; // the run uses the view's mesh
   mesh->ShallowCopy(view.GetScene());
   const std::vector<int> parts = MovingScene(scene, mesh, this->Log).GetParts();
   if (!parts.empty())

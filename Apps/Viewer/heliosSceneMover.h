@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The moving parts of a scene, drawn where they are when the pulses of a time leave.
+// Moves the dynamic parts of a scene to their positions at the pulse emission time.
 
 #ifndef heliosSceneMover_h
 #define heliosSceneMover_h
@@ -21,24 +21,24 @@ namespace helios
 class SceneView;
 struct SimulatedLeg;
 
-/// Moves them as the run does, but for rays: its echoes are on them.
+/// Moves them as the run does, but for rays: its echoes lie on them.
 class SceneMover
 {
 public:
-  /// The view shows the mesh of this scene, as it is at the start, and must outlive the mover.
+  /// The view shows the mesh of this scene in its start state, and must outlive the mover.
   SceneMover(const SceneData& scene, SceneView& view);
 
-  /// Shows the parts where they are at a time [s]; false: they are there already.
+  /// Moves the parts to their positions at a time [s]; false: unchanged.
   bool MoveTo(const std::vector<SimulatedLeg>& legs, double time);
 
 private:
   SceneView& View;
-  vtkNew<vtkObject> Owner; // of messages that the run has given already
+  vtkNew<vtkObject> Owner; // of messages already given by the run
   Messages Log;
   std::unique_ptr<MovingScene> Parts; // null: nothing moves
-  const SimulatedLeg* Leg = nullptr;  // that they were moved for
-  vtkIdType First = 0;                // pulse of it that sees them so
-  vtkIdType Next = 0;                 // that does not
+  const SimulatedLeg* Leg = nullptr;  // they were moved for
+  vtkIdType First = 0;                // first pulse of this state
+  vtkIdType Next = 0;                 // of the next state
 };
 
 } // namespace helios

@@ -31,7 +31,7 @@ namespace
 
 constexpr double BoxOpacity = 0.35; // of voxels: echoes are seen through
 
-/// The world's coordinates less an origin, of a depth in [0, 1] at a pixel.
+/// World coordinates relative to an origin, at a depth in [0, 1] of a pixel.
 Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
 {
   renderer->SetDisplayPoint(x, y, depth);
@@ -40,7 +40,7 @@ Vec3 ToWorld(vtkRenderer* renderer, double x, double y, double depth)
   return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-/// Some triangles of a scene with points of their own, their parts and materials.
+/// Some triangles of a scene with their own points, their parts and materials.
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* scene, const std::vector<vtkIdType>& cells)
 {
   TriangleMesh mesh;
@@ -81,7 +81,7 @@ SceneView::SceneView(vtkRenderer* renderer)
   this->Look->SetInterpolationToFlat();
   this->BoxMapper->SetScalarModeToUseCellData();
   this->Boxes->SetMapper(this->BoxMapper);
-  this->Boxes->GetProperty()->LightingOff(); // their colours are shaded
+  this->Boxes->GetProperty()->LightingOff(); // colours are already shaded
   this->Boxes->GetProperty()->SetOpacity(BoxOpacity);
   this->Boxes->GetProperty()->BackfaceCullingOn();
   this->Boxes->PickableOff();
@@ -126,7 +126,7 @@ std::string SceneView::SetScene(vtkPolyData* scene)
 //------------------------------------------------------------------------------
 void SceneView::SetMovingParts(const std::vector<int>& parts)
 {
-  std::vector<vtkIdType> cells[2]; // that rest, that move
+  std::vector<vtkIdType> cells[2]; // static, moving
   for (vtkIdType cell = 0; this->Scene && cell < this->Scene->GetNumberOfCells(); ++cell)
   {
     const int part = this->GetCellId(names::PartIds, cell);
@@ -190,7 +190,7 @@ void SceneView::SetInteracting(bool on)
   if (on != this->Interacting)
   {
     this->Interacting = on;
-    this->Resting.SetInteracting(on); // those that move are made anew in each picture
+    this->Resting.SetInteracting(on); // moving ones are rebuilt in each frame
     this->BoxMapper->SetInputData(this->BoxSets[on ? 1 : 0]);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws the mesh of a scene, and tells what of it is at a pixel.
+// Draws the mesh of a scene, and picks from it at a pixel.
 
 #ifndef heliosSceneView_h
 #define heliosSceneView_h
@@ -27,10 +27,10 @@ class vtkRenderer;
 namespace helios
 {
 
-/// A place on the scene.
+/// A point on the scene.
 struct ScenePick
 {
-  Vec3 Position; ///< [m], in the world
+  Vec3 Position; ///< [m], world frame
   Vec3 Normal;   ///< unit, towards the camera
   vtkIdType Cell = -1;
   int Part = -1;         ///< -1: the scene has no parts
@@ -41,8 +41,7 @@ struct ScenePick
 };
 
 /**
- * Triangles with the arrays MaterialIds, PartIds and the material columns, as DESIGN has them; all
- * are optional.
+ * Triangles with the optional arrays MaterialIds, PartIds and the material columns, see DESIGN.
  */
 class SceneView
 {
@@ -59,45 +58,45 @@ public:
   SceneView(const SceneView&) = delete;
   void operator=(const SceneView&) = delete;
 
-  /// What the renderer's coordinates are relative to [m]. Default: 0. Scenes may be shown already.
+  /// Origin of the renderer's coordinates [m]. Default: 0. Scenes may already be shown.
   void SetOrigin(const Vec3& origin);
 
   /**
-   * Shows a scene (null: none), again after it has changed. Says in words what is wrong and shows
-   * nothing, or returns an empty text.
+   * Shows a scene (null: none); call again after changes. Shows nothing on error; returns an error
+   * message, or an empty string.
    */
   std::string SetScene(vtkPolyData* scene);
   vtkPolyData* GetScene() const { return this->Scene; }
 
-  /// Parts of the scene that are drawn, and picked, where Move() puts them; the next scene has none.
+  /// Parts of the scene that are drawn and picked where Move() puts them; reset by the next scene.
   void SetMovingParts(const std::vector<int>& parts);
 
-  /// Their triangles, where they are now; null: there are none.
+  /// Their triangles in the current state; null: there are none.
   vtkPolyData* GetMovingMesh() const { return this->Moving.GetMesh(); }
 
-  /// The same triangles, elsewhere.
+  /// The same triangles, moved.
   void Move(vtkPolyData* parts);
 
-  /// The turbid voxels beside the scene, as translucent boxes of which there are not too many; the mesh's
-  /// visibility is theirs. They cannot be picked.
+  /// The turbid voxels of the scene, as a limited number of translucent boxes with the visibility
+  /// of the mesh. They cannot be picked.
   void SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids);
   vtkIdType GetNumberOfBoxes() const;
 
   ///@{
-  /// At most, of all grids: when still, and while the camera moves.
+  /// Maximum, over all grids: when still, and while the camera moves.
   static constexpr vtkIdType MostBoxes = 20000;
   static constexpr vtkIdType MostMovingBoxes = 2000;
   ///@}
 
-  /// While the camera moves there are fewer boxes, and larger; and large triangles for small ones where
-  /// there are very many. Default: off.
+  /// While the camera moves, draws fewer and larger boxes, and large triangles for small ones in
+  /// very large meshes. Default: off.
   void SetInteracting(bool on);
   bool IsCoarse() const { return this->Resting.IsCoarse(); }
 
   /// Default: ByMaterial.
   void SetColoring(Coloring coloring);
 
-  /// Smooth over edges of less than 40 degrees. Default: off (flat triangles).
+  /// Smooth over edges below 40 degrees. Default: off (flat triangles).
   void SetSmooth(bool on);
   bool GetSmooth() const { return this->Smooth; }
 
@@ -107,17 +106,17 @@ public:
   void SetVisible(bool on);
   bool IsVisible() const;
 
-  /// Shows a part in yellow; -1: none (the default).
+  /// Highlights a part in yellow; -1: none (default).
   void SetHighlightedPart(int part);
   int GetHighlightedPart() const { return this->HighlightedPart; }
 
-  /// What the ray through a pixel of the window meets first, at double precision.
+  /// The first hit of the ray through a window pixel, in double precision.
   std::optional<ScenePick> Pick(double x, double y);
 
-  /// x0 x1 y0 y1 z0 z1 [m] in the world; false without a scene.
+  /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
   bool GetBounds(double bounds[6]) const;
 
-  /// The name of a part; its number where it has none.
+  /// The name of a part; its number if it has none.
   std::string GetPartName(int part) const;
 
   static constexpr unsigned char HighlightColor[3] = { 255, 205, 60 };

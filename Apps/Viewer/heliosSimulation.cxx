@@ -29,8 +29,8 @@ namespace
 constexpr std::size_t LongestQueue = 8;
 constexpr vtkIdType FewestPulses = 1024; // of a block
 constexpr vtkIdType MostPulses = 262144;
-constexpr double SecondsPerBlock = 0.05; // that a block is to take
-constexpr double SamplesPerLeg = 2000.0; // of the way
+constexpr double SecondsPerBlock = 0.05; // target duration of a block
+constexpr double SamplesPerLeg = 2000.0; // of the trajectory
 
 Pose GetPose(vtkPolyData* way, vtkIdType sample)
 {
@@ -237,7 +237,7 @@ std::future<PulseRecord> Simulation::Ask(Question question)
 }
 
 //------------------------------------------------------------------------------
-/// The thread: loads, then runs blocks and answers until it is to end.
+/// The thread: loads, then runs blocks and requests until it is stopped.
 void Simulation::Work()
 {
   const ErrorText errors(this->Source);
@@ -335,7 +335,7 @@ bool Simulation::HasWork() const
 }
 
 //------------------------------------------------------------------------------
-/// The next block on the way to the target, so short that a change of mind is soon noticed.
+/// The next block towards the target, short enough to react to a new target soon.
 bool Simulation::RunBlock()
 {
   double target = 0.0;
@@ -357,7 +357,7 @@ bool Simulation::RunBlock()
   this->Source->SetPulseWindow(this->NextPulse, end);
   this->Source->Update();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  if (!this->Source->GetScene()) // given up after an error
+  if (!this->Source->GetScene()) // stopped after an error
   {
     return false;
   }

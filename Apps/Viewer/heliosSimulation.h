@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A survey that runs in a thread of its own, up to the time that the viewer asks for.
+// Runs a survey in its own thread, up to the time the viewer requests.
 
 #ifndef heliosSimulation_h
 #define heliosSimulation_h
@@ -29,20 +29,20 @@
 namespace helios
 {
 
-/// A leg that fires pulses, and the way of its platform.
+/// A leg that emits pulses, and its platform trajectory.
 struct SimulatedLeg
 {
   int Leg = 0;
   double StartTime = 0.0; ///< [s]
   double EndTime = 0.0;   ///< [s]
   vtkIdType FirstPulse = 0;
-  vtkIdType LastPulse = 0; ///< one behind
+  vtkIdType LastPulse = 0; ///< past the end
   Pose Mount;              ///< of the scanner on its platform
   std::vector<double> Times;
   std::vector<Pose> Poses;
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
-  double LineFrequency = 0.0; ///< of the scan [Hz]; 0: not known
+  double LineFrequency = 0.0; ///< of the scan [Hz]; 0: unknown
   PulseClock Clock;           ///< of one channel
   ModelData Model;            ///< of the platform
   ModelData ScannerModel;
@@ -50,20 +50,20 @@ struct SimulatedLeg
   double HeadStart = 0.0; ///< [deg]
   double HeadSpeed = 0.0; ///< [deg/s]
 
-  /// Where the platform is [s]: before and after the leg where it starts and ends.
+  /// Platform pose [s]: clamped to the start and end of the leg.
   Pose GetPose(double time) const;
 
-  /// How the head of the scanner is on the platform [s]: its mount, turned.
+  /// Pose of the scanner head on the platform [s]: its mount, rotated.
   Pose GetHead(double time) const;
 };
 
-/// The leg of a time [s], the last one that has begun; null where there is none.
+/// The leg at a time [s], the last one started; null if there is none.
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
 
-/// Takes the samples of a way, a polyline with GpsTime and Orientation.
+/// Sets a trajectory: a polyline with GpsTime and Orientation.
 void SetWay(vtkPolyData* way, SimulatedLeg& leg);
 
-/// All that a pulse left behind.
+/// All data of a pulse.
 struct PulseRecord
 {
   vtkSmartPointer<vtkPolyData> Echoes;
@@ -72,7 +72,7 @@ struct PulseRecord
   vtkSmartPointer<vtkPolyData> SubRays;
 };
 
-/// Blocks of echoes wait in a short queue, so that memory does not grow where nobody takes them.
+/// Blocks of echoes wait in a short queue, so that memory stays bounded if nobody takes them.
 class Simulation
 {
 public:
@@ -85,22 +85,22 @@ public:
   };
 
   explicit Simulation(vtkHeliosSurvey* survey);
-  ~Simulation(); ///< ends the thread soon
+  ~Simulation(); ///< ends the thread
   Simulation(const Simulation&) = delete;
   void operator=(const Simulation&) = delete;
 
-  /// What the run is to be like, before Start().
+  /// Settings of the run, before Start().
   vtkHeliosSurveySource* GetSource() const { return this->Source; }
 
   void Start();
 
   Phase GetPhase() const;
 
-  /// What went wrong; empty where nothing did.
+  /// The error; empty without one.
   std::string GetMessage() const;
 
   ///@{
-  /// What is known when it is no longer loading; nothing, where that failed.
+  /// Known once loading has ended; null if that failed.
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
   void GetBounds(double bounds[6]) const; ///< of both [m]
@@ -110,23 +110,23 @@ public:
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
   ///@}
 
-  /// Runs up to a time [s]; infinity: to the end. Never goes back.
+  /// Runs up to a time [s]; infinity: to the end. Never backwards.
   void SetTarget(double time);
 
-  /// The echoes of the blocks that were run since the last call.
+  /// The echoes of the blocks run since the last call.
   std::vector<vtkSmartPointer<vtkPolyData>> TakeEchoes();
 
-  /// The time up to which all echoes have been taken [s], and the pulses until then.
+  /// The time up to which all echoes have been taken [s], and the pulses up to it.
   double GetTakenTime() const;
   vtkIdType GetTakenPulses() const;
 
-  /// How long it has computed blocks [s], of wall time.
+  /// Wall time spent on computing blocks [s].
   double GetComputingSeconds() const;
 
-  /// Runs one pulse again, between two blocks, with all that it leaves behind.
+  /// Runs one pulse again, between two blocks, with all its data.
   std::future<PulseRecord> Inspect(vtkIdType pulse);
 
-  /// Runs the pulses [first, last) again, likewise, but without their sub-rays.
+  /// Runs the pulses [first, last) again, without sub-rays.
   std::future<PulseRecord> Inspect(vtkIdType first, vtkIdType last);
 
 private:
@@ -139,7 +139,7 @@ private:
   struct Question
   {
     vtkIdType First;
-    vtkIdType Last; ///< one behind
+    vtkIdType Last; ///< past the end
     bool HasSubRays;
     std::promise<PulseRecord> Answer;
   };
@@ -160,11 +160,11 @@ private:
   vtkIdType NumberOfPulses = 0;
   std::thread Thread;
 
-  // Of the thread alone.
+  // Of the thread only.
   vtkIdType NextPulse = 0;
   vtkIdType PulsesPerBlock;
 
-  // Of both, under the mutex.
+  // Shared, under the mutex.
   mutable std::mutex Mutex;
   std::condition_variable Wake;
   Phase State = Phase::Loading;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The bar at the bottom that time is read from and sought on.
+// The bar at the bottom for reading and seeking the time.
 
 #ifndef heliosTimeBar_h
 #define heliosTimeBar_h
@@ -20,7 +20,7 @@ namespace helios
 class TimeBar
 {
 public:
-  /// Calls back with the time that is sought [s].
+  /// Calls back with the sought time [s].
   TimeBar(vtkRenderWindowInteractor* interactor, std::function<void(double)> onSeek);
   ~TimeBar();
 
@@ -29,7 +29,7 @@ public:
   void SetVisible(bool visible);
   bool IsVisible() const;
 
-  /// Where the bar begins and ends, as shares of the window's width, and its height from below.
+  /// Ends of the bar, as fractions of the window's width, and its height from below.
   static constexpr double Left = 0.04;
   static constexpr double Right = 0.96;
   static constexpr double Height = 0.035;

@@ -31,15 +31,15 @@ namespace
 
 constexpr double SmallestEdge = 0.2; // of its cell
 constexpr vtkIdType Corners = 8;
-constexpr double MostSums = 2e6; // about: blocks of a grid that has next to nothing in it
+constexpr double MostSums = 2e6; // approximate: blocks of an almost empty grid
 
-// The corners of the faces, seen from outside against the clock; corner 1 is along x, 2 y, 4 z.
+// Corners of the faces, counter-clockwise from outside; corner 1 is along x, 2 y, 4 z.
 constexpr double Shades[6] = { 0.75, 0.8, 0.85, 0.9, 0.6,
   1.0 }; // west, east, south, north, below, above
 constexpr vtkIdType Faces[6][4] = { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
   { 0, 2, 3, 1 }, { 4, 5, 7, 6 } };
 
-/// The cells of a grid in cubes of n x n x n; those at the end may have less.
+/// The cells of a grid in cubes of n x n x n; those at the end may have fewer.
 class Blocks
 {
 public:
@@ -65,10 +65,10 @@ public:
     return count;
   }
 
-  /// Sums densities up; returns how many blocks have any.
+  /// Sums densities; returns the number of blocks that have any.
   vtkIdType Gather(int edge);
 
-  /// Makes the blocks so large that no more than a number have anything.
+  /// Enlarges the blocks until at most a number of them are filled.
   void Fit(vtkIdType most);
 
   void MakeBoxes(const std::vector<Rgb>& colors, const Vec3& origin, vtkPolyData* boxes) const;
@@ -90,7 +90,7 @@ private:
   int Edge = 1; // of a block, in cells
   int Count[3]; // of blocks
   std::vector<double> Sums;
-  std::vector<vtkIdType> FirstCells; // that have a density; whose material counts
+  std::vector<vtkIdType> FirstCells; // with a density; their material is used
 };
 
 //------------------------------------------------------------------------------
@@ -237,7 +237,7 @@ void Blocks::MakeBoxes(const std::vector<Rgb>& colors, const Vec3& origin, vtkPo
   boxes->GetCellData()->SetScalars(rgb);
 }
 
-/// What has no material of its own is leaves.
+/// Leaf colour is the default material.
 std::vector<Rgb> GetColors(vtkImageData* grid)
 {
   std::vector<Rgb> colors;

@@ -41,9 +41,9 @@ namespace
 {
 
 constexpr int TimerMilliseconds = 15;
-constexpr double MessageSeconds = 6.0; // that a message stays
+constexpr double MessageSeconds = 6.0; // duration of a message
 constexpr std::size_t FanBeams = 90;
-constexpr double FanSeconds = 0.02; // of beams, where the scan has no lines
+constexpr double FanSeconds = 0.02; // of beams, if the scan has no lines
 
 double GetSeconds()
 {
@@ -139,7 +139,7 @@ void Viewer::SetUpView()
 }
 
 //------------------------------------------------------------------------------
-/// The camera that the options ask for; says what is wrong with them, or returns an empty text.
+/// Sets the camera from the options; returns an error message, or an empty string.
 std::string Viewer::SetUpCamera()
 {
   const auto& names = GetCameraModeNames();
@@ -226,7 +226,7 @@ void Viewer::OnTimer()
 }
 
 //------------------------------------------------------------------------------
-/// All that happens between two pictures.
+/// Everything between two frames.
 void Viewer::Frame(double seconds)
 {
   const double before = this->Clock.GetTime();
@@ -267,7 +267,7 @@ void Viewer::TakeWhatIsNew()
   }
   if (!blocks.empty())
   {
-    this->HasNewPoints = true; // the next picture takes them up
+    this->HasNewPoints = true; // shown in the next frame
     this->Redraw();
   }
 }
@@ -302,7 +302,7 @@ void Viewer::PlacePlatform(double seconds)
 }
 
 //------------------------------------------------------------------------------
-/// The points that have come since the last picture, up to the time that is shown.
+/// Adds the points received since the last frame, up to the shown time.
 void Viewer::TakeUpPoints()
 {
   if (this->HasNewPoints)

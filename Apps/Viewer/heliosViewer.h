@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer: one window on a survey that runs, a cloud that was made, or a scene.
+// The viewer: one window on a running survey, a finished cloud, or a scene.
 
 #ifndef heliosViewer_h
 #define heliosViewer_h
@@ -53,17 +53,17 @@ public:
   int Run();
 
   ///@{
-  /// What tools and keys work on.
+  /// Used by tools and keys.
   const ViewerOptions& GetOptions() const { return this->Options; }
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkRenderWindow* GetWindow() const { return this->Window; }
   vtkRenderWindowInteractor* GetInteractor() const { return this->Interactor; }
-  const Vec3& GetOrigin() const { return this->Origin; } ///< of all that is drawn [m]
+  const Vec3& GetOrigin() const { return this->Origin; } ///< of everything drawn [m]
   Cloud& GetCloud() { return *this->Points; }
   CloudView& GetCloudView() { return *this->PointsView; }
-  SceneView* GetSceneView() { return this->Mesh.get(); } ///< null: no scene is there (yet)
+  SceneView* GetSceneView() { return this->Mesh.get(); } ///< null: no scene (yet)
   PlatformView* GetPlatformView() { return this->Platform.get(); }
-  Simulation* GetSimulation() { return this->Running.get(); } ///< null: nothing runs
+  Simulation* GetSimulation() { return this->Running.get(); } ///< null: not running
   vtkHeliosSurvey* GetSurvey() const { return this->Survey; }
   const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   CameraRig& GetCamera() { return this->Camera; }
@@ -73,29 +73,29 @@ public:
   Recorder& GetRecorder() { return this->Video; }
   ///@}
 
-  /// Shows a survey instead of what is shown, and runs it. The camera stays with keepCamera.
+  /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.
   void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
 
   /// Shows a scene and its turbid voxels without a survey [m].
   void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
-  /// Shows a message for a while; errors go to standard error, too.
+  /// Shows a message for a while; errors also on standard error.
   void Tell(const std::string& message);
   void Complain(const std::string& error);
 
-  /// Asks for a picture soon.
+  /// Requests a new frame.
   void Redraw() { this->IsDirty = true; }
 
-  /// Shows what the cloud holds, and the ways it was scanned from; the cloud's origin counts.
+  /// Shows the cloud and its trajectories, relative to the cloud's origin.
   void ShowCloud(const std::vector<SimulatedLeg>& legs);
 
-  /// Sets the camera and the style of its handling.
+  /// Sets the camera mode and its interaction style.
   void SetCameraMode(CameraMode mode);
 
-  /// Writes a PNG of what is shown.
+  /// Writes a PNG of the view.
   void SaveStill(const std::string& fileName);
 
-  /// Starts to record what is shown, or ends it.
+  /// Starts or stops the recording.
   void ToggleRecording();
 
   void Close();
@@ -146,7 +146,7 @@ private:
   vtkNew<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
   vtkNew<vtkCallbackCommand> Observer;
-  vtkNew<vtkCallbackCommand> Releases; // hears of those that a drag keeps for itself
+  vtkNew<vtkCallbackCommand> Releases; // observes those captured by a drag
   CameraRig Camera;
   PlayClock Clock;
   FrameBudget Budget;
@@ -159,7 +159,7 @@ private:
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<CloudView> PointsView;
   std::unique_ptr<SceneView> Mesh;
-  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey runs
+  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey
   std::unique_ptr<PlatformView> Platform;
   std::unique_ptr<Hud> Words;
   std::unique_ptr<TimeBar> Bar;
@@ -170,14 +170,14 @@ private:
   bool IsLoading = false;
   bool HasFailed = false;
   bool HasNewPoints = false;
-  bool IsSketched = false; // a sample of the points, since there is no time for all
+  bool IsSketched = false; // a sample of the points, to save time
   bool KeepsCamera = false;
   bool IsDirty = true;
   bool IsClosing = false;
   bool IsDragging = false;
   int ExitCode = 0;
   int PressedAt[2] = { 0, 0 };
-  bool HasClick = false; // that no tool was asked about yet
+  bool HasClick = false; // not yet passed to the tools
   int ClickAt[2] = { 0, 0 };
   int ClickKeys[2] = { 0, 0 }; // shift, control
   int Size[2] = { 0, 0 };
@@ -185,7 +185,7 @@ private:
   double LastVideoFrame = 0.0;
   double FramesPerSecond = 0.0;
   vtkIdType NumberOfFrames = 0;
-  double RateSince = 0.0; // of what is counted a second
+  double RateSince = 0.0; // of counts per second
   vtkIdType RatePulses = 0;
   vtkIdType RatePoints = 0;
   double PulsesPerSecond = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user does: keys, clicks, drags.
+// User input: keys, clicks, drags.
 #include "heliosViewer.h"
 
 #include "heliosHud.h"
@@ -22,7 +22,7 @@ namespace helios
 namespace
 {
 
-constexpr int ClickPixels = 4; // that a click may move
+constexpr int ClickPixels = 4; // maximum motion of a click
 
 } // namespace
 
@@ -39,7 +39,7 @@ void Viewer::SetUpEvents()
   {
     this->Interactor->AddObserver(event, this->Observer, 10.0F);
   }
-  // VTK's styles and widgets grab all events from press to release, but for passive observers.
+  // VTK's styles and widgets grab all events from press to release, except for passive observers.
   this->Releases->SetClientData(this);
   this->Releases->SetCallback(OnReleaseEvent);
   this->Releases->PassiveObserverOn();
@@ -113,7 +113,7 @@ void Viewer::OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*)
 }
 
 //------------------------------------------------------------------------------
-/// Notes a click, where the mouse was not dragged: a passive observer may not add others, as tools do.
+/// Records a click if there was no drag: a passive observer may not add others, as tools do.
 void Viewer::OnRelease()
 {
   int at[2];
@@ -129,7 +129,7 @@ void Viewer::OnRelease()
 }
 
 //------------------------------------------------------------------------------
-/// Asks the tools about a click, with the keys that were held then.
+/// Passes a click to the tools, with the modifier keys held at the time.
 void Viewer::TakeClick()
 {
   if (!this->HasClick)

@@ -32,11 +32,11 @@ namespace helios
 namespace
 {
 
-// What a scene by itself would be scanned with; the reader asks for it.
+// Default scanner for a scene without one; required by the reader.
 const char* const DefaultPlatform = "platforms.xml#tripod";
 const char* const DefaultScanner = "scanners.xml#vz400_class_tls";
 
-/// A file's extension in small letters.
+/// A file's extension in lower case.
 std::string GetExtension(const fs::path& path)
 {
   std::string extension = path.extension().string();
@@ -57,7 +57,7 @@ bool HasSurvey(const fs::path& path)
   return text.str().find("<survey ") != std::string::npos;
 }
 
-/// Where a file of XML looks for others.
+/// Search folders of an XML file.
 template <typename Reader>
 void LookUp(Reader* reader, const std::string& fileName, const std::vector<std::string>& assets)
 {
@@ -103,7 +103,7 @@ std::string ShowSceneFile(Viewer& viewer, const std::string& fileName)
   return {};
 }
 
-/// The scene of the survey that was planned; PlanTool shows the rest.
+/// The scene of the planned survey; PlanTool shows the rest.
 std::string ShowPlan(Viewer& viewer, const std::string& path)
 {
   Plan plan;
@@ -116,7 +116,7 @@ std::string ShowPlan(Viewer& viewer, const std::string& path)
                              : ShowSceneFile(viewer, plan.Survey);
 }
 
-/// The ways in the files of a run, as the legs of a replay.
+/// The trajectories in the files of a run, as legs of a replay.
 std::vector<SimulatedLeg> MakeLegs(
   const std::vector<vtkSmartPointer<vtkPolyData>>& ways, double end)
 {
@@ -138,7 +138,7 @@ std::vector<SimulatedLeg> MakeLegs(
   }
   std::stable_sort(legs.begin(), legs.end(),
     [](const SimulatedLeg& a, const SimulatedLeg& b) { return a.StartTime < b.StartTime; });
-  for (std::size_t i = 0; i < legs.size(); ++i) // a tripod's stand lasts until the next
+  for (std::size_t i = 0; i < legs.size(); ++i) // a scan position lasts until the next
   {
     const double next = i + 1 < legs.size() ? legs[i + 1].StartTime : end;
     legs[i].EndTime = legs[i].IsMoving ? legs[i].EndTime : std::max(next, legs[i].EndTime);
@@ -200,8 +200,7 @@ std::string ShowInputs(Viewer& viewer)
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
 {
   std::vector<std::unique_ptr<ViewerTool>> tools;
-  tools.push_back(
-    std::make_unique<EditTool>(viewer)); // asked first: it takes clicks while it is on
+  tools.push_back(std::make_unique<EditTool>(viewer)); // first: takes clicks while it is on
   tools.push_back(std::make_unique<Inspector>(viewer));
   tools.push_back(std::make_unique<PlanTool>(viewer));
   return tools;

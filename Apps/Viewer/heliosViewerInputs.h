@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the user wants to see: surveys, runs, clouds and scenes, told apart by their files.
+// Opens the inputs: surveys, runs, clouds and scenes, identified by their files.
 
 #ifndef heliosViewerInputs_h
 #define heliosViewerInputs_h
@@ -15,10 +15,10 @@ namespace helios
 class Viewer;
 class ViewerTool;
 
-/// Shows the inputs of a viewer; says in words what is wrong with them, or returns an empty text.
+/// Shows the inputs of a viewer; returns an error message, or an empty string.
 std::string ShowInputs(Viewer& viewer);
 
-/// The tools of a viewer, in the order that they are asked.
+/// The tools of a viewer, in order of precedence.
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer);
 
 } // namespace helios

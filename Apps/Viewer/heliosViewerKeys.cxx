@@ -22,10 +22,10 @@ namespace helios
 namespace
 {
 
-constexpr double StepSeconds = 0.1; // where the scan has no lines
+constexpr double StepSeconds = 0.1; // if the scan has no lines
 constexpr std::size_t KeyWidth = 16;
 
-/// Goes on by the time of a line of the scan, or back.
+/// Moves forward or back by the time of a scan line.
 void Step(Viewer& viewer, int lines)
 {
   PlayClock& clock = viewer.GetClock();
@@ -47,7 +47,7 @@ void ChangeColors(Viewer& viewer, int step)
   viewer.Tell("colours: " + all[static_cast<std::size_t>(next)].first);
 }
 
-/// Half of the box of the cloud in each direction, about its middle.
+/// Half of the cloud's box in each direction, about its centre.
 void ToggleClipping(Viewer& viewer)
 {
   CloudView& view = viewer.GetCloudView();
@@ -67,7 +67,7 @@ void ToggleClipping(Viewer& viewer)
   view.SetClipping(true);
 }
 
-/// The lines one below the other, all of the same length: they are centred as one block.
+/// The lines as a column of equal lengths: they are centred as one block.
 std::string JoinColumns(const std::vector<std::string>& lines)
 {
   std::size_t width = 0;

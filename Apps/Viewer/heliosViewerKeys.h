@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The keys of the viewer: one table, which the help comes from.
+// The keys of the viewer: one table, also the source of the help.
 
 #ifndef heliosViewerKeys_h
 #define heliosViewerKeys_h
@@ -21,16 +21,16 @@ class ViewerKeys
 public:
   ViewerKeys(Viewer& viewer, const std::vector<std::unique_ptr<ViewerTool>>& tools);
 
-  /// Does what a key is for, as X names it; tools come first. False: it is for nothing.
+  /// Runs the action of a key, as named by X; tools come first. False: no action.
   bool Press(const std::string& key, bool control);
 
-  /// All keys, a line each.
+  /// All keys, one per line.
   std::string GetHelp() const;
 
 private:
   struct Action
   {
-    std::string Heading; ///< of those that follow; empty: goes on
+    std::string Heading; ///< of the following keys; empty: continues
     std::vector<std::string> Keys;
     std::string Shown; ///< for the help
     std::string What;

@@ -31,7 +31,7 @@ int main(int argc, char** argv)
     helios::Viewer viewer(options);
     return viewer.Run();
   }
-  catch (const std::exception& error) // of libraries: no memory
+  catch (const std::exception& error) // of libraries, out of memory
   {
     std::cerr << "error: " << error.what() << "\n";
     return 1;

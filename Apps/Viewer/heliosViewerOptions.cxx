@@ -124,7 +124,7 @@ void AddOutputs(CLI::App& app, ViewerOptions& options)
     ->option_text("FILE.xml");
 }
 
-/// "1280x800"; false where it is none.
+/// "1280x800"; false if not valid.
 bool ReadSize(const std::string& text, ViewerOptions& options)
 {
   std::smatch parts;
@@ -157,7 +157,7 @@ bool ReadSpeed(const std::string& text, ViewerOptions& options)
   return used == text.size() && options.Speed >= 0.01 && options.Speed <= 1000.0;
 }
 
-/// What cannot be asked together; empty: nothing.
+/// Options that exclude each other; empty: none.
 std::string CheckTogether(const ViewerOptions& options)
 {
   if (options.Offscreen && options.Record.empty() && options.Still.empty())

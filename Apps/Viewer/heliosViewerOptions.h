@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the command line of the viewer says.
+// Command line options of the viewer.
 
 #ifndef heliosViewerOptions_h
 #define heliosViewerOptions_h
@@ -18,11 +18,11 @@ struct ViewerOptions
   int Width = 1280;                ///< [pixels]
   int Height = 800;
   bool Offscreen = false;
-  bool HasSpeed = false; ///< one was given
-  bool FullSpeed = true; ///< as fast as it computes
+  bool HasSpeed = false; ///< one was set
+  bool FullSpeed = true; ///< as fast as possible
   double Speed = 1.0;    ///< of time, where not FullSpeed
   bool Paused = false;
-  double StartTime = -1.0; ///< [s] that is shown first; negative: the start
+  double StartTime = -1.0; ///< [s] first shown time; negative: the start
   std::string Camera = "free";
   std::string CameraScript; ///< file of key frames
   std::string ColorBy = "height";
@@ -31,16 +31,16 @@ struct ViewerOptions
   bool Fan = true;
   bool Words = true;    ///< over the picture
   std::string Record;   ///< video or frames
-  double Seconds = 0.0; ///< of the recording; 0: 10, or until the user ends it
+  double Seconds = 0.0; ///< of the recording; 0: 10, or until stopped
   double FramesPerSecond = 25.0;
-  std::string Still;               ///< a picture of the end
-  std::string State;               ///< a JSON file that says what is shown
-  std::string Save = "survey.xml"; ///< where a survey made by hand is saved
+  std::string Still;               ///< a picture at the end
+  std::string State;               ///< a JSON file of the viewer state
+  std::string Save = "survey.xml"; ///< file name for the edited survey
   long long Seed = -1;
   bool Noise = true;
 };
 
-/// What came of reading a command line.
+/// Result of parsing a command line.
 enum class OptionsResult
 {
   Go,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer without its user: videos and stills.
+// Non-interactive viewer: videos and stills.
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
@@ -15,7 +15,7 @@ namespace helios
 {
 
 //------------------------------------------------------------------------------
-/// Without the user: every frame at its time, however long it takes to compute.
+/// Non-interactive: every frame at its time, regardless of computing time.
 int Viewer::RunScripted()
 {
   const double step = 1.0 / this->Options.FramesPerSecond;
@@ -56,7 +56,7 @@ int Viewer::RunScripted()
     this->WaitFor(time);
     this->Frame(0.0);
     this->TakeUpPoints();
-    this->PointsView->SetAutomaticRange(); // of all there is
+    this->PointsView->SetAutomaticRange(); // of the full cloud
     this->Draw();
     this->SaveStill(this->Options.Still);
   }
@@ -64,7 +64,7 @@ int Viewer::RunScripted()
 }
 
 //------------------------------------------------------------------------------
-/// Until what is measured up to a time is there, or will never be.
+/// Waits for the measurements up to a time, or the end of the run.
 void Viewer::WaitFor(double time)
 {
   const auto isThere = [this, time]

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer's surveys, scenes and clouds: how what is shown comes and goes.
+// Shows and replaces the viewer's surveys, scenes and clouds.
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
@@ -27,7 +27,7 @@ namespace helios
 namespace
 {
 
-/// The middle of a box, in whole metres.
+/// The centre of a box, in whole metres.
 Vec3 FindOrigin(const double bounds[6])
 {
   return { std::round(0.5 * (bounds[0] + bounds[1])), std::round(0.5 * (bounds[2] + bounds[3])),
@@ -75,7 +75,7 @@ void Viewer::ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtk
   this->Begin(bounds, false);
   this->ShowMesh(scene);
   this->Mesh->SetGrids(grids);
-  this->PointsView->SetEyeDomeLighting(false); // it is for points: leaves would drown in edges
+  this->PointsView->SetEyeDomeLighting(false); // meant for points: leaves would be mostly edges
   this->Redraw();
 }
 
@@ -115,7 +115,7 @@ void Viewer::ShowMesh(vtkPolyData* scene)
 }
 
 //------------------------------------------------------------------------------
-/// What was shown goes; the origin is in the middle of a box [m].
+/// Clears the view; the origin is at the centre of a box [m].
 void Viewer::Begin(const double bounds[6], bool keepCamera)
 {
   const bool hasData = std::isfinite(bounds[0]) && bounds[0] <= bounds[1];
@@ -140,7 +140,7 @@ void Viewer::Begin(const double bounds[6], bool keepCamera)
 }
 
 //------------------------------------------------------------------------------
-/// A box [m], where there is one, and all ways are in the picture.
+/// Frames a box [m], if any, and all trajectories.
 void Viewer::ShowBox(const double bounds[6], bool hasData)
 {
   vtkBoundingBox box;
@@ -163,7 +163,7 @@ void Viewer::ShowBox(const double bounds[6], bool hasData)
 }
 
 //------------------------------------------------------------------------------
-/// When the thread has loaded the survey, or has failed to.
+/// After the thread has loaded the survey, or failed to.
 void Viewer::FinishLoading()
 {
   const Simulation::Phase phase = this->Running->GetPhase();
@@ -208,7 +208,7 @@ void Viewer::ShowWays()
 }
 
 //------------------------------------------------------------------------------
-/// What the time bar goes from and to [s].
+/// Sets the ends of the time bar [s].
 void Viewer::SetSpan(double start, double end)
 {
   this->Clock.SetSpan(start, end);

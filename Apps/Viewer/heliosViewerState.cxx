@@ -78,7 +78,7 @@ Json::Value ViewerState::DescribeTime() const
   value["pulses"] = Json::Int64(run ? run->GetTakenPulses() : 0);
   value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
   value["pulsesPerSecond"] = this->Owner.PulsesPerSecond;
-  Json::Value bar(Json::arrayValue); // of the window's width, and of its height from below
+  Json::Value bar(Json::arrayValue); // fraction of window width, height from below
   bar.append(TimeBar::Left);
   bar.append(TimeBar::Right);
   bar.append(TimeBar::Height);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the viewer shows, as JSON: for scripts that drive it, and for tests.
+// The viewer state as JSON: for scripts that drive it, and for tests.
 
 #ifndef heliosViewerState_h
 #define heliosViewerState_h
@@ -24,7 +24,7 @@ public:
 
   Json::Value Describe() const;
 
-  /// Replaces a file as a whole, so that it is never read half written; an empty name: no file.
+  /// Replaces a file atomically, so that it is never read half written; an empty name: no file.
   void Write(const std::string& fileName) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A tool of the viewer: something that the user does with what is shown.
+// A tool of the viewer: a user interaction with the view.
 
 #ifndef heliosViewerTool_h
 #define heliosViewerTool_h
@@ -14,10 +14,10 @@
 namespace helios
 {
 
-/// A key and what it does, a line of the help.
+/// A key and its action, a line of the help.
 using KeyHelp = std::pair<std::string, std::string>;
 
-/// The viewer asks its tools in their order, until one says that it was meant.
+/// The viewer calls its tools in order, until one handles the event.
 class ViewerTool
 {
 public:
@@ -27,22 +27,22 @@ public:
   virtual std::string GetName() const = 0;
   virtual std::vector<KeyHelp> GetKeys() const = 0;
 
-  /// A key as X names it ("a", "plus", "Escape"); true: it was meant.
+  /// A key as X names it ("a", "plus", "Escape"); true: handled.
   virtual bool OnKey(const std::string& key, bool control) = 0;
 
-  /// A click that moved nothing, at a pixel from the lower left; true: it was meant.
+  /// A click without a drag, at a pixel from the lower left; true: handled.
   virtual bool OnClick(int x, int y) = 0;
 
-  /// Before every frame; true: there is something new to draw.
+  /// Before every frame; true: a redraw is needed.
   virtual bool OnFrame() { return false; }
 
-  /// Another survey is shown: forget what belonged to the last.
+  /// Another survey is shown: discard the data of the last one.
   virtual void OnNewSurvey() {}
 
-  /// A line for the status; empty: nothing to say.
+  /// A line for the status; empty: none.
   virtual std::string GetStatus() const { return {}; }
 
-  /// Adds what it shows to the state.
+  /// Adds its contents to the state.
   virtual void Describe(Json::Value& state) const = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The words over the picture.
+// Text over the picture.
 #include "heliosViewer.h"
 
 #include "heliosFormat.h"
@@ -19,8 +19,8 @@ namespace helios
 namespace
 {
 
-constexpr double RateSeconds = 0.5;  // that a rate is a mean over
-constexpr std::size_t MostLegs = 14; // that are listed
+constexpr double RateSeconds = 0.5;  // averaging time of a rate
+constexpr std::size_t MostLegs = 14; // listed
 
 /// "1.23 M".
 std::string Shorten(double number)
@@ -69,7 +69,7 @@ void Viewer::WriteWords()
 }
 
 //------------------------------------------------------------------------------
-/// Pulses and points a second, as they arrive.
+/// Pulses and points per second, as received.
 void Viewer::CountRates()
 {
   const double now = this->Now();
@@ -129,7 +129,7 @@ std::string Viewer::DescribeCloud() const
 }
 
 //------------------------------------------------------------------------------
-/// A line a leg, about the one at work.
+/// One line per leg, around the active one.
 std::string Viewer::DescribeLegs() const
 {
   const auto& legs = this->Legs;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Control characters of names and files do not command the terminal.
+// Escapes control characters of names and files for the terminal.
 
 #ifndef heliosVisibleText_h
 #define heliosVisibleText_h
@@ -13,8 +13,8 @@ namespace helios
 {
 
 /**
- * While it lives, control characters written to a stream, but tab and line feed, come out as \x1b and the
- * like. Bytes of other characters pass.
+ * During its lifetime, control characters written to a stream, except tab and line feed, are
+ * escaped as \x1b etc. Bytes of other characters pass.
  */
 class VisibleText : public std::streambuf
 {

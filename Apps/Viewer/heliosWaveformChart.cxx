@@ -38,7 +38,7 @@ constexpr double CurveSigmas = 4.0;
 const double WidthsPerSigma = 2.0 * std::sqrt(2.0 * std::log(2.0));
 const double Ink[3] = { 0.86, 0.88, 0.91 };
 
-/// The unit in which a power has 1 to 999, and its name.
+/// The unit in which a power is 1 to 999, and its name.
 std::pair<double, const char*> FindUnit(double watts)
 {
   static const std::pair<double, const char*> units[] = { { 1.0, "W" }, { 1e-3, "mW" },
@@ -108,7 +108,7 @@ void SetUpAxis(vtkAxis* axis, bool hasGrid)
 
 } // namespace
 
-/// What lies under the chart.
+/// The chart background.
 class ChartPanel : public vtkContextItem
 {
 public:
@@ -205,7 +205,7 @@ void WaveformChart::SetRanges(const PulseReading& reading)
 }
 
 //------------------------------------------------------------------------------
-/// An axis is drawn where something hangs on it: a line that cannot be seen.
+/// An axis is drawn only with a plot: an invisible line.
 void WaveformChart::AddTimes()
 {
   vtkAxis* times = this->Chart->GetAxis(vtkAxis::TOP);
@@ -244,7 +244,8 @@ void WaveformChart::AddGaussians(const PulseReading& reading)
 }
 
 //------------------------------------------------------------------------------
-/// A Gaussian as wide as what was sent, at the first echo: what is wider was spread by the target.
+/// A Gaussian of the emitted pulse width, at the first echo: wider echoes were spread by the
+/// target.
 void WaveformChart::AddPulse(const PulseReading& reading)
 {
   if (!(reading.PulseLength > 0.0) || reading.Gaussians.empty())
@@ -263,7 +264,7 @@ void WaveformChart::AddPulse(const PulseReading& reading)
 //------------------------------------------------------------------------------
 void WaveformChart::AddEchoes(const PulseReading& reading, int returnNumber)
 {
-  std::vector<double> x[2], y[2]; // all, the one that is marked
+  std::vector<double> x[2], y[2]; // all, the marked one
   for (const PulseEcho& echo : reading.Echoes)
   {
     for (const int i : { 0, 1 })

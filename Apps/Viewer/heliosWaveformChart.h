@@ -35,24 +35,24 @@ public:
   void operator=(const WaveformChart&) = delete;
 
   /**
-   * Shows a pulse, with the echo of a return number marked. Without samples: the title alone,
-   * with why there are none.
+   * Shows a pulse, with the echo of a return number marked. Without samples: only the title, with
+   * the reason.
    */
   void Show(const PulseReading& reading, int returnNumber, const std::string& title);
   void Hide();
   bool IsVisible() const { return this->IsShown; }
 
-  /// True: something else is in front, and the chart is not drawn.
+  /// True: covered by something else, and not drawn.
   void SetCovered(bool covered);
 
-  /// Fits the chart to the window's size [pixels]; true: it was of another size.
+  /// Fits the chart to the window's size [pixels]; true: the size has changed.
   bool Resize(int width, int height);
 
-  /// Whether a pixel of the window is the chart's.
+  /// Whether a window pixel belongs to the chart.
   bool Contains(int x, int y) const;
 
   ///@{
-  /// What is drawn.
+  /// The drawn chart.
   vtkChartXY* GetChart() const { return this->Chart; }
   vtkIdType GetNumberOfSamples() const { return this->NumberOfSamples; }
   vtkIdType GetNumberOfEchoes() const { return this->NumberOfEchoes; }
@@ -82,7 +82,7 @@ private:
   vtkIdType NumberOfGaussians = 0;
 };
 
-/// A power [W] with the unit that suits it: "12.3 nW".
+/// A power [W] in a suitable unit: "12.3 nW".
 std::string DescribePower(double watts);
 
 } // namespace helios

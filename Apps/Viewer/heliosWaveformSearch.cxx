@@ -31,10 +31,10 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double BytesPerPiece = 16e6;  // of a text that is read at once
+constexpr double BytesPerPiece = 16e6;  // of text read at a time
 constexpr double BytesOfPoints = 400e3; // of a LAS file: each may have a waveform
 
-/// Whether it is a LAS file whose points name packets, in it or in a .wdp beside it.
+/// Whether it is a LAS file whose points refer to packets, in it or in a .wdp beside it.
 bool HasPackets(const fs::path& path)
 {
   std::error_code error;
@@ -74,7 +74,7 @@ void AddBeside(const fs::path& points, std::vector<std::string>& files)
   }
 }
 
-/// The rows of some pulses; null: there are none.
+/// The rows of some pulses; null: none.
 vtkSmartPointer<vtkTable> Select(vtkTable* table, vtkIdType first, vtkIdType last)
 {
   auto* ids = vtkDataArray::SafeDownCast(table->GetColumnByName(names::PulseIds));
@@ -103,7 +103,7 @@ vtkSmartPointer<vtkTable> Select(vtkTable* table, vtkIdType first, vtkIdType las
   return found;
 }
 
-/// Piece by piece, until the pulses are found; a piece that has some ends the search.
+/// Reads piece by piece until the pulses are found; a piece that has some ends the search.
 template <typename Reader>
 vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pieces,
   const std::pair<vtkIdType, vtkIdType>& pulses, const std::atomic<bool>& isEnding)
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkTable> Search(Reader* reader, const std::string& file, int pi
   return nullptr;
 }
 
-/// How many pieces of a size a file has.
+/// Number of pieces of a size in a file.
 int CountPieces(const std::string& file, double bytesPerPiece)
 {
   std::error_code error;
@@ -133,7 +133,7 @@ int CountPieces(const std::string& file, double bytesPerPiece)
   return error ? 1 : 1 + static_cast<int>(std::min(1e6, bytes / bytesPerPiece));
 }
 
-/// Whether points name a waveform of these pulses.
+/// Whether points refer to a waveform of these pulses.
 bool NamesWaveform(vtkPolyData* points, const std::pair<vtkIdType, vtkIdType>& pulses)
 {
   vtkDataArray* ids = points->GetPointData()->GetArray(names::WaveformIds);
@@ -148,7 +148,7 @@ bool NamesWaveform(vtkPolyData* points, const std::pair<vtkIdType, vtkIdType>& p
   return false;
 }
 
-/// The packets are read of the first piece only that has some of the pulses.
+/// Packets are read only of the first piece with some of the pulses.
 vtkSmartPointer<vtkTable> SearchPackets(const std::string& file,
   const std::pair<vtkIdType, vtkIdType>& pulses, const std::atomic<bool>& isEnding)
 {
@@ -195,7 +195,7 @@ vtkSmartPointer<vtkTable> SearchFile(const std::string& file,
   return Search(reader.Get(), file, CountPieces(file, BytesPerPiece), pulses, isEnding);
 }
 
-/// Those of a leg come first.
+/// Puts those of a leg first.
 void PutFirst(std::vector<std::string>& files, int leg)
 {
   char name[32];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks for waveforms in the files of a run, in a thread of its own.
+// Searches the files of a run for waveforms, in its own thread.
 
 #ifndef heliosWaveformSearch_h
 #define heliosWaveformSearch_h
@@ -19,20 +19,20 @@ namespace helios
 {
 
 /**
- * The files with waveforms that belong to inputs: those of a folder and of the folders below it, or
- * beside legNNN_points.* the leg's legNNN_fullwave.txt or .pvtt; LAS files whose points name packets.
- * Without any: none.
+ * The files with waveforms of the inputs: those of a folder and its subfolders, or beside
+ * legNNN_points.* the leg's legNNN_fullwave.txt or .pvtt; LAS files whose points refer to packets.
+ * Empty: none.
  */
 std::vector<std::string> FindWaveformFiles(const std::vector<std::string>& inputs);
 
 class WaveformSearch
 {
 public:
-  ~WaveformSearch(); ///< ends the thread soon
+  ~WaveformSearch(); ///< ends the thread
 
   /**
-   * The waveforms of pulses [first, last) in files, those of a leg (-1: not known) first. The
-   * future throws std::runtime_error with words where no file has any. Ends a search before.
+   * The waveforms of pulses [first, last) in files, those of a leg (-1: unknown) first. The future
+   * throws std::runtime_error with a message if no file has any. Ends an earlier search.
    */
   std::future<PulseRecord> Find(
     const std::vector<std::string>& files, int leg, vtkIdType first, vtkIdType last);

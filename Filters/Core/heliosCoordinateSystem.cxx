@@ -25,13 +25,13 @@ const char* const Forms =
 
 constexpr std::size_t LongestShown = 60;
 
-/// What messages show of a text that may be a page of WKT.
+/// Shortens a text for messages; it may be a page of WKT.
 std::string Shorten(const std::string& text)
 {
   return text.size() <= LongestShown ? text : text.substr(0, LongestShown) + "...";
 }
 
-/// 1 for a ratio that only rounding keeps from it.
+/// Returns 1 for a ratio that differs from it by rounding only.
 double Snap(double ratio)
 {
   return std::abs(ratio - 1.0) < 1e-12 ? 1.0 : ratio;
@@ -48,7 +48,7 @@ bool IsLocalText(const std::string& text)
     (text.size() == 3 || text[3] == ' ' || text[3] == '\t');
 }
 
-/// Three numbers after "ENU" and nothing else.
+/// Parses three numbers after "ENU", with no further text.
 bool ParseOrigin(const std::string& text, double origin[3])
 {
   const char* at = text.data() + 3;
@@ -109,8 +109,8 @@ std::vector<Axis> GetAxes(const ProjContext& context, const PJ* crs)
   return axes;
 }
 
-/// From the directions of the axes after PROJ's own ordering, which leaves south and west as they
-/// are. Polar systems, where both axes point south or north, have them in the order east, north.
+/// Derives the order from the axis directions after PROJ normalization, which keeps south and west.
+/// Polar systems, where both axes point south or north, have the axes in the order east, north.
 AxisOrder GetAxisOrder(const std::vector<Axis>& axes)
 {
   const auto isAlong = [&](int i, const char* positive, const char* negative)
@@ -131,7 +131,7 @@ AxisOrder GetAxisOrder(const std::vector<Axis>& axes)
 }
 
 ///@{
-/// The EPSG codes of the parameters that map projections have here.
+/// EPSG codes of the map projection parameters used here.
 const char* const LatitudeOfOrigin = "8801";
 const char* const LongitudeOfOrigin = "8802";
 const char* const ScaleAtOrigin = "8805";
@@ -139,7 +139,7 @@ const char* const FalseEasting = "8806";
 const char* const FalseNorthing = "8807";
 ///@}
 
-/// The parameters of a map projection in degrees and metres.
+/// Parameters of a map projection in degrees and metres.
 std::map<std::string, double> GetParameters(const ProjContext& context, const PJ* conversion)
 {
   std::map<std::string, double> parameters;
@@ -201,7 +201,7 @@ MapProjectionPointer MakeMap(const ProjContext& context, const PJ* crs)
     : nullptr;
 }
 
-/// GeographicLib's formulas for a system, if it is one on WGS 84 in degrees and metres.
+/// Returns the GeographicLib projection of a system on WGS 84 in degrees and metres, else null.
 MapProjectionPointer FindProjection(
   const ProjContext& context, const PJ* crs, const CoordinateSystemData& data)
 {

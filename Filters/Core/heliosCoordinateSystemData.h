@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of a coordinate system. Only for the sources of this folder.
+// Properties of a coordinate system. Internal to this folder.
 
 #ifndef heliosCoordinateSystemData_h
 #define heliosCoordinateSystemData_h
@@ -12,11 +12,11 @@
 namespace helios
 {
 
-/// How east, north, up follow from the coordinates as PROJ gives them.
+/// Mapping from PROJ coordinates to east, north, up.
 struct AxisOrder
 {
   int From[3] = { 0, 1, 2 };
-  double Factor[3] = { 1.0, 1.0, 1.0 }; // a sign; degrees per unit of an angle
+  double Factor[3] = { 1.0, 1.0, 1.0 }; // sign; degrees per unit of an angle
 
   bool IsIdentity() const
   {
@@ -31,15 +31,15 @@ struct CoordinateSystemData
   std::string Label;
   std::string Name;
   std::string UnitName;
-  std::string HeightUnitName;           // empty: nothing said of heights
+  std::string HeightUnitName;           // empty: no vertical part
   double Unit = 1.0;                    // [m]; 0: degrees
   double HeightUnit = 1.0;              // [m]
-  bool IsCompound = false;              // with a system of heights
-  bool IsPlane = false;                 // nothing said of heights
+  bool IsCompound = false;              // with a vertical part
+  bool IsPlane = false;                 // no vertical part
   bool IsLocal = false;                 // unknown to PROJ
   double Origin[3] = { 0.0, 0.0, 0.0 }; // of a local one: latitude, longitude [deg], height [m]
   AxisOrder Axes;
-  MapProjectionPointer Projection; // where GeographicLib computes it; else null
+  MapProjectionPointer Projection; // null: not computed by GeographicLib
 };
 
 } // namespace helios

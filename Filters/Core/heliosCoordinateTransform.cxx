@@ -19,7 +19,7 @@ namespace helios
 namespace
 {
 
-/// What a local system is to PROJ: GeographicLib does the rest of the way.
+/// System passed to PROJ for a local system; GeographicLib does the rest.
 const char* const Geographic3D = "EPSG:4979";
 
 bool IsFinite(const double p[3])
@@ -45,7 +45,7 @@ PJ_COORD ToProj(const AxisOrder& axes, const double in[3])
   return out;
 }
 
-/// A system as PROJ is asked for it: towards one that says nothing of heights only its plane.
+/// Creates the PROJ object of a system: the horizontal part if the target has no vertical part.
 ProjObject MakeEnd(
   const ProjContext& context, const CoordinateSystemData& system, const CoordinateSystemData& other)
 {
@@ -56,7 +56,7 @@ ProjObject MakeEnd(
 
 struct Grids
 {
-  std::string Missing; // by name, with commas
+  std::string Missing; // names, separated by commas
   double Accuracy = -1.0;
 };
 
@@ -93,7 +93,7 @@ bool IsInArea(const ProjContext& context, const PJ* operation, const double plac
   if (!proj_get_area_of_use(context.Get(), operation, &west, &south, &east, &north, nullptr) ||
     west < -180.0)
   {
-    return true; // not said
+    return true; // not stated
   }
   const double longitude = std::remainder(place[0], 360.0);
   const bool isBetween =
@@ -101,7 +101,7 @@ bool IsInArea(const ProjContext& context, const PJ* operation, const double plac
   return isBetween && south <= place[1] && place[1] <= north;
 }
 
-/// The most accurate operation with grids that are not installed, at a place if one is given.
+/// Finds the most accurate operation with grids that are not installed, at a point if given.
 Grids FindMissingGrids(
   const ProjContext& context, const PJ* source, const PJ* target, const double* place)
 {
@@ -141,7 +141,7 @@ struct CoordinateTransform::Internals
   std::shared_ptr<const CoordinateSystemData> From;
   std::shared_ptr<const CoordinateSystemData> To;
   bool IsIdentity = false;
-  double HeightFactor = 1.0; // where PROJ is not asked for heights
+  double HeightFactor = 1.0; // if PROJ does not transform heights
 
   std::unique_ptr<ProjContext> Context; // null: without PROJ
   ProjObject Operation;
@@ -328,7 +328,7 @@ bool CoordinateTransform::GetRotation(const double point[3], double rotation[3][
   {
     return false;
   }
-  // Degrees of longitude and latitude have lengths of their own: of each axis only the direction.
+  // Degrees of longitude and latitude differ in length: only the direction of each axis is used.
   const bool isFromAngles = this->State->Source.IsGeographic();
   double axes[3][3];
   for (int k = 0; k < 3; ++k)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Between two samples of a motion: the cubic of both positions and velocities.
+// Cubic interpolation between two samples of a motion, from positions and velocities.
 
 #ifndef heliosHermite_h
 #define heliosHermite_h
@@ -15,23 +15,23 @@ namespace helios
 {
 
 /**
- * The cubic Hermite polynomial of two positions and velocities, as the straight line and what bends
- * it: at s in [0, 1], P0 + s (D + (1 - s) ((1 - s) B0 - s B1)) with D = P1 - P0, B = h V - D, h the
- * time between. It is the straight line, to the bit, where B is nothing but rounding.
+ * The cubic Hermite polynomial of two positions and velocities, as a straight line plus a bending
+ * term: at s in [0, 1], P0 + s (D + (1 - s) ((1 - s) B0 - s B1)) with D = P1 - P0, B = h V - D, h
+ * the time step. It is exactly the straight line if B is only rounding error.
  */
 class HermiteSegment
 {
 public:
   HermiteSegment() = default;
 
-  /// A straight one.
+  /// Creates a straight segment.
   HermiteSegment(const Vec3& p0, const Vec3& p1)
     : Start(p0)
     , Way(p1 - p0)
   {
   }
 
-  /// The velocities hold at the times t0 and t1.
+  /// The velocities are those at the times t0 and t1.
   HermiteSegment(
     double t0, const Vec3& p0, const Vec3& v0, double t1, const Vec3& p1, const Vec3& v1)
     : HermiteSegment(p0, p1)

@@ -15,7 +15,7 @@ bool GetStatus(const std::string& path, struct stat& status)
   return path.find('\0') == std::string::npos && ::stat(path.c_str(), &status) == 0;
 }
 
-/// The kind of a file that is not a regular one, and the cure; empty for regular ones.
+/// Describes a non-regular file and gives a remedy; empty for regular files.
 std::string DescribeKind(mode_t mode)
 {
   switch (mode & S_IFMT)
@@ -37,7 +37,7 @@ std::string DescribeKind(mode_t mode)
   }
 }
 
-/// Whether the kernel makes up what is in a file when it is read.
+/// Whether the kernel generates the file content on reading.
 bool IsOfKernel(const struct stat& status)
 {
   struct stat root;

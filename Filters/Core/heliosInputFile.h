@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What may be read as a file.
+// Checks whether a path is a readable file.
 
 #ifndef heliosInputFile_h
 #define heliosInputFile_h
@@ -13,9 +13,9 @@ namespace helios
 {
 
 /**
- * Why a path cannot be read as a file, in words ("cannot be read: it is a FIFO ..."): folders, FIFOs,
+ * Returns why a path cannot be read as a file ("cannot be read: it is a FIFO ..."): folders, FIFOs,
  * sockets, devices and files of /proc and /sys, which may have no end or no size. Empty for regular
- * files and where there is nothing: that the one who opens it says.
+ * files, and for missing files, which the caller reports on opening.
  */
 VTKHELIOSFILTERSCORE_EXPORT std::string CheckInputFile(const std::string& path);
 

@@ -82,8 +82,8 @@ private:
   GeographicLib::LocalCartesian Frame;
 };
 
-/// Krueger's series near the central meridian, where it is exact to rounding; elliptic functions
-/// beyond (Karney 2011, Journal of Geodesy 85, 475).
+/// Krueger series near the central meridian, where it is exact to rounding; elliptic functions
+/// elsewhere (Karney 2011, Journal of Geodesy 85, 475).
 class TransverseMercator : public MapProjection
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The coordinate systems on WGS 84 that GeographicLib computes, to nanometres.
+// Coordinate systems on WGS 84 computed by GeographicLib, to nanometres.
 
 #ifndef heliosMapProjection_h
 #define heliosMapProjection_h
@@ -10,8 +10,8 @@
 namespace helios
 {
 
-/// A system on WGS 84 against longitude [deg], latitude [deg] and height above the ellipsoid [m].
-/// What has no image becomes NaN. Const and safe for many threads.
+/// Converts between a system on WGS 84 and longitude [deg], latitude [deg], height above the
+/// ellipsoid [m]. Points without an image become NaN. Const and thread-safe.
 class MapProjection
 {
 public:
@@ -20,7 +20,7 @@ public:
   virtual void FromGeographic(const double geographic[3], double xyz[3]) const = 0;
 };
 
-/// Where a map has its origin: central meridian [deg], its scale, and what is added [m].
+/// Origin of a map: central meridian [deg], scale, and false easting and northing [m].
 struct MapOrigin
 {
   double Longitude = 0.0;
@@ -34,16 +34,16 @@ using MapProjectionPointer = std::shared_ptr<const MapProjection>;
 MapProjectionPointer MakeGeographic();
 MapProjectionPointer MakeGeocentric();
 
-/// East, north, up at a latitude [deg], longitude [deg] and height [m].
+/// Local east, north, up at a latitude [deg], longitude [deg] and height [m].
 MapProjectionPointer MakeLocal(double latitude, double longitude, double height);
 
-/// From the equator; within 80 degrees of the central meridian.
+/// Origin at the equator; valid within 80 degrees of the central meridian.
 MapProjectionPointer MakeTransverseMercator(const MapOrigin& origin);
 
-/// About the north or the south pole, up to the equator; the scale of the origin is that at the pole.
+/// About the north or south pole, up to the equator; the scale of the origin is that at the pole.
 MapProjectionPointer MakePolarStereographic(bool isNorth, const MapOrigin& origin);
 
-/// The EPSG code of the UTM or UPS system on WGS 84 for a place [deg].
+/// The EPSG code of the UTM or UPS system on WGS 84 at a position [deg].
 int GetUTMCode(double latitude, double longitude);
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The materials of a scene, as its field data carries them.
+// The materials of a scene, stored in its field data.
 
 #ifndef heliosMaterialTable_h
 #define heliosMaterialTable_h
@@ -16,13 +16,13 @@ class vtkDataObject;
 namespace helios
 {
 
-/// The reflectance of a surface that has none given, nor a spectrum.
+/// Reflectance of a surface without reflectance and spectrum.
 constexpr double DefaultReflectance = 0.5;
 
 struct VTKHELIOSFILTERSCORE_EXPORT Material
 {
   std::string Name = "default";
-  double Reflectance = std::numeric_limits<double>::quiet_NaN(); ///< [0..1]; NaN: not given
+  double Reflectance = std::numeric_limits<double>::quiet_NaN(); ///< [0..1]; NaN: not set
   double Specularity = 0.0;                                      ///< [0..1]
   double SpecularExponent = 10.0;
   int Classification = 0;

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr double Mebibyte = 1048576.0;
-constexpr double Plenty = 64.0 * Mebibyte; // what is below is not looked at
+constexpr double Plenty = 64.0 * Mebibyte; // smaller requests are not checked without a limit
 
 std::string ToSize(double bytes)
 {

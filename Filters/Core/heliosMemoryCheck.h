@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What would take more memory than there is, is refused before it is tried.
+// Rejects requests that exceed the available memory before they are allocated.
 
 #ifndef heliosMemoryCheck_h
 #define heliosMemoryCheck_h
@@ -12,14 +12,14 @@
 namespace helios
 {
 
-/// What a triangle takes at the peak of loading a scene, its share of the ray caster's tree and of
-/// copies on the way among it [bytes]; measured: 162.
+/// Peak memory per triangle while loading a scene, including its share of the ray caster tree and
+/// of temporary copies [bytes]; measured: 162.
 constexpr double BytesPerTriangle = 165.0;
 
 /**
- * "10000000000 cells with heights take about 2.3 TB of memory, and 24.3 GB are available; " and how
- * to allow more, where so many things of a size go beyond vtkHeliosMemoryLimit; an empty text where
- * they do not.
+ * Returns "10000000000 cells with heights take about 2.3 TB of memory, and 24.3 GB are available; "
+ * and how to raise the limit, if this many items of a size exceed vtkHeliosMemoryLimit; otherwise
+ * an empty string.
  */
 VTKHELIOSFILTERSCORE_EXPORT std::string CheckMemory(
   const std::string& things, double count, double bytesEach);

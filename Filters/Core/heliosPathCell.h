@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// One polyline through all points in their order; one point is a vertex.
+/// Adds one polyline through all points in order, or a vertex for a single point.
 inline void AddPathCell(vtkPolyData* path)
 {
   std::vector<vtkIdType> ids(static_cast<std::size_t>(path->GetNumberOfPoints()));

@@ -18,7 +18,7 @@ namespace helios
 using Vec3 = vtkVector3d;
 using Quaternion = vtkQuaterniond; // w, x, y, z
 
-/// A rotation as a matrix: what the inner loops use.
+/// A rotation as a matrix, for inner loops.
 struct Rotation
 {
   double M[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
@@ -34,7 +34,7 @@ struct Rotation
       m[2][0] * v[0] + m[2][1] * v[1] + m[2][2] * v[2] };
   }
 
-  /// Not vtkMath's, which is a call: each pulse takes two.
+  /// Inline, unlike that of vtkMath: each pulse needs two.
   Rotation operator*(const Rotation& b) const
   {
     const auto& m = this->M;
@@ -64,14 +64,14 @@ inline Vec3 Rotate(const Quaternion& q, const Vec3& v)
   return Rotation(q) * v;
 }
 
-/// A frame in another: first rotated, then moved.
+/// A frame relative to another: rotation, then translation.
 struct Pose
 {
   Vec3 Position{ 0.0, 0.0, 0.0 };
   Quaternion Orientation{ 1.0, 0.0, 0.0, 0.0 }; // w, x, y, z
 };
 
-/// Pose of c in a, from b in a and c in b: the lever arm turns with the attitude.
+/// Pose of c in a, from b in a and c in b: the lever arm rotates with the attitude.
 inline Pose operator*(const Pose& a, const Pose& b)
 {
   return { a.Position + Rotate(a.Orientation, b.Position), a.Orientation * b.Orientation };

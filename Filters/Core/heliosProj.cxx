@@ -29,7 +29,7 @@ bool IsProjString(const std::string& text)
   return text.find("proj=") != std::string::npos || text.find("+init=") != std::string::npos;
 }
 
-/// WKT, JSON, a PROJ string, "EPSG:n", "urn:ogc:def:crs:EPSG::n", "http://...": what is no name.
+/// Whether a text is WKT, JSON, a PROJ string, "EPSG:n", "urn:ogc:def:crs:EPSG::n" or "http://...".
 bool IsDefinition(const std::string& text)
 {
   const auto isOfCode = [](unsigned char c) { return std::isalnum(c) || std::strchr("_:+.-/", c); };
@@ -38,8 +38,8 @@ bool IsDefinition(const std::string& text)
   return isCode || IsProjString(text) || text.find_first_of("[{") != std::string::npos;
 }
 
-/// Whether a name is that of a system, or of several with plus signs. PROJ itself takes names that are
-/// near: "foo" for Amersfoort.
+/// Whether a text is the exact name of a system, or several joined by plus signs. PROJ itself
+/// accepts approximate names: "foo" for Amersfoort.
 bool IsName(const ProjContext& context, const std::string& text)
 {
   const PJ_TYPE types[] = { PJ_TYPE_CRS };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PROJ's objects with owners. Only for the sources of this folder: PROJ shows in no other header.
+// RAII wrappers of PROJ objects. Internal to this folder: no other header includes PROJ.
 
 #ifndef heliosProj_h
 #define heliosProj_h
@@ -26,7 +26,7 @@ using ProjObject = std::unique_ptr<PJ, ProjDeleter>;
 using ProjList = std::unique_ptr<PJ_OBJ_LIST, ProjDeleter>;
 using ProjFactory = std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, ProjDeleter>;
 
-/// A context of PROJ for one thread: without network, its messages kept and not printed.
+/// PROJ context of one thread: no network; messages are stored, not printed.
 class ProjContext
 {
 public:
@@ -37,7 +37,7 @@ public:
 
   PJ_CONTEXT* Get() const { return this->Context; }
 
-  /// What PROJ said last, without the name of the function that said it; empty: nothing.
+  /// Returns and clears the last message of PROJ, without the function name; empty: none.
   std::string TakeMessage();
 
 private:
@@ -45,13 +45,13 @@ private:
   std::string Message;
 };
 
-/// The coordinate system that a text means to PROJ; null: none. Texts near a name do not count.
+/// Parses a coordinate system with PROJ; null on failure. Approximate names are rejected.
 ProjObject MakeProjCRS(const ProjContext& context, const std::string& text);
 
-/// The system without its bound transformation, and of a compound one the horizontal part.
+/// The system without its bound transformation; for a compound system its horizontal part.
 ProjObject GetHorizontalPart(const ProjContext& context, const PJ* crs);
 
-/// The vertical part of a compound system; null: it has none.
+/// The vertical part of a compound system; null if it has none.
 ProjObject GetVerticalPart(const ProjContext& context, const PJ* crs);
 
 } // namespace helios

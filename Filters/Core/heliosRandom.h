@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Counter-based random numbers (Philox): the same bytes for any number of threads or pieces.
+// Counter-based random numbers (Philox), byte-identical for any number of threads or pieces.
 
 #ifndef heliosRandom_h
 #define heliosRandom_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// What a random number is drawn for; two streams never share a number.
+/// Purpose of a random number; two streams never share a number.
 enum class RandomStream : std::uint32_t
 {
   RangeNoise = 1,
@@ -30,8 +30,8 @@ enum class RandomStream : std::uint32_t
 
 /**
  * A pair of independent standard normal numbers, a pure function of its key: the seed, the stream,
- * the item (a pulse, a point) and the draw of that item. Philox4x64-10 (Salmon et al. 2011), then
- * Box and Muller.
+ * the item (a pulse, a point) and the draw index. Philox4x64-10 (Salmon et al. 2011), then
+ * Box-Muller.
  */
 VTKHELIOSFILTERSCORE_EXPORT std::array<double, 2> NormalPair(
   std::uint64_t seed, RandomStream stream, std::uint64_t item, std::uint32_t draw);

@@ -14,10 +14,10 @@ class vtkDataObject;
 namespace helios
 {
 
-/// The text in the field data CRS; empty where there is none.
+/// The string in the field data CRS; empty if missing.
 VTKHELIOSFILTERSCORE_EXPORT std::string GetCRS(vtkDataObject* data);
 
-/// Sets the text in the field data CRS, or takes it out where it is empty.
+/// Sets the field data CRS, or removes it if the string is empty.
 VTKHELIOSFILTERSCORE_EXPORT void SetCRS(vtkDataObject* data, const std::string& crs);
 
 } // namespace helios

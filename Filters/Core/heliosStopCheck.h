@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ends long work from inside of it, also from calls that a library makes back.
+// Interrupts long work from the inside, including callbacks from a library.
 
 #ifndef heliosStopCheck_h
 #define heliosStopCheck_h
@@ -11,24 +11,24 @@
 namespace helios
 {
 
-/// Thrown where work was told to stop, across libraries too.
+/// Thrown to stop work, also through library code.
 struct __attribute__((visibility("default"))) Stopped
 {
 };
 
-/// Counts the steps of some work and asks now and then whether it shall stop.
+/// Counts steps of some work and polls at intervals for a stop request.
 class StopCheck
 {
 public:
-  static constexpr std::size_t Interval = 20000; ///< steps, of some microseconds each at most
+  static constexpr std::size_t Interval = 20000; ///< steps of a few microseconds at most
 
-  /// Null: never.
+  /// Null: never stops.
   explicit StopCheck(const std::function<bool()>& shouldStop)
     : ShouldStop(shouldStop)
   {
   }
 
-  /// Throws Stopped where the work shall stop.
+  /// Throws Stopped on a stop request.
   void Count(std::size_t steps = 1)
   {
     this->Steps += steps;
@@ -52,7 +52,7 @@ private:
   std::size_t Steps = 0;
 };
 
-/// Sorts primitives of a tree of CGAL's as a functor of its traits does, and lets that be stopped.
+/// Sorts primitives of a CGAL tree like the functor of its traits, and can be stopped.
 template <typename SortT>
 class StoppableSplit
 {

@@ -11,7 +11,7 @@ namespace helios
 namespace
 {
 
-/// Adds a number to an expansion, a sum of numbers that is not evaluated: exact.
+/// Adds a number to an expansion, an unevaluated sum of numbers: exact.
 void Grow(double* expansion, int& length, double term)
 {
   for (int i = 0; i < length; ++i)
@@ -40,7 +40,7 @@ bool IsStraight(const double* a, const double* b, const double* c, int x, int y)
   return std::all_of(sum, sum + length, [](double part) { return part == 0.0; });
 }
 
-/// The same from rounded differences: true only if surely not straight.
+/// Same test with rounded differences: true only if certainly not collinear.
 bool IsSurelyBent(const double* a, const double* b, const double* c, int x, int y)
 {
   const double left = (b[x] - a[x]) * (c[y] - a[y]);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene seen as plain triangles: points and corner indices, borrowed from it where its storage allows.
+// A scene as plain triangles: points and corner indices, shared with the scene where possible.
 
 #ifndef heliosTriangleMesh_h
 #define heliosTriangleMesh_h
@@ -20,8 +20,8 @@ namespace helios
 {
 
 /**
- * Cell i of the scene is triangle i. Points are double and corner indices 32-bit: a scene that
- * stores them so (vtkDoubleArray points, vtkCellArray in 32-bit storage) is not copied.
+ * Cell i of the scene is triangle i. Points are double and corner indices 32-bit: a scene with this
+ * storage (vtkDoubleArray points, 32-bit vtkCellArray) is not copied.
  */
 class VTKHELIOSFILTERSCORE_EXPORT TriangleMesh
 {
@@ -31,8 +31,8 @@ public:
   TriangleMesh& operator=(TriangleMesh&&) = default;
 
   /**
-   * Looks at a scene, and keeps it alive. Says in words what is wrong (cells other than triangles,
-   * corners that are no points or not finite, more than 2^31 points), or returns an empty text.
+   * Sets a scene and keeps a reference. Returns an error message (cells other than triangles,
+   * corners that are invalid or not finite, more than 2^31 points), or an empty string.
    */
   std::string Set(vtkPolyData* scene);
 
@@ -46,13 +46,13 @@ public:
     return this->Points + 3 * static_cast<vtkIdType>(this->Corners[3 * triangle + corner]);
   }
 
-  /// The unit normal by the right-hand rule; zero for a triangle without area.
+  /// Unit normal by the right-hand rule; zero for a degenerate triangle.
   Vec3 GetNormal(vtkIdType triangle) const;
 
   /// Smallest and largest coordinates of the points that triangles use: x0 x1 y0 y1 z0 z1.
   void GetBounds(double bounds[6]) const;
 
-  /// Bytes this object holds beyond the scene's own.
+  /// Bytes held by this object in addition to the scene.
   std::size_t GetMemorySize() const;
 
 private:

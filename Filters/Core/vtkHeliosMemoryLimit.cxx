@@ -23,7 +23,7 @@ constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 std::atomic<double> Limit{ 0.0 }; // [MiB]
 
-/// The first number of a file; infinite where there is none ("max").
+/// Reads the first number of a file; infinite if there is none ("max").
 double ReadNumber(const std::string& path)
 {
   std::ifstream file(path);
@@ -31,7 +31,7 @@ double ReadNumber(const std::string& path)
   return file >> value ? value : Unlimited;
 }
 
-/// The number behind a word of a file; otherwise where there is none.
+/// Reads the number after a word in a file, or returns otherwise.
 double FindNumber(const std::string& path, const std::string& wanted, double otherwise)
 {
   std::ifstream file(path);
@@ -45,7 +45,7 @@ double FindNumber(const std::string& path, const std::string& wanted, double oth
   return otherwise;
 }
 
-/// What a control group leaves [MiB]; what it holds of files can be taken back.
+/// Memory left by a control group [MiB]; its file cache is reclaimable.
 double GetRoom(const std::string& group, const std::string& most, const std::string& used)
 {
   const double files = FindNumber(group + "/memory.stat", "inactive_file ", 0.0);
@@ -53,7 +53,7 @@ double GetRoom(const std::string& group, const std::string& most, const std::str
   return room == room ? std::max(0.0, room) / Mebibyte : Unlimited;
 }
 
-/// The least that the control groups above this process leave [MiB].
+/// Smallest memory left by the control groups above this process [MiB].
 double GetRoomOfGroups()
 {
   double room = GetRoom(
@@ -71,7 +71,7 @@ double GetRoomOfGroups()
   return std::min(room, GetRoom("/sys/fs/cgroup", "/memory.max", "/memory.current"));
 }
 
-/// What this process has [MiB].
+/// Memory used by this process [MiB].
 double GetOwn()
 {
   std::ifstream file("/proc/self/statm");

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosMemoryLimit
- * @brief   how much memory this process may take for scenes
+ * @brief   memory limit of the process for scenes
  *
- * Readers and filters that make scenes estimate what they will take before they allocate it, and
- * refuse what goes beyond what is available, with the numbers. It holds for the whole process, as
- * vtkSMPTools::Initialize does. Functions may be called from any thread.
+ * Readers and filters that create scenes estimate their memory before they allocate it. If the
+ * estimate exceeds the available memory, they fail with an error that gives both numbers. The limit
+ * holds for the whole process, like vtkSMPTools::Initialize. All functions are thread-safe.
  */
 
 #ifndef vtkHeliosMemoryLimit_h
@@ -23,17 +23,17 @@ public:
 
   ///@{
   /**
-   * What this process may take in all [MiB], 0 or more. 0: what the machine, or the control group
-   * this process is in, has available. Default 0.
+   * Total memory limit of this process [MiB], 0 or more. 0: the memory available on the machine or
+   * in the control group of this process. Default: 0.
    */
   static void SetLimit(double mebibytes);
   static double GetLimit();
   ///@}
 
   /**
-   * What can still be taken [MiB]: the limit without what this process has; without a limit what the
-   * machine has available (MemAvailable of /proc/meminfo), or less where a control group allows less.
-   * Infinite where the system does not say.
+   * Get the memory still available [MiB]: the limit minus the current use of the process. Without a
+   * limit: the available memory of the machine (MemAvailable of /proc/meminfo), or that of a
+   * control group if it is less. Infinite if the system does not report it.
    */
   static double GetAvailable();
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A checksum of bytes that were written, to find out later whether they are damaged. It does not protect
-// against intent: see heliosSha256.h. GMAC of OpenSSL's libcrypto with a key and nonce of zeros: 128 bits,
-// and with the carry-less multiplication of today's processors about ten times as fast as SHA-256 or CRC-32.
+// Checksum of written bytes, to detect damage later. It does not protect against tampering: see
+// heliosSha256.h. GMAC of OpenSSL's libcrypto with a zero key and nonce: 128 bits, about ten times
+// as fast as SHA-256 or CRC-32 on processors with carry-less multiplication.
 
 #ifndef heliosChecksum_h
 #define heliosChecksum_h
@@ -28,13 +28,13 @@ public:
   void Add(const void* bytes, std::size_t count);
   void Add(const std::string& text) { this->Add(text.data(), text.size()); }
 
-  /// Adds the bytes of a file from begin to before end; false where it does not have them.
+  /// Adds the bytes [begin, end) of a file; false if the file is shorter.
   bool AddFile(const std::string& path, std::uint64_t begin, std::uint64_t end);
 
-  /// The checksum as 32 hexadecimal digits; starts anew.
+  /// The checksum as 32 hexadecimal digits; also resets.
   std::string Finish();
 
-  /// Starts anew.
+  /// Resets to the initial state.
   void Reset();
 
 private:
@@ -42,11 +42,11 @@ private:
   std::unique_ptr<Context> State;
 };
 
-/// The checksum of the bytes of a file from begin to before end; empty where it does not have them.
+/// The checksum of the bytes [begin, end) of a file; empty if the file is shorter.
 VTKHELIOSFILTERSIO_EXPORT std::string ComputeChecksum(
   const std::string& path, std::uint64_t begin, std::uint64_t end);
 
-/// The digits of Checksum::Finish().
+/// Number of digits of Checksum::Finish().
 constexpr std::size_t ChecksumDigits = 32;
 
 } // namespace helios

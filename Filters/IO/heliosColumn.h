@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An array of a block as the writers read it: any type, fast for what the scanner gives.
+// Read access to an array of a block: any type, fast for the types of the scanner.
 
 #ifndef heliosColumn_h
 #define heliosColumn_h
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /// All 64 bits; the array has one component and holds integers.
+  /// Full 64-bit value; the array has one component and is of integer type.
   vtkTypeInt64 GetInteger(vtkIdType row) const
   {
     switch (this->Values ? this->Type : VTK_VOID)

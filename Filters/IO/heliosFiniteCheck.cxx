@@ -16,7 +16,7 @@ namespace helios
 namespace
 {
 
-/// The tuples with a value that is not finite; other types than that of the array have none.
+/// Counts the tuples with a non-finite value; 0 for arrays of other types.
 template <typename ArrayT>
 vtkIdType CountTuples(vtkDataArray* data)
 {

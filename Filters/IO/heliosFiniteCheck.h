@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values that are not finite, which readers of points keep and warn of.
+// Counts non-finite values, which point readers keep and warn about.
 
 #ifndef heliosFiniteCheck_h
 #define heliosFiniteCheck_h
@@ -16,7 +16,7 @@ class vtkFieldData;
 namespace helios
 {
 
-/// The names of arrays of real numbers that are not finite somewhere, and in how many tuples.
+/// Names of the real arrays with non-finite values, and the number of tuples affected.
 std::vector<std::pair<std::string, vtkIdType>> CountNotFinite(vtkFieldData* data);
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What GDAL says, kept from the console.
+// Captures GDAL messages instead of printing them to the console.
 
 #ifndef heliosGdalMessages_h
 #define heliosGdalMessages_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// Collects GDAL's messages of this thread while it lives, so that none goes to the console.
+/// Collects the GDAL messages of this thread during its lifetime; none goes to the console.
 class GdalMessages
 {
 public:
@@ -26,7 +26,7 @@ public:
   GdalMessages(const GdalMessages&) = delete;
   void operator=(const GdalMessages&) = delete;
 
-  std::string Error; ///< the first one
+  std::string Error; ///< first error
   std::vector<std::string> Warnings;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Room for values that come one after another, in the array that a filter hands on.
+// Growable storage for values, in the array that a filter passes on.
 
 #ifndef heliosGrowingArray_h
 #define heliosGrowingArray_h
@@ -13,14 +13,14 @@
 namespace helios
 {
 
-/// A VTK array that grows by doubling and is written through a plain pointer.
+/// A VTK array that grows by doubling, with raw pointer access.
 template <typename ArrayT>
 class GrowingArray
 {
 public:
   using T = typename ArrayT::ValueType;
 
-  /// Room for more values, which the caller writes.
+  /// Appends uninitialized values, which the caller writes.
   T* Append(vtkIdType count)
   {
     if (this->Size + count > this->Capacity)
@@ -36,7 +36,7 @@ public:
   T* GetValues() { return this->Values; }
   void Truncate(vtkIdType size) { this->Size = size; }
 
-  /// The array with the values written, nothing spare.
+  /// Returns the array, shrunk to the values written.
   ArrayT* Finish(int components)
   {
     this->Array->Resize(this->Size);
@@ -48,7 +48,7 @@ public:
 private:
   void Grow(vtkIdType count)
   {
-    if (!this->Array->Resize(this->Size + count)) // makes it at least twice as large
+    if (!this->Array->Resize(this->Size + count)) // at least doubles the capacity
     {
       throw std::bad_alloc();
     }

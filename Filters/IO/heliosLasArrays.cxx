@@ -25,12 +25,12 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// The VTK type of a type of Extra Bytes.
+/// VTK types of the Extra Bytes types.
 constexpr int ArrayTypes[] = { VTK_VOID, VTK_TYPE_UINT8, VTK_TYPE_INT8, VTK_TYPE_UINT16,
   VTK_TYPE_INT16, VTK_TYPE_UINT32, VTK_TYPE_INT32, VTK_TYPE_UINT64, VTK_TYPE_INT64,
   VTK_TYPE_FLOAT32, VTK_TYPE_FLOAT64 };
 
-/// One number of Extra Bytes.
+/// Reads one number of Extra Bytes.
 double GetExtra(const char* bytes, int type)
 {
   switch (type)
@@ -81,7 +81,7 @@ bool IsVector(const std::vector<LasExtra>& extras, std::size_t at)
 vtkSmartPointer<vtkDataArray> MakeArray(int type, const char* name, int components, vtkIdType count)
 {
   auto array = vtkSmartPointer<vtkDataArray>::Take(type == VTK_TYPE_INT64
-      ? vtkTypeInt64Array::New() // as ids are elsewhere
+      ? vtkTypeInt64Array::New() // like other ids
       : vtkDataArray::CreateDataArray(type));
   array->SetName(name);
   array->SetNumberOfComponents(components);
@@ -234,7 +234,7 @@ void LasArrays::AddColors(int place)
     });
 }
 
-/// Fields without a meaning are left out.
+/// Undocumented bytes are ignored.
 void LasArrays::AddExtras(const std::vector<LasExtra>& extras)
 {
   int place = this->Form.Length;
@@ -310,7 +310,7 @@ void LasArrays::MoveTo(vtkPolyData* cloud)
   cloud->SetPoints(points);
   for (const auto& array : this->Arrays)
   {
-    cloud->GetPointData()->AddArray(array); // one of Extra Bytes replaces a field of its name
+    cloud->GetPointData()->AddArray(array); // Extra Bytes replace a field of the same name
   }
 }
 

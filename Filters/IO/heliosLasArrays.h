@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a LAS file as the arrays of a cloud.
+// The points of a LAS file as arrays of a point cloud.
 
 #ifndef heliosLasArrays_h
 #define heliosLasArrays_h
@@ -22,17 +22,17 @@ namespace helios
 class LasArrays
 {
 public:
-  /// Room for points of a file.
+  /// Allocates arrays for the points of a file.
   LasArrays(const LasHeader& header, const std::vector<LasExtra>& extras, vtkIdType count);
 
-  /// Takes points from their bytes; first is where they go.
+  /// Decodes points from their bytes; first is the destination index.
   void Decode(const char* records, vtkIdType first, vtkIdType count);
 
-  /// Gives the points and arrays to a cloud.
+  /// Moves the points and arrays to a cloud.
   void MoveTo(vtkPolyData* cloud);
 
 private:
-  /// Fills some values of an array from the bytes of points.
+  /// Fills a range of array values from the bytes of points.
   using Fill = std::function<void(const char* records, vtkIdType first, vtkIdType count)>;
 
   template <typename ArrayT>

@@ -24,12 +24,12 @@ namespace
 
 constexpr double LargestNumber = 2147483647.0;
 constexpr double AngleUnit = 0.006;         // [deg]
-constexpr double SmallestAmplitude = 1e-15; // [W], of intensity 0
+constexpr double SmallestAmplitude = 1e-15; // [W], intensity 0
 constexpr double IntensityPerDecade = 1000.0;
 constexpr int LargestReturn = 15;
 constexpr std::size_t LongestName = 32;
 
-/// What the extra fields mean, with their units.
+/// Descriptions of the extra fields, with units.
 const char* Describe(const std::string& name)
 {
   static const struct
@@ -49,7 +49,7 @@ const char* Describe(const std::string& name)
   return text == std::end(texts) ? "" : text->Text;
 }
 
-/// The arrays that a point of LAS holds whole.
+/// Whether an array is fully stored in the standard LAS fields.
 bool IsField(const std::string& name)
 {
   const char* const fields[] = { names::Intensity, names::ReturnNumber, names::NumberOfReturns,
@@ -60,7 +60,7 @@ bool IsField(const std::string& name)
     std::begin(fields), std::end(fields), [&name](const char* field) { return name == field; });
 }
 
-/// The type of Extra Bytes; 0: there is none.
+/// The Extra Bytes type; 0: not storable.
 int GetExtraType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -112,7 +112,7 @@ void CopyColumn(const char* values, int stride, int size, vtkIdType count, char*
   }
 }
 
-/// A value of a field, or what it is where there is no array.
+/// Value of a field, or a default if the array is missing.
 vtkTypeInt64 GetInteger(const Column& column, vtkIdType row, vtkTypeInt64 otherwise)
 {
   return column.IsSet() ? column.GetInteger(row) : otherwise;
@@ -291,7 +291,7 @@ void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const
   }
   if (scale == 0.0)
   {
-    // room for eight times the first block about its first point
+    // capacity for eight times the extent of the first block about its first point
     int power = -6;
     while (8.0 * size > LargestNumber * std::pow(10.0, power))
     {

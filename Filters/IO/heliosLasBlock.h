@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes as the points of a LAS file, format 6 or 7, with waveforms 9 or 10, and what is written
-// beside them.
+// Echoes as the points of a LAS file, format 6 or 7, with waveforms 9 or 10, and the options for
+// writing them.
 
 #ifndef heliosLasBlock_h
 #define heliosLasBlock_h
@@ -22,25 +22,25 @@ namespace helios
 
 class LasWaves;
 
-/// How numbers become those of LAS.
+/// Conversion of values to those of LAS.
 struct LasScaling
 {
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
-  double FullIntensity = 0.0; ///< [W]; 0: hundredths of a decibel over 1 fW
+  double FullIntensity = 0.0; ///< [W]; 0: 0.01 dB relative to 1 fW
   double TimeShift = 0.0;     ///< [s], added
 };
 
 class LasBlock
 {
 public:
-  /// Takes the arrays of echoes with double points, or says what is wrong: "the array ... holds".
+  /// Reads the arrays of echoes with double points. Returns an error: "the array ... holds".
   std::string Take(vtkPolyData* echoes, bool hasExtras);
 
-  /// Before Take(): points have waveforms, whose packets are made before Encode().
+  /// Call before Take() if points have waveforms; their packets are built before Encode().
   void SetWaves(const LasWaves* waves) { this->Waves = waves; }
 
-  /// The waveforms that the points name; not set: they name none.
+  /// Waveform ids of the points; not set if points have none.
   const Column& GetWaveformIds() const { return this->WaveformIds; }
 
   int GetFormat() const
@@ -50,30 +50,30 @@ public:
   int GetPointLength() const { return this->Length; }
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
 
-  /// Scale 0 becomes a power of ten that fits the points; the offset is the first of them in whole
-  /// units, which is the same for blocks of any size.
+  /// Replaces scale 0 by a power of ten that fits the points; the offset is the first point in
+  /// whole units, which is independent of the block size.
   void ChooseScaling(LasScaling& scaling, double scale) const;
 
-  /// Writes points begin to end; false where one of them cannot be: see Explain().
+  /// Encodes points begin to end; false if a point cannot be encoded: see Explain().
   bool Encode(const LasScaling& scaling, vtkIdType begin, vtkIdType end, char* records);
 
-  /// What is wrong with the first point from begin on that cannot be written, or empty.
+  /// Error of the first point from begin on that cannot be encoded, or an empty string.
   std::string Explain(const LasScaling& scaling, vtkIdType begin, vtkIdType end) const;
 
   ///@{
-  /// What did not fit: returns beyond the 15th, classes beyond 0 to 255. Counted over all Encode().
+  /// Values out of range: returns above 15, classes outside 0 to 255. Summed over all Encode().
   vtkIdType GetNumberOfLateReturns() const { return this->LateReturns; }
   vtkIdType GetNumberOfOddClasses() const { return this->OddClasses; }
   ///@}
 
 private:
-  /// An array beside the fields of LAS: its bytes, as they go to the file.
+  /// An array outside the LAS fields: its bytes, as written to the file.
   struct Extra
   {
     const char* Values;
     int Size;   // of a tuple [bytes]
     int Number; // of one number
-    int Place;  // in the point
+    int Place;  // in the point record
   };
 
   std::string TakeColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
@@ -94,7 +94,7 @@ private:
   vtkIdType NumberOfPoints = 0;
   std::vector<LasExtra> Extras;
   std::vector<Extra> ExtraValues;
-  std::vector<vtkSmartPointer<vtkDataArray>> Copies; // of arrays in another layout
+  std::vector<vtkSmartPointer<vtkDataArray>> Copies; // of arrays with another layout
   std::atomic<vtkIdType> LateReturns{ 0 };
   std::atomic<vtkIdType> OddClasses{ 0 };
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a block as bytes, by the threads of vtkSMPTools.
+// Encodes the points of a block in parallel by vtkSMPTools.
 
 #ifndef heliosLasEncoder_h
 #define heliosLasEncoder_h
@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// Encodes the points of a block in rounds of chunks; a round is in memory at a time.
+/// Encodes the points of a block in rounds of chunks; one round is in memory at a time.
 class LasEncoder
 {
 public:
@@ -31,7 +31,7 @@ public:
   vtkIdType GetNext() const { return this->Next; }
   const LasSummary& GetSummary() const { return this->Summary; }
 
-  /// Encodes the next round into bytes; false where a point of it cannot be.
+  /// Encodes the next round into bytes; false if one of its points cannot be encoded.
   bool NextRound(std::vector<char>& bytes)
   {
     const vtkIdType length = this->Block.GetPointLength();

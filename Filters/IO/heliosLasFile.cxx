@@ -17,14 +17,14 @@ namespace
 {
 
 ///@{
-/// GeoTIFF keys of coordinate systems, each with an EPSG code where it is below Undefined.
+/// GeoTIFF keys of coordinate systems; values below Undefined are EPSG codes.
 constexpr int GeographicKey = 2048;
 constexpr int ProjectedKey = 3072;
 constexpr int VerticalKey = 4096;
 constexpr int UndefinedCode = 32767;
 ///@}
 
-/// The number of a key; 0: it has none.
+/// Value of a key; 0: missing.
 int GetGeoKey(const std::string& keys, int key)
 {
   constexpr std::size_t entry = 8;
@@ -139,7 +139,7 @@ std::string LasFile::ReadRecords()
   return problem;
 }
 
-/// Of extended records only those that are asked for are kept: others may be large.
+/// Only requested extended records are kept: others may be large.
 std::string LasFile::ReadRecord(std::uint64_t& place, std::uint64_t end, bool isExtended)
 {
   const std::uint64_t headSize = isExtended ? LasRecord::ExtendedHeadSize : LasRecord::HeadSize;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A LAS file that is read: its header and records, checked, and its points as bytes.
+// Reader of a LAS file: validated header and records, and the points as bytes.
 
 #ifndef heliosLasFile_h
 #define heliosLasFile_h
@@ -18,14 +18,14 @@ namespace helios
 class VTKHELIOSFILTERSIO_EXPORT LasFile
 {
 public:
-  /// Reads all but the points, or says what is wrong: "a.las: has ...". Sizes are checked against
-  /// that of the file.
+  /// Reads all but the points. Returns an error ("a.las: has ..."), or an empty string. Sizes are
+  /// checked against the file size.
   std::string Open(const std::string& path);
 
-  /// As Open(), for a file whose header may not count all of its points yet: those up to its end.
+  /// As Open(), for a file whose header may not count all points yet: reads those up to its end.
   std::string OpenGrowing(const std::string& path);
 
-  /// Reads points as they are, or says what is wrong.
+  /// Reads the raw points. Returns an error message, or an empty string.
   std::string Read(std::uint64_t first, std::uint64_t count, char* bytes);
 
   const LasHeader& GetHeader() const { return this->Header; }
@@ -33,10 +33,10 @@ public:
   const std::vector<LasExtra>& GetExtras() const { return this->Extras; }
   const std::string& GetPath() const { return this->Path; }
 
-  /// The coordinate system: WKT, or "EPSG:n" of GeoTIFF keys; empty: none.
+  /// The coordinate system: WKT, or "EPSG:n" from GeoTIFF keys; empty: none.
   std::string GetCrs() const;
 
-  /// A record; null: there is none.
+  /// Finds a record; null if it does not exist.
   const LasRecord* Find(const char* user, int id) const;
 
 private:

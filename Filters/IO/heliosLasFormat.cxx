@@ -17,7 +17,7 @@ namespace
 {
 
 ///@{
-/// Where the header has its fields.
+/// Offsets of the header fields.
 constexpr std::size_t AtEncoding = 6;
 constexpr std::size_t AtVersion = 24;
 constexpr std::size_t AtSystem = 26;
@@ -44,12 +44,12 @@ constexpr std::size_t TextSize = 32;
 constexpr std::uint32_t HeaderSizes[] = { 227, 227, 227, 235, 375 }; // of 1.0 to 1.4
 
 ///@{
-/// Beyond these, coordinates are damaged: all the same, or farther than doubles have units.
+/// Coordinates outside this range are damaged: all identical, or beyond unit precision of double.
 constexpr double SmallestScale = 1e-15;
 constexpr double LargestCoordinate = 1e15;
 ///@}
 
-constexpr int CompressedBits = 0xC0; // of the format, where LASzip made the file
+constexpr int CompressedBits = 0xC0; // of the format, in files of LASzip
 
 ///@{
 /// An entry of Extra Bytes.

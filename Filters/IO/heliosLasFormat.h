@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a LAS file is made of: its header, its records, the forms of its points. After the LAS
-// specification 1.4 of the ASPRS, revision 15.
+// Structures of a LAS file: header, records, point formats. Source: ASPRS LAS specification 1.4,
+// revision 15.
 
 #ifndef heliosLasFormat_h
 #define heliosLasFormat_h
@@ -19,7 +19,7 @@ namespace helios
 {
 
 ///@{
-/// A number in bytes; LAS is little-endian, and so are the machines that this is built for.
+/// Stores a number as bytes; LAS is little-endian, and so are all supported machines.
 template <typename T>
 void PutLas(char* bytes, T value)
 {
@@ -34,7 +34,7 @@ T GetLas(const char* bytes)
 }
 ///@}
 
-/// Where the fields of a point are [bytes]; -1: it has none.
+/// Offsets of the fields in a point record [bytes]; -1: the field does not exist.
 struct LasPointForm
 {
   int Length = 0;
@@ -47,10 +47,10 @@ struct LasPointForm
   bool IsKnown() const { return this->Length > 0; }
 };
 
-/// The form of a point data record format; not known: above 10.
+/// Layout of a point data record format; empty above 10.
 VTKHELIOSFILTERSIO_EXPORT LasPointForm GetLasPointForm(int format);
 
-/// What all points of a file come to.
+/// Totals over all points of a file.
 struct VTKHELIOSFILTERSIO_EXPORT LasSummary
 {
   std::uint64_t Count = 0;
@@ -58,7 +58,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasSummary
   std::array<std::int32_t, 3> Minimum{};
   std::array<std::int32_t, 3> Maximum{};
 
-  /// Adds points of a long form.
+  /// Adds points of formats 6 to 10.
   void Add(const char* records, std::int64_t count, std::int64_t length);
   void Add(const LasSummary& other);
 };
@@ -69,7 +69,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
 
   ///@{
   /// Bits of Encoding.
-  static constexpr int StandardTime = 1; ///< GPS time less 1e9 s
+  static constexpr int StandardTime = 1; ///< GPS time minus 1e9 s
   static constexpr int ExternalWaves = 4;
   static constexpr int HasWkt = 16;
   ///@}
@@ -87,18 +87,18 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   int PointLength = 30;
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
-  std::uint64_t WavesBegin = 0; ///< of the record of packets in the file itself
+  std::uint64_t WavesBegin = 0; ///< of the packet record in the file itself
   std::uint64_t ExtendedBegin = 0;
   std::uint32_t NumberOfExtended = 0;
-  LasSummary Points; ///< read: the count alone
+  LasSummary Points; ///< when reading: only the count
 
-  /// A header of LAS 1.4, the counts of older versions 0.
+  /// Encodes a header of LAS 1.4, with the counts of older versions 0.
   std::string Encode() const;
 
-  /// Reads the first bytes of a file (Size14, or all), or says what is wrong with them.
+  /// Decodes the first bytes of a file (Size14, or all). Returns an error message.
   std::string Decode(std::string_view bytes);
 
-  /// What is wrong with scale and offset, or an empty text.
+  /// Checks scale and offset. Returns an error message, or an empty string.
   std::string CheckScaling() const;
 
   double GetCoordinate(std::int32_t number, int axis) const
@@ -125,12 +125,12 @@ struct VTKHELIOSFILTERSIO_EXPORT LasRecord
   std::string Encode() const;
 };
 
-/// A field of the Extra Bytes after a point, of one number.
+/// A scalar field of the Extra Bytes of a point.
 struct LasExtra
 {
   std::string Name;
   std::string Description;
-  int Type = 0; ///< 1 to 10: u8 i8 u16 i16 u32 i32 u64 i64 f32 f64; 0: bytes without a meaning
+  int Type = 0; ///< 1 to 10: u8 i8 u16 i16 u32 i32 u64 i64 f32 f64; 0: undocumented bytes
   int Size = 0; ///< [bytes]
   int Components = 1;
   bool IsScaled = false;
@@ -139,14 +139,14 @@ struct LasExtra
 };
 
 ///@{
-/// Extra Bytes as the data of their record, and back: what is wrong, or an empty text.
+/// Encodes and decodes the Extra Bytes record. Returns an error message, or an empty string.
 VTKHELIOSFILTERSIO_EXPORT std::string EncodeLasExtras(const std::vector<LasExtra>& extras);
 VTKHELIOSFILTERSIO_EXPORT std::string DecodeLasExtras(
   std::string_view data, std::vector<LasExtra>& extras);
 ///@}
 
 ///@{
-/// Who says what a record is, and which it is.
+/// User id and record id of a variable length record.
 inline constexpr const char* LasSpecUser = "LASF_Spec";
 inline constexpr int LasExtraBytesId = 4;
 inline constexpr const char* LasProjectionUser = "LASF_Projection";
@@ -154,7 +154,7 @@ inline constexpr int LasWktId = 2112;
 inline constexpr int LasGeoKeysId = 34735;
 ///@}
 
-/// The text in bytes, up to the first that is 0.
+/// The text in bytes, up to the first zero.
 VTKHELIOSFILTERSIO_EXPORT std::string GetLasText(std::string_view bytes);
 
 } // namespace helios

@@ -34,7 +34,7 @@ constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int LastDescriptorId = 354;
 constexpr double LargestId = 9e18;
 ///@{
-/// What is beyond is damaged: light goes 1.5e-4 m or 1.3e-9 degrees a picosecond, to and fro.
+/// Values outside are damaged: the two-way speed of light is 1.5e-4 m or 1.3e-9 degrees per ps.
 constexpr double SmallestSpeed = 1e-12;
 constexpr double LargestSpeed = 1.0;
 constexpr float LargestLocation = 1e12F; // [ps], a second
@@ -69,7 +69,7 @@ bool IsDescriptor(const LasRecord& record)
     record.Id <= LastDescriptorId;
 }
 
-/// Whether an earlier version wrote the file, whose vectors lead away from the scanner.
+/// Whether an earlier version wrote the file, with vectors that lead away from the scanner.
 bool IsTurned(const LasFile& file)
 {
   const auto& records = file.GetRecords();
@@ -83,7 +83,7 @@ double GetSpeed(const float step[3])
   return std::hypot(step[0], step[1], step[2]);
 }
 
-/// The columns of the table, which grow row by row.
+/// The columns of the table, filled row by row.
 struct Columns
 {
   explicit Columns(vtkTable* table)
@@ -105,7 +105,7 @@ struct Columns
   vtkSmartPointer<vtkFloatArray> Samples;
 };
 
-/// A number of a point, or what it is where there is no such array or the number is too large.
+/// Value of a point, or a default if the array is missing or the value is too large.
 double GetNumber(
   vtkPolyData* cloud, const char* name, vtkIdType row, double otherwise, double largest)
 {
@@ -164,7 +164,7 @@ std::string LasPackets::TakeDescriptor(const LasRecord& record)
   Descriptor descriptor;
   if (record.Data.size() == DescriptorSize && GetLas<std::uint32_t>(data + 2) == 0)
   {
-    this->Descriptors[index] = descriptor; // empty, as some programs fill their tables
+    this->Descriptors[index] = descriptor; // empty, as in the tables of some programs
     return {};
   }
   descriptor.Bits = record.Data.size() == DescriptorSize ? GetLas<std::uint8_t>(data) : 0;
@@ -252,8 +252,8 @@ std::string LasPackets::CheckPacket(const Packet& packet) const
   return {};
 }
 
-/// Each of them, and that together they are no more than the file has: else a small file would
-/// come to any number of samples.
+/// Checks each packet, and that their total does not exceed the file: otherwise a small file could
+/// expand to any number of samples.
 std::string LasPackets::CheckPackets() const
 {
   std::uint64_t total = 0;
@@ -272,7 +272,7 @@ std::string LasPackets::CheckPackets() const
                                  : std::string();
 }
 
-/// The samples up to the last that is not 0 W.
+/// Reads the samples up to the last nonzero one.
 std::string LasPackets::ReadSamples(const Packet& packet, std::vector<float>& samples)
 {
   const Descriptor& descriptor = this->Descriptors[packet.Index];
@@ -318,7 +318,7 @@ std::string LasPackets::Read(vtkPolyData* cloud, vtkTable* table)
     }
     const double speed = GetSpeed(packet.Step);
     const double location = static_cast<double>(packet.Location) / PicosecondsPerNanosecond;
-    // without a range the origin is the anchor, where the first sample came from
+    // without a range the origin is the anchor, the origin of the first sample
     const double range = GetNumber(
       cloud, names::Range, packet.Row, speed * static_cast<double>(packet.Location), LargestRange);
     double point[3];

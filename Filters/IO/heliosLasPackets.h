@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The waveforms that the points of a LAS file name, as a table.
+// The waveforms referenced by the points of a LAS file, as a table.
 
 #ifndef heliosLasPackets_h
 #define heliosLasPackets_h
@@ -25,17 +25,17 @@ namespace helios
 class LasPackets
 {
 public:
-  /// Opens the packets of a file whose points have them, or says what is wrong.
+  /// Opens the packets of a file whose points have waveforms. Returns an error message.
   std::string Open(const LasFile& file);
 
-  /// What a user has to know of the file, or an empty text.
+  /// Warning for the user about the file, or an empty string.
   const std::string& GetWarning() const { return this->Warning; }
 
-  /// Notes the packets of points from their bytes; first is the row of the first one.
+  /// Collects the packets of points from their bytes; first is the row of the first one.
   void Take(const char* records, vtkIdType first, vtkIdType count);
 
-  /// Reads what was noted into a table; cloud has the points. Says what is wrong, or returns an
-  /// empty text.
+  /// Reads the collected packets into a table; cloud has the points. Returns an error message, or
+  /// an empty string.
   std::string Read(vtkPolyData* cloud, vtkTable* table);
 
 private:
@@ -48,7 +48,7 @@ private:
     double Offset = 0.0;
   };
 
-  /// The first point of a packet.
+  /// First point that refers to a packet.
   struct Packet
   {
     vtkIdType Row = 0;
@@ -64,7 +64,7 @@ private:
   std::string CheckPackets() const;
   std::string ReadSamples(const Packet& packet, std::vector<float>& samples);
 
-  /// How many bytes of packets there are.
+  /// Total size of the packets [bytes].
   std::uint64_t GetRoom() const { return this->End - std::min(this->End, this->Begin); }
 
   std::string Path;

@@ -22,13 +22,13 @@ namespace
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
 
-/// Where the packet of a point ends in their file; 0: it has none.
+/// End of the packet of a point in the packet file; 0: no packet.
 std::uint64_t GetPacketEnd(const char* wave)
 {
   return wave[0] ? GetLas<std::uint64_t>(wave + 1) + GetLas<std::uint32_t>(wave + 9) : 0;
 }
 
-/// The counts of all points of a file, and where the last of their packets ends.
+/// Counts all points of a file, and finds the end of their last packet.
 std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packetsEnd)
 {
   const LasHeader& header = file.GetHeader();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is the same for all blocks of a LAS file that is written.
+// Properties shared by all blocks of a LAS file being written.
 
 #ifndef heliosLasSheet_h
 #define heliosLasSheet_h
@@ -16,27 +16,26 @@ struct LasSheet
 {
   LasHeader Header;
   LasScaling Scaling;
-  std::string Arrays; ///< the Extra Bytes
+  std::string Arrays; ///< Extra Bytes
   std::string Wkt;
-  std::string Crs;     ///< that Wkt was made from
+  std::string Crs;     ///< source of Wkt
   bool HasTime = true; ///< TimeShift is known
   bool HasWaves = false;
-  std::uint32_t Spacing = 0; ///< of samples [ps]; 0: there are none yet
+  std::uint32_t Spacing = 0; ///< of samples [ps]; 0: no waveforms yet
 
-  /// The records behind the header, and their number.
+  /// Encodes the records after the header, and counts them.
   std::string EncodeRecords(std::uint32_t& count) const;
 
-  /// The Extra Bytes in words.
+  /// The Extra Bytes as text.
   std::string ListArrays() const;
 
-  /// Takes what a file says that is to be gone on with, and counts its points; says what is wrong
-  /// with it, or returns an empty text. packetsEnd becomes where the last packet ends, if that is
-  /// larger.
+  /// Restores the state from a file to be resumed, and counts its points. Returns an error message,
+  /// or an empty string. packetsEnd is raised to the end of the last packet.
   std::string Read(
     const std::string& path, vtkIdType records, bool hasWaves, std::uint64_t& packetsEnd);
 };
 
-/// The time that GpsTime counts from; 0: it is not known. False: the array is no number.
+/// Gets the epoch of GpsTime; 0: unknown. False if the array is not numeric.
 bool TakeGpsEpoch(vtkPolyData* echoes, double& epoch);
 
 } // namespace helios

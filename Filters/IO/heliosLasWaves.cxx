@@ -20,13 +20,13 @@ namespace
 
 constexpr double SpeedOfLight = 0.299792458; // [m/ns]
 constexpr double PicosecondsPerNanosecond = 1000.0;
-constexpr int SmallestScale = -46; // the power of 2 of the finest full scale [W]
+constexpr int SmallestScale = -46; // exponent of 2 of the finest full scale [W]
 constexpr int ScaleStep = 8;
-constexpr double Middle = 2147483648.0; // the number of 0 W
+constexpr double Middle = 2147483648.0; // sample value of 0 W
 constexpr double Largest = 4294967295.0;
 constexpr int PacketsId = 65535;
 
-/// The numbers of samples that packets have.
+/// Sample counts of the packet forms.
 const std::array<std::uint32_t, LasWaves::NumberOfLengths>& GetLengths()
 {
   static const auto lengths = []
@@ -64,7 +64,7 @@ std::string LasWaves::EncodeDescriptors(std::uint32_t spacing)
       LasRecord record{ LasSpecUser, FirstDescriptorId - 1 + GetForm(length, scale), Description,
         std::string(26, '\0') };
       char* data = record.Data.data();
-      data[0] = 32; // bits a sample; not compressed
+      data[0] = 32; // bits per sample; not compressed
       PutLas(data + 2, GetLengths()[static_cast<std::size_t>(length)]);
       PutLas(data + 6, spacing);
       PutLas(data + 10, GetFullScale(scale) / Middle);
@@ -131,7 +131,7 @@ std::string LasWaves::CheckSpacing()
   return {};
 }
 
-/// The waveform of a pulse; -1: there is none.
+/// Finds the waveform of a pulse; -1: none.
 vtkIdType LasWaves::Find(vtkTypeInt64 pulse) const
 {
   const auto found = std::lower_bound(this->Order.begin(), this->Order.end(), pulse,
@@ -179,7 +179,7 @@ std::string LasWaves::MakePacket(vtkIdType waveform)
   for (vtkIdType i = first; i < first + count; ++i)
   {
     const double value = std::abs(this->Table.Samples.GetNumber(i));
-    peak = std::isfinite(value) ? std::max(peak, value) : HUGE_VAL; // which no packet holds
+    peak = std::isfinite(value) ? std::max(peak, value) : HUGE_VAL; // fits in no packet
   }
   int scale = 0;
   while (scale < NumberOfScales && !(peak < GetFullScale(scale)))

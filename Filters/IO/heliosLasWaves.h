@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waveforms as the packets of a LAS file: 32-bit samples, in forms that differ by their number and
-// by what full scale is.
+// Waveforms as LAS packets: 32-bit samples, in forms that differ in sample count and full scale.
 
 #ifndef heliosLasWaves_h
 #define heliosLasWaves_h
@@ -19,47 +18,47 @@ class LasWaves
 {
 public:
   ///@{
-  /// A form is a number of samples (16 and up, each a quarter more) and a full scale (2^-46 to 4 W,
-  /// each 256 times the one before): of the finest that holds a waveform its samples keep 23 bits.
+  /// A form is a sample count (from 16, in steps of a quarter) and a full scale (2^-46 to 4 W, in
+  /// steps of 256). Samples keep 23 bits in the finest form that holds a waveform.
   static constexpr int NumberOfLengths = 36;
   static constexpr int NumberOfScales = 7;
   static constexpr int NumberOfForms = NumberOfLengths * NumberOfScales;
   ///@}
 
   ///@{
-  /// What descriptor records say of themselves. Earlier versions wrote vectors X(t), Y(t), Z(t) that
-  /// lead away from the scanner, and said OldDescription.
+  /// Text in the descriptor records. Earlier versions wrote vectors X(t), Y(t), Z(t) that lead away
+  /// from the scanner, and used OldDescription.
   static constexpr const char* Description = "waveform [W], to the scanner";
   static constexpr const char* OldDescription = "waveform [W]";
   ///@}
 
-  /// The descriptor records of all forms; spacing: of samples [ps].
+  /// Encodes the descriptor records of all forms; spacing: of samples [ps].
   static std::string EncodeDescriptors(std::uint32_t spacing);
   static constexpr int DescriptorSize = LasRecord::HeadSize + 26;
   static constexpr int FirstDescriptorId = 100;
 
-  /// The head of a file of packets that has a size.
+  /// Encodes the head of a packet file of a given size.
   static std::string EncodeFileHead(std::uint64_t size);
 
-  /// Takes waveforms (null: none), or says what is wrong with them.
+  /// Sets the waveforms (null: none). Returns an error message, or an empty string.
   std::string Take(vtkTable* waveforms);
 
-  /// Of samples [ps]; 0: there are none.
+  /// Sample spacing [ps]; 0: no waveforms.
   std::uint32_t GetSpacing() const { return this->Spacing; }
 
-  /// Makes a packet of every waveform that a point names, the first at a place of the file of
-  /// packets; says what is wrong, or returns an empty text.
+  /// Builds a packet for every waveform that a point refers to, the first at a given offset of the
+  /// packet file. Returns an error message, or an empty string.
   std::string MakePackets(const Column& ids, vtkIdType count, std::uint64_t place);
   const std::vector<char>& GetPackets() const { return this->Packets; }
 
-  /// The fields of a point (29 bytes) at a row: its vector leads to the scanner.
+  /// Encodes the fields of a point (29 bytes) at a row: its vector leads to the scanner.
   void EncodePoint(vtkIdType row, const double point[3], char* bytes) const;
 
 private:
   struct Packet
   {
     std::uint64_t Place = 0;
-    int Form = 0; // 0: not made
+    int Form = 0; // 0: not built
   };
 
   vtkIdType Find(vtkTypeInt64 pulse) const;
@@ -68,8 +67,8 @@ private:
 
   WaveformTable Table;
   std::vector<vtkIdType> Order;       // waveforms by pulse
-  std::vector<vtkIdType> RowWaveform; // of every point; -1: none
-  std::vector<Packet> Made;           // of every waveform
+  std::vector<vtkIdType> RowWaveform; // per point; -1: none
+  std::vector<Packet> Made;           // per waveform
   std::vector<char> Packets;
   std::uint64_t Begin = 0;
   std::uint32_t Spacing = 0;

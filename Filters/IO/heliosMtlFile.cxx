@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-// What other programs write and a scanner does not need.
+// Keys of other programs that a scanner does not need.
 bool IsIgnored(std::string_view key)
 {
   static constexpr std::array<std::string_view, 24> keys = { "illum", "d", "Tr", "Tf", "Ke", "Ni",
@@ -34,7 +34,7 @@ std::string ToText(const std::string& key, double red, double green, double blue
   return key + ' ' + ToText(red) + ' ' + ToText(green) + ' ' + ToText(blue) + '\n';
 }
 
-// Two colours that give the specularity back exactly: grey ones, or else parts whose sum is exact.
+// Two colours that restore the specularity exactly: grey, or components with an exact sum.
 std::string FormatColors(double specularity)
 {
   const double s = specularity;
@@ -46,7 +46,7 @@ std::string FormatColors(double specularity)
   return ToText("Kd", d / 2, d / 4, d / 4) + ToText("Ks", s / 2, s / 4, s / 4);
 }
 
-// Why a material cannot be written, or an empty text.
+// Returns why a material cannot be written, or an empty string.
 std::string FindFault(const Material& m)
 {
   if (m.Reflectance < 0.0 || m.Reflectance > 1.0)
@@ -141,7 +141,7 @@ bool MtlFile::ReadLine(TextFile& file, std::string_view line)
   return true;
 }
 
-// One number stands for all three.
+// A single number applies to all three components.
 bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, double& sum)
 {
   double color[3];
@@ -149,7 +149,7 @@ bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, 
   while (count < 3 && words.HasMore())
   {
     TextWords ahead = words;
-    constexpr double largest = 1e100; // so that sums are finite
+    constexpr double largest = 1e100; // keeps sums finite
     if (ahead.Next(color[count]) != TextWords::Number::Good ||
       !(color[count] >= 0.0 && color[count] <= largest))
     {
@@ -183,7 +183,7 @@ bool MtlFile::ReadExponent(TextFile& file, TextWords& words)
   return true;
 }
 
-// A fraction; more than 1 can only be meant as percent.
+// A fraction; a value above 1 is interpreted as percent.
 bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
 {
   TextWords start = words;
@@ -258,7 +258,7 @@ bool MtlFile::Start(TextFile& file, std::string_view name)
   return true;
 }
 
-// Puts the material that was being read into the table.
+// Adds the current material to the table.
 void MtlFile::Finish(const std::string& path)
 {
   if (!this->Started)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Material files (MTL) with the keys of HELIOS.
+// Material files (MTL) with the HELIOS keys.
 
 #ifndef heliosMtlFile_h
 #define heliosMtlFile_h
@@ -18,10 +18,10 @@ namespace helios
 {
 
 /**
- * Reads one MTL file after the other into one table. Understood are newmtl, Kd, Ks, Ns,
- * helios_reflectance, helios_isGround, helios_classification and helios_spectra; Ka is checked. The
- * specularity of every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces
- * the first one. A reflectance above 1 is percent, up to 100, and warned of.
+ * Reads MTL files one by one into one table. Keys: newmtl, Kd, Ks, Ns, helios_reflectance,
+ * helios_isGround, helios_classification and helios_spectra; Ka is checked. The specularity of
+ * every material is sum Ks / (sum Kd + sum Ks). A material defined again replaces the first one. A
+ * reflectance above 1 is read as percent, up to 100, with a warning.
  */
 class MtlFile
 {
@@ -32,12 +32,12 @@ public:
   {
   }
 
-  /// False after an error, which the report tells.
+  /// Returns false after an error, which is in the report.
   bool Read(const std::string& path);
 
   /**
-   * The row of a material, -1 if there is none of that name. Names may have blanks; where the whole
-   * name is not found, the first word counts (HELIOS reads no more), if one material alone has it.
+   * The row of a material, -1 if the name does not exist. Names may contain blanks; if the full
+   * name is not found, the first word is used (HELIOS reads only that), provided it is unique.
    */
   int Find(std::string_view name) const;
 
@@ -62,15 +62,15 @@ private:
   MaterialTable& Materials;
   TextReport& Report;
   std::unordered_map<std::string, int> Rows;
-  std::unordered_map<std::string, int> FirstWordRows; // -1: several materials
+  std::unordered_map<std::string, int> FirstWordRows; // -1: ambiguous
 
-  // The material being read.
+  // The current material.
   bool Started = false;
   std::int64_t StartLine = 0;
   Material Current;
   Colors CurrentColors;
 
-  /// Lines of one kind, of which the first is reported with their number.
+  /// Lines of one kind; the first is reported with their count.
   struct Note
   {
     std::int64_t Count = 0;
@@ -87,8 +87,8 @@ private:
 double GetSpecularity(double diffuse, double specular);
 
 /**
- * The text of an MTL file, from which MtlFile reads the same materials. Says in the report what
- * cannot be written; names must be words already.
+ * Formats an MTL file from which MtlFile reads the same materials. Reports what cannot be written;
+ * names must already be single words.
  */
 bool FormatMtl(const MaterialTable& materials, std::string& text, TextReport& report);
 

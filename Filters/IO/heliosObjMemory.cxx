@@ -15,7 +15,7 @@ namespace helios
 namespace
 {
 
-constexpr double ShortestCorner = 2.0; // of a face, which makes a triangle: a blank and a digit
+constexpr double ShortestCorner = 2.0; // [bytes], one triangle each: a blank and a digit
 constexpr double BytesPerVertex = 24.0;
 
 bool IsBlankAt(std::string_view line, std::size_t at)
@@ -23,7 +23,7 @@ bool IsBlankAt(std::string_view line, std::size_t at)
   return at < line.size() && TextWords::IsBlank(line[at]);
 }
 
-/// The words of a line behind its first letter.
+/// Counts the words of a line after its first letter.
 double CountWords(std::string_view line)
 {
   double words = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What an OBJ file takes as a scene.
+// Memory estimate of an OBJ file as a scene.
 
 #ifndef heliosObjMemory_h
 #define heliosObjMemory_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// Vertices and triangles of a file, counted by the beginnings and words of its lines.
+/// Vertices and triangles of a file, counted from the start and the words of its lines.
 struct ObjCounts
 {
   double Vertices = 0.0;
@@ -23,8 +23,8 @@ VTKHELIOSFILTERSIO_EXPORT ObjCounts CountObj(
   const std::string& path, const std::function<bool(double)>& onBlock = {});
 
 /**
- * Why a file would take more memory than there is, in words; empty where it does not. Lines are
- * counted only where its size leaves that open.
+ * Returns why a file needs more memory than available; empty if it does not. Lines are counted only
+ * if the file size alone does not decide.
  */
 VTKHELIOSFILTERSIO_EXPORT std::string CheckObjMemory(
   const std::string& path, const std::function<bool(double)>& onBlock = {});

@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-// Statements without surfaces.
+// Statements that define no surfaces.
 bool IsIgnored(std::string_view keyword)
 {
   static constexpr std::array<std::string_view, 10> keywords = { "o", "g", "s", "l", "p", "vp",
@@ -126,7 +126,7 @@ bool ObjParser::ReadVertex(TextWords& words)
   return !words.HasMore() || this->ReadNumbers("v", words, 0);
 }
 
-// Checks numbers that nothing here needs.
+// Checks numbers that are not used.
 bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int least)
 {
   double unused;
@@ -218,12 +218,12 @@ bool ObjParser::ReadCorner(TextWords& words)
     " is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3");
 }
 
-// Makes an index that is not one of the elements read so far count from the first, from 1.
+// Converts an index to one that counts from the first element, from 1.
 bool ObjParser::Resolve(Element& element, int& index)
 {
   if (index > element.Count && index > element.Largest)
   {
-    element.Largest = index; // may come further down
+    element.Largest = index; // may be defined later in the file
     element.LargestLine = this->File.GetLine();
   }
   if (index > 0)
@@ -258,7 +258,7 @@ bool ObjParser::CheckIndices()
   return true;
 }
 
-// A fan about the first corner.
+// Adds a triangle fan about the first corner.
 bool ObjParser::AddTriangles()
 {
   const vtkIdType count = static_cast<vtkIdType>(this->Face.size()) - 2;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of a Wavefront OBJ file, as numbers.
+// Parses the lines of a Wavefront OBJ file.
 
 #ifndef heliosObjParser_h
 #define heliosObjParser_h
@@ -24,9 +24,9 @@ namespace helios
 {
 
 /**
- * Reads v, vn, vt, f, mtllib and usemtl; knows o, g, s, l, p and the like and leaves them out.
- * Faces with more than three corners become fans of triangles about their first corner. Every line
- * is checked, every index against the whole file.
+ * Reads v, vn, vt, f, mtllib and usemtl; recognizes and ignores o, g, s, l, p and similar. Faces
+ * with more than three corners become triangle fans about their first corner. Every line is
+ * checked, and every index against the whole file.
  */
 class VTKHELIOSFILTERSIO_EXPORT ObjParser
 {
@@ -34,31 +34,31 @@ public:
   struct Statement
   {
     std::string Text;
-    std::int64_t Line = 0; ///< 0: there is no such line
+    std::int64_t Line = 0; ///< 0: no line
   };
 
   explicit ObjParser(TextReport& report);
 
-  /// Most corners (and vertices) that 32-bit cells take.
+  /// Maximum number of corners (and vertices) of 32-bit cells.
   std::int64_t MaximumNumberOfCorners = std::numeric_limits<vtkTypeInt32>::max();
 
-  /// False after an error, which the report tells, and when OnBlock stopped the reading.
+  /// Returns false after an error, which is in the report, and if OnBlock stopped reading.
   bool Read(const std::string& path);
 
   TextFile File;
-  GrowingArray<vtkDoubleArray> Points;     ///< x y z a vertex
-  GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices a triangle, from 0
-  GrowingArray<vtkIntArray> UseIds;        ///< a triangle's place in Uses
-  std::vector<Statement> Uses;             ///< usemtl: each name once
-  std::vector<Statement> Libraries;        ///< mtllib: each line once
+  GrowingArray<vtkDoubleArray> Points;     ///< x y z per vertex
+  GrowingArray<vtkTypeInt32Array> Corners; ///< three vertices per triangle, from 0
+  GrowingArray<vtkIntArray> UseIds;        ///< index into Uses per triangle
+  std::vector<Statement> Uses;             ///< usemtl: unique names
+  std::vector<Statement> Libraries;        ///< mtllib: unique lines
 
 private:
-  /// What faces refer to by number.
+  /// An element type that faces refer to by index.
   struct Element
   {
     const char* Name;
     std::int64_t Count = 0;
-    int Largest = 0; ///< largest index that went beyond the elements read until then
+    int Largest = 0; ///< largest index beyond the elements read at that point
     std::int64_t LargestLine = 0;
   };
 

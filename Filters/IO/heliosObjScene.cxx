@@ -31,7 +31,7 @@ bool IsFile(const fs::path& path)
   return fs::exists(path, error) && !fs::is_directory(path, error);
 }
 
-// The file that all of a mtllib line names, or else the one of each of its words.
+// Returns the file named by the whole mtllib line, or else by each of its words.
 std::vector<fs::path> FindLibraries(const fs::path& folder, const std::string& names)
 {
   std::vector<fs::path> paths{ folder / names };
@@ -48,8 +48,8 @@ std::vector<fs::path> FindLibraries(const fs::path& folder, const std::string& n
   return std::any_of(words.begin(), words.end(), IsFile) ? words : paths;
 }
 
-// True if the cross product of two sides cannot be told from zero: each coordinate is taken to be
-// off by half a unit in its last place, and each operation by as much.
+// True if the cross product of two sides is indistinguishable from zero: each coordinate and each
+// operation is assumed to have a rounding error of half an ulp.
 bool IsFlat(const double* a, const double* b, const double* c)
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2.0;
@@ -75,7 +75,7 @@ bool IsFlat(const double* a, const double* b, const double* c)
   return true;
 }
 
-// Smallest and largest coordinate: x0 x1 y0 y1 z0 z1.
+// Minimum and maximum coordinates: x0 x1 y0 y1 z0 z1.
 void FindBounds(const double* points, vtkIdType count, double bounds[6])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -248,7 +248,7 @@ void ObjScene::CheckExtent()
     (this->IsUsed[vertex] ? "correct the vertex" : "it is left out, as no face uses it"));
 }
 
-// Vertices have no line of their own in memory: they are counted again.
+// Line numbers of vertices are not stored: they are counted again.
 std::int64_t ObjScene::FindVertexLine(vtkIdType vertex) const
 {
   TextFile file;

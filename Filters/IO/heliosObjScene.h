@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A parsed OBJ file made into a scene: materials found, useless triangles and vertices left out.
+// Converts a parsed OBJ file to a scene: resolves materials, drops unused triangles and vertices.
 
 #ifndef heliosObjScene_h
 #define heliosObjScene_h
@@ -18,36 +18,36 @@ namespace helios
 {
 
 /**
- * Extent of a scene [m] beyond which a vertex is taken for a stray one: half the circumference of
- * the Earth is 2e7, and no projected or geocentric scene is wider than half of that.
+ * Extent of a scene [m] beyond which a vertex is an outlier: half the circumference of the Earth is
+ * 2e7, and no projected or geocentric scene is wider than half of that.
  */
 constexpr double LargestExtent = 1e7;
 
-/// Takes what a parser has read through the steps to a scene, in this order.
+/// Converts parser output to a scene; call the functions in this order.
 class ObjScene
 {
 public:
   ObjScene(ObjParser& parser, TextReport& report);
 
-  /// Reads the material libraries and finds the materials used. False after an error.
+  /// Reads the material libraries and resolves the materials used. False after an error.
   bool ReadMaterials();
 
   /**
-   * Drops triangles without area: those whose normal is within the rounding error of their
-   * coordinates. Warns with their number, and of a scene without triangles.
+   * Drops degenerate triangles: those whose normal is within the rounding error of their
+   * coordinates. Warns with their number, and about a scene without triangles.
    */
   void DropFlatTriangles();
 
-  /// Warns of a vertex far from the others.
+  /// Warns about a vertex far from the others.
   void CheckExtent();
 
-  /// Drops vertices of no triangle.
+  /// Drops vertices that no triangle uses.
   void DropUnusedPoints();
 
-  /// Turns y up into z up.
+  /// Converts y up to z up.
   void TurnUp();
 
-  /// Hands the arrays over.
+  /// Moves the arrays to a scene.
   void MoveTo(vtkPolyData* scene);
 
   vtkIdType GetNumberOfDroppedTriangles() const { return this->DroppedTriangles; }
@@ -59,8 +59,8 @@ private:
   ObjParser& Parser;
   TextReport& Report;
   MaterialTable Materials;
-  std::vector<int> Rows;             // a material's row, for each name used
-  std::vector<unsigned char> IsUsed; // for each vertex
+  std::vector<int> Rows;             // material row per name used
+  std::vector<unsigned char> IsUsed; // per vertex
   vtkIdType UsedPoints = 0;
   vtkIdType DroppedTriangles = 0;
 };

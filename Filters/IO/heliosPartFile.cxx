@@ -21,7 +21,7 @@ namespace helios
 namespace
 {
 
-/// Waits until the disk has a file; 0, or the error. What cannot be synced (a pipe) needs not be.
+/// Fsyncs a file; returns 0 or the error. Files that cannot be synced (pipes) are no error.
 int SyncDescriptor(int descriptor)
 {
   while (::fsync(descriptor) != 0)
@@ -34,7 +34,7 @@ int SyncDescriptor(int descriptor)
   return 0;
 }
 
-/// As SyncDescriptor(), for a file or a folder by its name.
+/// As SyncDescriptor(), for a file or folder by name.
 int SyncPath(const std::string& path)
 {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -53,7 +53,7 @@ bool IsUnlinked(int descriptor)
   return ::fstat(descriptor, &status) == 0 && status.st_nlink == 0;
 }
 
-/// Writes all bytes, and adds those that were written to a count; 0, or the error.
+/// Writes all bytes and adds the number written to total; returns 0 or the error.
 int WriteAll(int descriptor, const char* bytes, std::size_t count, std::uint64_t& total)
 {
   while (count > 0)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that carry .part until they are whole. What writers ask of the operating system is here.
+// Files with the suffix .part until they are complete. Contains the system calls of the writers.
 
 #ifndef heliosPartFile_h
 #define heliosPartFile_h
@@ -17,14 +17,14 @@ namespace helios
 /// Bytes of a file that were appended together, and their checksum.
 struct FileBlock
 {
-  std::string Name; ///< the final one of the file, without its folder
+  std::string Name; ///< final file name, without folder
   std::uint64_t Begin = 0;
-  std::uint64_t End = 0; ///< the place after the last
+  std::uint64_t End = 0; ///< one past the last byte
   std::string Checksum;
-  bool IsWhole = false; ///< no more is written to the file
+  bool IsWhole = false; ///< the file is complete
 };
 
-/// Whether the folders of a file that is opened are made, or need to be there.
+/// Whether the parent folders of a file are created or must exist.
 enum class Folders
 {
   Make,
@@ -39,52 +39,52 @@ public:
   PartFile(const PartFile&) = delete;
   void operator=(const PartFile&) = delete;
 
-  /// Makes an empty <path>.part. False here and below: see GetProblem().
+  /// Creates an empty <path>.part. All return false on failure: see GetProblem().
   bool Open(const std::string& path, Folders folders = Folders::Make);
   bool IsOpen() const { return this->Descriptor >= 0; }
 
-  /// Opens what an earlier run left at <path>.part, or at path where it was renamed already, cut to
-  /// a size.
+  /// Opens the file that an earlier run left at <path>.part, or at path if already renamed,
+  /// truncated to a size.
   bool Reopen(const std::string& path, std::uint64_t size);
 
-  /// Takes bytes and keeps none of them: they are counted.
+  /// Counts bytes without writing them.
   bool OpenNowhere(const std::string& path);
 
-  /// Appends bytes; where that fails, some of them may be in the file.
+  /// Appends bytes; on failure some of them may be in the file.
   bool Append(const char* bytes, std::size_t count);
 
-  /// Writes over bytes that were appended before.
+  /// Overwrites bytes that were appended before.
   bool Overwrite(std::uint64_t place, const char* bytes, std::size_t count);
 
-  /// Takes back what was appended after a size.
+  /// Truncates the file to a size.
   bool Cut(std::uint64_t size);
 
-  /// The bytes that were appended since this or BeginBlock() was called, or since the file was opened.
+  /// Gets the bytes appended since the last call, BeginBlock(), or the opening of the file.
   FileBlock TakeBlock();
 
-  /// The next block begins here.
+  /// Marks the start of the next block.
   void BeginBlock();
 
-  /// Whether the file that is open was removed.
+  /// Whether the open file was removed.
   bool IsRemoved() const;
 
-  /// Returns when the disk has what was appended. A file that was removed meanwhile is a failure.
+  /// Fsyncs the file. Fails if the file was removed in the meantime.
   bool Sync();
 
-  /// Ends the file and gives it its final name, on the disk too.
+  /// Closes the file, gives it its final name and fsyncs it.
   bool Close();
 
-  /// Ends the file as <path>.part; the problem, if any, stays.
+  /// Closes the file as <path>.part; keeps the error message, if any.
   bool Abandon();
 
-  /// What was appended and not taken back [bytes].
+  /// Size without truncated bytes [bytes].
   std::uint64_t GetSize() const { return this->Size; }
 
-  /// Of the last Open().
+  /// Path of the last Open().
   const std::string& GetPath() const { return this->Path; }
   std::string GetPartPath() const { return this->Path + ".part"; }
 
-  /// The last failure in words: file and cause.
+  /// Error message of the last failure: file and cause.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
@@ -97,10 +97,10 @@ private:
   Checksum BlockSum;
   std::uint64_t BlockBegin = 0;
   bool IsNowhere = false;
-  bool IsInFolder = false; // on the disk
+  bool IsInFolder = false; // its name is fsynced
 };
 
-/// A file that is appended to, line by line, and that one process at a time may have open.
+/// An append-only file, written line by line and locked by one process.
 class VTKHELIOSFILTERSIO_EXPORT LogFile
 {
 public:
@@ -109,16 +109,16 @@ public:
   LogFile(const LogFile&) = delete;
   void operator=(const LogFile&) = delete;
 
-  /// Opens a file that there is; false here and below: see GetProblem().
+  /// Opens an existing file; all return false on failure: see GetProblem().
   bool Open(const std::string& path);
 
-  /// Whether it is still there.
+  /// Whether the file still exists.
   bool Check();
 
-  /// Takes away what is beyond a size.
+  /// Truncates the file to a size.
   bool Cut(std::uint64_t size);
 
-  /// Appends a text, and returns when the disk has it.
+  /// Appends a text and fsyncs it.
   bool Append(const std::string& text);
 
   void Close();
@@ -134,22 +134,22 @@ private:
 };
 
 ///@{
-/// Each says what went wrong, or returns an empty text.
+/// Each returns an error message, or an empty string.
 VTKHELIOSFILTERSIO_EXPORT std::string MakeFoldersFor(const std::string& path);
 VTKHELIOSFILTERSIO_EXPORT std::string RenameFile(const std::string& from, const std::string& to);
-VTKHELIOSFILTERSIO_EXPORT std::string SyncFile(const std::string& path);     ///< to the disk
-VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///< its names
+VTKHELIOSFILTERSIO_EXPORT std::string SyncFile(const std::string& path);     ///< fsync
+VTKHELIOSFILTERSIO_EXPORT std::string SyncFolderOf(const std::string& path); ///< its folder
 ///@}
 
-/// The size of a file [bytes] whose last bytes are an ending; -1 where they are not.
+/// Size of a file [bytes] if its last bytes are the given ending; else -1.
 VTKHELIOSFILTERSIO_EXPORT std::int64_t GetSizeOfWhole(
   const std::string& path, const std::string& ending);
 
-/// A block of a file that is whole.
+/// Creates the block of a complete file.
 VTKHELIOSFILTERSIO_EXPORT FileBlock MakeFileBlock(
   const std::string& path, std::uint64_t begin, std::uint64_t end);
 
-/// Removes a file, if it is there.
+/// Removes a file if it exists.
 VTKHELIOSFILTERSIO_EXPORT void RemoveFile(const std::string& path);
 
 } // namespace helios

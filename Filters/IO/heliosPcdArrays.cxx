@@ -64,7 +64,7 @@ bool WriteNumber(std::string_view word, char* to)
   return result.ec == std::errc() && result.ptr == end;
 }
 
-/// A word as a number of a field; false where it is none, or does not fit.
+/// Stores a word as a number of a field; false if it is not a number or out of range.
 bool WriteNumber(const PcdField& field, std::string_view word, char* to)
 {
   switch (GetVtkType(field))

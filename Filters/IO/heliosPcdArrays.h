@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fields of PCD files as arrays, point by point.
+// The fields of PCD files as arrays, filled point by point.
 
 #ifndef heliosPcdArrays_h
 #define heliosPcdArrays_h
@@ -24,14 +24,14 @@ namespace helios
 class PcdArrays
 {
 public:
-  /// Room for all points of a file.
+  /// Allocates arrays for all points of a file.
   explicit PcdArrays(const PcdHeader& header);
   ~PcdArrays();
 
   ///@{
-  /// Adds a point, of the bytes of its row or of a line; of a line what is wrong, or an empty text.
-  /// Points that are not finite are counted, not added. A line's x y z are double whatever the
-  /// header says.
+  /// Adds a point from the bytes of its row, or from a line; for a line returns an error message,
+  /// or an empty string. Non-finite points are counted, not added. x y z of a line are double
+  /// whatever the header states.
   void AddRow(const char* row);
   std::string AddLine(std::string_view line);
   ///@}
@@ -42,13 +42,13 @@ public:
   void MoveTo(vtkPolyData* output);
 
 private:
-  /// Where the bytes of a field go: into an array, from a byte of its tuple on.
+  /// Destination of a field: an array and a byte offset in its tuple.
   struct Column
   {
     vtkDataArray* Array = nullptr; // null: one of x y z, or padding
     int Axis = -1;                 // of x y z
-    std::size_t From = 0;          // in the row
-    std::size_t To = 0;            // in the tuple
+    std::size_t From = 0;          // offset in the row
+    std::size_t To = 0;            // offset in the tuple
     std::size_t TupleSize = 0;
   };
 
@@ -60,7 +60,7 @@ private:
 
   const PcdHeader& Header;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-  std::vector<Column> Columns; // by field
+  std::vector<Column> Columns; // per field
   vtkDataArray* Normals = nullptr;
   vtkSmartPointer<vtkDoubleArray> Points;
   vtkIdType Row = 0;

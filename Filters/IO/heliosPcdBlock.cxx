@@ -45,7 +45,7 @@ bool IsSigned(vtkDataArray* array)
   }
 }
 
-/// Whether PCL, or helios::PointEcho, has a field of float for it.
+/// Whether PCL or helios::PointEcho defines the field as float.
 bool IsFloatField(const std::string& name)
 {
   return name == "intensity" || name.substr(0, 7) == "normal_" || name == names::EchoWidth;
@@ -103,7 +103,7 @@ std::string PcdBlock::Take(vtkPolyData* echoes, bool isFloat)
   vtkPointData* data = echoes->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    vtkDataArray* array = data->GetArray(i); // null: texts
+    vtkDataArray* array = data->GetArray(i); // null: strings
     if (!array || array->GetDataType() == VTK_BIT || !array->GetName())
     {
       continue;
@@ -267,7 +267,7 @@ void PcdBlock::AppendText(vtkIdType point, const double place[3], std::string& t
       Visit(source.Array, k,
         [size, &text](auto value)
         {
-          if constexpr (sizeof(value) == 1) // a number, not a letter
+          if constexpr (sizeof(value) == 1) // as a number, not a character
           {
             AppendNumber(static_cast<int>(value), text);
           }

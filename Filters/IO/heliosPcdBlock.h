@@ -21,21 +21,21 @@ namespace helios
 class PcdBlock
 {
 public:
-  /// Takes the arrays that are written; what is wrong, or an empty text.
+  /// Reads the arrays to be written. Returns an error message, or an empty string.
   std::string Take(vtkPolyData* echoes, bool isFloat);
 
   const std::vector<PcdField>& GetFields() const { return this->Fields; }
   bool HasAmplitude() const { return this->Amplitude; }
 
-  /// The middle of the finite points, to whole multiples of 100 m.
+  /// The centre of the finite points, rounded to multiples of 100 m.
   void GetMiddle(double origin[3]) const;
 
-  /// Formats some points behind what is there; points that are not finite are counted, not added.
+  /// Appends formatted points to text; non-finite points are counted, not added.
   void Append(vtkIdType begin, vtkIdType end, const PcdHeader& header, std::string& text);
 
   vtkIdType GetNumberOfWritten() const { return this->NumberOfWritten; }
   vtkIdType GetNumberOfDropped() const { return this->NumberOfDropped; }
-  /// The largest difference of a coordinate that was rounded [m].
+  /// The largest rounding error of a coordinate [m].
   double GetLargestError() const { return this->LargestError; }
 
 private:
@@ -48,12 +48,12 @@ private:
   struct Source
   {
     vtkDataArray* Array = nullptr; // null: x y z
-    int Component = 0;             // the first
+    int Component = 0;             // first component
   };
 
   vtkPolyData* Echoes = nullptr;
   std::vector<PcdField> Fields;
-  std::vector<Source> Sources; // by field
+  std::vector<Source> Sources; // per field
   bool IsFloat = true;
   bool Amplitude = false;
   vtkIdType NumberOfWritten = 0;

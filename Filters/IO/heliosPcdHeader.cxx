@@ -65,7 +65,7 @@ bool IsSizeOfType(char type, int size)
     : (type == 'I' || type == 'U') && (size == 1 || size == 2 || size == 4 || size == 8);
 }
 
-/// Reads the lines of a header one after the other.
+/// Parses the header lines one by one.
 class HeaderParser
 {
 public:
@@ -74,7 +74,7 @@ public:
   {
   }
 
-  /// What is wrong with a line, or an empty text.
+  /// Parses a line. Returns an error message, or an empty string.
   std::string Take(std::string_view line)
   {
     if (!line.empty() && line.back() == '\r')
@@ -103,7 +103,7 @@ public:
 
   bool IsAtData() const { return this->Has("DATA"); }
 
-  /// What is wrong with the whole, or an empty text.
+  /// Checks the complete header. Returns an error message, or an empty string.
   std::string Finish()
   {
     for (const char* key : { "FIELDS", "SIZE", "TYPE" })
@@ -327,7 +327,7 @@ private:
   std::uint64_t Points = 0;
 };
 
-/// A line, without its end; what is longer than any header has is cut.
+/// Reads a line without its end, truncated to the maximum length of a header line.
 bool GetLine(std::istream& file, std::string& line)
 {
   line.clear();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The header of PCD files, version 0.7, and what vtkHelios says in its comments.
+// The header of PCD files, version 0.7, and the vtkHelios comments in it.
 
 #ifndef heliosPcdHeader_h
 #define heliosPcdHeader_h
@@ -15,12 +15,12 @@
 namespace helios
 {
 
-/// A column of a point: Count numbers of a type.
+/// A field of a point: Count numbers of a type.
 struct PcdField
 {
   std::string Name;
   int Size = 4;    ///< of a number [bytes]
-  char Type = 'F'; ///< F: real, I: integer, U: not negative
+  char Type = 'F'; ///< F: float, I: signed, U: unsigned
   int Count = 1;
 
   std::size_t GetBytes() const
@@ -49,27 +49,27 @@ struct VTKHELIOSFILTERSIO_EXPORT PcdHeader
   PcdStorage Storage = PcdStorage::Binary;
 
   ///@{
-  /// In comments, so that other programs read the file as well.
+  /// Stored in comments, so other programs can read the file.
   double Origin[3] = { 0.0, 0.0, 0.0 }; ///< to be added to x y z
   bool HasEpoch = false;
-  double Epoch = 0.0;        ///< that GpsTime counts from
+  double Epoch = 0.0;        ///< epoch of GpsTime
   std::string Crs;           ///< one line
   bool HasAmplitude = false; ///< the field intensity is the amplitude [W]
   ///@}
 
-  std::uint64_t DataBegin = 0; ///< the byte after the header
-  std::int64_t DataLine = 0;   ///< and its line, from 1
+  std::uint64_t DataBegin = 0; ///< first byte after the header
+  std::int64_t DataLine = 0;   ///< its line, from 1
 
   std::uint64_t GetNumberOfPoints() const { return this->Width * this->Height; }
   std::size_t GetRowSize() const;
   std::int64_t GetNumberOfColumns() const;
-  /// The number of a field, or -1.
+  /// The index of a field, or -1.
   int Find(const std::string& name) const;
 
-  /// The header of a file that is being read; what is wrong, with path:line, or an empty text.
+  /// Reads the header of a file. Returns an error message with path:line, or an empty string.
   std::string Read(const std::string& path, std::istream& file);
 
-  /// As text; the same length for any number of points below 1e15.
+  /// Formats the header; its length is constant for any number of points below 1e15.
   std::string Format() const;
 };
 

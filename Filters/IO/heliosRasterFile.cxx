@@ -39,7 +39,7 @@ void RegisterDriver()
   std::call_once(once, GDALRegister_GTiff);
 }
 
-// NaN: none.
+// NaN: not set.
 double GetNoData(GDALRasterBandH band)
 {
   int isGiven = 0;
@@ -75,14 +75,14 @@ struct RasterFile::Internals
   std::int64_t Rows = 0;
   double Transform[6];
   std::string Crs;
-  double NoData = std::numeric_limits<double>::quiet_NaN(); // as the band's type holds it
+  double NoData = std::numeric_limits<double>::quiet_NaN(); // in the type of the band
   bool IsSignedByte = false;
   double Scale = 1.0;
   double Offset = 0.0;
   double Unit = 1.0; // [m]
   std::vector<unsigned char> MaskRows;
   std::vector<std::string> Warnings;
-  std::string FirstMessage; // of GDAL's warnings
+  std::string FirstMessage; // of the GDAL warnings
   std::int64_t NumberOfMessages = 0;
 
   std::string OpenDataset(const GdalMessages& messages);
@@ -152,8 +152,8 @@ std::string RasterFile::Internals::FindBand(int number)
   return {};
 }
 
-// A file cannot hold more blocks than it has numbers for (four bytes each: where it is, how long it
-// is), nor a larger block than compression makes of its bytes. GDAL would make room for it.
+// A file cannot contain more blocks than index entries (four bytes each for offset and size), nor a
+// block larger than the compression ratio allows. GDAL would allocate it.
 std::string RasterFile::Internals::CheckSize() const
 {
   VSIStatBufL file;
@@ -198,7 +198,7 @@ std::string RasterFile::Internals::FindTransform()
   const double row = std::hypot(t[2], t[5]);
   const double area = std::abs(t[1] * t[5] - t[2] * t[4]);
   const double reached = reach[0] + reach[1];
-  constexpr double coarsest = 1e-14; // of the coordinates; double precision has 2e-16
+  constexpr double coarsest = 1e-14; // relative to the coordinates; double has 2e-16
   if (!std::isfinite(reached) || !(std::min(column, row) > coarsest * reached) ||
     !(area > 1e-9 * column * row))
   {
@@ -213,7 +213,7 @@ std::string RasterFile::Internals::FindTransform()
   return {};
 }
 
-// The value that marks pixels without height, rounded as the band stores it.
+// The no-data value, rounded to the type of the band.
 void RasterFile::Internals::FindNoData(double noData)
 {
   const double value = std::isnan(noData) ? GetNoData(this->Band) : noData;
@@ -242,7 +242,7 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   {
     this->Crs = ToWkt(system);
   }
-  else if (system && !EQUAL(OSRGetName(system), "unnamed")) // else the file says area or point only
+  else if (system && !EQUAL(OSRGetName(system), "unnamed")) // else only area or point is stated
   {
     this->Warn("its coordinate system \"" + std::string(OSRGetName(system)) +
       "\" has no place on Earth and is left out; if it should, give it with gdal_edit.py -a_srs");
@@ -282,7 +282,7 @@ bool RasterFile::Internals::ReadMask(std::int64_t firstRow, std::int64_t count)
            this->MaskRows.data(), columns, rows, GDT_Byte, 0, 0) == CE_None;
 }
 
-// Whether blocks of some pixels are not in the file ("sparse").
+// Whether blocks of some pixels are missing in the file ("sparse").
 bool RasterFile::Internals::HasGap(
   std::int64_t column, std::int64_t row, std::int64_t columns, std::int64_t rows) const
 {
@@ -292,7 +292,7 @@ bool RasterFile::Internals::HasGap(
     GDAL_DATA_COVERAGE_STATUS_EMPTY;
 }
 
-// GDAL gives such blocks the height 0.
+// GDAL returns height 0 for missing blocks.
 void RasterFile::Internals::EmptyGaps(
   std::int64_t firstRow, std::int64_t count, double* heights) const
 {
@@ -316,13 +316,13 @@ void RasterFile::Internals::EmptyGaps(
   }
 }
 
-// Values become heights, and NaN where there are none.
+// Converts values to heights, NaN if missing.
 std::string RasterFile::Internals::Convert(
   std::int64_t firstRow, std::int64_t count, double* values) const
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::int64_t size = this->Columns * count;
-  double sum = 0.0; // NaN if there is an infinite height
+  double sum = 0.0; // NaN if a height is infinite
   for (std::int64_t i = 0; i < size; ++i)
   {
     const double value = values[i] - (this->IsSignedByte && values[i] > 127.0 ? 256.0 : 0.0);
@@ -346,7 +346,7 @@ std::string RasterFile::Internals::Convert(
     std::find_if(values, values + size, [](double v) { return std::isinf(v); });
   if (infinite == values + size)
   {
-    return {}; // the mask hides it
+    return {}; // masked
   }
   return "the height at row " + std::to_string(firstRow + (infinite - values) / this->Columns) +
     ", column " + std::to_string((infinite - values) % this->Columns) +

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The heights in a GeoTIFF file, read by GDAL.
+// Heights in a GeoTIFF file, read with GDAL.
 
 #ifndef heliosRasterFile_h
 #define heliosRasterFile_h
@@ -16,17 +16,17 @@
 namespace helios
 {
 
-/// What to read, beyond what the file says.
+/// Settings that override those of the file.
 struct RasterOptions
 {
   int Band = 1;                                             ///< from 1
-  double HeightUnit = 0.0;                                  ///< [m]; 0: as the file says
-  double NoData = std::numeric_limits<double>::quiet_NaN(); ///< NaN: as the file says
+  double HeightUnit = 0.0;                                  ///< [m]; 0: from the file
+  double NoData = std::numeric_limits<double>::quiet_NaN(); ///< NaN: from the file
 };
 
 /**
- * A band of heights. GDAL's messages are kept from the console: errors are returned, warnings
- * gathered.
+ * A band of heights. GDAL messages do not go to the console: errors are returned, warnings
+ * collected.
  */
 class VTKHELIOSFILTERSIO_EXPORT RasterFile
 {
@@ -34,28 +34,28 @@ public:
   RasterFile();
   ~RasterFile();
 
-  /// Says in words why a file cannot be read, or returns an empty text.
+  /// Opens a file. Returns an error message, or an empty string.
   std::string Open(const std::string& path, const RasterOptions& options);
 
   std::int64_t GetNumberOfColumns() const;
   std::int64_t GetNumberOfRows() const;
 
-  /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel's centre is at 0.5.
+  /// x = t0 + t1 column + t2 row, y = t3 + t4 column + t5 row; the first pixel centre is at 0.5.
   const double* GetTransform() const;
 
-  /// WKT with heights in metres; empty: the file has none.
+  /// WKT with heights in metres; empty if the file has none.
   const std::string& GetCrs() const;
 
-  /// The pixels, those of blocks left out; pixels of other blocks may lack a height, too.
+  /// Number of pixels except those of missing blocks; other pixels may also lack a height.
   double CountPixels() const;
 
-  /// How many rows to read at a time: whole blocks of the file, some megabytes.
+  /// Number of rows to read at a time: whole blocks of the file, some megabytes.
   std::int64_t GetRowsPerBlock() const;
 
-  /// Heights [m] of some rows, NaN where there are none. Returns an error in words, or nothing.
+  /// Reads heights [m] of rows, NaN if missing. Returns an error message, or an empty string.
   std::string Read(std::int64_t firstRow, std::int64_t count, double* heights);
 
-  /// What GDAL warned of, and what is doubtful.
+  /// Warnings of GDAL and of the validation.
   std::vector<std::string> GetWarnings() const;
 
 private:

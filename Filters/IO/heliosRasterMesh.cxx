@@ -28,7 +28,7 @@ RasterMesh<IndexArrayT>::RasterMesh(std::int64_t columns, const double transform
   std::copy_n(transform, 6, this->Transform.begin());
 }
 
-// A row's vertices are known once the triangles above and below it are: one row later.
+// The vertices of a row are known after the triangles above and below it: one row later.
 template <typename IndexArrayT>
 bool RasterMesh<IndexArrayT>::AddRow(const double* heights)
 {
@@ -82,7 +82,7 @@ void RasterMesh<IndexArrayT>::FindTriangles(std::int64_t r)
   }
 }
 
-// Makes the vertices of a row and the triangles above it.
+// Creates the vertices of a row and the triangles above it.
 template <typename IndexArrayT>
 bool RasterMesh<IndexArrayT>::Complete(std::int64_t r)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles between the heights of a raster, which come row by row.
+// Triangulates the heights of a raster, row by row.
 
 #ifndef heliosRasterMesh_h
 #define heliosRasterMesh_h
@@ -20,10 +20,10 @@ namespace helios
 {
 
 /**
- * A vertex lies at the centre of every pixel. Four neighbours make the triangles (UL, LL, UR) and
- * (LL, LR, UR), turned round where the raster is mirrored, so that normals point up. A triangle
- * with a corner without height (NaN) is left out, and so is a vertex of no triangle. IndexArrayT
- * is vtkTypeInt32Array or vtkTypeInt64Array.
+ * Vertices are at pixel centres. Each 2 x 2 pixels form the triangles (UL, LL, UR) and (LL, LR,
+ * UR), reversed for mirrored rasters, so that normals point up. Triangles with a corner without
+ * height (NaN) and unused vertices are dropped. IndexArrayT is vtkTypeInt32Array or
+ * vtkTypeInt64Array.
  */
 template <typename IndexArrayT>
 class RasterMesh
@@ -32,16 +32,16 @@ public:
   /// The transform is that of RasterFile.
   RasterMesh(std::int64_t columns, const double transform[6]);
 
-  /// The next row of heights. False if there are more points than a scene can hold.
+  /// Adds the next row of heights. False if there are more points than a scene can hold.
   bool AddRow(const double* heights);
 
-  /// After the last row. False as AddRow.
+  /// Call after the last row. False as in AddRow.
   bool Finish();
 
-  /// Lowest and highest vertex.
+  /// Minimum and maximum height of the vertices.
   const std::array<double, 2>& GetHeights() const { return this->Heights; }
 
-  /// Hands points, triangles and zero MaterialIds over.
+  /// Moves points, triangles and zero MaterialIds to a scene.
   void MoveTo(vtkPolyData* scene);
 
   std::int64_t MaximumNumberOfPoints = 0x7fffffff; // corners of a scene are 32-bit
@@ -54,13 +54,13 @@ private:
     std::vector<double> Heights;
     std::vector<unsigned char> HasHeight;
     std::vector<unsigned char> IsUsed; // by a triangle
-    std::vector<unsigned char> Upper;  // triangles towards the next row: (UL, LL, UR)
+    std::vector<unsigned char> Upper;  // triangles with the next row: (UL, LL, UR)
     std::vector<unsigned char> Lower;  // (LL, LR, UR)
     std::vector<T> Ids;
   };
 
   Row& GetRow(std::int64_t r) { return this->Rows[r % 3]; }
-  void FindTriangles(std::int64_t r); // between a row and the next
+  void FindTriangles(std::int64_t r); // between row r and the next
   bool Complete(std::int64_t r);
   bool AddPoints(std::int64_t r);
   void AddTriangles(std::int64_t r);

@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-// The letters of a name, small: "US survey foot", "us_survey_foot" and "US Survey Foot" are one.
+// Lower-case letters of a name: "US survey foot", "us_survey_foot" and "US Survey Foot" match.
 std::string Simplify(const std::string& name)
 {
   std::string letters;
@@ -31,7 +31,7 @@ std::string Simplify(const std::string& name)
   return letters;
 }
 
-// False for heights in feet; a text that is no known system has no heights either.
+// False for heights in feet; true also for an unknown system, which has no heights.
 bool HasMetres(const std::string& wkt)
 {
   CoordinateSystem system;
@@ -50,7 +50,7 @@ double GetUnitInMetres(const std::string& name)
 {
   static constexpr struct
   {
-    const char* Names; // in blanks
+    const char* Names; // separated by blanks
     double Metres;
   } units[] = { { " m meter meters metre metres ", 1.0 },
     { " km kilometer kilometers kilometre kilometres ", 1000.0 },

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The units of heights in rasters.
+// Units of raster heights.
 
 #ifndef heliosRasterUnits_h
 #define heliosRasterUnits_h
@@ -14,15 +14,15 @@
 namespace helios
 {
 
-/// The metres of a unit as GeoTIFF files spell it ("m", "us-ft", "Foot_US", ...); 0: not known.
+/// Metres per unit for a GeoTIFF unit name ("m", "us-ft", "Foot_US", ...); 0: unknown.
 VTKHELIOSFILTERSIO_EXPORT double GetUnitInMetres(const std::string& name);
 
-/// WKT 2 of a system.
+/// WKT 2 of a coordinate system.
 std::string ToWkt(OGRSpatialReferenceH system);
 
 /**
- * The same system (WKT) with heights in metres, where it has any. The vertical part then says so
- * in its name and has no code. Empty if that cannot be done.
+ * Returns the same system (WKT) with heights in metres, if it has any. The vertical part then says
+ * so in its name and has no code. Empty on failure.
  */
 VTKHELIOSFILTERSIO_EXPORT std::string MakeHeightsMetric(const std::string& wkt);
 

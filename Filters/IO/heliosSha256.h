@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// SHA-256, which tells whether bytes are those of another time. OpenSSL's libcrypto computes it, which
-// GDAL brings along anyway.
+// SHA-256, to verify that bytes are unchanged. Computed by OpenSSL's libcrypto, which is already a
+// dependency of GDAL.
 
 #ifndef heliosSha256_h
 #define heliosSha256_h
@@ -34,7 +34,7 @@ private:
   std::unique_ptr<Context> State;
 };
 
-/// The digest of a file; empty where it cannot be read.
+/// The digest of a file; empty if it cannot be read.
 VTKHELIOSFILTERSIO_EXPORT std::string HashFile(const std::string& path);
 
 } // namespace helios

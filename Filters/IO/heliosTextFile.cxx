@@ -62,7 +62,7 @@ std::string TextFile::Open(const std::string& path)
   return {};
 }
 
-// Moves the part of a line that is left to the front and reads behind it.
+// Moves the incomplete line to the front of the buffer and reads more after it.
 bool TextFile::ReadBlock()
 {
   const std::size_t left = static_cast<std::size_t>(this->End - this->Begin);
@@ -103,7 +103,7 @@ bool TextFile::NextRawLine(std::string_view& line)
     char* end = static_cast<char*>(std::memchr(this->Begin + searched, '\n', left - searched));
     if (!end && this->AtEnd && left > 0)
     {
-      end = this->End; // a last line without an end
+      end = this->End; // last line without line end
     }
     if (end)
     {

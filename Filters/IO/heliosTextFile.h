@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Text files line by line and word by word, and what there is to say about a line.
+// Reads text files by lines and words, with messages about a line.
 
 #ifndef heliosTextFile_h
 #define heliosTextFile_h
@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// What a reader found: one error at most, which ends the reading, and warnings.
+/// Result of a reader: at most one error, which stops reading, and warnings.
 struct TextReport
 {
   std::string Error;
@@ -31,7 +31,7 @@ struct TextReport
   void Warn(const std::string& message) { this->Warnings.push_back(message); }
 };
 
-/// A word as messages show it: in quotes, cut where it is long, without control characters.
+/// Formats a word for messages: quoted, truncated, without control characters.
 VTKHELIOSFILTERSIO_EXPORT std::string Quote(std::string_view word);
 
 /// "path:line: ", the start of a message.
@@ -46,15 +46,15 @@ public:
   TextFile(const TextFile&) = delete;
   void operator=(const TextFile&) = delete;
 
-  /// Called after every block with the share of the file read; false stops the reading.
+  /// Called after every block with the fraction of the file read; returning false stops reading.
   std::function<bool(double)> OnBlock;
 
-  /// Says in words why a file cannot be read, or returns an empty text.
+  /// Opens a file. Returns an error message, or an empty string.
   std::string Open(const std::string& path);
 
   /**
    * The next line, without its end (LF or CR LF); valid until the next call. A backslash at the end
-   * joins the line with the one below, except in a comment. False at the end of the file, at an
+   * joins the line with the next one, except in a comment. False at the end of the file, after an
    * error and when stopped.
    */
   bool NextLine(std::string_view& line)
@@ -68,12 +68,12 @@ public:
   }
 
   const std::string& GetPath() const { return this->Path; }
-  /// The number of the line last read, from 1; the first of joined ones.
+  /// The number of the last line read, from 1; the first of joined ones.
   std::int64_t GetLine() const { return this->Line; }
-  /// "path:line: " of the line last read.
+  /// "path:line: " of the last line read.
   std::string GetPlace() const { return Place(this->Path, this->Line); }
   bool IsStopped() const { return this->Stopped; }
-  /// What went wrong while reading, or an empty text.
+  /// Error message of reading, or an empty string.
   const std::string& GetError() const { return this->Error; }
 
 private:
@@ -87,7 +87,7 @@ private:
   double Size = 0.0;
   double Done = 0.0;
   std::vector<char> Buffer;
-  char* Begin = nullptr; // of what is not yet handed out
+  char* Begin = nullptr; // of the unread bytes
   char* End = nullptr;
   std::int64_t Line = 0;
   std::int64_t RawLine = 0;
@@ -96,16 +96,16 @@ private:
   std::string Joined;
 };
 
-/// The words of a line, taken one after the other; a word that starts with # ends the line.
+/// Splits a line into words; a word that starts with # ends the line.
 class VTKHELIOSFILTERSIO_EXPORT TextWords
 {
 public:
   enum class Number
   {
     Good,
-    None,      ///< the line has ended
+    None,      ///< end of the line
     Malformed, ///< not a number: the word is next
-    Excessive  ///< beyond the range of double precision: the word is next
+    Excessive  ///< out of the double range: the word is next
   };
 
   explicit TextWords(std::string_view line)
@@ -130,7 +130,7 @@ public:
   std::string_view Next() { return this->HasMore() ? this->TakeWord() : std::string_view(); }
 
   ///@{
-  /// The pieces of a word: a whole number right here (None: something else), a slash, its end.
+  /// Parts of a word: an integer at the current position (None: something else), a slash, the end.
   Number TakeIndex(int& value)
   {
     const char* digits = this->At + (this->At != this->End && *this->At == '-' ? 1 : 0);
@@ -168,16 +168,16 @@ public:
     return this->TakeWord();
   }
 
-  /// The words up to a comment as one name with blanks in it; the first may start with #.
+  /// The words up to a comment as one name, blanks included; the first may start with #.
   std::string_view NextTitle();
 
-  /// The rest of the line without blanks around it; comments are part of it.
+  /// The rest of the line without surrounding blanks; comments are part of it.
   std::string_view Rest();
 
-  /// A decimal number, correctly rounded; NaN and Inf are numbers.
+  /// A decimal number, correctly rounded; NaN and Inf are accepted.
   Number Next(double& value);
 
-  /// A whole decimal number.
+  /// A decimal integer.
   Number Next(int& value);
 
 private:

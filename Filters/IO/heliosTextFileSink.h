@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A text file being written.
+// Writes a text file.
 
 #ifndef heliosTextFileSink_h
 #define heliosTextFileSink_h
@@ -15,8 +15,8 @@ namespace helios
 {
 
 /**
- * Writes <path>.part, which Close renames to path: a file of that name that was there before stays
- * until then. A file that was not closed is removed.
+ * Writes <path>.part, which Close renames to path: an existing file is kept until then. A file that
+ * is not closed is removed.
  */
 class TextFileSink
 {
@@ -26,12 +26,12 @@ public:
   TextFileSink(const TextFileSink&) = delete;
   void operator=(const TextFileSink&) = delete;
 
-  /// Says in words why the file cannot be written, or returns an empty text.
+  /// Opens the file. Returns an error message, or an empty string.
   std::string Open(const std::string& path);
 
   void Append(std::string_view text);
 
-  /// A blank, and a number in the fewest digits that read back exactly.
+  /// Writes a blank and a number with the fewest digits that restore it exactly.
   template <typename T>
   void AppendNumber(T value)
   {
@@ -41,7 +41,8 @@ public:
     this->Used = std::to_chars(at, at + longest - 1, value).ptr - this->Buffer.data();
   }
 
-  /// Says in words what went wrong since Open, or returns an empty text: the file is whole.
+  /// Closes the file. Returns the error message since Open, or an empty string: the file is
+  /// complete.
   std::string Close();
 
 private:

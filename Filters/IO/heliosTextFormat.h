@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers as text, fast and correctly rounded.
+// Fast, correctly rounded formatting of numbers.
 
 #ifndef heliosTextFormat_h
 #define heliosTextFormat_h
@@ -38,17 +38,17 @@ struct DigitPairs
 };
 inline constexpr DigitPairs Digits;
 
-/// Text that grows; records of numbers are appended to it.
+/// A growing text buffer for records of numbers.
 class VTKHELIOSFILTERSIO_EXPORT TextBuffer
 {
 public:
   const char* GetText() const { return this->Text.data(); }
   std::size_t GetSize() const { return this->Size; }
 
-  /// False once a number that is no number or not finite was appended; Cut() forgets it.
+  /// False after a NaN or infinite number was appended; Cut() resets it.
   bool IsFinite() const { return this->Finite; }
 
-  /// Back to an earlier size.
+  /// Truncates to an earlier size.
   void Cut(std::size_t size)
   {
     this->Size = size;
@@ -73,7 +73,7 @@ public:
     this->Size += static_cast<std::size_t>(std::to_chars(at, at + 24, value).ptr - at);
   }
 
-  /// A number with 1 to 9 decimals, rounded as std::to_chars rounds it; zero has no sign.
+  /// A number with 1 to 9 decimals, rounded like std::to_chars; zero has no sign.
   template <int Decimals>
   void AppendFixed(double value)
   {
@@ -106,9 +106,9 @@ public:
 
 private:
   /**
-   * scale x rounded to nearest, ties to even, of x in [0, 1). The product p is below 2^30, so a
-   * half is a whole number of its units in the last place: p is on the side of a half where the
-   * exact product is, unless p has the half itself; then the rounding error of p decides.
+   * scale x rounded to nearest, ties to even, for x in [0, 1). The product p is below 2^30, so a
+   * half is an integer multiple of its ulp: p is on the same side of a half as the exact product,
+   * unless p is exactly a half; then the rounding error of p decides.
    */
   static std::uint32_t RoundScaled(double x, std::uint32_t scale)
   {

@@ -29,7 +29,7 @@ bool IsComment(const char* at, const char* end)
   return at != end && (*at == '#' || (*at == '/' && end - at > 1 && at[1] == '/'));
 }
 
-/// Reads a number and moves behind it. False where there is none.
+/// Parses a number and advances past it. False if there is none.
 bool ParseNumber(const char*& at, const char* end, double& value)
 {
   const char* begin = at;
@@ -73,7 +73,7 @@ const char* TextRow::SkipWord(const char* at, const char* end) const
   return at;
 }
 
-// Whether a column ends at wordEnd, where next is the first character behind it that is no blank.
+// Whether a column ends at wordEnd; next is the first non-blank character after it.
 bool TextRow::IsWordEnd(const char* wordEnd, const char* next, const char* end) const
 {
   return next == end || this->GetClass(*next) == Separator ||

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A row of a text file as numbers in columns.
+// Parses the columns of a text row as numbers.
 
 #ifndef heliosTextRow_h
 #define heliosTextRow_h
@@ -15,32 +15,32 @@ namespace helios
 {
 
 /**
- * Reads the columns that are needed, strictly and correctly rounded. Separators is the set of
- * characters between columns: a blank or a tab stands for any run of blanks and tabs, and blanks
- * beside a separator never count. What follows a word that starts with # or // is a comment.
+ * Reads the requested columns, strictly and correctly rounded. Separators is the set of characters
+ * between columns: a blank or a tab stands for any run of blanks and tabs, and blanks beside a
+ * separator are ignored. A word that starts with # or // starts a comment.
  */
 class TextRow
 {
 public:
   explicit TextRow(const std::string& separators);
 
-  /// Whether a character may separate columns: none of digits, letters, + - . # / may.
+  /// Whether a character is a valid separator: not a digit, letter, + - . # or /.
   static bool IsSeparator(char c)
   {
     return !std::isalnum(static_cast<unsigned char>(c)) && c != '\n' &&
       std::string_view("+-.#/").find(c) == std::string_view::npos;
   }
 
-  /// From here on the number in a column is read.
+  /// Requests the number in a column.
   void Need(int column);
   int GetNumberOfColumns() const { return static_cast<int>(this->Needed.size()); }
 
   enum Result : char
   {
     Good,
-    Empty, ///< nothing but blanks and a comment
+    Empty, ///< only blanks and a comment
     Short, ///< columns are missing from GetColumn() on
-    Bad    ///< what is in GetColumn() is no finite number; DescribeFault() says why
+    Bad    ///< GetColumn() is not a finite number; see DescribeFault()
   };
 
   Result Read(std::string_view line);
@@ -49,13 +49,13 @@ public:
   const double* GetValues() const { return this->Values.data(); }
   int GetColumn() const { return this->Column; }
 
-  /// What is wrong with a bad row, and what kind of rows there are ("point"); for messages.
+  /// Describes the error of a bad row; kind is the kind of row ("point"), for messages.
   std::string DescribeFault(const char* kind) const;
 
-  /// Whether a line is nothing but blanks and a comment.
+  /// Whether a line contains only blanks and a comment.
   static bool IsEmpty(std::string_view line);
 
-  /// Whether any word of the line last read is a number.
+  /// Whether any word of the last line read is a number.
   bool HasNumber() const;
 
 private:
@@ -73,8 +73,8 @@ private:
 
   std::array<CharacterClass, 256> Classes;
   bool BlankSeparates = false;
-  std::vector<char> Needed;   // by column
-  std::vector<double> Values; // of the row, by column
+  std::vector<char> Needed;   // per column
+  std::vector<double> Values; // of the row, per column
   int Column = 0;
   const char* Word = nullptr; // of that column
   std::string_view Line;

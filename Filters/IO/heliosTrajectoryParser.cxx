@@ -22,7 +22,7 @@ std::string_view Trim(std::string_view text)
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// Without the quotes around it.
+/// Removes enclosing quotes.
 std::string_view Unquote(std::string_view text)
 {
   const bool isQuoted =
@@ -30,14 +30,14 @@ std::string_view Unquote(std::string_view text)
   return isQuoted ? Trim(text.substr(1, text.size() - 2)) : text;
 }
 
-/// The number of a name among the columns, or -1.
+/// Index of a column name, or -1.
 int FindName(std::string_view name)
 {
   const auto found = std::find(std::begin(ColumnNames), std::end(ColumnNames), name);
   return found == std::end(ColumnNames) ? -1 : static_cast<int>(found - ColumnNames);
 }
 
-/// Takes the next name off a header; commas or separators lie between names.
+/// Extracts the next name of a header; names are separated by commas or separators.
 std::string_view TakeName(std::string_view& text, const std::string& separators)
 {
   const std::size_t end = text.find_first_of("," + separators);
@@ -153,7 +153,7 @@ bool TrajectoryParser::FailShort()
 }
 
 //------------------------------------------------------------------------------
-// "#TIME_COLUMN: 0" and "#HEADER: "t", "x" ..." say what the columns are; others say nothing.
+// "#TIME_COLUMN: 0" and "#HEADER: "t", "x" ..." define columns; other comments are ignored.
 bool TrajectoryParser::ReadComment(std::string_view line)
 {
   line = Trim(line);
@@ -223,7 +223,7 @@ bool TrajectoryParser::ReadHeader(std::string_view text)
   return true;
 }
 
-// Columns that were set, else those of the header, else the usual order about the column of times.
+// Columns that were set, else those of the header, else the default order with the time column.
 bool TrajectoryParser::FindColumns(TrajectoryColumns& columns)
 {
   const TrajectoryColumns& given = this->Format.Columns;
@@ -298,7 +298,7 @@ std::string TrajectoryParser::GetPlaceOf(const TrajectoryRow& row)
   return this->File->GetPlace();
 }
 
-// Two rows at one time are a jump; of more nobody knows the order.
+// Two rows at one time are a jump; the order of more rows is ambiguous.
 bool TrajectoryParser::CheckTimes(const std::vector<TrajectoryRow>& rows)
 {
   std::size_t jumps = 0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a trajectory file, in the order of time.
+// Reads the rows of a trajectory file in order of time.
 
 #ifndef heliosTrajectoryParser_h
 #define heliosTrajectoryParser_h
@@ -19,7 +19,7 @@
 namespace helios
 {
 
-/// What a column of a trajectory file may hold, in the order of a file that does not say.
+/// Content of a column of a trajectory file, in the default order.
 enum TrajectoryColumn : int
 {
   TimeOf,
@@ -36,7 +36,7 @@ using TrajectoryColumns = std::array<int, 7>;
 struct TrajectoryFormat
 {
   std::string Separators = ",";
-  TrajectoryColumns Columns{ { -1, -1, -1, -1, -1, -1, -1 } }; // -1: not given
+  TrajectoryColumns Columns{ { -1, -1, -1, -1, -1, -1, -1 } }; // -1: not set
   bool HasAttitude = true;
 };
 
@@ -80,8 +80,8 @@ private:
   TextReport& Report;
   TextRow Row;
   XyzFile* File = nullptr;
-  int TimeColumn = -1;      // of the comment
-  TrajectoryColumns Header; // of the comment, -1: not named
+  int TimeColumn = -1;      // from the comment
+  TrajectoryColumns Header; // from the comment, -1: not named
   bool HasHeader = false;
   bool KnowsColumns = false;
   TrajectoryColumns Columns{};

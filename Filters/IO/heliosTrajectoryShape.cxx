@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-using Slopes = std::array<double, 6>; // velocity [m/s], turning rate about the body's axes [deg/s]
+using Slopes = std::array<double, 6>; // velocity [m/s], turning rate about the body axes [deg/s]
 
 Quaternion Turn(int axis, double angle)
 {
@@ -51,12 +51,12 @@ std::vector<Quaternion> HeadingsOfFlight(
   const std::vector<TrajectoryRow>& rows, double minimumSpeed)
 {
   std::vector<Quaternion> headings(rows.size(), Quaternion(1.0, 0.0, 0.0, 0.0));
-  std::size_t first = rows.size(); // row that has a heading
+  std::size_t first = rows.size(); // first row with a heading
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const double before = i > 0 ? rows[i].Time - rows[i - 1].Time : 0.0;
     const double after = i + 1 < rows.size() ? rows[i + 1].Time - rows[i].Time : 0.0;
-    Vec3 velocity(0.0, 0.0, 0.0); // the weights of a parabola
+    Vec3 velocity(0.0, 0.0, 0.0); // parabola weights
     if (before > 0.0)
     {
       const double weight = (after > 0.0 ? after : before) / (before * (before + after));
@@ -106,7 +106,7 @@ std::vector<std::size_t> FilterSlopes(const std::vector<TrajectoryRow>& rows,
       }
       known = isKept ? slopes : known;
     }
-    isKnown = !jumps; // behind a jump slopes start anew
+    isKnown = !jumps; // slopes restart after a jump
     if (isKept)
     {
       kept.push_back(i);

@@ -75,7 +75,7 @@ bool VoxelFile::ReadHead(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-/// A line of "#key: values", of which it may have several.
+/// Parses a line of "#key: values" with one or more keys.
 bool VoxelFile::ReadKeys(std::string_view line)
 {
   while (!line.empty())
@@ -127,7 +127,7 @@ bool VoxelFile::ReadKey(const std::string& key, std::string_view values)
 }
 
 //------------------------------------------------------------------------------
-/// Three numbers, or one for all three where that will do.
+/// Reads three numbers, or one for all three if allowed.
 bool VoxelFile::ReadNumbers(
   const std::string& key, std::string_view values, int least, double numbers[3])
 {
@@ -157,7 +157,7 @@ bool VoxelFile::ReadNumbers(
 }
 
 //------------------------------------------------------------------------------
-/// The names of the columns; a line that does not name i, j and k is a title.
+/// Reads the column names; a line without i, j and k is a title.
 bool VoxelFile::ReadNames(std::string_view line)
 {
   std::vector<std::string> given;
@@ -231,7 +231,7 @@ bool VoxelFile::FinishHead()
         std::to_string(axis) + "; correct one of them");
     }
   }
-  if (this->Roles.empty()) // a file without names has the usual columns
+  if (this->Roles.empty()) // default columns for a file without names
   {
     this->Roles = { Role::I, Role::J, Role::K, Role::Pad };
     this->SetRole(13, Role::Transmittance);
@@ -391,7 +391,7 @@ bool ReadLeafTable(const std::string& path, TextReport& report, std::vector<doub
     int count = 0;
     if (!words.HasMore() || (rows.empty() && !StartsWithNumber(text)))
     {
-      continue; // a comment, or names
+      continue; // a comment, or column names
     }
     while (count < 4 && words.Next(row[count]) == TextWords::Number::Good)
     {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The text of a .vox file: a grid of cells and what each holds.
+// Parses the text of a .vox file: a grid of cells and their values.
 
 #ifndef heliosVoxelFile_h
 #define heliosVoxelFile_h
@@ -17,19 +17,19 @@
 namespace helios
 {
 
-/// Where the cells of a file are.
+/// Geometry of the grid.
 struct VoxelLayout
 {
-  double Corner[3] = { 0.0, 0.0, 0.0 }; // the lowest [m]
+  double Corner[3] = { 0.0, 0.0, 0.0 }; // minimum corner [m]
   double Size[3] = { 0.0, 0.0, 0.0 };   // of a cell [m]
-  std::int64_t Count[3] = { 0, 0, 0 };  // of cells
-  double MaximumPad = 0.0;              // 0: not given
+  std::int64_t Count[3] = { 0, 0, 0 };  // number of cells
+  double MaximumPad = 0.0;              // 0: not set
   bool HasTransmittance = false;
 
   std::int64_t GetNumberOfCells() const { return this->Count[0] * this->Count[1] * this->Count[2]; }
 };
 
-/// Reads the head of a file, then its rows; every number that is used is checked.
+/// Reads the header of a file, then its rows; every number used is checked.
 class VoxelFile
 {
 public:
@@ -46,8 +46,8 @@ public:
   TextFile& GetText() { return this->Text; }
 
   /**
-   * Writes the values of the cells that the file has, of which the caller has set all; transmittance
-   * may be null. False after an error.
+   * Writes the values of the cells present in the file; the caller initializes all cells.
+   * transmittance may be null. False after an error.
    */
   bool ReadRows(double* pad, double* transmittance);
 
@@ -93,12 +93,12 @@ private:
   double HighCorner[3] = { 0.0, 0.0, 0.0 };
   bool HasCorner = false;
   bool HasHighCorner = false;
-  std::vector<Role> Roles;   // by column, up to the last that is read
-  std::string_view FirstRow; // where the head ends with it
-  std::vector<bool> Seen;    // by cell
+  std::vector<Role> Roles;   // per column, up to the last one read
+  std::string_view FirstRow; // ends the header
+  std::vector<bool> Seen;    // per cell
 };
 
-/// The rows x y z G of a leaf-angle table, separated by commas, semicolons or blanks; false after an error.
+/// Reads the rows x y z G of a leaf-angle table, separated by , ; or blanks; false after an error.
 bool ReadLeafTable(const std::string& path, TextReport& report, std::vector<double>& rows);
 
 } // namespace helios

@@ -24,9 +24,9 @@ namespace
 {
 
 constexpr double SmallestLimit = 5e8; // [bytes]
-constexpr double LimitShare = 10.0;   // of the file's size
+constexpr double LimitShare = 10.0;   // of the file size
 
-/// What is wrong with a file; ends the check.
+/// A validation error; ends the check.
 struct Fault
 {
   std::string Words;
@@ -53,7 +53,7 @@ std::string GetText(vtkXMLDataElement* element, const char* name)
   return value ? value : "";
 }
 
-/// A whole number of an attribute within 0 and most.
+/// Reads an integer attribute in [0, most].
 vtkTypeInt64 ReadCount(
   vtkXMLDataElement* element, const char* name, vtkTypeInt64 missing, vtkTypeInt64 most)
 {
@@ -76,7 +76,7 @@ vtkTypeInt64 ReadCount(
   return value;
 }
 
-/// The type of an array, its size [bytes] and number of components; Size 0: text.
+/// Type of an array, its size [bytes] and number of components; Size 0: string.
 struct ArrayForm
 {
   int Type = VTK_VOID;
@@ -104,7 +104,7 @@ double GetSize(int type)
 {
   const auto* found = std::find_if(
     std::begin(Types), std::end(Types), [type](const auto& each) { return each.Type == type; });
-  return found->Size > 0 ? found->Size : 1.0; // a bit a byte in memory, at most
+  return found->Size > 0 ? found->Size : 1.0; // at most one byte per bit in memory
 }
 
 bool IsInteger(int type)
@@ -113,7 +113,7 @@ bool IsInteger(int type)
     type != VTK_TYPE_FLOAT64;
 }
 
-/// The walk over the elements of a file.
+/// Traverses the elements of a file.
 class Check
 {
 public:
@@ -190,7 +190,7 @@ private:
     return points + rows;
   }
 
-  /// VTK's readers keep the last of elements of a name, and count others.
+  /// VTK readers keep the last of several elements with the same name, and count the others.
   void CheckOnce(vtkXMLDataElement* piece)
   {
     std::set<std::string> names;
@@ -241,7 +241,7 @@ private:
       vtkXMLDataElement* array = data->GetNestedElement(i);
       const vtkTypeInt64 tuples = this->CountOf(array, "NumberOfTuples");
       const ArrayForm form = this->CheckArray(array, tuples);
-      double number = 0.0; // VTK's reader takes any for a time, and reads it at once
+      double number = 0.0; // the VTK reader treats any number as a time, and reads it immediately
       if (tuples == 1 && form.Components == 1 && form.Type != VTK_STRING && form.Type != VTK_BIT &&
         !this->Parser->ReadNumber(array, 0, form.Type, number))
       {
@@ -336,7 +336,7 @@ private:
     return form;
   }
 
-  /// Keys of information have a length, which VTK believes.
+  /// Information keys have a length attribute, which VTK trusts.
   void CheckKeys(vtkXMLDataElement* array)
   {
     for (int i = 0; i < array->GetNumberOfNestedElements(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK XML files are checked before VTK reads them: its readers believe every number of a file, and
-// a wrong one ends the process.
+// Validates VTK XML files before VTK reads them: its readers trust every number in a file, and a
+// wrong one terminates the process.
 
 #ifndef heliosVtkXmlFile_h
 #define heliosVtkXmlFile_h
@@ -22,24 +22,24 @@ class VTKHELIOSFILTERSIO_EXPORT VtkXmlFile
 public:
   enum class Kind
   {
-    Other,  // no VTK XML file of the type, or no XML at all
-    Single, // with data
-    Index   // a file that names pieces
+    Other,  // not VTK XML of the type, or not XML
+    Single, // contains data
+    Index   // lists pieces
   };
 
-  /// Reads the elements of a file of "PolyData" or "Table", and checks all that they say about data:
-  /// counts, types, places and sizes. False: see GetProblem().
+  /// Reads the elements of a file of "PolyData" or "Table", and checks all data attributes: counts,
+  /// types, offsets and sizes. False: see GetProblem().
   bool Open(const std::string& path, const std::string& type);
 
   Kind GetKind() const { return this->FileKind; }
 
-  /// The points or rows of a single file.
+  /// Number of points or rows of a single file.
   vtkIdType GetNumberOfRecords() const { return this->NumberOfRecords; }
 
-  /// The files that an index names.
+  /// Files listed by an index.
   const std::vector<std::string>& GetPieces() const { return this->Pieces; }
 
-  /// What is wrong, without the file's name; with the cure.
+  /// Error message with a remedy, without the file name.
   const std::string& GetProblem() const { return this->Problem; }
 
 private:
@@ -49,10 +49,10 @@ private:
   std::string Problem;
 };
 
-/// What the bytes of decoded arrays may add up to, for a file of a size.
+/// Maximum total size of decoded arrays [bytes], for a given file size.
 VTKHELIOSFILTERSIO_EXPORT double GetVtkXmlMemoryLimit(double fileSize);
 
-/// Calls a function of VTK's readers; the words of an exception, or an empty text.
+/// Calls a function of a VTK reader; returns the exception message, or an empty string.
 template <typename FunctionT>
 std::string CatchExceptions(FunctionT&& function)
 {

@@ -26,9 +26,9 @@ namespace
 {
 
 constexpr int LargestDepth = 32;            // VTK frees elements recursively
-constexpr double LargestBlock = 2147483647; // [bytes], of the decompressors
+constexpr double LargestBlock = 2147483647; // [bytes], limit of the decompressors
 
-/// Takes the messages of an object: there is one error, and it names the file.
+/// Suppresses the messages of an object: a single error is reported, with the file name.
 void Silence(vtkObject* object)
 {
   vtkNew<vtkCallbackCommand> nothing;

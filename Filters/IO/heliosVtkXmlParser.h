@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's own parser of its XML files, with limits, and a look at the heads of the data.
+// The VTK parser of XML files, with limits, and access to the data headers.
 
 #ifndef heliosVtkXmlParser_h
 #define heliosVtkXmlParser_h
@@ -20,20 +20,21 @@ public:
   static VtkXmlParser* New();
   vtkTypeMacro(VtkXmlParser, vtkXMLDataParser);
 
-  /// The root of the stream's elements; null: see GetProblem().
+  /// The root element of the stream; null: see GetProblem().
   vtkXMLDataElement* ParseFile(double size);
   const std::string& GetProblem() const { return this->Problem; }
 
-  /// False where the compressor that the root names is not known.
+  /// False if the compressor named by the root is unknown.
   bool SetCompressorOf(vtkXMLDataElement* root);
 
-  /// What is wrong with the data of an array of so many values and bytes, or an empty text.
+  /// Checks the data of an array with n values and bytes. Returns an error message, or an empty
+  /// string.
   std::string CheckData(vtkXMLDataElement* array, double values, double bytes, double limit);
 
-  /// Whether an array that was checked has so many texts, each with its end: VTK writes as many as it finds.
+  /// Whether a checked array has this many terminated strings: VTK writes as many as it finds.
   bool HasTexts(vtkXMLDataElement* array, double count);
 
-  /// One number of an array that was checked.
+  /// Reads one number of a checked array.
   bool ReadNumber(vtkXMLDataElement* array, vtkTypeInt64 index, int type, double& number);
 
 protected:
@@ -57,7 +58,7 @@ private:
 
   std::string Problem;
   double Size = 0.0;
-  double Total = 0.0; // of the array that was checked last [bytes]
+  double Total = 0.0; // of the last checked array [bytes]
   int Depth = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A file by one of VTK's XML readers, after a check, and without exceptions.
+// Reads a file with a VTK XML reader, after validation and without exceptions.
 
 #ifndef heliosVtkXmlReading_h
 #define heliosVtkXmlReading_h
@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// Takes the messages of VTK's readers, so that there is one error and not several.
+/// Collects the messages of VTK readers, to report a single error.
 class FaultListener : public vtkCommand
 {
 public:
@@ -31,7 +31,7 @@ public:
   bool HasFault = false;
 };
 
-/// The data of a file, by a reader of VTK's; null: see the problem, which has the cure.
+/// Reads the data of a file with a VTK reader; null: see the problem, which gives a remedy.
 template <typename ReaderT, typename DataT>
 vtkSmartPointer<DataT> ReadVtkXml(
   const std::string& path, const std::string& type, std::string& problem)

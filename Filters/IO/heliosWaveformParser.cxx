@@ -21,9 +21,9 @@ namespace
 {
 
 constexpr double NanowattsPerWatt = 1e9;
-constexpr double TimeRounding = 1.0001e-4; // [ns], of the difference of two times of the file
+constexpr double TimeRounding = 1.0001e-4; // [ns], of the difference of two file times
 constexpr double DirectionRounding = 1e-3; // of the length of a direction with 4 decimals
-constexpr int FirstSample = 10;            // the column
+constexpr int FirstSample = 10;            // column
 const char* const ColumnNames[FirstSample] = { "the pulse index", "origin x", "origin y",
   "origin z", "direction x", "direction y", "direction z", "the time of the first sample",
   "the time of the last sample", "the GPS time" };
@@ -34,7 +34,7 @@ std::string NameColumn(int column)
     (column < FirstSample ? ColumnNames[column] : "a sample") + ")";
 }
 
-/// A number in the fewest decimals that a rounding leaves open.
+/// The value with the fewest decimals within the rounding error.
 double Shorten(double value, double rounding)
 {
   for (double scale = 1.0; scale < 1e9; scale *= 10.0)
@@ -192,7 +192,7 @@ bool WaveformParser::ReadSamples(TextWords& words, vtkIdType& count)
 }
 
 //------------------------------------------------------------------------------
-// The times have 4 decimals: of the bins that they leave open the one with the fewest is taken.
+// Times have 4 decimals: the bin size with the fewest decimals consistent with them is used.
 bool WaveformParser::FindBinSize(const Head& head, vtkIdType count, double& binSize)
 {
   const double length = head.End - head.Start;

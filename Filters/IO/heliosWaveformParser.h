@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The lines of a waveform file in HELIOS columns, as a table.
+// Parses the lines of a waveform file in HELIOS columns into a table.
 
 #ifndef heliosWaveformParser_h
 #define heliosWaveformParser_h
@@ -22,14 +22,14 @@ class vtkTable;
 namespace helios
 {
 
-/// What a line does not say.
+/// Properties that a line does not contain.
 struct WaveformFormat
 {
-  double TimesPerUnit = 1.0; ///< two-way times of one in the file: 2 for one-way times
-  double BinSize = 0.0;      ///< [ns], two-way; 0: that of the line
+  double TimesPerUnit = 1.0; ///< two-way time per file unit: 2 for one-way times
+  double BinSize = 0.0;      ///< [ns], two-way; 0: from the line
 };
 
-/// Reads lines, each number of them checked.
+/// Reads lines; every number is checked.
 class WaveformParser
 {
 public:
@@ -44,16 +44,16 @@ public:
 
   vtkIdType GetNumberOfWaveforms() const { return this->PulseIds.GetSize(); }
 
-  /// Hands the columns and the samples over.
+  /// Moves the columns and the samples to a table.
   void MoveTo(vtkTable* table);
 
 private:
-  /// The columns before the samples that are numbers.
+  /// The numeric columns before the samples.
   struct Head
   {
     double Origin[3];
     double Direction[3];
-    double Start; // [ns], as the file has it
+    double Start; // [ns], as in the file
     double End;
     double GpsTime;
   };

@@ -20,7 +20,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Takes an array of numbers, or says what is wrong with it.
+/// Gets a numeric array. Returns an error message, or an empty string.
 std::string TakeArray(
   vtkFieldData* data, const char* name, vtkIdType rows, int components, Column& column)
 {
@@ -51,7 +51,7 @@ std::string TakeIntegers(vtkFieldData* data, const char* name, vtkIdType rows, C
   return problem;
 }
 
-/// The first value that is not finite, or -1; other types than real numbers have none.
+/// Index of the first non-finite value, or -1; always -1 for integer types.
 template <typename ArrayT>
 vtkIdType FindNotFinite(vtkDataArray* data)
 {
@@ -126,7 +126,7 @@ std::string WaveformTable::CheckSamples() const
   return {};
 }
 
-/// The first bin size that is 0 or less, in words; empty: none.
+/// Reports the first bin size that is 0 or less; empty: none.
 std::string CheckBinSizes(vtkDataArray* sizes)
 {
   for (vtkIdType row = 0; sizes && row < sizes->GetNumberOfTuples(); ++row)
@@ -142,7 +142,7 @@ std::string CheckBinSizes(vtkDataArray* sizes)
 
 std::string CheckValues(vtkTable* table)
 {
-  // other field data may have NaN for what is not known
+  // other field data may have NaN for unknown values
   std::string problem = CheckFinite(table->GetFieldData()->GetArray(names::Samples));
   vtkFieldData* columns = table->GetRowData();
   for (int i = 0; problem.empty() && i < columns->GetNumberOfArrays(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A table of waveforms as the scanner gives it, checked.
+// A validated table of waveforms in the layout of the scanner.
 
 #ifndef heliosWaveformTable_h
 #define heliosWaveformTable_h
@@ -16,23 +16,23 @@ class vtkTable;
 namespace helios
 {
 
-/// One row a waveform; its samples are Count values of Samples from Offset on.
+/// One row per waveform; its samples are Count values of Samples from Offset on.
 struct VTKHELIOSFILTERSIO_EXPORT WaveformTable
 {
   Column PulseIds, Origin, Direction, GpsTime, StartTime, BinSize, Offset, Count;
-  Column Samples; ///< all of the table, one behind the other
+  Column Samples; ///< all samples of the table, concatenated
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfSamples = 0;
 
-  /// Takes the columns of a table, or says what is wrong with it: "has no array Samples". A table
-  /// without rows needs no columns.
+  /// Reads the columns of a table. Returns an error: "has no array Samples". A table without rows
+  /// needs no columns.
   std::string Take(vtkTable* table);
 
 private:
   std::string CheckSamples() const;
 };
 
-/// Says which array has a value that is not finite, or which row bins of no width; empty: none.
+/// Returns which array has a non-finite value or which row a bin size <= 0, or an empty string.
 std::string CheckValues(vtkTable* table);
 
 } // namespace helios

@@ -19,7 +19,7 @@ namespace
 
 constexpr std::size_t BlockSize = std::size_t(1) << 20;
 
-/// The number of line ends among the first bytes of a file.
+/// Counts the line ends in the first bytes of a file.
 std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 {
   std::FILE* file = std::fopen(path.c_str(), "rb");
@@ -78,7 +78,7 @@ void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
   this->Begin = this->End = this->Buffer.data();
   this->AtEnd = false;
   this->Stop = std::min(end, this->Size);
-  // A line starts at begin if the byte before ends one.
+  // A line starts at begin if the previous byte is a line end.
   this->Next = std::max<std::int64_t>(begin - 1, 0);
   if (std::fseek(this->File, static_cast<long>(this->Next), SEEK_SET) != 0)
   {
@@ -114,7 +114,7 @@ bool XyzFile::ReadBlock()
   return !this->Stopped;
 }
 
-// Finds the end of the line at Begin and reads on where it needs to.
+// Finds the end of the line at Begin, and reads more if needed.
 bool XyzFile::FindLineEnd()
 {
   std::size_t searched = 0;
@@ -124,7 +124,7 @@ bool XyzFile::FindLineEnd()
     this->LineEnd = static_cast<char*>(std::memchr(this->Begin + searched, '\n', left - searched));
     if (!this->LineEnd && this->AtEnd && left > 0)
     {
-      this->LineEnd = this->End; // a last line without an end
+      this->LineEnd = this->End; // last line without line end
     }
     if (this->LineEnd)
     {

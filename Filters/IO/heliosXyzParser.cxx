@@ -125,7 +125,7 @@ bool XyzParser::FailShort()
     "); complete the row, or set what separates columns (Separators) and which are read");
 }
 
-// A first row without any number is a header, all else an error.
+// A first row without any number is a header; any other is an error.
 bool XyzParser::FailNumber(std::string_view line)
 {
   if (!this->Row.HasNumber() && this->IsFirstRow(this->File->GetLineStart()))

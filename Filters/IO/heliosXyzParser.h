@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rows of a text file of points, as numbers.
+// Parses the rows of a text file of points.
 
 #ifndef heliosXyzParser_h
 #define heliosXyzParser_h
@@ -22,7 +22,7 @@ class vtkPolyData;
 namespace helios
 {
 
-/// Which columns hold what, and what lies between them.
+/// Columns and separators of the format.
 struct XyzFormat
 {
   std::string Separators = " \t";
@@ -33,7 +33,7 @@ struct XyzFormat
   double MaximumColor = 255.0;
 };
 
-/// Reads rows of x, y, z and what the format asks for; every number that is used is checked.
+/// Reads rows of x, y, z and the columns of the format; every number used is checked.
 class XyzParser
 {
 public:
@@ -44,7 +44,7 @@ public:
 
   vtkIdType GetNumberOfPoints() const { return this->Points.GetSize() / 3; }
 
-  /// Hands the points and their arrays over.
+  /// Moves the points and their arrays to a cloud.
   void MoveTo(vtkPolyData* cloud);
 
 private:

@@ -22,9 +22,9 @@ vtkStandardNewMacro(vtkHeliosGeoTiffSceneReader);
 namespace
 {
 
-constexpr double HighestHeight = 9000.0; // [m], of the Earth
+constexpr double HighestHeight = 9000.0; // [m], highest on Earth
 
-// Whether 32-bit cells hold the mesh: the end of the last triangle is the largest number in them.
+// Whether the mesh fits in 32-bit cells: the last cell offset is the largest number.
 bool IsSmall(const helios::RasterFile& file)
 {
   const std::int64_t blocks = (file.GetNumberOfColumns() - 1) * (file.GetNumberOfRows() - 1);

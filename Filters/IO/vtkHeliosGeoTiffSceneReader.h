@@ -2,39 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosGeoTiffSceneReader
- * @brief   a height raster as a mesh of triangles
+ * @brief   read a height raster as a triangle mesh
  *
  * Output 0 is a vtkPolyData of triangles:
- * - points: the pixel centres that triangles use, row by row, double; x, y in the raster's
- *   coordinate system, z in metres;
- * - polys: two for every four neighbours, (UL, LL, UR) and (LL, LR, UR), block by block along the
- *   rows; whatever the geotransform (rotated, sheared, mirrored), normals point up;
+ * - points: the pixel centres used by triangles, row by row, double; x, y in the coordinate system
+ *   of the raster, z in metres;
+ * - polys: two triangles for every 2 x 2 pixels, (UL, LL, UR) and (LL, LR, UR), block by block
+ *   along the rows; normals point up for any geotransform (rotated, sheared, mirrored);
  * - cell data MaterialIds (int): 0;
  * - field data: one default material; CRS as WKT, if the file has one.
  *
- * A height is (value scale + offset) unit, with scale and offset of the band and the unit of the
- * band or else of the vertical part of the coordinate system; metres where nobody says. CRS has its
- * heights in metres accordingly: a vertical part in feet is rewritten, and its name says so.
+ * A height is (value scale + offset) unit, with the scale and offset of the band. The unit is that
+ * of the band, else of the vertical part of the coordinate system, else metres. CRS states metres
+ * accordingly: a vertical part in feet is rewritten, and its name says so.
  *
- * Where AREA_OR_POINT is Area, the first sample lies half a pixel inside the raster's corner; where
- * it is Point, on the tie point: GDAL moves the geotransform then.
+ * If AREA_OR_POINT is Area, the first sample is half a pixel inside the corner of the raster; if it
+ * is Point, it is on the tie point: GDAL shifts the geotransform in this case.
  *
- * Pixels without height make holes: those of the no-data value (compared exactly, as the band's
- * type holds it), NaN, those that the mask or the alpha band hides, and those of blocks that are
- * not in the file ("sparse"). A triangle is left out if one of its own corners has no height.
+ * Pixels without height become holes: the no-data value (compared exactly, in the type of the
+ * band), NaN, pixels masked by the mask or alpha band, and pixels of blocks missing in the file
+ * ("sparse"). A triangle is dropped if one of its corners has no height.
  *
- * The file is read by blocks of rows, so that the memory is little more than the output's.
+ * The file is read in blocks of rows: the memory is little more than that of the output.
  *
- * Errors end the reading without output: files that are missing, damaged or no GeoTIFF; a band
- * that is not there; no geotransform (or ground control points only); an infinite height; an
- * unknown unit; more than 2^31 points. Warned of are heights beyond 9000 m (an undeclared no-data
- * value), feet on the map without a unit of heights, a raster without triangles, and what GDAL
- * warns of.
+ * Errors, without output: a file that is missing, damaged or not a GeoTIFF; a band that does not
+ * exist; no geotransform (or ground control points only); an infinite height; an unknown unit; more
+ * than 2^31 points. Warnings: heights beyond 9000 m (an undeclared no-data value), map units in
+ * feet without a height unit, a raster without triangles, and GDAL warnings.
  *
  * @warning
- * Coordinates stay as the file's coordinate system has them, be it degrees or feet:
- * vtkHeliosReproject turns them into metres. A coordinate system without place on Earth (LOCAL_CS)
- * is left out.
+ * Coordinates stay in the coordinate system of the file, including degrees or feet:
+ * vtkHeliosReproject converts them to metres. A coordinate system without a location on Earth
+ * (LOCAL_CS) is dropped.
  *
  * @sa
  * vtkHeliosReproject vtkHeliosMaterialReader vtkHeliosSceneComposer
@@ -70,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the band with the heights, counted from 1. Valid range: [1, 65535]. Default: 1.
+   * Set/Get the height band, counted from 1. Valid range: [1, 65535]. Default: 1.
    */
   vtkSetClampMacro(Band, int, 1, 65535);
   vtkGetMacro(Band, int);
@@ -78,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the unit of the heights, instead of the file's [m]; 0: the file's. Valid range:
+   * Set/Get the height unit [m], which overrides that of the file; 0: use the file's. Valid range:
    * [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeightUnit, double, 0.0, 1e6);
@@ -87,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the value of pixels without height, before scale and offset, instead of the file's;
-   * NaN: the file's. Default: NaN.
+   * Set/Get the value of pixels without height, before scale and offset, which overrides that of
+   * the file; NaN: use the file's. Default: NaN.
    */
   vtkSetMacro(NoDataValue, double);
   vtkGetMacro(NoDataValue, double);

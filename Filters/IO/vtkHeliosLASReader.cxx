@@ -32,13 +32,13 @@ namespace
 constexpr std::uint64_t PointsPerRound = 1 << 14;
 constexpr double StandardTimeOffset = 1e9; // [s]
 
-/// The first point of piece i of n, without the overflow of count * i.
+/// The first point of piece i of n, computed without overflow of count * i.
 std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
 {
   return count / n * i + count % n * i / n;
 }
 
-/// What the file says of all its points.
+/// Sets the field data of the file.
 void SetFields(const helios::LasFile& file, vtkPolyData* output)
 {
   helios::SetCRS(output, file.GetCrs());
@@ -93,7 +93,7 @@ int vtkHeliosLASReader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-/// Points begin to end; what went wrong, or an empty text.
+/// Reads points begin to end. Returns an error message, or an empty string.
 std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
   std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
 {
@@ -103,7 +103,7 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
   std::string problem = hasWaves ? packets.Open(file) : std::string();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
   {
-    this->WarnedName = file.GetPath(); // once, not for every piece
+    this->WarnedName = file.GetPath(); // once, not per piece
     vtkWarningMacro(<< packets.GetWarning());
   }
   helios::LasArrays arrays(header, file.GetExtras(), static_cast<vtkIdType>(end - begin));
@@ -179,7 +179,7 @@ int vtkHeliosLASReader::RequestData(
   const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
   if (piece < 0 || piece >= count)
   {
-    return 1; // nothing of the file
+    return 1; // no part of the file
   }
   helios::LasFile file;
   std::string problem;

@@ -2,45 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosLASReader
- * @brief   points from a LAS file, piece by piece
+ * @brief   read points from a LAS file, piece by piece
  *
- * LAS 1.0 to 1.4, uncompressed, point formats 0 to 10. Output 0 is a vtkPolyData
- * without cells: points of doubles, and the point arrays
- * - GpsTime [s] (double), where the format has it;
+ * LAS 1.0 to 1.4, uncompressed, point formats 0 to 10. Output 0 is a
+ * vtkPolyData without cells: double points, and the point arrays
+ * - GpsTime [s] (double), if the format has it;
  * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirection,
  *   EdgeOfFlightLine, UserData, ClassificationFlags (unsigned char);
  * - ClassificationIds (int), ScanAngle (double) [deg];
- * - LegIds (int), the point source id less 1: -1 where it is 0;
+ * - LegIds (int), the point source id minus 1: -1 if it is 0;
  * - ChannelIds (int), the scanner channel, formats 6 to 10;
- * - RGB (float, 3, each in [0..1]), NearInfrared (unsigned short), where the
+ * - RGB (float, 3, each in [0..1]), NearInfrared (unsigned short), if the
  *   format has them;
- * - each field of the Extra Bytes by its name and type, or of doubles where it is
- *   scaled. Three fields of one type whose names end in X, Y, Z are one array of
- *   three numbers. A field with the name of another array replaces it.
+ * - each field of the Extra Bytes by its name and type, as double if it is scaled. Three fields of
+ *   one type whose names end in X, Y, Z become one array of three components. A field with the name
+ *   of another array replaces it.
  *
- * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) where the file has one;
- * GpsEpoch, 1e9 where its times are adjusted standard time: GpsEpoch + GpsTime
- * are seconds of GPS time. So a file of vtkHeliosLASWriter comes back as it was.
+ * Field arrays: CRS (WKT, or EPSG:n from GeoTIFF keys) if the file has one;
+ * GpsEpoch, 1e9 if the times are adjusted standard time: GpsEpoch + GpsTime are
+ * seconds of GPS time. Data written by vtkHeliosLASWriter are read back unchanged.
  *
- * Piece i of n is the i-th of n equal stretches of the points.
+ * Piece i of n is the i-th of n equal ranges of the points.
  *
- * Errors, which name the file, end the reading without output: no LAS, a
- * version, format or size that cannot be, a file that is cut off or whose counts
- * do not fit, LAZ (the message says how to convert it); of waveforms: no file of
- * packets, a descriptor that is not there, empty or not known, a packet beyond the
- * end, packets that overlap to more than there is.
+ * Errors, which name the file, without output: not a LAS file; an invalid version, format or size;
+ * a truncated file; inconsistent counts; LAZ (the message says how to convert it). For waveforms:
+ * no packet file; a descriptor that is missing, empty or unknown; a packet beyond the end; packets
+ * that overlap to more than the file size.
  *
- * Output 1 is a vtkTable, with ReadWaveforms: the waveforms that the points of the
- * piece name, as vtkHeliosScanner gives them (PulseIds, Origin, Direction, GpsTime,
- * StartTime, BinSize, Offset, Count; Samples in the field data), from the file
- * itself or a .wdp beside it. PulseIds are the WaveformIds of the points, or where
- * they have none the number of the first one. X(t), Y(t), Z(t) of a point lead
- * to the scanner: Direction is their opposite. The origin is Range away from the
- * first point; without that array it is the anchor, where the first sample came
- * from: point + location (X(t), Y(t), Z(t)). Samples of exactly 0 at the end are
- * left out: packets are filled up with them. Files of earlier versions of
- * vtkHeliosLASWriter, whose vectors lead away from the scanner, are known by their
- * descriptor records, and read right with a warning.
+ * Output 1 is a vtkTable, with ReadWaveforms: the waveforms of the points of the piece, in the
+ * layout of vtkHeliosScanner (PulseIds, Origin, Direction, GpsTime, StartTime, BinSize, Offset,
+ * Count; Samples in the field data), read from the file itself or a .wdp beside it. PulseIds are
+ * the WaveformIds of the points or, if missing, the index of the first point. X(t), Y(t), Z(t) of a
+ * point lead to the scanner: Direction is their opposite. The origin is at distance Range from the
+ * first point; without that array it is the anchor, the origin of the first sample: point +
+ * location (X(t), Y(t), Z(t)). Trailing samples of exactly 0 are dropped: packets are padded with
+ * them. Files of earlier versions of vtkHeliosLASWriter, whose vectors lead away from the scanner,
+ * are recognized by their descriptor records and read correctly, with a warning.
  *
  * @sa
  * vtkHeliosLASWriter
@@ -71,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read. No default: an error without.
+   * Set/Get the file to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -106,8 +103,8 @@ private:
 
   char* FileName = nullptr;
   bool ReadWaveforms = false;
-  std::string WarnedName;   // the file whose waveforms were warned of
-  std::string WarnedValues; // the file whose values were warned of
+  std::string WarnedName;   // file whose waveforms caused a warning
+  std::string WarnedValues; // file whose values caused a warning
 };
 
 #endif

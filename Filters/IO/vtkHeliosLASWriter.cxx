@@ -69,7 +69,7 @@ void vtkHeliosLASWriter::SetWaveforms(vtkTable* waveforms)
 }
 
 //------------------------------------------------------------------------------
-/// What Open() and Reopen() begin with.
+/// Initialization shared by Open() and Reopen().
 void vtkHeliosLASWriter::Start()
 {
   this->Sheet.reset();
@@ -148,7 +148,7 @@ bool vtkHeliosLASWriter::RefusePoints(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-/// What the block says of the file.
+/// Creates the file properties from the first block.
 bool vtkHeliosLASWriter::MakeSheet(
   vtkPolyData* echoes, const helios::LasBlock& block, helios::LasSheet& sheet)
 {
@@ -183,7 +183,7 @@ bool vtkHeliosLASWriter::MakeSheet(
 }
 
 //------------------------------------------------------------------------------
-/// The header and the records of the first block.
+/// Writes the header and the records at the first block.
 bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* echoes)
 {
   auto sheet = std::make_unique<helios::LasSheet>();
@@ -304,7 +304,7 @@ void vtkHeliosLASWriter::Warn(const helios::LasBlock& block)
 }
 
 //------------------------------------------------------------------------------
-/// Takes the arrays of a block and the waveforms that belong to it.
+/// Reads the arrays of a block and its waveforms.
 bool vtkHeliosLASWriter::TakeBlock(
   vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves)
 {
@@ -323,7 +323,7 @@ bool vtkHeliosLASWriter::TakeBlock(
 }
 
 //------------------------------------------------------------------------------
-/// Brings the time between samples to the descriptors, once it is known.
+/// Writes the sample spacing to the descriptors, once it is known.
 bool vtkHeliosLASWriter::CheckSpacing(const helios::LasWaves& waves)
 {
   const std::uint32_t spacing = waves.GetSpacing();
@@ -390,7 +390,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     }
     if (isFirst)
     {
-      this->Sheet.reset(); // another block may be the first
+      this->Sheet.reset(); // another block may become the first
       this->TakeBack(0);
     }
     return false;
@@ -417,7 +417,7 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::TakeBlocks()
   {
     blocks.push_back(this->Packets->TakeBlock());
   }
-  if (!this->IsOpen() && this->Sheet) // nobody writes over the heads any more
+  if (!this->IsOpen() && this->Sheet) // the heads are final
   {
     blocks.push_back(
       helios::MakeFileBlock(this->GetOpenName(), 0, this->Sheet->Header.PointsBegin));
@@ -445,7 +445,7 @@ bool vtkHeliosLASWriter::RestoreHead(const std::string& checksum)
   {
     return this->GetHeadChecksum() == checksum;
   }
-  // A block that is taken back may have been the first with waveforms.
+  // A block that is removed may be the first with waveforms.
   this->Sheet->Spacing = 0;
   std::uint32_t count = 0;
   return this->OverwriteBytes(helios::LasHeader::Size14, this->Sheet->EncodeRecords(count)) &&
@@ -453,7 +453,7 @@ bool vtkHeliosLASWriter::RestoreHead(const std::string& checksum)
 }
 
 //------------------------------------------------------------------------------
-/// A file without points, where there was no block.
+/// Writes a file without points if there was no block.
 bool vtkHeliosLASWriter::WriteEmpty()
 {
   this->Sheet = std::make_unique<helios::LasSheet>();

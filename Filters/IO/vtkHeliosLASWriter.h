@@ -2,48 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosLASWriter
- * @brief   echoes as LAS 1.4
+ * @brief   write echoes as LAS 1.4
  *
- * The file is valid after every block, as .part too: its header counts the
- * points that are there. Points are of format 6, or 7 where the first block has
- * RGB; with waveforms 9 or 10. All blocks have the same arrays and CRS; the field data CRS goes to a WKT
- * record. A file that goes on (Reopen) keeps its scale and offset.
+ * The file, including its .part, is valid after every block: its header counts the points written.
+ * The point format is 6, or 7 if the first block has RGB; with waveforms 9 or 10. All blocks have
+ * the same arrays and CRS; the field data CRS is written as a WKT record. A resumed file (Reopen)
+ * keeps its scale and offset.
  *
- * Of a point:
- * - x, y, z in 32-bit multiples of Scale about an offset, the first point of the
- *   file in whole units; rounded to the nearest. The box in the header is that
- *   of the rounded points. The bytes of the file do not depend on how its points
- *   are divided into blocks, but for Scale 0.
- * - intensity: the array Intensity where there is one; else of the amplitude A
- *   1000 log10(A / 1 fW), hundredths of a decibel, or 65535 A / FullIntensity.
- * - ReturnNumber, NumberOfReturns; beyond 15 they are 15, with a warning.
- * - ClassificationIds; beyond 0 to 255 it is 1 (unclassified), with a warning.
- * - scan angle: ScanAngle to 0.006 degrees, within -180 and 180.
+ * Point fields:
+ * - x, y, z: 32-bit multiples of Scale relative to an offset, the first point
+ *   of the file in whole units; rounded to nearest. The bounding box in the
+ *   header is that of the rounded points. The file is byte-identical for any
+ *   division of the points into blocks, except with Scale 0.
+ * - intensity: the array Intensity if present; else from the amplitude A: 1000
+ *   log10(A / 1 fW), in 0.01 dB, or 65535 A / FullIntensity.
+ * - ReturnNumber, NumberOfReturns; values above 15 become 15, with a warning.
+ * - ClassificationIds; values outside 0 to 255 become 1 (unclassified), with a warning.
+ * - scan angle: ScanAngle in steps of 0.006 degrees, within -180 and 180.
  * - point source id: LegIds + 1.
  * - scanner channel: the lowest two bits of ChannelIds.
- * - GPS time: GpsTime [s] as it is, or with a field array GpsEpoch (seconds of
+ * - GPS time: GpsTime [s] unchanged; with a field array GpsEpoch (seconds of
  *   GPS time since 6 January 1980, not 0) adjusted standard time, GpsEpoch +
- *   GpsTime - 1e9, and the header says so.
+ *   GpsTime - 1e9, flagged in the header.
  * - ClassificationFlags, ScanDirection, EdgeOfFlightLine, UserData, RGB.
  * - Extra Bytes: every other array, exactly, with its own name and type
- *   (Amplitude, EchoWidth, Range, PulseIds ...), ChannelIds too. An array of
- *   three numbers is three fields: TruePointX, TruePointY, TruePointZ.
+ *   (Amplitude, EchoWidth, Range, PulseIds ...), including ChannelIds. An array
+ *   of three components becomes three fields: TruePointX, TruePointY, TruePointZ.
  *
- * Waveforms of a block (WriteWaveforms) are a packet each in a file named .wdp
- * instead of .las, as 32-bit samples; every point of the pulse names it. The
- * samples keep 23 bits of the largest one, and 0 W after their last up to the size
- * of a packet. Return point location: the time [ps] from the first sample to the
- * point, along the beam; X(t), Y(t), Z(t): metres a picosecond, from the point to
- * the scanner. The anchor, where the first sample came from, is
- * point + location (X(t), Y(t), Z(t)).
+ * With WriteWaveforms, each waveform of a block is one packet of 32-bit samples in a file named
+ * .wdp instead of .las; every point of the pulse refers to it. The samples keep 23 bits relative to
+ * the largest one and are padded with 0 W to the packet size. Return point location: the time [ps]
+ * from the first sample to the point, along the beam. X(t), Y(t), Z(t): metres per picosecond, from
+ * the point to the scanner. The anchor, the origin of the first sample, is point + location (X(t),
+ * Y(t), Z(t)).
  *
- * Blocks: vtkPolyData, points of doubles; any array may be missing (then it is 0;
- * returns and classes 1). Docs/files.md lists the file field by field.
+ * Blocks: vtkPolyData, double points; any array may be missing (its value is then 0; for returns
+ * and classes 1). Docs/files.md lists the file field by field.
  *
- * Errors, after which nothing of the block is in the file and the next may
- * follow: a coordinate or a time that is not finite, a coordinate that 32 bits
- * do not hold, a LegIds beyond -1 to 65534, other arrays, CRS or GpsEpoch than
- * before, a CRS that PROJ does not know, arrays that Extra Bytes cannot hold.
+ * Errors, after which the block is not written and the next one is accepted: a
+ * coordinate or time that is not finite, a coordinate that does not fit in 32
+ * bits, a LegIds outside -1 to 65534, arrays, CRS or GpsEpoch that differ from
+ * earlier blocks, a CRS unknown to PROJ, arrays that Extra Bytes cannot hold.
  *
  * @sa
  * vtkHeliosStreamWriter vtkHeliosLASReader
@@ -74,10 +73,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the step of coordinates [units of the points], as the first block
-   * takes it. 0: the finest power of ten, from 1e-6 on, that has room for eight
-   * times the first block, and so depends on its size. For degrees take 1e-8. Valid
-   * range: 0, [1e-9, 1000]. Default: 0.0001.
+   * Set/Get the step of coordinates [units of the points], applied at the first block. 0: the
+   * finest power of ten, from 1e-6 up, that can hold eight times the extent of the first block; it
+   * depends on the block size. Use 1e-8 for degrees. Valid range: 0, [1e-9, 1000]. Default: 0.0001.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1000.0);
   vtkGetMacro(Scale, double);
@@ -85,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the amplitude of intensity 65535 [W], with intensity in proportion;
-   * 0: intensity is 1000 log10(A / 1 fW). Valid range: [0, 1e6]. Default: 0.
+   * Set/Get the amplitude of intensity 65535 [W], for linear scaling; 0:
+   * intensity is 1000 log10(A / 1 fW). Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(FullIntensity, double, 0.0, 1e6);
   vtkGetMacro(FullIntensity, double);
@@ -94,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether arrays that LAS has no field for are written as Extra Bytes.
+   * Set/Get whether arrays without a LAS field are written as Extra Bytes.
    * Default: on.
    */
   vtkSetMacro(WriteExtraBytes, bool);
@@ -104,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the date in the header: the day of the year and the year. Valid range:
-   * [0, 366], [0, 65535]. Default: 0, none: the same run gives the same bytes.
+   * Set/Get the date in the header: the day of the year and the year. Valid range: [0, 366], [0,
+   * 65535]. Default: 0, none, for reproducible files.
    */
   vtkSetClampMacro(CreationDay, int, 0, 366);
   vtkGetMacro(CreationDay, int);
@@ -115,8 +113,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the system identifier in the header, of which 32 characters are kept.
-   * Default: "SIMULATION".
+   * Set/Get the system identifier in the header, truncated to 32 characters. Default: "SIMULATION".
    */
   vtkSetMacro(SystemIdentifier, std::string);
   vtkGetMacro(SystemIdentifier, std::string);
@@ -124,9 +121,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether points have their waveforms (formats 9 and 10), as Open()
-   * takes it: packets go to a file beside, named .wdp instead of .las.
-   * SetWaveforms() gives those of the next block. Default: off.
+   * Set/Get whether points have waveforms (formats 9 and 10), applied by
+   * Open(). Packets are written to a second file named .wdp instead of .las.
+   * SetWaveforms() sets those of the next block. Default: off.
    */
   vtkSetMacro(WriteWaveforms, bool);
   vtkGetMacro(WriteWaveforms, bool);
@@ -134,8 +131,8 @@ public:
   ///@}
 
   /**
-   * Set the waveforms (output port 1 of vtkHeliosScanner) of the pulses that the
-   * WaveformIds of the next block name; null: none.
+   * Set the waveforms (output port 1 of vtkHeliosScanner) of the pulses given
+   * by WaveformIds in the next block; null: none.
    */
   void SetWaveforms(vtkTable* waveforms);
 
@@ -183,7 +180,7 @@ private:
   int CreationDay = 0;
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
-  std::unique_ptr<helios::LasSheet> Sheet;   // of the file; null before its first block
+  std::unique_ptr<helios::LasSheet> Sheet;   // layout of the file; null before its first block
   std::unique_ptr<helios::PartFile> Packets; // null: points have no waveforms
   vtkSmartPointer<vtkTable> Waveforms;       // of the next block
   bool HasWarnedReturns = false;             // since Open()

@@ -39,7 +39,7 @@ std::string ListNames(const helios::MaterialTable& materials)
   return list;
 }
 
-/// The material of that name, or the alphabetically first; null where there is none.
+/// The material with that name, or the alphabetically first; null if missing.
 const helios::Material* Choose(
   const helios::MaterialTable& materials, const helios::MtlFile& file, const std::string& name)
 {
@@ -50,7 +50,7 @@ const helios::Material* Choose(
   return row >= 0 && row < static_cast<int>(materials.size()) ? &materials[row] : nullptr;
 }
 
-/// The material, and others that differ from it by chance.
+/// The material, and random variations of it.
 helios::MaterialTable Vary(
   const helios::Material& material, int count, double range, std::uint64_t seed)
 {
@@ -69,7 +69,7 @@ helios::MaterialTable Vary(
   return table;
 }
 
-/// Materials, and which a triangle has: the one it has, counted round.
+/// Sets the materials; MaterialIds are those of the input, modulo the number of materials.
 void SetMaterials(vtkPolyData* scene, const helios::MaterialTable& materials)
 {
   helios::SetMaterials(scene, materials);

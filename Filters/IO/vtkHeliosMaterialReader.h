@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosMaterialReader
- * @brief   gives a scene one material of an MTL file
+ * @brief   assign one material of an MTL file to a scene
  *
- * For scenes whose own file has no materials: height rasters, voxelised points. Input 0 is a scene;
- * output 0 is the same with that one material in the material columns and MaterialIds 0 on every
- * triangle. The file is read as vtkHeliosObjSceneReader reads its material libraries.
+ * For scenes without materials in their own file: height rasters, voxelized points. Input 0 is a
+ * scene; output 0 is the same scene with that one material in the material columns and MaterialIds
+ * 0 on every triangle. The file is read like the material libraries of vtkHeliosObjSceneReader.
  *
- * With NumberOfMaterials above 1 the others are that material with another reflectance: its own plus
- * a random number, uniform in +-RandomRange and keyed by Seed and the number of the material, cut to
- * [0, 1]. MaterialIds are then the input's, modulo NumberOfMaterials.
+ * If NumberOfMaterials is above 1, the others are copies with a different reflectance: the original
+ * plus a random number, uniform in +-RandomRange and keyed by Seed and the material index, clamped
+ * to [0, 1]. MaterialIds are then those of the input, modulo NumberOfMaterials.
  *
  * @warning
- * A material with a spectrum and no reflectance is not varied, and warned of.
+ * A material with a spectrum but no reflectance is not varied; a warning is given.
  *
  * Errors: no file, a file that cannot be read or is malformed (with file:line), a file without
- * materials, a MaterialName that the file does not have (the names it has are listed).
+ * materials, a MaterialName that is not in the file (the available names are listed).
  *
  * @sa
  * vtkHeliosGeoTiffSceneReader vtkHeliosPointVoxelizer
@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the material. Default: none, which takes the alphabetically first.
+   * Set/Get the name of the material. Default: none, which selects the alphabetically first.
    */
   vtkSetStringMacro(MaterialName);
   vtkGetStringMacro(MaterialName);
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of materials that are made of it. Valid range: [1, 1000000]. Default: 1.
+   * Set/Get the number of materials derived from it. Valid range: [1, 1000000]. Default: 1.
    */
   vtkSetClampMacro(NumberOfMaterials, int, 1, 1000000);
   vtkGetMacro(NumberOfMaterials, int);
@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Set/Get by how much the reflectances of the others may differ. Valid range: [0, 1]. Default: 1.
+   * Set/Get the maximum change of the reflectance. Valid range: [0, 1]. Default: 1.
    */
   vtkSetClampMacro(RandomRange, double, 0.0, 1.0);
   vtkGetMacro(RandomRange, double);
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the key of the random numbers. Valid range: [0, 2^62]. Default: 0.
+   * Set/Get the seed of the random numbers. Valid range: [0, 2^62]. Default: 0.
    */
   vtkSetClampMacro(Seed, vtkIdType, 0, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);

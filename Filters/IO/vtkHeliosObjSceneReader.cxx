@@ -23,7 +23,7 @@ vtkHeliosObjSceneReader::~vtkHeliosObjSceneReader()
   this->SetFileName(nullptr);
 }
 
-// The parsing takes nearly all the time; the steps after it stay within the last tenth.
+// Parsing takes nearly all of the time; the later steps share the last tenth.
 bool vtkHeliosObjSceneReader::ReportBlock(double progress)
 {
   this->UpdateProgress(0.9 * progress);

@@ -2,36 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosObjSceneReader
- * @brief   a Wavefront OBJ file as a scene
+ * @brief   read a Wavefront OBJ file as a scene
  *
  * Output 0 is a vtkPolyData of triangles:
- * - points: the vertices that triangles use, in file order, double and correctly rounded;
+ * - points: the vertices used by triangles, in file order, double and correctly rounded;
  * - polys: the faces in file order, in 32-bit storage;
- * - cell data MaterialIds (int): a triangle's row of the material columns;
+ * - cell data MaterialIds (int): row index into the material columns;
  * - field data: the material columns (Material.Name, Material.Reflectance, ...), one row for each
  *   material of the libraries (mtllib), used or not, in file order.
  *
- * Read are v, vn, vt, f, mtllib and usemtl; o, g, s, l, p and colours behind a vertex are left out.
- * A face with more than three corners becomes a fan of triangles about its first corner. Negative
- * indices count backwards. A long line may go on behind a backslash. mtllib names one file, blanks
- * included, or several, in the folder of the OBJ file. Material files have Kd, Ks, Ns and the keys
+ * Keywords read: v, vn, vt, f, mtllib and usemtl; o, g, s, l, p and vertex colours are ignored. A
+ * face with more than three corners becomes a triangle fan about its first corner. Negative indices
+ * count backwards. A backslash continues a line. mtllib names one file, blanks included, or
+ * several, in the folder of the OBJ file. Material files have Kd, Ks, Ns and the keys
  * helios_reflectance [0..1], helios_isGround, helios_classification and helios_spectra; the
- * specularity of a material is sum Ks / (sum Kd + sum Ks). Names of materials may have blanks; one
- * that is not found whole is looked for by its first word.
+ * specularity of a material is sum Ks / (sum Kd + sum Ks). Material names may contain blanks; a
+ * name that is not found as a whole is searched by its first word.
  *
- * The file is checked line by line. Errors end the reading without output: a malformed number, a
- * coordinate that is NaN or infinite, an index out of range (of vertices, texture coordinates or
- * normals), a face with fewer than three corners, a reflectance outside [0, 100]. Warned of are
- * triangles without area (dropped), vertices 1e7 m away from the others, unknown keywords, a
- * reflectance above 1 (taken for percent), a missing material file and unknown materials (both give
- * default properties), a file without faces.
- * Messages start with file:line.
+ * The file is checked line by line. Errors, without output: a malformed number, a coordinate that
+ * is NaN or infinite, an index out of range (of vertices, texture coordinates or normals), a face
+ * with fewer than three corners, a reflectance outside [0, 100]. Warnings: degenerate triangles
+ * (dropped), vertices 1e7 m away from the others, unknown keywords, a reflectance above 1
+ * (interpreted as percent), a missing material file and unknown materials (both get default
+ * properties), a file without faces. Messages start with file:line.
  *
- * Progress events come for every MiB read; AbortExecute ends the reading, and the update fails.
+ * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
  *
  * @warning
- * The fan is right for convex faces, and for concave ones that their first corner sees whole. Other
- * concave faces are to be made triangles by the program that wrote them.
+ * The fan is correct for convex faces, and for concave ones that are star-shaped about their first
+ * corner. Other concave faces must be triangulated by the program that writes them.
  *
  * @sa
  * vtkHeliosObjSceneWriter vtkHeliosSceneComposer
@@ -66,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the axis of the file that points up. With y the scene's points are (x, -z, y). Valid
-   * range: UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z.
+   * Set/Get the up axis of the file. With y the scene points are (x, -z, y). Valid range:
+   * UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z.
    */
   vtkSetClampMacro(UpAxis, int, UP_AXIS_Y, UP_AXIS_Z);
   vtkGetMacro(UpAxis, int);
@@ -76,7 +75,7 @@ public:
   ///@}
 
   /**
-   * The number of triangles without area that the last reading left out.
+   * Get the number of degenerate triangles dropped by the last read.
    */
   vtkGetMacro(NumberOfDroppedTriangles, vtkIdType);
 

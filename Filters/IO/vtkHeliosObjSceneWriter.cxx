@@ -23,7 +23,7 @@ namespace
 {
 namespace names = vtkHeliosArrayNames;
 
-// Makes every name a word that no other material has; returns what it changed, in words.
+// Makes every name a unique word; describes the changes as text.
 std::string MakeNamesUnique(helios::MaterialTable& materials)
 {
   std::set<std::string> taken;
@@ -47,7 +47,7 @@ std::string MakeNamesUnique(helios::MaterialTable& materials)
   return count == 0 ? first : std::to_string(count) + " materials were renamed: " + first;
 }
 
-// The row of each cell, all 0 where the scene has none; says what is wrong with them.
+// The row of each cell, all 0 if the scene has none. Returns an error message.
 std::string GetRows(vtkPolyData* scene, std::size_t materialCount, std::vector<int>& rows)
 {
   rows.assign(static_cast<std::size_t>(scene->GetNumberOfCells()), 0);
@@ -114,7 +114,7 @@ int vtkHeliosObjSceneWriter::Write()
   }
   else
   {
-    this->Modified(); // write again, even if nothing changed
+    this->Modified(); // write again, even if unchanged
     this->Update();
   }
   return this->IsWritten ? 1 : 0;

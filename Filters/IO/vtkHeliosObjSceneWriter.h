@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosObjSceneWriter
- * @brief   a scene as a Wavefront OBJ file
+ * @brief   write a scene as a Wavefront OBJ file
  *
- * Input 0 is a scene: a vtkPolyData of triangles, with cell data MaterialIds (none: all 0) and the
- * material columns in its field data. Write makes the OBJ file, and beside it the material file of
- * the same name with the extension .mtl.
+ * Input 0 is a scene: a vtkPolyData of triangles, with cell data MaterialIds (missing: all 0) and
+ * the material columns in its field data. Write creates the OBJ file and, beside it, a material
+ * file of the same name with the extension .mtl.
  *
- * vtkHeliosObjSceneReader reads the same scene back: points bit for bit, triangles in the same
- * order, equal materials. Numbers have the fewest digits that do so. The reader leaves out points
- * that no triangle uses and triangles without area; part ids, the CRS and other arrays are not
- * written.
+ * vtkHeliosObjSceneReader reads the same scene back: bit-identical points, the same triangle order,
+ * equal materials. Numbers have the fewest digits that allow it. The reader drops points that no
+ * triangle uses and degenerate triangles; part ids, the CRS and other arrays are not written.
  *
- * Names of materials become words of their own where they are not: blanks give way to underscores
- * and a name met again gets a number; a warning counts them. Files are written under the name
- * .part and renamed when they are whole, so that a failure leaves older ones as they were.
+ * Material names become unique words: underscores replace blanks, and a repeated name gets a
+ * number; a warning gives the number of changes. Files are written with the suffix .part and
+ * renamed when complete, so a failure leaves existing files unchanged.
  *
  * @sa
  * vtkHeliosObjSceneReader
@@ -43,7 +42,7 @@ public:
   ///@}
 
   /**
-   * Writes both files; updates the input first. Returns 1, or 0 after an error.
+   * Write both files; updates the input first. Returns 1, or 0 after an error.
    */
   int Write();
 

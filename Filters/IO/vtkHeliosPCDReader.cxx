@@ -30,11 +30,11 @@ namespace
 {
 
 constexpr std::uint64_t PointsPerRound = 1 << 14;
-constexpr std::uint64_t MostLzfRatio = 100; // 264 bytes of 3, at most
+constexpr std::uint64_t MostLzfRatio = 100; // 3 bytes encode at most 264
 
 } // namespace
 
-/// The reading of one file; texts say what is wrong, or are empty.
+/// Reads one file; functions return an error message, or an empty string.
 class vtkHeliosPCDReader::Work
 {
 public:
@@ -84,11 +84,11 @@ public:
 
   helios::PcdArrays& GetArrays() { return *this->Arrays; }
 
-  /// Of bytes behind the last point, or an empty text.
+  /// Warning about bytes after the last point, or an empty string.
   std::string Warning;
 
 private:
-  /// Whether there can be as many points, before there is room made for them.
+  /// Checks that the file can contain this many points, before allocation.
   std::string CheckSize() const
   {
     const std::uint64_t count = this->Header.GetNumberOfPoints();
@@ -185,7 +185,7 @@ private:
 
   std::string ReadCompressed()
   {
-    std::uint32_t sizes[2] = { 0, 0 }; // in the file, and unpacked
+    std::uint32_t sizes[2] = { 0, 0 }; // compressed and uncompressed
     const bool hasSizes = this->DataSize >= sizeof(sizes) &&
       this->File.read(reinterpret_cast<char*>(sizes), sizeof(sizes));
     if (!hasSizes || sizes[0] > this->DataSize - sizeof(sizes))
@@ -216,7 +216,7 @@ private:
     return this->TakeFields(data, count);
   }
 
-  /// Field by field: the numbers of all points one after the other.
+  /// Decodes field by field: the numbers of all points one after the other.
   std::string TakeFields(const std::vector<char>& data, std::uint64_t count)
   {
     std::vector<char> row(this->Header.GetRowSize());

@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkHeliosPCDWriter);
 namespace
 {
 constexpr vtkIdType PointsPerRound = 1 << 14;
-constexpr double LargestError = 1e-3; // [m], without a warning
+constexpr double LargestError = 1e-3; // [m], limit for a warning
 }
 
 //------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ bool vtkHeliosPCDWriter::Reopen(
 }
 
 //------------------------------------------------------------------------------
-/// What the first block says of the file.
+/// Creates the header from the first block.
 bool vtkHeliosPCDWriter::MakeHeader(vtkPolyData* echoes, const helios::PcdBlock& block)
 {
   auto header = std::make_unique<helios::PcdHeader>();
@@ -214,7 +214,7 @@ bool vtkHeliosPCDWriter::Write(vtkDataObject* data)
 }
 
 //------------------------------------------------------------------------------
-/// A file without points has x, y and z.
+/// A file without points has the fields x, y and z.
 bool vtkHeliosPCDWriter::Close()
 {
   if (this->IsOpen() && !this->Header && this->GetFileSize() == 0)

@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCDWriter
- * @brief   echoes as a PCD file of the Point Cloud Library
+ * @brief   write echoes as a PCD file of the Point Cloud Library
  *
  * PCD 0.7, DATA ascii or binary, HEIGHT 1. Fields:
- * - x, y, z; with Precision Float relative to an origin, which the header says in a comment that other
- *   programs skip: "# vtkHelios origin: x y z". PCL's own point types are float, and UTM's northings
- *   in float are half a metre off;
- * - intensity: Amplitude [W]; a comment says so;
+ * - x, y, z; with Precision Float relative to an origin, which the header gives in a comment that
+ *   other programs skip: "# vtkHelios origin: x y z". The point types of PCL are float, and UTM
+ *   northings in float are off by half a metre;
+ * - intensity: Amplitude [W]; a comment states so;
  * - normal_x, normal_y, normal_z: Normals;
- * - each other point array that holds numbers, by its name (with _ for blanks) and type, COUNT its
- *   components. Bits and texts are left out.
- * With Precision Float, x y z, intensity, the normals and EchoWidth are float, so that PCL's point
- * types and helios::PointEcho take them; all else stays as it is, GpsTime with its 64 bits. With
- * Double all stays as it is, x y z are absolute, and vtkHeliosPCDReader gives back the same bits (text is
- * the shortest that does, too); PCL then reads x y z into own types only.
+ * - every other numeric point array, by its name (with _ for blanks) and type, COUNT its
+ *   components. Bit and string arrays are dropped.
+ * With Precision Float, x y z, intensity, the normals and EchoWidth are float, as required by the
+ * PCL point types and helios::PointEcho; other arrays keep their type, such as the 64 bits of
+ * GpsTime. With Double all arrays keep their type, x y z are absolute, and vtkHeliosPCDReader
+ * restores the same bits (also from text, which is the shortest that does); PCL then reads x y z
+ * into custom types only.
  *
- * Further comments: "# vtkHelios CRS: ...", "# vtkHelios GpsEpoch: ..." from the field data.
+ * Additional comments: "# vtkHelios CRS: ...", "# vtkHelios GpsEpoch: ..." from the field data.
  *
- * Blocks: vtkPolyData with points of doubles. Every block has the point arrays of the first; CRS and
- * GpsEpoch are the first's. Points whose coordinates are not finite are left out, with a warning.
- * The header is written again after each block: the .part is a valid PCD file.
+ * Blocks: vtkPolyData with double points. Every block has the point arrays of the first; CRS and
+ * GpsEpoch are those of the first. Points with non-finite coordinates are dropped, with a warning.
+ * The header is rewritten after each block: the .part is a valid PCD file.
  *
  * @sa
  * vtkHeliosStreamWriter vtkHeliosPCDReader
@@ -49,14 +50,14 @@ public:
   vtkTypeMacro(vtkHeliosPCDWriter, vtkHeliosStreamWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** How numbers are stored. */
+  /** Storage of numbers. */
   enum Storages
   {
     Ascii = 0,
     Binary = 1
   };
 
-  /** What x, y, z and those fields are that PCL has as float. */
+  /** Type of x, y, z and of the other fields that are float in PCL. */
   enum Precisions
   {
     Float = 0,
@@ -65,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how numbers are stored. Valid range: Ascii, Binary. Default: Binary.
+   * Set/Get the storage of numbers. Valid range: Ascii, Binary. Default: Binary.
    */
   vtkSetClampMacro(Storage, int, Ascii, Binary);
   vtkGetMacro(Storage, int);
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what numbers are. Valid range: Float, Double. Default: Float.
+   * Set/Get the precision of numbers. Valid range: Float, Double. Default: Float.
    */
   vtkSetClampMacro(Precision, int, Float, Double);
   vtkGetMacro(Precision, int);
@@ -81,9 +82,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the origin of Precision Float [m], taken where UseOrigin is on; else it is the middle of
-   * the first block, to whole 100 m. A coordinate within 1 km of it is 0.06 mm off at most; one of
-   * 1 mm or more gets a warning. Valid range: finite. Default: 0 0 0; off.
+   * Set/Get the origin of Precision Float [m], used if UseOrigin is on; else it is the centre of
+   * the first block, rounded to 100 m. The error of a coordinate within 1 km of it is 0.06 mm at
+   * most; an error of 1 mm or more causes a warning. Valid range: finite. Default: 0 0 0; off.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -96,7 +97,7 @@ public:
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
   /**
-   * Appends the echoes of a block.
+   * Append the echoes of a block.
    */
   bool Write(vtkDataObject* block) override;
 
@@ -122,7 +123,7 @@ private:
   int Precision = Float;
   double Origin[3] = { 0.0, 0.0, 0.0 };
   bool UseOrigin = false;
-  std::unique_ptr<helios::PcdHeader> Header; // once there is a block
+  std::unique_ptr<helios::PcdHeader> Header; // null before the first block
   bool HasWarnedFar = false;
 };
 

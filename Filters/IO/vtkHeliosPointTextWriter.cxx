@@ -28,13 +28,13 @@ namespace
 constexpr double NanowattsPerWatt = 1e9;
 constexpr vtkIdType TypicalRowSize = 96;
 
-/// The columns of a block, and its lines.
+/// The columns of a block, and their formatting.
 struct EchoLines
 {
   helios::Column Points, Amplitude, Width, ReturnNumber, NumberOfReturns, Pulse, Part, Class, Time;
   std::vector<std::string> PartNames;
 
-  /// Takes the names, each one word.
+  /// Sets the names, each as one word.
   void SetPartNames(vtkStringArray* parts)
   {
     for (vtkIdType part = 0; parts && part < parts->GetNumberOfValues(); ++part)
@@ -48,7 +48,7 @@ struct EchoLines
 
   void AppendPart(vtkTypeInt64 part, helios::TextBuffer& text) const
   {
-    const auto index = static_cast<std::size_t>(part); // a negative one is beyond the names
+    const auto index = static_cast<std::size_t>(part); // a negative index is out of range
     if (index < this->PartNames.size() && !this->PartNames[index].empty())
     {
       text.Append(std::string_view(this->PartNames[index]));

@@ -2,27 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPointTextWriter
- * @brief   echoes in HELIOS text columns
+ * @brief   write echoes in HELIOS text columns
  *
- * One echo a line, blanks between the columns, no header:
+ * One echo per line, columns separated by blanks, no header:
  * - x y z [m], 4 decimals
  * - intensity: the amplitude [nW], 4 decimals
  * - echo width: full width at half maximum, two-way [ns], 4 decimals
  * - return number, from 1
  * - number of returns of the pulse
- * - fullwave index: the id of the pulse
- * - hit object: the name of the scene part, with _ for blanks; its number where
- *   it has no name
+ * - fullwave index: the pulse id
+ * - hit object: the name of the scene part, with _ for blanks; its number if it has no name
  * - classification
  * - GPS time [s], 9 decimals
  *
- * Numbers are rounded correctly, halves to even; zero has no sign.
+ * Numbers are correctly rounded, halves to even; zero has no sign.
  *
- * Blocks: echoes as vtkHeliosScanner gives them: vtkPolyData, points of doubles,
- * point arrays Amplitude [W], EchoWidth [ns], GpsTime [s] and of integers
- * ReturnNumber, NumberOfReturns, PulseIds, PartIds, ClassificationIds; the field
- * array Part.Name, indexed by PartIds, is optional. A block without points needs
- * no arrays.
+ * Blocks: echoes in the layout of vtkHeliosScanner: vtkPolyData, double points,
+ * point arrays Amplitude [W], EchoWidth [ns], GpsTime [s] and the integer
+ * arrays ReturnNumber, NumberOfReturns, PulseIds, PartIds, ClassificationIds;
+ * the field array Part.Name, indexed by PartIds, is optional. A block without
+ * points needs no arrays.
  *
  * @sa
  * vtkHeliosStreamWriter
@@ -42,7 +41,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Appends the echoes of a block.
+   * Append the echoes of a block.
    */
   bool Write(vtkDataObject* block) override;
 

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPointXMLReader
- * @brief   points from VTP files, one or pieces, damaged ones among them
+ * @brief   read points from VTP files with validation, single or as pieces
  *
- * Reads .vtp files of any program, and a .pvtp with all its pieces, as
- * vtkHeliosPointXMLWriter writes them. VTK's own readers do the work, after a
- * check: they end the process where a count, size or place in a file is wrong.
+ * Reads .vtp files of any program, and a .pvtp with all its pieces, as written
+ * by vtkHeliosPointXMLWriter. The readers of VTK do the parsing after a
+ * validation: an invalid count, size or offset in a file would crash the process.
  *
  * Output 0: a vtkPolyData with the arrays and cells of the file. Piece i of n
  * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file; field data are
  * those of the first piece.
  *
- * Errors end the reading without output; messages start with the file: no such
- * file, no VTK XML of points, a piece that is missing or has other arrays than
- * the first, counts, sizes, places or types that are not valid or do not fit
- * the file, cells of points that there are not, arrays that need more than
- * 500 MB and 10 times the file.
+ * Errors, without output; messages start with the file: a file that does not
+ * exist, not VTK XML with points, a piece that is missing or has other arrays
+ * than the first, counts, sizes, offsets or types that are invalid or do not
+ * fit the file, cells that refer to missing points, arrays that need more than
+ * 500 MB and 10 times the file size.
  *
  * @sa
  * vtkHeliosPointXMLWriter vtkHeliosWaveformXMLReader
@@ -40,14 +40,14 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read. No default: an error without.
+   * Set/Get the file to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Get the number of pieces that the file has, after UpdateInformation(): 1 for a .vtp.
+   * Get the number of pieces of the file, after UpdateInformation(): 1 for a .vtp.
    */
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
@@ -70,7 +70,7 @@ private:
   bool FindPieces();
 
   char* FileName = nullptr;
-  std::vector<std::string> Pieces; // the names of the files
+  std::vector<std::string> Pieces; // file names
   vtkIdType NumberOfPoints = 0;
 };
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPointXMLWriter
- * @brief   echoes as VTP pieces under a PVTP
+ * @brief   write echoes as VTP pieces with a PVTP index
  *
- * FileName ends in .pvtp; block k goes to <name>_000k.vtp beside it, with all
- * its points, point arrays and field arrays. A block without cells gets a vertex
- * a point, so that ParaView and PyVista show it; the block itself is not
- * changed. Read it with vtkXMLPPolyDataReader, or any piece with
+ * FileName ends in .pvtp; block k is written to <name>_000k.vtp beside it, with
+ * its points, point arrays and field arrays. A block without cells gets one
+ * vertex per point for display in ParaView and PyVista; the block itself is not
+ * modified. Read the file with vtkXMLPPolyDataReader, or any piece with
  * vtkXMLPolyDataReader.
  *
- * Blocks: vtkPolyData, points of doubles.
+ * Blocks: vtkPolyData, double points.
  *
  * @sa
  * vtkHeliosXMLPieceWriter

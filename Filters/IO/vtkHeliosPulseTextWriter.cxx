@@ -21,7 +21,7 @@ namespace
 constexpr double NanosecondsPerSecond = 1e9;
 constexpr vtkIdType TypicalRowSize = 100;
 
-/// The columns of a block, and its lines.
+/// The columns of a block, and their formatting.
 struct PulseLines
 {
   helios::Column Points, Direction, Time, Pulse, Channel;

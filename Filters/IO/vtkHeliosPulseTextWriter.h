@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPulseTextWriter
- * @brief   pulses in HELIOS text columns
+ * @brief   write pulses in HELIOS text columns
  *
- * One pulse a line, hit or not, blanks between the columns, no header:
+ * One pulse per line, hit or not, columns separated by blanks, no header:
  * - origin x y z [m], 4 decimals
  * - direction x y z, a unit vector, 9 decimals
- * - time [ns], 4 decimals: of this file alone HELIOS counts it so
- * - pulse index: the id of the pulse
+ * - time [ns], 4 decimals: HELIOS uses this unit in this file only
+ * - pulse index: the pulse id
  * - device index: the channel
  *
- * Blocks: pulses as vtkHeliosScanner gives them: vtkPolyData, points of doubles,
- * point arrays Direction, GpsTime [s] and of integers PulseIds, ChannelIds. A
- * block without points needs no arrays.
+ * Blocks: pulses in the layout of vtkHeliosScanner: vtkPolyData, double points,
+ * point arrays Direction, GpsTime [s] and the integer arrays PulseIds,
+ * ChannelIds. A block without points needs no arrays.
  *
  * @sa
  * vtkHeliosStreamWriter
@@ -33,7 +33,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Appends the pulses of a block.
+   * Append the pulses of a block.
    */
   bool Write(vtkDataObject* block) override;
 

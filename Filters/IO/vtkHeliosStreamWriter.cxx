@@ -17,10 +17,10 @@
 namespace
 {
 
-// Text that one thread formats at a time [bytes].
+// Size of the text that one thread formats at a time [bytes].
 constexpr vtkIdType ChunkSize = 1 << 18;
 
-/// Formats the rows of a block in rounds of chunks; a round is in memory at a time.
+/// Formats the rows of a block in rounds of chunks; one round is in memory at a time.
 class RowFormatter
 {
 public:
@@ -34,7 +34,8 @@ public:
   {
   }
 
-  /// Formats the next round, calls use(text) for its chunks in order; false where that says so.
+  /// Formats the next round and calls use(text) for its chunks in order; false if use returns
+  /// false.
   template <typename UseT>
   bool NextRound(const UseT& use)
   {
@@ -59,7 +60,7 @@ public:
 
   bool HasRows() const { return this->Next < this->Count; }
 
-  /// The rows so far whose numbers are finite.
+  /// Number of rows so far with finite numbers.
   vtkIdType GetNumberOfRows() const { return this->NumberOfRows; }
 
 private:
@@ -240,7 +241,7 @@ void vtkHeliosStreamWriter::EndHead()
 }
 
 //------------------------------------------------------------------------------
-/// What is left of the blocks that were written, in words.
+/// Describes what remains of the written blocks.
 std::string vtkHeliosStreamWriter::DescribeKept() const
 {
   return this->File->IsRemoved()
@@ -425,7 +426,7 @@ bool vtkHeliosStreamWriter::TakeBack(vtkIdType size)
 //------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
 {
-  // problem is a copy: cutting may replace the one of the file
+  // problem is a copy: truncation may replace that of the file
   this->HasFailed = true;
   if (this->File->IsRemoved())
   {

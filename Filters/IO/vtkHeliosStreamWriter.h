@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosStreamWriter
- * @brief   writes a run block by block
+ * @brief   write a run block by block
  *
- * Open(), Write() once a block, then Close() where all is well or Abandon()
- * where it is not. Blocks go to <FileName>.part, which Close() renames to
- * FileName; the .part holds whole blocks at any moment but during Write().
- * Folders above FileName are made. Memory does not grow with the number of
- * records; a block is formatted by the threads of vtkSMPTools, to the same
- * bytes for any number of them.
+ * Call Open(), Write() once per block, then Close() on success or Abandon() on
+ * failure. Blocks are written to <FileName>.part, which Close() renames to
+ * FileName; except during Write(), the .part contains complete blocks only.
+ * Parent folders of FileName are created. Memory does not grow with the number
+ * of records. A block is formatted in parallel by vtkSMPTools; the output is
+ * byte-identical for any number of threads.
  *
- * Text writers leave out records with a number that is not finite, and warn
- * with their count.
+ * Text writers drop records with non-finite numbers; a warning gives the count.
  *
- * All return false after an error: a folder that cannot be made, a file that
- * cannot be written (a full disk: the block that did not fit is taken back,
- * the message says how many records are safe, and no more blocks are taken), a
- * block of the wrong type or without an array that is needed (nothing of it is
- * written, and the next block may follow).
+ * All return false after an error: a folder that cannot be created, a file that
+ * cannot be written (disk full: the incomplete block is removed, the message
+ * gives the number of records saved, and no more blocks are accepted), a block
+ * of the wrong type or without a required array (nothing of it is written, and
+ * the next block is accepted).
  *
- * To add a text format: subclass, implement Write() with WriteRows().
+ * To add a text format, subclass and implement Write() with WriteRows().
  *
  * @sa
  * vtkHeliosPointTextWriter vtkHeliosPointXMLWriter vtkHeliosTrajectoryTextWriter
@@ -58,29 +57,28 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the finished file, as Open() takes it. No default: an
-   * error without.
+   * Set/Get the name of the finished file, applied by Open(). Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Starts an empty file. An error while another one is open.
+   * Create an empty file. Fails if another file is open.
    */
   virtual bool Open();
 
   /**
-   * Goes on with the file that an earlier run left, as .part or under its final
-   * name, cut to a size [bytes]; the numbers of records and bytes are what they
-   * were then. An error where it is shorter.
+   * Resume the file that an earlier run left, as .part or under its final name,
+   * truncated to a size [bytes]; the numbers of records and bytes are those at
+   * that size. Fails if the file is shorter.
    */
   virtual bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes);
 
   ///@{
   /**
-   * Set/Get whether blocks are formatted and counted, and nothing is written: no
-   * file, no folder. As Open() takes it. Default: off.
+   * Set/Get whether blocks are only formatted and counted, without creating a
+   * file or folder. Applied by Open(). Default: off.
    */
   vtkSetMacro(CountOnly, bool);
   vtkGetMacro(CountOnly, bool);
@@ -88,43 +86,43 @@ public:
   ///@}
 
   /**
-   * Appends a block.
+   * Append a block.
    */
   virtual bool Write(vtkDataObject* block) = 0;
 
   /**
-   * Returns when the disk has all blocks: then no power cut takes them away. An
-   * error, too, where the file was removed meanwhile.
+   * Fsync all blocks, so that a power failure cannot lose them. Fails also if
+   * the file was removed in the meantime.
    */
   bool Flush();
 
   /**
-   * As Flush(), but says what went wrong instead of an error; empty: nothing. Any
-   * thread may call it while no other one uses the writer.
+   * Like Flush(), but returns an error message, or an empty string. May be called from any thread
+   * while no other thread uses the writer.
    */
   virtual std::string Sync();
 
   /**
-   * Ends the file and gives it its final name. After a block that could not be
-   * written: an error, and the file keeps its .part name.
+   * Close the file and give it its final name. If a block could not be written,
+   * this is an error, and the file keeps its .part name.
    */
   virtual bool Close();
 
   /**
-   * Ends the file, if one is open, and leaves it under its .part name, whole up
+   * Close the file, if one is open, and keep its .part name; it is complete up
    * to the last block.
    */
   virtual bool Abandon();
 
   /**
-   * Whether Open() came, and neither Close() nor Abandon() since.
+   * Whether Open() was called, and neither Close() nor Abandon() since.
    */
   bool IsOpen() const;
 
   ///@{
   /**
-   * Get what whole blocks were written since Open(): records, bytes in all files,
-   * and the size of the file that is open [bytes].
+   * Get the amount of complete blocks written since Open(): records, bytes in all files, and the
+   * size of the open file [bytes].
    */
   vtkGetMacro(NumberOfRecords, vtkIdType);
   vtkGetMacro(NumberOfBytes, vtkIdType);
@@ -133,16 +131,15 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * What was written since this was called last, or since Open() or Reopen(): the
-   * bytes in every file, and their checksums.
+   * Get and clear the blocks written since the last call, Open() or Reopen(): the bytes in every
+   * file, and their checksums.
    */
   virtual std::vector<helios::FileBlock> TakeBlocks();
 
   ///@{
   /**
-   * Get the checksum of what is written over by every block, the head of the file;
-   * empty: there is no head. After Reopen(), Restore brings back the head that has
-   * a checksum; false where that is not possible.
+   * Get the checksum of the file head, which every block overwrites; empty: no head. After
+   * Reopen(), Restore recovers the head with a given checksum; false if that is not possible.
    */
   virtual std::string GetHeadChecksum() const;
   virtual bool RestoreHead(const std::string& checksum);
@@ -153,57 +150,57 @@ protected:
   vtkHeliosStreamWriter();
   ~vtkHeliosStreamWriter() override;
 
-  /// Where blocks come from, for messages: a plural.
+  /// Source of the blocks, for messages: a plural.
   virtual const char* GetBlockSource() const = 0;
 
-  /// Where the records are that were written, for messages.
+  /// Location of the written records, for messages.
   virtual std::string GetSafePlace() const;
 
-  /// The file name that Open() took.
+  /// File name applied by Open().
   const std::string& GetOpenName() const;
 
-  /// Whether a block may come; an error else.
+  /// Whether a block is accepted; reports an error otherwise.
   bool CheckOpen();
 
-  /// The block as points of doubles, or null after an error.
+  /// Returns the block as double points, or null after an error.
   vtkPolyData* GetPoints(vtkDataObject* block);
 
-  /// An error about a block that is not what it must be.
+  /// Reports an error about an invalid block.
   void RefuseBlock(vtkDataObject* block, const char* type);
 
   ///@{
   /**
-   * Takes an array of a block: numbers, with so many tuples and components; or
-   * integers, one a tuple. False after an error that names the array.
+   * Gets an array of a block: numeric, with the given tuples and components; or
+   * integer, one component. Returns false after an error that names the array.
    */
   bool GetNumbers(
     vtkFieldData* data, const char* name, vtkIdType tuples, int components, helios::Column& column);
   bool GetIntegers(vtkFieldData* data, const char* name, vtkIdType tuples, helios::Column& column);
   ///@}
 
-  /// Appends a block of text rows, formatted by any threads, in order. bytesPerRow is a guess.
+  /// Appends a block of text rows, formatted in parallel, in order. bytesPerRow is an estimate.
   bool WriteRows(vtkIdType count, vtkIdType bytesPerRow,
     const std::function<void(vtkIdType row, helios::TextBuffer& text)>& format);
 
-  /// An error about what was asked of the file. Returns false.
+  /// Reports an error about the file request. Returns false.
   bool FailFile(const std::string& problem);
 
-  /// What was written so far begins no block: it is written over.
+  /// Marks the bytes written so far as the head, which is overwritten and part of no block.
   void EndHead();
 
-  /// Appends text that has no records.
+  /// Appends text without records.
   bool WriteText(const std::string& text);
 
-  /// Appends bytes of a block that started at a size; where that fails, takes the block back.
+  /// Appends bytes of a block that started at a size; removes the block on failure.
   bool WriteBytes(const char* bytes, std::size_t count, vtkIdType start);
 
-  /// Writes over bytes of the file.
+  /// Overwrites bytes of the file.
   bool OverwriteBytes(vtkIdType place, const std::string& bytes);
 
-  /// Takes back what was written beyond a size; the next block may follow.
+  /// Truncates the file to a size; the next block is accepted.
   bool TakeBack(vtkIdType size);
 
-  /// Takes back what was written beyond a size and takes no more blocks; an error. Returns false.
+  /// Truncates the file to a size, accepts no more blocks and reports an error. Returns false.
   bool FailBlock(std::string problem, vtkIdType size);
 
   char* FileName = nullptr;

@@ -2,26 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosTrajectoryReader
- * @brief   a trajectory from a text file, as navigation software writes it
+ * @brief   read a trajectory from a text file of navigation software
  *
- * Output 0 is a vtkPolyData, one polyline (of a single row: a vertex) through the
- * rows in the order of time, with the point arrays
+ * Output 0 is a vtkPolyData, one polyline (a vertex for a single row) through the rows in order of
+ * time, with the point arrays
  * - GpsTime [s] as in the file;
  * - Orientation (unit quaternion w, x, y, z, body to world; body x right, y
- *   forward, z up), of one sign from row to row.
+ *   forward, z up), with a consistent sign from row to row.
  *
- * A row is a line of numbers t, roll, pitch, yaw, x, y, z, which columns hold
- * is, in this order, what is set (TimeColumn, XColumn ...), what the file says in
- * the comment
+ * A row is a line of numbers t, roll, pitch, yaw, x, y, z. Their columns are, in order of
+ * precedence, those set (TimeColumn, XColumn ...), those of the comment
  *
  *   #HEADER: "t", "roll", "pitch", "yaw", "x", "y", "z"
  *
- * (any order; names in quotes or not), or the order above, where the comment
- * #TIME_COLUMN: n puts t into column n. What follows a word that starts with # or
- * // is a comment. Lines may end in CR LF. Numbers are parsed strictly and
- * correctly rounded; of other columns nothing is read.
+ * (any order; names with or without quotes), or the order above, where the comment #TIME_COLUMN: n
+ * moves t to column n. A word that starts with # or // starts a comment. Lines may end in CR LF.
+ * Numbers are parsed strictly and correctly rounded; other columns are not read.
  *
- * Attitude, with AngleConvention ARINC_705, of body coordinates to the world:
+ * Attitude with AngleConvention ARINC_705, body coordinates to world:
  *
  *   A = Rz(-yaw) Ry(roll) Rx(pitch),
  *
@@ -29,21 +27,19 @@
  *
  *   A = Rx(roll) Ry(pitch) Rz(yaw),
  *
- * with roll about the right axis, as vtkHeliosTrajectoryTextWriter writes it. With Domain
- * POSITION angles are not read: the body is level and heads where it flies in
- * x, y; at a row that is the direction of the parabola through it and its
- * neighbours, and below MinimumSpeed the heading before.
+ * with roll about the right axis, as written by vtkHeliosTrajectoryTextWriter. With Domain POSITION
+ * angles are not read: the body is level and its heading is the direction of motion in x, y, at a
+ * row that of the parabola through it and its neighbours. Below MinimumSpeed the last heading is
+ * kept.
  *
- * Two rows at one time are a jump, with a warning where their places differ.
- * With SlopeFilterThreshold only the rows are kept where the motion changes.
+ * Two rows at one time are a jump, with a warning if their positions differ.
+ * SlopeFilterThreshold keeps only the rows where the motion changes.
  *
- * Errors, with file:line, end the reading without output: three rows at one
- * time, a row that is too short, a word that is no finite number, a header with
- * another name, with a name twice or without one that is needed, a column read
- * twice, a file that cannot be read or has no rows.
+ * Errors, with file:line, without output: three rows at one time, a row that is
+ * too short, a word that is not a finite number, a header with an unknown,
+ * repeated or missing name, a column read twice, a file that cannot be read or has no rows.
  *
- * Progress events come for every MiB read; AbortExecute ends the reading, and
- * the update fails.
+ * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
  *
  * @sa
  * vtkHeliosInterpolatedPlatform vtkHeliosTrajectoryTextWriter
@@ -83,8 +79,8 @@ public:
   ///@{
   /**
    * Set/Get the characters that separate columns. A blank or a tab stands for
-   * any run of blanks and tabs; between two of any other there is an empty
-   * column, and blanks beside it do not count. Valid range: none of digits,
+   * any run of blanks and tabs; two adjacent other separators enclose an empty
+   * column, and blanks beside them are ignored. Valid range: no digits,
    * letters, + - . # /. Default: comma.
    */
   vtkSetMacro(Separators, std::string);
@@ -93,9 +89,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the columns from 0; -1: not given. Where any is given, those that are
-   * not are 0 to 6 in this order, and comments are not asked. Valid range:
-   * [-1, 999]. Default: -1.
+   * Set/Get the columns from 0; -1: not set. If any is set, the unset ones are 0 to 6 in this
+   * order, and comments are ignored. Valid range: [-1, 999]. Default: -1.
    */
   vtkSetClampMacro(TimeColumn, int, -1, 999);
   vtkGetMacro(TimeColumn, int);
@@ -113,16 +108,16 @@ public:
   vtkGetMacro(ZColumn, int);
   ///@}
 
-  /// What the file gives.
+  /// Content of the file.
   enum Domains
   {
-    POSITION = 0,             ///< t, x, y, z; the body heads where it flies
+    POSITION = 0,             ///< t, x, y, z; heading along the direction of motion
     POSITION_AND_ATTITUDE = 1 ///< all columns
   };
 
   ///@{
   /**
-   * Set/Get what is read. Default: POSITION_AND_ATTITUDE.
+   * Set/Get the columns to read. Default: POSITION_AND_ATTITUDE.
    */
   vtkSetClampMacro(Domain, int, POSITION, POSITION_AND_ATTITUDE);
   vtkGetMacro(Domain, int);
@@ -130,7 +125,7 @@ public:
   void SetDomainToPositionAndAttitude() { this->SetDomain(POSITION_AND_ATTITUDE); }
   ///@}
 
-  /// The unit of angles in the file.
+  /// Unit of the angles in the file.
   enum AngleUnits
   {
     DEGREES = 0,
@@ -147,7 +142,7 @@ public:
   void SetAngleUnitToRadians() { this->SetAngleUnit(RADIANS); }
   ///@}
 
-  /// What roll, pitch and yaw are.
+  /// Convention of roll, pitch and yaw.
   enum AngleConventions
   {
     ARINC_705 = 0,
@@ -156,7 +151,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what the angles are. Default: ARINC_705.
+   * Set/Get the angle convention. Default: ARINC_705.
    */
   vtkSetClampMacro(AngleConvention, int, ARINC_705, CANONICAL);
   vtkGetMacro(AngleConvention, int);
@@ -165,18 +160,18 @@ public:
   ///@}
 
   /**
-   * Sets separators, columns and angles to what vtkHeliosTrajectoryTextWriter
-   * writes: x y z t roll pitch yaw between blanks, CANONICAL, in degrees.
+   * Set separators, columns and angles to the format of
+   * vtkHeliosTrajectoryTextWriter: x y z t roll pitch yaw between blanks,
+   * CANONICAL, in degrees.
    */
   void UseWriterFormat();
 
   ///@{
   /**
-   * Set/Get how much the velocity [m/s] or the turning rate [deg/s] in any
-   * component must have changed since the last row that was kept for a row to be
-   * kept; 0 keeps all. Between rows that are kept the position is off by at
-   * most the threshold times the time between them. Valid range: [0, 1e6].
-   * Default: 0.
+   * Set/Get the threshold of the row filter: a row is kept if a component of
+   * the velocity [m/s] or turning rate [deg/s] changed by more since the last
+   * kept row; 0 keeps all. The position error between kept rows is at most the
+   * threshold times the time between them. Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(SlopeFilterThreshold, double, 0.0, 1e6);
   vtkGetMacro(SlopeFilterThreshold, double);
@@ -184,8 +179,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the speed in x, y [m/s] below which the flight gives no heading
-   * (POSITION only). Valid range: [0, 1e6]. Default: 0, it stands still.
+   * Set/Get the speed in x, y [m/s] below which the motion gives no heading
+   * (POSITION only). Valid range: [0, 1e6]. Default: 0, at rest.
    */
   vtkSetClampMacro(MinimumSpeed, double, 0.0, 1e6);
   vtkGetMacro(MinimumSpeed, double);

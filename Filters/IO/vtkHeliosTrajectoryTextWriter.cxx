@@ -24,9 +24,9 @@ namespace
 
 constexpr vtkIdType TypicalRowSize = 80;
 constexpr double LockedCosine = 1e-9; // of the pitch
-constexpr double HalfUnit = 5e-5;     // of the last printed digit [deg]
+constexpr double HalfUnit = 5e-5;     // of the last decimal [deg]
 
-/// Roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw); NaN where there is no rotation.
+/// Roll, pitch and yaw [deg] of A = Rx(roll) Ry(pitch) Rz(yaw); NaN for an invalid rotation.
 void GetAngles(const helios::Quaternion& orientation, double angles[3])
 {
   if (orientation.SquaredNorm() == 0.0)
@@ -44,7 +44,7 @@ void GetAngles(const helios::Quaternion& orientation, double angles[3])
   angles[0] = vtkMath::DegreesFromRadians(roll);
   angles[1] = vtkMath::DegreesFromRadians(pitch);
   angles[2] = vtkMath::DegreesFromRadians(yaw);
-  if (angles[2] < -HalfUnit) // what is left below 0 is printed as 0, not as 360
+  if (angles[2] < -HalfUnit) // smaller negative angles are printed as 0, not as 360
   {
     angles[2] += 360.0;
   }

@@ -2,29 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosVoxelReader
- * @brief   a grid of vegetation from a .vox file
+ * @brief   read a vegetation grid from a .vox file
  *
- * Output 0 is a vtkImageData whose cells are those of the grid (its points are their corners):
- * - cell data PAD (double) [m2/m3]: the plant area density, NaN where the file says so, 0 in cells
- *   that the file does not have;
- * - cell data Transmittance (double), if the file has that column: NaN where the file says so, 1 in
- *   cells that it does not have;
+ * Output 0 is a vtkImageData whose cells are those of the grid (its points are the cell corners):
+ * - cell data PAD (double) [m2/m3]: the plant area density, NaN if the file says so, 0 in cells
+ *   missing in the file;
+ * - cell data Transmittance (double), if the file has that column: NaN if the file says so, 1 in
+ *   missing cells;
  * - field data MaximumPAD (double), if the file gives max_pad;
- * - field data LeafProjection (double, 4) with LeafTableFileName: rows x y z G, the projection G of a
- *   unit of leaf area along a direction.
+ * - field data LeafProjection (double, 4) with LeafTableFileName: rows x y z G, the projection G of
+ *   unit leaf area along a direction.
  *
- * The file is text: lines "#min_corner: x y z", "#max_corner: x y z", "#split: nx ny nz" and
- * "#res: r", in any order, also several on one line ("#max_pad: m" may be among them); titles; the
- * names of the columns; then rows "i j k PadBVTotal ... transmittance ..." between blanks. Columns
- * are found by name; without names they are PadBVTotal in 3 and transmittance in 13. Cell i j k, from
- * 0, starts at min_corner + (i j k) r. Only rows of the cells that differ from nothing are needed.
+ * The file is text: lines "#min_corner: x y z", "#max_corner: x y z", "#split: nx ny nz" and "#res:
+ * r", in any order, also several on one line ("#max_pad: m" may be among them); titles; the column
+ * names; then rows "i j k PadBVTotal ... transmittance ..." separated by blanks. Columns are found
+ * by name; without names they are PadBVTotal in 3 and transmittance in 13. Cell i j k, from 0,
+ * starts at min_corner + (i j k) r. Empty cells need no row.
  *
- * Errors end the reading without output: a file that cannot be read, a head without corner, split
- * and size or one that contradicts itself, a row that is too short, a word that is no number, a
- * density below 0 or not finite (but NaN), a cell outside the grid or there twice, more cells than
+ * Errors, without output: a file that cannot be read, a header without corner, split and size or an
+ * inconsistent one, a row that is too short, a word that is not a number, a density that is
+ * negative or infinite (NaN is valid), a cell that is outside the grid or repeated, more cells than
  * MaximumNumberOfCells. Messages start with file:line.
  *
- * A cell takes 16 bytes. Progress events come for every MiB read; AbortExecute ends the reading.
+ * A cell uses 16 bytes. A progress event is sent per MiB read; AbortExecute stops reading.
  *
  * @sa
  * vtkHeliosVoxelCubes vtkHeliosScanner
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Set/Get a table of leaf angles: a text file of rows x,y,z,G. Default: none; then the scanner takes
-   * leaves of all directions alike.
+   * Set/Get a table of leaf angles: a text file of rows x,y,z,G. Default: none; the scanner then
+   * assumes a spherical leaf angle distribution.
    */
   vtkSetFilePathMacro(LeafTableFileName);
   vtkGetFilePathMacro(LeafTableFileName);
@@ -70,8 +70,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the column that holds the density; upper and lower case are equal. Default:
-   * PadBVTotal.
+   * Set/Get the name of the density column, case-insensitive. Default: PadBVTotal.
    */
   vtkSetMacro(PADColumn, std::string);
   vtkGetMacro(PADColumn, std::string);
@@ -79,7 +78,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how many cells the grid may have: a guard of memory. Valid range: [1, 4e9]. Default:
+   * Set/Get the maximum number of grid cells, a memory guard. Valid range: [1, 4e9]. Default:
    * 200000000.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);

@@ -36,7 +36,7 @@ helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// The unit vector across a beam nearest to a unit vector; for a beam along it: x or y.
+/// The unit vector perpendicular to a beam nearest to a unit vector; for a parallel beam: x or y.
 helios::Vec3 FindAcross(const helios::Vec3& beam, const helios::Vec3& wanted)
 {
   constexpr double parallel = 1e-6;
@@ -53,7 +53,7 @@ helios::Vec3 FindAcross(const helios::Vec3& beam, const helios::Vec3& wanted)
   return across;
 }
 
-/// The polylines being made.
+/// Builds the polylines.
 class Curves
 {
 public:
@@ -108,7 +108,7 @@ private:
   vtkNew<vtkDoubleArray> Range;
 };
 
-/// Takes over the columns that say something about a curve.
+/// Copies the columns that apply to a curve.
 void CopyColumns(vtkDataSetAttributes* from, const std::vector<vtkIdType>& rows, vtkCellData* to)
 {
   vtkNew<vtkDataSetAttributes> columns;

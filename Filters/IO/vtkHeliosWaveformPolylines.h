@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosWaveformPolylines
- * @brief   waveforms as curves along their beams, for viewing
+ * @brief   waveforms as curves along their beams, for display
  *
- * Input: waveforms as vtkHeliosScanner gives them (output port 1) and readers
- * read them. Output: one polyline a waveform. Sample i of value a, received t =
- * StartTime + i BinSize after the emission, becomes the point
+ * Input: waveforms in the layout of vtkHeliosScanner (output port 1) and of the
+ * readers. Output: one polyline per waveform. Sample i of value a, received at
+ * t = StartTime + i BinSize after the emission, becomes the point
  * - Origin + (c t / 2) Direction + Scale a u
  *
- * with u the unit vector across the beam that is nearest to
- * DisplacementDirection. So the curve starts and ends on the beam, and its peaks
- * stand beside the surfaces that the echoes lie on.
+ * with u the unit vector perpendicular to the beam that is nearest to
+ * DisplacementDirection. The curve starts and ends on the beam, and its peaks
+ * are beside the surfaces of the echoes.
  *
- * Point data: Amplitude (float, W), Range (double, m). Cell data: the columns of
- * the table (PulseIds, GpsTime ...) but Origin, Direction, Offset, Count.
+ * Point data: Amplitude (float, W), Range (double, m). Cell data: the columns
+ * of the table (PulseIds, GpsTime ...) except Origin, Direction, Offset, Count.
  *
- * For beams from above choose a DisplacementDirection along the way of the
- * platform: the curves then stand side by side.
+ * For airborne beams set DisplacementDirection along the platform trajectory:
+ * the curves are then side by side.
  *
  * @sa
  * vtkHeliosWaveformTextReader vtkHeliosWaveformXMLReader
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far an amplitude of 1 W is displaced [m/W]; 0: such that the
-   * largest one of the input is displaced by Height. Valid range: [0, 1e30].
+   * Set/Get the displacement of an amplitude of 1 W [m/W]; 0: the largest
+   * amplitude of the input is displaced by Height. Valid range: [0, 1e30].
    * Default: 0.
    */
   vtkSetClampMacro(Scale, double, 0.0, 1e30);
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far the largest amplitude is displaced where Scale is 0 [m].
-   * Valid range: [0, 1e6]. Default: 1.
+   * Set/Get the displacement of the largest amplitude if Scale is 0 [m]. Valid
+   * range: [0, 1e6]. Default: 1.
    */
   vtkSetClampMacro(Height, double, 0.0, 1e6);
   vtkGetMacro(Height, double);
@@ -66,9 +66,8 @@ public:
 
   ///@{
   /**
-   * Set/Get where amplitudes are displaced to; across a beam that has this
-   * direction itself, to x, or to y for one along x. Valid range: not zero.
-   * Default: 0, 0, 1, up.
+   * Set/Get the displacement direction of amplitudes; for a beam along this
+   * direction x is used, or y for one along x. Valid range: not zero. Default: 0, 0, 1, up.
    */
   vtkSetVector3Macro(DisplacementDirection, double);
   vtkGetVector3Macro(DisplacementDirection, double);
@@ -76,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Set/Get which waveforms are shown: the first and every EveryNth after it.
-   * Valid range: [1, 2^31 - 1]. Default: 1, all.
+   * Set/Get the stride of waveforms shown: the first and every EveryNth after
+   * it. Valid range: [1, 2^31 - 1]. Default: 1, all.
    */
   vtkSetClampMacro(EveryNth, int, 1, VTK_INT_MAX);
   vtkGetMacro(EveryNth, int);
@@ -85,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Shows the waveforms of some pulses only, before EveryNth. Default: none
-   * added, which shows all.
+   * Show the waveforms of selected pulses only, applied before EveryNth.
+   * Default: none added, which shows all.
    */
   void AddPulseId(vtkIdType id);
   void RemoveAllPulseIds();

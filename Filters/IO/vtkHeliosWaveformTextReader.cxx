@@ -81,7 +81,7 @@ int vtkHeliosWaveformTextReader::RequestData(
   const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
   if (piece < 0 || piece >= count)
   {
-    return 1; // nothing of the file
+    return 1; // no part of the file
   }
   const helios::WaveformFormat format{ this->OneWayTimes ? 2.0 : 1.0, this->BinSize };
   helios::TextReport report;

@@ -2,31 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosWaveformTextReader
- * @brief   waveforms from HELIOS text columns, piece by piece
+ * @brief   read waveforms from HELIOS text columns, piece by piece
  *
  * A line is one pulse, blanks or tabs between the columns: pulse index, origin
  * x y z [m], direction x y z, times of the first and the last sample [ns], GPS
- * time [s], the samples [nW]; what vtkHeliosWaveformTextWriter writes, and with
- * OneWayTimes what HELIOS++ writes. A word that starts with # ends a line;
- * lines without words are left out. Lines may end in CR LF.
+ * time [s], the samples [nW]: the format of vtkHeliosWaveformTextWriter and,
+ * with OneWayTimes, of HELIOS++. A word that starts with # starts a comment;
+ * lines without words are skipped. Lines may end in CR LF.
  *
- * Output 0: a vtkTable as vtkHeliosScanner gives it, one row a pulse: PulseIds,
- * Origin, Direction (made a unit vector), GpsTime [s], StartTime [ns], BinSize
- * [ns], Offset, Count; Samples [W] in the field data. Times are two-way.
+ * Output 0: a vtkTable in the layout of vtkHeliosScanner, one row per pulse:
+ * PulseIds, Origin, Direction (normalized), GpsTime [s], StartTime [ns],
+ * BinSize [ns], Offset, Count; Samples [W] in the field data. Times are two-way.
  *
- * Times have 4 decimals in the file: of the bin sizes that they leave open, the
- * one with the fewest decimals is taken. Samples have 9: those above 1 nW come
- * back bit for bit.
+ * Times have 4 decimals in the file: of the bin sizes consistent with them, the
+ * one with the fewest decimals is used. Samples have 9: those above 1 nW are
+ * restored bit for bit.
  *
  * Piece i of n (UPDATE_PIECE_NUMBER) is the lines that start in the i-th of n
- * equal stretches of the bytes: the pieces in order are the whole, each with its
- * own Samples.
+ * equal byte ranges: the pieces in order are the whole, each with its own Samples.
  *
- * Errors end the reading without output: a line too short, a last line without
- * its end (a run that was cut off), a word that is no number, NaN and
- * infinities, a direction that is no unit vector, times that do not fit the
- * samples, a file that cannot be read or, read in one piece, has no waveforms.
- * Messages start with file:line.
+ * Errors, without output: a line that is too short, a last line without line
+ * end (an interrupted run), a word that is not a number, NaN and infinities, a
+ * direction that is not a unit vector, times that do not fit the samples, a
+ * file that cannot be read or, read in one piece, has no waveforms. Messages
+ * start with file:line.
  *
  * @sa
  * vtkHeliosWaveformTextWriter vtkHeliosWaveformXMLReader
@@ -55,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read. No default: an error without.
+   * Set/Get the file to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -63,8 +62,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the times of the file are those of the way out alone, as in
-   * files of HELIOS++. Default: off.
+   * Set/Get whether the times in the file are one-way, as in files of HELIOS++. Default: off.
    */
   vtkSetMacro(OneWayTimes, bool);
   vtkGetMacro(OneWayTimes, bool);
@@ -74,7 +72,7 @@ public:
   ///@{
   /**
    * Set/Get the bin of the waveforms [ns], two-way, which the times of a line
-   * must fit; 0: that of the times. Valid range: [0, 1e3]. Default: 0.
+   * must fit; 0: derived from the times. Valid range: [0, 1e3]. Default: 0.
    */
   vtkSetClampMacro(BinSize, double, 0.0, 1e3);
   vtkGetMacro(BinSize, double);

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Appends the tuples of all arrays; false where they are not the same arrays.
+/// Appends the tuples of all arrays; false if the arrays differ.
 bool AppendArrays(vtkFieldData* from, vtkFieldData* to)
 {
   bool areSame = from->GetNumberOfArrays() == to->GetNumberOfArrays();

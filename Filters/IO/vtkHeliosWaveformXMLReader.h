@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosWaveformXMLReader
- * @brief   waveforms from VTT pieces, some of them or all as one table
+ * @brief   read waveforms from VTT pieces, some or all as one table
  *
- * Reads a .pvtt, and each of its .vtt, as vtkHeliosWaveformXMLWriter writes
- * them; also the .part of a run that was cut off.
+ * Reads a .pvtt and its .vtt pieces, as written by vtkHeliosWaveformXMLWriter;
+ * also the .part of an interrupted run.
  *
- * Output 0: a vtkTable as vtkHeliosScanner gives it. Piece i of n
+ * Output 0: a vtkTable in the layout of vtkHeliosScanner. Piece i of n
  * (UPDATE_PIECE_NUMBER) is a share of the pieces of the file: the pieces in
- * order are the whole, each with its own Samples. Where several pieces of the
- * file become one table, Offset counts in the Samples of all of them; other
- * field data are those of the first.
+ * order are the whole, each with its own Samples. If several pieces of the file
+ * become one table, Offset refers to the merged Samples; other field data are
+ * those of the first.
  *
- * Errors: a file that cannot be read or is none of these, a piece that is
+ * Errors: a file that cannot be read or has another format, a piece that is
  * missing, has no waveforms or other columns than the first.
  *
  * @sa
@@ -38,14 +38,14 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read. No default: an error without.
+   * Set/Get the file to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}
 
   /**
-   * Get the number of pieces that the file has, after UpdateInformation().
+   * Get the number of pieces of the file, after UpdateInformation().
    */
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
@@ -64,7 +64,7 @@ private:
   bool AppendPiece(const std::string& name, vtkTable* waveforms);
 
   char* FileName = nullptr;
-  std::vector<std::string> Pieces; // the names of the files
+  std::vector<std::string> Pieces; // file names
 };
 
 #endif

@@ -2,24 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosWaveformXMLWriter
- * @brief   waveforms as VTT pieces under a PVTT
+ * @brief   write waveforms as VTT pieces with a PVTT index
  *
- * FileName ends in .pvtt; block k goes to <name>_000k.vtt beside it, bit for
- * bit: its columns, and Samples in the field data. A piece is a table like the
- * one that the scanner gives, its Offset counting in its own Samples.
+ * FileName ends in .pvtt; block k is written to <name>_000k.vtt beside it, bit
+ * for bit: its columns, and Samples in the field data. A piece is a table in
+ * the layout of the scanner output; its Offset refers to its own Samples.
  *
- * Read a piece with vtkXMLTableReader, or piece k of the n that GetNumberOfPieces()
- * of a vtkXMLPTableReader tells with its UpdatePiece(k, n, 0).
+ * Read a piece with vtkXMLTableReader, or piece k of n (GetNumberOfPieces()) with
+ * vtkXMLPTableReader and UpdatePiece(k, n, 0).
  *
  * @warning
- * Asked for the whole of several pieces at once, vtkXMLPTableReader (of VTK 9.1
- * and of those that came after it) gives the last one only;
- * vtkHeliosWaveformXMLReader gives all of them as one table.
+ * If several pieces are requested at once, vtkXMLPTableReader (VTK 9.1 and
+ * later) returns the last one only; vtkHeliosWaveformXMLReader returns all of
+ * them as one table.
  *
- * Blocks: waveforms as vtkHeliosScanner gives them: vtkTable with the columns
- * PulseIds, Origin, Direction, GpsTime [s], StartTime [ns], BinSize [ns], Offset,
- * Count (at least 1), and Samples [W] in its field data. A block without rows
- * needs no columns.
+ * Blocks: waveforms in the layout of vtkHeliosScanner: vtkTable with the columns PulseIds, Origin,
+ * Direction, GpsTime [s], StartTime [ns], BinSize [ns], Offset, Count (at least 1), and Samples [W]
+ * in its field data. A block without rows needs no columns.
  *
  * @sa
  * vtkHeliosXMLPieceWriter vtkHeliosWaveformXMLReader vtkHeliosWaveformTextWriter

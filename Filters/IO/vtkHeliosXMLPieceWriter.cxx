@@ -28,7 +28,7 @@ namespace
 constexpr std::size_t CompressorBlockSize = 1 << 20;
 constexpr const char* PieceEnd = "</VTKFile>\n";
 
-/// The type's name in VTK's XML files.
+/// Name of the type in VTK XML files.
 std::string GetTypeName(vtkDataArray* array)
 {
   const char* kind = "Int";
@@ -74,7 +74,7 @@ std::string Declare(vtkDataArray* array, const char* name)
   return text.str();
 }
 
-/// The pieces that an index lists.
+/// Counts the pieces listed by an index.
 int CountPieces(const std::string& index)
 {
   std::ifstream file(index);
@@ -86,8 +86,8 @@ int CountPieces(const std::string& index)
   return count;
 }
 
-/// Forgets the ranges of an array. VTK keeps them when it has computed them, and then writes the array in
-/// another way: the bytes would tell what was written before.
+/// Removes the cached ranges of an array. VTK stores them once computed and then writes the array
+/// differently: the bytes would depend on what was written before.
 void EvenOut(vtkAbstractArray* array)
 {
   vtkInformation* information = array->GetInformation();
@@ -114,7 +114,7 @@ void EvenOut(vtkDataObject* block)
   }
 }
 
-/// Takes the messages of VTK's writer, so that there is one error and not two.
+/// Collects the messages of the VTK writer, to report a single error.
 class Silence : public vtkCommand
 {
 public:
@@ -293,7 +293,7 @@ std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std
   writer->SetIdTypeToInt64();
   writer->SetCompressorTypeToLZ4();
   writer->SetBlockSize(CompressorBlockSize);
-  // VTK's writers of files do not say why they fail.
+  // The VTK file writers do not report why they fail.
   writer->SetWriteToOutputString(true);
   writer->Write();
   const std::string bytes = writer->GetOutputString();
@@ -308,7 +308,7 @@ std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std
 }
 
 //------------------------------------------------------------------------------
-/// Says what went wrong, or returns an empty text.
+/// Writes the file. Returns an error message, or an empty string.
 std::string vtkHeliosXMLPieceWriter::WritePieceFile(
   const std::string& bytes, const std::string& name)
 {

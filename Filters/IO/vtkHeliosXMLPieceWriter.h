@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosXMLPieceWriter
- * @brief   blocks as VTK XML pieces under an index
+ * @brief   write blocks as VTK XML pieces with an index
  *
- * Block k goes to <name>_000k.vt? beside FileName (through a .part of its own),
- * whole, with its field data; FileName becomes the index that lists the pieces
- * by their names alone: a folder can be moved. Any piece is read by VTK's serial
- * reader, the index by its parallel one. The index is written as the run goes
- * on; an abandoned <FileName>.part is an index, too.
+ * Block k is written to <name>_000k.vt? beside FileName (through its own
+ * .part), with its field data; FileName becomes the index, which lists the
+ * pieces by file name only: the folder can be moved. A piece is read by the
+ * serial reader of VTK, the index by the parallel one. The index is updated
+ * during the run; an abandoned <FileName>.part is also a valid index.
  *
- * Data are appended raw, with 64-bit ids and sizes, and compressed by LZ4:
- * for echoes 40 % smaller at the same speed. VTK's default, zlib, saves another
- * 15 % and is twenty times slower.
+ * Data are appended raw, with 64-bit ids and sizes, compressed with LZ4: echoes
+ * are 40 % smaller at the same speed. The VTK default, zlib, saves another 15 %
+ * and is twenty times slower.
  *
- * All blocks have the same arrays, all of numbers; an empty block makes no
- * piece. Numbers that are not finite are written as they are.
+ * All blocks have the same arrays, all numeric; an empty block creates no
+ * piece. Non-finite numbers are written unchanged.
  *
  * @warning
- * Pieces of an earlier, longer run of the same name stay, and are not listed.
+ * Pieces of an earlier, longer run with the same name remain and are not listed.
  *
  * @sa
  * vtkHeliosPointXMLWriter vtkHeliosWaveformXMLWriter
@@ -29,7 +29,7 @@
 
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 #include "vtkHeliosStreamWriter.h"
-#include "vtkSmartPointer.h" // For what a block is written by
+#include "vtkSmartPointer.h" // For the block writer
 
 #include <cstdint> // For sizes
 
@@ -42,39 +42,39 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Starts the index; there is no piece yet.
+   * Create the index, without pieces.
    */
   bool Open() override;
 
   /**
-   * Goes on after the pieces that the index lists in its first fileSize bytes.
+   * Resume after the pieces that the index lists in its first fileSize bytes.
    */
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
 
   /**
-   * Writes a block as a piece.
+   * Write a block as a piece.
    */
   bool Write(vtkDataObject* block) override;
 
   /**
-   * Returns when the disk has the pieces and the index, or says what went wrong.
+   * Fsync the pieces and the index. Returns an error message, or an empty string.
    */
   std::string Sync() override;
 
 #ifndef __VTK_WRAP__
   /**
-   * What was written to the index, and the pieces.
+   * Get and clear the bytes written to the index and the pieces.
    */
   std::vector<helios::FileBlock> TakeBlocks() override;
 #endif
 
   /**
-   * Ends the index and gives it its final name.
+   * Finish the index and give it its final name.
    */
   bool Close() override;
 
   /**
-   * Ends the index and leaves it under its .part name.
+   * Finish the index and keep its .part name.
    */
   bool Abandon() override;
 
@@ -87,17 +87,17 @@ protected:
   vtkHeliosXMLPieceWriter();
   ~vtkHeliosXMLPieceWriter() override;
 
-  /// How the name of a piece ends, and the element of the index.
+  /// File extension of a piece, and the element of the index.
   virtual const char* GetPieceEnding() const = 0;
   virtual const char* GetIndexElement() const = 0;
 
-  /// The arrays of a block, one tuple a record; null after an error about a block that is none.
+  /// Arrays of a block, one tuple per record; null after an error about an invalid block.
   virtual vtkFieldData* GetRecords(vtkDataObject* block, vtkIdType& count) = 0;
 
-  /// What the index declares, for the lines of the arrays.
+  /// Array declarations of the index, given the lines of the arrays.
   virtual std::string DeclareArrays(const std::string& lines) const = 0;
 
-  /// Writes the block; the base class sets the file and how its bytes are kept.
+  /// Creates the writer of a block; the base class sets the output and the encoding.
   virtual vtkSmartPointer<vtkXMLWriter> MakeWriter(vtkDataObject* block) const = 0;
 
   std::string GetSafePlace() const override;
@@ -113,8 +113,8 @@ private:
   bool WriteHead();
   bool WriteFoot();
 
-  std::string Arrays;   // as the index declares them
-  bool HasHead = false; // the index
+  std::string Arrays;   // as declared by the index
+  bool HasHead = false; // of the index
   int NumberOfPieces = 0;
   int NumberOfPiecesOnDisk = 0;
   std::unique_ptr<std::vector<helios::FileBlock>> PieceBlocks; // since TakeBlocks()

@@ -23,7 +23,7 @@ namespace
 
 using FileList = std::vector<std::unique_ptr<helios::XyzFile>>;
 
-/// The first byte of piece i of n, without the overflow of size * i.
+/// The first byte of piece i of n, computed without overflow of size * i.
 std::int64_t GetPieceBegin(std::int64_t size, std::int64_t i, std::int64_t n)
 {
   return size / n * i + size % n * i / n;
@@ -114,7 +114,7 @@ int vtkHeliosXyzReader::RequestInformation(
   return 1;
 }
 
-// Reads the stretch of each file that belongs to the piece; the files are taken as one.
+// Reads the range of each file that belongs to the piece; the files are treated as one.
 bool vtkHeliosXyzReader::ReadPiece(
   helios::XyzParser& parser, helios::TextReport& report, std::int64_t piece, std::int64_t count)
 {
@@ -132,7 +132,7 @@ bool vtkHeliosXyzReader::ReadPiece(
   }
   const std::int64_t begin = GetPieceBegin(size, piece, count);
   const std::int64_t end = GetPieceBegin(size, piece + 1, count);
-  std::int64_t start = 0; // of the file, in all bytes
+  std::int64_t start = 0; // offset of the file in the total bytes
   for (const auto& file : files)
   {
     const vtkIdType known = parser.GetNumberOfPoints();
@@ -190,7 +190,7 @@ int vtkHeliosXyzReader::RequestData(
   const int piece = isPiece ? outInfo->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
   if (piece < 0 || piece >= count)
   {
-    return 1; // nothing of the file
+    return 1; // no part of the file
   }
   const helios::XyzFormat format = this->MakeFormat();
   helios::TextReport report;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosXyzReader
- * @brief   points from text files, piece by piece
+ * @brief   read points from text files, piece by piece
  *
  * Output 0 is a vtkPolyData without cells:
  * - points: x, y, z of columns 0, 1, 2, double and correctly rounded;
@@ -10,21 +10,20 @@
  * - point data RGB (float, 3, each in [0..1]) with ReadColors.
  *
  * A row is a line. Lines may end in CR LF; the last one may lack its end; a byte-order mark is
- * skipped. What follows a word that starts with # or // is a comment. Separators is the set of
- * characters between columns; blanks and tabs beside a separator never count. Of a row only the
- * columns that are asked for are read, and those strictly: 1,5 is no number, nor is nan a
- * coordinate. Where the first row of a file has no numbers at all it is left out as a header, with
- * a warning.
+ * skipped. A word that starts with # or // starts a comment. Separators is the set of characters
+ * between columns; blanks and tabs beside a separator are ignored. Only the requested columns of a
+ * row are read, and strictly: 1,5 is not a number, and nan is not a coordinate. If the first row of
+ * a file has no numbers at all, it is skipped as a header, with a warning.
  *
- * Piece i of n (UPDATE_PIECE_NUMBER) is the rows that start in the i-th of n equal stretches of
- * the bytes of all files: the pieces in order are the whole. So a cloud larger than memory can be
- * asked for piece by piece, as vtkHeliosPointVoxelizer does.
+ * Piece i of n (UPDATE_PIECE_NUMBER) is the rows that start in the i-th of n equal byte ranges of
+ * all files: the pieces in order are the whole. A cloud larger than memory can therefore be
+ * requested piece by piece, as in vtkHeliosPointVoxelizer.
  *
- * Errors end the reading without output: a row that is too short, a word that is no number, NaN
- * and infinities, a colour out of range, a file that cannot be read or, where it is read in one
- * piece, has no rows. Messages start with file:line.
+ * Errors, without output: a row that is too short, a word that is not a number, NaN and infinities,
+ * a colour out of range, a file that cannot be read or, read in one piece, has no rows. Messages
+ * start with file:line.
  *
- * Progress events come for every MiB read; AbortExecute ends the reading, and the update fails.
+ * A progress event is sent per MiB read; AbortExecute stops reading, and the update fails.
  *
  * @sa
  * vtkHeliosPointVoxelizer
@@ -69,8 +68,8 @@ public:
   ///@{
   /**
    * Set/Get the characters that separate columns. A blank or a tab stands for any run of blanks and
-   * tabs; between two of any other there is an empty column. Valid range: none of digits, letters,
-   * + - . # /. Default: blank and tab.
+   * tabs; two adjacent other separators enclose an empty column. Valid range: no digits, letters, +
+   * - . # /. Default: blank and tab.
    */
   vtkSetMacro(Separators, std::string);
   vtkGetMacro(Separators, std::string);
@@ -78,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether normals are read, of which columns from 0. Valid range of a column: [0, 999].
+   * Set/Get whether normals are read, and their columns from 0. Valid range of a column: [0, 999].
    * Default: off; 3, 4, 5.
    */
   vtkSetMacro(ReadNormals, bool);
@@ -94,7 +93,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether colours are read, of which columns from 0. Valid range of a column: [0, 999].
+   * Set/Get whether colours are read, and their columns from 0. Valid range of a column: [0, 999].
    * Default: off; 6, 7, 8.
    */
   vtkSetMacro(ReadColors, bool);
@@ -110,7 +109,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the number that full colour has in the file. Valid range: greater than 0. Default: 255.
+   * Set/Get the value of full colour in the file. Valid range: greater than 0. Default: 255.
    */
   vtkSetMacro(MaximumColorValue, double);
   vtkGetMacro(MaximumColorValue, double);

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::chrono::milliseconds TimeBetweenReports(50);
 
-/// Calls that nobody waits for any more; the end of the process does.
+/// Detached calls; only the end of the process waits for them.
 class LeftCalls
 {
 public:
@@ -34,7 +34,7 @@ private:
   }
 
   std::mutex Access;
-  std::vector<std::future<void>> Calls; // waits where it is destroyed
+  std::vector<std::future<void>> Calls; // waits on destruction
 };
 
 } // namespace
@@ -51,7 +51,7 @@ bool RunApart(const GoOn& goOn, double share, std::function<void()> call)
       return false;
     }
   } while (done.wait_for(TimeBetweenReports) != std::future_status::ready);
-  done.get(); // throws what it threw
+  done.get(); // rethrows
   return true;
 }
 

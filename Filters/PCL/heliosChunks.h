@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Work cut into chunks between which a filter reports progress and may stop.
+// Splits work into chunks; between chunks a filter reports progress and may stop.
 
 #ifndef heliosChunks_h
 #define heliosChunks_h
@@ -13,17 +13,17 @@
 namespace helios
 {
 
-/// Reports a share of work done in [0, 1]; false where the work is to end.
+/// Reports the share of work done in [0, 1]; returns false if the work must stop.
 using GoOn = std::function<bool(double)>;
 
-/// A share of work that runs from one share of the whole to another.
+/// Maps the progress of a part of the work to its interval of the whole.
 inline GoOn Within(const GoOn& goOn, double first, double last)
 {
   return [=](double share) { return goOn(first + (last - first) * share); };
 }
 
-/// Calls work(begin, end) for all of [0, count), in chunks of 64 to 4096 that take some 0.05 s where
-/// they can; false where it was stopped.
+/// Calls work(begin, end) for all of [0, count), in chunks of 64 to 4096 that take about 0.05 s if
+/// possible; false if it was stopped.
 template <typename WorkT>
 bool ForChunks(std::size_t count, const GoOn& goOn, WorkT&& work)
 {
@@ -48,9 +48,9 @@ bool ForChunks(std::size_t count, const GoOn& goOn, WorkT&& work)
 }
 
 /**
- * Runs in a thread of its own a call of a library that cannot be stopped, such as the building of a
- * search tree; reports a share of work meanwhile. False where it was stopped: the call goes on alone,
- * so it holds all that it uses, and what it makes is dropped.
+ * Runs a library call that cannot be stopped, such as building a search tree, in its own thread;
+ * reports progress meanwhile. False if it was stopped: the call continues detached, so it owns all
+ * its data, and its result is dropped.
  */
 bool RunApart(const GoOn& goOn, double share, std::function<void()> call);
 

@@ -22,7 +22,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 /// Bins across a window.
 constexpr double BinsOfWindow = 8.0;
 
-/// Bins, for each point.
+/// Bins per point.
 constexpr double BinsOfPoint = 2.0;
 
 struct Rectangle
@@ -50,8 +50,8 @@ struct Rectangle
   }
 };
 
-/// The lowest, or highest, values of points within windows: of bins that are inside of a window as a
-/// whole, of others point by point.
+/// The minimum, or maximum, values of points within windows: by bins that are entirely inside a
+/// window, point by point in the others.
 class Windows
 {
 public:
@@ -83,8 +83,8 @@ public:
     }
   }
 
-  /// The value of each point becomes the smallest within its window, times a sign: -1 makes it the
-  /// largest. False: stopped.
+  /// Replaces the value of each point by the minimum within its window, times a sign: -1 makes it
+  /// the maximum. False: stopped.
   bool Reduce(float sign, const GoOn& goOn, std::vector<float>& values)
   {
     std::vector<float> from(values.size());
@@ -131,7 +131,7 @@ private:
     }
   }
 
-  /// Grows with the place: points of a window are in bins from that of its low end to that of its high.
+  /// Monotonic: points of a window are in the bins from its low end to its high end.
   std::size_t GetBin(int axis, float place) const
   {
     const double distance =
@@ -186,7 +186,7 @@ private:
   std::vector<float> Extremes;    // of the values of a bin
 };
 
-/// Takes out the points of the ground that are too far above its opening; false: stopped.
+/// Removes the ground points that are too far above its opening; false: stopped.
 bool Open(
   const Cloud& points, float window, float threshold, const GoOn& goOn, pcl::Indices& ground)
 {

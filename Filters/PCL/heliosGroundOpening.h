@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The progressive morphological filter (Zhang et al. 2003), as pcl::ProgressiveMorphologicalFilter has
-// it with exponential windows. PCL's looks at all points of each window, and cannot be stopped.
+// The progressive morphological filter (Zhang et al. 2003), as in
+// pcl::ProgressiveMorphologicalFilter with exponential windows. PCL's version reads all points of
+// each window and cannot be stopped.
 
 #ifndef heliosGroundOpening_h
 #define heliosGroundOpening_h
@@ -25,8 +26,8 @@ struct GroundWindows
   float MaximumDistance;   // [m]
 };
 
-/// Points that are less above their opening (the highest of the lowest of a window around each) than
-/// windows of growing size allow. False where it was stopped.
+/// Points whose height above their opening (the highest of the lowest of a window around each) is
+/// within the limits for windows of growing size. False if it was stopped.
 VTKHELIOSFILTERSPCL_EXPORT bool FindGround(const pcl::PointCloud<pcl::PointXYZ>& points,
   const GroundWindows& settings, const GoOn& goOn, pcl::Indices& ground);
 

@@ -12,7 +12,7 @@ namespace
 
 constexpr int NumberOfNearest = 12;
 
-// Of the squares of slopes beside those of the points, so that points on a line have a plane, too.
+// Regularization relative to the sum of squares, so that collinear points also have a plane.
 constexpr double Ridge = 1e-3;
 
 } // namespace
@@ -36,7 +36,7 @@ double GroundSurface::GetHeight(float x, float y) const
   std::vector<float> squares;
   this->Tree.nearestKSearch(pcl::PointXYZ(x, y, 0.0F),
     std::min(NumberOfNearest, static_cast<int>(this->Heights.size())), nearest, squares);
-  // the normal equations of z = h + a u + b v, with u and v from the place
+  // the normal equations of z = h + a u + b v, with u and v from the position
   Eigen::Matrix3d sums = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   const double smoothing = this->Smoothing * this->Smoothing;

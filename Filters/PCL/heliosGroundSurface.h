@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface through points of the ground.
+// A surface through ground points.
 
 #ifndef heliosGroundSurface_h
 #define heliosGroundSurface_h
@@ -14,8 +14,8 @@
 namespace helios
 {
 
-/// At any place the height of the plane through the nearest points of the ground, each weighted by
-/// 1 / (distance^2 + smoothing^2). Threads may ask at once.
+/// Height of the plane through the nearest ground points, each weighted by
+/// 1 / (distance^2 + smoothing^2). Thread-safe.
 class GroundSurface
 {
 public:
@@ -24,7 +24,7 @@ public:
   double GetHeight(float x, float y) const;
 
 private:
-  pcl::PointCloud<pcl::PointXYZ>::Ptr Places; // at z = 0, so that the nearest are so on the map
+  pcl::PointCloud<pcl::PointXYZ>::Ptr Places; // at z = 0, for nearest neighbours in the xy plane
   std::vector<float> Heights;
   pcl::KdTreeFLANN<pcl::PointXYZ> Tree;
   double Smoothing = 0.0;

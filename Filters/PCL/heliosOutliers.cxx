@@ -21,7 +21,7 @@ float GetMeanDistance(const Tree& tree, const pcl::PointXYZ& point, int numberOf
 {
   pcl::Indices nearest;
   std::vector<float> squares;
-  tree.nearestKSearch(point, numberOfNeighbors + 1, nearest, squares); // the point is the first
+  tree.nearestKSearch(point, numberOfNeighbors + 1, nearest, squares); // includes the point itself
   double sum = 0.0;
   for (std::size_t k = 1; k < squares.size(); ++k)
   {

@@ -31,7 +31,7 @@ namespace helios
 namespace
 {
 
-/// Takes arrays of echoes and remembers the first one that is not what it must be.
+/// Reads arrays of echoes and records the first invalid one.
 class EchoArrays
 {
 public:
@@ -40,7 +40,7 @@ public:
   {
   }
 
-  /// The first array there is, or null.
+  /// The first array present, or null.
   vtkDataArray* Get(std::initializer_list<const char*> wanted, int components = 1)
   {
     for (const char* name : wanted)
@@ -77,7 +77,7 @@ private:
   vtkPolyData* Echoes;
 };
 
-/// Calls set(point, value) with the number of an array for every point.
+/// Calls set(point, value) with the array value of every point.
 template <typename PointT, typename SetT>
 void Fill(pcl::PointCloud<PointT>& cloud, vtkDataArray* array, const SetT& set)
 {
@@ -102,7 +102,7 @@ void FillPoints(vtkPolyData* echoes, const double origin[3], pcl::PointCloud<Poi
   }
 }
 
-/// A number as a whole one, within the range of its type; NaN is 0.
+/// Rounds to an integer, within the range of its type; NaN is 0.
 template <typename T>
 T ToWhole(double value)
 {

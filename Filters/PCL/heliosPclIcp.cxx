@@ -25,7 +25,7 @@ constexpr std::size_t LeastPairs = 6;
 
 using PointT = pcl::PointNormal;
 
-/// A motion in float as an exact one in double.
+/// Converts a motion in float to an exact one in double.
 Eigen::Isometry3d MakeMotion(const Eigen::Matrix4f& matrix)
 {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
@@ -64,7 +64,7 @@ bool PclIcp::GoesOn(double iterations) const
   return !this->OnProgress || this->OnProgress(iterations);
 }
 
-/// With normals and curvatures where planes are asked for; null where it was stopped.
+/// With normals and curvatures if planes are used; null if it was stopped.
 PclIcp::Cloud::Ptr PclIcp::MakeCloud(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double from)
 {
   Cloud::Ptr cloud(new Cloud);
@@ -127,8 +127,8 @@ PclIcp::Cloud::Ptr PclIcp::Move() const
   return moved;
 }
 
-/// Takes out pairs that are not of one plane: at edges, across corners, of surfaces that only one of
-/// the scans sees.
+/// Removes pairs that are not of one plane: at edges, across corners, on surfaces visible in only
+/// one of the scans.
 void PclIcp::Reject(const Cloud& moved, pcl::Correspondences& pairs)
 {
   const auto removeIf = [&pairs](const auto& isBad)
@@ -178,7 +178,7 @@ Eigen::Isometry3d PclIcp::Estimate(const Cloud& moved, const pcl::Correspondence
   return MakeMotion(step);
 }
 
-/// Where the scans have settled, pairs far off are of two surfaces. False where there are none.
+/// After convergence, distant pairs are of two surfaces. False if there are none.
 bool PclIcp::LowerLimit()
 {
   const double limit = std::max(SmallDistance, LargestRatio * this->Residual);
@@ -198,7 +198,7 @@ void PclIcp::BuildTree(Estimation& estimation)
   estimation.setSearchMethodTarget(tree, true);
 }
 
-/// Each moved point with the nearest one that stays; false where it was stopped.
+/// Pairs each moved point with the nearest fixed one; false if it was stopped.
 bool PclIcp::FindPairs(
   Estimation& estimation, const Cloud::Ptr& moved, int iteration, pcl::Correspondences& pairs) const
 {
@@ -223,7 +223,7 @@ std::string PclIcp::Run()
   {
     reach = std::max(reach, p.norm());
   }
-  const double small = std::max(SmallMotion, 1e-7 * reach); // as float has it
+  const double small = std::max(SmallMotion, 1e-7 * reach); // float precision
   Estimation estimation;
   if (!this->Stopped)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The iterative closest point method, of PCL's parts, put together in double.
+// The iterative closest point method, composed of PCL's parts; motions are composed in double.
 
 #ifndef heliosPclIcp_h
 #define heliosPclIcp_h
@@ -27,18 +27,18 @@ public:
   int NumberOfNeighbors = 16;
   double MaximumCurvature = 0.01;
 
-  /// Called again and again with the number of iterations done and the share of the one under way,
-  /// the first of which is the preparation; false ends the work.
+  /// Polled with the number of iterations done and the progress of the current one, the first of
+  /// which is the preparation; false stops the work.
   std::function<bool(double)> OnProgress;
 
-  /// Points that stay, relative to an origin.
+  /// Fixed points, relative to an origin.
   void SetFixed(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points);
 
-  /// Points that move, relative to the same origin; and the same ones to any.
+  /// Moving points, relative to the same origin; and the same points to any type.
   void SetMoving(
     std::vector<Eigen::Vector3d>&& points, const pcl::PointCloud<pcl::PointXYZ>::Ptr& local);
 
-  /// Finds the motion; what is wrong, or an empty text.
+  /// Finds the motion; returns an error message, or an empty string.
   std::string Run();
 
   const Eigen::Isometry3d& GetMotion() const { return this->Motion; }
@@ -47,7 +47,7 @@ public:
   const std::vector<Eigen::Vector3d>& GetMoving() const { return this->Moving; }
 
   ///@{
-  /// After the last motion but one, which differ by little once it has settled.
+  /// After the last motion but one; the two differ little after convergence.
   double GetResidual() const { return this->Residual; }
   std::size_t GetNumberOfPairs() const { return this->NumberOfPairs; }
   ///@}
@@ -72,7 +72,7 @@ private:
 
   Cloud::Ptr Fixed;
   std::vector<Eigen::Vector3d> Moving;
-  Cloud::Ptr MovingNormals; // and their curvatures, as they came
+  Cloud::Ptr MovingNormals; // and their curvatures, in the initial orientation
   Eigen::Isometry3d Motion = Eigen::Isometry3d::Identity();
   double Limit = std::numeric_limits<double>::infinity(); // of distances from planes
   bool Stopped = false;

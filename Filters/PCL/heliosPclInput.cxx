@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-/// An array with another number of tuples than there are points, in words; empty: none.
+/// An error message about an array whose number of tuples is not the number of points; empty: none.
 std::string CheckLengths(vtkPolyData* data)
 {
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)

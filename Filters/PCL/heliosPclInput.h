@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a filter's input as PCL takes them.
+// The input points of a filter as a PCL cloud.
 
 #ifndef heliosPclInput_h
 #define heliosPclInput_h
@@ -24,8 +24,8 @@ class PclInput
 public:
   using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-  /// Takes the finite points, relative to an origin that is a whole multiple of a step [m]. Returns
-  /// what is wrong with the input, or an empty text.
+  /// Takes the finite points, relative to an origin that is a multiple of a step [m]. Returns an
+  /// error message, or an empty string.
   std::string Take(vtkPolyData* data, double step);
 
   vtkPolyData* GetData() const { return this->Data; }
@@ -33,7 +33,7 @@ public:
   const Cloud::Ptr& GetCloud() const { return this->Points; }
   int GetSize() const { return static_cast<int>(this->Points->size()); }
 
-  /// The point of the data that a point of the cloud is.
+  /// Maps a point of the cloud to the point id of the data.
   vtkIdType GetId(pcl::index_t index) const { return this->Ids[static_cast<std::size_t>(index)]; }
   const std::vector<vtkIdType>& GetIds() const { return this->Ids; }
   std::vector<vtkIdType> GetIds(const pcl::Indices& indices) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Normals and curvatures of points by PCL, a chunk of the points after the other.
+// Normals and curvatures of points by PCL, in chunks of points.
 
 #ifndef heliosPclNormals_h
 #define heliosPclNormals_h
@@ -13,8 +13,8 @@
 namespace helios
 {
 
-/// Of the points within a radius [m] of each, or of so many nearest ones where it is 0. False where
-/// it was stopped.
+/// From the points within a radius [m] of each, or from the nearest ones if it is 0. False if it
+/// was stopped.
 bool EstimateNormals(const pcl::PointCloud<pcl::PointXYZ>::Ptr& points, double radius,
   int numberOfNeighbors, const GoOn& goOn, pcl::PointCloud<pcl::Normal>& normals);
 

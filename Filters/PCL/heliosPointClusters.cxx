@@ -18,17 +18,17 @@ namespace
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// Of a cell's side, so that rounding keeps points of one cell near each other, and those that are
-/// near in cells at most two apart.
+/// Relative to a cell's side, so that despite rounding points of one cell are near each other, and
+/// near points are in cells at most two apart.
 constexpr double Safety = 0.9999;
 
 /// Pairs of points compared one by one.
 constexpr std::ptrdiff_t FewPairs = 64;
 
-/// Points looked at between two reports of progress.
+/// Points read between two progress reports.
 constexpr std::int64_t Stride = 1 << 18;
 
-/// The place of a cell in whole sides; as double it cannot overflow.
+/// The index of a cell; as double it cannot overflow.
 using Place = std::array<double, 3>;
 
 /// A box around points.
@@ -53,7 +53,7 @@ struct Box
   }
 };
 
-/// Rounded like the distance of two points of the boxes, and so never above it.
+/// Rounded like the distance of two points of the boxes, so it never exceeds it.
 float GetSquare(const Box& a, const Box& b)
 {
   float sum = 0.0F;
@@ -65,7 +65,7 @@ float GetSquare(const Box& a, const Box& b)
   return sum;
 }
 
-/// As PCL rounds it.
+/// With PCL's rounding.
 float GetSquare(double tolerance)
 {
   const auto rounded = static_cast<double>(static_cast<float>(tolerance));
@@ -97,7 +97,7 @@ public:
 
   std::vector<int> Find() { return this->Join() ? this->GetFirstPoints() : std::vector<int>(); }
 
-  /// Points by cells, and cells by their places.
+  /// Sorts points by cells, and cells by position.
   void Sort()
   {
     std::vector<std::pair<Place, int>> places;
@@ -140,8 +140,8 @@ private:
       std::floor(static_cast<double>(p.z) / this->Side) };
   }
 
-  /// Each cell with those after it that may have near points: the rest of its column, and columns
-  /// up to two away, each with a place that moves on as the cell does. False: stopped.
+  /// Joins each cell with later ones that may have near points: the rest of its column, and columns
+  /// up to two away, each with an index that advances with the cell. False: stopped.
   bool Join()
   {
     std::vector<std::size_t> next(this->Cells.size() > 0 ? 13 : 0);
@@ -170,7 +170,7 @@ private:
     return true;
   }
 
-  /// A cell with others up to a last place.
+  /// Joins a cell with others up to a last position.
   void JoinColumn(std::size_t cell, std::size_t other, const Place& last)
   {
     for (; other < this->Cells.size() && !(last < this->Cells[other]) && !this->IsStopped; ++other)
@@ -192,7 +192,7 @@ private:
       this->GetBegin(b), this->GetBegin(b + 1), this->Boxes[b]);
   }
 
-  /// Has one of the first points a near one among the second? The larger set is halved.
+  /// Whether one of the first points is near one of the second. The larger set is halved.
   bool AreNear(
     Iterator a, Iterator aEnd, const Box& aBox, Iterator b, Iterator bEnd, const Box& bBox)
   {
@@ -247,7 +247,7 @@ private:
     return cell;
   }
 
-  /// Reports now and then.
+  /// Reports from time to time.
   bool GoesOn(std::size_t cell, std::int64_t work)
   {
     this->Work += work;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clusters of points, as pcl::EuclideanClusterExtraction has them. PCL's search gives every point all
-// its neighbours, which is quadratic in the density, and it cannot be stopped.
+// Clusters of points, as in pcl::EuclideanClusterExtraction. PCL searches all neighbours of every
+// point, which is quadratic in the density, and it cannot be stopped.
 
 #ifndef heliosPointClusters_h
 #define heliosPointClusters_h
@@ -17,12 +17,12 @@ namespace helios
 {
 
 /**
- * For each point the first one of its cluster: steps between points of a cluster are shorter than a
- * tolerance, their squares compared in float as PCL does. Empty where it was stopped.
+ * For each point the first point of its cluster: steps between points of a cluster are shorter than
+ * a tolerance, with squares compared in float as in PCL. Empty if it was stopped.
  *
- * All points within a cell of a grid of side tolerance / sqrt(3) are of one cluster. Cells near each
- * other are joined at the first two points that are near; boxes of points that are too far apart are
- * left out, half of a half at a time.
+ * All points in a cell of a grid of side tolerance / sqrt(3) belong to one cluster. Cells near each
+ * other are joined at the first pair of near points; boxes of points that are too far apart are
+ * skipped, by recursive bisection.
  */
 std::vector<int> FindClusters(
   const pcl::PointCloud<pcl::PointXYZ>::ConstPtr& points, double tolerance, const GoOn& goOn);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Some points of a cloud with all that belongs to them.
+// Selects points of a cloud with all their data.
 
 #ifndef heliosPointSelection_h
 #define heliosPointSelection_h
@@ -14,8 +14,8 @@ class vtkPolyData;
 namespace helios
 {
 
-/// Points of input by their ids, bit by bit, with their point arrays and the field data. Vertices,
-/// one a point, where the input has vertices; no other cells.
+/// Copies points of input by id, bit by bit, with their point arrays and the field data. Vertices,
+/// one per point, if the input has vertices; no other cells.
 void SelectPoints(vtkPolyData* input, const std::vector<vtkIdType>& ids, vtkPolyData* output);
 
 } // namespace helios

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLClusters
- * @brief   groups of points with a gap around them
+ * @brief   clusters of points separated by gaps
  *
  * Input 0: a vtkPolyData with points. Output 0: the same, with the point array ClusterIds (int):
- * points that a chain of steps shorter than Tolerance joins have one number, from 0 for the largest
- * cluster on; -1 in clusters below MinimumClusterSize or above MaximumClusterSize. The clusters are
- * those of pcl::EuclideanClusterExtraction, whose time is quadratic in the density; here it grows
- * with n log n.
+ * points connected by steps shorter than Tolerance share an id, from 0 for the largest cluster on;
+ * -1 in clusters below MinimumClusterSize or above MaximumClusterSize. The clusters are those of
+ * pcl::EuclideanClusterExtraction, whose time is quadratic in the density; here it is O(n log n).
  *
  * @sa
  * vtkHeliosPCLFilter vtkHeliosPCLGroundFilter
@@ -29,7 +28,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what steps within a cluster are shorter than [m]. Valid range: [1e-4, 1000]. Default: 0.5.
+   * Set/Get the maximum step within a cluster (exclusive) [m]. Valid range: [1e-4, 1000].
+   * Default: 0.5.
    */
   vtkSetClampMacro(Tolerance, double, 1e-4, 1000.0);
   vtkGetMacro(Tolerance, double);
@@ -37,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how many points a cluster has at least, and at most. Valid range: [1, 2147483647].
+   * Set/Get the minimum and maximum number of points of a cluster. Valid range: [1, 2147483647].
    * Default: 10; 2147483647.
    */
   vtkSetClampMacro(MinimumClusterSize, int, 1, VTK_INT_MAX);
@@ -47,7 +47,7 @@ public:
   ///@}
 
   /**
-   * Get how many clusters the last update found.
+   * Get the number of clusters found in the last update.
    */
   vtkGetMacro(NumberOfClusters, int);
 

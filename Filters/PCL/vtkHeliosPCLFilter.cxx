@@ -14,7 +14,7 @@
 
 namespace
 {
-constexpr double FarAway = 8192.0; // [m], from where on float is 0.5 mm off
+constexpr double FarAway = 8192.0; // [m], above which the float error is 0.5 mm
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +82,7 @@ int vtkHeliosPCLFilter::RequestData(
   {
     vtkErrorMacro(<< "Not enough memory for the points of the input; work at them in pieces");
   }
-  catch (const std::exception& error) // what PCL throws
+  catch (const std::exception& error) // thrown by PCL
   {
     vtkErrorMacro(<< "PCL cannot work at the input: " << error.what());
   }

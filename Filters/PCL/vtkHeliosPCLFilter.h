@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLFilter
- * @brief   what filters on PCL have in common
+ * @brief   base class of the PCL filters
  *
  * Input 0: a vtkPolyData with points (double or float). Output 0: points of the input bit by bit,
- * in their order unless the class says otherwise, with all point arrays and the field data, and
- * what the class adds; vertices, one a point, where the input has vertices, no other cells. PCL
- * sees the points as float, relative to the middle of their bounds: its result selects points or
- * gives them numbers, it does not replace them.
+ * in their order unless the class states otherwise, with all point arrays and the field data, and
+ * the additions of the class; vertices, one per point, if the input has vertices, no other cells.
+ * PCL receives the points as float, relative to the centre of their bounds: its result selects or
+ * labels points, it does not replace them.
  *
- * Points that are not finite are dropped, with a warning that counts them. Without points the output
- * is empty. Where a coordinate is so far from the middle (8 km) that float is 0.5 mm off or more,
- * there is a warning.
+ * Points that are not finite are dropped, with a warning that counts them. Without points the
+ * output is empty. There is a warning if a coordinate is so far from the centre (8 km) that the
+ * float error is 0.5 mm or more.
  *
- * Errors: a property out of range, a point array with another number of tuples than there are
- * points, more than 2^31 - 1 points, no memory, an abort. Progress is reported and AbortExecute looked
- * at some ten times a second: PCL works in chunks, or in a thread of its own that goes on alone where
- * it cannot be stopped.
+ * Errors: a property out of range, a point array whose number of tuples is not the number of
+ * points, more than 2^31 - 1 points, no memory, an abort. Progress is reported and AbortExecute
+ * polled about ten times per second: PCL works in chunks, or in its own thread, which continues
+ * detached if it cannot be stopped.
  *
  * To add a filter: subclass and implement Process().
  */
@@ -40,7 +40,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Get how many points of the last input were not finite.
+   * Get the number of points of the last input that were not finite.
    */
   vtkGetMacro(NumberOfDroppedPoints, vtkIdType);
 
@@ -53,13 +53,13 @@ protected:
   /// False after an error about a property.
   virtual bool CheckProperties() { return true; }
 
-  /// The origin of the points is a whole multiple of this [m].
+  /// The origin of the points is a multiple of this [m].
   virtual double GetStep() const { return 1.0; }
 
-  /// Makes the output of at least one point; false after an error.
+  /// Fills the output from at least one point; false after an error.
   virtual bool Process(helios::PclInput& input, vtkPolyData* output) = 0;
 
-  /// Reports progress; false, after an error, where the work is to end.
+  /// Reports progress; false, after an error, if the work must stop.
   bool GoOn(double progress);
 
 private:

@@ -29,12 +29,12 @@ vtkStandardNewMacro(vtkHeliosPCLGroundFilter);
 namespace
 {
 
-constexpr int Unclassified = 1; // as LAS has them
+constexpr int Unclassified = 1; // LAS classes
 constexpr int Ground = 2;
 
 using Cloud = helios::PclInput::Cloud;
 
-/// The lowest points of cells; false where it was stopped.
+/// The lowest points of cells; false if it was stopped.
 bool TakeLowest(
   const Cloud::Ptr& points, double cellSize, const helios::GoOn& goOn, const Cloud::Ptr& lowest)
 {
@@ -47,7 +47,7 @@ bool TakeLowest(
     });
 }
 
-/// Points that are near the surface through some; false where it was stopped.
+/// Marks points near the surface; false if it was stopped.
 bool MarkNear(const Cloud::Ptr& ground, double cellSize, const Cloud& points, double tolerance,
   const helios::GoOn& goOn, std::vector<char>& isNear)
 {
@@ -73,7 +73,7 @@ bool MarkNear(const Cloud::Ptr& ground, double cellSize, const Cloud& points, do
     });
 }
 
-/// The classes of the input, where it has them, with ground as it was found.
+/// The classes of the input, if present, with the detected ground.
 vtkSmartPointer<vtkIntArray> MakeClasses(vtkDataArray* known, const std::vector<char>& isGround)
 {
   auto classes = vtkSmartPointer<vtkIntArray>::New();

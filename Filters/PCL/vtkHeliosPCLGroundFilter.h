@@ -2,26 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLGroundFilter
- * @brief   which points are ground
+ * @brief   classifies ground points
  *
  * Input 0: a vtkPolyData with points, z up. Output 0: the same, with the point array
- * ClassificationIds (int): 2 for ground; other points keep the class they had, or have 1 (not
- * classified) where they had 2 or none.
+ * ClassificationIds (int): 2 for ground; other points keep their class, or get 1 (not classified)
+ * if it was 2 or missing.
  *
- * 1. The lowest point of each CellSize x CellSize is taken (pcl::GridMinimum).
- * 2. Of these the progressive morphological filter keeps ground (pcl::ProgressiveMorphologicalFilter;
- *    K. Zhang et al. 2003, A progressive morphological filter for removing nonground measurements
- *    from airborne lidar data): windows of 3, 5, 9, 17 ... cells, until MaximumWindowSize is reached, are opened,
- *    and a point more than Slope * (growth of the window) + InitialDistance, or MaximumDistance
- *    where that is less, above the opened surface goes.
- * 3. A point is ground if it is within Tolerance of the plane through the 12 nearest of those that are
- *    left, weighted by 1 / (distance^2 + CellSize^2).
+ * 1. The lowest point of each CellSize x CellSize is selected (pcl::GridMinimum).
+ * 2. The progressive morphological filter finds ground among these
+ *    (pcl::ProgressiveMorphologicalFilter; K. Zhang et al. 2003, A progressive morphological filter
+ *    for removing nonground measurements from airborne lidar data): windows of 3, 5, 9, 17 ...
+ *    cells, up to MaximumWindowSize, are opened, and a point more than Slope * (growth of the
+ *    window) + InitialDistance, or MaximumDistance if that is less, above the opened surface is
+ *    removed.
+ * 3. A point is ground if it is within Tolerance of the plane through the 12 nearest of the
+ *    remaining points, weighted by 1 / (distance^2 + CellSize^2).
  *
- * So the time goes with the number of cells, whatever the density.
+ * The time is proportional to the number of cells, not to the density.
  *
  * @warning
  * Objects wider than MaximumWindowSize count as ground. Points below the ground by more than a few
- * centimetres spoil cells: take them out first (vtkHeliosPCLOutlierRemoval).
+ * centimetres corrupt cells: remove them first (vtkHeliosPCLOutlierRemoval).
  *
  * @sa
  * vtkHeliosPCLFilter
@@ -42,8 +43,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the edge of a cell of the grid [m]: about twice the distance of ground points. Valid
-   * range: [0.01, 100]. Default: 1.
+   * Set/Get the cell size of the grid [m]: about twice the spacing of ground points. Valid range:
+   * [0.01, 100]. Default: 1.
    */
   vtkSetClampMacro(CellSize, double, 0.01, 100.0);
   vtkGetMacro(CellSize, double);
@@ -68,8 +69,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far above the opened surface ground may be for the first window, and for any [m].
-   * Valid range: [0, 100]. Default: 0.25; 2.5.
+   * Set/Get the maximum height of ground above the opened surface for the first window, and for any
+   * [m]. Valid range: [0, 100]. Default: 0.25; 2.5.
    */
   vtkSetClampMacro(InitialDistance, double, 0.0, 100.0);
   vtkGetMacro(InitialDistance, double);
@@ -79,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far from the ground's surface a point of it may be, up or down [m]. Valid range:
-   * [0, 100]. Default: 0.2.
+   * Set/Get the maximum distance of a ground point from the ground surface, up or down [m]. Valid
+   * range: [0, 100]. Default: 0.2.
    */
   vtkSetClampMacro(Tolerance, double, 0.0, 100.0);
   vtkGetMacro(Tolerance, double);

@@ -43,7 +43,7 @@ bool vtkHeliosPCLNormals::CheckProperties()
 }
 
 //------------------------------------------------------------------------------
-/// How far a normal points to where it should; below 0 it is the wrong way round.
+/// The component of a normal in the required direction; negative if it must be flipped.
 double vtkHeliosPCLNormals::GetTowards(const double point[3], const float normal[3]) const
 {
   if (this->Side == Up)

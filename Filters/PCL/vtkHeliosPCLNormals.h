@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLNormals
- * @brief   normals of points by their neighbours
+ * @brief   normals of points from their neighbours
  *
  * Input 0: a vtkPolyData with points. Output 0: the same, with the point arrays
- * - Normals (float, 3), the active normals: that of the least squares plane through the
- *   neighbours, the eigenvector of their covariance with the least eigenvalue
- *   (pcl::NormalEstimationOMP), of unit length;
- * - Curvature (float): that eigenvalue over the sum of all three, 0 on a plane, 1/3 where points
- *   lie the same way in all directions.
+ * - Normals (float, 3), the active normals: that of the least squares plane through the neighbours,
+ *   the eigenvector of their covariance with the smallest eigenvalue (pcl::NormalEstimationOMP), of
+ *   unit length;
+ * - Curvature (float): that eigenvalue over the sum of all three, 0 on a plane, 1/3 for an
+ *   isotropic distribution.
  *
- * The neighbours are the NumberOfNeighbors nearest points, itself among them, or all within Radius.
- * A point with fewer than 3, or with neighbours on a line, may have no normal: 0 0 0, counted and
- * warned of. Coordinates are float relative to the middle of the cloud: within 1 km of it they are
- * 0.06 mm off, which is 1 mrad where neighbours are 5 cm apart.
+ * The neighbours are the NumberOfNeighbors nearest points, including the point itself, or all
+ * within Radius. A point with fewer than 3, or with collinear neighbours, may have no normal:
+ * 0 0 0, with a warning that counts them. Coordinates are float relative to the centre of the
+ * cloud: within 1 km of it their error is 0.06 mm, which is 1 mrad for neighbours 5 cm apart.
  *
  * @sa
  * vtkHeliosPCLFilter
@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how many nearest points the plane is fitted to. Valid range: [3, 1000]. Default: 16.
+   * Set/Get the number of nearest points of a plane fit. Valid range: [3, 1000]. Default: 16.
    */
   vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -43,23 +43,23 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance within which all points count instead [m]; 0: the nearest ones. Valid
+   * Set/Get the radius of the neighbourhood [m]; 0: the nearest points are used instead. Valid
    * range: [0, 1000]. Default: 0.
    */
   vtkSetClampMacro(Radius, double, 0.0, 1000.0);
   vtkGetMacro(Radius, double);
   ///@}
 
-  /** Where normals point to. */
+  /** Orientation of normals. */
   enum Sides
   {
     Up = 0,         ///< z is not negative
-    ToViewpoint = 1 ///< to the side on which Viewpoint is
+    ToViewpoint = 1 ///< towards the side of Viewpoint
   };
 
   ///@{
   /**
-   * Set/Get which of its two directions a normal has. Valid range: Up, ToViewpoint. Default: Up.
+   * Set/Get the orientation of normals. Valid range: Up, ToViewpoint. Default: Up.
    */
   vtkSetClampMacro(Side, int, Up, ToViewpoint);
   vtkGetMacro(Side, int);
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the place that normals point to, such as the scanner's [m]. Valid range: finite.
+   * Set/Get the position that normals point to, such as the scanner's [m]. Valid range: finite.
    * Default: 0 0 0.
    */
   vtkSetVector3Macro(Viewpoint, double);

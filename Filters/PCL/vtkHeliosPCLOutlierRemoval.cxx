@@ -26,7 +26,7 @@ void vtkHeliosPCLOutlierRemoval::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 bool vtkHeliosPCLOutlierRemoval::Process(helios::PclInput& input, vtkPolyData* output)
 {
-  if (input.GetSize() < 3) // none of them lies apart from the others
+  if (input.GetSize() < 3) // too few for outliers
   {
     helios::SelectPoints(
       input.GetData(), this->SelectOutliers ? std::vector<vtkIdType>() : input.GetIds(), output);

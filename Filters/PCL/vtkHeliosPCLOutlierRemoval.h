@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLOutlierRemoval
- * @brief   takes out points that lie apart
+ * @brief   removes outliers
  *
- * Input 0: a vtkPolyData with points. Output 0: those whose mean distance from their
- * NumberOfNeighbors nearest points is at most the mean of all points' plus
- * StandardDeviations times its standard deviation (pcl::StatisticalOutlierRemoval; R. B.
- * Rusu et al. 2008, Towards 3D point cloud based object maps). Points, point arrays and
- * field data as vtkHeliosPCLFilter says.
+ * Input 0: a vtkPolyData with points. Output 0: those whose mean distance to their
+ * NumberOfNeighbors nearest points is at most the mean over all points plus StandardDeviations
+ * times its standard deviation (pcl::StatisticalOutlierRemoval; R. B. Rusu et al. 2008, Towards 3D
+ * point cloud based object maps). Points, point arrays and field data as in vtkHeliosPCLFilter.
  *
  * @warning
- * The threshold is one for all: where the density varies much, as in a scan from a tripod,
- * the sparse part counts as outliers first. Use more StandardDeviations there.
+ * The threshold is global: if the density varies much, as in a scan from a tripod, the sparse part
+ * counts as outliers first. Use more StandardDeviations there.
  *
  * @sa
  * vtkHeliosPCLFilter
@@ -33,8 +32,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many nearest points the distance is the mean of; all others where there are fewer.
-   * Valid range: [1, 1000]. Default: 16.
+   * Set/Get the number of nearest points of the mean distance; all others if there are fewer. Valid
+   * range: [1, 1000]. Default: 16.
    */
   vtkSetClampMacro(NumberOfNeighbors, int, 1, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -42,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the standard deviations above the mean from which on a point is an outlier. Valid
-   * range: [0, 1000]. Default: 2.
+   * Set/Get the threshold in standard deviations above the mean. Valid range: [0, 1000].
+   * Default: 2.
    */
   vtkSetClampMacro(StandardDeviations, double, 0.0, 1000.0);
   vtkGetMacro(StandardDeviations, double);
@@ -51,7 +50,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the outliers come out, and not the others. Default: off.
+   * Set/Get whether the output is the outliers instead of the inliers. Default: off.
    */
   vtkSetMacro(SelectOutliers, bool);
   vtkGetMacro(SelectOutliers, bool);

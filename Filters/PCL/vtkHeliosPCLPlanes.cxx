@@ -31,10 +31,10 @@ namespace names = vtkHeliosPCLArrayNames;
 namespace
 {
 
-// Points that a sample is judged by: a plane that few of these are on is not found by samples of three.
+// Points that test a sample: a plane with few of these is not found by samples of three.
 constexpr std::size_t MostJudges = 20000;
 
-/// PCL tells standard error of each sample of three points on a line, and takes another one.
+/// Silences PCL, which reports each sample of three collinear points to stderr and draws another.
 class QuietPcl
 {
 public:
@@ -47,7 +47,7 @@ private:
   pcl::console::VERBOSITY_LEVEL Level = pcl::console::getVerbosityLevel();
 };
 
-/// A search for one plane, on its own.
+/// A separate search for one plane.
 struct Segmentation
 {
   QuietPcl Quiet;
@@ -69,7 +69,7 @@ Plane FitPlane(vtkPolyData* data, const std::vector<vtkIdType>& ids)
   Plane plane;
   double p[3];
   double first[3];
-  data->GetPoint(ids[0], first); // sums stay small
+  data->GetPoint(ids[0], first); // keeps sums small
   const auto count = static_cast<double>(ids.size());
   for (const vtkIdType id : ids)
   {
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkDoubleArray> MakeRows(const char* name, int components)
 
 } // namespace
 
-/// Finds one plane after the other.
+/// Finds planes one after the other.
 class vtkHeliosPCLPlanes::Search
 {
 public:
@@ -136,7 +136,7 @@ public:
     this->Ids->FillValue(-1);
   }
 
-  /// False where there is none any more, or where it was stopped.
+  /// False if there are no more, or if it was stopped.
   bool Next()
   {
     const int least = this->Settings.MinimumNumberOfPoints;
@@ -174,7 +174,7 @@ public:
   }
 
 private:
-  /// The points left that are on the plane which most of some of them are on.
+  /// The remaining points on the plane that contains most of the test points.
   void FindOne(pcl::PointIndices& found)
   {
     const auto step = (this->Left->size() + MostJudges - 1) / MostJudges;

@@ -77,7 +77,7 @@ void TurnVectors(const Eigen::Isometry3d& motion, vtkPointData* data)
   }
 }
 
-/// The motion about an origin as one about 0.
+/// Converts a motion about an origin to one about 0.
 void SetMatrix(const Eigen::Isometry3d& motion, const double origin[3], vtkMatrix4x4* matrix)
 {
   const Eigen::Vector3d centre(origin);
@@ -224,7 +224,7 @@ int vtkHeliosPCLRegistration::RequestData(
     vtkErrorMacro(<< "Not enough memory for the points of the inputs; thin them out "
                   << "(vtkHeliosPCLVoxelGrid)");
   }
-  catch (const std::exception& error) // what PCL throws
+  catch (const std::exception& error) // thrown by PCL
   {
     vtkErrorMacro(<< "PCL cannot work at the inputs: " << error.what());
   }

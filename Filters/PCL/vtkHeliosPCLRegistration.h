@@ -2,28 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLRegistration
- * @brief   lays one scan onto another
+ * @brief   registers one scan to another
  *
- * Input 0: the points that stay, a vtkPolyData. Input 1: the points that move, a vtkPolyData. Output
- * 0: those of input 1 in their new place (double points), their arrays passed on and Normals,
- * Normal and Direction turned with them, and the field array Registration.Matrix (double, 16, row
- * by row): x' = M x in the coordinates of the points. TruePoint, where there is one, stays.
+ * Input 0: the fixed points, a vtkPolyData. Input 1: the moving points, a vtkPolyData. Output 0:
+ * those of input 1 after the motion (double points), their arrays passed on and Normals, Normal and
+ * Direction rotated, and the field array Registration.Matrix (double, 16, row by row): x' = M x in
+ * the coordinates of the points. TruePoint, if present, does not change.
  *
- * The iterative closest point method (P. J. Besl, N. D. McKay 1992), of PCL's parts: every point of
- * input 1 is paired with the nearest of input 0 that is at most MaximumDistance away
- * (pcl::registration::CorrespondenceEstimation), and the rigid motion is taken that makes the sum of
- * the pairs' squared distances least, or with PointToPlane that of the distances from the plane at
- * the point of input 0 (Y. Chen, G. Medioni 1992; pcl's linear least squares); and again, until it
- * moves less than a micrometre, or 1e-7 of the size. The motions are put together in double.
+ * The iterative closest point method (P. J. Besl, N. D. McKay 1992), composed of PCL's parts: every
+ * point of input 1 is paired with the nearest of input 0 that is at most MaximumDistance away
+ * (pcl::registration::CorrespondenceEstimation). The rigid motion minimizes the sum of the pairs'
+ * squared distances, or with PointToPlane that of the distances from the plane at the point of
+ * input 0 (Y. Chen, G. Medioni 1992; pcl's linear least squares). This repeats until the motion is
+ * below a micrometre, or 1e-7 of the size. The motions are composed in double.
  *
- * Scans from two places do not hit the same spots: point to plane is right there, point to point
- * only for copies. The planes are fitted to NumberOfNeighbors points. Pairs that are not of one
- * plane are left out: where the curvature at one of them is above MaximumCurvature (edges, leaves),
- * their normals are more than 30 degrees apart, or, once the scans have settled, the distance from the
- * plane is above three times the residual; then they settle again, until that changes little. A rough alignment is needed: within MaximumDistance, and some ten degrees.
+ * Scans from two positions do not hit the same spots: use point to plane, and point to point only
+ * for copies. The planes are fitted to NumberOfNeighbors points. Pairs that are not of one plane
+ * are left out: if the curvature at one of them is above MaximumCurvature (edges, leaves), their
+ * normals are more than 30 degrees apart, or, after convergence, the distance from the plane is
+ * above three times the residual; then the iteration repeats until that changes little. A rough
+ * alignment is needed: within MaximumDistance, and about ten degrees.
  *
- * Errors: no points, fewer than 6 pairs, pairs that leave a motion open; a warning where
- * MaximumNumberOfIterations came first. Points that are not finite are dropped, with a warning.
+ * Errors: no points, fewer than 6 pairs, pairs that do not determine the motion; a warning if
+ * MaximumNumberOfIterations is reached. Points that are not finite are dropped, with a warning.
  *
  * @sa
  * vtkHeliosPCLFilter vtkHeliosPCLNormals
@@ -52,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far apart pairs may be [m]. Valid range: [1e-4, 1e4]. Default: 1.
+   * Set/Get the maximum distance of pairs [m]. Valid range: [1e-4, 1e4]. Default: 1.
    */
   vtkSetClampMacro(MaximumDistance, double, 1e-4, 1e4);
   vtkGetMacro(MaximumDistance, double);
@@ -60,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how often pairs are looked for. Valid range: [1, 10000]. Default: 100.
+   * Set/Get the maximum number of iterations. Valid range: [1, 10000]. Default: 100.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 10000);
   vtkGetMacro(MaximumNumberOfIterations, int);
@@ -68,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether distances are from planes, and not from points. Default: on.
+   * Set/Get whether distances are from planes instead of points. Default: on.
    */
   vtkSetMacro(PointToPlane, bool);
   vtkGetMacro(PointToPlane, bool);
@@ -77,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many points a plane is fitted to, and how curved its surroundings may be. Valid
-   * range: [3, 1000]; [0, 1]. Default: 16; 0.01.
+   * Set/Get the number of points of a plane fit, and the maximum curvature there. Valid range:
+   * [3, 1000]; [0, 1]. Default: 16; 0.01.
    */
   vtkSetClampMacro(NumberOfNeighbors, int, 3, 1000);
   vtkGetMacro(NumberOfNeighbors, int);
@@ -87,14 +88,14 @@ public:
   ///@}
 
   /**
-   * Get the motion that the last update found: points of input 1 to their new place.
+   * Get the motion found in the last update: points of input 1 to their new position.
    */
   vtkMatrix4x4* GetMatrix() { return this->Matrix; }
 
   ///@{
   /**
    * Get the root mean square distance of the pairs of the last update [m], from the planes with
-   * PointToPlane; and how many there were.
+   * PointToPlane; and the number of pairs.
    */
   vtkGetMacro(Residual, double);
   vtkGetMacro(NumberOfPairs, vtkIdType);

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPCLVoxelGrid
- * @brief   one point a cell of a grid
+ * @brief   one point per cell of a grid
  *
- * Input 0: a vtkPolyData with points. Output 0: a point for each cubic cell that has any
+ * Input 0: a vtkPolyData with points. Output 0: one point for each cubic cell with points
  * (pcl::VoxelGrid), in the order of cells along x, then y, then z: the one nearest to the mean of
  * the cell's points, bit by bit with its arrays; or with UseMeanPoints that mean (double points,
- * rounded as float at the distance from the middle of the cloud) with the arrays of that nearest
- * point. Cell borders are at whole multiples of VoxelSize: neighbouring tiles share the grid.
- * Point array NumberOfPoints (int): how many points the cell has.
+ * rounded as float at the distance from the centre of the cloud) with the arrays of that nearest
+ * point. Cell borders are at multiples of VoxelSize: neighbouring tiles share the grid. Point array
+ * NumberOfPoints (int): the number of points in the cell.
  *
  * Errors: a VoxelSize that makes more cells than PCL can count (2^31 in the box of the cloud), and
- * what vtkHeliosPCLFilter says.
+ * those of vtkHeliosPCLFilter.
  *
  * @sa
  * vtkHeliosPCLFilter
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the edge of a cell [m]. Valid range: [1e-4, 1e6]. Default: 0.1.
+   * Set/Get the cell size [m]. Valid range: [1e-4, 1e6]. Default: 0.1.
    */
   vtkSetClampMacro(VoxelSize, double, 1e-4, 1e6);
   vtkGetMacro(VoxelSize, double);
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether a cell gives the mean of its points, and not one of them. Default: off.
+   * Set/Get whether a cell gives the mean of its points instead of one of them. Default: off.
    */
   vtkSetMacro(UseMeanPoints, bool);
   vtkGetMacro(UseMeanPoints, bool);

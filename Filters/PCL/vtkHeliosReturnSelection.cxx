@@ -29,7 +29,7 @@ public:
   {
   }
 
-  /// Takes the arrays that are needed; what is wrong with them, or an empty text.
+  /// Reads the arrays needed; returns an error message, or an empty string.
   std::string Take(vtkPolyData* input)
   {
     const int* range = this->Selection.ReturnRange;

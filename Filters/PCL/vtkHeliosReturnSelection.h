@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosReturnSelection
- * @brief   points by their return and class
+ * @brief   selects points by return and class
  *
- * Input 0: a vtkPolyData with points. Output 0: those that all of these let through, bit by bit, with
- * their arrays and the field data; vertices, one a point, where the input has vertices:
+ * Input 0: a vtkPolyData with points. Output 0: those that pass all of these tests, bit by bit,
+ * with their arrays and the field data; vertices, one per point, if the input has vertices:
  * - Returns, by the point arrays ReturnNumber and NumberOfReturns;
  * - ReturnRange, by ReturnNumber;
  * - the classes of AddClass(), by ClassificationIds.
  *
- * Arrays are needed only for what is asked. Errors: one of them is not there, or is not one integer
- * a point.
+ * Only the arrays of active tests are needed. Errors: one of them is missing, or is not one integer
+ * per point.
  *
  * @sa
  * vtkHeliosPCLGroundFilter
@@ -32,7 +32,7 @@ public:
   vtkTypeMacro(vtkHeliosReturnSelection, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Which echoes of a pulse. */
+  /** Returns of a pulse. */
   enum ReturnKinds
   {
     AllReturns = 0,
@@ -46,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Set/Get which echoes of a pulse pass. Valid range: ReturnKinds. Default: AllReturns.
+   * Set/Get which returns of a pulse pass. Valid range: ReturnKinds. Default: AllReturns.
    */
   vtkSetClampMacro(Returns, int, AllReturns, LastOfMany);
   vtkGetMacro(Returns, int);
@@ -59,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the least and the greatest ReturnNumber that pass. Valid range: the first not above the
+   * Set/Get the minimum and maximum ReturnNumber that pass. Valid range: the first not above the
    * second. Default: 0 255: all.
    */
   vtkSetVector2Macro(ReturnRange, int);
@@ -68,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Add a class (ClassificationIds) that passes, or take all out; without any, all pass. Valid
-   * range: any integer. Default: none.
+   * Add a class (ClassificationIds) that passes, or remove all; without any, all pass. Valid range:
+   * any integer. Default: none.
    */
   void AddClass(int id);
   void RemoveAllClasses();

@@ -73,7 +73,7 @@ double CropGround::GetHeight(double x, double y) const
   const double t = v - j;
   const double a = this->GetZ(i, j);
   const double c = this->GetZ(i + 1, j + 1);
-  // The cell is cut from its lower left to its upper right corner.
+  // The cell is split from its lower left to its upper right corner.
   return s > t ? a + (this->GetZ(i + 1, j) - a) * (s - t) + (c - a) * t
                : a + (this->GetZ(i, j + 1) - a) * (t - s) + (c - a) * s;
 }

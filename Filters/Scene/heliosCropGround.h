@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The soil of a field: heights on a grid, and triangles between them.
+// The soil of a field: a triangulated height grid.
 
 #ifndef heliosCropGround_h
 #define heliosCropGround_h
@@ -20,12 +20,12 @@ class VTKHELIOSFILTERSSCENE_EXPORT CropGround
 {
 public:
   /**
-   * A rectangle about the z axis, its cells at most spacing wide. The clods are waves of up to 3 m;
-   * none is higher or lower than half the roughness. Without roughness it is one cell.
+   * A rectangle about the z axis with cells at most spacing wide. The clods are waves of up to 3 m
+   * with heights within +/- half the roughness. Without roughness it is one cell.
    */
   CropGround(double width, double length, double spacing, double roughness, vtkIdType seed);
 
-  /// The z of the triangles at a place; beside the ground, that of its edge.
+  /// The z of the triangles at a position; outside the ground, that of its edge.
   double GetHeight(double x, double y) const;
 
   double GetHighest() const { return this->Highest; }

@@ -27,11 +27,11 @@ constexpr int PetioleSides = 3;
 enum Draw : std::uint32_t
 {
   PlantDraw = 110,
-  StemDraw = 1000,    // and as many after it as there are stems
-  LeafDraw = 1u << 20 // two a leaf
+  StemDraw = 1000,    // and one per stem after it
+  LeafDraw = 1u << 20 // two per leaf
 };
 
-/// Where a leaf is, before it is made of triangles.
+/// The curve of a leaf, before triangulation.
 struct LeafCurve
 {
   Vec3 Base;
@@ -81,7 +81,7 @@ private:
     return share * this->Plant.Height;
   }
 
-  /// A stem leans the more the higher it is.
+  /// The lean of a stem increases with height.
   Vec3 GetStem(int stem, double share) const
   {
     const auto u = this->Uniform(StemDraw + static_cast<std::uint32_t>(stem));
@@ -176,7 +176,7 @@ private:
     return curve.Outward * std::sin(angle) + Vec3(0, 0, std::cos(angle));
   }
 
-  /// From a point of the curve to the one a segment on: a chord of a circle.
+  /// The vector from a point of the curve to the next: a chord of a circle.
   Vec3 GetStep(const LeafCurve& curve, int segment) const
   {
     const int n = this->Shape.LeafSegments;
@@ -185,7 +185,7 @@ private:
     return GetDirection(curve, (segment + 0.5) / n) * chord;
   }
 
-  /// A leaf that would reach into the soil stands up until it does not.
+  /// Raises a leaf that would reach into the soil until it does not.
   void KeepAboveGround(LeafCurve& curve) const
   {
     for (int i = 0; i < 40 && !this->IsAboveGround(curve); ++i)
@@ -202,7 +202,7 @@ private:
 
   bool IsAboveGround(const LeafCurve& curve) const
   {
-    // Its lowest place is one of its ends: the angle from the vertical never exceeds pi.
+    // Its lowest point is one of its ends: the angle from the vertical never exceeds pi.
     Vec3 point = curve.Base;
     for (int i = 0; i < this->Shape.LeafSegments; ++i)
     {
@@ -234,7 +234,7 @@ private:
     return 0.5 * curve.Width * GetLeafWidth(share, this->Shape.WidestAt);
   }
 
-  /// Plane trapezia, a triangle at the tip, and one at the base where the leaf has no width there.
+  /// Flat trapezoids, a triangle at the tip, and one at the base if the leaf has zero width there.
   double AddStrip(const LeafCurve& curve)
   {
     const int n = this->Shape.LeafSegments;
@@ -268,7 +268,7 @@ private:
     return area;
   }
 
-  /// Two points, or one where there is no width. Returns the first.
+  /// Two points, or one at zero width. Returns the first.
   vtkTypeInt32 AddRing(const Vec3& centre, const Vec3& half)
   {
     const vtkTypeInt32 first = this->Mesh.AddPoint(centre - half);
@@ -287,7 +287,7 @@ private:
   double Azimuth;
 };
 
-/// Sides and rings of a tube: a cap, walls and a point.
+/// Triangles of a tube with this many sides and rings: a cap, walls and a point.
 vtkIdType CountTubeTriangles(int sides, int rings)
 {
   return sides - 2 + 2 * sides * (rings - 1) + sides;

@@ -16,27 +16,27 @@ namespace helios
 
 class MeshBuilder;
 
-/// What all plants of a field have in common: the properties of vtkHeliosCropFieldSource.
+/// Parameters shared by all plants of a field: the properties of vtkHeliosCropFieldSource.
 struct CropShape
 {
   double Height;
   double StemRadius;
   int Stems; // tillers
   int StemSides;
-  double Lean;      // of a stem's top, of its height
+  double Lean;      // offset of a stem's top, as a share of its height
   double EarLength; // [m]; 0: none
   int Leaves;       // on all stems together
   double LeafLength;
   double LeafWidth;
-  double LeafAngle; // [rad] from the vertical, at its base
+  double LeafAngle; // [rad] from the vertical, at the base
   double LeafDroop; // [rad] from base to tip
   double LeafVariation;
   int LeafSegments;
   double WidestAt;     // share of a leaf's length
   double PetioleShare; // of a leaf's length
-  double LeavesFrom;   // share of the stem's height
+  double LeavesFrom;   // share of the stem's height of the lowest leaf
   double LeavesTo;
-  bool IsAlternate; // leaves in one plane, else by the golden angle
+  bool IsAlternate; // leaves in one plane, else at the golden angle
 };
 
 struct CropPlant
@@ -44,17 +44,18 @@ struct CropPlant
   Vec3 Position;
   double Height;
   std::uint64_t Seed;
-  std::uint64_t Site; // the key of its random numbers
+  std::uint64_t Site; // key of the random numbers
 };
 
-/// The width of a leaf at a share of its length, 1 where it is widest, 0 at its tip: a parabola.
+/// The relative width of a leaf at a share of its length, 1 at the widest point, 0 at the tip: a
+/// parabola.
 double GetLeafWidth(double share, double widestAt);
 
-/// Triangles of one plant, points a little more than they can be.
+/// Number of triangles of one plant, and an upper bound on its points.
 vtkIdType CountTriangles(const CropShape& shape);
 vtkIdType CountPoints(const CropShape& shape);
 
-/// Adds a plant; leaves and stems scale with its height. Returns the area of its leaves [m2], one side.
+/// Adds a plant; leaves and stems scale with its height. Returns its leaf area [m2], one side.
 double AddCropPlant(
   MeshBuilder& mesh, const CropShape& shape, const CropPlant& plant, const CropGround& ground);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds a scene triangle by triangle: double points, 32-bit cells, a material a triangle.
+// Builds a scene triangle by triangle: double points, 32-bit cells, one material per triangle.
 
 #ifndef heliosMeshBuilder_h
 #define heliosMeshBuilder_h
@@ -25,13 +25,13 @@ class MeshBuilder
 public:
   MeshBuilder();
 
-  /// Makes room for that many points and triangles in all.
+  /// Reserves memory for this many points and triangles in total.
   void Reserve(vtkIdType points, vtkIdType triangles);
 
-  /// From here on points are given in this frame of the scene.
+  /// Sets the frame of the scene for the points that follow.
   void SetFrame(const Pose& frame);
 
-  /// From here on triangles are of this material; equal materials are one row of the table.
+  /// Sets the material for the triangles that follow; equal materials share one row of the table.
   void SetMaterial(const Material& material);
 
   vtkTypeInt32 AddPoint(const Vec3& point);
@@ -43,18 +43,18 @@ public:
   void AddPolygon(const std::vector<vtkTypeInt32>& corners); // convex
   ///@}
 
-  /// The box from low to high, closed.
+  /// A closed box from low to high.
   void AddBox(const Vec3& low, const Vec3& high);
 
   /**
-   * The convex polygon of the x, z plane, counter-clockwise as seen from -y, drawn out along y:
+   * A convex polygon in the x, z plane, counter-clockwise as seen from -y, extruded along y:
    * closed.
    */
   void AddPrism(const std::vector<vtkVector2d>& outline, double yLow, double yHigh);
 
   vtkIdType GetNumberOfTriangles() const { return this->MaterialIds->GetNumberOfValues(); }
 
-  /// Hands the mesh over, moved by the offset.
+  /// Transfers the mesh, shifted by the offset.
   void Finish(vtkPolyData* scene, const double offset[3]);
 
 private:

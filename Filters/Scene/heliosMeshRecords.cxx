@@ -41,7 +41,7 @@ auto GetOrder(const SideRecord& side)
   return std::tie(side.High, side.Group, side.Use);
 }
 
-/// Sorts what generate(receiver) makes: into buckets of the lowest point, then within.
+/// Sorts the output of generate(receiver): into buckets of the lowest point, then within.
 template <typename RecordT, typename GenerateT>
 std::vector<RecordT> Sort(vtkIdType numberOfPoints, GenerateT generate)
 {
@@ -52,7 +52,7 @@ std::vector<RecordT> Sort(vtkIdType numberOfPoints, GenerateT generate)
     ends[i] += ends[i - 1];
   }
   std::vector<RecordT> records(ends.back());
-  // ends[point + 1]: where its bucket begins, and where it ends once it is full.
+  // ends[point + 1]: the beginning of its bucket, and the end once it is full.
   generate([&ends, &records](const RecordT& record)
     { records[ends[static_cast<std::size_t>(record.Low) + 1]++] = record; });
   const auto isLess = [](const RecordT& a, const RecordT& b) { return GetOrder(a) < GetOrder(b); };

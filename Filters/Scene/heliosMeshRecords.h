@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles and the sides of triangles of a mesh, sorted so that equal ones are neighbours.
+// The triangles and triangle sides of a mesh, sorted so that equal ones are neighbours.
 
 #ifndef heliosMeshRecords_h
 #define heliosMeshRecords_h
@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// Triangles as three corners each, and the group (part) of each: nothing of two groups is equal.
+/// Triangles as three corners each, and the group (part) of each: different groups are never equal.
 struct Triangles
 {
   const vtkTypeInt32* Corners;
@@ -24,7 +24,7 @@ struct Triangles
   vtkIdType NumberOfPoints;
 };
 
-/// Side k of a triangle runs from its corner k to the next one; Use is 3 times the triangle plus k.
+/// Side k of a triangle goes from its corner k to the next one; Use is 3 times the triangle plus k.
 struct SideRecord
 {
   vtkTypeInt32 Low;
@@ -56,16 +56,15 @@ struct FaceRecord
 
 /**
  * The sides of all triangles with three different corners, edge by edge, in ascending order of
- * their triangles within an edge. Sorted by the lower end first, which takes one pass, and by the
- * few that share it then: no structure of half-edges, which could not hold edges of three
- * triangles.
+ * their triangles within an edge. Sorted by the lower end first, which takes one pass, then among
+ * the few that share it. A half-edge structure could not hold edges of three triangles.
  */
 VTKHELIOSFILTERSSCENE_EXPORT std::vector<SideRecord> SortSides(const Triangles& triangles);
 
-/// The triangles with three different corners, equal ones next to each other, the lowest first.
+/// The triangles with three different corners, equal ones adjacent, the lowest first.
 VTKHELIOSFILTERSSCENE_EXPORT std::vector<FaceRecord> SortFaces(const Triangles& triangles);
 
-/// Whether a side runs from its lower to its higher end.
+/// Whether a side goes from its lower to its higher end.
 inline bool IsAscending(const SideRecord& side, const vtkTypeInt32* corners)
 {
   return corners[side.Use] == side.Low;

@@ -63,10 +63,10 @@ std::string CheckMotions(const std::map<int, std::vector<MotionSequence>>& motio
   return std::string();
 }
 
-/// The centroid of triangles by area; of their corners where they have none.
+/// The area centroid of triangles; that of their corners if the area is zero.
 Vec3 FindCentroid(const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
 {
-  const Vec3 base(mesh.GetCorner(cells.front(), 0)); // sums keep their digits far from 0
+  const Vec3 base(mesh.GetCorner(cells.front(), 0)); // keeps precision far from 0
   Vec3 byArea(0.0, 0.0, 0.0);
   Vec3 plain(0.0, 0.0, 0.0);
   double areas = 0.0;
@@ -85,7 +85,7 @@ Vec3 FindCentroid(const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
     (areas > 0.0 ? (1.0 / areas) * byArea : (1.0 / static_cast<double>(cells.size())) * plain);
 }
 
-/// Fills in the points of parts; says which one belongs to a moving part and to another one.
+/// Assigns points to parts; returns an error message if a moving part shares one.
 std::string ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
   const std::map<int, std::size_t>& places, std::vector<MovingPart>& parts)
 {
@@ -198,7 +198,7 @@ void MoveParts(
   vtkPoints* before = scene->GetPoints();
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
-  points->DeepCopy(before); // into doubles
+  points->DeepCopy(before); // converts to double
   double* to = vtkDoubleArray::FastDownCast(points->GetData())->GetPointer(0);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points and cells of parts that move, and where they go.
+// The points and cells of moving parts, and their motion.
 
 #ifndef heliosMovingParts_h
 #define heliosMovingParts_h
@@ -16,7 +16,7 @@ class vtkPolyData;
 namespace helios
 {
 
-/// A part, the points and triangles it has, and how it moves about its centroid.
+/// A part, its points and triangles, and its motion about its centroid.
 struct MovingPart
 {
   int Id;
@@ -25,15 +25,15 @@ struct MovingPart
   std::vector<vtkIdType> Cells;
 };
 
-/// Finds the parts of a scene that have motions; says in words what is wrong, or returns an empty text.
+/// Finds the parts of a scene that have motions; returns an error message, or an empty string.
 std::string FindMovingParts(vtkPolyData* scene,
   const std::map<int, std::vector<MotionSequence>>& motions, std::vector<MovingPart>& parts);
 
-/// Moves the points of parts, and turns the active normals of their cells; one map a part.
+/// Moves the points of parts, and rotates the active normals of their cells; one map per part.
 void MoveParts(
   const std::vector<MovingPart>& parts, const std::vector<MotionMap>& maps, vtkPolyData* scene);
 
-/// The whole steps of a time; one lost to rounding counts.
+/// The number of whole steps in a time; a step lost to rounding counts.
 vtkIdType CountSteps(double time, double step);
 
 } // namespace helios

@@ -36,7 +36,7 @@ PartMotion::PartMotion(std::vector<MotionSequence> sequences, const Vec3& centro
 }
 
 //------------------------------------------------------------------------------
-/// The sequences in the order in which they come, until one comes again, lasts for ever, or is the last.
+/// The sequences in order, until one repeats, is unlimited, or is the last.
 void PartMotion::AddLinks(const std::vector<MotionSequence>& sequences)
 {
   std::vector<std::size_t> places(sequences.size(), MotionSequence::None);
@@ -70,7 +70,7 @@ vtkIdType PartMotion::GetLength(std::size_t begin, std::size_t end) const
 }
 
 //------------------------------------------------------------------------------
-/// Goes along the chain from a link on; steps are then those that were left at its end.
+/// Walks the chain from a link on; steps becomes the number left at its end.
 PartMotion::Steps PartMotion::Walk(std::size_t link, vtkIdType& steps) const
 {
   Steps all;
@@ -121,7 +121,7 @@ vtkIdType PartMotion::FindNextMove(vtkIdType step) const
     begin = step - (step - this->HeadLength) % this->CycleLength;
   }
   std::size_t link = begin > 0 ? this->CycleBegin : 0;
-  for (std::size_t i = 0; i < 2 * this->Chain.size(); ++i) // once round at most
+  for (std::size_t i = 0; i < 2 * this->Chain.size(); ++i) // at most one cycle
   {
     if (link == this->Chain.size())
     {
@@ -157,13 +157,13 @@ vtkIdType PartMotion::FindLastMove(vtkIdType step) const
     {
       return last;
     }
-    step = this->HeadLength; // the cycle rests
+    step = this->HeadLength; // the cycle does not move
   }
   return this->FindLastMove(0, 0, step);
 }
 
 //------------------------------------------------------------------------------
-/// The same along the chain from a link on, which begins after a step.
+/// The same along the chain from a link on that begins after a step.
 vtkIdType PartMotion::FindLastMove(std::size_t link, vtkIdType begin, vtkIdType step) const
 {
   vtkIdType last = 0;
@@ -221,7 +221,7 @@ PartMotion::Steps PartMotion::MakeStep(const Motion& motion) const
       center = Vec3(0.0, 0.0, 0.0);
       break;
   }
-  // Seen from the centroid that was, or from the one that is, the fixed point is f: c' = B c + f - B f.
+  // Relative to the old, or the new, centroid the fixed point is f: c' = B c + f - B f.
   Vector fixed;
   for (int i = 0; i < 3; ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a part of a scene moves, step by step: a function of the number of the step alone.
+// The stepwise motion of a part of a scene: a function of the step number only.
 
 #ifndef heliosPartMotion_h
 #define heliosPartMotion_h
@@ -27,29 +27,29 @@ enum class MotionKind
   RotaryReflection
 };
 
-/// One motion of a step.
+/// One motion within a step.
 struct Motion
 {
   MotionKind Kind = MotionKind::Identity;
   Vec3 Vector{ 0.0, 0.0, 0.0 }; ///< of a translation [m]; else axis, or normal of a plane; not 0
-  double Angle = 0.0;           ///< [deg] a step
-  Vec3 Center{ 0.0, 0.0, 0.0 }; ///< [m], of a rotation: a point of the axis
+  double Angle = 0.0;           ///< [deg] per step
+  Vec3 Center{ 0.0, 0.0, 0.0 }; ///< [m], of a rotation: a point on the axis
   Vec3 Shift{ 0.0, 0.0, 0.0 };  ///< [m], of a glide plane
   double Glide = 0.0;           ///< [m], along the axis of a helix
   bool IsSelf = false;          ///< in the frame of the part's centroid; else in that of the scene
 };
 
-/// The motions of a step, one after the other, and for how many steps.
+/// The motions of a step, in order, and the number of steps.
 struct MotionSequence
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
   std::vector<Motion> Motions;
-  vtkIdType Loop = 0;      ///< steps; 0: for ever
-  std::size_t Next = None; ///< the sequence that follows
+  vtkIdType Loop = 0;      ///< steps; 0: unlimited
+  std::size_t Next = None; ///< the next sequence
 };
 
-/// Where a point comes to: p' = p + Shift where nothing turns, else Center + Linear (p - Center) + Shift.
+/// Maps a point: p' = p + Shift without rotation, else Center + Linear (p - Center) + Shift.
 struct MotionMap
 {
   bool Turns = false;
@@ -64,27 +64,27 @@ struct MotionMap
   }
 };
 
-/// The motion of a part; the first sequence is the one that it starts with.
+/// The motion of a part; it starts with the first sequence.
 class VTKHELIOSFILTERSSCENE_EXPORT PartMotion
 {
 public:
   explicit PartMotion(
     std::vector<MotionSequence> sequences, const Vec3& centroid = Vec3(0.0, 0.0, 0.0));
 
-  /// Where the part is after a number of steps: powers of whole sequences, so nothing adds up.
+  /// The map after a number of steps: powers of whole sequences, so errors do not accumulate.
   MotionMap GetMap(vtkIdType step) const;
 
-  /// The first step after this one that moves the part; VTK_ID_MAX: it rests from here on.
+  /// The first step after this one that moves the part; VTK_ID_MAX: none.
   vtkIdType FindNextMove(vtkIdType step) const;
 
-  /// The last step up to this one that moved the part; 0: none. The part is still where that left it.
+  /// The last step up to this one that moved the part; 0: none. The part has not moved since.
   vtkIdType FindLastMove(vtkIdType step) const;
 
-  /// Whether it ever moves.
+  /// Whether the part ever moves.
   bool IsMoving() const { return this->FindNextMove(0) != VTK_ID_MAX; }
 
 private:
-  /// In long double: a million steps lose less than a double has.
+  /// In long double: the error of a million steps is below double precision.
   using Real = long double;
   struct Matrix
   {
@@ -95,8 +95,8 @@ private:
   {
     Real V[3] = { 0, 0, 0 };
   };
-  /// What steps do, seen from where the centroid was at first: the part turns by Turn, and its
-  /// centroid c goes to Path c + Shift.
+  /// The effect of steps, relative to the initial centroid: the part is rotated by Turn, and its
+  /// centroid c moves to Path c + Shift.
   struct Steps
   {
     Matrix Turn;
@@ -107,7 +107,7 @@ private:
     Steps operator*(const Steps& b) const;
     Steps operator^(vtkIdType power) const;
   };
-  /// A sequence of the chain that is gone through.
+  /// A sequence in the chain.
   struct Link
   {
     Steps Step;
@@ -127,9 +127,9 @@ private:
 
   Vec3 Centroid;
   std::vector<Link> Chain;
-  std::size_t CycleBegin = 0; // of the chain; its end: it ends
+  std::size_t CycleBegin = 0; // in the chain; its end: no cycle
   vtkIdType HeadLength = 0;   // steps before the cycle
-  vtkIdType CycleLength = 0;  // 0: there is none
+  vtkIdType CycleLength = 0;  // 0: no cycle
   Steps Head;
   Steps Cycle;
 };

@@ -27,7 +27,7 @@ std::size_t PointMerger::GetSlot(const Place& cell) const
   std::uint64_t hash = 0;
   for (const double x : cell.X)
   {
-    const double positive = x + 0.0; // -0 and 0 are one place
+    const double positive = x + 0.0; // maps -0 to 0
     std::uint64_t bits;
     std::memcpy(&bits, &positive, sizeof(bits));
     hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
@@ -72,7 +72,7 @@ vtkTypeInt32 PointMerger::Add(vtkTypeInt32 point, int group)
   vtkTypeInt32 found = point;
   if (this->Tolerance > 0.0)
   {
-    // Cells are twice the tolerance wide: what is near is in this one or its nearer neighbours.
+    // Cells are twice the tolerance wide: near points are in this one or its nearer neighbours.
     home = this->GetCell(p);
     for (int corner = 0; corner < 8; ++corner)
     {

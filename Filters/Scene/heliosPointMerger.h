@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds points at the same place.
+// Finds points at the same position.
 
 #ifndef heliosPointMerger_h
 #define heliosPointMerger_h
@@ -17,19 +17,18 @@ namespace helios
 {
 
 /**
- * A hash table of points by place: one probe a point at tolerance 0, eight at any other, whatever
- * the spread of the points (the buckets of a regular grid overflow where a tree stands on 20 km of
- * terrain).
+ * A hash table of points by position: one probe per point at tolerance 0, eight at any other, for
+ * any extent of the points (the buckets of a regular grid overflow for a tree on 20 km of terrain).
  */
 class VTKHELIOSFILTERSSCENE_EXPORT PointMerger
 {
 public:
-  /// Over that many points x, y, z; they must outlive this. Tolerance 0: equal coordinates only.
+  /// For count points x, y, z, which must outlive this. Tolerance 0: equal coordinates only.
   PointMerger(const double* points, vtkIdType count, double tolerance);
 
   /**
-   * The lowest point so far, of those that stand for themselves, of the same group and no further
-   * away than the tolerance; the point itself if there is none. Add points in ascending order.
+   * The lowest earlier point that represents itself, in the same group and within the tolerance;
+   * else the point itself. Add points in ascending order.
    */
   vtkTypeInt32 Add(vtkTypeInt32 point, int group);
 
@@ -45,8 +44,8 @@ private:
 
   const double* Points;
   double Tolerance;
-  std::vector<vtkTypeInt32> Heads; ///< of the chain of a slot; -1: none
-  std::vector<vtkTypeInt32> Next;  ///< of a point in its chain
+  std::vector<vtkTypeInt32> Heads; ///< first point of the chain of a slot; -1: none
+  std::vector<vtkTypeInt32> Next;  ///< next point in the chain
   std::vector<int> Groups;
 };
 

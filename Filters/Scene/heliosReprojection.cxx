@@ -25,7 +25,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr vtkIdType BlockSize = 1 << 18; // points between two reports of progress
+constexpr vtkIdType BlockSize = 1 << 18; // points between two progress reports
 constexpr vtkIdType None = VTK_ID_MAX;
 
 void KeepSmallest(std::atomic<vtkIdType>& smallest, vtkIdType value)
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkDataArray> Copy(vtkDataArray* array)
   return copy;
 }
 
-/// The mean of every cell's points.
+/// The mean of the points of every cell.
 vtkSmartPointer<vtkDoubleArray> GetCentres(vtkPointSet* data)
 {
   auto centres = vtkSmartPointer<vtkDoubleArray>::New();
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkDoubleArray> GetCentres(vtkPointSet* data)
   return centres;
 }
 
-/// The normal of a surface after its coordinates have changed: by the inverse's transpose.
+/// The surface normal after a coordinate change: by the inverse transpose.
 bool TurnNormal(const double jacobian[3][3], const double normal[3], double turned[3])
 {
   double inverse[3][3];
@@ -121,7 +121,7 @@ std::string Reprojection::Run(vtkDataArray* places, const Work& work, const std:
   double p[3];
   places->GetTuple(failed, p);
   double ignored[3];
-  this->Transform.Forward(p, ignored, 1); // so that it knows the reason
+  this->Transform.Forward(p, ignored, 1); // to get the error reason
   return what + this->Transform.DescribeFailure(failed, p);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points and directions of a data set through a coordinate transformation, on all threads.
+// Transforms the points and directions of a data set to another coordinate system, on all threads.
 
 #ifndef heliosReprojection_h
 #define heliosReprojection_h
@@ -23,17 +23,17 @@ namespace helios
 class Reprojection
 {
 public:
-  /// What is done with a point: false, where it has no image.
+  /// The operation on a point: false if it has no image.
   using Work = std::function<bool(CoordinateTransform&, const double point[3], vtkIdType index)>;
 
-  /// Told the share that is done of a piece of work; returns whether to go on.
+  /// Receives the share of work done; returns whether to continue.
   using Watcher = std::function<bool(double)>;
 
   Reprojection(const CoordinateTransform& transform, Watcher watcher);
 
   ///@{
-  /// Transforms what a data set carries; its points are those of the source until the last step.
-  /// Says in words what is wrong, or returns an empty text.
+  /// Transforms the contents of a data set; its points are those of the source until the last step.
+  /// Returns an error message, or an empty string.
   std::string TransformCells(vtkPointSet* from, vtkPointSet* to);
   std::string TransformPointData(vtkPointSet* from, vtkPointSet* to);
   std::string TransformPoints(vtkPointSet* from, vtkPointSet* to);

@@ -33,7 +33,7 @@ vtkTypeInt32* CopyCorners(ArrayT* from, vtkIdType firstPoint, vtkTypeInt32* to)
     [firstPoint](auto id) { return static_cast<vtkTypeInt32>(id + firstPoint); });
 }
 
-/// The normals of a part's triangles; null where it has none.
+/// The normals of a part's triangles; null if it has none.
 vtkDataArray* FindNormals(vtkPolyData* part)
 {
   vtkDataArray* normals = part ? part->GetCellData()->GetArray(names::Normals) : nullptr;

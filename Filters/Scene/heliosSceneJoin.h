@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of several scenes one after the other.
+// Concatenates the triangles of several scenes.
 
 #ifndef heliosSceneJoin_h
 #define heliosSceneJoin_h
@@ -24,19 +24,19 @@ using PartList = std::vector<vtkPolyData*>; // by connection; null: a part witho
 vtkIdType CountPoints(const PartList& parts);
 vtkIdType CountTriangles(const PartList& parts);
 
-/// The one part there is; null where there are several.
+/// The part if there is only one, else null.
 vtkPolyData* GetSinglePart(const PartList& parts);
 
-/// All points, double; a single part's own where they are.
+/// All points, double; a single part's own array if it is double.
 vtkSmartPointer<vtkPoints> JoinPoints(const PartList& parts);
 
-/// All triangles in 32-bit storage; a single part's own where they are.
+/// All triangles in 32-bit storage; a single part's own array if it is 32-bit.
 vtkSmartPointer<vtkCellArray> JoinCells(const PartList& parts);
 
-/// The normals of the triangles, (0, 0, 0) for a part that has none; null where no part has any.
+/// The normals of the triangles, (0, 0, 0) for a part without normals; null if no part has any.
 vtkSmartPointer<vtkFloatArray> JoinNormals(const PartList& parts);
 
-/// The connection that every triangle comes from.
+/// The connection of every triangle.
 vtkSmartPointer<vtkIntArray> MakePartIds(const PartList& parts);
 
 } // namespace helios

@@ -37,7 +37,7 @@ std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType count, const 
   return {};
 }
 
-/// The rows of all arrays that are listed, in that order.
+/// Copies the listed rows of all arrays, in that order.
 void CopyRows(
   vtkDataSetAttributes* from, const std::vector<vtkIdType>& rows, vtkDataSetAttributes* to)
 {

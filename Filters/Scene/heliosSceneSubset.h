@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene of some of the triangles of another one, with all they carry.
+// A subset of the triangles of a scene, with all their data.
 
 #ifndef heliosSceneSubset_h
 #define heliosSceneSubset_h
@@ -22,14 +22,13 @@ namespace helios
 /// The points of a scene in double precision: its own array if it is double.
 VTKHELIOSFILTERSSCENE_EXPORT vtkSmartPointer<vtkDoubleArray> GetDoublePoints(vtkPolyData* scene);
 
-/// Says which cell or point array is too short, and what to do; empty: none.
+/// An error message with the cell or point array that is too short, and the remedy; empty: none.
 VTKHELIOSFILTERSSCENE_EXPORT std::string FindShortArray(vtkPolyData* scene);
 
 /**
- * Fills output with triangles of input: cells lists the ones whose cell data they get, corners
- * three points of input each. Points that none of them uses are left out, the rest keep their order
- * and point data; field data pass. Arrays pass by reference where nothing is left out. Returns how
- * many points the output has.
+ * Fills output with triangles of input: cells lists the cells whose data they get, corners three
+ * points of input each. Unused points are left out, the rest keep their order and point data; field
+ * data pass. Arrays pass by reference if nothing is left out. Returns the number of output points.
  */
 VTKHELIOSFILTERSSCENE_EXPORT vtkIdType ExtractTriangles(vtkPolyData* input,
   const std::vector<vtkIdType>& cells, const std::vector<vtkTypeInt32>& corners,

@@ -22,7 +22,7 @@ constexpr double Overhang = 0.5;
 constexpr double WindowWidth = 1.1;
 constexpr double DoorTop = 2.1;
 
-/// A rectangle of a wall that lies deeper: a window or a door.
+/// A recessed rectangle of a wall: a window or a door.
 struct Opening
 {
   double Left;
@@ -69,7 +69,7 @@ std::vector<double> SortedUnique(std::vector<double> values)
   return values;
 }
 
-/// The body of the house: walls and what closes them above and below, points shared.
+/// The body of the house: walls, floor and top, with shared points.
 class Body
 {
 public:
@@ -130,7 +130,8 @@ private:
     }
   }
 
-  /// Cells between the cuts of all openings; those of an opening lie deeper, with reveals at its rim.
+  /// Cells between the cuts of all openings; those of an opening are recessed, with reveals at its
+  /// rim.
   void AddWall(const Wall& wall, const std::vector<double>& ups)
   {
     std::vector<double> alongs{ 0.0, wall.Length };
@@ -187,7 +188,8 @@ private:
     }
   }
 
-  /// Collects the points of a wall's lower or upper edge but the last, which is the next wall's first.
+  /// Collects the points of a wall's lower or upper edge except the last, the first of the next
+  /// wall.
   void AddRim(
     const Wall& wall, const std::vector<double>& alongs, double up, std::vector<vtkTypeInt32>& rim)
   {
@@ -209,7 +211,7 @@ private:
     const vtkTypeInt32 apexes[5] = { front, back, back, front, front };
     for (std::size_t i = 0; i < 4; ++i)
     {
-      // Rims come in the order floor, top of each wall; wall 0 and 2 carry the slopes, 1 and 3 the gables.
+      // Order of rims: floor, top of each wall; wall 0 and 2 carry the slopes, 1 and 3 the gables.
       const std::size_t first = this->CornerOnRim[2 * i + 1];
       const std::size_t last = i < 3 ? this->CornerOnRim[2 * i + 3] : this->Top.size();
       this->AddFan(apexes[i], this->Top, first, last, false);
@@ -257,7 +259,7 @@ private:
 void AddHouse(MeshBuilder& mesh, double length, double height)
 {
   const double width = 0.65 * length;
-  const double slope = std::min(0.84, height / width); // about 40 degrees, unless the house is low
+  const double slope = std::min(0.84, height / width); // about 40 degrees, less for a low house
   const double thickness = std::min(RoofThickness, 0.1 * height);
   const double bodyRidge = height - 0.5 * thickness; // within the roof
   const double eaves = bodyRidge - 0.5 * slope * width;

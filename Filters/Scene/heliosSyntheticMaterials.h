@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The materials of synthetic scenes. Classification by the LAS codes of ASPRS.
+// Materials of synthetic scenes. Classification by ASPRS LAS codes.
 //
-// Reflectance is one number for all wavelengths here. Where it says ASTER it is the mean of the values
-// at 1064 and 1550 nm, in brackets, of the ASTER spectral library (Baldridge et al. 2009, Remote Sensing
-// of Environment 113, 711; today ECOSTRESS); leaves are darker at 1550 nm by their water. The rest is
-// assumed, and says so. A survey at one wavelength is better served by spectra.
+// Reflectance is one number for all wavelengths. Values marked ASTER are the mean of those at 1064
+// and 1550 nm, in brackets, of the ASTER spectral library (Baldridge et al. 2009, Remote Sensing of
+// Environment 113, 711; today ECOSTRESS); leaves are darker at 1550 nm due to water. The others are
+// marked as assumed. For a survey at one wavelength spectra are more accurate.
 
 #ifndef heliosSyntheticMaterials_h
 #define heliosSyntheticMaterials_h
@@ -66,7 +66,7 @@ inline Material Needle()
 {
   return MakeMaterial("needle", 0.35, HighVegetation);
 }
-/// Stems of shrubs, as bark; and their leaves, as those of trees.
+/// Shrubs: stems as bark, leaves as those of trees.
 inline Material Stem()
 {
   return MakeMaterial("stem", 0.3, LowVegetation);
@@ -80,7 +80,7 @@ inline Material Soil()
 {
   return MakeMaterial("soil", 0.3, GroundClass);
 }
-/// Of crops, stems and leaves as those of shrubs; ears ripe, straw: assumed.
+/// Crops: stems and leaves as those of shrubs; ears are ripe straw: assumed.
 inline Material CropStem()
 {
   return MakeMaterial("crop_stem", 0.3, LowVegetation);
@@ -108,7 +108,7 @@ inline Material Wood()
 {
   return MakeMaterial("wood", 0.73, Building);
 }
-/// What a window sends back, by its frame and the curtain behind: assumed.
+/// Return of a window from its frame and the curtain behind: assumed.
 inline Material Window()
 {
   return MakeMaterial("window", 0.1, Building);

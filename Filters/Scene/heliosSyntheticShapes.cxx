@@ -18,13 +18,13 @@ namespace helios
 namespace
 {
 
-/// Part i of parts of [-side / 2, side / 2].
+/// Division point i of parts in [-side / 2, side / 2].
 double Along(double side, int i, int parts)
 {
   return side * (static_cast<double>(i) / parts - 0.5);
 }
 
-/// Draws a profile of the x, z plane, from left to right, along y.
+/// Extrudes a profile of the x, z plane, from left to right, along y.
 void AddExtrusion(
   MeshBuilder& mesh, const std::vector<vtkVector2d>& profile, double side, int parts)
 {
@@ -46,7 +46,8 @@ void AddExtrusion(
   }
 }
 
-/// Triangles between corners, each cut into parts x parts, that share the points of their edges.
+/// Triangles between corners, each divided into parts x parts, that share the points of their
+/// edges.
 class FacetedSolid
 {
 public:
@@ -84,7 +85,7 @@ public:
 private:
   using Shares = std::array<std::pair<int, int>, 3>; // a corner, its share of the point in parts
 
-  /// A point of an edge is made once, whichever face asks for it.
+  /// A point of an edge is created once for all its faces.
   vtkTypeInt32 GetPoint(const Shares& shares)
   {
     std::vector<std::pair<int, int>> key;
@@ -119,7 +120,7 @@ private:
   MeshBuilder& Mesh;
   std::vector<Vec3> Corners;
   int Parts;
-  double Radius; // of the sphere that points are put onto; 0: they stay on the faces
+  double Radius; // of the sphere that points are projected to; 0: no projection
   std::map<std::vector<std::pair<int, int>>, vtkTypeInt32> EdgePoints;
 };
 

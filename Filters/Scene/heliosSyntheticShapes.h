@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Shapes in closed form, about the z axis, on z = 0.
+// Closed-form shapes about the z axis, on z = 0.
 
 #ifndef heliosSyntheticShapes_h
 #define heliosSyntheticShapes_h
@@ -12,25 +12,25 @@ namespace helios
 
 class MeshBuilder;
 
-/// The square of that side on z = 0, parts x parts squares.
+/// A square of the given side on z = 0, parts x parts squares.
 void AddPlane(MeshBuilder& mesh, double side, int parts);
 
 /**
- * Two half planes of the square: z = 0 for x < 0, z = height for x > 0; the riser at x = 0 looks to
- * -x. Every half and the riser are parts x parts rectangles.
+ * Two half planes of the square: z = 0 for x < 0, z = height for x > 0; the riser at x = 0 faces
+ * -x. Each half and the riser are parts x parts rectangles.
  */
 void AddStep(MeshBuilder& mesh, double side, double height, int parts);
 
-/// An icosahedron whose edges are cut into that many parts and put onto the sphere about the origin.
+/// An icosahedron with edges divided into parts, projected onto the sphere about the origin.
 void AddSphere(MeshBuilder& mesh, double diameter, int parts);
 
-/// A pyramid on a square base, its edges cut into that many parts.
+/// A pyramid on a square base, with edges divided into parts.
 void AddPyramid(MeshBuilder& mesh, double side, double height, int parts);
 
 /**
- * The square ground, and on it one box in each of cells x cells squares. Sides are 30 to 60 % of the
- * square's, tops 20 to 100 % of the height, headings any; the boxes reach 5 % of the height into the
- * ground. Squares that touch the centre stay free.
+ * The square ground with one box in each of cells x cells squares. Sides are 30 to 60 % of the
+ * square's, tops 20 to 100 % of the height, headings random; the boxes extend 5 % of the height
+ * into the ground. Squares that touch the centre stay empty.
  */
 void AddBlocks(MeshBuilder& mesh, double side, double height, int cells, vtkIdType seed);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Hills: a sum of sine waves, their lengths from 0.8 of the side down to 1/240 of it.
+// Hills: a sum of sine waves with lengths from 0.8 of the side down to 1/240 of it.
 
 #ifndef heliosSyntheticTerrain_h
 #define heliosSyntheticTerrain_h
@@ -17,7 +17,7 @@ class MeshBuilder;
 class Terrain
 {
 public:
-  /// Hills that repeat after about the side; none is higher or lower than half the relief.
+  /// Hills with a period of about the side and heights within +/- half the relief.
   Terrain(double side, double relief, vtkIdType seed);
 
   double GetHeight(double x, double y) const;
@@ -33,7 +33,7 @@ private:
   std::array<Wave, 12> Waves;
 };
 
-/// The hills over the square of that side about the z axis, sampled at the corners of parts x parts squares.
+/// The hills over a square of the given side about the z axis, sampled at parts x parts squares.
 void AddTerrain(MeshBuilder& mesh, const Terrain& terrain, double side, int parts);
 
 } // namespace helios

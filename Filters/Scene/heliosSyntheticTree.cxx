@@ -38,7 +38,7 @@ void AddTube(
   {
     Vec3 tangent = path[i + 1] - path[i > 0 ? i - 1 : 0];
     tangent.Normalize();
-    normal = normal - tangent * tangent.Dot(normal); // carried along without twist
+    normal = normal - tangent * tangent.Dot(normal); // transported without twist
     normal.Normalize();
     const Vec3 binormal = tangent.Cross(normal);
     std::vector<vtkTypeInt32> ring;
@@ -71,7 +71,7 @@ namespace
 
 constexpr double GoldenAngle = 2.399963229728653; // no two branches above one another
 
-/// The random numbers of one tree. Branches, leaves and twigs draw from elements of their own.
+/// The random numbers of one tree. Branches, leaves and twigs draw from separate elements.
 struct TreeRandom
 {
   std::uint64_t Seed;
@@ -98,7 +98,7 @@ private:
 enum Draw : std::uint32_t
 {
   BranchDraw = 10,
-  TwigDraw = 20, // and as many after it as a branch has twigs
+  TwigDraw = 20, // and one per twig of a branch after it
   LeafDraw = 40  // to 45
 };
 
@@ -118,7 +118,8 @@ void AddLeaf(MeshBuilder& mesh, const Vec3& centre, Vec3 normal, const Vec3& alo
   mesh.AddQuad(a, a + 1, a + 2, a + 3);
 }
 
-/// The length of diamonds of that slenderness (width to length) whose areas sum up to index times the crown.
+/// The length of diamonds of this slenderness (width to length) with a total area of index times
+/// the crown.
 double GetLeafLength(const TreeShape& shape, double areaIndex, double slenderness)
 {
   const double ground = 0.125 * TwoPi * shape.CrownDiameter * shape.CrownDiameter;
@@ -164,7 +165,7 @@ private:
   static constexpr int NumberOfBranches = 20;
   static constexpr int TwigsPerBranch = 5;
 
-  /// Where the stem is at a share of its length, a little crooked.
+  /// The position of the stem at a share of its length, slightly crooked.
   Vec3 GetStem(double share) const
   {
     const double bend = 0.02 * this->Shape.Height * share * share;
@@ -196,7 +197,7 @@ private:
     const Vec3 start = this->IsShrub ? direction * Vec3(1, 1, 0) * (0.03 * this->Shape.Height)
                                      : this->GetStem(0.3 + 0.55 * level);
     const Vec3 end = this->Centre + direction * this->Axes * (0.62 + 0.3 * u[1]);
-    // A quadratic curve that leaves the stem steeply.
+    // A quadratic curve, steep at the stem.
     const Vec3 middle = start + (end - start) * 0.4 + Vec3(0, 0, 0.12 * (end - start).Norm());
     std::vector<Vec3> path;
     for (const double t : { 0.0, 0.3, 0.65, 1.0 })
@@ -236,7 +237,7 @@ private:
       { u[1] - 0.5, u[2] - 0.5, u[3] - 0.5 }, length, 0.6 * length);
   }
 
-  /// The point itself, or where it is not inside the crown, the one nearest to it by the crown's measure.
+  /// The point itself, or if it is not inside the crown, the nearest one in the crown's metric.
   Vec3 PutInside(const Vec3& point) const
   {
     const Vec3 p = (point - this->Centre) / this->Axes;
@@ -251,7 +252,7 @@ private:
   Vec3 Centre; // of the crown
   Vec3 Axes;
   double StemRadius;
-  std::vector<Vec3> Anchors; // ends of branches and twigs, where leaves gather
+  std::vector<Vec3> Anchors; // ends of branches and twigs, around which leaves are placed
 };
 
 /// A tree of whorls of branches, its crown a cone.
@@ -295,7 +296,7 @@ private:
     double Length;
     double Room; // for sprays on this branch and all below
 
-    /// It hangs, and rises again at its end.
+    /// Drooping, with a rising end.
     Vec3 GetPoint(double share) const
     {
       const double drop = this->Length * (0.5 * share - 0.3 * share * share);
@@ -376,7 +377,7 @@ void AddForest(MeshBuilder& mesh, const Terrain& terrain, double side, const Tre
     tree.Kind = v[0] < 0.7 ? Species::Broadleaf : Species::Conifer;
     tree.Height *= scale;
     tree.CrownDiameter *= tree.Kind == Species::Conifer ? 0.75 * scale : scale;
-    // A little into the ground, so that no gap shows on slopes.
+    // Slightly below the ground, to avoid gaps on slopes.
     const double z = terrain.GetHeight(x, y) - 0.01 * tree.Height;
     mesh.SetFrame({ { x, y, z }, AxisAngle({ 0, 0, 1 }, 360.0 * u[3]) });
     AddTree(mesh, tree, seed, i);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Trees and shrubs with every leaf.
+// Trees and shrubs with individual leaves.
 
 #ifndef heliosSyntheticTree_h
 #define heliosSyntheticTree_h
@@ -37,15 +37,15 @@ void AddTube(
   MeshBuilder& mesh, const std::vector<Vec3>& path, const std::vector<double>& radii, int sides);
 
 /**
- * A tree about the z axis that stands on z = 0: stem and branches as closed tapered tubes, leaves as
- * diamonds of two triangles with random normals, so large that their area is 3 times (conifers: 4
- * times) the ground below the crown. Trees of other numbers differ.
+ * A tree about the z axis on z = 0: stem and branches as closed tapered tubes, leaves as diamonds
+ * of two triangles with random normals, sized such that their area is 3 times (conifers: 4 times)
+ * the ground below the crown. Trees with different numbers differ.
  */
 void AddTree(MeshBuilder& mesh, const TreeShape& shape, vtkIdType seed, vtkIdType number);
 
 /**
- * Trees on the terrain, one in each of so many squares of the side: 70 % broadleaf, 30 % conifer, 70
- * to 100 % of the height of the shape.
+ * Trees on the terrain, one in each of a number of squares of the side: 70 % broadleaf, 30 %
+ * conifer, 70 to 100 % of the height of the shape.
  */
 void AddForest(MeshBuilder& mesh, const Terrain& terrain, double side, const TreeShape& shape,
   int numberOfTrees, vtkIdType seed);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points gathered into cubic cells, of which only those with points take memory. Sums are of whole
-// numbers, so that they do not depend on the order of the points.
+// Accumulates points in cubic cells; only cells with points use memory. Sums are integers, so they
+// do not depend on the order of the points.
 
 #ifndef heliosVoxelGrid_h
 #define heliosVoxelGrid_h
@@ -16,9 +16,9 @@ namespace helios
 {
 
 /**
- * The index of the half-open cell [i s, (i + 1) s) from x0 that x is in, for x >= x0. A quotient
- * that rounding may have put below a whole number counts as that: decimal lattice points, in double
- * or (epsilon = 2^-23) in float, are where their decimals say.
+ * The index of the half-open cell [i s, (i + 1) s) from x0 that contains x, for x >= x0. A quotient
+ * that rounding may have put below an integer counts as that integer: decimal lattice points, in
+ * double or (epsilon = 2^-23) in float, are in the cell of their decimal value.
  */
 inline double GetVoxelIndex(double x, double x0, double s, double epsilon = 0x1p-52)
 {
@@ -34,15 +34,15 @@ inline double GetVoxelIndex(double x, double x0, double s, double epsilon = 0x1p
   return below + (below + 1.0 - q <= tolerance ? 1.0 : 0.0);
 }
 
-/// A cell, or the corner of one, as one number; sorted they run along x first, then y, then z.
+/// A cell, or a cell corner, as one number; sorted along x first, then y, then z.
 using VoxelKey = std::uint64_t;
 
 constexpr int VoxelKeyBits = 21;
 constexpr VoxelKey VoxelKeyMask = (VoxelKey(1) << VoxelKeyBits) - 1;
-/// What leads to the next along x, y and z.
+/// Key increments along x, y and z.
 constexpr VoxelKey VoxelStep[3] = { 1, VoxelKey(1) << VoxelKeyBits,
   VoxelKey(1) << (2 * VoxelKeyBits) };
-/// Cells an axis can have: keys count from 1, so that no cell lies beyond the first or the last.
+/// Cells per axis: keys count from 1, so that both ends have valid neighbours.
 constexpr std::int64_t MaximumVoxelsAlongAxis = static_cast<std::int64_t>(VoxelKeyMask) - 2;
 
 inline VoxelKey MakeVoxelKey(const std::int64_t index[3])
@@ -57,7 +57,7 @@ inline std::int64_t GetVoxelIndexAlong(VoxelKey key, int axis)
   return static_cast<std::int64_t>((key >> (VoxelKeyBits * axis)) & VoxelKeyMask) - 1;
 }
 
-/// Numbers keys from 0 in the order they come.
+/// Numbers keys from 0 in order of insertion.
 class VoxelMap
 {
 public:
@@ -72,7 +72,7 @@ public:
   void Clear();
   std::uint32_t GetSize() const { return this->Size; }
 
-  /// The number of a key, which is GetSize() before the call if it is new.
+  /// The number of a key: GetSize() before the call if the key is new.
   std::uint32_t Insert(VoxelKey key)
   {
     std::size_t slot = this->GetSlot(key);
@@ -86,7 +86,7 @@ public:
     return this->Entries[slot].Id;
   }
 
-  /// Asks for the memory that Insert will look at.
+  /// Prefetches the memory that Insert will read.
   void Prefetch(VoxelKey key) const { __builtin_prefetch(&this->Entries[this->GetSlot(key)], 1); }
 
   /// The entries by key; the map is empty afterwards.
@@ -106,20 +106,20 @@ private:
   std::uint32_t Size = 0;
 };
 
-/// What is known of the points' attributes, a value each; null: not there.
+/// Points and their attributes, one value each; null: missing.
 struct VoxelPoints
 {
   const double* Points = nullptr;
   const double* Normals = nullptr;
-  const std::uint16_t* Colors = nullptr; ///< of full colour, 65535
+  const std::uint16_t* Colors = nullptr; ///< full scale: 65535
   vtkIdType Count = 0;
 };
 
-/// The cells with points, and what is gathered in each.
+/// The cells with points, and the sums of each.
 class VoxelGrid
 {
 public:
-  /// What to gather.
+  /// The attributes to accumulate.
   struct Contents
   {
     bool Counts = false;
@@ -129,18 +129,18 @@ public:
     bool Colors = false;
   };
 
-  /// The origin is the points' minimum; epsilon is that of the coordinates (2^-52, or 2^-23).
+  /// The origin is the minimum of the points; epsilon is that of the coordinates (2^-52, or 2^-23).
   VoxelGrid(const double origin[3], double size, double epsilon, const Contents& contents);
 
-  /// Gathers points. False once there are more than the maximum number of cells.
+  /// Adds points. False if there are more than the maximum number of cells.
   bool Add(const VoxelPoints& points, vtkIdType maximumNumberOfCells);
 
   vtkIdType GetNumberOfCells() const { return this->Map.GetSize(); }
-  /// Cells with at least as many points, by key; to be called once, at the end.
+  /// Cells with at least this many points, by key; to be called once, at the end.
   std::vector<VoxelMap::Entry> TakeCells(vtkIdType minimumNumberOfPoints);
 
   ///@{
-  /// What was gathered in the cell of an entry. A normal is 0 0 0 where there is none.
+  /// The result for the cell of an entry. A normal of 0 0 0 means no normal.
   Vec3 GetNormal(std::uint32_t id) const;
   Vec3 GetColor(std::uint32_t id) const;
   ///@}
@@ -149,7 +149,7 @@ public:
   double GetVoxelSize() const { return this->Size; }
 
 private:
-  /// Points in the order of the work: memory of later ones comes while earlier ones are done.
+  /// Points in order of processing: later ones are prefetched while earlier ones are processed.
   struct Block;
 
   void Place(const double* points, int count, Block& block) const;
@@ -161,7 +161,7 @@ private:
   double Epsilon;
   Contents Wanted;
   VoxelMap Map;
-  VoxelKey LastKey = 0; // points that follow each other are often in one cell
+  VoxelKey LastKey = 0; // consecutive points are often in one cell
   std::uint32_t LastId = 0;
   std::vector<std::uint32_t> Counts;
   std::vector<NormalSum> Normals;

@@ -78,7 +78,7 @@ std::string VoxelInput::Set(vtkPointSet* data, bool withNormals)
   return fault;
 }
 
-// Whole numbers have their type's range, others [0..1].
+// Integers use the range of their type, others [0..1].
 std::string VoxelInput::SetColors(vtkDataArray* colors)
 {
   std::string fault = CheckTuples(colors, this->Points.Count);
@@ -123,7 +123,7 @@ VoxelBounds::VoxelBounds()
 vtkIdType VoxelBounds::Add(const VoxelInput& input)
 {
   const VoxelPoints points = input.Get();
-  double fault = 0.0; // NaN where a coordinate is not finite
+  double fault = 0.0; // NaN if a coordinate is not finite
   for (vtkIdType i = 0; i < points.Count; ++i)
   {
     for (int axis = 0; axis < 3; ++axis)

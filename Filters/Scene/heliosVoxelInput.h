@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points of a data set as a voxel grid takes them.
+// The points of a data set as input of a voxel grid.
 
 #ifndef heliosVoxelInput_h
 #define heliosVoxelInput_h
@@ -18,19 +18,19 @@ class vtkPointSet;
 namespace helios
 {
 
-/// Double points and normals are borrowed, all else is copied.
+/// Double points and normals are referenced, all others are copied.
 class VoxelInput
 {
 public:
-  /// Says in words what is wrong with the attributes, or returns an empty text.
+  /// Returns an error message about the attributes, or an empty string.
   std::string Set(vtkPointSet* data, bool withNormals);
 
-  /// Of the points only those from first to before end, for Get and GetNumberOfPoints.
+  /// Restricts Get and GetNumberOfPoints to the points [first, end).
   void SetRange(vtkIdType first, vtkIdType end);
 
   VoxelPoints Get() const { return this->Range; }
   vtkIdType GetNumberOfPoints() const { return this->Range.Count; }
-  /// The precision that the coordinates are stored in.
+  /// The storage precision of the coordinates.
   double GetEpsilon() const { return this->Epsilon; }
 
 private:
@@ -44,7 +44,7 @@ private:
   std::vector<std::uint16_t> OwnColors;
 };
 
-/// What points span, and how many have which attributes.
+/// Bounds of points, and the number with each attribute.
 struct VoxelBounds
 {
   double Low[3];
@@ -56,10 +56,10 @@ struct VoxelBounds
 
   VoxelBounds();
 
-  /// The place of the first point that is not finite, or -1.
+  /// The index of the first point that is not finite, or -1.
   vtkIdType Add(const VoxelInput& input);
 
-  /// Whether another one can be of some of the same points.
+  /// Whether other can be of a subset of the same points.
   bool Holds(const VoxelBounds& other) const;
 
   /// The largest distance from zero along any axis.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The surface of solid cells as triangles.
+// The surface of solid voxels as triangles.
 
 #ifndef heliosVoxelMesh_h
 #define heliosVoxelMesh_h
@@ -19,7 +19,7 @@ namespace helios
 
 /**
  * Two triangles for every face between a solid cell and an empty one, wound outward; cells share
- * the points of their corners, so that the surface is closed. Cells come by key, triangles by cell.
+ * corner points, so that the surface is closed. Cells are sorted by key, triangles by cell.
  */
 class VoxelMesh
 {

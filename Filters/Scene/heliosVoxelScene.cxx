@@ -29,7 +29,7 @@ MaterialTable MakeMaterials(int count)
   return materials;
 }
 
-/// A number a triangle, from the number of its cell.
+/// One number per triangle, from the id of its cell.
 template <typename Function>
 void AddIds(const char* name, const VoxelMesh& mesh, vtkPolyData* scene, Function&& getId)
 {
@@ -41,7 +41,8 @@ void AddIds(const char* name, const VoxelMesh& mesh, vtkPolyData* scene, Functio
   scene->GetCellData()->AddArray(ids);
 }
 
-/// Three numbers a triangle; get(cell) is called once a cell, then side(value, side) a triangle.
+/// Three numbers per triangle; get(cell) is called once per cell, then side(value, side) per
+/// triangle.
 template <typename Get, typename Turn>
 vtkSmartPointer<vtkFloatArray> MakeTriples(
   const char* name, const VoxelMesh& mesh, Get&& get, Turn&& turn)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the triangles of solid cells carry.
+// Data arrays of the triangles of solid voxels.
 
 #ifndef heliosVoxelScene_h
 #define heliosVoxelScene_h

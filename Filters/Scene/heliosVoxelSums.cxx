@@ -10,7 +10,7 @@ namespace helios
 namespace
 {
 
-/// The direction of two opposite ones that points up; of level ones that to +y, else to +x.
+/// The direction of two opposite ones that points up; of horizontal ones that to +y, else to +x.
 Vec3 TurnUp(const Vec3& normal)
 {
   for (const int axis : { 2, 1, 0 })
@@ -60,9 +60,9 @@ Vec3 PlaneSum::GetNormal() const
   double* matrix[3] = { covariance[0], covariance[1], covariance[2] };
   double vectors[3][3];
   double* columns[3] = { vectors[0], vectors[1], vectors[2] };
-  double spread[3]; // falling
+  double spread[3]; // descending
   vtkMath::Jacobi(matrix, spread, columns);
-  constexpr double line = 1e-12; // of the square of its length: rounding of coordinates stays below
+  constexpr double line = 1e-12; // of its squared length: above the rounding of coordinates
   if (spread[1] <= line * spread[0])
   {
     return Vec3(0.0, 0.0, 0.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a cell of points keeps of them: sums of whole numbers, which come out the same in any order.
+// Per-cell sums of points: integers, independent of the order.
 
 #ifndef heliosVoxelSums_h
 #define heliosVoxelSums_h
@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// The direction, or 0 0 0 if it has none.
+/// The unit vector, or 0 0 0 for zero length.
 inline Vec3 GetUnit(const Vec3& direction)
 {
   const double largest =
@@ -30,7 +30,7 @@ inline Vec3 GetUnit(const Vec3& direction)
   return scaled * (1.0 / scaled.Norm());
 }
 
-/// The whole number nearest to x; half of it away from zero. (llround is a call.)
+/// The nearest integer to x; halves away from zero. (llround is a function call.)
 inline std::int64_t GetNearest(double x)
 {
   return static_cast<std::int64_t>(x + std::copysign(0.5, x));
@@ -56,7 +56,7 @@ struct NormalSum
   }
 };
 
-/// The unit vector at the point nearest to a centre; the smallest of them where several are.
+/// The unit vector at the point nearest to a centre; the smallest of them for ties.
 struct NearestNormal
 {
   double Distance2 = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ struct NearestNormal
   }
 };
 
-/// The root of the mean square of colours, which are whole numbers up to 65535.
+/// The root mean square of colours, which are integers up to 65535.
 struct ColorSum
 {
   std::uint64_t Squares[3] = { 0, 0, 0 };
@@ -106,7 +106,7 @@ class PlaneSum
 public:
   void Add(const double local[3]);
 
-  /// The unit normal, upwards, of the least-squares plane; 0 0 0 if points are on a line.
+  /// The unit normal, upwards, of the least-squares plane; 0 0 0 for collinear points.
   Vec3 GetNormal() const;
 
 private:

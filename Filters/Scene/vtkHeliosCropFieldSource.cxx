@@ -58,7 +58,7 @@ enum Draw : std::uint32_t
   HeightDraw = 102
 };
 
-/// The properties, with the species' own where they are 0.
+/// The properties, with the species' own values for 0.
 struct Settings
 {
   double RowSpacing;
@@ -73,7 +73,7 @@ struct Settings
     const SpeciesDefaults& own = AllSpecies[field->GetSpecies()];
     this->RowSpacing = pick(field->GetRowSpacing(), own.RowSpacing);
     this->PlantSpacing = pick(field->GetPlantSpacing(), own.PlantSpacing);
-    // A row that is a whole number of spacings long ends with a plant, however it is rounded.
+    // A row length of a whole number of spacings ends with a plant, despite rounding.
     this->PlantsPerRow = std::floor(field->GetRowLength() / this->PlantSpacing + 1e-9) + 1.0;
     const double margin = 2.0 * (field->GetGroundMargin() + 3.0 * field->GetPositionJitter());
     this->GroundSize[0] = (field->GetNumberOfRows() - 1) * this->RowSpacing + margin;
@@ -112,7 +112,7 @@ double CutNormal(double value)
   return std::clamp(value, -3.0, 3.0);
 }
 
-/// Plants one field, row by row.
+/// Builds one field, row by row.
 class FieldMaker
 {
 public:
@@ -153,7 +153,7 @@ public:
   }
 
 private:
-  /// The key of all that is random about a plant.
+  /// The random number key of a plant.
   static std::uint64_t GetSite(int row, vtkIdType place)
   {
     return (static_cast<std::uint64_t>(row) << 32) | static_cast<std::uint32_t>(place);
@@ -167,7 +167,7 @@ private:
              EmergenceDraw)[0] < this->Field->GetEmergence();
   }
 
-  /// Room for all that came up, so that nothing is moved while it grows.
+  /// Reserves memory for all emerged plants, to avoid reallocation.
   void Reserve()
   {
     vtkIdType plants = 0;
@@ -188,7 +188,7 @@ private:
     this->LeafAreas->Resize(plants);
   }
 
-  /// All triangles since the last call are of this part.
+  /// Assigns all triangles since the last call to this part.
   void ClosePart(int part)
   {
     while (this->PartIds->GetNumberOfValues() < this->Mesh.GetNumberOfTriangles())

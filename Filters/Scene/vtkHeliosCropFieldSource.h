@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosCropFieldSource
- * @brief   a field of crops with every leaf, and the truth about it
+ * @brief   a field of crops with individual leaves, and its ground truth
  *
  * Output 0 is a scene: a vtkPolyData of triangles, double points, 32-bit cells, cell data MaterialIds
  * and PartIds (int; 0 the soil, from 1 on the plants), the material columns in the field data: soil
  * (ground, LAS class 2), crop_stem, crop_leaf and crop_ear (low vegetation, 3).
  *
- * Rows go along y, one beside the other along x, the middle of the field at Origin, z up. A plant is
- * one or more stems, closed tapered tubes that lean by up to 4 % of their height (cereal 18 %,
- * broadleaf 8 %) and go 2 cm into the soil, and leaves in
- * turn on the stems. A leaf is a strip of LeafSegments plane quads along an arc of a circle that
- * starts LeafAngle from the vertical and bends by LeafDroop; its width at a share t of its length is
- * the parabola LeafWidth (1 - ((t - m) / (1 - m))^2). Leaves at the share h of the stem are 1 -
- * 0.45 (2 h - 1)^2 of LeafLength and LeafWidth, those in the middle the largest; a plant that is
- * taller is so in all its parts. One that would reach into the soil stands up until it does not. The
- * species, and what they set where a property is 0 (below 0 for LeavesPerPlant and LeafDroop):
+ * Rows go along y, adjacent along x, the centre of the field is at Origin, z up. A plant is one or
+ * more stems, closed tapered tubes that lean by up to 4 % of their height (cereal 18 %, broadleaf
+ * 8 %) and extend 2 cm into the soil, and leaves assigned to the stems in turn. A leaf is a strip
+ * of LeafSegments plane quads along an arc of a circle that starts LeafAngle from the vertical and
+ * bends by LeafDroop; its width at a share t of its length is the parabola LeafWidth (1 - ((t - m)
+ * / (1 - m))^2). Leaves at the share h of the stem are 1 - 0.45 (2 h - 1)^2 of LeafLength and
+ * LeafWidth, largest in the middle; a taller plant is larger in all its parts. A leaf that would
+ * reach into the soil is raised until it does not. The species, and their defaults for properties
+ * of 0 (below 0 for LeavesPerPlant and LeafDroop):
  * - Maize: alternate leaves in one plane, m = 0.4; rows at 0.75 m, plants at 0.16 m, height 2.2 m, stem
  *   radius 12 mm, 12 leaves of 0.8 x 0.09 m, angle 28, droop 95 deg, 8 segments;
  * - Cereal: 4 tillers of 3 leaves, m = 0.2, each with an ear at its top; rows at 0.125 m, plants at
@@ -25,19 +25,20 @@
  *   golden angle; rows at 0.5 m, plants at 0.2 m, height 0.6 m, radius 5 mm, 24 leaves of 0.14 x 0.1 m,
  *   angle 50, droop 50 deg, 6 segments.
  *
- * The truth, in the field data: Field.LeafArea [m2], one side of all leaves, the sum of the areas of
- * the triangles of crop_leaf; Field.GroundArea [m2], rows x RowSpacing x plants a row x PlantSpacing;
- * Field.LeafAreaIndex, their ratio; one row a plant Plant.Position (x y z, at the soil), Plant.Height
- * [m] and Plant.LeafArea [m2].
+ * The ground truth, in the field data: Field.LeafArea [m2], one side of all leaves, the sum of the
+ * areas of the triangles of crop_leaf; Field.GroundArea [m2], rows x RowSpacing x plants per row x
+ * PlantSpacing; Field.LeafAreaIndex, their ratio; one row per plant: Plant.Position (x y z, at the
+ * soil), Plant.Height [m] and Plant.LeafArea [m2].
  *
- * All that is random is keyed by Seed, row and place in the row: the same properties give the same
- * bytes, and more rows leave the shapes of the plants as they were. Normal deviations are cut at 3 sigma.
+ * Random numbers are keyed by Seed, row and position in the row: the same properties give
+ * byte-identical output, and more rows do not change existing plants. Normal deviations are cut at
+ * 3 sigma.
  *
  * Errors: properties that are not finite, a PlantHeightDeviation of a quarter of the height or more,
  * more than 500 million triangles.
  *
  * @warning
- * Leaves are plane across, and plants do not avoid each other. No species is fitted to measured plants.
+ * Leaves are flat across, and plants may intersect. No species is fitted to measured plants.
  *
  * @sa
  * vtkHeliosSyntheticScene vtkHeliosObjSceneWriter
@@ -65,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what grows there. Valid range: MAIZE to BROADLEAF. Default: MAIZE.
+   * Set/Get the species. Valid range: MAIZE to BROADLEAF. Default: MAIZE.
    */
   vtkSetClampMacro(Species, int, MAIZE, BROADLEAF);
   vtkGetMacro(Species, int);
@@ -75,7 +76,7 @@ public:
   ///@}
 
   /**
-   * What grows there, in words: "Maize" to "Broadleaf".
+   * The species as text: "Maize" to "Broadleaf".
    */
   const char* GetSpeciesAsString();
 
@@ -115,7 +116,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the share of plants that came up, each by chance. Valid range: [0, 1]. Default: 0.95.
+   * Set/Get the emergence probability of plants. Valid range: [0, 1]. Default: 0.95.
    */
   vtkSetClampMacro(Emergence, double, 0.0, 1.0);
   vtkGetMacro(Emergence, double);
@@ -123,7 +124,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far plants are from their place [m], one sigma in x and in y. Valid range: [0, 100].
+   * Set/Get the standard deviation of plant positions [m], in x and in y. Valid range: [0, 100].
    * Default: 0.01.
    */
   vtkSetClampMacro(PositionJitter, double, 0.0, 100.0);
@@ -158,8 +159,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the stems of a plant; a cereal's are its tillers. Valid range: [0, 100]; 0: the species' own.
-   * Default: 0.
+   * Set/Get the stems per plant; a cereal's are its tillers. Valid range: [0, 100]; 0: the species'
+   * own. Default: 0.
    */
   vtkSetClampMacro(StemsPerPlant, int, 0, 100);
   vtkGetMacro(StemsPerPlant, int);
@@ -167,8 +168,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the leaves of a plant, on all its stems together. Valid range: [-1, 1e6]; -1: the species' own.
-   * Default: -1.
+   * Set/Get the leaves per plant, on all its stems together. Valid range: [-1, 1e6]; -1: the
+   * species' own. Default: -1.
    */
   vtkSetClampMacro(LeavesPerPlant, int, -1, 1000000);
   vtkGetMacro(LeavesPerPlant, int);
@@ -184,8 +185,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the width of the largest leaves where they are widest [m]. Valid range: [0, 10]; 0: the species'
-   * own. Default: 0.
+   * Set/Get the maximum width of the largest leaves [m]. Valid range: [0, 10]; 0: the species' own.
+   * Default: 0.
    */
   vtkSetClampMacro(LeafWidth, double, 0.0, 10.0);
   vtkGetMacro(LeafWidth, double);
@@ -202,8 +203,8 @@ public:
 
   ///@{
   /**
-   * Set/Get by how much leaves bend down from base to tip [deg]. Valid range: [-1, 180]; -1: the species'
-   * own. A tip looks straight down at most. Default: -1.
+   * Set/Get the bend of leaves from base to tip [deg]. Valid range: [-1, 180]; -1: the species'
+   * own. A tip points straight down at most. Default: -1.
    */
   vtkSetClampMacro(LeafDroop, double, -1.0, 180.0);
   vtkGetMacro(LeafDroop, double);
@@ -211,7 +212,7 @@ public:
 
   ///@{
   /**
-   * Set/Get by which share length, width, angle and droop of a leaf are more or less, uniformly. Valid
+   * Set/Get the relative variation of length, width, angle and droop of leaves, uniform. Valid
    * range: [0, 0.9]. Default: 0.15.
    */
   vtkSetClampMacro(LeafVariation, double, 0.0, 0.9);
@@ -220,8 +221,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the parts of a leaf along its length; 1 counts as 2. Valid range: [0, 100]; 0: the species' own.
-   * Default: 0.
+   * Set/Get the segments of a leaf along its length; 1 counts as 2. Valid range: [0, 100]; 0: the
+   * species' own. Default: 0.
    */
   vtkSetClampMacro(LeafSegments, int, 0, 100);
   vtkGetMacro(LeafSegments, int);
@@ -229,7 +230,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far the soil reaches beyond the outer plants [m]. Valid range: [0.01, 1e5]. Default: 1.
+   * Set/Get the margin of soil beyond the outer plants [m]. Valid range: [0.01, 1e5]. Default: 1.
    */
   vtkSetClampMacro(GroundMargin, double, 0.01, 1e5);
   vtkGetMacro(GroundMargin, double);
@@ -237,8 +238,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the bound on the difference between the highest and the lowest place of the soil [m]; 0: flat,
-   * two triangles. Valid range: [0, 10]. Default: 0.04.
+   * Set/Get the bound on the height range of the soil [m]; 0: flat, two triangles. Valid range:
+   * [0, 10]. Default: 0.04.
    */
   vtkSetClampMacro(GroundRoughness, double, 0.0, 10.0);
   vtkGetMacro(GroundRoughness, double);
@@ -246,7 +247,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest side of a cell of rough soil [m]. Valid range: [0.001, 1e5]. Default: 0.1.
+   * Set/Get the maximum cell size of rough soil [m]. Valid range: [0.001, 1e5]. Default: 0.1.
    */
   vtkSetClampMacro(GroundSpacing, double, 0.001, 1e5);
   vtkGetMacro(GroundSpacing, double);
@@ -254,7 +255,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where the middle of the field is [m], added to every point at the end. Default: 0, 0, 0.
+   * Set/Get the centre of the field [m], added to every point at the end. Default: 0, 0, 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -269,7 +270,7 @@ public:
   ///@}
 
   /**
-   * The places for plants in a row: RowLength over PlantSpacing, and one.
+   * The number of plant positions in a row: RowLength / PlantSpacing, plus one.
    */
   vtkIdType GetPlantsPerRow();
 

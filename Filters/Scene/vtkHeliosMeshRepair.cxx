@@ -32,14 +32,14 @@ vtkStandardNewMacro(vtkHeliosMeshRepair);
 
 namespace names = vtkHeliosArrayNames;
 
-/// What is being repaired. A vector element a triangle shrinks with the triangles.
+/// The mesh under repair. Vectors with one element per triangle shrink with the triangles.
 struct vtkHeliosMeshRepair::Mesh
 {
   vtkSmartPointer<vtkDoubleArray> Points;
-  std::vector<vtkIdType> Cells;      ///< of the input, those that stay
-  std::vector<vtkTypeInt32> Corners; ///< three a cell
-  std::vector<vtkTypeInt32> Places;  ///< three a cell: the lowest point where the corner is
-  std::vector<int> Parts;            ///< one a cell
+  std::vector<vtkIdType> Cells;      ///< of the input, the remaining ones
+  std::vector<vtkTypeInt32> Corners; ///< three per cell
+  std::vector<vtkTypeInt32> Places;  ///< three per cell: the lowest point at the corner
+  std::vector<int> Parts;            ///< one per cell
   std::vector<unsigned char> Defects;
   vtkIdType NumberOfTriangles = 0; ///< of the input
 
@@ -54,7 +54,7 @@ struct vtkHeliosMeshRepair::Mesh
       this->Points->GetNumberOfTuples() };
   }
 
-  /// Keeps the cells i with keep(i); returns how many it drops.
+  /// Keeps the cells i with keep(i); returns the number dropped.
   template <typename KeepT>
   vtkIdType Keep(KeepT keep)
   {
@@ -82,7 +82,7 @@ struct vtkHeliosMeshRepair::Mesh
 namespace
 {
 
-/// The corners of all cells, or the first cell with a corner that is no point.
+/// The corners of all cells, or the first cell with an invalid corner id.
 template <typename ArrayT>
 vtkIdType CopyCorners(ArrayT* from, vtkIdType numberOfPoints, std::vector<vtkTypeInt32>& corners)
 {

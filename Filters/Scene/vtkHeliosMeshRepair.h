@@ -2,36 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosMeshRepair
- * @brief   takes out the triangles and points that no scene needs, and counts bad edges
+ * @brief   removes invalid and duplicate triangles and unused points, and counts bad edges
  *
  * Input 0: a vtkPolyData of triangles. Output 0: the same without
  * - triangles with a corner that is not finite,
- * - degenerate triangles: a corner twice, or no area, decided exactly for the coordinates as they
- *   are,
- * - duplicate triangles: the same three places, in whatever order. One of opposite winding is a
- *   duplicate, too: a triangle is seen from both sides, and of two at the same place a ray finds
- *   the one with the lowest cell id. That one stays, and its material;
+ * - degenerate triangles: a repeated corner, or zero area, decided exactly for the given
+ *   coordinates,
+ * - duplicate triangles: the same three positions, in any order. One of opposite winding is also a
+ *   duplicate: triangles are two-sided, and of two at the same position a ray hits the one with the
+ *   lowest cell id. That one stays, with its material;
  * - points that no triangle uses.
  *
- * With MergePoints, points at the same place become one, the one with the lowest id, and its point
- * data. What lies in different parts (PartIds) is never merged, nor a duplicate. Nothing else
- * changes: order, winding and coordinates stay, cell and point data follow, field data pass. Points
- * become double. Where there is nothing to repair the input passes by reference.
+ * With MergePoints, points at the same position become one, the one with the lowest id, and its
+ * point data. Different parts (PartIds) are never merged, nor duplicates of each other. Nothing
+ * else changes: order, winding and coordinates stay, cell and point data follow, field data pass.
+ * Points become double. If there is nothing to repair the input passes by reference.
  *
- * Edges are counted on the result, points at equal coordinates of one part taken as one:
+ * Edges are counted on the result, with points at equal coordinates of one part as one:
  * - boundary edges have one triangle,
  * - non-manifold edges have more than two,
- * - inconsistent edges have two that run along it the same way: one of them is wound the wrong way.
+ * - inconsistent edges have two in the same direction: one of them has the wrong winding.
  *
  * With GenerateEdgeDefects the result has cell data EdgeDefects (unsigned char): the sum of 1, 2
  * and 4 for triangles at a boundary, a non-manifold and an inconsistent edge.
  *
  * Points are found by hash, triangles and edges by sorting them into the buckets of their lowest
- * corner: that takes any soup of triangles, as vegetation is, which structures of half-edges
- * refuse.
+ * corner: this works for any soup of triangles, such as vegetation, which half-edge structures
+ * reject.
  *
- * Errors: cells that are not triangles, corners that are no points, more than 2^31 points, an
- * array shorter than the cells or points, a MergeTolerance that is not finite.
+ * Errors: cells that are not triangles, corners with invalid ids, more than 2^31 points, an array
+ * shorter than the cells or points, a MergeTolerance that is not finite.
  *
  * @sa
  * vtkHeliosMeshSimplify vtkHeliosSceneComposer
@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether points of one part at the same place become one. Default: off.
+   * Set/Get whether points of one part at the same position are merged. Default: off.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
@@ -69,9 +69,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how far apart two points may be to be at the same place [m], with MergePoints. Each
-   * point in turn goes to the lowest one that stays within that distance; triangles move with it.
-   * Valid range: [0, 1e3]; 0: equal coordinates only. Default: 0.
+   * Set/Get the maximum distance of merged points [m], with MergePoints. Each point in turn goes to
+   * the lowest remaining one within that distance; triangles move with it. Valid range: [0, 1e3];
+   * 0: equal coordinates only. Default: 0.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, 1e3);
   vtkGetMacro(MergeTolerance, double);
@@ -88,8 +88,8 @@ public:
 
   ///@{
   /**
-   * What the last run took out: triangles by reason (the first that holds, in this order), points
-   * that no triangle uses, points that became one with another.
+   * Removed in the last run: triangles by reason (the first that applies, in this order), unused
+   * points, merged points.
    */
   vtkGetMacro(NumberOfNonFiniteTriangles, vtkIdType);
   vtkGetMacro(NumberOfDegenerateTriangles, vtkIdType);

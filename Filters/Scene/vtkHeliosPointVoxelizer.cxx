@@ -30,10 +30,9 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 
-// A power of 4: small enough a share of any source to look at.
-constexpr double BytesPerCell = 500.0; // at most, with its triangles
-constexpr int ProbePieces = 65536;
-constexpr vtkIdType PointsPerStep = 65536; // between two looks at AbortExecute
+constexpr double BytesPerCell = 500.0;     // at most, with its triangles
+constexpr int ProbePieces = 65536;         // power of 4: a small share of any source
+constexpr vtkIdType PointsPerStep = 65536; // between two checks of AbortExecute
 constexpr double SharePerVisit = 0.45;     // of the progress; the rest is for the triangles
 
 bool CanBePieces(vtkInformation* inInfo)
@@ -49,7 +48,7 @@ int vtkHeliosPointVoxelizer::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-// The output comes whole, however the input does.
+// The output is always complete, even if the input comes in pieces.
 int vtkHeliosPointVoxelizer::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -85,7 +84,7 @@ bool vtkHeliosPointVoxelizer::CheckProperties()
   return true;
 }
 
-// Brings a piece into the input; a source that knows no pieces has given its all.
+// Updates the input to a piece; a source without pieces delivers everything.
 bool vtkHeliosPointVoxelizer::FetchPiece(vtkInformation* inInfo, int piece, int count)
 {
   if (!CanBePieces(inInfo))
@@ -102,8 +101,8 @@ bool vtkHeliosPointVoxelizer::FetchPiece(vtkInformation* inInfo, int piece, int 
   return source->GetProducer()->Update(source->GetIndex(), requests) != 0;
 }
 
-// Looks at the first piece of fewer and fewer, until it has enough points and grew with its share.
-// Returns 0 where a piece cannot be had.
+// Reads the first of fewer and fewer pieces, until it has enough points and grew with its share.
+// Returns 0 if a piece cannot be read.
 int vtkHeliosPointVoxelizer::ChooseNumberOfPieces(vtkInformation* inInfo)
 {
   if (!CanBePieces(inInfo) || this->NumberOfPieces > 0)
@@ -150,7 +149,7 @@ bool vtkHeliosPointVoxelizer::ForEachPiece(
   {
     if (!this->FetchPiece(inInfo, piece, count))
     {
-      return false; // the source has said why
+      return false; // the source has reported the error
     }
     const std::string fault = input.Set(vtkPointSet::GetData(inInfo), !this->EstimateNormals);
     if (!fault.empty())
@@ -230,7 +229,7 @@ bool vtkHeliosPointVoxelizer::CheckAttributes(const helios::VoxelBounds& bounds)
   return true;
 }
 
-// The first time through the points: what they span.
+// First pass over the points: their bounds.
 bool vtkHeliosPointVoxelizer::Measure(
   vtkInformation* inInfo, int count, helios::VoxelBounds& bounds, vtkPolyData* scene)
 {
@@ -254,7 +253,7 @@ bool vtkHeliosPointVoxelizer::Measure(
     this->CheckAttributes(bounds);
 }
 
-// The second time: the cells they are in.
+// Second pass: their cells.
 bool vtkHeliosPointVoxelizer::Gather(
   vtkInformation* inInfo, int count, const helios::VoxelBounds& bounds, helios::VoxelGrid& grid)
 {

@@ -2,38 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPointVoxelizer
- * @brief   points to solid cells
+ * @brief   converts points to solid voxels
  *
- * Input 0 is a vtkPointSet: points, double or float; point data Normals (3) and RGB (3: bytes,
- * 16-bit, or real in [0..1]) where there are any. Its cells do not matter.
+ * Input 0 is a vtkPointSet: points, double or float; optional point data Normals (3) and RGB (3:
+ * bytes, 16-bit, or real in [0..1]). Its cells are ignored.
  *
  * Output 0 is a scene, a vtkPolyData of triangles with double points:
  * - polys: the surface of the solid cells. Cells are cubes of VoxelSize on a grid that starts at
- *   the points' minimum; a cell with enough points is a solid box. A face has two triangles, wound
- *   outward; between two solid cells there is none; boxes share the points of their corners, so
- *   that the surface is closed;
- * - cell data MaterialIds (int): the cell's number modulo NumberOfMaterials;
- * - cell data VoxelIds (int) with GenerateVoxelIds: the number of the cell, from 0, along x first,
- *   then y, then z;
- * - cell data Normals (float, 3) where cells have normals: those of the input's points, summed up
- *   and normalised, or what EstimateNormals, SnapNeighborNormal and DefaultNormal say. Where a cell
- *   has none, the normal of its faces;
- * - cell data RGB (float, 3, [0..1]) where points have colours: the root of their mean square;
+ *   the minimum of the points; a cell with enough points is a solid box. A face has two triangles,
+ *   wound outward; there is none between two solid cells; boxes share corner points, so that the
+ *   surface is closed;
+ * - cell data MaterialIds (int): the cell id modulo NumberOfMaterials;
+ * - cell data VoxelIds (int) with GenerateVoxelIds: the cell id, from 0, along x first, then y,
+ *   then z;
+ * - cell data Normals (float, 3) if cells have normals: those of the input points, summed and
+ *   normalised, or as set by EstimateNormals, SnapNeighborNormal and DefaultNormal. A cell without
+ *   one has the normal of its faces;
+ * - cell data RGB (float, 3, [0..1]) if points have colours: their root mean square;
  * - field data: the input's (CRS), and NumberOfMaterials default materials.
  *
  * A cell is half-open: a point x is in cell floor(q), q = (x - x0) / VoxelSize, except that a q
- * within rounding, 2 ulp(max(|x|, |x0|)) / VoxelSize + 4 eps max(1, q), below a whole number is
- * that number. So points on a decimal lattice are where their decimals say, also at UTM coordinates.
+ * within rounding, 2 ulp(max(|x|, |x0|)) / VoxelSize + 4 eps max(1, q), below an integer is that
+ * integer. Thus points on a decimal lattice are in the cell of their decimal value, also at UTM
+ * coordinates.
  *
- * A source that answers UPDATE_PIECE_NUMBER is asked for piece after piece, twice: for the minimum,
- * then for the cells. Only cells stay in memory. The output does not depend on the number of
- * pieces nor on the order of the points: sums are of whole numbers.
+ * A source that answers UPDATE_PIECE_NUMBER is read piece by piece, twice: for the minimum, then
+ * for the cells. Only cells stay in memory. The output does not depend on the number of pieces nor
+ * on the order of the points: sums are integers.
  *
  * Errors: no points, a coordinate that is not finite, more cells than MaximumNumberOfCells, a
  * VoxelSize below the precision of the coordinates.
  *
  * @warning
- * A rotated scene has rotated boxes; rotate the points where boxes shall stay along the axes.
+ * A rotated scene has rotated boxes; to keep boxes along the axes, rotate the points instead.
  *
  * @sa
  * vtkHeliosXyzReader vtkHeliosSceneComposer
@@ -45,7 +46,7 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <functional> // For the work on each piece
+#include <functional> // For the operation on each piece
 
 namespace helios
 {
@@ -63,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the edge of a cell [m]. Valid range: greater than 0. Default: 1.
+   * Set/Get the cell size [m]. Valid range: greater than 0. Default: 1.
    */
   vtkSetMacro(VoxelSize, double);
   vtkGetMacro(VoxelSize, double);
@@ -71,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many points a solid cell has at least; more than one leaves out lone points, which
-   * are often noise. Valid range: [1, 1000000]. Default: 1.
+   * Set/Get the minimum number of points of a solid cell; more than one removes isolated points,
+   * which are often noise. Valid range: [1, 1000000]. Default: 1.
    */
   vtkSetClampMacro(MinimumNumberOfPoints, int, 1, 1000000);
   vtkGetMacro(MinimumNumberOfPoints, int);
@@ -82,7 +83,7 @@ public:
   /**
    * Set/Get whether the normal of a cell is that of the plane fitted to its points (least squares
    * of distances; upwards) instead of the points' own. Cells with fewer than three points, or with
-   * points on a line, have none. Default: off.
+   * collinear points, have none. Default: off.
    */
   vtkSetMacro(EstimateNormals, bool);
   vtkGetMacro(EstimateNormals, bool);
@@ -92,7 +93,7 @@ public:
   ///@{
   /**
    * Set/Get whether the normal of a cell is that of the point nearest to its centre, not the mean
-   * of all. Does not matter with EstimateNormals. Default: off.
+   * of all. Ignored with EstimateNormals. Default: off.
    */
   vtkSetMacro(SnapNeighborNormal, bool);
   vtkGetMacro(SnapNeighborNormal, bool);
@@ -101,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the normal of cells that have none; of any length, 0 0 0: the normal of the faces.
-   * Valid range: finite. Default: 0 0 0.
+   * Set/Get the normal of cells without one; of any length, 0 0 0: the normal of the faces. Valid
+   * range: finite. Default: 0 0 0.
    */
   vtkSetVector3Macro(DefaultNormal, double);
   vtkGetVector3Macro(DefaultNormal, double);
@@ -110,7 +111,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of materials that cells take in turn. Valid range: [1, 1000000]. Default: 1.
+   * Set/Get the number of materials, assigned to cells in turn. Valid range: [1, 1000000].
+   * Default: 1.
    */
   vtkSetClampMacro(NumberOfMaterials, int, 1, 1000000);
   vtkGetMacro(NumberOfMaterials, int);
@@ -118,7 +120,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether triangles carry the number of their cell. Default: off.
+   * Set/Get whether triangles carry the id of their cell. Default: off.
    */
   vtkSetMacro(GenerateVoxelIds, bool);
   vtkGetMacro(GenerateVoxelIds, bool);
@@ -127,8 +129,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how many pieces a source that can is asked for, or how many points a piece has about,
-   * if the number of pieces is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
+   * Set/Get the number of pieces requested from a source that supports pieces, or the approximate
+   * number of points per piece if it is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0;
+   * 1000000.
    */
   vtkSetClampMacro(NumberOfPieces, int, 0, 1000000);
   vtkGetMacro(NumberOfPieces, int);
@@ -138,8 +141,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many cells there may be: a guard of memory, of which a cell takes some 250 bytes in
-   * a surface and 500 alone. Valid range: [1, 4e9]. Default: 20000000.
+   * Set/Get the maximum number of cells, a memory limit: a cell takes about 250 bytes in a surface
+   * and 500 alone. Valid range: [1, 4e9]. Default: 20000000.
    */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, 4000000000);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
@@ -147,7 +150,7 @@ public:
 
   ///@{
   /**
-   * Get how many points the last update took in, and how many solid cells came of them.
+   * Get the number of input points and of solid cells of the last update.
    */
   vtkGetMacro(NumberOfPoints, vtkIdType);
   vtkGetMacro(NumberOfVoxels, vtkIdType);
@@ -169,7 +172,7 @@ private:
   vtkHeliosPointVoxelizer(const vtkHeliosPointVoxelizer&) = delete;
   void operator=(const vtkHeliosPointVoxelizer&) = delete;
 
-  /// What is done with a piece; false ends the work.
+  /// The operation on a piece; false stops the work.
   using PieceVisitor = std::function<bool(const helios::VoxelInput&)>;
 
   bool CheckProperties();

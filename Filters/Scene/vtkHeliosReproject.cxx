@@ -82,7 +82,7 @@ bool vtkHeliosReproject::FindSystems(
 int vtkHeliosReproject::ExecuteInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Points do not depend on each other: a cloud that comes in pieces goes on in pieces.
+  // Points are independent of each other: input in pieces gives output in pieces.
   outputVector->GetInformationObject(0)->CopyEntry(
     inputVector[0]->GetInformationObject(0), vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
   return 1;

@@ -2,32 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosReproject
- * @brief   points from one coordinate system to another
+ * @brief   reprojects points to another coordinate system
  *
  * Input 0: a vtkPointSet: a scene, a cloud, a trajectory, waypoints. Output 0: the same, of the same
  * type, with
  * - points: those of the input in TargetCRS, double, always in the order east, north, up, angles in
  *   degrees;
- * - field data CRS: TargetCRS as it was given;
+ * - field data CRS: TargetCRS as given;
  * - active normals of points and cells: those of the surface in the new coordinates;
- * - point data TruePoint: transformed as points are;
- * - point data Orientation, Velocity, Direction and Normal: turned by the angle between the axes of
- *   both systems at their place (convergence of the grids; tilt towards geocentric or local axes);
+ * - point data TruePoint: transformed like points;
+ * - point data Orientation, Velocity, Direction and Normal: rotated by the angle between the axes
+ *   of both systems at their position (grid convergence; tilt towards geocentric or local axes);
  * - cells and everything else by reference.
  *
  * Systems are "EPSG:n", WKT, PROJ strings, or "ENU latitude longitude height" for local axes at an
- * origin on WGS 84 [degrees, m]. GeographicLib computes what is on WGS 84 (UTM, UPS, geocentric,
- * local), to 5e-9 m; PROJ the rest. Where one of two systems says nothing of heights they pass as they
- * are, but for the unit. Both systems being the same, however they are spelled, the output is the
- * input. Works on all threads; the output does not depend on their number.
+ * origin on WGS 84 [degrees, m]. GeographicLib computes systems on WGS 84 (UTM, UPS, geocentric,
+ * local), to 5e-9 m; PROJ the rest. If one of the systems has no heights, heights pass unchanged,
+ * except for the unit. If both systems are the same in any spelling, the output is the input. Works
+ * on all threads; the output does not depend on their number.
  *
- * Warned of: a source that is not what the input says; an operation less accurate than another whose
- * grids PROJ does not find; several operations over the extent of the data, which tears surfaces. Errors: no source, no target, a system PROJ does not know, no
- * transformation between them, a point outside their domain.
+ * Warnings: a source that contradicts the input; an operation less accurate than another whose
+ * grids PROJ does not find; several operations over the extent of the data, which tears surfaces.
+ * Errors: no source, no target, a system unknown to PROJ, no transformation between them, a point
+ * outside their domain.
  *
  * @warning
- * Straight edges stay straight: a triangle of a kilometre leaves the true surface by its sagitta,
- * some 2 cm towards local or geocentric axes.
+ * Straight edges stay straight: a triangle of a kilometre deviates from the true surface by its
+ * sagitta, about 2 cm towards local or geocentric axes.
  *
  * @sa
  * vtkHeliosSceneTransform vtkHeliosSceneComposer vtkHeliosGeoTiffSceneReader
@@ -39,7 +40,7 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPointSetAlgorithm.h"
 
-#include <string> // For what is wrong
+#include <string> // For error messages
 
 class vtkPointSet;
 
@@ -58,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the coordinate system of the input. Default: none, which means that of the input's field
-   * data CRS.
+   * Set/Get the coordinate system of the input. Default: not set, which uses the CRS of the input's
+   * field data.
    */
   vtkSetStringMacro(SourceCRS);
   vtkGetStringMacro(SourceCRS);
@@ -67,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the coordinate system of the output. Default: none, which is an error.
+   * Set/Get the coordinate system of the output. Default: not set, which is an error.
    */
   vtkSetStringMacro(TargetCRS);
   vtkGetStringMacro(TargetCRS);

@@ -32,7 +32,7 @@ using helios::PartList;
 namespace
 {
 
-/// The rows that materials have in a table, which grows by those it does not have yet.
+/// Maps materials to rows of a table; adds those the table does not have yet.
 std::vector<int> Merge(const helios::MaterialTable& materials, helios::MaterialTable& table)
 {
   std::vector<int> rows;
@@ -69,7 +69,7 @@ vtkIdType MapMaterialIds(vtkPolyData* part, const std::vector<int>& rows, int* t
   return -1;
 }
 
-/// The material ids of the one part there is, if they are right as they are.
+/// The material ids of a single part, if they need no change.
 vtkIntArray* GetSingleMaterialIds(const PartList& parts)
 {
   vtkPolyData* single = helios::GetSinglePart(parts);
@@ -86,7 +86,7 @@ vtkIntArray* GetSingleMaterialIds(const PartList& parts)
   return isRight ? ids : nullptr;
 }
 
-/// Whether two texts mean one coordinate system: empty, or what is wrong.
+/// Compares two CRS texts: returns an empty string if they are equivalent, else an error message.
 std::string CompareCRS(const std::string& own, const std::string& before)
 {
   helios::CoordinateSystem systems[2];
@@ -140,7 +140,7 @@ int vtkHeliosSceneComposer::FillInputPortInformation(int port, vtkInformation* i
 {
   this->Superclass::FillInputPortInformation(port, info);
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // so that our own message says what is missing
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // for a clearer error message of this class
   return 1;
 }
 

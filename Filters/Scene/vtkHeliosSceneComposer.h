@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSceneComposer
- * @brief   parts into one scene
+ * @brief   composes parts into one scene
  *
- * Input 0, repeatable: the parts, each a vtkPolyData of triangles, one connection a part. Output 0: one
- * vtkPolyData with
+ * Input 0, repeatable: the parts, each a vtkPolyData of triangles, one connection per part. Output
+ * 0: one vtkPolyData with
  * - points: those of all parts, double;
  * - polys: the triangles of all parts, in the order of the connections, in 32-bit storage;
- * - cell data MaterialIds (int): rows of the material columns in the field data, where equal materials
- *   of the parts are one row; a part without MaterialIds has the first row of its own materials;
- * - cell data PartIds (int): the connection a triangle comes from;
- * - cell data Normals (float), if parts have them; (0, 0, 0), which is no normal, for those that do not;
- * - field data Part.Name (string), one a connection, and CRS, if parts have one: that of the first that
- *   has, which those without are taken to be in.
+ * - cell data MaterialIds (int): rows of the material columns in the field data, where equal
+ *   materials of the parts share one row; a part without MaterialIds has the first row of its own
+ *   materials;
+ * - cell data PartIds (int): the connection of a triangle;
+ * - cell data Normals (float), if parts have them; (0, 0, 0), meaning no normal, for those without;
+ * - field data Part.Name (string), one per connection, and CRS, if parts have one: that of the
+ *   first part with one, assumed for parts without.
  *
- * Other arrays are left out. What needs no change is passed by reference: of a single part its points,
- * cells and material ids.
+ * Other arrays are left out. Unchanged data pass by reference: of a single part its points, cells
+ * and material ids.
  *
- * Warned of: parts without triangles (skipped; they keep their id). Errors: no triangles at all, cells
- * that are not triangles, material ids without a material, parts of different CRS
- * (not of one that is spelled differently), more than 2^31
- * points or corners.
+ * Warnings: parts without triangles (skipped; they keep their id). Errors: no triangles at all,
+ * cells that are not triangles, material ids without a material, parts of different CRS (but not
+ * different spellings of one), more than 2^31 points or corners.
  *
  * @sa
  * vtkHeliosSceneTransform vtkHeliosObjSceneReader
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of a part, the connection of that index (from 0). An empty name is the default:
-   * the index itself.
+   * Set/Get the name of a part, by connection index (from 0). An empty name is the default: the
+   * index itself.
    */
   void SetPartName(int part, const char* name);
   std::string GetPartName(int part) const;

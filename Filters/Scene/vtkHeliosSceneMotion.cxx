@@ -25,8 +25,8 @@ struct vtkHeliosSceneMotion::Parts
   std::map<int, std::vector<helios::MotionSequence>> Motions;
   std::map<int, vtkIdType> Steps;
   std::vector<helios::MovingPart> Prepared;
-  vtkWeakPointer<vtkPolyData> Scene; // that they were prepared for
-  vtkMTimeType Time = 0;             // when; 0: not
+  vtkWeakPointer<vtkPolyData> Scene; // the scene the parts were prepared for
+  vtkMTimeType Time = 0;             // of preparation; 0: not prepared
 };
 
 //------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ int vtkHeliosSceneMotion::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-/// Looks at a scene unless that was the last one.
+/// Prepares a scene unless it is unchanged.
 bool vtkHeliosSceneMotion::Prepare(vtkPolyData* scene)
 {
   Parts& parts = *this->Moving;

@@ -2,24 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSceneMotion
- * @brief   a scene whose parts move, at a step or at a time
+ * @brief   a scene with moving parts, at a step or at a time
  *
- * Input 0: a scene (vtkPolyData, triangles with the cell array PartIds), as vtkHeliosSceneComposer
- * makes it. Output 0: the same with the points of moving parts where they are after their number of
- * steps; active normals of their cells turn with them. Points are double. All else passes by reference,
- * points too where nothing has moved.
+ * Input 0: a scene (vtkPolyData, triangles with the cell array PartIds), as from
+ * vtkHeliosSceneComposer. Output 0: the same with the points of moving parts after their number of
+ * steps; active normals of their cells rotate with them. Points are double. All else passes by
+ * reference, points too if nothing has moved.
  *
- * A step of a part is all its motions, one after the other. Where a part is after k steps follows from k
- * alone: rotations about a turning axis, or a million steps of 0.1 m, do not add up their rounding
- * (they are powers of one step, in extended precision).
+ * A step of a part is all its motions, one after the other. The position after k steps depends on k
+ * only: rounding does not accumulate over rotations about a rotating axis, or a million steps of
+ * 0.1 m (they are powers of one step, in extended precision).
  *
- * With TimeStep > 0 the output answers UPDATE_TIME_STEP: at time t all parts have made the whole steps
- * of t / TimeStep. Without such a request the steps set by SetStep() count.
+ * With TimeStep > 0 the output supports UPDATE_TIME_STEP: at time t all parts have made the whole
+ * steps of t / TimeStep. Without such a request the steps set by SetStep() are used.
  *
- * @warning A part that is mirrored an odd number of times has its triangles wound the other way round.
+ * @warning A part mirrored an odd number of times has triangles of opposite winding.
  *
- * Errors: a motion of a part that the scene has no triangle of, an axis or normal without length,
- * numbers that are not finite, no PartIds, points that belong to a moving part and to another one.
+ * Errors: a motion of a part without triangles in the scene, an axis or normal of zero length,
+ * numbers that are not finite, no PartIds, points shared by a moving part and another one.
  *
  * @sa
  * vtkHeliosSceneComposer vtkHeliosSceneTransform
@@ -31,7 +31,7 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // For what is known of the parts
+#include <memory> // For the prepared parts
 #include <vector> // For sequences of motions
 
 namespace helios
@@ -47,26 +47,26 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Adds a shift [m] to every step of a part.
+   * Adds a translation [m] to every step of a part.
    */
   void AddTranslation(int part, const double shift[3]);
 
   /**
-   * Adds a right-handed rotation by an angle [deg] to every step of a part, about an axis of any length
-   * through a point: of the scene, or, with aboutCentroid, counted from the centroid of the part (that
-   * of its area).
+   * Adds a right-handed rotation by an angle [deg] to every step of a part, about an axis of any
+   * length through a point: of the scene, or, with aboutCentroid, relative to the area centroid of
+   * the part.
    */
   void AddRotation(int part, const double axis[3], double angle, const double center[3],
     bool aboutCentroid = false);
 
   /**
-   * Forgets all motions and steps.
+   * Removes all motions and steps.
    */
   void RemoveAllMotions();
 
   ///@{
   /**
-   * Set/Get how many steps a part has made. Valid range: not negative. Default: 0.
+   * Set/Get the number of steps of a part. Valid range: not negative. Default: 0.
    */
   void SetStep(int part, vtkIdType step);
   vtkIdType GetStep(int part) const;
@@ -82,7 +82,7 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  /// Gives a part sequences of motions, in place of what it had.
+  /// Replaces the motion of a part by sequences.
   void SetMotion(int part, const std::vector<helios::MotionSequence>& sequences);
 #endif
 
@@ -94,7 +94,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  struct Parts; // what moves, and which points and cells that is
+  struct Parts; // the moving parts, with their points and cells
 
   bool Prepare(vtkPolyData* scene);
 

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkHeliosSceneTransform);
 namespace
 {
 
-/// What happens to a point. Parts that do nothing are left out: they would cost digits.
+/// Maps a point. Identity components are skipped to keep precision.
 struct Similarity
 {
   bool HasRotation;

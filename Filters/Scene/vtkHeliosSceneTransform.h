@@ -4,14 +4,14 @@
  * @class   vtkHeliosSceneTransform
  * @brief   rotates, scales and moves a scene part
  *
- * Input 0: a vtkPolyData, e.g. of vtkHeliosObjSceneReader. Output 0: the same with points
+ * Input 0: a vtkPolyData, e.g. from vtkHeliosObjSceneReader. Output 0: the same with points
  *
  *   p' = Scale * (R p) + Translation,
  *
- * R by Rotation: always in this order, about the part's own origin, in double whatever the precision
- * of the input. Cells, field data and arrays pass by reference, points too where nothing is to be
- * done; active normals of points and cells are rotated. With neither rotation nor scale a coordinate
- * is one addition away from the input's.
+ * R by Rotation: always in this order, about the part's own origin, in double for any input
+ * precision. Cells, field data and arrays pass by reference, points too if the transform is the
+ * identity; active normals of points and cells are rotated. Without rotation and scale, a
+ * coordinate differs from the input by a single addition.
  *
  * Errors: a property that is not finite, a rotation of zero length, a scale that is not positive.
  *
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the rotation, a quaternion w, x, y, z; its length does not matter. Valid range: not 0.
-   * Default: 1, 0, 0, 0 (none).
+   * Set/Get the rotation, a quaternion w, x, y, z of any length. Valid range: not 0. Default: 1, 0,
+   * 0, 0 (none).
    */
   vtkSetVector4Macro(Rotation, double);
   vtkGetVector4Macro(Rotation, double);
@@ -43,7 +43,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor by which the rotated part is enlarged. Valid range: greater than 0. Default: 1.
+   * Set/Get the scale factor of the rotated part. Valid range: greater than 0. Default: 1.
    */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
@@ -51,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Set/Get by how much the part is moved, after all [m]. Valid range: finite. Default: 0, 0, 0.
+   * Set/Get the translation, applied last [m]. Valid range: finite. Default: 0, 0, 0.
    */
   vtkSetVector3Macro(Translation, double);
   vtkGetVector3Macro(Translation, double);

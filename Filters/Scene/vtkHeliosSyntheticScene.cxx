@@ -27,7 +27,7 @@ struct KindDefaults
   double Height;
   int Resolution;
   int NumberOfLeaves;
-  int TrianglesPerSquare; // of Resolution
+  int TrianglesPerSquare; // per square of Resolution
 };
 
 constexpr KindDefaults Kinds[] = {
@@ -56,14 +56,14 @@ constexpr double MaximumNumberOfTriangles = 5e8;
 constexpr double WoodTriangles = 2000;  // of a tree, at most
 constexpr double ReliefOfCanopy = 0.06; // of its size
 
-/// The properties, with the kind's own where they are 0.
+/// The properties, with the kind's own values for 0.
 struct Settings
 {
   double Size;
   double Height;
   int Resolution;
   helios::TreeShape Tree;
-  double NumberOfTriangles; // about, or more
+  double NumberOfTriangles; // approximate, or a lower bound
 
   explicit Settings(vtkHeliosSyntheticScene* scene)
   {

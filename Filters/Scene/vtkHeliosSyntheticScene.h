@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSyntheticScene
- * @brief   scenes made in code: shapes in closed form, terrain, trees, a house
+ * @brief   procedural scenes: closed-form shapes, terrain, trees, a house
  *
- * Output 0 is a vtkPolyData of triangles: double points, 32-bit cells, cell data MaterialIds (int) and
- * the material columns in the field data, with reflectances and LAS classes (ground 2, low vegetation
- * 3, high vegetation 5, building 6). Closed shapes are closed, their normals outward; no triangle is
- * without area. The same properties give the same bytes, whatever the number of threads.
+ * Output 0 is a vtkPolyData of triangles: double points, 32-bit cells, cell data MaterialIds (int)
+ * and the material columns in the field data, with reflectances and LAS classes (ground 2, low
+ * vegetation 3, high vegetation 5, building 6). Closed shapes are watertight, with outward normals;
+ * no triangle has zero area. The same properties give byte-identical output for any number of
+ * threads.
  *
- * Everything stands about Origin, z up. What Size, Height and Resolution n mean, and what they are
- * where they are 0:
+ * All kinds are placed about Origin, z up. Meaning of Size, Height and Resolution n, with the
+ * defaults used for 0:
  * - Plane: a square of side Size (100), n x n squares (1), at z = 0;
  * - Step: a square of side Size (100), z = 0 for x < 0, z = Height (10) for x > 0 and the riser at
  *   x = 0; half planes and riser of n x n rectangles (1);
@@ -18,14 +19,14 @@
  *   triangles, all corners on the sphere;
  * - Pyramid: a square base of side Size (10) at z = 0, Height (10), edges cut into n (1);
  * - Terrain: the hills of GetTerrainHeight over a square of side Size (1000), n x n squares (1000);
- *   Height (20) bounds the difference between the highest and the lowest place;
+ *   Height (20) bounds the height range;
  * - Canopy: hills over a square of side Size (100), n x n squares (200), and on them NumberOfTrees
  *   broadleaf trees and conifers of up to Height (15), each with NumberOfLeaves (0: 2500); together
  *   about a million triangles;
- * - Blocks: boxes of up to Height (10), of any heading, on a square ground of side Size (100) of n x n
- *   squares (7), one on each but those at the centre;
- * - House: Size long (12) along y, Height to the ridge (8); gabled roof with eaves, chimney, recessed
- *   windows and door (n is not used);
+ * - Blocks: boxes of up to Height (10), of any heading, on a square ground of side Size (100) of n
+ *   x n squares (7), one on each except at the centre;
+ * - House: Size is the length (12) along y, Height that of the ridge (8); gabled roof with eaves,
+ *   chimney, recessed windows and door (n is not used);
  * - Tree: Height (12; a shrub 1.5), Size the diameter of the crown (0.6 of the height; a conifer 0.38 of
  *   it, a shrub all of it), NumberOfLeaves (0: 5000; a shrub 1500).
  *
@@ -70,7 +71,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what is made. Valid range: PLANE to TREE. Default: PLANE.
+   * Set/Get the kind of scene. Valid range: PLANE to TREE. Default: PLANE.
    */
   vtkSetClampMacro(Kind, int, PLANE, TREE);
   vtkGetMacro(Kind, int);
@@ -86,7 +87,7 @@ public:
   ///@}
 
   /**
-   * What is made, in words: "Plane" to "Tree".
+   * The kind as text: "Plane" to "Tree".
    */
   const char* GetKindAsString();
 
@@ -108,8 +109,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of parts of an edge, see above. Valid range: [0, 10000]; 0: the kind's own.
-   * Default: 0.
+   * Set/Get the number of segments of an edge, see above. Valid range: [0, 10000]; 0: the kind's
+   * own. Default: 0.
    */
   vtkSetClampMacro(Resolution, int, 0, 10000);
   vtkGetMacro(Resolution, int);
@@ -117,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where the scene stands [m], added to every point at the end. Default: 0, 0, 0.
+   * Set/Get the position of the scene [m], added to every point at the end. Default: 0, 0, 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -153,16 +154,16 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of leaves of a Tree, or of each tree of a Canopy; they are the smaller the more
-   * there are. Valid range: [0, 1e7]; 0: the kind's own. Default: 0.
+   * Set/Get the number of leaves of a Tree, or of each tree of a Canopy; more leaves are smaller.
+   * Valid range: [0, 1e7]; 0: the kind's own. Default: 0.
    */
   vtkSetClampMacro(NumberOfLeaves, int, 0, 10000000);
   vtkGetMacro(NumberOfLeaves, int);
   ///@}
 
   /**
-   * The z of the hills of Terrain and Canopy at a place x, y of the scene [m], in closed form: a sum of
-   * sine waves, their lengths from 0.8 Size down to Size / 240. The mesh has it at its points.
+   * The z of the hills of Terrain and Canopy at x, y of the scene [m], in closed form: a sum of
+   * sine waves with lengths from 0.8 Size down to Size / 240. The mesh is exact at its points.
    */
   double GetTerrainHeight(double x, double y);
 

@@ -47,7 +47,7 @@ public:
     this->MaximumPad = this->MaximumPad > 0.0 ? this->MaximumPad : this->LargestPad;
   }
 
-  /// 0 where it is not known.
+  /// 0 if unknown.
   double GetPad(vtkIdType cell) const
   {
     const double pad = this->Pad->GetComponent(cell, 0);
@@ -60,7 +60,7 @@ public:
                                : this->GetPad(cell) > 0.0;
   }
 
-  /// By how much an edge is shorter than that of its cell.
+  /// Ratio of the edge to that of its cell.
   double GetScale(vtkIdType cell, double exponent) const
   {
     return std::min(1.0, std::pow(this->GetPad(cell) / this->MaximumPad, exponent));
@@ -83,7 +83,7 @@ void GetIndex(vtkImageData* grid, vtkIdType cell, std::int64_t index[3])
   index[2] = cell / (n[0] - 1) / (n[1] - 1);
 }
 
-/// Takes points from cells counted from 0 to the place of the grid.
+/// Maps points from cell indices to the position of the grid.
 void PlacePoints(vtkImageData* grid, vtkPolyData* scene)
 {
   int extent[6];
@@ -100,7 +100,7 @@ void PlacePoints(vtkImageData* grid, vtkPolyData* scene)
     });
 }
 
-/// The materials, and which each triangle has.
+/// Writes the materials, and the material of each triangle.
 template <typename GetCell>
 void SetMaterialsInTurn(vtkPolyData* scene, int count, GetCell&& getCell)
 {

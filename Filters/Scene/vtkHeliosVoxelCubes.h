@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosVoxelCubes
- * @brief   a grid of vegetation as opaque cubes
+ * @brief   converts a grid of vegetation to opaque cubes
  *
- * Input 0 is a vtkImageData with the cell data PAD (one number a cell), as vtkHeliosVoxelReader makes
- * it; cell data Transmittance and field data MaximumPAD where there are any.
+ * Input 0 is a vtkImageData with the cell data PAD (one number per cell), as from
+ * vtkHeliosVoxelReader; optional cell data Transmittance and field data MaximumPAD.
  *
  * Output 0 is a scene, a vtkPolyData of triangles with double points, wound outward:
- * - with FIXED every opaque cell is a cube; between two of them there is no face, cubes share the
- *   points of their corners;
+ * - with FIXED every opaque cell is a cube; there is no face between two of them, and cubes share
+ *   corner points;
  * - with SCALED a cube has the edges of its cell times (PAD / MaximumPAD)^Exponent, at most 1, about
  *   the centre of the cell or, with RandomShift, anywhere in the cell;
- * - cell data MaterialIds (int): the number of the cell modulo NumberOfMaterials;
+ * - cell data MaterialIds (int): the cell id modulo NumberOfMaterials;
  * - field data: the input's, and NumberOfMaterials default materials.
  *
  * A cell is opaque unless its Transmittance is 1 or NaN; without Transmittance if its PAD is more
- * than 0. SCALED leaves out cells whose PAD is 0 or NaN. MaximumPAD is the field data's, or the
- * largest of the cells. Random numbers are keyed by Seed and the number of the cell.
+ * than 0. SCALED leaves out cells whose PAD is 0 or NaN. MaximumPAD is from the field data, else
+ * the largest of the cells. Random numbers are keyed by Seed and the cell id.
  *
  * Errors: no PAD, more cubes than MaximumNumberOfCubes.
  *
@@ -31,7 +31,7 @@
 #include "vtkHeliosFiltersSceneModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <vector> // For the numbers of cells
+#include <vector> // For the cell ids
 
 class vtkImageData;
 
@@ -42,16 +42,16 @@ public:
   vtkTypeMacro(vtkHeliosVoxelCubes, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How large cubes are.
+  /// Sizes of cubes.
   enum Modes
   {
-    FIXED = 0, ///< as their cells
-    SCALED = 1 ///< the denser, the larger
+    FIXED = 0, ///< the cell size
+    SCALED = 1 ///< increasing with density
   };
 
   ///@{
   /**
-   * Set/Get how large cubes are. Default: FIXED.
+   * Set/Get the size of cubes. Default: FIXED.
    */
   vtkSetClampMacro(Mode, int, FIXED, SCALED);
   vtkGetMacro(Mode, int);
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the exponent of SCALED; 1/3 makes the volume of a cube go with its PAD. Valid range:
-   * [0, 100]. Default: 0.5.
+   * Set/Get the exponent of SCALED; 1/3 makes the volume of a cube proportional to its PAD. Valid
+   * range: [0, 100]. Default: 0.5.
    */
   vtkSetClampMacro(Exponent, double, 0.0, 100.0);
   vtkGetMacro(Exponent, double);
@@ -70,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether cubes of SCALED lie anywhere in their cells. Default: off.
+   * Set/Get whether cubes of SCALED are placed randomly in their cells. Default: off.
    */
   vtkSetMacro(RandomShift, bool);
   vtkGetMacro(RandomShift, bool);
@@ -87,7 +87,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of materials that cells take in turn. Valid range: [1, 1000000]. Default: 1.
+   * Set/Get the number of materials, assigned to cells in turn. Valid range: [1, 1000000].
+   * Default: 1.
    */
   vtkSetClampMacro(NumberOfMaterials, int, 1, 1000000);
   vtkGetMacro(NumberOfMaterials, int);
@@ -95,15 +96,15 @@ public:
 
   ///@{
   /**
-   * Set/Get how many cubes there may be: a guard of memory, of which a cube takes up to 500 bytes.
-   * Valid range: [1, 5e7]. Default: 20000000.
+   * Set/Get the maximum number of cubes, a memory limit: a cube takes up to 500 bytes. Valid range:
+   * [1, 5e7]. Default: 20000000.
    */
   vtkSetClampMacro(MaximumNumberOfCubes, vtkIdType, 1, 50000000);
   vtkGetMacro(MaximumNumberOfCubes, vtkIdType);
   ///@}
 
   /**
-   * Get how many cubes the last update made.
+   * Get the number of cubes of the last update.
    */
   vtkGetMacro(NumberOfCubes, vtkIdType);
 

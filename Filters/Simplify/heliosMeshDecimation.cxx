@@ -31,9 +31,9 @@ Vec3 ToVec3(const OpenMesh::Vec3d& p)
 }
 
 /**
- * Forbids collapses by distance, as OpenMesh's ModHausdorff does, but asks for the point to be
- * taken out first, refuses triangles without area or turned round, and chains the points of a
- * triangle by index instead of copying them.
+ * Limits collapses by distance, like OpenMesh's ModHausdorff, but also checks the removed point
+ * itself, rejects zero-area and flipped triangles, and chains the points of a triangle by index
+ * instead of copying them.
  */
 template <typename MeshT>
 class ModDistance : public OpenMesh::Decimater::ModBaseT<MeshT>
@@ -58,10 +58,10 @@ public:
 
   void SetTolerances(const std::vector<double>& tolerances) { this->Tolerances = &tolerances; }
 
-  /// OpenMesh asks for priorities all the time, at its start for every point: there it is stopped.
+  /// OpenMesh computes priorities throughout, initially for every point: the stop check runs there.
   void SetStopCheck(StopCheck& check) { this->Check = &check; }
 
-  /// The point that each collapse took out, and the one it went to.
+  /// The removed point of each collapse, and its target.
   const std::vector<std::pair<int, int>>& GetHistory() const { return this->History; }
 
   float collapse_priority(const CollapseInfo& info) override
@@ -101,7 +101,7 @@ private:
     return ToVec3(Base::mesh().point(typename MeshT::VertexHandle(vertex)));
   }
 
-  /// A vertex, or the middle of an edge of the patch.
+  /// A vertex, or the midpoint of an edge of the patch.
   Vec3 GetSample(int sample)
   {
     if (sample < this->NumberOfVertices)
@@ -122,7 +122,8 @@ private:
     return std::min((*this->Tolerances)[ends.first], (*this->Tolerances)[ends.second]);
   }
 
-  /// The triangles about v0, those that stay as they will be, and the samples to be near them.
+  /// The triangles about v0, the remaining ones after the collapse, and the samples they must be
+  /// near.
   void Collect(const CollapseInfo& info)
   {
     this->Ring.clear();
@@ -166,7 +167,7 @@ private:
 
   static Vec3 GetNormal(const Triangle& t) { return (t[1] - t[0]).Cross(t[2] - t[0]); }
 
-  /// No triangle turns by 75 degrees or more, nor loses all of its area.
+  /// No triangle rotates by 75 degrees or more, or loses all of its area.
   bool KeepsFacing() const
   {
     for (std::size_t i = 0; i < this->After.size(); ++i)
@@ -204,19 +205,19 @@ private:
 
   int NumberOfVertices;
   std::vector<std::pair<int, int>> Ends;           ///< of the edges of the patch
-  std::vector<bool> IsOriginal;                    ///< edges that are as in the patch
-  const std::vector<double>* Tolerances = nullptr; ///< one a vertex
+  std::vector<bool> IsOriginal;                    ///< edges unchanged from the patch
+  const std::vector<double>* Tolerances = nullptr; ///< one per vertex
   StopCheck* Check = nullptr;
   std::vector<std::pair<int, int>> History;
-  std::vector<int> First; ///< sample counted to a triangle; -1: none
-  std::vector<int> Next;  ///< sample counted to the same triangle
+  std::vector<int> First; ///< sample assigned to a triangle; -1: none
+  std::vector<int> Next;  ///< sample assigned to the same triangle
   std::vector<int> Ring;
   std::vector<int> Changed;
   std::vector<Triangle> Before, After; ///< the changed ones
   std::vector<int> Samples;
 };
 
-/// OpenMesh's decimater, which can also do given collapses only.
+/// OpenMesh's decimater, which can also apply given collapses only.
 class Decimater : public OpenMesh::Decimater::DecimaterT<HalfedgeMesh>
 {
 public:
@@ -247,7 +248,7 @@ public:
   }
 };
 
-/// The patch as half-edges; lists the triangle of each face, and the triangles that do not fit.
+/// The patch as half-edges; lists the triangle of each face, and the rejected triangles.
 HalfedgeMesh MakeMesh(const Patch& patch, std::vector<vtkIdType>& ofFace,
   std::vector<vtkIdType>& rejected, StopCheck& check)
 {
@@ -279,7 +280,7 @@ HalfedgeMesh MakeMesh(const Patch& patch, std::vector<vtkIdType>& ofFace,
   return mesh;
 }
 
-/// What is left, in the order of the patch.
+/// The remaining triangles, in the order of the patch.
 DecimatedPatch GetResult(const Patch& patch, const HalfedgeMesh& mesh,
   const std::vector<vtkIdType>& ofFace, const std::vector<vtkIdType>& rejected)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenMesh's decimation by collapsing half-edges, held within tolerances at points and edges.
+// OpenMesh's decimation by half-edge collapse, within tolerances at points and edges.
 
 #ifndef heliosMeshDecimation_h
 #define heliosMeshDecimation_h
@@ -22,26 +22,26 @@ struct Patch
   std::vector<Vec3> Points;
   std::vector<vtkTypeInt32> PointIds; ///< of the scene
   std::vector<bool> IsLocked;         ///< points that must stay
-  std::vector<vtkTypeInt32> Corners;  ///< three a triangle
-  std::vector<vtkIdType> Cells;       ///< of the scene, one a triangle
+  std::vector<vtkTypeInt32> Corners;  ///< three per triangle
+  std::vector<vtkIdType> Cells;       ///< of the scene, one per triangle
 };
 
-/// What a decimation leaves: some of a patch's triangles, with other corners of the patch.
+/// The result of a decimation: some of a patch's triangles, with other corners of the patch.
 struct DecimatedPatch
 {
   std::vector<vtkTypeInt32> Corners;
   std::vector<vtkIdType> Triangles; ///< of the patch, ascending
   std::vector<vtkIdType>
-    PlaceOfPoint;         ///< where a point taken out is counted to in Triangles; or -1
-  vtkIdType Rejected = 0; ///< triangles that fit no half-edges, kept as they are
+    PlaceOfPoint;         ///< index in Triangles that a removed point is assigned to; or -1
+  vtkIdType Rejected = 0; ///< triangles that fit no half-edges, kept unchanged
 };
 
 /**
- * Takes points out, the least quadric error first (M. Garland, P. Heckbert 1997, OpenMesh's
- * ModQuadric), as long as every point taken out, and the middle of every edge, is within its tolerance of the triangle it is
- * counted to and no triangle turns its face. Run again, it repeats what it did as far as the
- * tolerances still allow it, which takes a fraction of the time. Throws Stopped where it
- * is told to stop.
+ * Removes points, the smallest quadric error first (M. Garland, P. Heckbert 1997, OpenMesh's
+ * ModQuadric), as long as every removed point, and the midpoint of every edge, is within its
+ * tolerance of the triangle it is assigned to and no triangle flips. A second run repeats the
+ * previous collapses as far as the tolerances still allow them, which takes a fraction of the time.
+ * Throws Stopped if the stop check returns true.
  */
 class MeshDecimation
 {
@@ -52,7 +52,7 @@ public:
 
 private:
   const Patch& Source;
-  std::vector<std::pair<int, int>> History; ///< points taken out, and those they went to
+  std::vector<std::pair<int, int>> History; ///< removed points, and those they were collapsed to
 };
 
 } // namespace helios

@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Sets of numbers, each known by its lowest one.
+/// Union-find: disjoint sets of numbers, each identified by its lowest one.
 vtkTypeInt32 Find(std::vector<vtkTypeInt32>& sets, vtkTypeInt32 i)
 {
   while (sets[i] != i)
@@ -36,7 +36,7 @@ void Flatten(std::vector<vtkTypeInt32>& sets)
 {
   for (std::size_t i = 0; i < sets.size(); ++i)
   {
-    sets[i] = sets[sets[i]]; // the lower ones are flat already
+    sets[i] = sets[sets[i]]; // the lower ones are already flat
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene taken apart into pieces that can be simplified one by one and still fit together.
+// Splits a scene into patches that can be simplified separately and still fit together.
 
 #ifndef heliosMeshPatches_h
 #define heliosMeshPatches_h
@@ -12,27 +12,27 @@
 namespace helios
 {
 
-/// A scene: no triangles without area or at the same place, no points at equal coordinates.
+/// A scene without triangles of zero area, duplicate triangles or points at equal coordinates.
 struct PatchSource
 {
   const double* Points;
   vtkIdType NumberOfPoints;
-  std::vector<vtkTypeInt32> Corners; ///< three a triangle
-  std::vector<int> Parts;            ///< one a triangle
-  std::vector<int> Materials;        ///< one a triangle
+  std::vector<vtkTypeInt32> Corners; ///< three per triangle
+  std::vector<int> Parts;            ///< one per triangle
+  std::vector<int> Materials;        ///< one per triangle
 };
 
 /**
- * Two triangles of one part and material hold together where an edge has these two and no other,
- * wound alike. All other edges are seams: borders of the surface, of parts and of materials,
- * non-manifold edges. A patch is what holds together. Points on seams are locked, and points where
- * two fans of triangles meet; each fan has its own copy, so that OpenMesh finds a manifold.
- * Triangles at edges of more than two triangles are locked altogether, and counted.
+ * Two triangles of one part and material are connected if they alone share an edge, with consistent
+ * winding. All other edges are seams: borders of the surface, of parts and of materials,
+ * non-manifold edges. A patch is a connected component. Points on seams are locked, and points
+ * where two fans of triangles meet; each fan has its own copy, so that OpenMesh gets a manifold.
+ * Triangles at edges of more than two triangles are locked entirely, and counted.
  */
 class MeshPatches
 {
 public:
-  /// Throws Stopped, as MakePatch() does, where it is told to stop.
+  /// Throws Stopped, as MakePatch() does, if the stop check returns true.
   MeshPatches(const PatchSource& source, StopCheck& check);
 
   /// Number of triangles at edges of more than two triangles.
@@ -42,7 +42,7 @@ public:
   const std::vector<vtkIdType>& GetFixedTriangles() const { return this->Fixed; }
 
   ///@{
-  /// The patches that have a point to take out, the largest first.
+  /// The patches with at least one removable point, the largest first.
   std::size_t GetNumberOfPatches() const { return this->Begins.size() - 1; }
   vtkIdType GetNumberOfTriangles(std::size_t patch) const
   {

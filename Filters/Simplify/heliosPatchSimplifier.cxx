@@ -14,14 +14,14 @@ namespace helios
 namespace
 {
 
-/// Of the limit: how far from a triangle the points that the decimation looks at may be.
+/// Initial tolerance of the samples of the decimation, as a share of the limit.
 constexpr double FirstTolerance = 0.75;
-/// How much smaller their tolerance becomes where the limit is exceeded all the same.
+/// Factor by which their tolerance is reduced if the limit is exceeded.
 constexpr double Tightening = 0.4;
-/// Some ten are enough for rough ground at 80,000 triangles a patch.
+/// About ten are enough for rough ground at 80,000 triangles per patch.
 constexpr int NumberOfRounds = 24;
 
-/// The rounding of distances over coordinates of that size.
+/// The rounding of distances for coordinates of this size.
 double GetRounding(const Patch& patch)
 {
   double size = 0.0;

@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Triangles measured between two questions whether to stop: so many as take some 0.05 s.
+/// Triangles measured between two stop checks: as many as take about 0.05 s.
 class Portion
 {
 public:
@@ -63,7 +63,7 @@ PatchVerifier::PatchVerifier(const Patch& patch, double limit, StopCheck& check)
   , There(this->Before.size())
   , Back(this->Before.size())
 {
-  // Before anything is taken out, each triangle is at distance 0 from itself.
+  // Before any removal, each triangle is at distance 0 from itself.
   std::iota(this->Places.begin(), this->Places.end(), 0);
   for (std::size_t i = 0; i < this->Before.size(); ++i)
   {
@@ -106,7 +106,7 @@ bool PatchVerifier::Verify(const DecimatedPatch& mesh)
   return this->Bad.empty();
 }
 
-/// Whether a bound is of no use: it exceeded the limit, or not all it came from is still there.
+/// Whether a bound is invalid: it exceeded the limit, or triangles it came from no longer exist.
 bool PatchVerifier::NeedsCheck(const Result& result) const
 {
   return result.Worst >= 0 || result.NumberOfUsed > Result::MaximumUsed ||

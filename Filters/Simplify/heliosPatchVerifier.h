@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Proves how far a patch and what was made of it are apart.
+// Bounds the distance between a patch and its decimation.
 
 #ifndef heliosPatchVerifier_h
 #define heliosPatchVerifier_h
@@ -14,14 +14,14 @@ namespace helios
 {
 
 /**
- * Bounds the distance of each triangle from the other surface, in both directions, in parallel. Of
- * one decimation after another of the same patch it measures only what could have changed:
- * triangles whose bounds came from triangles that are no more.
+ * Bounds the distance of each triangle from the other surface, in both directions, in parallel. For
+ * successive decimations of the same patch only possible changes are measured: triangles whose
+ * bounds came from triangles that no longer exist.
  */
 class PatchVerifier
 {
 public:
-  /// Throws Stopped, here and later, where it is told to stop.
+  /// Throws Stopped, here and later, if the stop check returns true.
   PatchVerifier(const Patch& patch, double limit, StopCheck& check);
 
   /// Whether both directions are within the limit.
@@ -48,10 +48,10 @@ private:
   std::vector<Triangle> Before;
   SurfaceDistance Surface; ///< of the patch
 
-  // By triangle of the patch. Results name triangles by that, too.
-  std::vector<Triangle> After;      ///< what became of it
-  std::vector<vtkIdType> Places;    ///< in the decimation; -1: taken out
-  std::vector<unsigned char> IsNew; ///< taken out, put in or changed since the last time
+  // By triangle of the patch. Results refer to triangles by the same index.
+  std::vector<Triangle> After;      ///< its state after decimation
+  std::vector<vtkIdType> Places;    ///< in the decimation; -1: removed
+  std::vector<unsigned char> IsNew; ///< removed, added or changed since the last time
   std::vector<Result> There, Back;
   std::vector<vtkIdType> Bad;
 };

@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-/// The nearest point of a segment.
+/// The nearest point on a segment.
 Vec3 GetNearest(const Vec3& p, const Vec3& a, const Vec3& b)
 {
   const Vec3 ab = b - a;
@@ -27,7 +27,7 @@ Vec3 GetNearest(const Vec3& p, const Vec3& a, const Vec3& b)
 }
 
 /**
- * The nearest point of a triangle: the foot of the perpendicular if it is inside, or else on a side
+ * The nearest point on a triangle: the foot of the perpendicular if it is inside, else on a side
  * that has it outside. Differences from the point keep slivers accurate.
  */
 Vec3 GetNearest(const Vec3& p, const Triangle& t)
@@ -51,7 +51,7 @@ Vec3 GetNearest(const Vec3& p, const Triangle& t)
   return nearest;
 }
 
-/// Cuts that make a piece: three along each small triangle beside it, in a row of many.
+/// Number of cuts that make a piece: three along each of many small triangles in a row beside it.
 constexpr int MaximumLevel = 3000;
 
 /// A convex polygon in space, a piece of a triangle.
@@ -102,7 +102,7 @@ struct Piece
   }
 };
 
-/// Cuts a piece by a plane: what lies along the normal, and the rest. Either may be empty.
+/// Splits a piece by a plane: the part along the normal, and the rest. Either may be empty.
 void Cut(const Piece& piece, const Vec3& point, const Vec3& normal, Piece& along, Piece& rest)
 {
   along.Size = rest.Size = 0;
@@ -154,7 +154,7 @@ class SurfaceDistance::Tree
 
   static Kernel::Point_3 MakePoint(const Vec3& p) { return { p[0], p[1], p[2] }; }
 
-  /// A triangle as the tree sees it: made on the fly, not stored twice.
+  /// A triangle as an AABB primitive: computed on demand, not stored twice.
   struct Primitive
   {
     using Id = const Triangle*;
@@ -178,7 +178,7 @@ class SurfaceDistance::Tree
     Id Source;
   };
 
-  /// CGAL's own nearest point goes astray on slivers in double precision.
+  /// CGAL's own nearest point is inaccurate on slivers in double precision.
   struct Traits : public CGAL::AABB_traits<Kernel, Primitive>
   {
     struct Closest_point
@@ -211,7 +211,7 @@ public:
       traits.compute_bbox_object(), Split(traits.split_primitives_object(), check));
   }
 
-  /// The triangle nearest to a point, given one that is not far.
+  /// The triangle nearest to a point, given a near one as a hint.
   vtkIdType Find(const Vec3& p, vtkIdType hint) const
   {
     const Triangle* near = this->First + hint;
@@ -256,7 +256,7 @@ public:
   }
 
 private:
-  /// Bounds a piece or cuts it; false: it is too far away.
+  /// Bounds a piece or splits it; false: it is too far away.
   bool Treat(Piece piece)
   {
     const Vec3 centre = piece.GetCentre();
@@ -286,7 +286,7 @@ private:
     return true;
   }
 
-  /// Good enough: not above what another place of the triangle has anyway; or within the limit.
+  /// Tight enough: not above the distance at another point of the triangle; or within the limit.
   bool Accept(const Piece& piece, const Triangle& near, bool isFair)
   {
     const double bound = piece.GetDistance(near);
@@ -300,7 +300,7 @@ private:
     return isGood;
   }
 
-  /// Cuts along the sides of the nearest triangle if it is not tiny; false if that does nothing.
+  /// Splits along the sides of the nearest triangle if it is not tiny; false if nothing changes.
   bool CutOut(const Piece& piece, const Triangle& near, double diameter)
   {
     const Vec3 sides[3] = { near[1] - near[0], near[2] - near[1], near[0] - near[2] };
@@ -350,7 +350,7 @@ private:
   double Limit;
   double Enough;
   Result Found;
-  double Reached = 0.0; ///< the largest distance of a point of the triangle known so far
+  double Reached = 0.0; ///< the largest known distance of a point of the triangle
   std::vector<Piece> Pieces;
 };
 

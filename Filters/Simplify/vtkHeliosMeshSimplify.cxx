@@ -36,7 +36,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// OpenMesh writes of faces that are no manifold to the standard error: not while this lives.
+/// Silences OpenMesh's reports of non-manifold faces on stderr during its lifetime.
 class Silence
 {
 public:
@@ -80,7 +80,7 @@ helios::PatchSource MakeSource(vtkPolyData* scene, const helios::TriangleMesh& m
 } // namespace
 
 //------------------------------------------------------------------------------
-/// Simplifies the patches of a scene, some at a time.
+/// Simplifies the patches of a scene in batches.
 class vtkHeliosMeshSimplify::Run
 {
 public:
@@ -99,7 +99,7 @@ public:
     this->Corners = source.Corners;
   }
 
-  /// Throws helios::Stopped where it was told to stop.
+  /// Throws helios::Stopped if the stop check returns true.
   void Execute()
   {
     const std::size_t count = this->Results.size();
@@ -111,7 +111,7 @@ public:
     while (begin < count)
     {
       this->Check.Ask();
-      std::size_t end = begin; // a share of about a large patch
+      std::size_t end = begin; // a batch of about one large patch
       for (vtkIdType size = 0; end < count && size < 4 * Large; ++end)
       {
         size += this->Patches.GetNumberOfTriangles(end);
@@ -158,7 +158,7 @@ public:
   }
 
 private:
-  static constexpr vtkIdType Large = 50000; ///< triangles of a patch that has all threads to itself
+  static constexpr vtkIdType Large = 50000; ///< triangles of a patch that uses all threads
 
   struct Summary
   {
@@ -167,7 +167,7 @@ private:
     vtkIdType Rejected = 0;
   };
 
-  /// Tells the progress, and whether to stop.
+  /// Reports progress; returns whether to stop.
   bool Report()
   {
     this->Self->UpdateProgress(
@@ -274,7 +274,7 @@ int vtkHeliosMeshSimplify::RequestData(
 }
 
 //------------------------------------------------------------------------------
-/// The repair is a part of the work, and what goes wrong in it has been checked for.
+/// Progress and abort of the repair; its errors have been checked for.
 void vtkHeliosMeshSimplify::Follow(vtkObject* repair, unsigned long event, void*)
 {
   if (event == vtkCommand::ProgressEvent)

@@ -27,13 +27,13 @@ namespace helios
 namespace
 {
 
-/// What rounding may add to a bound.
+/// Tolerance for rounding in a bound.
 constexpr double Rounding = 1e-7;
 
-/// A solution of whole costs is better by 1, or not at all.
+/// With whole costs a better solution is better by 1.
 constexpr double WholeIncrement = 0.999;
 
-/// Puts the handler of interrupts back: the linear solver sets its own.
+/// Restores the SIGINT handler: the linear solver sets its own.
 class SignalGuard
 {
 public:
@@ -46,8 +46,8 @@ private:
   struct sigaction Old = {};
 };
 
-/// What ends a search: it is told to, or time is up on the wall's clock. CBC's own limits count the
-/// time of the processor, and look at it between nodes only.
+/// End of a search: a stop request, or the wall time limit. CBC's own limits count CPU time and are
+/// checked between nodes only.
 class Limit
 {
 public:
@@ -59,17 +59,17 @@ public:
   {
   }
 
-  /// Of a search between nodes, whose bound stays good.
+  /// For a search between nodes; the bound stays valid.
   bool IsOverAtNode() { return this->IsOver() || Clock::now() >= this->NodeEnd; }
 
-  /// Of a linear solve, which is of no use then, nor is what is made of it.
+  /// For a linear solve; its result is then invalid.
   bool IsOverAtIteration()
   {
     this->WorkToSpare -= this->WorkOfIteration;
     return this->WorkToSpare < 0 && this->IsOver();
   }
 
-  /// Stays true.
+  /// Remains true once set.
   bool IsOver()
   {
     this->IsCut = this->IsCut || Clock::now() >= this->End || (this->Stop && this->Stop());
@@ -83,15 +83,15 @@ public:
     return std::max(0.0, Duration(this->NodeEnd - Clock::now()).count());
   }
 
-  double Bound = 0.0; // at the last node before
+  double Bound = 0.0; // at the previous node
 
 private:
   using Clock = std::chrono::steady_clock;
   using Duration = std::chrono::duration<double>;
   using Time = std::chrono::time_point<Clock, Duration>;
 
-  /// Coefficients times iterations of a relaxation that is finished all the same, in some
-  /// milliseconds: a bound remains.
+  /// Coefficients times iterations of a relaxation that is completed after the limit, in a few
+  /// milliseconds, to obtain a bound.
   std::int64_t WorkToSpare = 10000000;
 
   static constexpr double SpareShare = 0.1;
@@ -104,7 +104,7 @@ private:
   bool IsCut = false;
 };
 
-/// Ends a search between nodes.
+/// Stops a search between nodes.
 class NodeHandler : public CbcEventHandler
 {
 public:
@@ -131,7 +131,7 @@ private:
   Limit& Known;
 };
 
-/// Ends a linear solve, and those after it.
+/// Stops a linear solve, and those after it.
 class IterationHandler : public ClpEventHandler
 {
 public:
@@ -175,13 +175,13 @@ void Load(const BinaryProgram& program, OsiClpSolverInterface& solver)
   }
 }
 
-/// True: solved. The relaxation of a programme with solutions always has one.
+/// True: solved. The relaxation of a program with solutions always has one.
 bool Relax(OsiClpSolverInterface& solver, Limit& limit)
 {
   IterationHandler handler(limit);
-  solver.getModelPtr()->passInEventHandler(&handler); // copies it
+  solver.getModelPtr()->passInEventHandler(&handler); // makes a copy
   ClpSolve options;
-  options.setSpecialOption(2, 1); // no handler of interrupts
+  options.setSpecialOption(2, 1); // no SIGINT handler
   solver.setSolveOptions(options);
   solver.initialSolve();
   return !limit.WasCut() && solver.isProvenOptimal();
@@ -296,7 +296,7 @@ BinaryAnswer SolveBinary(const BinaryProgram& program)
   {
     answer.Values.assign(model.bestSolution(), model.bestSolution() + program.Costs.size());
   }
-  // A node whose linear solve was cut short looks like one without solutions.
+  // A node whose linear solve was interrupted looks like one without solutions.
   const bool isWhole = !limit.WasCut();
   answer.IsProved = isWhole && (model.isProvenOptimal() || model.isProvenInfeasible());
   const double bound = isWhole ? model.getBestPossibleObjValue() : limit.Bound;

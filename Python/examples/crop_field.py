@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A field of maize, scanned from one tripod beside it: files, echoes, pictures.
+"""A field of maize, scanned from a tripod beside it: files, echoes, pictures.
 
     xvfb-run -a build/venv/bin/python Python/examples/crop_field.py field
 
-makes the folder field: the plants (crop_field.obj, .mtl), the scene and the survey of a tripod
-(crop_field_scene.xml, crop_field.xml), which `vtkhelios run field/crop_field.xml` runs as well; and
-draws the scene (scene.png) and the cloud by height (cloud.png, and from above: shadows.png), if there
-is a display. As every echo knows its triangle, what the scanner missed is known, too.
+creates the folder field: the plants (crop_field.obj, .mtl), the scene and the survey of a tripod
+(crop_field_scene.xml, crop_field.xml), which can also be run by `vtkhelios run
+field/crop_field.xml`; and draws the scene (scene.png) and the cloud by height (cloud.png, and from
+above: shadows.png), if there is a display. As every echo has its triangle, missed triangles are
+known, too.
 """
 
 import pathlib
@@ -57,7 +58,7 @@ COLOURS = {  # of the picture of the scene, by material
 
 
 def make_field(rows=20, row_length=15.0):
-    """Maize in June, to the hips: every leaf of every plant."""
+    """Maize in June, hip-high: every leaf of every plant."""
     return vtkhelios.vtkHeliosCropFieldSource(
         species="maize",
         number_of_rows=rows,
@@ -75,22 +76,22 @@ def make_field(rows=20, row_length=15.0):
 
 
 def write_files(field, folder, x, y, lines, speed):
-    """The OBJ file, the scene that names it, and a survey from that position [m]."""
+    """The OBJ file, the scene that uses it, and a survey from that position [m]."""
     folder.mkdir(parents=True, exist_ok=True)
     writer = vtkhelios.vtkHeliosObjSceneWriter(file_name=str(folder / "crop_field.obj"))
     (field >> writer).last.Write()
     (folder / "crop_field_scene.xml").write_text(SCENE)
-    # The head turns from the right over the front to the left: the field lies along y.
+    # The head rotates from the right over the front to the left: the field lies along y.
     text = SURVEY.format(x=x, y=y, lines=lines, speed=speed, start=-90, stop=90)
     (folder / "crop_field.xml").write_text(text)
     return folder / "crop_field.xml"
 
 
 def find_seen(scene, cloud):
-    """The shares of plants, and of the area of their leaves, with an echo."""
+    """The fractions of plants, and of their leaf area, with an echo."""
     parts = vtk_to_numpy(scene.GetCellData().GetArray("PartIds"))
     seen = np.zeros(len(parts), dtype=bool)
-    seen[cloud["CellIds"]] = True  # the file has the triangles in the order of the field
+    seen[cloud["CellIds"]] = True  # triangles in the file are in field order
     corners = vtk_to_numpy(scene.GetPoints().GetData())[
         vtk_to_numpy(scene.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     ]
@@ -109,7 +110,7 @@ def materials_of(scene):
 
 
 def draw_scene(scene, output, title, **look):
-    """A picture of triangles, lit as vtkhelios.picture lights clouds."""
+    """A picture of triangles, lit as in vtkhelios.picture."""
     from vtkhelios import picture
 
     names, index = np.unique(materials_of(scene), return_inverse=True)
@@ -136,7 +137,7 @@ def main(folder="crop_field", rows=20, row_length=15.0, lines=100, speed=7.2, dr
     print(f"{survey.number_of_pulses:,} pulses, {len(cloud):,} echoes")
     print(f"echoes from {seen[0]:.1%} of the plants; of {seen[1]:.1%} of the leaf area (triangles met)")
     if draw:
-        scanner = survey.trajectory(0).points[0] + [0, 0, 1.7]  # m, above the foot of the tripod
+        scanner = survey.trajectory(0).points[0] + [0, 0, 1.7]  # m, above the tripod's foot point
         draw_pictures(folder, scene, cloud, scanner)
     return dict(survey=survey, cloud=cloud, plants=plants, seen=seen)
 

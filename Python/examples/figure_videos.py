@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Films and stills of four surveys, one of each kind of platform, as the paper's figure 3 has them.
+"""Videos and stills of four surveys, one per kind of platform, as in the paper's figure 3.
 
     build/venv/bin/python Python/examples/figure_videos.py OUT [SECONDS]
 
-A multicopter, an aeroplane, a tripod and a car scan the village; the viewer films each for SECONDS (default: 8) with
-the camera that suits it, and takes a still of the end. OUT gets village_*.ogv and village_*.png.
-Without a display it draws on one of its own (xvfb-run).
+A multicopter, an aeroplane, a tripod and a car scan the village; the viewer records each for
+SECONDS (default: 8) with a suitable camera, and a still of the end. OUT gets village_*.ogv and
+village_*.png. Without a display it uses its own (xvfb-run).
 """
 
 import os
@@ -27,7 +27,7 @@ FILMS = [
 
 
 def make_scene(folder):
-    """The village, unless it is there."""
+    """Creates the village if it is missing."""
     if not (folder / "village_scene.xml").exists():
         folder.mkdir(parents=True, exist_ok=True)
         maker = vtkhelios.data_directory() / "Scenes" / "make_village.py"
@@ -42,7 +42,7 @@ def show(survey, *arguments):
 
 
 def film(survey, out, seconds, *look):
-    """A film of a survey from its start to its end, and a still of all of it; their paths."""
+    """A video of a survey from start to end, and a still of the full view; their paths."""
     video, still = (out / f"{survey.stem}{ending}" for ending in (".ogv", ".png"))
     show(survey, *look, "--record", video, "--seconds", seconds, "--still", still)
     return video, still

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scan, look at the array, decide where to stand next: without XML and without files.
+"""Scan, evaluate the array, choose the next position: without XML and without files.
 
-A square with houses is scanned from one corner. Of the ground that no echo has come from so far, the
-place that most of it is around is where the scanner stands next. Run it with
+A square with houses is scanned from one corner. The next scan position is the place with most
+ground without echoes around it. Run it with
 
     build/venv/bin/python Python/examples/next_position.py
 """
@@ -12,7 +12,7 @@ import numpy as np
 
 import vtkhelios
 
-CELL = 1.0  # m, of the raster that coverage is counted in
+CELL = 1.0  # m, of the coverage raster
 SIZE = 40  # m, half of the square
 SETTINGS = dict(
     scanner="vz400_class_tls", scan_frequency=60, vertical=(-40, 60), head=(0, 360), head_speed=60
@@ -43,7 +43,7 @@ def make_scene(houses):
 
 
 def cells_of(points):
-    """The raster's cells that the points on the ground are in, as a mask."""
+    """The raster cells of the points on the ground, as a mask."""
     low = points[np.abs(points[:, 2]) < 0.1]
     n = int(2 * SIZE / CELL)
     index = np.clip(((low[:, :2] + SIZE) / CELL).astype(int), 0, n - 1)
@@ -53,7 +53,7 @@ def cells_of(points):
 
 
 def next_position(missing):
-    """The middle of the cell that most missing ones are within 10 m of, and that is free itself."""
+    """The centre of the missing (free) cell with the most missing cells within 10 m."""
     x, y = np.nonzero(missing)
     near = (x[:, None] - x) ** 2 + (y[:, None] - y) ** 2 < (10 / CELL) ** 2
     best = near.sum(axis=1).argmax()

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pyramid of Bechtold and Hoefle 2016, figure 5: two orders of removal, two plans.
 
-A small pyramid on a steep base stands on flat ground. Leaving out the smallest viewsheds first keeps
-the position on top, which sees most, and needs two more; leaving out the smallest mean incidence first
-drops it, for it looks steeply down, and two opposite corners are enough.
+A small pyramid on a steep base stands on flat ground. Removing the smallest viewsheds first keeps
+the position on top, which has the largest, and needs two more; removing the smallest mean incidence
+first drops it, since it looks steeply down, and two opposite corners are enough.
 
     xvfb-run -a build/venv/bin/python Python/examples/paper_pyramid.py pyramid
 

@@ -7,7 +7,7 @@
     scan from B, misaligned ───> port 1 ─┘                ├─ append ─ outliers ─ ground ─ planes
     scan from A ──────────────────────────────────────────┘
 
-The scene is known, so everything that comes out is checked against the truth. Run it with
+The scene is known, so the results are checked against the truth. Run it with
 
     build/venv/bin/python Python/examples/pcl_filters.py
 """
@@ -32,7 +32,7 @@ def make_scene():
 
 
 def make_scan(scene, x, y):
-    """What a tripod 1.7 m above a place sees: 400,000 pulses, no noise."""
+    """The scan of a tripod 1.7 m above a position: 400,000 pulses, no noise."""
     points = vtkPoints()
     points.SetDataType(VTK_DOUBLE)
     points.InsertNextPoint(x, y, 1.7)
@@ -43,8 +43,8 @@ def make_scan(scene, x, y):
 
     mirror = vtkhelios.vtkHeliosRotatingMirror()
     mirror.SetPulseFrequency(100_000)  # Hz
-    mirror.SetScanFrequency(100)  # lines a second
-    mirror.SetMirrorAngle(120)  # deg, half of what a facet sweeps
+    mirror.SetScanFrequency(100)  # lines/s
+    mirror.SetMirrorAngle(120)  # deg, half of the sweep of a facet
     mirror.SetVerticalAngleMin(-60)  # deg
     mirror.SetVerticalAngleMax(40)
 
@@ -62,7 +62,7 @@ def make_scan(scene, x, y):
 
 
 def misalign(scan):
-    """The scan as if its position were 30 cm and 2 degrees off."""
+    """The scan with its position 30 cm and 2 degrees off."""
     motion = vtkTransform()
     motion.Translate(0.25, -0.15, 0.08)
     motion.RotateZ(2.0)
@@ -73,7 +73,7 @@ def misalign(scan):
 
 
 def thin_out(scan):
-    """One echo a cube of 10 cm: scans are densest beside the tripod."""
+    """One echo per 10 cm cube: scans are densest near the tripod."""
     voxels = vtkhelios.vtkHeliosPCLVoxelGrid()
     voxels.SetVoxelSize(0.1)  # m
     voxels.SetInputData(scan)
@@ -85,7 +85,7 @@ def main():
     fixed = thin_out(make_scan(scene, 0.0, 0.0))
     truth = thin_out(make_scan(scene, 3.0, -2.0))
 
-    # Scan positions onto each other: point to plane.
+    # Registers the scan positions: point to plane.
     registration = vtkhelios.vtkHeliosPCLRegistration()
     registration.SetInputData(0, fixed)
     registration.SetInputData(1, misalign(truth))
@@ -93,7 +93,7 @@ def main():
     error = np.linalg.norm(aligned - vtkhelios.arrays(truth)["points"], axis=1).max()
     print(f"registration: {registration.GetNumberOfPairs():,} pairs, {1000 * error:.3f} mm off")
 
-    # Both as one cloud, down to its planes.
+    # Merges both, down to planes.
     both = vtkAppendPolyData()
     both.AddInputData(fixed)
     both.AddInputConnection(registration.GetOutputPort())
@@ -116,7 +116,7 @@ def main():
     for i in range(rows.GetNumberOfTuples()):
         print("plane: {:.4f} x + {:.4f} y + {:.4f} z + {:.4f} = 0".format(*rows.GetTuple(i)))
 
-    # The cloud as PCL has it, seen by numpy: no copy.
+    # The cloud in PCL, viewed by numpy: no copy.
     cloud = pcl.CloudEcho.from_polydata(planes.GetOutput())
     print(cloud, "highest", cloud.points[:, 2].max() + cloud.origin[2])
     return {"error": error, "right": right, "ground plane": rows.GetTuple(0), "cloud": cloud}

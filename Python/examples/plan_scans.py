@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where to put the scanner: plan, scan from there, and see what came of it.
+"""Scan planning: plan positions, scan from there, and check the result.
 
 What `vtkhelios plan --check` does with files, this does with objects:
 
@@ -24,13 +24,13 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
-TOLERANCE = 0.1  # m, between a test point and what is seen of it
+TOLERANCE = 0.1  # m, between a test point and its echo
 RESOLUTION = 0.2  # deg, between pulses
-FLATTEST = 80  # deg from the normal: beams that graze more tell little
+FLATTEST = 80  # deg from the normal: grazing beams are of little use
 
 
 def make_scene(folder):
-    """Boxes on flat ground, 16 m wide, as an OBJ file: surveys name files."""
+    """Boxes on flat ground, 16 m wide, as an OBJ file: surveys use files."""
     scene = vtkhelios.vtkHeliosSyntheticScene()
     scene.SetKindToBlocks()
     scene.SetSize(16)
@@ -44,11 +44,11 @@ def make_scene(folder):
 
 
 def plan_positions(scene):
-    """Candidates every 2 m, test points every metre, and the fewest scans that see them."""
+    """Candidates every 2 m, test points every metre, and the minimum number of scans."""
     candidates = vtkhelios.vtkHeliosScanPositionCandidates()
     candidates.SetInputConnection(scene.GetOutputPort())
     candidates.SetStep(2)  # m
-    candidates.SetSurfaceToOpenGround()  # nothing above it: not on the boxes, not in them
+    candidates.SetSurfaceToOpenGround()  # nothing above it: neither on nor in the boxes
     candidates.SetScannerHeight(1.7)  # m
 
     test_points = vtkhelios.vtkHeliosVisibilityTestPoints()
@@ -58,7 +58,7 @@ def plan_positions(scene):
     viewsheds = vtkhelios.vtkHeliosViewsheds()
     for port, source in enumerate((scene, candidates, test_points)):
         viewsheds.SetInputConnection(port, source.GetOutputPort())
-    viewsheds.SetMinimumRange(1.5)  # m: what a VZ-400 can
+    viewsheds.SetMinimumRange(1.5)  # m: as for a VZ-400
     viewsheds.SetMinimumElevation(-50)  # deg
     viewsheds.SetMaximumElevation(50)
     viewsheds.SetMaximumIncidenceAngle(FLATTEST)
@@ -71,8 +71,8 @@ def plan_positions(scene):
 
 
 def write_survey(planner, folder):
-    """One leg a position; the writer takes off what tripod and scanner add to a leg's z."""
-    lines = 100_000 * RESOLUTION / 240  # a second: the mirror sweeps 240 deg
+    """One leg per position; the writer subtracts tripod and scanner height from a leg's z."""
+    lines = 100_000 * RESOLUTION / 240  # per second: the mirror sweeps 240 deg
     writer = vtkhelios.vtkHeliosSurveyWriter()
     writer.SetInputConnection(planner.GetOutputPort(2))
     writer.SetFileName(str(folder / "survey.xml"))
@@ -88,7 +88,7 @@ def write_survey(planner, folder):
 
 
 def run_survey(folder):
-    """Runs it; a cloud a leg."""
+    """Runs it; one cloud per leg."""
     reader = vtkhelios.vtkHeliosSurveyReader()
     reader.SetFileName(str(folder / "survey.xml"))
     reader.AddAssetDirectory(str(vtkhelios.data_directory() / "Assets"))
@@ -107,7 +107,7 @@ def run_survey(folder):
 
 
 def find_met(clouds, places):
-    """Which places have an echo within the tolerance, of a beam that does not graze."""
+    """Which positions have an echo within the tolerance, not at grazing incidence."""
     met = np.zeros(len(places), dtype=bool)
     for cloud in clouds:
         columns = vtkhelios.arrays(cloud)

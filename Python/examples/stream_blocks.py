@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A cloud larger than memory, block by block: a raster of the highest points of a survey.
+"""A cloud larger than memory, in blocks: a raster of the highest points of a survey.
 
-Each block passes a pipeline of one's own: a function on data, then a filter of VTK. Run it with
+Each block passes a custom pipeline: a function on data, then a VTK filter. Run it with
 
     build/venv/bin/python Python/examples/stream_blocks.py
 """
@@ -18,7 +18,7 @@ HALF, CELL = 50, 2.0  # m
 
 @vtkhelios.filter
 def strong(cloud, share=0.5):
-    """Keeps the stronger part of the first returns."""
+    """Keeps the stronger first returns."""
     first = cloud["ReturnNumber"] == 1
     return first & (cloud["Amplitude"] > share * np.median(cloud["Amplitude"]))
 

@@ -20,7 +20,7 @@ import vtkhelios
 
 
 def make_scene():
-    """Blocks on flat ground. Any filter that makes triangles will do, e.g. vtkHeliosObjSceneReader."""
+    """Blocks on flat ground. Any source of triangles works, e.g. vtkHeliosObjSceneReader."""
     return vtkhelios.vtkHeliosSyntheticScene(kind="blocks")
 
 
@@ -32,11 +32,11 @@ def make_platform(scene, x, y):
 
 
 def make_scanner(scene, platform):
-    """A polygon mirror that turns once about the vertical axis: 100,000 pulses a second for 4 s."""
+    """A polygon mirror rotating once about the vertical axis: 100,000 pulses/s for 4 s."""
     mirror = vtkhelios.vtkHeliosRotatingMirror(
         pulse_frequency=100_000,  # Hz
-        scan_frequency=100,  # lines a second
-        mirror_angle=120,  # deg, half of what a facet sweeps
+        scan_frequency=100,  # lines/s
+        mirror_angle=120,  # deg, half of the sweep of a facet
         vertical_angle_min=-40,  # deg
         vertical_angle_max=60,
     )
@@ -73,7 +73,7 @@ def main():
     )
     print(f"strongest echo {cloud['Amplitude'].max() * 1e9:.1f} nW")
 
-    # Changing a property of the scanner runs the scanner again, and nothing above it.
+    # Changing a property of the scanner re-runs the scanner only.
     scanner.range_accuracy = 0.0
     exact = vtkhelios.Cloud(scanner())
     print(f"range noise: {1000 * np.std(ranges - exact['Range']):.2f} mm")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The Python module vtkhelios._native: what the thin layer needs and Python cannot do.
+// The Python module vtkhelios._native: functions that Python cannot provide.
 
 #include "heliosObserve.h"
 #include "heliosRun.h"

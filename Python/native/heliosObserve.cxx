@@ -30,7 +30,7 @@ public:
     PyObject* type;
     PyObject* value;
     PyObject* trace;
-    PyErr_Fetch(&type, &value, &trace); // an event may come while an exception is on its way
+    PyErr_Fetch(&type, &value, &trace); // events may arrive while an exception is pending
     this->Call(text);
     PyErr_Restore(type, value, trace);
   }

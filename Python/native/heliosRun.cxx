@@ -74,7 +74,7 @@ double GetProgress(vtkObject* object)
   return algorithm ? algorithm->GetProgress() : player ? player->GetProgress() : 0.0;
 }
 
-/// Hears of progress; keeps what was raised meanwhile.
+/// Observes progress; stores exceptions.
 class Watch : public vtkCommand
 {
 public:
@@ -93,7 +93,7 @@ public:
     }
   }
 
-  /// Restores what was raised; true where nothing was.
+  /// Restores a stored exception; true if there was none.
   bool End()
   {
     for (std::size_t i = 0; i < this->Watched.size(); ++i)
@@ -102,7 +102,7 @@ public:
       this->Watched[i]->RemoveObserver(this->Tags[2 * i + 1]);
       if (this->IsStopping)
       {
-        this->Watched[i]->Modified(); // what it has is not whole
+        this->Watched[i]->Modified(); // its output is incomplete
       }
     }
     if (this->IsStopping)
@@ -112,7 +112,7 @@ public:
     return !this->IsStopping;
   }
 
-  /// What Python filters raised: a list.
+  /// Exceptions of Python filters: a list.
   PyObject* GetRaised() { return this->Raised; }
 
   void Execute(vtkObject* caller, unsigned long event, void*) override
@@ -124,7 +124,7 @@ public:
     }
     if (this->IsStopping)
     {
-      Abort(caller); // an executive takes it back where an algorithm starts
+      Abort(caller); // an executive resets it when an algorithm starts
       return;
     }
     const auto now = std::chrono::steady_clock::now();
@@ -152,7 +152,7 @@ private:
   }
   ~Watch() override { Py_DECREF(this->Raised); }
 
-  /// A vtkPythonAlgorithm tells an error before it prints the exception, and forgets it.
+  /// A vtkPythonAlgorithm reports an error before it prints and clears the exception.
   void TakeException()
   {
     const vtkPythonScopeGilEnsurer lock(true);
@@ -174,7 +174,7 @@ private:
     Py_XDECREF(trace);
   }
 
-  /// False where a signal or the callback raises.
+  /// Returns false if a signal or the callback raises.
   bool Tell(vtkObject* caller)
   {
     if (PyErr_CheckSignals() != 0)
@@ -208,7 +208,7 @@ vtkObject* GetVtkObject(PyObject* object)
   return static_cast<vtkObject*>(vtkPythonUtil::GetPointerFromObject(object, "vtkObject"));
 }
 
-/// False, with an exception, where the sequence holds something else than VTK objects.
+/// Returns false, with an exception, if the sequence contains anything but VTK objects.
 bool Unpack(PyObject* sequence, Objects& objects)
 {
   PyObject* items = PySequence_Fast(sequence, "watched is no sequence");

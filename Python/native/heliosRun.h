@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs VTK from Python so that other Python threads go on, Ctrl-C stops it, and progress is told.
+// Runs VTK from Python with other Python threads running, Ctrl-C and progress reports.
 
 #ifndef heliosRun_h
 #define heliosRun_h
@@ -8,19 +8,20 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * run(target, argument, watched, on_progress, interval): Update(argument) of an algorithm, Load() of
- * a vtkHeliosSurveySource where argument is negative, Run() of a vtkHeliosSurveyPlayer. Every object of watched is listened to: at its ProgressEvent, at most
- * every interval seconds, pending signals are handled and on_progress (or None) is called with the
- * object and its progress; where either raises, all of them are told to abort, and run() raises the
- * same. The interpreter lock is released meanwhile, unless a Python filter that does not take it
- * (see guard()) is among watched. Returns whether target succeeded, as far as it tells, and a list of
- * what Python filters raised, which VTK would print and forget.
+ * run(target, argument, watched, on_progress, interval): Update(argument) of an algorithm, Load()
+ * of a vtkHeliosSurveySource if argument is negative, Run() of a vtkHeliosSurveyPlayer. Every
+ * object of watched is observed: at its ProgressEvent, at most every interval seconds, pending
+ * signals are handled and on_progress (or None) is called with the object and its progress; if
+ * either raises, all of them are aborted, and run() raises the same exception. The interpreter lock
+ * is released meanwhile, unless watched includes a Python filter that does not acquire it (see
+ * guard()). Returns whether target succeeded, if it reports it, and a list of the exceptions of
+ * Python filters, which VTK would print and clear.
  */
 PyObject* heliosRun(PyObject* self, PyObject* args);
 
 /**
- * guard(): from now on every vtkPythonAlgorithm that is made (that is, every VTKPythonAlgorithmBase)
- * takes the interpreter lock while it works.
+ * guard(): every vtkPythonAlgorithm (i.e. every VTKPythonAlgorithmBase) created from now on
+ * acquires the interpreter lock while it runs.
  */
 PyObject* heliosGuard(PyObject* self, PyObject* args);
 

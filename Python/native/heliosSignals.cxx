@@ -29,7 +29,7 @@ void HandleSignal(int number)
   }
 }
 
-/// False, with an exception, where it cannot be done.
+/// Returns false, with an exception, on failure.
 bool Install(long number)
 {
   if (number < 1 || number >= MostSignals)

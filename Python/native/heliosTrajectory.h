@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK's wrapper cannot return: the object of a smart pointer.
+// Returns smart pointers, which VTK's wrapper cannot.
 
 #ifndef heliosTrajectory_h
 #define heliosTrajectory_h
@@ -8,8 +8,8 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * trajectory(source, leg, interval): GetTrajectory() of a vtkHeliosSurveySource; None for a leg that
- * fires nothing.
+ * trajectory(source, leg, interval): GetTrajectory() of a vtkHeliosSurveySource; None for a leg
+ * without pulses.
  */
 PyObject* heliosGetTrajectory(PyObject* self, PyObject* args);
 

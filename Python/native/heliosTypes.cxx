@@ -31,7 +31,7 @@ PyObject* New(PyTypeObject* type, PyObject* args, PyObject*)
   return PyVTKObject_New(type, args, nullptr);
 }
 
-/// What follows for keywords: they are properties.
+/// Sets properties from keywords.
 int Init(PyObject* self, PyObject*, PyObject* keywords)
 {
   if (!keywords || PyDict_Size(keywords) == 0)
@@ -43,7 +43,7 @@ int Init(PyObject* self, PyObject*, PyObject* keywords)
   return result ? 0 : -1;
 }
 
-/// A class written in Python on top may keep what it likes; so may names with an underscore.
+/// Python subclasses may set any attribute; so may names with an underscore.
 int SetAttribute(PyObject* self, PyObject* name, PyObject* value)
 {
   const char* text = PyUnicode_AsUTF8(name);
@@ -56,7 +56,7 @@ int SetAttribute(PyObject* self, PyObject* name, PyObject* value)
   return text ? PyObject_GenericSetAttr(self, name, value) : -1;
 }
 
-/// Names what is near where there is no such name.
+/// Suggests similar names if the name is unknown.
 PyObject* GetAttribute(PyObject* self, PyObject* name)
 {
   PyObject* value = PyObject_GenericGetAttr(self, name);
@@ -79,7 +79,7 @@ PyObject* Represent(PyObject* self)
   return PyObject_CallFunctionObjArgs(Hooks[Describe], self, nullptr);
 }
 
-/// Calls what the class has as __call__.
+/// Calls the class's __call__.
 PyObject* Call(PyObject* self, PyObject* args, PyObject* keywords)
 {
   PyObject* function =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Adds to wrapped classes what newer versions of VTK have by themselves. They are static types, and
-// Python code cannot; but whoever makes an object of them, C++ included, it has all of it.
+// Adds features of newer VTK versions to wrapped classes. These are static types, which Python code
+// cannot extend; every object gets them, even if created by C++.
 
 #ifndef heliosTypes_h
 #define heliosTypes_h
@@ -9,16 +9,15 @@
 #include "vtkPython.h" // Must be first
 
 /**
- * set_hooks(configure, refuse, compose, describe): the functions that extended classes call:
- * configure(object, keywords) after construction with keywords, refuse(object, name) to raise where
- * a name that the class does not have is read or assigned to, compose(left, right) for >>, and
- * describe(object) for repr().
+ * set_hooks(configure, refuse, compose, describe): the functions called by extended classes:
+ * configure(object, keywords) after construction with keywords, refuse(object, name) to raise if an
+ * unknown name is read or assigned, compose(left, right) for >>, and describe(object) for repr().
  */
 PyObject* heliosSetHooks(PyObject* self, PyObject* args);
 
 /**
  * extend(cls, attributes): gives a wrapped class the attributes of a dictionary, keyword
- * construction, assignment that refuses unknown names, a repr, and, to an algorithm, >>.
+ * construction, assignment that rejects unknown names, a repr, and, for an algorithm, >>.
  */
 PyObject* heliosExtend(PyObject* self, PyObject* args);
 

@@ -8,7 +8,7 @@ import vtkhelios
 
 
 def make_sphere(level):
-    """The vertices and triangles of an icosahedron whose triangles are split `level` times by 4."""
+    """The vertices and triangles of an icosahedron subdivided `level` times by 4."""
     g = (1 + 5**0.5) / 2
     corners = [(0, s, t * g) for s in (-1, 1) for t in (-1, 1)]
     points = np.array([np.roll(c, k) for k in range(3) for c in corners], float)
@@ -49,7 +49,7 @@ class PebbleBed:
         radii = np.sort(np.clip(0.017 * np.exp(0.35 * random.standard_normal(tries)), 0.01, 0.04))
         places, kept = np.empty((0, 2)), []
         for k, place in zip(range(tries)[::-1], random.uniform(-size / 2, size / 2, (tries, 2))):
-            reach = 0.85 * (radii[k] + radii[kept])  # neighbours touch, or overlap a little
+            reach = 0.85 * (radii[k] + radii[kept])  # neighbours touch or overlap slightly
             if (np.linalg.norm(places - place, axis=1) > reach).all():
                 places, kept = np.vstack([places, place]), [*kept, k]
         r = radii[kept]
@@ -57,14 +57,14 @@ class PebbleBed:
         self.centres = np.column_stack([places, 0.3 * axes[:, 2]])
         self.shapes = _turns(random, len(r)) * axes[:, None]
         self.inverses = np.linalg.inv(self.shapes)
-        self.reach = axes.max(axis=1)  # all of a pebble is that near to its centre
+        self.reach = axes.max(axis=1)  # bounding radius of a pebble
         self.size = size
 
     def __len__(self):
         return len(self.centres)
 
     def make_scene(self, level=3):
-        """Triangles: 20 * 4^level a pebble, in the order of the pebbles, then two for the plane."""
+        """Triangles: 20 * 4^level per pebble, in pebble order, then two for the plane."""
         sphere, faces = make_sphere(level)
         points = self.centres[:, None] + sphere @ self.shapes.transpose(0, 2, 1)
         first = np.arange(len(self))[:, None, None] * len(sphere)
@@ -78,14 +78,14 @@ class PebbleBed:
         )
 
     def owners(self, cells, level=3):
-        """The pebbles (or the plane) that triangles of make_scene() belong to."""
+        """The pebbles (or the plane) of triangles of make_scene()."""
         return np.minimum(cells // (20 * 4**level), len(self))
 
     def cast(self, origins, directions, block=512):
-        """Where rays first meet the exact surface: range [m], pebble, cosine of the incidence.
+        """First hits of rays on the exact surface: range [m], pebble, cosine of the incidence.
 
-        Rays that follow each other should lie near each other: a block looks at the pebbles
-        near its mean ray only.
+        Consecutive rays should be close to each other: a block tests only the pebbles near its mean
+        ray.
         """
         origins = np.broadcast_to(origins, directions.shape)
         with np.errstate(divide="ignore"):
@@ -100,7 +100,7 @@ class PebbleBed:
         return ranges, owners, cosines
 
     def _near(self, origins, directions):
-        """The pebbles that any of these rays may meet."""
+        """The pebbles that any of these rays may hit."""
         origin, direction = origins.mean(axis=0), directions.mean(axis=0)
         towards = self.centres - origin
         along = towards @ direction / (direction @ direction)
@@ -110,7 +110,7 @@ class PebbleBed:
         return np.flatnonzero(beside < 1.1 * (self.reach + margin))
 
     def _cast_one(self, k, origins, directions, ranges, owners, cosines):
-        """Shortens the ranges of rays that meet pebble k first."""
+        """Shortens the ranges of rays that hit pebble k first."""
         towards, inverse = self.centres[k] - origins, self.inverses[k]
         along = np.einsum("ij,ij->i", towards, directions)
         near = np.einsum("ij,ij->i", towards, towards) - along**2 < self.reach[k] ** 2
@@ -127,13 +127,13 @@ class PebbleBed:
         cosines[rays] = -np.einsum("ij,ij->i", normals, directions[rays])
 
     def heights(self, x, y):
-        """The heights of the exact surface above places [m]."""
+        """The heights of the exact surface above positions [m]."""
         tops = np.column_stack([x, y, np.full(len(x), 1.0)])
         return 1.0 - self.cast(tops, np.tile([0.0, 0.0, -1.0], (len(x), 1)))[0]
 
 
 def _turns(random, count):
-    """Rotations: any azimuth, tilted by up to some 20 degrees."""
+    """Rotations: any azimuth, tilted by up to about 20 degrees."""
     azimuth = random.uniform(0, 2 * np.pi, count)
     tilt = np.radians(random.uniform(-20, 20, count))
     c, s, zero, one = np.cos(azimuth), np.sin(azimuth), np.zeros(count), np.ones(count)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rough ground whose statistics are known: a Gaussian random surface."""
+"""Rough ground of known statistics: a Gaussian random surface."""
 
 import numpy as np
 
@@ -33,9 +33,10 @@ class RoughGround:
         return vtkhelios.Scene(points.reshape(-1, 3), triangles)
 
     def variance_within(self, places, radius, cut, deviation):
-        """The variance of the heights under vertical beams of radius w, cut at `cut` w, at x, y [m].
+        """The variance of the heights under vertical beams of radius w, truncated at `cut` w, at x,
+        y [m].
 
-        What is tilted returns less, so heights count by the cosine of the surface's tilt.
+        Tilted surfaces return less, so heights are weighted by the cosine of the tilt.
         """
         steps = np.linspace(-cut, cut, 25)
         x, y = (v.ravel() for v in np.meshgrid(steps, steps))
@@ -49,7 +50,7 @@ class RoughGround:
         return (heights**2 * weights).sum(axis=1) - mean**2
 
     def expected_within(self, radius, share):
-        """Its mean over all places: x / (1 + x), x = 4 a^2 / length^2.
+        """Its mean over all positions: x / (1 + x), x = 4 a^2 / length^2.
 
         a is the standard deviation of the footprint along an axis: a^2 = share radius^2 / 4.
         """
@@ -63,7 +64,7 @@ class RoughGround:
 
 
 def _interpolate(grid, places):
-    """Bilinear values of a grid at places in cells (any shape, the last axis is x, y)."""
+    """Bilinear values of a grid at positions in cells (any shape, the last axis is x, y)."""
     low = np.floor(places).astype(int)
     x, y = low[..., 0], low[..., 1]
     fx, fy = (places - low)[..., 0], (places - low)[..., 1]

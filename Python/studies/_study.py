@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the studies share: the command line, tables, figures."""
+"""Shared by the studies: the command line, tables, figures."""
 
 import argparse
 import csv
@@ -38,7 +38,7 @@ def write_csv(path, rows):
 
 
 def make_figure(columns=1, rows=1, size=(4.2, 3.4)):
-    """A figure and its axes (an array), size [inch] each; drawn without a display."""
+    """A figure and its axes (an array), size [inch] each; without a display."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -52,7 +52,7 @@ def make_figure(columns=1, rows=1, size=(4.2, 3.4)):
 
 
 def save_figure(figure, path):
-    """Writes a PNG, 100 dots an inch."""
+    """Writes a PNG at 100 dpi."""
     figure.savefig(path, dpi=100)
     print(f"wrote {path}")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Buildings whose roofs are known planes, and the geometry of convex polygons."""
+"""Buildings with known roof planes, and the geometry of convex polygons."""
 
 import typing
 
@@ -8,10 +8,10 @@ import numpy as np
 
 import vtkhelios
 
-PITCH = 40.0  # m, between the middles of buildings
+PITCH = 40.0  # m, between the centres of buildings
 
-# The roofs: convex polygons, about a corner of the building, above its eaves; l long, w wide,
-# pitched by t, the tangent of the slope.
+# The roofs: convex polygons, relative to a corner of the building, above its eaves; l long, w wide,
+# t is the tangent of the slope.
 
 
 def make_flat(l, w, t):
@@ -35,7 +35,7 @@ def make_hip(l, w, t):
 
 
 def make_ell(l, w, t):
-    """Two gabled wings of the same width, l long both, that meet at a right angle."""
+    """Two gabled wings of the same width, both of length l, at a right angle."""
     w, k = w * 0.7, 0.35 * t * w
     outer, inner, corner = (0, 0, 0), (w, w, 0), (w / 2, w / 2, k)
     a, b = (l, w / 2, k), (w / 2, l, k)
@@ -55,13 +55,13 @@ class Village(typing.NamedTuple):
 
     scene: vtkhelios.Scene
     polygons: list  # the corners of every plane [m]
-    kinds: list  # of building, for every plane
+    kinds: list  # building type of every plane
     cell_planes: np.ndarray  # the number of the plane for every triangle, -1: a wall or the ground
     half: float  # m, of its width
 
 
 def make_village(rows=5, seed=1):
-    """A row of buildings of every kind, rows of them; sizes, slopes and headings by chance."""
+    """Rows of buildings, one of every kind per row; random sizes, slopes and headings."""
     random = np.random.default_rng(seed)
     half = PITCH * max(rows, len(KINDS)) / 2
     ground = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]) * (half + 100.0)
@@ -90,7 +90,7 @@ def make_village(rows=5, seed=1):
 
 
 def place_roof(make, place, random):
-    """The polygons of a roof somewhere [m]."""
+    """The polygons of a roof at a position [m]."""
     length, width = random.uniform(14, 20), random.uniform(8, 12)
     slope, eaves, turn = random.uniform(20, 45), random.uniform(3.5, 8), random.uniform(0, 360)
     slope = 15.0 if make is make_shed else slope
@@ -103,7 +103,7 @@ def place_roof(make, place, random):
 
 
 def make_walls(roof):
-    """Down from every edge that has the roof on one side only."""
+    """Walls below every edge with the roof on one side only."""
     edges = [(tuple(p[i - 1]), tuple(p[i])) for p in roof for i in range(len(p))]
     border = [(a, b) for a, b in edges if (b, a) not in edges]
     return [np.array([a, b, (*b[:2], 0), (*a[:2], 0)]) for a, b in border]
@@ -115,7 +115,7 @@ def normal_of(polygon):
 
 
 def find_inner(points, polygon, margin):
-    """Whether points are inside a convex polygon, that far from its edges, seen from above [m]."""
+    """Whether points are inside a convex polygon by a margin, in plan view [m]."""
     inner = np.ones(len(points), bool)
     middle = polygon.mean(axis=0)[:2]
     for a, b in zip(np.roll(polygon, 1, axis=0)[:, :2], polygon[:, :2]):
@@ -126,7 +126,7 @@ def find_inner(points, polygon, margin):
 
 
 def cut(polygon, other):
-    """What two convex polygons, counter-clockwise, share (I. Sutherland, G. Hodgman 1974)."""
+    """Intersection of two convex polygons, counter-clockwise (I. Sutherland, G. Hodgman 1974)."""
     for a, b in zip(np.roll(other, 1, axis=0), other):
         side = np.cross(b - a, polygon - a)
         kept = []
@@ -168,6 +168,6 @@ def area_of(polygon):
 
 
 def outline(polygon):
-    """A polygon from above, counter-clockwise."""
+    """A polygon in plan view, counter-clockwise."""
     flat = polygon[:, :2]
     return flat if area_of(flat) > 0 else flat[::-1]

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Voxels, and the ways of rays through them."""
+"""Voxels, and the paths of rays through them."""
 
 import numpy as np
 
 
 class Grid:
-    """Voxels: a box from low to high [m], cut into cubes of side cell at most."""
+    """Voxels: a box from low to high [m], divided into cubes of side cell at most."""
 
     def __init__(self, low, high, cell):
         self.low, high = np.asarray(low, float), np.asarray(high, float)
@@ -26,11 +26,11 @@ class Grid:
         return (index[:, 0] * self.shape[1] + index[:, 1]) * self.shape[2] + index[:, 2]
 
     def layers(self):
-        """The heights of the middles of layers [m]."""
+        """The heights of the centres of layers [m]."""
         return self.low[2] + (np.arange(self.shape[2]) + 0.5) * self.size[2]
 
     def enter(self, voxels, origins, directions):
-        """How far from its origin every ray enters the voxel of that number [m]."""
+        """The distance from its origin at which every ray enters the given voxel [m]."""
         low = self.low + np.column_stack(np.unravel_index(voxels, self.shape)) * self.size
         with np.errstate(divide="ignore", invalid="ignore"):
             ways = np.minimum(
@@ -39,7 +39,7 @@ class Grid:
         return np.maximum(np.nanmax(ways, axis=1), 0)
 
     def sum_paths(self, origins, directions, lengths):
-        """The way of all rays, up to their lengths, in every voxel [m] (Amanatides, Woo 1987)."""
+        """Path length of all rays, up to their lengths, in every voxel [m] (Amanatides, Woo 1987)."""
         with np.errstate(divide="ignore", invalid="ignore"):
             a = (self.low - origins) / directions
             b = (self.high - origins) / directions

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the footprint does to the echoes of an airborne scan: width, amplitude, and what is told apart.
+"""Effects of the footprint on the echoes of an airborne scan: width, amplitude, and resolution.
 
     build/venv/bin/python Python/studies/footprint_waveform.py OUT [--quick]
 
 Slopes are scanned from several heights with several beams, rough ground with footprints from much
 smaller to much larger than its bumps, and a step on a slope with one beam along its edge. All are
-compared with closed forms. Docs/studies/footprint_waveform.md tells what comes out.
+compared with closed forms. Docs/studies/footprint_waveform.md has the results.
 """
 
 import sys
@@ -25,12 +25,12 @@ FWHM = 2.3548200450309493  # full width at half maximum of a Gaussian, over its 
 SIGMA = 4.0 / FWHM  # ns, of the pulse: 4 ns in the catalogue
 CUT = 1.5  # the sampled cone, in units of w: the default of vtkHeliosBeamSampler
 SUB_RAYS = 256
-LARGEST_SPREAD = 5.0  # q up to which 256 sub-rays make one echo of a plane
+LARGEST_SPREAD = 5.0  # largest q at which 256 sub-rays give one echo of a plane
 EXTINCTION = 3.912 / 23 * (1.064 / 0.55) ** -1.3 / 1000  # 1/m, Kruse: 23 km at 1064 nm
 
 
 def cut_share(cut=CUT):
-    """The variance of a beam cut at `cut` w, as a share of the whole beam's."""
+    """Variance of a beam truncated at `cut` w, as a fraction of the whole."""
     if np.isinf(cut):
         return 1.0
     rest = np.exp(-2 * cut**2)
@@ -38,7 +38,7 @@ def cut_share(cut=CUT):
 
 
 def spread(distance, w, incidence):
-    """q: the ranges' standard deviation on a tilted plane, in time, over the pulse's sigma."""
+    """q: standard deviation of ranges on a tilted plane, in time, over the pulse's sigma."""
     return distance * w * np.tan(incidence) / (LIGHT * SIGMA)
 
 
@@ -48,13 +48,13 @@ def slope_sigma(distance, w, incidence, cut=CUT):
 
 
 def slope_shift(distance, w, incidence):
-    """How far the echo of a tilted plane lies beyond its axis [m]: power-weighted mean of ranges."""
+    """Distance of the echo of a tilted plane beyond its axis [m]: power-weighted mean range."""
     variance = cut_share() * w**2 / 4
     return distance * variance * (1 - 2 * np.tan(incidence) ** 2)
 
 
 def full_power(distance, incidence, reflectance=0.5):
-    """The lidar equation for the catalogue's instrument [W]: the peak of an echo not widened."""
+    """The lidar equation for the catalogue's instrument [W]: the peak of an unwidened echo."""
     aperture, optics, power = 0.15, 0.99, 4.0
     air = np.exp(-2 * EXTINCTION * distance)
     return (
@@ -66,7 +66,7 @@ def full_power(distance, incidence, reflectance=0.5):
 
 
 def make_slope(slope, size=6000.0):
-    """A plane that rises to the right of a flight to the north by `slope` [deg]."""
+    """A plane that rises to the right of a northbound flight by `slope` [deg]."""
     rise = size * np.tan(np.radians(slope))
     points = [(x, y, z) for x, z in ((-size, -rise), (size, rise)) for y in (-size, size)]
     return vtkhelios.Scene(points, [(0, 2, 3), (0, 3, 1)])
@@ -95,7 +95,7 @@ def strongest_of(cloud):
 
 
 def scan_slope(slope, height, divergence, sub_rays=SUB_RAYS):
-    """One strip over a slope; of each pulse what theory says and what was measured."""
+    """One strip over a slope; theory and measurement of each pulse."""
     cloud = vtkhelios.scan(
         make_slope(slope),
         path=[(0, 0, height), (0, 100, height)],
@@ -106,7 +106,7 @@ def scan_slope(slope, height, divergence, sub_rays=SUB_RAYS):
         scan_frequency=300,
         duration=1 / 300,  # s: one line
         beam_divergence=divergence,
-        sub_rays=sub_rays,  # None: by tolerance
+        sub_rays=sub_rays,  # None: adaptive
         detector="gaussian",
         noise=False,
         waveforms=True,
@@ -141,7 +141,7 @@ def scan_slope(slope, height, divergence, sub_rays=SUB_RAYS):
 
 
 def study_slopes(quick=False):
-    """The columns of scan_slope() for all strips, one after the other."""
+    """The columns of scan_slope() for all strips, concatenated."""
     heights, slopes = ((1000,), (0, 40)) if quick else ((500, 1000, 2000), (0, 20, 40))
     strips = [
         scan_slope(slope, height, divergence)
@@ -153,7 +153,7 @@ def study_slopes(quick=False):
 
 
 def study_false_echoes():
-    """Where a plane gets more than one echo: a row for each way of sampling the beam."""
+    """Where a plane gets more than one echo: a row for each beam sampling method."""
     rows = []
     for sub_rays in (SUB_RAYS, 1024, None):
         strip = scan_slope(40, 2000, 1e-3, sub_rays)
@@ -173,7 +173,7 @@ def study_false_echoes():
 
 
 def study_roughness(quick=False, height=1000.0):
-    """A row for each roughness and footprint: widening by bumps, measured and as theory has it."""
+    """A row for each roughness and footprint: widening by bumps, measured and theoretical."""
     ground = RoughGround(400 if quick else 700)
     half = ground.count * ground.cell / 2
     radii = (0.1, 0.4) if quick else (0.1, 0.2, 0.4, 0.8, 1.6)
@@ -206,7 +206,7 @@ def _roughness_row(ground, cloud, leg, deviation, w, height):
     direction = cloud.pulses["Direction"][rows]
     reach = height / -direction[:, 2]
     foot = cloud.pulses.points[rows] + direction * reach[:, None]
-    tilt = slope_sigma(reach, w / height, np.arccos(height / reach)) ** 2  # a little off nadir
+    tilt = slope_sigma(reach, w / height, np.arccos(height / reach)) ** 2  # slightly off nadir
     moments = waveform_moments(cloud.waveforms, echoes["WaveformIds"])[1] ** 2 - tilt
     fitted = (echoes["EchoWidth"] / FWHM) ** 2 - tilt
     unit = (2 * deviation / LIGHT) ** 2  # ns^2, of bumps much smaller than the footprint
@@ -233,7 +233,7 @@ def _roughness_row(ground, cloud, leg, deviation, w, height):
 def fire_at_step(
     step, slope=0.0, offset=0.0, distance=1000.0, w=0.5e-3, cut=CUT, sub_rays=4096, detector=None
 ):
-    """The echoes of one beam along the edge of a step [m] up a slope [deg], `offset` w beside it."""
+    """The echoes of one beam along the edge of a step [m] up a slope [deg], `offset` w away."""
     size, tangent = 20 * w * distance, np.tan(np.radians(slope))
     points = [
         (x, distance + z * tangent + behind, z)
@@ -260,7 +260,7 @@ def fire_at_step(
 
 
 def least_separation(sigma, ratio=1.0):
-    """From where on two Gaussians of that sigma [ns] and ratio of amplitudes have two maxima [m]."""
+    """Least separation of two Gaussians of a sigma [ns] and amplitude ratio with two maxima [m]."""
     low, high = 1.0, 20.0
     for _ in range(60):
         d = (low + high) / 2
@@ -282,7 +282,7 @@ def find_limit(sigma, **beam):
 
 
 def energy_beyond(offset, cut):
-    """The share of a beam's energy, cut at `cut` w, beyond an edge at `offset` w from its axis."""
+    """The fraction of a truncated (`cut` w) beam's energy beyond an edge at `offset` w from its axis."""
     x = offset + (cut - offset) * (np.arange(20000) + 0.5) / 20000
     y = np.linspace(0, cut, 4001)
     half = np.concatenate([[0], np.cumsum(np.exp(-2 * ((y[1:] + y[:-1]) / 2) ** 2))]) * y[1]
@@ -293,7 +293,7 @@ def energy_beyond(offset, cut):
 
 
 def study_limits(quick=False):
-    """A row for each slope and each offset: the least step told apart, and what theory says."""
+    """A row for each slope and offset: the smallest resolved step, and the theory."""
     slopes, offsets = ((0, 60), (0.5,)) if quick else ((0, 30, 45, 60, 70), (0.1, 0.25, 0.5, 0.75))
     beams = [(slope, 0.0) for slope in slopes] + [(0, offset) for offset in offsets]
     rows = []
@@ -320,7 +320,7 @@ def study_limits(quick=False):
 
 
 def study_steps(quick=False):
-    """For steps on level ground what each detector finds: rows of step, detector, range, width."""
+    """Results of each detector for steps on level ground: rows of step, detector, range, width."""
     detectors = {
         "peak": None,
         "gaussian": vtkhelios.vtkHeliosGaussianDecomposition(resolve_hidden=True),
@@ -334,7 +334,7 @@ def study_steps(quick=False):
     return rows
 
 
-# All of it ---------------------------------------------------------------------------------------
+# Full study -------------------------------------------------------------------------------------
 
 
 def summarise(slopes):
@@ -366,7 +366,7 @@ def summarise(slopes):
 
 
 def _largest(ratio):
-    """The deviation from 1 that is largest, with its sign."""
+    """The largest deviation from 1, with its sign."""
     return float((ratio - 1)[np.abs(ratio - 1).argmax()])
 
 
@@ -387,7 +387,7 @@ def study(quick=False):
 
 
 def draw_slopes(slopes, path, height=1000, slope=40):
-    """Echo widths over incidence, amplitudes and errors of the width over q."""
+    """Echo widths over incidence, amplitudes and width errors over q."""
     figure, (width, amplitude, error) = _study.make_figure(3)
     here = (slopes["height"] == height) & (slopes["slope"] == slope)
     here &= slopes["q"] < LARGEST_SPREAD
@@ -430,7 +430,7 @@ def draw_slopes(slopes, path, height=1000, slope=40):
 
 
 def draw_ground_and_steps(roughness, limits, steps, path):
-    """Widening by roughness over the footprint, and what is told apart."""
+    """Widening by roughness over the footprint, and resolution."""
     figure, (rough, limit, found) = _study.make_figure(3)
     w = np.geomspace(0.06, 2.5, 100)
     x = cut_share() * w**2

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The leaf area of a tree from terrestrial scans, against the leaf area that it has.
+"""The leaf area of a tree from terrestrial scans, against the true leaf area.
 
     build/venv/bin/python Python/studies/leaf_area.py OUT [--quick]
 
-Beams that go l [m] through a voxel and meet leaves n times tell its density of leaf area [m2/m3]:
+Beams with a path length l [m] in a voxel and n leaf hits give its leaf area density [m2/m3]:
 
-    (n - m / L) / (G L),    L = sum of l, m = sum of l of the beams that met a leaf there
+    (n - m / L) / (G L),    L = sum of l, m = sum of l of the beams that hit a leaf there
 
-the maximum of the likelihood of Beer and Lambert's law, n / L, less its bias where n is small (F. Pimont
-et al. 2018, Remote Sensing of Environment 215, 343); G = 0.5 where leaves face anywhere alike (J. Ross
-1981). First in a box of triangles strewn at random, where this is exact, then in a tree.
+the maximum of the likelihood of Beer and Lambert's law, n / L, less its bias where n is small (F.
+Pimont et al. 2018, Remote Sensing of Environment 215, 343); G = 0.5 for uniform leaf orientation
+(J. Ross 1981). First in a box of randomly placed triangles, where this is exact, then in a tree.
 """
 
 import statistics
@@ -24,19 +24,19 @@ import vtkhelios
 from _voxels import Grid
 
 G = 0.5  # the mean of |cos| between a beam and the normals of leaves
-TRIPOD = 1.7  # m, from the tripod's foot to where beams start
+TRIPOD = 1.7  # m, from the tripod's foot to the beam origin
 EDGE = 0.043  # m, of the triangles in the box
 WAIST = 0.5 * 0.35e-3  # the beam's radius at 1/e2, over the distance
 LEAF = 0.4  # reflectance
-FIRST_RADIUS = 1.05  # of the beam, in w, for first echoes: measured here, no theory
+FIRST_RADIUS = 1.05  # of the beam, in w, for first echoes: measured here, not theory
 WEAK = 0.1  # apparent reflectance of the weakest strong echo, over that of a leaf
 
 
 class Stand:
-    """A scene of leaves and other things, and what is true of it."""
+    """A scene of leaves and other objects, with its true values."""
 
     def __init__(self, scene, leaves):
-        self.scene, self.leaves = scene, leaves  # leaves: true or false for every triangle
+        self.scene, self.leaves = scene, leaves  # leaves: a boolean for every triangle
         self.corners = scene.points[scene.triangles[leaves]]
         sides = self.corners[:, 1:] - self.corners[:, :1]
         self.areas = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2
@@ -46,7 +46,7 @@ class Stand:
         return self.corners.min(axis=(0, 1)) - 1e-6, self.corners.max(axis=(0, 1)) + 1e-6
 
     def area_in(self, grid):
-        """The leaf area in every voxel [m2]; of each triangle the middles of its 16 parts are sorted."""
+        """The leaf area in every voxel [m2]; each triangle is assigned by the centres of its 16 parts."""
         up = [(i + 1 / 3, j + 1 / 3) for i in range(4) for j in range(4 - i)]
         down = [(i + 2 / 3, j + 2 / 3) for i in range(3) for j in range(3 - i)]
         ab = np.array(up + down) / 4
@@ -57,7 +57,7 @@ class Stand:
 
 
 def make_box(seed, density=1.0, side=3.4, height=4.0):
-    """Equilateral triangles, anywhere in a cube and facing anywhere: the medium of the theory."""
+    """Equilateral triangles, random in a cube and in orientation: the medium of the theory."""
     random = np.random.default_rng(seed)
     count = round(density * side**3 / triangle_area())
     normals, along = random.normal(size=(2, count, 3))
@@ -78,7 +78,7 @@ def triangle_area():
 
 
 def make_tree(leaves=30_000, seed=1):
-    """A broadleaf tree of 10 m on flat ground; its leaves gather about the ends of its twigs."""
+    """A broadleaf tree of 10 m on flat ground; its leaves cluster around the twig ends."""
     tree = vtkhelios.vtkHeliosSyntheticScene(
         kind="tree", height=10, size=6, number_of_leaves=leaves, seed=seed
     )
@@ -91,7 +91,7 @@ def make_tree(leaves=30_000, seed=1):
 
 
 class Rays(typing.NamedTuple):
-    """Pulses, how far they went [m], and the triangle they met, or -1."""
+    """Pulses, their path lengths [m], and the triangle hit, or -1."""
 
     origins: np.ndarray
     directions: np.ndarray
@@ -100,7 +100,7 @@ class Rays(typing.NamedTuple):
 
 
 def scan(stand, distance, height, sides=(0,), resolution=0.1, beam=False):
-    """A cloud a side, with all pulses, by scanners that look at the leaves from a distance [m].
+    """One cloud per side, with all pulses, of scanners facing the leaves from a distance [m].
 
     height is that of the scanner [m], sides are headings [deg], resolution is between pulses [deg].
     Without a beam every pulse is a line; else it has its footprint and several echoes.
@@ -110,11 +110,11 @@ def scan(stand, distance, height, sides=(0,), resolution=0.1, beam=False):
     width = np.degrees(np.arcsin(min(1, radius / distance)))
     places = [max(distance - radius, 0.5), distance + radius]
     angles = np.degrees(np.arctan2([[low[2] - height], [high[2] - height]], places))
-    vertical = max(-40, angles.min() - 0.5), min(60, angles.max() + 0.5)  # the instrument's range
+    vertical = max(-40, angles.min() - 0.5), min(60, angles.max() + 0.5)  # the instrument's limits
     legs = []
     for side in np.radians(sides):
         x, y = distance * np.sin(side), -distance * np.cos(side)
-        middle = np.degrees(np.arctan2(x, -y))  # to the tree, from y to the left
+        middle = np.degrees(np.arctan2(x, -y))  # towards the tree, from y to the left
         legs.append(dict(position=(x, y, height - TRIPOD), head=(middle - width, middle + width)))
     survey = vtkhelios.make_survey(
         stand.scene,
@@ -134,7 +134,7 @@ def follow(cloud, keep=None):
     keep = np.ones(len(cloud), bool) if keep is None else keep
     ids, pulses = cloud.pulses["PulseIds"], cloud["PulseIds"][keep]
     lengths, cells = np.full(len(ids), np.inf), np.full(len(ids), -1)
-    first = np.unique(pulses, return_index=True)[1]  # echoes of a pulse come by range
+    first = np.unique(pulses, return_index=True)[1]  # echoes of a pulse are sorted by range
     rows = np.searchsorted(ids, pulses[first])
     lengths[rows] = cloud["Range"][keep][first]
     cells[rows] = cloud["CellIds"][keep][first]
@@ -142,7 +142,7 @@ def follow(cloud, keep=None):
 
 
 def apparent_reflectance(cloud, calibration):
-    """What a perpendicular surface that fills the beam would reflect to give these echoes."""
+    """Reflectance of a perpendicular surface filling the beam that gives these echoes."""
     return cloud["Amplitude"] * cloud["Range"] ** 2 / calibration
 
 
@@ -157,7 +157,7 @@ def calibrate():
 
 
 def count(stand, rays, grid):
-    """In every voxel: leaves met, metres gone, and those of the rays that met a leaf there."""
+    """In every voxel: leaf hits, path length [m], and that of the rays that hit a leaf there."""
     met, voxels = find_met(rays, grid)
     leaf = stand.leaves[rays.cells[met]]
     met, voxels = met[leaf], voxels[leaf]
@@ -167,14 +167,14 @@ def count(stand, rays, grid):
 
 
 def find_met(rays, grid):
-    """The rays that met something in the grid, and the voxels where they did."""
+    """The rays that hit something in the grid, and the voxels of the hits."""
     met = np.flatnonzero(rays.cells >= 0)
     voxels = grid.find(rays.origins[met] + rays.directions[met] * rays.lengths[met, None])
     return met[voxels >= 0], voxels[voxels >= 0]
 
 
 def derive(counts, grid):
-    """The leaf area in every voxel [m2] of counts, which add up over scans; NaN: no ray was there."""
+    """The leaf area in every voxel [m2] from counts, which add up over scans; NaN: no ray."""
     hits, paths, met_paths = counts
     with np.errstate(divide="ignore", invalid="ignore"):
         density = (hits - met_paths / paths) / (G * paths)
@@ -182,19 +182,19 @@ def derive(counts, grid):
 
 
 def predict_error(rays, grid):
-    """The relative standard deviation of a derived area by theory: sqrt(sum of m^2) / sum of m.
+    """The theoretical relative standard deviation of a derived area: sqrt(sum of m^2) / sum of m.
 
-    m is how often each leaf was met: the leaves are independent, the rays that meet the same one not.
-    Where each is met once this is 1 / sqrt(n).
+    m is the number of hits of each leaf: leaves are independent, rays that hit the same one are
+    not. With one hit each this is 1 / sqrt(n).
     """
     times = np.unique(rays.cells[find_met(rays, grid)[0]], return_counts=True)[1]
     return float(np.sqrt((times.astype(float) ** 2).sum()) / times.sum())
 
 
 def widen(radius):
-    """How much larger leaves of the box are for a disc than for a line (J. Steiner's formula).
+    """Apparent enlargement of the box's leaves for a disc over a line (J. Steiner's formula).
 
-    A disc of radius r meets what a line meets of the outline widened by r: A + P r + pi r^2. Over all
+    A disc of radius r hits what a line hits of the outline widened by r: A + P r + pi r^2. Over all
     directions a triangle of area a and perimeter p has the mean outline A = a / 2, P = pi p / 4.
     """
     area, rim = triangle_area() / 2, np.pi / 4 * 3 * EDGE
@@ -202,7 +202,7 @@ def widen(radius):
 
 
 def find_radius(ratio):
-    """The radius for which widen() is that ratio."""
+    """The radius at which widen() is that ratio."""
     area, rim = triangle_area() / 2, np.pi / 4 * 3 * EDGE
     under = rim**2 + 4 * np.pi * area * (ratio - 1)
     return (np.sqrt(np.maximum(under, 0)) - rim) / (2 * np.pi)
@@ -210,7 +210,7 @@ def find_radius(ratio):
 
 def study_box(seeds, distances, spacing):
     """Rows of the ideal case: lines from 10 m for every seed, beams from all distances for the first."""
-    grid = Grid((-1.5, -1.5, 2.5), (1.5, 1.5, 5.5), 3.0)  # within the box, whose border is thinner
+    grid = Grid((-1.5, -1.5, 2.5), (1.5, 1.5, 5.5), 3.0)  # inside the box, whose border is thinner
     white, rows = calibrate(), []
     for seed in range(seeds):
         stand = make_box(seed)
@@ -236,9 +236,9 @@ def study_box(seeds, distances, spacing):
 def strong_radius():
     """The radius in w by which strong echoes widen leaves, for widen(); no constant is fitted.
 
-    A leaf's edge at x from the axis leaves the beam the share Phi(-2 x / w) of its energy. Of leaves
-    whose |cos| of incidence u is anything from 0 to 1 alike an echo counts while u Phi(-2 x / w) is
-    WEAK or more: x = w / 2 invPhi(1 - WEAK / u), of which this is the mean.
+    A leaf's edge at x from the axis leaves the beam the fraction Phi(-2 x / w) of its energy. For
+    leaves with |cos| of incidence u uniform in 0 to 1 an echo counts if u Phi(-2 x / w) is WEAK or
+    more: x = w / 2 invPhi(1 - WEAK / u), of which this is the mean.
     """
     n = 2000
     cosines = WEAK + (1 - WEAK) * (np.arange(n) + 0.5) / n
@@ -247,7 +247,7 @@ def strong_radius():
 
 
 def sum_up(stand, counts, grid, truth):
-    """The error of the leaf area [%], and the share of the true one in voxels no ray was in [%]."""
+    """The error of the leaf area [%], and the true fraction in voxels without rays [%]."""
     areas = derive(counts, grid)
     total = truth.sum()
     unseen = truth[np.isnan(areas)].sum() / total
@@ -287,10 +287,10 @@ def study_beam(stand, distances, resolution, cell=0.5):
 
 
 def study_positions(stand, resolution, cells, distance=10.0, all_sides=8):
-    """Rows: 1, 2, 4 and 8 scans around the tree together, by the size of voxels; and the layers.
+    """Rows: 1, 2, 4 and 8 scans around the tree together, by voxel size; and the layers.
 
-    Layers are those of the smallest voxels: height, and leaf area a metre [m2/m], the true one, and
-    those derived by one scan and by all.
+    Layers are those of the smallest voxels: height, and leaf area per metre [m2/m], the true one,
+    and those derived from one scan and from all.
     """
     clouds = scan(stand, distance, TRIPOD, 360 / all_sides * np.arange(all_sides), resolution)
     rays, rows = [follow(cloud) for cloud in clouds], []
@@ -313,7 +313,7 @@ def study_positions(stand, resolution, cells, distance=10.0, all_sides=8):
 
 
 def study(quick=False):
-    """All rows of numbers, by the name of the table; quick: coarser, and less of it."""
+    """All result rows, by table name; quick: coarser and smaller."""
     if quick:
         box = study_box(seeds=4, distances=(20,), spacing=0.03)
     else:

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Millimetre errors of a terrestrial scanner over a bed of pebbles, three metres away.
+"""Millimetre errors of a terrestrial scanner over a bed of pebbles at 3 m.
 
     build/venv/bin/python Python/studies/pebbles.py OUT [--quick]
 
-Pebbles are ellipsoids, so where a ray meets them is known exactly. One cause of errors after the
-other is switched on: range noise, direction noise, the footprint. What each does to ranges, by
-incidence and at the edges of pebbles, and to a grid of heights made of the points is compared with
-theory and truth. Docs/studies/pebbles.md tells what comes out.
+Pebbles are ellipsoids, so ray hits are known exactly. Error sources are switched on one by one:
+range noise, direction noise, the footprint. The effect of each on ranges, by incidence and at the
+edges of pebbles, and on a grid of heights from the points is compared with theory and truth.
+Docs/studies/pebbles.md has the results.
 """
 
 import sys
@@ -23,12 +23,12 @@ from _pebble_bed import PebbleBed  # noqa: E402
 from footprint_waveform import CUT, energy_beyond, full_power  # noqa: E402
 
 RANGE_NOISE = 0.002  # m
-WEAK_NOISE = 0.0005  # m, of an upright surface at 3 m; it grows as echoes get weaker
-THRESHOLD = 1e-9  # W, of detection
+WEAK_NOISE = 0.0005  # m, of a vertical surface at 3 m; grows as echoes get weaker
+THRESHOLD = 1e-9  # W, detection limit
 DIRECTION_NOISE = 1e-4  # rad, on each of two axes
 BEAM = 2e-3 / 3  # rad, half the divergence: w = 2 mm at 3 m
-STAND = (2.6, 1.5)  # m, from the middle of the bed, above it: 3.0 m
-AT_THRESHOLD = WEAK_NOISE * full_power(3.0, 0.0) / THRESHOLD  # m, as the scanner wants it
+STAND = (2.6, 1.5)  # m, from the centre of the bed, above it: 3.0 m
+AT_THRESHOLD = WEAK_NOISE * full_power(3.0, 0.0) / THRESHOLD  # m, as set on the scanner
 CASES = {
     "no error": {},
     "range noise": dict(range_accuracy=RANGE_NOISE),
@@ -37,20 +37,20 @@ CASES = {
     "footprint": dict(w=BEAM),
 }
 CASES["all"] = {key: value for case in CASES.values() for key, value in case.items()}
-CASES["all"]["sub_rays"] = 64  # enough beside the noise
-MIXED = 0.05  # of the energy from another pebble makes an echo mixed
+CASES["all"]["sub_rays"] = 64  # enough with noise
+MIXED = 0.05  # energy fraction from another pebble of a mixed echo
 
 
 class View:
-    """A bed, its triangles, and a scanner that looks at it; truth comes from the exact ellipsoids."""
+    """A bed, its triangles, and a scanner over it; the truth is from the exact ellipsoids."""
 
     def __init__(self, bed, level=4):
         self.bed, self.level = bed, level
         self.scene = bed.make_scene(level)
-        self.caster = vtkhelios.vtkHeliosRayCaster.Create("")  # keeps its tree from scan to scan
+        self.caster = vtkhelios.vtkHeliosRayCaster.Create("")  # keeps its tree between scans
 
     def scan(self, step, w=0.0, azimuth=180.0, sub_rays=256, hits=False, **instrument):
-        """Scans the bed from an azimuth [deg] in steps of an angle [rad]; sub-ray hits if asked."""
+        """Scans the bed from an azimuth [deg] in steps of an angle [rad]; optional sub-ray hits."""
         degrees = np.degrees(step)
         mirror = vtkhelios.vtkHeliosRotatingMirror(
             mirror_angle=45,
@@ -84,7 +84,7 @@ class View:
         return outputs if hits else outputs[:2]
 
     def truth(self, pulses):
-        """Of each pulse the exact range, pebble, incidence [deg], and whether it is amid the bed."""
+        """Exact range, pebble and incidence [deg] of each pulse, and whether it is away from the border."""
         directions = pulses["Direction"]
         ranges, owners, cosines = self.bed.cast(pulses.points, directions)
         places = pulses.points + ranges[:, None] * directions
@@ -93,12 +93,12 @@ class View:
 
 
 def rows_of(cloud, pulses):
-    """The rows of `pulses` that the echoes of a cloud belong to."""
+    """The rows of `pulses` for the echoes of a cloud."""
     return np.searchsorted(pulses["PulseIds"], cloud["PulseIds"])
 
 
 def spread_of(values):
-    """Half of what holds the inner 68.3 %: sigma of a Gaussian, deaf to outliers."""
+    """Half of the inner 68.3 % range: sigma of a Gaussian, robust to outliers."""
     low, high = np.percentile(values, (15.87, 84.13))
     return (high - low) / 2
 
@@ -130,7 +130,7 @@ def study_ranges(view, step):
 
 
 def describe_ranges(columns):
-    """A row for each case: bias, root mean square, spread, large errors [mm], amid the bed."""
+    """A row for each case: bias, RMS, spread, large errors [mm], inside the bed."""
     rows = []
     for name in CASES:
         error = 1000 * columns[name][columns["amid"]]
@@ -151,14 +151,14 @@ def describe_ranges(columns):
 
 
 def check_noise(columns):
-    """Root mean square of the range noise alone, over the configured one, and its 4-sigma bound."""
+    """RMS of the range noise alone, over the configured one, and its 4-sigma bound."""
     noise = columns["range noise"] - columns["no error"]
     ratio = np.sqrt((noise**2).mean()) / RANGE_NOISE
     return float(ratio), float(4 / np.sqrt(2 * len(noise)))  # chi-square of n degrees of freedom
 
 
 def direction_theory(ranges, incidence):
-    """What a direction that is off by DIRECTION_NOISE does to a range on a plane [m]."""
+    """Range error on a plane [m] for a direction error of DIRECTION_NOISE."""
     return ranges * DIRECTION_NOISE * np.tan(np.radians(incidence))
 
 
@@ -190,7 +190,7 @@ def describe_incidence(columns):
 
 
 def tilted(directions, x, y):
-    """Directions turned by small angles x and y [rad] across them (n or n x m of both)."""
+    """Directions rotated by small angles x and y [rad] across them (n or n x m of both)."""
     side = np.cross(directions, (0.0, 0.0, 1.0))
     side /= np.linalg.norm(side, axis=1)[:, None]
     up = np.cross(side, directions)
@@ -202,7 +202,7 @@ def tilted(directions, x, y):
 
 
 def expected_errors(bed, origins, directions, ranges, w):
-    """The range errors that a beam has on the exact surface [m]: the mean weighted by power."""
+    """The range errors of a beam on the exact surface [m]: the power-weighted mean."""
     steps = np.linspace(-CUT, CUT, 23)
     x, y = (v.ravel() for v in np.meshgrid(steps, steps))
     inside = x**2 + y**2 <= CUT**2
@@ -215,10 +215,10 @@ def expected_errors(bed, origins, directions, ranges, w):
 
 
 def edge_density(bed, origins, directions, arcs, seed=3):
-    """How long the edges between pebbles are, as the scanner sees them [rad / rad^2].
+    """Length of the edges between pebbles, as seen by the scanner [rad / rad^2].
 
-    By Crofton's formula: pi / 2 times the crossings of a random line a unit of its length.
-    Also the jumps of range at the crossings [m].
+    By Crofton's formula: pi / 2 times the crossings of a random line per unit length. Also the
+    jumps of range at the crossings [m].
     """
     random = np.random.default_rng(seed)
     chosen = random.integers(len(directions), size=arcs)
@@ -234,7 +234,7 @@ def edge_density(bed, origins, directions, arcs, seed=3):
 
 
 def strip_width(share=MIXED):
-    """How far from an edge, in w, a beam still has that share of its energy beyond it."""
+    """Distance from an edge, in w, at which that fraction of a beam's energy is beyond it."""
     low, high = 0.0, CUT
     for _ in range(40):
         middle = (low + high) / 2
@@ -243,7 +243,7 @@ def strip_width(share=MIXED):
 
 
 def study_mixed(view, step, arcs, diameters=(0.5, 1, 2, 4, 8)):
-    """A row for each footprint: the share of mixed echoes and their errors, against the edges."""
+    """A row for each footprint: the fraction of mixed echoes and their errors, against the edges."""
     rows, density = [], None
     for diameter in diameters:  # mm, at 3 m
         w = diameter / 2000 / 3
@@ -278,7 +278,7 @@ def study_mixed(view, step, arcs, diameters=(0.5, 1, 2, 4, 8)):
 
 
 def grid_means(places, heights, cell, count):
-    """The mean height of the points in each cell, NaN where there are none."""
+    """The mean height of the points in each cell, NaN if empty."""
     index = np.floor(places / cell + count / 2).astype(int)
     inside = ((index >= 0) & (index < count)).all(axis=1)
     flat = index[inside] @ (count, 1)
@@ -290,8 +290,8 @@ def grid_means(places, heights, cell, count):
 def study_grids(view, step, clouds, cell=0.005, half=0.3):
     """Grids of mean heights against the truth: rows, and maps of the errors [m].
 
-    Hidden from the first stand are cells where a scan three times as fine, without errors, has
-    no point.
+    Cells are hidden from the first position if an error-free scan three times as fine has no point
+    there.
     """
     count = round(2 * half / cell)
     fine = (np.arange(5 * count) + 0.5) * cell / 5 - half
@@ -327,11 +327,11 @@ def study_grids(view, step, clouds, cell=0.005, half=0.3):
     return rows, maps
 
 
-# All of it ---------------------------------------------------------------------------------------
+# Full study -------------------------------------------------------------------------------------
 
 
 def compare_with_expected(view, columns, count):
-    """The errors of single beams with a footprint, simulated and as the exact surface has them [m]."""
+    """The errors of single beams with a footprint, simulated and on the exact surface [m]."""
     amid = np.flatnonzero(columns["amid"])
     chosen = amid[:: max(1, len(amid) // count)]
     expected = expected_errors(
@@ -345,7 +345,7 @@ def compare_with_expected(view, columns, count):
 
 
 def study(quick=False):
-    """All numbers and, for the pictures, the columns they are made of."""
+    """All results and, for the pictures, their columns."""
     view = View(PebbleBed(0.4 if quick else 0.8))
     step = 1.5e-3 if quick else 0.7e-3
     clouds, columns = study_ranges(view, step)
@@ -375,7 +375,7 @@ def study(quick=False):
 
 
 def draw_errors(results, path):
-    """What a footprint does, seen from the scanner; spreads over incidence; the share of mixed echoes."""
+    """Effects of the footprint, from the scanner; spreads over incidence; fraction of mixed echoes."""
     figure, (seen, spread, mixed) = _study.make_figure(3)
     columns = results["columns"]
     direction = columns["directions"]
@@ -425,7 +425,7 @@ def draw_errors(results, path):
 
 
 def draw_grids(results, path):
-    """The true heights, and the errors of grids from one stand and from four."""
+    """The true heights, and the errors of grids from one position and from four."""
     figure, axes = _study.make_figure(3)
     maps = results["maps"]
     shown = (

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The planes of roofs from an airborne scan, against the planes that they have.
+"""Roof planes from an airborne scan, against the true planes.
 
     build/venv/bin/python Python/studies/roof_planes.py OUT [--quick]
 
-Echoes above the ground fall into buildings (Euclidean clusters), those of a building into planes (RANSAC;
-vtkHeliosPCLPlanes), and each plane is fitted by least squares of heights. For n echoes with noise s along
-the normal, whose deviations along the plane's principal axes are u and v, the standard deviations are
+Echoes above the ground are split into buildings (Euclidean clusters), those of a building into
+planes (RANSAC; vtkHeliosPCLPlanes), and each plane is fitted by least squares of heights. For n
+echoes with noise s along the normal, whose deviations along the plane's principal axes are u and v,
+the standard deviations are
 
     s / (u sqrt(n)), s / (v sqrt(n))    of the normal, towards u and towards v [rad]
     s / sqrt(n) sqrt(1 + (a/u)^2 + (b/v)^2)    of the offset at the lever arms a, b from their mean
@@ -25,9 +26,9 @@ import vtkhelios
 from _village import area_of, cut, find_hull, find_inner, make_village, normal_of, outline
 
 SWATH = 1.15  # of the strip, over the width of the village
-FACET = 90.0  # deg, that a facet of the mirror sweeps
-GROUND = 2.0  # m: what is lower is not looked at
-ALIKE = 10.0  # deg, between normals of the plane found and the true one: more is another plane
+FACET = 90.0  # deg, sweep of a mirror facet
+GROUND = 2.0  # m: lower echoes are ignored
+ALIKE = 10.0  # deg, between found and true normals: larger is another plane
 SCANNER = """\
 <document>
   <scanner id="mirror" name="Airborne rotating mirror" optics="rotating" pulseFreqs_Hz="{pulses:.17g}"
@@ -41,8 +42,8 @@ SCANNER = """\
 def fly(village, height, density, noise, divergence=0.00025, seed=0, **options):
     """A strip over the village, the middle one of its flight: a Cloud.
 
-    height above the ground [m], density on it [1/m2], alike along and across, noise of ranges [m],
-    divergence [rad], options of a run.
+    height above the ground [m], density on it [1/m2], equal along and across track, noise of ranges
+    [m], divergence [rad], options of a run.
     """
     angle = np.degrees(np.arctan(SWATH * village.half / height))
     step = 1 / np.sqrt(density)  # m between pulses
@@ -68,7 +69,7 @@ def fly(village, height, density, noise, divergence=0.00025, seed=0, **options):
 
 
 class Plane(typing.NamedTuple):
-    """A plane found: indices of its echoes, and of those that are near no other plane."""
+    """A plane found: indices of its echoes, and of those not near another plane."""
 
     echoes: np.ndarray
     sure: np.ndarray
@@ -89,14 +90,14 @@ def find_planes(cloud, noise, spacing):
         roofs = []
         for number in range(ids.max() + 1):
             pieces = split(cloud, building[ids == number], 3 * spacing, least)
-            if pieces and abs(fit_plane(cloud.points[pieces[0]]).axes[2, 2]) > 0.3:  # no wall
+            if pieces and abs(fit_plane(cloud.points[pieces[0]]).axes[2, 2]) > 0.3:  # not a wall
                 roofs.append(pieces[0])
         found += [Plane(echoes, leave_out(cloud, echoes, roofs, near)) for echoes in roofs]
     return found
 
 
 def leave_out(cloud, echoes, roofs, near):
-    """The echoes that are near no other plane of the building than theirs: RANSAC asked it first."""
+    """The echoes not near another plane of the building: RANSAC gives those to the first plane."""
     points, alone = cloud.points[echoes], np.ones(len(echoes), bool)
     for other in roofs:
         if other is not echoes:
@@ -106,7 +107,7 @@ def leave_out(cloud, echoes, roofs, near):
 
 
 def split(cloud, chosen, gap, least):
-    """Those points of the cloud in groups with a gap around them [m], the largest first."""
+    """Splits those points of the cloud into groups separated by a gap [m], the largest first."""
     clusters = vtkhelios.vtkHeliosPCLClusters(tolerance=gap, minimum_cluster_size=least)
     ids = vtkhelios.Cloud((cloud[chosen] >> clusters)())["ClusterIds"]
     return [chosen[ids == number] for number in range(ids.max() + 1)]
@@ -144,9 +145,9 @@ def fit_roof(points):
 
 
 def measure(cloud, echoes, polygon, noise):
-    """Errors of the plane of some echoes against that of a polygon, and one sigma of them by theory.
+    """Errors of the plane of some echoes against that of a polygon, and their theoretical sigma.
 
-    tilts: of the normal, towards the two axes [rad]; offset: along it, at the middle of the polygon [m].
+    tilts: of the normal, towards the two axes [rad]; offset: along it, at the polygon's centre [m].
     """
     fit, middle, normal = fit_roof(cloud.points[echoes]), polygon.mean(axis=0), normal_of(polygon)
     u, v, found = fit.axes
@@ -162,7 +163,7 @@ def measure(cloud, echoes, polygon, noise):
 
 
 def match(village, cloud, planes):
-    """The plane found for every true one: most of its echoes are from there, and it tilts like it."""
+    """The plane found for every true one: most of its echoes are on it, and the tilt agrees."""
     true = village.cell_planes[cloud["CellIds"]]
     matched = {}
     for plane in sorted(planes, key=lambda plane: -len(plane.echoes)):
@@ -177,11 +178,11 @@ def match(village, cloud, planes):
 
 
 def run(villages, height=1000.0, density=8.0, noise=0.02, divergence=0.00025, **options):
-    """A row: what came of a strip over each of the villages.
+    """A row: the results of a strip over each of the villages.
 
-    Errors are root mean squares over planes, tilt [deg] of the normal, offset [mm] at the middle of the
-    roof: of the planes found; of those fitted to all their echoes, by the truth (label); and to those
-    away from their edges (inner). _theory is one sigma of the same echoes, z the error in sigmas.
+    Errors are RMS over planes, tilt [deg] of the normal, offset [mm] at the roof's centre: of the
+    planes found; of those fitted to all their true echoes (label); and to interior ones (inner).
+    _theory is one sigma of the same echoes, z the error in sigmas.
     """
     errors = {"found": [], "label": [], "inner": []}
     planes = false = 0
@@ -218,7 +219,7 @@ def run(villages, height=1000.0, density=8.0, noise=0.02, divergence=0.00025, **
 
 
 def sum_up(kind, values):
-    """Root mean squares of errors and sigmas (planes x 2 x 3)."""
+    """RMS of errors and sigmas (planes x 2 x 3)."""
     tilts = np.degrees(np.sqrt((values[:, :, :2] ** 2).sum(axis=2).mean(axis=0)))
     offsets = 1e3 * np.sqrt((values[:, :, 2] ** 2).mean(axis=0))
     z = np.sqrt(((values[:, 0] / values[:, 1]) ** 2).mean())
@@ -227,7 +228,7 @@ def sum_up(kind, values):
 
 
 def study(quick=False):
-    """Rows of numbers by the name of the table; quick: coarser, and less of it."""
+    """Result rows by table name; quick: coarser and smaller."""
     if not hasattr(vtkhelios, "vtkHeliosPCLPlanes"):
         raise ImportError(
             "roof_planes needs vtkHeliosPCLPlanes, and vtkhelios was built without PCL; "
@@ -244,7 +245,7 @@ def study(quick=False):
         height=[400.0, 700.0, 1000.0, 1500.0, 2000.0, 3000.0],
     )
     numbers = {name: series(villages, name, values) for name, values in table.items()}
-    # What is left of errors without a footprint: one line a pulse.
+    # Errors remaining without a footprint: one line per pulse.
     numbers["lines"] = series(villages, "density", [1.0, 4.0, 16.0], sub_rays=1)
     return numbers
 
@@ -254,7 +255,7 @@ def series(villages, name, values, **others):
 
 
 def lost_at_random(villages, density):
-    """The share of the area outside the hull of points strewn at random (Renyi, Sulanke 1963)."""
+    """The fraction of the area outside the hull of random points (Renyi, Sulanke 1963)."""
     polygons = [polygon for village in villages for polygon in village.polygons]
     areas = np.array([area_of(outline(polygon)) for polygon in polygons])
     corners = np.array([len(polygon) for polygon in polygons])
@@ -314,7 +315,7 @@ def draw_areas(axes, rows):
 
 
 def draw_sigmas(axes, name, what):
-    """The errors in standard deviations of theory; 1 is what it says."""
+    """The errors in theoretical standard deviations; expected: 1."""
     for label, (rows, kind) in what.items():
         axes.plot(
             [row[name] for row in rows], [row[f"z_{kind}"] for row in rows], "o-", label=label
@@ -337,7 +338,7 @@ def set_logarithmic(axes, values):
 
 
 def draw_map(path, density=4.0):
-    """Echoes from above, coloured by the plane that they were found to be on."""
+    """Echoes from above, coloured by their detected plane."""
     village = make_village()
     cloud = fly(village, 1000.0, density, 0.02)
     figure, (axes,) = _study.make_figure(size=(6, 5.4))

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests of the command line share."""
+"""Shared by tests of the command line."""
 
 import os
 import re
 import subprocess
 import sys
 
-PULSES = 20_850  # of make_survey(): 0.5 s at 100 kHz, the mirror lets out 100 of 240 degrees
+PULSES = 20_850  # of make_survey(): 0.5 s at 100 kHz, the mirror emits over 100 of 240 degrees
 
 
 def expect_failure(done, message):

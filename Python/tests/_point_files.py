@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Echoes with all kinds of arrays, into files of points and back."""
+"""Echoes with all kinds of arrays, written to point files and read back."""
 
 import numpy as np
 import pytest
@@ -61,7 +61,7 @@ def read(path, rows=1234):
 
 @pytest.fixture(params=["las", "laz", "copc.laz", "pvtp", "vtp", "ply"])
 def full_format(request):
-    """The formats that hold every array."""
+    """The formats that store every array."""
     if "laz" in request.param:
         pytest.importorskip("lazrs")
     if "copc" in request.param:

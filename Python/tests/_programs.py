@@ -18,7 +18,7 @@ def load(name, folder="studies"):
 
 
 def run_quick(study, tmp_path_factory):
-    """The numbers of a quick run, and the folder it wrote."""
+    """The results of a quick run, and its output folder."""
     folder = tmp_path_factory.mktemp("study")
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sys.argv", [f"{study.__name__}.py", str(folder), "--quick"])

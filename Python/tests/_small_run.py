@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A small run of two scan positions, for tests of what comes after a run."""
+"""A small run of two scan positions, for tests of post-processing."""
 
 SURVEY = """\
 <document>

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A viewer in a real window, and a user's hands on it; its state file tells what it shows."""
+"""A viewer in a real window with simulated user input; checked by its state file."""
 
 import json
 import os
@@ -14,7 +14,7 @@ import pytest
 from vtkhelios.cli import view
 
 WIDTH, HEIGHT = 800, 600
-PATIENCE = 60  # [s] that a change may take on a busy machine
+PATIENCE = 60  # [s] limit for a change on a busy machine
 
 needs_window = pytest.mark.skipif(
     view.find_viewer() is None or not shutil.which("xdotool") or not shutil.which("Xvfb"),
@@ -24,7 +24,7 @@ needs_window = pytest.mark.skipif(
 
 @pytest.fixture(scope="module")
 def display():
-    """An X server of its own."""
+    """A separate X server."""
     server = subprocess.Popen(
         ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-noreset"],
         stdout=subprocess.PIPE,
@@ -59,7 +59,7 @@ class Window:
             return None
 
     def wait(self, condition):
-        """The state once a condition holds for it."""
+        """Waits for a state with a condition."""
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             state = self.state()
@@ -74,11 +74,11 @@ class Window:
         subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
 
     def move(self, pixel):
-        # Without --sync: that waits for long where the mouse is there already.
+        # Without --sync: that waits long if the mouse is already there.
         self.do("mousemove", round(pixel[0]), round(HEIGHT - 1 - pixel[1]))
 
     def click(self, place, *held):
-        """A click at a place of the world [m], with keys held."""
+        """A click at a world position [m], with keys held."""
         self.move(self.project(place))
         for key in held:
             self.do("keydown", key)
@@ -91,7 +91,7 @@ class Window:
         self.do("key", name)
 
     def project(self, place):
-        """The pixel of a place [m]."""
+        """The pixel of a position [m]."""
         camera = self.state()["camera"]
         forward = np.subtract(camera["focalPoint"], camera["position"])
         forward = forward / np.linalg.norm(forward)
@@ -111,7 +111,7 @@ class Window:
 
 
 def opened(display, folder):
-    """A function that opens viewers in a folder, and the list of what it has opened."""
+    """A function that opens viewers in a folder, and the list of open ones."""
     windows = []
 
     def open_one(*arguments, kind=Window):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the package share."""
+"""Shared by the tests of the package."""
 
 import os
 import pathlib
@@ -43,7 +43,7 @@ PLANE = "v -200 -200 {z}\nv 200 -200 {z}\nv 200 200 {z}\nv -200 200 {z}\nf 1 2 3
 
 @pytest.fixture
 def command_line():
-    """Runs the command line and returns what became of it (returncode, stdout, stderr)."""
+    """Runs the command line and returns its result (returncode, stdout, stderr)."""
 
     def call(*arguments, **options):
         environment = {**os.environ, "PYTHONPATH": str(PACKAGE_DIR)}
@@ -85,7 +85,7 @@ def read_pixels():
         reader.Update()
         width, height, _ = reader.GetOutput().GetDimensions()
         pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)  # without opacity
+        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)  # drop opacity
 
     return read
 
@@ -109,7 +109,7 @@ def small_runs(tmp_path_factory):
 
 @pytest.fixture
 def window():
-    """VTK's output window as it is at first: PyVista, once imported, puts its own there."""
+    """VTK's original output window: PyVista replaces it when imported."""
     from vtkmodules.vtkCommonCore import vtkOutputWindow
 
     before, own = vtkOutputWindow.GetInstance(), vtkOutputWindow()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: what it says, what it writes, how it exits."""
+"""The command line: messages, output and exit codes."""
 
 import hashlib
 import json
@@ -21,7 +21,7 @@ from vtkhelios.cli import main, make_parser
 from _command_line import PULSES, expect_failure, start
 
 
-# What is typed wrong.
+# Invalid arguments.
 
 
 @pytest.mark.parametrize(
@@ -107,7 +107,7 @@ def test_every_command_has_a_summary():
     assert "run a survey" in parser.format_help()
 
 
-# What goes wrong.
+# Errors.
 
 
 def test_missing_survey(command_line, tmp_path):
@@ -154,7 +154,7 @@ def test_quiet_prints_errors_only(command_line, make_survey, tmp_path):
     expect_failure(command_line("run", "nowhere.xml", "--quiet", cwd=tmp_path), "nowhere.xml")
 
 
-# What a run writes and says.
+# Output and messages of a run.
 
 
 @pytest.fixture
@@ -179,7 +179,7 @@ def test_run(command_line, make_survey, columns, tmp_path):
     assert "seed 7" in done.stdout and "M pulses/s" in done.stdout
     assert str(tmp_path / "out/plane/leg000_points.xyz") in done.stdout
     assert (tmp_path / "out/plane/leg000_trajectory.txt").is_file()
-    near = np.hypot(rows[:, 0], rows[:, 1]) < 30  # far away the beam grazes the plane
+    near = np.hypot(rows[:, 0], rows[:, 1]) < 30  # grazing incidence far away
     assert near.mean() > 0.5
     assert np.abs(rows[near, 2]).max() < 1e-3
     assert not list((tmp_path / "out").rglob("*.part"))

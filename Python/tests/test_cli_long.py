@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: runs that take their time, are broken off, or play a survey several times."""
+"""The command line: runs that are long, interrupted, or have several epochs."""
 
 import json
 import os
@@ -23,11 +23,11 @@ from vtkhelios.cli.run import run_play
 
 from _command_line import PULSES, expect_failure, start
 
-LONG = dict(speed=0.01, stop=60)  # 600 million pulses: longer than any test waits
+LONG = dict(speed=0.01, stop=60)  # 600 million pulses: longer than any test
 
 
 def wait_for_points(output, seconds=60):
-    """Waits until something was written."""
+    """Waits for written output."""
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         if any(path.stat().st_size > 100_000 for path in output.rglob("*points*")):
@@ -91,7 +91,7 @@ def test_progress_elsewhere_is_lines(make_survey, tmp_path):
     )
 
 
-# A survey that is played several times.
+# A survey with several epochs.
 
 SWAPS = """\
 <document>
@@ -135,7 +135,7 @@ def test_plays(command_line, make_plays, tmp_path):
     only = (folder / "play002/leg000_points.xyz").read_bytes()
     done = command_line(*arguments)
     expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
-    assert [path.name for path in folder.iterdir()] == ["play002"]  # said before the first play
+    assert [path.name for path in folder.iterdir()] == ["play002"]  # reported before the first epoch
     expect_failure(command_line(*arguments, "--play", 3), "Play is 3, and the survey has 3 plays")
 
     done = command_line(*arguments, "--overwrite")
@@ -171,10 +171,10 @@ def test_dry_run_of_plays(command_line, make_plays, tmp_path):
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
 def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
-    survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices a play
+    survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices per epoch
     more = ["--pulses-per-block", "2048"]
     folder = tmp_path / "out/plane"
-    for _ in range(10):  # where the machine is busy a play may be over before the signal comes
+    for _ in range(10):  # on a busy machine an epoch may end before the signal arrives
         shutil.rmtree(tmp_path / "out", ignore_errors=True)
         run = start(survey, tmp_path / "out", more, stderr=subprocess.PIPE, text=True)
         until = time.monotonic() + 60
@@ -190,12 +190,12 @@ def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
 
     done = command_line("run", survey, "--output", tmp_path / "out", "--resume", *more)
     assert done.returncode == 0, done.stderr
-    assert "Nothing is left to do" in done.stdout  # of the first play
+    assert "Nothing is left to do" in done.stdout  # of the first epoch
     whole = command_line("run", survey, "--output", tmp_path / "whole", "--play", 1, *more)
     assert whole.returncode == 0, whole.stderr
     name = "plane/play001/leg000_points.xyz"
     assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes()
-    assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was begun
+    assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was started
 
 
 def test_interrupt_between_plays(make_plays, capsys):
@@ -205,14 +205,14 @@ def test_interrupt_between_plays(make_plays, capsys):
     assert "interrupted before play 2: --resume goes on with it" in capsys.readouterr().err
 
 
-# Signals where nothing is written yet.
+# Signals before anything is written.
 
 
 def start_loading(make_survey, tmp_path):
-    """A run of a survey whose scene takes long to read, while it reads."""
+    """A run of a survey whose scene is slow to read, while it reads."""
     survey = make_survey(**LONG)
     with open(tmp_path / "plane.obj", "ab") as file:
-        for _ in range(600):  # reads for many seconds, and takes no memory
+        for _ in range(600):  # reads for many seconds, with little memory
             file.write(b"vn 0.123456789 0.234567891 0.345678912\n" * 25_000)
     run = start(survey, tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     place = f"/proc/{run.pid}/fd"
@@ -239,7 +239,7 @@ def test_interrupt_while_the_scene_is_read(number, code, make_survey, tmp_path):
 
 
 def test_a_file_is_not_read_to_its_end(make_survey, tmp_path):
-    """A run that is stopped amid a file says nothing of the file."""
+    """A run stopped within a file reports nothing about the file."""
     survey = make_survey()
     with open(tmp_path / "plane.obj", "ab") as file:
         file.write(b"vn 0.123456789 0.234567891 0.345678912\n" * 5_000_000)
@@ -252,7 +252,7 @@ def test_a_file_is_not_read_to_its_end(make_survey, tmp_path):
 
     def stop_at_second(*_):
         told.append(player.GetMessage())
-        if told[-2:] == [f"reading {tmp_path / 'plane.obj'}"] * 2:  # amid the file
+        if told[-2:] == [f"reading {tmp_path / 'plane.obj'}"] * 2:  # within the file
             player.Abort()
 
     player.AddObserver("ProgressEvent", stop_at_second)

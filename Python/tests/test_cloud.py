@@ -28,7 +28,7 @@ def cloud():
 
 
 def address(array):
-    """The address that VTK tells of an array, without its prefix."""
+    """The address of an array in VTK, without its prefix."""
     return int(array.GetVoidPointer(0).split("_")[1], 16)
 
 
@@ -60,7 +60,7 @@ def test_memory_outlives_whoever_made_it():
 
     data = make()
     gc.collect()
-    np.full((1000, 3), 1.0)  # what would take the place
+    np.full((1000, 3), 1.0)  # would reuse the memory
     assert (Cloud(data).points == 7).all() and (Cloud(data)["Range"] == 3).all()
     view = Cloud(make()).points
     gc.collect()
@@ -190,12 +190,12 @@ def test_write_what_cannot_be(cloud, tmp_path):
 def test_vertices_come_when_they_are_asked_for(cloud):
     assert cloud.data.GetNumberOfCells() == 0
     shown = cloud.polydata
-    assert shown is cloud.data is cloud.polydata  # the same, and with vertices from now on
+    assert shown is cloud.data is cloud.polydata  # the same, now with vertices
     assert shown.GetNumberOfVerts() == shown.GetNumberOfCells() == 5
     assert [shown.GetCell(k).GetPointId(0) for k in range(5)] == [0, 1, 2, 3, 4]
     assert Cloud().polydata.GetNumberOfCells() == 0
     scene = vtkhelios.vtkHeliosSyntheticScene(kind="blocks")()
-    assert Cloud(scene).polydata.GetNumberOfVerts() == 0  # what has cells keeps them
+    assert Cloud(scene).polydata.GetNumberOfVerts() == 0  # existing cells are kept
 
 
 def test_vertices_are_small_and_live_as_long_as_the_data():
@@ -204,8 +204,8 @@ def test_vertices_are_small_and_live_as_long_as_the_data():
     bare = data.GetActualMemorySize()
     data = Cloud(data).polydata
     gc.collect()
-    np.full(100_001, 7, np.int32)  # what would take the place
-    assert 0.7 < (data.GetActualMemorySize() - bare) / 800 < 1.3  # of 8 bytes a point [kB]
+    np.full(100_001, 7, np.int32)  # would reuse the memory
+    assert 0.7 < (data.GetActualMemorySize() - bare) / 800 < 1.3  # of 8 bytes/point [kB]
     assert [data.GetCell(k).GetPointId(0) for k in (0, 1, 99_999)] == [0, 1, 99_999]
 
 
@@ -241,7 +241,7 @@ print(np.count_nonzero(plotter.screenshot(return_img=True).max(axis=2) > 128))
 
 
 def draw(what):
-    """The bright pixels of a drawing by PyVista of 400 points, 5 pixels wide each."""
+    """The bright pixels of a PyVista plot of 400 points, 5 pixels wide each."""
     pytest.importorskip("pyvista")
     if not shutil.which("xvfb-run"):
         pytest.skip("xvfb-run is missing")
@@ -258,4 +258,4 @@ def draw(what):
 
 def test_pyvista_draws_it():
     assert 400 * 12 < draw("cloud.polydata") < 400 * 30
-    assert draw("cloud.data") == 0  # it is the vertices that are drawn
+    assert draw("cloud.data") == 0  # only vertices are drawn

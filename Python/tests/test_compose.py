@@ -28,7 +28,7 @@ def lowest(data):
 
 @pytest.fixture
 def scanner():
-    """A scanner that lacks its inputs."""
+    """A scanner without inputs."""
     mirror = vtkhelios.vtkHeliosRotatingMirror(
         pulse_frequency=50_000, scan_frequency=100, mirror_angle=120, vertical_angle_min=-40,
         vertical_angle_max=60,
@@ -149,7 +149,7 @@ def test_errors_of_a_pipeline_raise():
 
 @vtkhelios.filter
 def within(cloud, distance=10.0):
-    """Keeps what is near."""
+    """Keeps near points."""
     return cloud["Range"] < distance
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios convert: points of a run through all formats."""
+"""vtkhelios convert: points of a run in all formats."""
 
 import gc
 import json
@@ -88,7 +88,7 @@ def test_laspy_reads_the_laz(las, convert, tmp_path):
     [("1.2", f) for f in range(4)] + [("1.3", f) for f in (4, 5)] + [("1.4", f) for f in range(11)],
 )
 def test_every_field_of_every_format(convert, tmp_path, version, form):
-    """Random bits in all fields, records of others, Extra Bytes with a scale."""
+    """Random bits in all fields, unknown records, Extra Bytes with a scale."""
     laspy = pytest.importorskip("laspy")
     pytest.importorskip("laszip" if form in (9, 10) else "lazrs")
     header = laspy.LasHeader(version=version, point_format=form)
@@ -129,7 +129,7 @@ def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
     assert set(found) == set(outside)
     for name, values in outside.items():
         assert np.array_equal(found[name], values), name
-    assert convert(inside, tmp_path / "c.laz")[0] == 0  # stay inside
+    assert convert(inside, tmp_path / "c.laz")[0] == 0  # kept internal
     assert convert(tmp_path / "c.laz", tmp_path / "d.las", "--waveforms", "external")[0] == 0
     assert (tmp_path / "d.las").read_bytes() == las.read_bytes()
     assert (tmp_path / "d.wdp").read_bytes() == las.with_suffix(".wdp").read_bytes()
@@ -137,7 +137,7 @@ def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
 
 
 def turn_vectors(path):
-    """Makes of a LAS file one of an earlier version: vectors lead away from the scanner."""
+    """Rewrites a LAS file as an earlier version: vectors point away from the scanner."""
     data = bytearray(path.read_bytes())
     begin, length = struct.unpack_from("<I", data, 96)[0], struct.unpack_from("<H", data, 105)[0]
     said = b"waveform [W], to the scanner"
@@ -164,7 +164,7 @@ def test_waveform_vectors_of_earlier_versions_are_turned(las, convert, tmp_path,
 
 
 def test_waveform_vectors_of_earlier_versions_in_laz(las, convert, tmp_path):
-    """LAZ that another program made of a file of an earlier version keeps its records."""
+    """LAZ made by another program from a file of an earlier version keeps its records."""
     laspy = pytest.importorskip("laspy")
     expected = las.read_bytes()
     turn_vectors(las)
@@ -177,7 +177,7 @@ def test_waveform_vectors_of_earlier_versions_in_laz(las, convert, tmp_path):
 
 
 def test_waveforms_inside_by_laspy(las, convert, tmp_path):
-    """A packet found and decoded by what laspy says alone."""
+    """A packet found and decoded by laspy alone."""
     laspy = pytest.importorskip("laspy")
     convert(las, tmp_path / "b.laz", "--waveforms", "internal")
     file = laspy.read(tmp_path / "b.laz")
@@ -236,7 +236,7 @@ def test_two_files_in_one_with_their_waveforms(small_runs, convert, tmp_path):
 
 
 def test_files_of_other_forms_in_one(las, convert, tmp_path):
-    """What cannot be copied goes through arrays, and that is said."""
+    """Data that cannot be copied go through arrays, with a message."""
     cloud = read(las)
     with formats.open_reader(las) as reader:
         with formats.open_writer(tmp_path / "b.las", reader.header) as writer:
@@ -263,7 +263,7 @@ def test_returns_classes_and_every_nth(las, convert, tmp_path):
         "single": count == 1,
     }
     for returns, mask in masks.items():
-        for ending in ("laz", "ply"):  # as records, and as arrays
+        for ending in ("laz", "ply"):  # as records and as arrays
             path = tmp_path / f"{returns}.{ending}"
             assert convert(las, path, "--returns", returns)[0] == 0
             assert np.array_equal(read(path)["GpsTime"], whole["GpsTime"][mask])
@@ -271,13 +271,13 @@ def test_returns_classes_and_every_nth(las, convert, tmp_path):
     found = read(tmp_path / "n.las")
     assert np.array_equal(found["GpsTime"], whole["GpsTime"][::7])
     with formats.open_reader(tmp_path / "n.las") as reader:
-        assert reader.count == len(found["GpsTime"])  # and so does the header
+        assert reader.count == len(found["GpsTime"])  # as in the header
     code, _, err = convert(las, tmp_path / "x.las", "--class", "9")
     assert code == 1 and "none of the" in err and not list(tmp_path.glob("x.*"))
 
 
 def test_every_nth_across_chunks():
-    """Points are counted over chunks, whatever else is chosen."""
+    """Points are counted across chunks, regardless of other options."""
     for every in (1, 3, 7):
         selection = Selection(every=every, classes=[1])
         kept = []
@@ -300,7 +300,7 @@ def test_coordinate_systems(small_runs, convert, tmp_path):
     code, _, err = convert(source, tmp_path / "c.ply", "--crs", "EPSG:nonsense")
     assert code == 1 and "EPSG:nonsense" in err and not (tmp_path / "c.ply").exists()
     assert convert(small_runs["xyz"], tmp_path / "d.ply", "--crs", "EPSG:4978")[0] == 0
-    with formats.open_reader(tmp_path / "d.ply") as reader:  # text does not say: it is what it is
+    with formats.open_reader(tmp_path / "d.ply") as reader:  # text has no epoch: values are kept
         assert reader.header.crs == "EPSG:4978"
     code, _, err = convert(tmp_path / "a.ply", tmp_path / "b.ply", tmp_path / "e.ply", "--merge")
     assert code == 1 and "give" not in err.split(";")[0] and "with --crs" in err
@@ -321,7 +321,7 @@ def test_runs_of_every_format_are_the_same_cloud(small_runs, convert, tmp_path):
 
 
 def test_objects_of_text_by_name(tmp_path):
-    """A name is the same object in all legs, whichever comes first."""
+    """A name is the same object in all legs, in any order."""
     row = "{} 0 0 1 4 1 1 0 {} 0 0\n"
     (tmp_path / "leg000_points.xyz").write_text(row.format(1, "wall") + row.format(2, "tree"))
     (tmp_path / "leg001_points.xyz").write_text(row.format(3, "roof") + row.format(4, "wall"))
@@ -385,11 +385,11 @@ def check_scan(file, leg, told, folder):
     local = np.column_stack([raw[f"cartesian{a}"] for a in "XYZ"])
     assert np.allclose(np.linalg.norm(local[state == 1], axis=1), 1.0, atol=1e-6)  # directions
     rows, columns = raw["rowIndex"].astype(int), raw["columnIndex"].astype(int)
-    assert columns.max() + 1 == 101  # 100 lines a second for a second, which begins amid one
+    assert columns.max() + 1 == 101  # 100 lines/s for 1 s, starting within a line
     assert rows.max() + 1 == told["pulsesFired"] / 100 == 250
     first = state == 0
     cells = rows[state == 1] * 10_000 + columns[state == 1]
-    assert len(np.unique(cells)) == len(cells)  # a pulse a cell
+    assert len(np.unique(cells)) == len(cells)  # one pulse per cell
     up = np.degrees(np.arcsin(local[first, 2] / np.linalg.norm(local[first], axis=1)))
     step = 60.0 / 250
     assert np.abs(up - (rows[first] * step + up[rows[first] == rows[first].min()].mean()
@@ -426,7 +426,7 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
         assert np.allclose(found[:, :3], read(path)["points"], rtol=0, atol=1e-5)
 
 
-# What is wrong
+# Errors
 
 
 @pytest.mark.parametrize(
@@ -480,7 +480,7 @@ def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     code, _, err = convert(*arguments)
     assert code == 1
     assert re.search(message, err), err
-    assert sorted(tmp_path.rglob("*")) == before  # nothing is left behind
+    assert sorted(tmp_path.rglob("*")) == before  # no files are left
 
 
 def test_packets_that_are_missing(las, convert, tmp_path):
@@ -505,7 +505,7 @@ def test_laz_that_is_cut_off(las, convert, tmp_path, monkeypatch):
 
 
 def test_channels_that_lazrs_confuses(convert, tmp_path, monkeypatch):
-    """Formats 9 and 10: without laszip an error where there is more than one channel."""
+    """Formats 9 and 10: without laszip an error if there are several channels."""
     laspy = pytest.importorskip("laspy")
     pytest.importorskip("lazrs")
     monkeypatch.setattr(
@@ -561,7 +561,7 @@ def test_replacing(las, convert, tmp_path):
 
 @pytest.mark.parametrize("ending", [kind[1:] for kind in formats.FORMATS])
 def test_disks_that_are_full(small_runs, tmp_path, ending):
-    """A file that cannot grow beyond 200 kB: an error that names it, and nothing is left."""
+    """A file that cannot grow beyond 200 kB: an error that names it, and no files left."""
     for package in {
         "las": ["laspy"],
         "laz": ["lazrs"],
@@ -583,7 +583,7 @@ def test_disks_that_are_full(small_runs, tmp_path, ending):
 
 
 def test_interrupted(tmp_path):
-    """Ctrl-C leaves nothing."""
+    """Ctrl-C leaves no files."""
     count = 3_000_000
     with formats.open_writer(tmp_path / "a.ply") as writer:
         writer.write({"points": np.random.default_rng(1).uniform(0, 100, (count, 3))})

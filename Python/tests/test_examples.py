@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples run, and do what they say."""
+"""The examples run, with correct results."""
 
 import ast
 import json
@@ -54,7 +54,7 @@ def test_stream_blocks():
     example = load("stream_blocks")
     raster, survey = example.main()
     assert np.isfinite(raster).mean() > 0.9
-    # The whole at once gives the same raster; of blocks, medians differ a little.
+    # A single block gives the same raster; medians of blocks differ slightly.
     whole = np.full_like(raster, -np.inf)
     cloud = survey.run(seed=1)
     example.add_heights(whole, cloud[cloud["ReturnNumber"] == 1])
@@ -75,7 +75,7 @@ def test_notebook(name):
 
 
 def run_notebook(path):
-    """Runs the cells one after the other, shows what Jupyter would show, and returns the names."""
+    """Runs the cells in order, shows the output of Jupyter, and returns the names."""
     cells = json.loads(path.read_text())["cells"]
     assert all(not cell.get("outputs") for cell in cells), f"{path.name} has outputs; clear them"
     namespace = {"__name__": "__main__"}

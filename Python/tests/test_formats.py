@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Formats of points: what is written comes back, here and in readers that are not ours."""
+"""Point formats: written data are read back, here and by independent readers."""
 
 import numpy as np
 import pytest
@@ -11,20 +11,20 @@ from vtkhelios.formats._copc import gather, nodes_of, spread
 
 __all__ = ["full_format"]  # a fixture
 
-# What is written comes back
+# Written data are read back
 
 
 def test_every_array_comes_back(tmp_path, full_format):
     chunk = make_chunk()
     writer = write(tmp_path / f"a.{full_format}", chunk)
     reader, back = read(tmp_path / f"a.{full_format}")
-    order = np.argsort(back["GpsTime"])  # an octree has one of its own
+    order = np.argsort(back["GpsTime"])  # an octree has its own order
     assert not writer.lost
     las = "la" in full_format
     for name, values in chunk.items():
         found = back[name][order]
         if name == "GpsTime" and las:
-            continue  # counts from elsewhere; the next test
+            continue  # a different epoch; see the next test
         assert found.dtype == values.dtype, name
         tolerance = {"points": 2e-9, "ScanAngle": 1e-9}.get(name, 0.0) if las else 0.0
         tolerance = 1e-6 if name == "RGB" else tolerance
@@ -35,7 +35,7 @@ def test_every_array_comes_back(tmp_path, full_format):
 
 
 def test_times_are_the_same_moments(tmp_path, full_format):
-    """A LAS file counts from elsewhere: epoch and time together are what is kept."""
+    """A LAS file has its own epoch: epoch plus time is preserved."""
     write(tmp_path / f"a.{full_format}")
     reader, back = read(tmp_path / f"a.{full_format}")
     moments = np.sort(back["GpsTime"]) + reader.header.epoch
@@ -75,7 +75,7 @@ def test_text_comes_back(tmp_path):
 
 
 def test_pcd_comes_back(tmp_path):
-    """What PCL's types have as float to a float, all else to the bit; the reader checks the rest."""
+    """Fields of PCL's float types are equal as floats, all else to the bit; the reader checks the rest."""
     chunk = make_chunk()
     write(tmp_path / "a.pcd", chunk)
     reader, back = read(tmp_path / "a.pcd")
@@ -85,7 +85,7 @@ def test_pcd_comes_back(tmp_path):
         error = np.abs(back[name].astype(float) - values).max()
         assert error <= floats.get(name, 0.0), name
         assert name in floats or back[name].dtype == values.dtype, name
-    assert np.abs(back["points"] - chunk["points"]).max() > 0  # floats they are
+    assert np.abs(back["points"] - chunk["points"]).max() > 0  # stored as floats
     assert (reader.header.crs, reader.header.epoch, reader.count) == (CRS, EPOCH, COUNT)
 
 
@@ -98,7 +98,7 @@ def test_other_text(tmp_path):
 
 
 def test_ply_of_others(tmp_path):
-    """Text, floats, colours of bytes, faces after the vertices."""
+    """Text, floats, byte colours, faces after the vertices."""
     path = tmp_path / "a.ply"
     path.write_text(
         "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
@@ -111,7 +111,7 @@ def test_ply_of_others(tmp_path):
     assert np.allclose(back["RGB"][0], [1.0, 0.0, 0.2])
 
 
-# Readers that are not ours
+# Independent readers
 
 
 def test_laspy_reads_every_field(tmp_path):

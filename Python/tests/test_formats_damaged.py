@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of points that are damaged: what libraries would believe is an error, and nothing is silent."""
+"""Damaged point files: values that libraries would trust are errors, and nothing is silent."""
 
 import os
 import random
@@ -37,7 +37,7 @@ def fails(path, message):
 
 @pytest.fixture
 def laz(tmp_path):
-    """5000 points of format 7 or so, in one chunk; their begin, and the place of the chunk table."""
+    """5000 points of format 7 or similar, in one chunk; their offset, and that of the chunk table."""
     pytest.importorskip("lazrs")
     path = tmp_path / "a.laz"
     write(path)
@@ -83,7 +83,7 @@ def test_laz_chunk_tables_that_are_wrong(laz):
 
 
 def test_laz_chunks_that_are_wrong(laz):
-    """The head of a chunk: lazrs has memory for whatever its layers say."""
+    """The head of a chunk: lazrs allocates the sizes in its layers."""
     path, begin, _ = laz
     width = struct.unpack_from("<H", path.read_bytes(), 105)[0]
     patch(path, begin + 8 + width + 8, "<I", 2**32 - 1)
@@ -109,7 +109,7 @@ def test_laszip_records_that_are_wrong(laz):
 
 
 def test_laz_texts_that_are_not_ascii(laz):
-    """Names of people and programs are no reason to refuse a file."""
+    """Names of people and programs do not invalidate a file."""
     path, _, _ = laz
     patch(path, 26, "<4s", b"M\xfcll")  # the system, and the program
     patch(path, 58, "<4s", b"\xff\xcb\xfce")
@@ -237,7 +237,7 @@ def test_errors_that_are_none_of_libraries():
 
 
 def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
-    """A link of someone else in the folder of temporary files is not followed."""
+    """A foreign link in the temporary folder is not followed."""
     pytest.importorskip("copclib")
     (tmp_path / "scratch").mkdir()
     (tmp_path / "theirs").write_text("precious")
@@ -249,7 +249,7 @@ def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
 
 
 def test_octrees_that_are_wrong(tmp_path):
-    """All points are read, and a note says what is wrong."""
+    """All points are read, and a note describes the error."""
     pytest.importorskip("copclib")
     path = tmp_path / "a.copc.laz"
     write(path)
@@ -261,7 +261,7 @@ def test_octrees_that_are_wrong(tmp_path):
         (477, "<Q", 31, "a page of 31 bytes at byte"),
         (page + 28, "<i", -7, "a node of -7 points in"),
         (page + 28, "<i", 7, "it has 7 of 5000 points"),
-        (page + 16, "<Qii", (page, 32, -1), f"a page of 32 bytes at byte {page} of"),  # of itself
+        (page + 16, "<Qii", (page, 32, -1), f"a page of 32 bytes at byte {page} of"),  # itself
     ):
         path.write_bytes(whole)
         with open(path, "r+b") as file:
@@ -276,7 +276,7 @@ def test_octrees_that_are_wrong(tmp_path):
 
 
 def damage(data, chance):
-    """Bytes changed, numbers replaced, the rest cut off."""
+    """Changes bytes, replaces numbers, truncates."""
     data = bytearray(data)
     for _ in range(chance.randint(1, 3)):
         place = chance.randrange(chance.choice([400, len(data)])) % len(data)

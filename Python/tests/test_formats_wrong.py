@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Formats of points: files and arrays that are wrong, and what is said of them."""
+"""Point formats: invalid files and arrays, and their messages."""
 
 import builtins
 import re

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What Python writes on a full disk: the error names the file and the cure, and no .part stays."""
+"""Python output on a full disk: the error names the file and the remedy, and no .part is left."""
 
 import errno
 import os
@@ -23,7 +23,7 @@ def can_mount():
 
 @pytest.fixture
 def small_disk(tmp_path):
-    """Runs vtkhelios with a small disk at tmp_path/disk; what came of it, and the files left there."""
+    """Runs vtkhelios with a small disk at tmp_path/disk; its result, and the files left there."""
     if not can_mount():
         pytest.skip("file systems cannot be mounted here")
     disk = tmp_path / "disk"
@@ -70,7 +70,7 @@ def test_schema(small_disk):
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "24k"])
 def test_plan(small_disk, make_survey, size):
-    """Whichever file is the first without room."""
+    """For any first file without space."""
     disk, call = small_disk
     make_survey()
     scene = disk.parent / "scene.xml"
@@ -83,7 +83,7 @@ def test_plan(small_disk, make_survey, size):
 
 
 def test_picture(small_disk):
-    """Of the size of a disk that holds the beginning."""
+    """Size of a disk that holds the beginning."""
     from vtkhelios import picture
 
     disk, _ = small_disk

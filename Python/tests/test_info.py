@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios info: facts of files, runs and surveys, and what is wrong with them."""
+"""vtkhelios info: facts about files, runs and surveys, and their errors."""
 
 import json
 import shutil
@@ -104,12 +104,12 @@ def test_as_text(small_runs, capsys):
     assert "leg 1      (-8, 3, 2) m, 100000 pulses/s, 100 lines/s" in out
 
 
-# What is wrong
+# Errors
 
 
 @pytest.fixture
 def broken(small_runs, tmp_path):
-    """A LAS file with bytes of its header replaced: place, format, value."""
+    """A LAS file with bytes of its header replaced: offset, format, value."""
     pytest.importorskip("laspy")
 
     def make(place, form, value):
@@ -124,7 +124,7 @@ def broken(small_runs, tmp_path):
 
 
 def test_boxes_and_counts_that_are_wrong(broken, info):
-    _, facts, _ = info(broken(104, "<B", 9))  # as it is
+    _, facts, _ = info(broken(104, "<B", 9))  # unchanged
     highest, lowest = facts["bounds"]["maximum"][1], facts["bounds"]["minimum"][1]
     _, facts, _ = info(broken(195, "<d", highest + 2e-4))
     assert len(facts["warnings"]) == 1

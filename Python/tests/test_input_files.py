@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is not a regular file is named, and not read; --memory refuses what is too large."""
+"""Files that are not regular are reported, and not read; --memory rejects large ones."""
 
 import os
 import shutil
@@ -22,7 +22,7 @@ SOCKET = "cannot be read: it is a socket, not a regular file; copy what it sends
 
 @pytest.fixture
 def odd(tmp_path, monkeypatch):
-    """Names of things that are no files, with what is said of each."""
+    """Names that are not files, and the message for each."""
     monkeypatch.chdir(tmp_path)
     os.mkfifo("fifo")
     os.mkdir("folder")
@@ -125,7 +125,7 @@ def test_a_scene_that_is_too_large(make_survey, tmp_path, capsys, no_limit, comm
 
 
 def test_copies_of_a_part(make_survey, capsys, no_limit):
-    """What each fits by itself does not fit together."""
+    """Parts that each fit do not fit together."""
     survey = make_survey()
     n = 1500
     lines = [f"v {x} {y} 0" for y in range(n) for x in range(2)]
@@ -144,7 +144,7 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
 
 
 def vtkhelios_memory():
-    """What this process has [bytes]."""
+    """Memory of this process [bytes]."""
     with open("/proc/self/statm") as file:
         return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package: every class is there, can be made, and says what it is for."""
+"""The package: every class exists, can be created, and is documented."""
 
 import pathlib
 import subprocess
@@ -22,7 +22,7 @@ def header_of(name):
     )
 
 
-# What a module that may be left out has.
+# Contents of optional modules.
 OPTIONAL = {
     "vtkHeliosFiltersPCL": "Filters/PCL",
     "vtkHeliosFiltersSimplify": "Filters/Simplify",

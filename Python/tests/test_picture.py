@@ -14,7 +14,7 @@ from vtkhelios import picture
 
 @pytest.fixture
 def cloud(tmp_path):
-    """A tilted plane with a red roof in the middle, as a run writes it."""
+    """A tilted plane with a red roof at the centre, in the format of a run."""
     x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(-5, 5, 150), np.linspace(-5, 5, 150)))
     roof = (abs(x) < 2) & (abs(y) < 2)
     rows = np.zeros((len(x), 11))
@@ -50,7 +50,7 @@ def test_picture(cloud, tmp_path, read_pixels):
     assert reddish.mean() > 0.01
     assert (
         abs(columns.mean() - 800) < 100 and abs(rows.mean() - 500) < 150
-    )  # the roof is in the middle
+    )  # the roof at the centre
 
 
 def test_without_a_display_it_says_so(cloud, tmp_path):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""update(): errors of a pipeline are exceptions, its warnings are Python's."""
+"""update(): pipeline errors are exceptions, its warnings are Python's."""
 
 import warnings
 
@@ -14,7 +14,7 @@ from vtkhelios._pipeline import clean_message, upstream
 
 
 class Source(VTKPythonAlgorithmBase):
-    """Reports what it is told to, and fails on request."""
+    """Reports given messages, and fails on request."""
 
     def __init__(self, event=None, message="", succeeds=1):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios plan: what it plans, writes and says, and whether what it predicts comes true."""
+"""vtkhelios plan: its plans, files and messages, and whether predictions hold."""
 
 import json
 import pathlib
@@ -58,7 +58,7 @@ def write_room(path, columns=((3.1, 3.3), (7.2, 4.9))):
 
 
 def write_synthetic(path, kind, size, height, resolution=0):
-    """A scene that is made in code."""
+    """A synthetic scene."""
     scene = vtkhelios.vtkHeliosSyntheticScene()
     getattr(scene, f"SetKindTo{kind}")()
     scene.SetSize(size)
@@ -90,7 +90,7 @@ def read_vtp(path):
     return vtkhelios.arrays(vtkhelios.update(reader))
 
 
-# What comes of it.
+# Results.
 
 
 def test_a_mesh(plan, tmp_path):
@@ -147,7 +147,7 @@ def test_the_survey_runs_from_the_positions(plan, tmp_path, command_line):
     for row in summary["positions"]:
         pulses = np.loadtxt(tmp_path / f"scans/room/leg{row['scan']:03}_pulse.txt", max_rows=9)
         wanted = np.tile([row["x"], row["y"], row["z"]], (9, 1))
-        assert np.allclose(pulses[:, :3], wanted, atol=1e-3)  # as the text has it
+        assert np.allclose(pulses[:, :3], wanted, atol=1e-3)  # as in the text
     legs = vtkhelios.vtkHeliosSurveyReader()
     legs.SetFileName(str(survey))
     legs.AddAssetDirectory(str(vtkhelios.data_directory() / "Assets"))
@@ -237,8 +237,8 @@ def test_excluded_areas(plan, tmp_path):
     assert code == 1 and "lie in excluded areas" in said
 
 
-# Predicted against simulated coverage: within 1 % on three scenes, from scans that are finer than
-# the test points.
+# Predicted against simulated coverage: within 1 % on three scenes, from scans finer than the test
+# points.
 
 
 @pytest.mark.parametrize(
@@ -316,7 +316,7 @@ def test_what_the_plan_asks_of_a_line_of_sight(limit, wanted):
     assert sights.find_wanted(settings).tolist() == wanted
 
 
-# What it says.
+# Messages.
 
 
 def test_what_is_printed(plan, tmp_path, command_line):
@@ -389,7 +389,7 @@ def test_no_picture_without_a_display(tmp_path, command_line, monkeypatch):
     assert not (tmp_path / "output/room/plan.png").exists()
 
 
-# What is wrong.
+# Errors.
 
 
 @pytest.mark.parametrize(
@@ -526,7 +526,7 @@ def test_errors_name_options(capsys):
 
 
 class Sleeper(vtkObject):
-    """An algorithm that is half done."""
+    """An algorithm interrupted halfway."""
 
     def __init__(self):
         self.aborted = 0

@@ -68,7 +68,7 @@ def test_arrays_of_other_types():
     cloud = points.points_from_arrays([[0, 0, 0], [1, 2, 3]])
     assert vtkhelios.arrays(cloud)["points"].dtype == np.float64
     cloud = points.points_from_arrays(np.zeros((4, 3), np.float32))
-    assert cloud.GetPoints().GetDataType() == VTK_FLOAT  # decimals end where they do in the array
+    assert cloud.GetPoints().GetDataType() == VTK_FLOAT  # decimals end at the array's precision
     every_second = lattice()[::2]
     assert np.array_equal(
         vtkhelios.arrays(points.points_from_arrays(every_second))["points"], every_second
@@ -152,7 +152,7 @@ def test_errors_of_text_come_through(tmp_path):
 
 @pytest.fixture(params=["las", "laz"])
 def las_file(request, tmp_path):
-    """Writes a file of lattice points, with colours and a coordinate system where told."""
+    """Writes a file of lattice points, with colours and a coordinate system if requested."""
     laspy = pytest.importorskip("laspy")
     if request.param == "laz":
         pytest.importorskip("lazrs")
@@ -216,7 +216,7 @@ def test_las_colours(las_file):
     colour = vtk_to_numpy(scene.GetCellData().GetArray("RGB"))
     assert np.allclose(colour[0], [1.0, 0.0, 6553 / 65535], atol=1e-7)
     scene = voxelize(points.las_source(path)).GetOutput()
-    assert scene.GetCellData().GetArray("RGB") is None  # only what is asked
+    assert scene.GetCellData().GetArray("RGB") is None  # only requested data
     with pytest.raises(ValueError, match="has no colours; leave colors off"):
         points.las_source(las_file(), colors=True)
 

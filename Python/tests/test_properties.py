@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Properties as attributes and keywords; what is wrong with a name or a value is said."""
+"""Properties as attributes and keywords; errors for wrong names or values."""
 
 import pathlib
 
@@ -136,7 +136,7 @@ def test_range_that_only_the_documentation_tells():
 
 
 def test_what_another_property_decides():
-    """The rings have as many sub-rays as they have; the spiral as many as are asked for."""
+    """The ring patterns fix the number of sub-rays; the spiral takes any number."""
     with pytest.raises(ValueError, match=r"is 256; others decide that it is 16 .*; 16 is kept"):
         vtkhelios.vtkHeliosBeamSampler(number_of_sub_rays=256)
     sampler = vtkhelios.vtkHeliosBeamSampler(pattern="vogel", number_of_sub_rays=256)

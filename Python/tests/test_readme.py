@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What README.md tells a newcomer to type works."""
+"""The commands in README.md for new users work."""
 
 import pathlib
 import re

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios report: its numbers against closed forms, and the page as a reader gets it."""
+"""vtkhelios report: its numbers against closed forms, and the page."""
 
 import base64
 import html.parser
@@ -44,12 +44,12 @@ def test_cells_of_a_size(chunks):
     assert (west, east, south, north) == (-30.0, 70.0, 400.0, 450.0)
     expected, _, _ = np.histogram2d(points[:, 1], points[:, 0], (20, 40), ((400, 450), (-30, 70)))
     assert np.array_equal(raster.counts, expected)
-    assert not Raster(cell=1e-3).add(points, 0)  # more cells than there is room for
+    assert not Raster(cell=1e-3).add(points, 0)  # more cells than allowed
 
 
 @pytest.mark.parametrize("shift", [0.0, 5_473_000.3])
 def test_cells_that_are_joined(shift):
-    """Whatever comes first, the cells are those of the last size."""
+    """For any order, the cells are those of the last size."""
     random = np.random.default_rng(2)
     parts = [random.uniform(0, size, (500, 2)) + shift for size in (0.01, 1.0, 300.0, 900.0)]
     for order in (parts, parts[::-1]):
@@ -63,7 +63,7 @@ def test_cells_that_are_joined(shift):
 
 
 def test_scans_that_saw_a_cell():
-    """Also of more scans than there are bits, and after cells are joined."""
+    """Also for more scans than bits, and after cells are merged."""
     raster = Raster(limit=64)
     for scan in range(130):
         raster.add(np.array([[0.5, 0.5], [10.0 * scan + 0.5, 100.5]]), scan)
@@ -72,7 +72,7 @@ def test_scans_that_saw_a_cell():
 
 
 def test_coverage_of_a_slanting_strip():
-    """Cells outside of the strip do not count; a hole of a tenth of it does."""
+    """Cells outside the strip do not count; a hole of a tenth of it does."""
     y, x = np.mgrid[0:200, 0:400]
     keep = np.abs(x - y - 100) < 40
     hole = (np.abs(x - 200) < 10) & (np.abs(y - 100) < 10)
@@ -101,7 +101,7 @@ def test_histograms():
 
 
 def make_run(folder, strips):
-    """A run without a scanner: points of strips as text, and a summary of them."""
+    """A run without a scanner: points of strips as text, with a summary."""
     folder.mkdir()
     legs = []
     for leg, points in enumerate(strips):
@@ -138,13 +138,13 @@ def make_run(folder, strips):
 
 
 def strip(west, east):
-    """Four points a cell of 1 m, 100 m long, at z 0."""
+    """Four points per cell of 1 m, 100 m long, at z 0."""
     x, y = np.meshgrid(np.arange(west, east, 0.5) + 0.25, np.arange(0, 100, 0.5) + 0.25)
     return np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
 
 
 def test_numbers_of_two_strips(tmp_path, report):
-    """60 and 60 m wide, 20 m of them both."""
+    """60 and 60 m wide, with an overlap of 20 m."""
     run = make_run(tmp_path / "run", [strip(-50, 10), strip(-10, 50)])
     code, numbers, _ = report(run, "--cell", 1)
     assert code == 0
@@ -162,7 +162,7 @@ def test_numbers_of_two_strips(tmp_path, report):
 
 
 class Page(html.parser.HTMLParser):
-    """The pictures and the text of a page; fails where tags do not match."""
+    """The pictures and text of a page; fails if tags do not match."""
 
     def __init__(self, text):
         super().__init__()
@@ -194,7 +194,7 @@ def test_the_page(small_runs, tmp_path, report, read_pixels):
     text = (run / "report.html").read_text()
     page = Page(text)
     words = " ".join(page.words)
-    assert "http" not in text  # it needs no network
+    assert "http" not in text  # requires no network
     summary = json.loads((run / "run_summary.json").read_text())
     for each in summary["inputs"]:
         assert each["sha256"] in words and each["file"] in words
@@ -211,7 +211,7 @@ def test_the_page(small_runs, tmp_path, report, read_pixels):
         height, width, _ = pixels.shape
         assert width > 700 and height > 200
         dark = (pixels.sum(axis=2) < 600).mean()
-        assert 0.005 < dark < 0.9, alt  # something is drawn, on white
+        assert 0.005 < dark < 0.9, alt  # not empty, on white
     assert len(text) < 2_000_000
 
 
@@ -237,7 +237,7 @@ def test_names_are_escaped(tmp_path, report):
 
 
 def test_nothing_in_a_summary_becomes_markup(tmp_path, report):
-    """A script in every text of it, and in the keys of the options."""
+    """A script in every text, and in the option keys."""
     script = "<script>alert('x')</script><img src=x onerror=alert(1)>\"'&"
     run = make_run(tmp_path / "run", [strip(0, 10)])
 
@@ -253,7 +253,7 @@ def test_nothing_in_a_summary_becomes_markup(tmp_path, report):
     (run / "run_summary.json").write_text(json.dumps(summary))
     assert report(run)[0] == 0
     text = (run / "report.html").read_text()
-    page = Page(text)  # has no script element
+    page = Page(text)  # contains no script element
     assert len(page.pictures) == text.count("<img ")
     assert "<script" not in text and " ".join(page.words).count(script) == 11
 
@@ -277,7 +277,7 @@ def test_cells_are_limited_in_all():
 
 @pytest.mark.parametrize("scale", [1e-300, 1.0, 1e11])
 def test_reports_of_any_extent(tmp_path, report, scale):
-    """One point, points that are equal, and far apart ones."""
+    """One point, equal points, and distant ones."""
     for name, points in {
         "one": np.full((1, 3), scale), "equal": np.full((50, 3), scale),
         "apart": scale * np.array([[-1.0, -1.0, 0.0], [1.0, 2.0, 3.0]]),

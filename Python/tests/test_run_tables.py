@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of legs that vtkhelios run prints."""
+"""Leg tables printed by vtkhelios run."""
 
 import pytest
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""While a pipeline runs other threads go on, and Ctrl-C stops it; many runs take no more memory."""
+"""Other threads run during a pipeline, and Ctrl-C stops it; many runs do not use more memory."""
 
 import gc
 import os
@@ -24,7 +24,7 @@ def blocks():
 
 @pytest.fixture
 def long_survey(blocks):
-    """Some ten seconds of work: 18 M pulses."""
+    """About ten seconds of work: 18 M pulses."""
     return vtkhelios.make_survey(blocks, [(0, 0)], **SURVEY)
 
 
@@ -49,7 +49,7 @@ class Ticker:
 
 @pytest.fixture(autouse=True)
 def interrupts_are_heard():
-    """Python's own handler: a program that a shell starts in the background is deaf to SIGINT."""
+    """Python's own handler: shells start background programs with SIGINT ignored."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -86,7 +86,7 @@ def test_other_threads_go_on_around_a_python_filter(blocks):
 
 
 def test_a_python_filter_below_one_in_cpp(blocks):
-    """The filter upstream runs while the interpreter lock is not held by the one who asks."""
+    """The upstream filter runs while the caller does not hold the interpreter lock."""
     calls = []
 
     @vtkhelios.filter
@@ -169,11 +169,11 @@ def test_interrupt_stops_a_pipeline(long_survey):
     with pytest.raises(KeyboardInterrupt):
         pipeline()
     timer.join()
-    assert sum(calls) == 0  # of a source that was stopped nothing comes
+    assert sum(calls) == 0  # a stopped source has no output
 
 
 def test_what_was_stopped_is_computed_anew(blocks):
-    """A scanner keeps what it had when it was stopped; the next update must not take that for all."""
+    """A stopped scanner keeps its output; the next update must not treat it as complete."""
     mirror = vtkhelios.vtkHeliosRotatingMirror(scan_frequency=100, vertical_angle_min=-40)
     where = vtkhelios.Cloud.from_arrays([[0.0, 0.0, 3.0]]) >> vtkhelios.vtkHeliosStaticPlatform()
     scanner = vtkhelios.vtkHeliosScanner(
@@ -233,13 +233,13 @@ def test_run_takes_algorithms_and_players_only():
 
 
 def resident():
-    """What this process holds in memory [bytes]."""
+    """Resident memory of this process [bytes]."""
     pages = int(pathlib.Path("/proc/self/statm").read_text().split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE")
 
 
 def test_memory_does_not_grow(blocks):
-    """Runs, views, filters, surveys by hand: what 80 rounds more take, after 20, is next to nothing."""
+    """Runs, views, filters, surveys by hand: after 20 rounds, 80 more need almost no memory."""
     survey = vtkhelios.make_survey(
         blocks, [(0, 0)], **{**SURVEY, "head_speed": 60, "head": (0, 45)}
     )

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The XML schema and the tables of the dialect: current, and right in the eyes of libxml2."""
+"""The XML schema and the tables of the dialect: current, and valid for libxml2."""
 
 import pathlib
 
@@ -37,7 +37,7 @@ def schema():
     return etree.XMLSchema(etree.parse(str(SCHEMAS / "survey.xsd")))
 
 
-# The committed files are what the table says; to make them anew:
+# The committed files match the table; to regenerate:
 #   vtkhelios schema --output Data/Schemas
 #   vtkhelios schema --tables, between the marks in Docs/dialect.md
 
@@ -76,7 +76,7 @@ def test_folder_that_cannot_be_written(tmp_path, capsys):
     assert "cannot be written" in capsys.readouterr().err
 
 
-# What the schema takes and what it refuses.
+# Accepted and rejected documents.
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The spectra of Data/Assets/spectra: whole, plausible, and what their program makes."""
+"""The spectra of Data/Assets/spectra: complete, plausible, and as made by their program."""
 
 import pathlib
 import subprocess
@@ -12,7 +12,7 @@ import pytest
 ASSETS = pathlib.Path(__file__).absolute().parents[2] / "Data" / "Assets"
 LINES_NM = (532, 905, 1064, 1550)
 
-# What is published of such surfaces, percent at LINES_NM: lowest and highest.
+# Published values of such surfaces, percent at LINES_NM: lowest and highest.
 RANGES = {
     "aluminum": ((88, 94), (84, 92), (92, 97), (95, 99)),
     "asphalt": ((4, 18), (8, 25), (8, 28), (10, 32)),
@@ -35,7 +35,7 @@ RANGES = {
 
 
 def parse(path):
-    """The rows of a file, as vtkHelios reads them: two numbers; all else is header."""
+    """The rows of a file, as read by vtkHelios: two numbers; all else is header."""
     rows = []
     for line in path.read_text(encoding="ascii").splitlines():
         try:

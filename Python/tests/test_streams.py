@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line with standard streams that are closed or full: no traceback, no lost files."""
+"""The command line with closed or full standard streams: no traceback, no lost files."""
 
 import os
 import subprocess
@@ -30,7 +30,7 @@ def shell():
 
 
 def expect_run(folder):
-    """The files of a run are there and whole."""
+    """Checks that the files of a run are complete."""
     names = {path.name for path in (folder / "plane").iterdir()}
     assert names >= {"leg000_points.xyz", "leg000_trajectory.txt", "run_summary.json"}
     assert not any(name.endswith(".part") for name in names)
@@ -77,9 +77,9 @@ def test_no_standard_error(shell, make_survey, tmp_path, redirection):
     assert (done.returncode, done.stderr) == (0, "")
     assert "points   " in done.stdout
     expect_run(out)
-    done = shell(redirection, "run", survey, "--output", out)  # it is there already
+    done = shell(redirection, "run", survey, "--output", out)  # already exists
     assert (done.returncode, done.stderr) == (1, "")
-    assert "earlier run" not in done.stdout  # an error is no result
+    assert "earlier run" not in done.stdout  # errors are not results
     done = shell(redirection, "run", "--nonsense")
     assert (done.returncode, done.stdout) == (2, "")
 
@@ -114,7 +114,7 @@ def test_reader_that_goes(shell, make_survey, tmp_path):
 
 
 def test_main_leaves_no_trace(make_survey, window, capsys):
-    """Called in a process again and again: streams, observers and display mode stay as they were."""
+    """Repeated calls in one process: streams, observers and display mode are restored."""
     window.SetDisplayModeToAlways()
     streams = sys.stdout, sys.stderr
     tags = []

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""__init__.pyi tells of the classes as they are, and is Python."""
+"""__init__.pyi matches the classes, and is valid Python."""
 
 import ast
 import importlib.util
@@ -25,7 +25,7 @@ def stubs():
 def test_stub_is_current(stubs):
     text = stubs.STUB.read_text()
     head, blocks = stubs.make_blocks(vtkhelios)
-    for name, block in blocks.items():  # a class of an optional module may lack here, not there
+    for name, block in blocks.items():  # classes of optional modules may be missing here, not there
         assert f"\n{block}" in text, f"{name} has changed: {CURE}"
     assert stubs.THIN_LAYER in text, CURE
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of footprints and waveforms: its numbers against closed forms."""
+"""The study of footprints and waveforms: its results against closed forms."""
 
 import csv
 
@@ -19,7 +19,7 @@ def run(tmp_path_factory):
 
 
 def test_theory():
-    """The formulas themselves, against numbers worked out with 30 digits."""
+    """The formulas, against values computed to 30 digits."""
     assert study.cut_share(1.5) == pytest.approx(2 * 0.4747239664194075, rel=1e-12)
     for distance, degrees, sigma in (
         (100, 45, 1.706811745),
@@ -38,14 +38,14 @@ def test_theory():
 
 
 def test_echo_width_on_slopes(run):
-    """Footprint and pulse add in quadrature; 256 sub-rays give the width to a thousandth."""
+    """Footprint and pulse add in quadrature; 256 sub-rays give the width to 0.1 %."""
     slopes = run[0]["slopes"]
     part = slopes["q"] < study.LARGEST_SPREAD
     assert part.sum() > 1900 and slopes["q"][part].max() > 4
     assert (slopes["echoes"][part] == 1).all()
     moments = slopes["sigma_moments"] / slopes["sigma_theory"] - 1
     assert np.abs(moments[part]).max() < 1e-3
-    # A fit sees the shape, too: of a beam that is cut off it is up to 1.2 % wider.
+    # A fit also depends on the shape: for a truncated beam it is up to 1.2 % wider.
     fit = slopes["sigma_fit"] / slopes["sigma_theory"] - 1
     assert np.abs(fit[slopes["q"] < 0.5]).max() < 1e-3
     assert 0.01 < fit[part].max() < 0.013 and fit[part].min() > -1e-4
@@ -57,7 +57,7 @@ def test_echo_width_on_slopes(run):
 
 
 def test_false_echoes(run):
-    """Up to q = 5 a plane has one echo, however the beam is sampled; by tolerance always."""
+    """Up to q = 5 a plane has one echo for any beam sampling; with adaptive sampling always."""
     rows = run[0]["false_echoes"]
     assert [row["sub_rays"] for row in rows] == [256, 1024, "by tolerance"]
     assert all(row["from_q"] > study.LARGEST_SPREAD for row in rows)
@@ -70,7 +70,7 @@ def test_rough_ground(run):
     assert [row["w"] for row in rows] == [0.1, 0.4]
     for row in rows:
         assert row["moments"] == pytest.approx(row["truth"], rel=0.02)
-        assert row["truth"] == pytest.approx(row["law"], rel=0.1)  # 40 m are no infinite plane
+        assert row["truth"] == pytest.approx(row["law"], rel=0.1)  # 40 m are not an infinite plane
         assert row["correlation"] > 0.98
         assert row["amplitude"] == pytest.approx(row["amplitude_theory"], rel=2e-3)
 
@@ -81,7 +81,7 @@ def test_least_steps(run):
         found = row["found"] / row["theory"] - 1
         if row["cut"] == 3 or row["offset"] > 0 or row["slope"] == 0:
             assert abs(found) < 0.006, row
-        else:  # the echo of a beam that is cut off has a flatter top
+        else:  # the echo of a truncated beam has a flatter top
             assert 0.01 < found < 0.04, row
     steps = run[0]["steps"]
     for step in {row["step"] for row in steps}:

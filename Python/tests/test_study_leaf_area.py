@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of leaf area: its parts against closed forms, its numbers against theory."""
+"""The study of leaf area: its parts against closed forms, its results against theory."""
 
 import csv
 import importlib
@@ -40,7 +40,7 @@ def test_paths_in_voxels(study):
     expected = np.bincount(voxels[voxels >= 0], minlength=grid.count) * (3.0 / 20_000)
     assert np.count_nonzero(expected) > 20
     assert grid.sum_paths(*rays[:3]) == pytest.approx(expected, abs=200 * 3.0 / 20_000 / 2)
-    # A ray enters the voxel of its end before it ends there, by less than the diagonal.
+    # A ray enters its last voxel before it ends, by less than the diagonal.
     rays = rays._replace(lengths=np.linspace(0.2, 1.5, 200))
     met, voxels = study.find_met(rays, grid)
     gone = rays.lengths[met] - grid.enter(voxels, rays.origins[met], rays.directions[met])
@@ -50,7 +50,7 @@ def test_paths_in_voxels(study):
 def test_formulas(study):
     radii = np.array([0.0, 0.002, 0.01])
     assert study.find_radius(study.widen(radii)) == pytest.approx(radii)
-    # From above: a triangle of area a, with the outline p, that a disc touches.
+    # From above: a triangle of area a and outline p, touched by a disc.
     area, rim = study.triangle_area(), 3 * study.EDGE
     assert study.widen(0.001) == pytest.approx(
         1 + (np.pi / 4 * rim * 0.001 + np.pi * 1e-6) / (area / 2), rel=1e-12
@@ -59,10 +59,10 @@ def test_formulas(study):
 
 
 def test_derived_density_is_that_of_the_law(study):
-    """Exponential ways in a medium that cannot be seen through: whatever the number, no bias."""
+    """Exponential path lengths in an opaque medium: no bias for any number of rays."""
     random = np.random.default_rng(0)
     grid = study.Grid((0, 0, 0), (1, 1, 1), 1.0)
-    ways = random.exponential(1 / (study.G * 1.7), (20_000, 6))  # six rays a voxel
+    ways = random.exponential(1 / (study.G * 1.7), (20_000, 6))  # six rays per voxel
     counts = np.stack([np.full(20_000, 6.0), ways.sum(axis=1), ways.sum(axis=1)])
     derived = study.derive(counts, grid)
     error = derived.std() / np.sqrt(len(derived))
@@ -75,7 +75,7 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["leaf_area.py", str(tmp_path / "out"), "--quick"])
     numbers = study.main()
     assert "true leaf area of the tree: 84.82 m2" in capsys.readouterr().out
-    assert numbers["true"] == pytest.approx(3 * np.pi / 4 * 6**2, rel=1e-3)  # index times ground
+    assert numbers["true"] == pytest.approx(3 * np.pi / 4 * 6**2, rel=1e-3)  # index times ground area
     check_box(study, numbers["box"])
     check_tree(numbers)
     for name in ("leaf_area_box.png", "leaf_area_tree.png"):
@@ -86,7 +86,7 @@ def test_study(study, tmp_path, monkeypatch, capsys):
 
 
 def check_box(study, rows):
-    """Where the theory is exact, lines are right within its error, and beams as it widens leaves."""
+    """Where the theory is exact, lines agree within its error, and beams as it widens leaves."""
     lines = [row for row in rows if row["kind"] == "line"]
     assert all(abs(row["z"]) < 3.5 and 0.005 < row["predicted_error"] < 0.02 for row in lines)
     assert len(lines) == 4 and abs(np.mean([row["z"] for row in lines])) < 3 / np.sqrt(4)
@@ -95,12 +95,12 @@ def check_box(study, rows):
             predicted = study.widen(study.strong_radius() * study.WAIST * row["distance"])
             assert row["ratio"] == pytest.approx(predicted, rel=0.04) and predicted > 1.12
         if row["kind"] == "beam":
-            assert 0.9 < row["radius_over_w"] < 1.5  # to the edge of the sampled beam at most
+            assert 0.9 < row["radius_over_w"] < 1.5  # at most to the edge of the sampled beam
 
 
 def check_tree(numbers):
     near, far = numbers["places"]
-    # From 4 m the top is above the 60 degrees that the scanner sees; from 10 m all is in sight.
+    # From 4 m the top is above the scanner's limit of 60 degrees; from 10 m all is visible.
     assert near["unseen"] > 5 > 0.5 > far["unseen"]
     assert near["error"] < far["error"] < 0
     (beam,) = numbers["beam"]
@@ -109,7 +109,7 @@ def check_tree(numbers):
     for row in numbers["positions"]:
         by_cell.setdefault(row["cell"], []).append(row)
     coarse, fine = by_cell[100], by_cell[0.5]
-    # Leaves in clumps: the larger voxels are, the less is derived; more scans do not help.
+    # Clumped leaves: larger voxels give lower densities; more scans do not help.
     assert all(row["error"] < -25 for row in coarse) and all(-9 < row["error"] < 0 for row in fine)
     for rows in (coarse, fine):
         widths = [row["highest"] - row["lowest"] for row in rows]

@@ -32,7 +32,7 @@ def test_exact_surface():
         local = (points - bed.centres[k]) @ bed.inverses[k].T
         length = np.linalg.norm(local, axis=1)
         assert np.abs(length[owners == k] - 1).max(initial=0) < 1e-9
-        assert (length[owners != k] > 1).all()  # nothing is met inside another pebble
+        assert (length[owners != k] > 1).all()  # no hit inside another pebble
         normals = local[owners == k] @ bed.inverses[k]
         normals /= np.linalg.norm(normals, axis=1)[:, None]
         expected = -(normals * directions[owners == k]).sum(axis=1)
@@ -44,12 +44,12 @@ def test_exact_surface():
     assert len(sphere) == 642 and len(faces) == 1280
     edges = np.linalg.norm(sphere[faces] - sphere[np.roll(faces, 1, axis=1)], axis=2)
     middles = np.linalg.norm(sphere[faces].mean(axis=1), axis=1)
-    inside = 1 - np.sqrt(1 - edges.max() ** 2 / 3)  # how far a triangle's middle lies inside
+    inside = 1 - np.sqrt(1 - edges.max() ** 2 / 3)  # depth of a triangle's centre inside
     assert 0.5 * inside < 1 - middles.min() < 1.001 * inside
 
 
 def test_range_noise(run):
-    """Alone, its root mean square is the configured one: chi-square, four standard deviations."""
+    """Alone, its RMS is the configured one: chi-square, four standard deviations."""
     ratio, bound = run[0]["noise"]
     count = len(run[0]["columns"]["range"])
     assert bound == pytest.approx(4 / np.sqrt(2 * count)) and count > 20_000
@@ -57,7 +57,7 @@ def test_range_noise(run):
 
 
 def test_errors_by_incidence(run):
-    for row in run[0]["incidence"][:8]:  # at grazing incidence beams miss what they aim at
+    for row in run[0]["incidence"][:8]:  # at grazing incidence beams miss their target
         bound = 4 / np.sqrt(2 * row["echoes"]) * 1.5 + 0.03  # quantiles; and a bin is 10 degrees
         assert row["range noise"] == pytest.approx(row["range_theory"], rel=bound)
         assert row["weak echoes"] == pytest.approx(row["weak_theory"], rel=bound)
@@ -67,7 +67,7 @@ def test_errors_by_incidence(run):
 
 
 def test_footprint(run):
-    """Each beam has the mean range of the exact surface in it; edges make the large errors."""
+    """Each beam has the mean range of its exact surface; edges cause the large errors."""
     results = run[0]
     off = results["simulated"] - results["expected"]
     assert np.abs(off).max() < 2e-3 and np.sqrt((off**2).mean()) < 2.5e-4
@@ -86,7 +86,7 @@ def test_grids(run):
     assert np.isfinite(truth).all() and 0 <= truth.min() and 0.02 < truth.max() < 0.05
     assert grids["no error"]["rms"] < grids["footprint"]["rms"] < grids["all"]["rms"]
     assert grids["all, 4 stands"]["empty_cells"] < 0.1 < 0.4 < grids["all"]["empty_cells"]
-    # A cell amid a large pebble is right to the noise of the mean of its points.
+    # A cell on a large pebble has the noise of the mean of its points.
     exact = run[0]["maps"]["no error"]
     assert np.nanmedian(np.abs(exact)) < 5e-4
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The study of roofs: its parts against closed forms, its numbers against theory."""
+"""The study of roofs: its parts against closed forms, its results against theory."""
 
 import csv
 import importlib
@@ -56,7 +56,7 @@ def test_polygons(village):
 
 
 def test_fits_scatter_as_theory_says(study):
-    """Points strewn on a steep plane, with noise from above."""
+    """Random points on a steep plane, with vertical noise."""
     random = np.random.default_rng(1)
     polygon = np.array([(0.0, 0, 0), (9, 0, 0), (9, 4, 4), (0, 4, 4)])
     scores = []
@@ -80,14 +80,14 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     for row in [row for rows in numbers.values() for row in rows]:
         assert row["found"] == row["planes"] == 24
         assert row["correctness"] > 0.95
-        if row["density"] >= 4:  # less, and hips have too few echoes away from their edges
+        if row["density"] >= 4:  # less, and hips have too few interior echoes
             assert row["z_inner"] == pytest.approx(1, abs=0.25)
     sparse, dense = numbers["density"]
     assert sparse["false"] == dense["false"] == 0
     assert 0.85 < sparse["completeness"] < 0.95 < dense["completeness"] < 1
     assert dense["offset_inner"] < sparse["offset_inner"] / 1.5  # 1 / sqrt(n)
     low, high = numbers["height"]
-    # From up high the footprint takes in what is beside the roof: nothing that theory knows of.
+    # From high up the footprint includes the surroundings of the roof: not in the theory.
     assert low["z_found"] < 1.4 < 1.8 < high["z_found"] and high["z_label"] > 5
     for name in ("roof_planes.png", "roof_planes_map.png"):
         assert (tmp_path / "out" / name).read_bytes()[1:4] == b"PNG"
@@ -97,16 +97,16 @@ def test_study(study, tmp_path, monkeypatch, capsys):
 
 
 def test_echoes_of_two_planes_are_left_out(study):
-    """A gable of 45 degrees, echoes on it: those nearer to the other plane than 0.3 m are nobody's."""
+    """A gable of 45 degrees: echoes nearer than 0.3 m to the other plane are dropped."""
     x, y = (axis.ravel() for axis in np.meshgrid(np.arange(-3.9, 4, 0.2), np.arange(-3.0, 3, 0.5)))
     cloud = types.SimpleNamespace(points=np.c_[x, y, -np.abs(x)])
     left, right = np.flatnonzero(x < 0), np.flatnonzero(x > 0)
     kept = study.leave_out(cloud, left, [left, right], 0.3)
-    # The planes are at right angles: an echo at x is sqrt(2) |x| from the other one.
+    # The planes are perpendicular: an echo at x is sqrt(2) |x| from the other one.
     assert np.array_equal(kept, left[np.sqrt(2) * np.abs(x[left]) > 0.3])
     assert len(kept) < len(left)
     assert np.array_equal(study.leave_out(cloud, left, [left], 0.3), left)
-    assert np.array_equal(study.leave_out(cloud, left, [left, right], 9), left)  # too few are left
+    assert np.array_equal(study.leave_out(cloud, left, [left, right], 9), left)  # too few remain
 
 
 def test_without_a_footprint_edges_do_no_harm(study):

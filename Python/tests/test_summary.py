@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""run_summary.json that is damaged, doctored, or no file at all."""
+"""run_summary.json that is damaged, manipulated, or not a file."""
 
 import json
 import os
@@ -29,7 +29,7 @@ WHOLE = {
 
 
 def changed(place, value):
-    """The whole one as text, with another value at a place; Ellipsis takes the key out."""
+    """The full one as text, with another value at a position; Ellipsis removes the key."""
     summary = json.loads(json.dumps(WHOLE))
     *way, last = place
     inside = summary
@@ -124,7 +124,7 @@ def test_a_summary_that_is_no_file(tmp_path):
 
 
 def test_resuming_a_run_that_is_finished(make_survey, tmp_path, capsys):
-    """What is said of it is what its summary holds."""
+    """The messages are those of its summary."""
     arguments = ["run", str(make_survey(stop=1)), "--output", str(tmp_path / "out"), "--resume"]
     assert cli.main(arguments[:-1]) == 0 and cli.main(arguments) == 0
     assert "the run in" in capsys.readouterr().out
@@ -138,7 +138,7 @@ def test_resuming_a_run_that_is_finished(make_survey, tmp_path, capsys):
 
 
 def test_mutants(tmp_path):
-    """Whatever is in it, there is a summary or a message."""
+    """Any contents give a summary or a message."""
     whole = json.dumps(WHOLE).encode()
     generator = random.Random(7)
     words = [b"null", b"-1", b"1e999", b"NaN", b"{}", b"[]", b'"', b"\xff", b"9" * 30, b"\\ud800"]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surveys read, run in memory, block by block and to files; made by hand."""
+"""Surveys read, run in memory, in blocks and to files; made by hand."""
 
 import gc
 import pathlib
@@ -24,7 +24,7 @@ def survey(make_survey):
 
 @pytest.fixture
 def three():
-    """Three scan positions on a plane, the second of which is left out."""
+    """Three scan positions on a plane; the second is skipped."""
     legs = [(0, 0), dict(position=(10, 0), active=False), (0, 20, 1), (5, 5)]
     return vtkhelios.make_survey(vtkhelios.Scene(*FLAT), legs, **TRIPOD)
 
@@ -69,14 +69,14 @@ def test_run_is_not_changed_by_the_next(survey):
 
 def test_options(survey):
     exact = survey.run(noise=False, truth=True)
-    steep = exact["IncidenceAngle"] < 80  # where it grazes, the footprint is long and skew
+    steep = exact["IncidenceAngle"] < 80  # at grazing incidence the footprint is long and skewed
     assert np.abs(exact.points[steep, 2]).max() < 1e-3
     assert np.abs(exact["TruePoint"] - exact.points)[steep].max() < 1e-2
     plain = survey.run()
     assert "TruePoint" not in plain and plain.waveforms is plain.pulses is plain.sub_rays is None
     full = survey.run(waveforms=True, pulses=True, hits=True, sub_rays=7)
     assert full.waveforms.GetNumberOfRows() == len(np.unique(full["PulseIds"]))
-    # the scanner lets out 100 of the 240 degrees of a facet
+    # the scanner emits over 100 of the 240 degrees of a facet
     assert len(full.pulses) == pytest.approx(50_000 * 100 / 240, rel=0.01)
     assert len(full.sub_rays) > 5 * len(full)
 
@@ -90,7 +90,7 @@ def test_legs(three):
     assert np.array_equal(ends["PulseIds"], whole["PulseIds"][keep])
     one = three.run(legs=2)
     assert np.array_equal(one.points, whole.points[~keep])
-    # The samples that a pulse's row names are its own.
+    # The samples of a pulse's row are its own.
     last = ends.waveforms.GetNumberOfRows() - 1
     same = whole.waveforms.GetNumberOfRows() - 1
     assert np.array_equal(_samples(ends.waveforms, last), _samples(whole.waveforms, same))
@@ -116,7 +116,7 @@ def test_wrong_legs(three, legs, message):
 
 
 def test_blocks_are_not_listed_beforehand(survey, monkeypatch):
-    """Of 5e12 pulses the first block comes at once."""
+    """With 5e12 pulses the first block is immediate."""
 
     class Long:
         def GetNumberOfPulses(self):
@@ -179,7 +179,7 @@ def test_progress_that_cannot_be_shown_ends_no_run(survey, monkeypatch):
     with open("/dev/full", "w") as full:
         monkeypatch.setattr("sys.stderr", full)
         assert len(survey.run(progress=True)) > 0
-        full.buffer.raw.close()  # else Python's own flush at its end fails, too
+        full.buffer.raw.close()  # else Python's final flush also fails
         assert len(survey.run(progress=True)) > 0
     monkeypatch.setattr("sys.stderr", None)
     assert len(survey.run(progress=True)) > 0

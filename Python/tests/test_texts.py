@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texts and names that are not UTF-8: no error is lost with its text, names work or are refused clearly."""
+"""Texts and names that are not UTF-8: errors keep their text, names work or are clearly rejected."""
 
 import json
 import os
@@ -21,13 +21,13 @@ from vtkhelios.cli import detect
 from vtkhelios.cli._messages import Messages
 from vtkhelios.cli._streams import visible
 
-ODD = os.fsdecode(b"odd\xff\xfe")  # a file name that is no UTF-8
+ODD = os.fsdecode(b"odd\xff\xfe")  # a file name that is not UTF-8
 BAD = b"\xff\xfe"
 
 
 @pytest.fixture
 def odd_survey(make_survey, tmp_path):
-    """A survey in a folder, and of a name, that are not UTF-8."""
+    """A survey whose folder and name are not UTF-8."""
     make_survey()
     folder = tmp_path / ODD
     folder.mkdir()
@@ -43,7 +43,7 @@ def expect_clear(done):
     assert r"odd\xff\xfe" in done.stderr and "Traceback" not in done.stderr
 
 
-# What an object reports.
+# Messages of an object.
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_messages_count_them(capsys):
     with Messages() as messages:
         messages.watch(source)
         source.InvokeEvent("WarningEvent", b"x\xff")
-        source.InvokeEvent("ErrorEvent", b"x\xff")  # the same text, of another kind
+        source.InvokeEvent("ErrorEvent", b"x\xff")  # the same text, as bytes
         vtkOutputWindow.GetInstance().DisplayErrorText(b"y\xff")
     assert messages.errors == 2
     assert capsys.readouterr().err == "warning: x\\xff\nerror: x\\xff\nerror: y\\xff\n"
@@ -128,12 +128,12 @@ def test_an_error_of_python_may_have_such_a_name(window, capfd):
         log.watch(source)
         report_error(source, f"{ODD}: broken")
     assert log.errors == [r"odd\xff\xfe: broken"]
-    report_error(source, f"{ODD}: broken")  # nobody listens
+    report_error(source, f"{ODD}: broken")  # not observed
     assert capfd.readouterr().err.startswith("odd")
 
 
 def test_messages_have_one_door():
-    """VTK's own observers lose texts that are not UTF-8."""
+    """VTK's own observers drop texts that are not UTF-8."""
     package = pathlib.Path(vtkhelios.__file__).parent
     assert not [path for path in package.rglob("*.py") if "CallDataType" in path.read_text()]
 
@@ -144,7 +144,7 @@ def test_names_to_vtk_and_back():
     assert from_vtk(b"odd\xff\xfe") == from_vtk(ODD) == ODD and from_vtk(None) == ""
 
 
-# What readers report.
+# Messages of readers.
 
 
 def test_detect_loses_no_waveforms(make_survey, tmp_path, monkeypatch, capsys):
@@ -229,7 +229,7 @@ def test_info_takes_any_name(command_line, odd_survey):
 
 @pytest.fixture
 def expect_done_or_clear(capsys):
-    """Runs a command line here; it works, or one clear error says why not."""
+    """Runs a command line; it works, or one clear error gives the reason."""
 
     def call(*arguments):
         capsys.readouterr()
@@ -256,7 +256,7 @@ ENDINGS = ("xyz", "las", "laz", "copc.laz", "e57", "ply", "pcd", "vtp", "pvtp")
 
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_formats_with_any_name(expect_done_or_clear, small_runs, tmp_path, ending):
-    """Written and read; no pieces stay behind."""
+    """Written and read; no pieces are left."""
     odd, plain = tmp_path / f"{ODD}.{ending}", tmp_path / f"plain.{ending}"
     cloud = small_runs["las"] / "leg000_points.las"
     expect_done_or_clear("convert", cloud, odd, "--every", "100", "--quiet")
@@ -290,7 +290,7 @@ def test_view_shows_any_name(command_line, tmp_path):
 
 
 def test_names_in_files_are_texts(make_survey, capsys):
-    """What a survey is called, in bytes that are no UTF-8."""
+    """A survey name in bytes that are not UTF-8."""
     path = make_survey()
     path.write_bytes(path.read_bytes().replace(b'name="plane"', b'name="pl' + BAD + b'ne"'))
     assert vtkhelios.read_survey(path).name == r"pl\xff\xfene"
@@ -314,7 +314,7 @@ def test_python_takes_any_name(odd_survey, tmp_path):
     assert (tmp_path / ODD / "s.obj").stat().st_size > 0
 
 
-# What reaches the terminal.
+# Terminal output.
 
 
 @pytest.mark.parametrize(
@@ -347,7 +347,7 @@ def test_contents_of_files_do_not_command_the_terminal(command_line, make_survey
 
 
 def test_what_a_terminal_cannot_show(make_survey):
-    """A terminal of another language: the text is escaped, nothing raises."""
+    """A terminal with another encoding: text is escaped, nothing raises."""
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path), "PYTHONIOENCODING": "ascii"}
     done = subprocess.run(
         [

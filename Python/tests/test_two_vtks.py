@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Beside another VTK the import is refused, in words, before anything crashes.
+"""With another VTK the import fails with a message, before anything crashes.
 
-The tests make a vtkmodules of their own; with PyPI's, where it is there, they run, too:
+The tests create their own vtkmodules; they also run with PyPI's, if installed:
 build/venv/bin/python -m pip install --no-deps --target build/other-vtk vtk
 """
 
@@ -84,7 +84,7 @@ def test_command_line(other):
 
 
 def test_binaries_count_more_than_versions(tmp_path):
-    """The same version, of other libraries, as PyPI's 9.1.0."""
+    """The same version with other libraries, like PyPI's 9.1.0."""
     make_other(tmp_path, VTK_VERSION, "libvtkCommonCore-9.1.so")
     expect_refusal(do("import vtkhelios", tmp_path), tmp_path, VTK_VERSION, "would load")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios validate: what it finds, where, and how it exits."""
+"""vtkhelios validate: its errors, their positions, and exit codes."""
 
 import json
 
@@ -37,7 +37,7 @@ WRONG = """\
 
 @pytest.fixture
 def validate(tmp_path, capsys, monkeypatch):
-    """Writes a file, validates it and returns (exit code, the lines that were printed)."""
+    """Writes a file, validates it and returns (exit code, the printed lines)."""
     monkeypatch.chdir(tmp_path)
 
     def call(text, *arguments):
@@ -82,7 +82,7 @@ def test_a_leg_is_checked_where_only_the_scanner_is_wrong(validate):
     _, lines = validate(text)
     turned = [line for line in lines if "never gets there" in line]
     assert len(turned) == 1 and turned[0].startswith("a.xml:9: error: ")
-    assert not [line for line in lines if "a.xml:6" in line]  # the template's fault is not its own
+    assert not [line for line in lines if "a.xml:6" in line]  # the template's error is not its own
 
 
 def test_legs_are_told_one_by_one(validate):

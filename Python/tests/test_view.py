@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The viewer, driven by keys and mouse on a display of its own; what it shows is in its state file."""
+"""The viewer, driven by keys and mouse on its own display; its state file shows the result."""
 
 import os
 import subprocess
@@ -15,7 +15,7 @@ pytestmark = needs_window
 
 @pytest.fixture
 def open_window(display, tmp_path):
-    """Opens viewers, and closes what is left of them."""
+    """Opens viewers, and closes the remaining ones."""
     open_one, windows = opened(display, tmp_path)
     yield open_one
     close_all(windows)
@@ -27,7 +27,7 @@ def is_finished(state):
 
 @pytest.fixture
 def window(open_window, make_survey):
-    """A survey of a tripod above a plane, all of it there."""
+    """A finished survey of a tripod above a plane."""
     window = open_window(make_survey())
     window.wait(is_finished)
     return window
@@ -82,7 +82,7 @@ def test_the_time_bar_seeks(window):
     window.key("space")
     state = window.wait(lambda s: not s["time"]["playing"])
     left, right, height = state["time"]["bar"]
-    # VTK's slider leaves half of its length free on either side.
+    # VTK's slider leaves half of its length free at either end.
     window.move((WIDTH * (left + 0.25 * (right - left)), HEIGHT * height))
     window.do("click", 1)
     span = state["time"]["end"] - state["time"]["start"]
@@ -142,7 +142,7 @@ def test_a_picture_and_a_video(window, tmp_path, read_pixels):
 def test_a_click_inspects_the_echo_at_that_pixel(window):
     window.key("t")
     window.wait(lambda s: s["camera"]["mode"] == "top")
-    window.key("i")  # the echo nearest the middle, wherever that is
+    window.key("i")  # the echo nearest to the centre
     first = window.wait(lambda s: s["inspector"].get("waveformSamples", 0) > 0)["inspector"]
     window.key("Escape")
     window.wait(lambda s: s["inspector"].get("row", -1) < 0)
@@ -170,7 +170,7 @@ def test_a_survey_that_fails_is_shown(open_window, make_survey, tmp_path):
 
 
 def view_command(*arguments, **environment):
-    """Runs the command line to its end without a display."""
+    """Runs the command line to the end without a display."""
     own = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
     words = view.command(view.find_viewer(), [*map(str, arguments)], {**own, **environment})
     return subprocess.run(

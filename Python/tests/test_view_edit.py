@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scanner in the user's hands: the viewer's direct control, driven by keys and mouse."""
+"""Interactive scanner editing in the viewer, driven by keys and mouse."""
 
 import pathlib
 import time
@@ -35,14 +35,14 @@ MATERIALS = "newmtl grass\nhelios_isGround true\nnewmtl wall\nhelios_reflectance
 
 
 class Hands(Window):
-    """A viewer, and what a user does with its direct control."""
+    """A viewer, and user actions of its editor."""
 
     def __init__(self, display, folder, *arguments):
         made = ["--save", "made.xml", "--no-eye-dome", "--no-fan"]
         super().__init__(display, folder, *arguments, *made)
 
     def edit(self, condition):
-        """The editor's state once a condition holds for it."""
+        """Waits until a condition holds for the editor's state."""
         return self.wait(lambda s: condition(s["editor"]))["editor"]
 
     def drag(self, name, value):
@@ -69,7 +69,7 @@ class Hands(Window):
 
 @pytest.fixture
 def take(display, tmp_path):
-    """Opens a file of the yard and turns direct control on."""
+    """Opens a file of the yard and starts the editor."""
     files = {"survey.xml": SURVEY, "scene.xml": SCENE, "ground.obj": GROUND, "house.obj": HOUSE}
     for name, text in {**files, "m.mtl": MATERIALS}.items():
         (tmp_path / name).write_text(text)
@@ -81,7 +81,7 @@ def take(display, tmp_path):
             lambda s: s["time"]["phase"] == "finished" or (name != "survey.xml" and s["scene"])
         )
         hands.do("search", "--sync", "--onlyvisible", "--name", "vtkHelios")
-        time.sleep(0.5)  # until it listens
+        time.sleep(0.5)  # until it is ready
         hands.key("d")
         hands.edit(lambda e: e["on"])
         return hands
@@ -91,14 +91,14 @@ def take(display, tmp_path):
 
 
 def is_scanned(state):
-    """Whether all echoes of a scan have come since Return was pressed."""
+    """Whether all echoes of a scan have arrived since Return was pressed."""
     time = state["time"]
     is_done = time["phase"] == "finished" and time["computed"] >= time["end"] > 0
     return is_done and state["editor"]["scans"] == 1
 
 
 def count_points(folder):
-    """The echoes that vtkhelios run wrote."""
+    """The echoes written by vtkhelios run."""
     return sum(len(file.read_text().splitlines()) for file in folder.rglob("leg*_points.xyz"))
 
 
@@ -110,10 +110,10 @@ def test_a_click_puts_the_tripod_where_it_is(take):
         assert len(legs) == 1
         assert legs[0]["onGround"]
         assert legs[0]["position"][2] == pytest.approx(0, abs=1e-9)
-        # The mouse is put onto a whole pixel: half of one is as near as it gets.
+        # The mouse moves to whole pixels: accuracy is half a pixel.
         off = np.subtract(hands.project(legs[0]["position"]), hands.project(place))
         assert np.abs(off).max() <= 1.0
-    hands.click((8, 5, 4))  # the roof is no ground
+    hands.click((8, 5, 4))  # the roof is not ground
     legs = hands.edit(lambda e: e["legs"][0]["position"][2] > 3)["legs"]
     assert legs[0]["position"][2] == pytest.approx(4, abs=1e-6)
     assert not legs[0]["onGround"]
@@ -138,7 +138,7 @@ def test_stands_come_and_go(take):
     hands.click((5, -12, 0))
     hands.key("h")
     state = hands.wait(lambda s: s["help"])
-    assert len(state["editor"]["legs"]) == 1  # off: a click is no stand
+    assert len(state["editor"]["legs"]) == 1  # off: clicks add no position
     assert state["editor"]["legs"][0]["position"][:2] == [-8, -9]
 
 
@@ -198,7 +198,7 @@ def test_flight_lines_over_a_rectangle(take, command_line, tmp_path):
 
 
 def get_offset(scene, part):
-    """How far a part of a scene file is moved [m]."""
+    """The offset of a part of a scene file [m]."""
     found = ET.parse(scene).find(f".//part[@id='{part}']//param[@key='offset']")
     return [float(number) for number in found.get("value").split(";")]
 

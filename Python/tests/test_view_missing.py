@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios view without a viewer says why there is none, and what makes one."""
+"""vtkhelios view without a viewer reports the reason, and how to build one."""
 
 import pathlib
 import re
@@ -70,7 +70,7 @@ def test_flag_is_that_of_the_build():
 
 
 def test_demo_builds_what_the_readme_shows():
-    """README.md sends newcomers to vtkhelios view after Apps/demo.sh: it builds the viewer, last."""
+    """README.md refers new users to vtkhelios view after Apps/demo.sh: it builds the viewer, last."""
     script = (ROOT / "Apps/demo.sh").read_text()
     assert "build/bin/vtkhelios view" in (ROOT / "README.md").read_text()
     built = re.findall(r"^helios_build release ([\w -]*\w)", script, re.M)

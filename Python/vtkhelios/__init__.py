@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LiDAR surveys as VTK pipelines.
 
-Every class of every vtkHelios module that was built is here by its name, beside
-a thin layer that makes pipelines Pythonic:
+Every class of every vtkHelios module of this build is available by name, with a thin layer that
+makes pipelines Pythonic:
 
 update(algorithm)
-    Update() that raises PipelineError with the message where a filter fails,
+    Update() that raises PipelineError with the message if a filter fails,
     and turns VTK's warnings into Python's.
 arrays(data)
     the points and arrays of a data object as numpy arrays, without a copy.
@@ -21,9 +21,9 @@ read_survey(), make_survey(), scan()
 Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
-    makes a filter of a function on data.
+    makes a filter from a function on data.
 
-Docs/python.md tells all of it.
+See Docs/python.md.
 
 The classes work with those of stock vtkmodules in one process:
 
@@ -40,7 +40,7 @@ from ._vtk import check_vtk
 
 check_vtk()  # before any binary module
 
-# Before _native, which links to what it loads.
+# Before _native, which links to its libraries.
 from . import vtkHeliosScannerSurvey as _  # noqa: F401
 from ._arrays import arrays
 from ._compose import Pipeline, select_ports
@@ -59,12 +59,12 @@ _own = [
 
 
 def data_directory():
-    """The folder with the scanners, platforms and surveys that come with vtkHelios (a Path)."""
+    """The folder with the scanners, platforms and surveys shipped with vtkHelios (a Path)."""
     return pathlib.Path(__file__).absolute().parent / "data"
 
 
 def _load_modules():
-    """Imports every wrapped module that was built and returns the names of its classes."""
+    """Imports every wrapped module of the build and returns the names of its classes."""
     names = []
     for info in pkgutil.iter_modules(__path__):
         if info.name.startswith("vtkHelios"):

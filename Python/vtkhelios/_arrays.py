@@ -8,13 +8,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 def arrays(data):
     """The arrays of a data object as numpy arrays that share its memory.
 
-    Of a point set: ``points`` (n x 3) and every point array; of a table: every
-    column and, since that is where waveforms keep their samples, every array of
-    the field data; of an image: every point array. Arrays of text are left out.
+    Of a point set: ``points`` (n x 3) and every point array; of a table: every column and every
+    array of the field data (waveforms keep their samples there); of an image: every point array.
+    String arrays are skipped.
 
-    Nothing is copied: writing to a view writes to the data object, and a view
-    stays valid as long as it exists, also after the data object is gone. (A
-    filter that runs again makes new arrays; a view keeps showing the old ones.)
+    Nothing is copied: writing to a view writes to the data object, and a view stays valid as long
+    as it exists, also after the data object is deleted. (A filter that runs again creates new
+    arrays; a view keeps showing the old ones.)
 
     >>> echoes = vtkhelios.arrays(vtkhelios.update(scanner))
     >>> echoes["points"][echoes["ReturnNumber"] == 1]
@@ -34,9 +34,9 @@ def arrays(data):
 
 def _add_views(views, attributes):
     for index in range(attributes.GetNumberOfArrays()):
-        array = attributes.GetArray(index)  # None for text
+        array = attributes.GetArray(index)  # None for strings
         if array is not None and array.GetName():
             name = array.GetName()
-            if isinstance(name, bytes):  # VTK's, of a text that is not UTF-8
+            if isinstance(name, bytes):  # VTK returns bytes if not UTF-8
                 name = name.decode(errors="backslashreplace")
             views[name] = vtk_to_numpy(array)

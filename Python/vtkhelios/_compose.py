@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pipelines with >>, as VTK 9.4 and newer write them.
+"""Pipelines with >>, as in VTK 9.4 and newer.
 
 >>> pipeline = scene >> vtkhelios.vtkHeliosSceneTransform(scale=2) >> writer
 >>> cloud = ((scene, trajectory) >> scanner)()
@@ -16,12 +16,11 @@ __all__ = ["Pipeline", "select_ports"]
 
 
 class Pipeline:
-    """Algorithms that are connected, from ``first`` to ``last``.
+    """Connected algorithms, from ``first`` to ``last``.
 
-    ``pipeline()`` brings it up to date and gives the data of the last one (a tuple
-    where it has several outputs that hold data), which later updates do not change;
-    ``pipeline(data)`` gives data to the first one before. ``pipeline.update().output``
-    is the output itself, which they do.
+    ``pipeline()`` updates it and returns the data of the last one (a tuple if several outputs have
+    data), unaffected by later updates; ``pipeline(data)`` first sets the input of the first one.
+    ``pipeline.update().output`` is the output itself, which later updates change.
     """
 
     def __init__(self, first, last, port=None):
@@ -39,13 +38,13 @@ class Pipeline:
         return _kept(self.update().output)
 
     def update(self):
-        """Brings the last algorithm up to date; raises PipelineError. Returns the pipeline."""
+        """Updates the last algorithm; raises PipelineError. Returns the pipeline."""
         update(self.last, self.port or 0)
         return self
 
     @property
     def output(self):
-        """The data of the last algorithm, as it is."""
+        """The data of the last algorithm, not updated."""
         if self.port is not None:
             return self.last.GetOutputDataObject(self.port)
         return _output(self.last)
@@ -56,7 +55,7 @@ class Pipeline:
 
 
 class _Ports:
-    """An algorithm with the ports to connect; see select_ports()."""
+    """An algorithm with selected ports; see select_ports()."""
 
     def __init__(self, algorithm, input_port, output_port):
         self.algorithm, self.input_port, self.output_port = algorithm, input_port, output_port
@@ -69,10 +68,10 @@ class _Ports:
 
 
 def select_ports(*arguments):
-    """An algorithm with other ports than 0, to put between >>.
+    """An algorithm with ports other than 0, for use with >>.
 
-    select_ports(algorithm, output), select_ports(input, algorithm), or
-    select_ports(input, algorithm, output):
+    select_ports(algorithm, output), select_ports(input, algorithm), or select_ports(input,
+    algorithm, output):
 
     >>> vtkhelios.select_ports(scanner, 1) >> vtkhelios.vtkHeliosEchoDetection()
     >>> trajectory >> vtkhelios.select_ports(1, scanner)
@@ -115,9 +114,9 @@ def compose(left, right):
 
 
 def connect(source, algorithm, port=0):
-    """Gives an algorithm its input: a source, or a tuple of them for its ports from port on.
+    """Sets the input of an algorithm: a source, or a tuple of them for its ports from port on.
 
-    An algorithm with one port that takes many gets all of a tuple there.
+    An algorithm with one repeatable port gets the whole tuple there.
     """
     sources = source if isinstance(source, (tuple, list)) else (source,)
     count = algorithm.GetNumberOfInputPorts()
@@ -166,7 +165,7 @@ def _is_source(item):
 
 
 def _first(source):
-    """Where a pipeline begins that goes on from a source; None for data and tuples."""
+    """First algorithm of a pipeline with this source; None for data and tuples."""
     if isinstance(source, Pipeline):
         return source.first
     if isinstance(source, _Ports):
@@ -175,7 +174,7 @@ def _first(source):
 
 
 def _output(algorithm):
-    """The data of the ports that have any: one object, or a tuple."""
+    """The data of the ports that have any: a single object, or a tuple."""
     outputs = [algorithm.GetOutputDataObject(i) for i in range(algorithm.GetNumberOfOutputPorts())]
     outputs = outputs[:1] + [output for output in outputs[1:] if output and not _is_empty(output)]
     return outputs[0] if len(outputs) == 1 else tuple(outputs)
@@ -187,20 +186,20 @@ def _is_empty(data):
 
 
 def _update(algorithm):
-    """Brings the algorithm up to date; raises PipelineError. Returns the algorithm."""
+    """Updates the algorithm; raises PipelineError. Returns the algorithm."""
     update(algorithm)
     return algorithm
 
 
 def _call(algorithm, data=None):
-    """The output, brought up to date; with data as the input, where given."""
+    """The updated output; with data as the input, if set."""
     if data is not None:
         connect(data, algorithm)
     return _kept(_output(_update(algorithm)))
 
 
 def _kept(output):
-    """The data as it is now: shallow copies, which share all arrays."""
+    """The current data: shallow copies, which share all arrays."""
     if isinstance(output, tuple):
         return tuple(map(_kept, output))
     copy = output.NewInstance()
@@ -208,7 +207,7 @@ def _kept(output):
     return copy
 
 
-# What algorithms get; newer versions of VTK have it.
+# Added to algorithms; newer versions of VTK have it.
 METHODS = {
     "update": _update,
     "__call__": _call,

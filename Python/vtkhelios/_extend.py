@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gives the wrapped classes what VTK 9.4 and newer have by themselves, and a repr that tells."""
+"""Adds features of VTK 9.4 and newer to the wrapped classes, and an informative repr."""
 
 from vtkmodules.vtkCommonCore import vtkObjectBase
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -12,10 +12,10 @@ from ._properties import make_properties, properties, refuse, set_properties
 
 
 def extend(classes):
-    """Extends the wrapped classes, bases before what is made of them."""
+    """Extends the wrapped classes, bases before derived classes."""
     _native.guard()
     if hasattr(vtkAlgorithm, "abort_execute"):
-        return  # a VTK that has all of it
+        return  # a VTK with these features
     _native.set_hooks(set_properties, refuse, compose, describe)
     for cls in sorted(set(classes), key=lambda cls: len(cls.__mro__)):
         if not issubclass(cls, vtkObjectBase):
@@ -28,12 +28,12 @@ def extend(classes):
 
 
 def _init(self, *_, **keywords):
-    """Keywords are properties; for classes written in Python on top."""
+    """Sets properties from keywords; for classes derived in Python."""
     set_properties(self, keywords)
 
 
 def describe(vtk_object):
-    """One line: the class, and what is not as it was made."""
+    """One line: the class, and its non-default properties."""
     values = state(vtk_object)
     defaults = _defaults(type(vtk_object))
     told = [f"{key}={text}" for key, text in values.items() if text != defaults.get(key)]
@@ -41,7 +41,7 @@ def describe(vtk_object):
 
 
 def state(vtk_object):
-    """What can be set, and is, as words."""
+    """Settable properties and values, as text."""
     return {
         name: _short(value.read(vtk_object))
         for name, value in properties(type(vtk_object)).items()
@@ -54,17 +54,17 @@ _known_defaults = {}
 
 
 def _defaults(cls):
-    """What a new object has; nothing where none can be made."""
+    """The values of a new object; empty if none can be made."""
     if cls not in _known_defaults:
         try:
             _known_defaults[cls] = state(cls())
-        except TypeError:  # abstract, or a class written in Python that wants arguments
+        except TypeError:  # abstract, or a Python class that requires arguments
             _known_defaults[cls] = {}
     return _known_defaults[cls]
 
 
 def _short(value):
-    """A value in a few words."""
+    """A value as short text."""
     if isinstance(value, vtkObjectBase):
         return value.GetClassName()
     if isinstance(value, float):

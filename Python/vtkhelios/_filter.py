@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Functions on data as filters, anywhere in a pipeline."""
+"""Functions on data as filters in a pipeline."""
 
 import functools
 
@@ -14,8 +14,8 @@ from .cloud import Cloud, data_of
 __all__ = ["FunctionAlgorithm", "filter"]
 
 
-def filter(function=None, *, output="vtkPolyData"):  # as a decorator its name reads well
-    """Makes a filter of a function on data.
+def filter(function=None, *, output="vtkPolyData"):  # named for use as a decorator
+    """Makes a filter from a function on data.
 
     >>> @vtkhelios.filter
     ... def within(cloud, distance=50.0):
@@ -23,15 +23,14 @@ def filter(function=None, *, output="vtkPolyData"):  # as a decorator its name r
     ...
     >>> near = (scanner >> within(distance=20))()
 
-    Each parameter without a default is an input (without any it is a source), the
-    others are properties of the filter: keywords and attributes. Inputs are Clouds
-    where they are vtkPolyData, else data objects. The function returns what leaves the
-    filter: a Cloud or a data object of the type output; an array of true and false, a
-    point each, for the points to keep; or None, and then what it added to its first
-    input, which is a shallow copy, leaves it. What it raises becomes a PipelineError.
+    Each parameter without a default is an input (without any it is a source), the others are
+    properties of the filter: keywords and attributes. Inputs are Clouds if they are vtkPolyData,
+    else data objects. The function returns the output of the filter: a Cloud or a data object of
+    the type output; a boolean array, one value per point, of the points to keep; or None, to output
+    its first input, a shallow copy, with what was added to it. Exceptions become a PipelineError.
 
-    ``within`` itself can stand between ``>>``, too, with its defaults; ``within.function``
-    is the function.
+    ``within`` itself can be used with ``>>``, with its defaults; ``within.function`` is the
+    function.
     """
     if function is None:
         return functools.partial(filter, output=output)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds and tables of waveforms put one after the other."""
+"""Concatenates clouds and tables of waveforms."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -13,7 +13,7 @@ _SAMPLES, _OFFSET = "Samples", "Offset"  # as in vtkHeliosArrayNames.h
 
 
 def join_clouds(clouds):
-    """One cloud of the points of all; arrays that all have. A copy."""
+    """One cloud of all points, with the arrays common to all. A copy."""
     full = [cloud for cloud in clouds if len(cloud)] or clouds[:1]
     names = [name for name in full[0].names if all(name in cloud for cloud in full)]
     columns = {name: np.concatenate([cloud[name] for cloud in full]) for name in names}
@@ -23,7 +23,7 @@ def join_clouds(clouds):
 
 
 def join_tables(tables):
-    """One table of waveforms, with all samples one after the other. A copy."""
+    """One table of waveforms, with all samples concatenated. A copy."""
     joined = vtkTable()
     joined.GetFieldData().ShallowCopy(tables[0].GetFieldData())
     samples = [vtk_to_numpy(table.GetFieldData().GetArray(_SAMPLES)) for table in tables]

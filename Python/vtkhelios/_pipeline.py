@@ -17,7 +17,7 @@ _HEAD = re.compile(
     r"\s*(?:Generic )?(?:ERROR|Warning): In .*?, line \d+\s+(?:(\w+) \(\w+\): )?", re.I
 )
 _ADDRESS = re.compile(r" ?\(0x[0-9a-f]+\)")
-# What an executive adds when a filter has failed already.
+# Added by an executive when a filter has already failed.
 _EXECUTIVE = re.compile(
     r"returned failure for request|No update piece number has been set|Failure when calling method"
 )
@@ -26,7 +26,7 @@ _STRATEGIES = ("RayCaster", "BeamDeflector", "BeamSampler", "EchoDetector")
 
 
 class PipelineError(RuntimeError):
-    """An algorithm has failed. ``messages`` holds every error, ``str()`` joins them."""
+    """Failure of an algorithm. ``messages`` holds every error, ``str()`` joins them."""
 
     def __init__(self, messages):
         super().__init__("\n".join(messages))
@@ -34,7 +34,7 @@ class PipelineError(RuntimeError):
 
 
 def clean_message(text):
-    """The message of a VTK error event, without places in source and memory."""
+    """The message of a VTK error event, without source locations and addresses."""
     head = _HEAD.match(text)
     return _ADDRESS.sub("", text[head.end() :] if head else text).strip()
 
@@ -45,9 +45,9 @@ def is_executive_message(message):
 
 
 def observe_messages(vtk_object, on_error, on_warning):
-    """Calls functions with the clean text of every error and warning of an object, whatever bytes it has.
+    """Calls functions with the clean text of every error and warning of an object, for any bytes.
 
-    Returns what remove_observers() takes.
+    Returns the argument of remove_observers().
     """
     observers = []
     for event, say in (("ErrorEvent", on_error), ("WarningEvent", on_warning)):
@@ -60,7 +60,7 @@ def observe_messages(vtk_object, on_error, on_warning):
 
 
 def remove_observers(observers):
-    """Ends what observe_messages() began."""
+    """Removes those observers again."""
     for vtk_object, tag in observers:
         vtk_object.RemoveObserver(tag)
     observers.clear()
@@ -68,7 +68,7 @@ def remove_observers(observers):
 
 def report_error(algorithm, message):
     """Reports an error of an algorithm written in Python, as vtkErrorMacro does."""
-    text = os.fsencode(message)  # a file name in it may be no UTF-8
+    text = os.fsencode(message)  # file names in it may not be UTF-8
     if algorithm.HasObserver("ErrorEvent"):
         algorithm.InvokeEvent("ErrorEvent", text)
     else:
@@ -76,7 +76,7 @@ def report_error(algorithm, message):
 
 
 class MessageLog:
-    """Collects errors and warnings of the objects it watches, as a context manager."""
+    """Collects errors and warnings of the watched objects, as a context manager."""
 
     def __init__(self):
         self.errors = []
@@ -95,7 +95,7 @@ class MessageLog:
                 self.watch(held)
 
     def root_errors(self):
-        """The errors without those by which an executive repeats them, each once."""
+        """The errors without repeats by an executive, each once."""
         roots = [error for error in self.errors if not is_executive_message(error)]
         return list(dict.fromkeys(roots or self.errors))
 
@@ -107,7 +107,7 @@ class MessageLog:
 
 
 def upstream(algorithm):
-    """The algorithm and all that it takes its input from, each once."""
+    """The algorithm and everything upstream of it, each once."""
     found, queue = [], [algorithm]
     while queue:
         current = queue.pop()
@@ -123,13 +123,12 @@ def upstream(algorithm):
 def update(algorithm, port=0, progress=None):
     """Brings an algorithm up to date and returns the data of an output port.
 
-    Raises PipelineError, with the message, where it or anything upstream reports
-    an error; the warnings of the pipeline become Python's RuntimeWarning.
+    Raises PipelineError, with the message, if it or anything upstream reports an error; the
+    warnings of the pipeline become Python's RuntimeWarning.
 
-    Other Python threads go on meanwhile. Ctrl-C stops the pipeline at its next sign
-    of progress and raises KeyboardInterrupt, as does whatever the function progress
-    raises: it is called with an algorithm and its share of work done (0 to 1), some
-    ten times a second.
+    Other Python threads continue meanwhile. Ctrl-C stops the pipeline at its next progress event
+    and raises KeyboardInterrupt; exceptions of the function progress also stop it: it is called
+    with an algorithm and its fraction of work done (0 to 1), about ten times a second.
 
     >>> echoes = vtkhelios.update(scanner)
     """
@@ -143,7 +142,7 @@ def update(algorithm, port=0, progress=None):
 
 
 def conclude(log, exceptions=(), stacklevel=3):
-    """Warns of what was warned of, and raises what went wrong."""
+    """Issues the logged warnings, and raises errors."""
     for exception in exceptions:
         if not isinstance(exception, Exception):
             raise exception  # KeyboardInterrupt, SystemExit

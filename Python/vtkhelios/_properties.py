@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Properties of wrapped classes as attributes, as VTK 9.4 and newer spell them.
+"""Properties of wrapped classes as attributes, named as in VTK 9.4 and newer.
 
-``SetBeamDivergence()`` and ``GetBeamDivergence()`` make ``beam_divergence``. What a
-class offers is found in its methods; what it accepts, it is asked.
+``SetBeamDivergence()`` and ``GetBeamDivergence()`` make ``beam_divergence``. Properties come from
+the methods of a class; valid values from trying them.
 """
 
 import functools
@@ -16,7 +16,7 @@ from .cloud import data_of
 __all__ = ["Choice", "make_properties", "properties", "set_properties", "snake_case"]
 
 _WORDS = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
-# Of every object of VTK, and not what one asks a scanner for.
+# Properties of every VTK object, not specific to LiDAR.
 _LEFT_OUT = set(
     "address_as_string class_name command debug executive global_warning_display information input "
     "input_algorithm input_data_object input_executive input_information is_in_memkind is_python "
@@ -25,8 +25,8 @@ _LEFT_OUT = set(
     "total_number_of_input_connections update_extent update_ghost_level update_number_of_pieces "
     "update_piece using_memkind".split()
 )
-_NOT_SET = {"Progress"}  # by others than the algorithm itself
-# "Valid range: (0, 1e6]. ", and nothing else beside the numbers.
+_NOT_SET = {"Progress"}  # not set by users
+# "Valid range: (0, 1e6]. ", with only the numbers.
 _NUMBER = r"([-+]?(?:infinity|[\d.]+(?:e[-+]?\d+)?))"
 _INTERVAL = re.compile(rf"Valid\s+range:\s*([\[(]){_NUMBER},\s*{_NUMBER}([\])])\.(?:\s|$)")
 _KINDS = {
@@ -43,7 +43,7 @@ def snake_case(name):
 
 
 class Choice(int):
-    """A value out of a few, which compares with its name, too: ``scanner.sampling == "fixed"``."""
+    """A value of an enumeration that also compares with its name: ``scanner.sampling == "fixed"``."""
 
     def __new__(cls, value, name):
         self = super().__new__(cls, value)
@@ -69,7 +69,7 @@ class Choice(int):
 
 
 class Property:
-    """A pair of Set and Get, or a Get alone: a descriptor, which reads texts when they are asked for."""
+    """A pair of Set and Get, or a Get alone: a descriptor that reads texts on demand."""
 
     def __init__(self, cls, camel):
         self.cls, self.camel = cls, camel
@@ -93,7 +93,7 @@ class Property:
 
     @functools.cached_property
     def choices(self):
-        """Name: (number, method) of its values, where it has SetXToName()."""
+        """Name: (number, method) of its values, if it has SetXToName()."""
         return _choices(self.cls, self.camel)
 
     @property
@@ -101,7 +101,7 @@ class Property:
         return snake_case(self.camel)
 
     def read(self, vtk_object):
-        """The value; out of a few, a Choice."""
+        """The value; of an enumeration, a Choice."""
         value = getattr(vtk_object, f"Get{self.camel}")()
         if isinstance(value, int) and self.choices:
             name = next(
@@ -139,7 +139,7 @@ class Property:
 
     @property
     def kind(self):
-        """What it takes, in words."""
+        """Accepted values, as text."""
         if self.choices:
             return f"one of: {', '.join(self.choices)}"
         kind = self.annotation
@@ -149,7 +149,7 @@ class Property:
 
     @property
     def annotation(self):
-        """The type that VTK's wrapper tells, of the setter, or else of the getter."""
+        """The type from VTK's wrapper, of the setter, or else of the getter."""
         if self.setter_name:
             found = re.findall(
                 r"\(self, \w+:(.+?)\)\s*->", self._signatures(self.setter_name), re.S
@@ -162,7 +162,7 @@ class Property:
         return getattr(self.cls, method).__doc__ or ""
 
     def valid_range(self, vtk_object):
-        """The range in words, as the class tells it."""
+        """The valid range as text, from the class."""
         if self.choices:
             return f"give {self.kind}"
         limits = [
@@ -179,7 +179,7 @@ class Property:
         )
 
     def _is_told_valid(self, value):
-        """Whether a number is within the range that the documentation tells, where it tells one."""
+        """Whether a number is within the documented range, if there is one."""
         told = _INTERVAL.search(self.__doc__ or "")
         if not told or not isinstance(value, (int, float)) or isinstance(value, bool):
             return True
@@ -204,14 +204,14 @@ def _choices(cls, camel):
 
 
 def _doc(cls, camel):
-    """What C++ says of a property, by itself or of the group that it stands in."""
+    """The C++ documentation of a property, its own or that of its group."""
     told = _texts(cls)
     return told.get(f"Set{camel}") or told.get(f"Get{camel}") or None
 
 
 @functools.lru_cache(maxsize=None)
 def _texts(cls):
-    """The text of every method; one without is in the group of the one above it."""
+    """The text of every method; one without text is in the group of the one above."""
     texts, last = {}, ""
     for base in reversed(cls.__mro__):
         for name, method in vars(base).items():
@@ -226,7 +226,7 @@ def _texts(cls):
 
 
 def _plain(value, before):
-    """The value as the wrapper takes it: numpy's scalars and arrays, paths, views."""
+    """The value as accepted by the wrapper: numpy's scalars and arrays, paths, views."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, Choice):
@@ -252,7 +252,7 @@ def _is_as_given(value, given):
 
 @functools.lru_cache(maxsize=None)
 def properties(cls):
-    """The properties of a class by name, those of its bases included, in order of names."""
+    """The properties of a class by name, including those of its bases, sorted by name."""
     found = {}
     for name in dir(cls):
         attribute = getattr(cls, name, None)
@@ -262,7 +262,7 @@ def properties(cls):
 
 
 def make_properties(cls):
-    """What a class lacks: a Property for every getter without arguments of its own."""
+    """Adds to a class a Property for every getter without arguments."""
     own = vars(cls)
     bases = [base for base in cls.__mro__[1:] if not base.__module__.startswith("vtkhelios.")]
     inherited = dir(bases[0]) if cls.__mro__[1] is bases[0] else ()
@@ -296,7 +296,7 @@ def set_properties(vtk_object, values):
 
 
 def refuse(vtk_object, name):
-    """Raises AttributeError for a name that the class does not have."""
+    """Raises AttributeError for an unknown name."""
     import difflib
 
     cls = type(vtk_object)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The VTK that Python finds must be the one that vtkHelios was built with.
+"""Checks that Python finds the VTK that vtkHelios was built with.
 
-Two VTKs in one process end it by a segmentation fault. What Python would load is looked at as files,
-before anything of it, or of ours, is loaded.
+Two VTKs in one process cause a segmentation fault. The files that Python would load are checked
+before any of them, or of ours, is loaded.
 """
 
 import importlib.machinery
@@ -21,7 +21,7 @@ _CURE = (
 
 
 def check_vtk():
-    """Raises ImportError where vtkmodules are missing, or those of another VTK."""
+    """Raises ImportError if vtkmodules are missing, or belong to another VTK."""
     folder = _find_folder()
     if folder is None:
         raise ImportError(
@@ -39,7 +39,7 @@ def check_vtk():
 
 
 def _find_folder():
-    """The folder of the vtkmodules that are loaded, or would be; None where there are none."""
+    """The folder of the loaded or importable vtkmodules; None if there are none."""
     if "vtkmodules" in sys.modules:
         folders = getattr(sys.modules["vtkmodules"], "__path__", [])
     else:
@@ -49,7 +49,7 @@ def _find_folder():
 
 
 def _is_own(folder):
-    """Whether the modules of a folder link to the library that ours link to."""
+    """Whether the modules of a folder link to the same library as ours."""
     spec = importlib.machinery.PathFinder.find_spec("vtkCommonCore", [str(folder)])
     binary = pathlib.Path(spec.origin).read_bytes() if spec and spec.origin else b""
     if binary.startswith(b"\x7fELF"):
@@ -58,7 +58,7 @@ def _is_own(folder):
 
 
 def _version(folder):
-    """What vtkmodules/__init__.py says of its version, or None."""
+    """The version in vtkmodules/__init__.py, or None."""
     try:
         text = (folder / "__init__.py").read_text(encoding="utf-8", errors="replace")
     except OSError:

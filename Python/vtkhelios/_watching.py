@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ``progress=`` may be: nothing, True for a line on standard error, a function."""
+"""Values of ``progress=``: nothing, True for a line on standard error, a function."""
 
 import contextlib
 import sys
@@ -10,9 +10,9 @@ SECONDS_BETWEEN_LINES = 0.2
 
 
 class ProgressLine:
-    """One line that is written over: a bar, the share done, the time that is left.
+    """One line that is overwritten: a bar, the fraction done, the remaining time.
 
-    A file that cannot be written to ends no run: nothing is shown.
+    A file that cannot be written does not end a run: nothing is shown.
     """
 
     def __init__(self, file=None):
@@ -35,19 +35,19 @@ class ProgressLine:
         self._width = len(line)
 
     def _write(self, text):
-        if self._file is not None:  # Python has none where the stream is closed
+        if self._file is not None:  # None if Python's stream is closed
             with contextlib.suppress(OSError, ValueError):
                 self._file.write(text)
                 self._file.flush()
 
     def close(self):
-        """Wipes the line."""
+        """Clears the line."""
         if self._width:
             self._write("\r" + " " * self._width + "\r")
 
 
 class Progress:
-    """Entered: what VTK's progress is told to, or None; ``begin`` and ``end`` say which part it is."""
+    """Entered: the target of VTK's progress, or None; ``begin`` and ``end`` are the range of its part."""
 
     def __init__(self, progress):
         if not (progress in (None, True, False) or callable(progress)):
@@ -67,7 +67,7 @@ class Progress:
 
     @property
     def callback(self):
-        """A function of the object and its share, for _native.run()."""
+        """A function of the object and its progress, for _native.run()."""
         return self._pass_on if self._tell else None
 
     def _pass_on(self, _object, share):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes a cloud to a file, in the form that its ending names."""
+"""Writes a cloud to a file; its ending selects the format."""
 
 import importlib
 import os

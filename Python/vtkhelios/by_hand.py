@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surveys made by hand: a scanner of the catalogue, put somewhere in a scene.
+"""Surveys made by hand: a scanner of the catalogue, placed in a scene.
 
->>> cloud = vtkhelios.scan(scene, position=(0, 0), head=(0, 360), head_speed=60, scan_frequency=100)
+>>> cloud = vtkhelios.scan(scene, position=(0, 0), head=(0, 360), head_speed=60,
+                        scan_frequency=100)
 """
 
 import pathlib
@@ -15,7 +16,7 @@ from .survey import check_options, read_survey
 
 __all__ = ["make_survey", "scan"]
 
-# What a leg may be told, its attribute in XML, and how it is written.
+# Leg settings, their XML attributes, and how they are written.
 _PLATFORM = {
     "speed": "movePerSec_m",
     "stop_and_turn": "stopAndTurn",
@@ -58,26 +59,26 @@ def make_survey(
     assets=(),
     **settings,
 ):
-    """A survey (a Survey) of a scene, without files of yours.
+    """A survey (a Survey) of a scene, without user files.
 
     scene
         a Scene, a vtkPolyData of triangles, or an algorithm that makes one.
     legs
         a dictionary each, or only a position. ``position``: x, y on the ground below, or
-        x, y, z [m]. On a platform that moves a leg goes on to the position of the next,
-        and the last one is where it ends. Of its settings:
+        x, y, z [m]. On a moving platform a leg extends to the position of the next,
+        and the last one is the end point. Its settings:
         speed [m/s], stop_and_turn, smooth_turn, yaw_at_departure [deg]; active,
         pulse_frequency [Hz], scan_frequency [lines/s], scan_angle [deg, half],
         vertical=(lowest, highest) [deg], head=(start, stop) [deg], head_speed [deg/s],
         vertical_resolution, horizontal_resolution [deg], beam_divergence [rad],
         duration [s].
     settings
-        the same for all legs that do not say otherwise.
+        defaults for all legs.
     scanner, platform
         ids in the catalogue, or "file.xml#id" to be found in the folders of assets.
 
-    Behind the scenes scene and survey stand in a temporary folder, which goes away with
-    them. Raises PipelineError with what is wrong.
+    Internally scene and survey are stored in a temporary folder, deleted with them. Raises
+    PipelineError with the errors.
     """
     scene = scene if isinstance(scene, Scene) else Scene(scene)
     text = _SURVEY.format(
@@ -108,11 +109,11 @@ def make_survey(
 def scan(
     scene, position=None, path=None, scanner="vz400_class_tls", platform=None, assets=(), **more
 ):
-    """Puts a scanner into a scene and returns its echoes as a Cloud.
+    """Places a scanner in a scene and returns its echoes as a Cloud.
 
-    It stands at a position (on a tripod), or moves along a path of positions (on
-    "copter_linearpath"). ``more`` are the settings of a leg, see make_survey(), and the
-    options of Survey.run(): progress, waveforms, noise, seed ...
+    It is at a position (on a tripod), or moves along a path of positions (on "copter_linearpath").
+    ``more`` are the settings of a leg, see make_survey(), and the options of Survey.run():
+    progress, waveforms, noise, seed ...
     """
     if (position is None) == (path is None):
         raise TypeError("scan() takes a position to stand at, or a path to move along")
@@ -143,7 +144,7 @@ def _leg(leg, settings):
 
 
 def _pick(leg, known, rest=None):
-    """The XML attributes of what is known; with rest, what is left over there is an error."""
+    """The XML attributes of known settings; with rest, any others there are an error."""
     found = {}
     for name in [name for name in leg if name in known]:
         value, target = leg.pop(name), known[name]

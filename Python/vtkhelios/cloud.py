@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds: a vtkPolyData of points, and its arrays as numpy sees them."""
+"""Clouds: a vtkPolyData of points, with its arrays as numpy arrays."""
 
 import os
 
@@ -28,12 +28,12 @@ class Cloud:
     """A thin view of a vtkPolyData: nothing is copied, and writing to an array writes to the data.
 
     polydata
-        the vtkPolyData, for VTK, ParaView's writers, ``pyvista.wrap()``. Where it has no
-        cells it gets a vertex a point when it is first asked for, which is what draws.
+        the vtkPolyData, for VTK, ParaView's writers, ``pyvista.wrap()``. Without cells, a
+        vertex per point is added on first access, for rendering.
     data
-        the same vtkPolyData as it is: no vertices are made.
+        the same vtkPolyData unchanged: no vertices are added.
     waveforms, pulses, sub_rays
-        what came with the echoes of a survey (a vtkTable and two Clouds), else None.
+        additional output of a survey (a vtkTable and two Clouds), else None.
 
     >>> cloud.points[cloud["ReturnNumber"] == 1]
     """
@@ -49,10 +49,9 @@ class Cloud:
 
     @classmethod
     def from_arrays(cls, points, **columns):
-        """A cloud of points (n x 3) and arrays of n rows, which it shares where it can.
+        """A cloud of points (n x 3) and arrays of n rows, shared if possible.
 
-        float64 points and contiguous arrays of numbers are not copied. Arrays of true
-        and false become uint8.
+        float64 points and contiguous arrays of numbers are not copied. Boolean arrays become uint8.
         """
         cloud = cls()
         holder = vtkPoints()
@@ -68,7 +67,7 @@ class Cloud:
 
     @property
     def polydata(self):
-        """The vtkPolyData, with a vertex a point where it has no cells."""
+        """The vtkPolyData, with a vertex per point if it has no cells."""
         if self.data.GetNumberOfCells() == 0 and len(self):
             self.data.SetVerts(_make_vertices(len(self)))
         return self.data
@@ -81,7 +80,7 @@ class Cloud:
 
     @property
     def names(self):
-        """The names of the arrays of the points; text is left out."""
+        """The names of the point arrays, except string arrays."""
         return [name for name in arrays(self.data) if name != "points"]
 
     def __getitem__(self, key):
@@ -102,7 +101,7 @@ class Cloud:
         return vtk_to_numpy(array)
 
     def __setitem__(self, name, values):
-        """Adds an array of as many rows as there are points, or takes the place of one."""
+        """Adds or replaces an array; it has as many rows as there are points."""
         array = np.asarray(values)
         if len(array.shape) not in (1, 2) or len(array) != len(self):
             raise ValueError(f"{name} has the shape {array.shape}; give {len(self)} rows")
@@ -132,13 +131,13 @@ class Cloud:
     def to_structured(self, names=None):
         """A structured array of all, or some, arrays; x, y and z are the first fields.
 
-        This is a copy: its rows lie together in memory, and in VTK those of an array
-        do. ``records`` is the same without one; ``points`` and ``[name]`` are, too.
+        This is a copy: its rows are contiguous in memory, while VTK's arrays are contiguous by
+        column. ``records`` avoids the copy; so do ``points`` and ``[name]``.
         """
         return self.records.to_structured(names)
 
     def filter(self, keep):
-        """A new cloud of the points where a mask is true, or of those with the indices given."""
+        """A new cloud of the points selected by a mask or by indices."""
         keep = keep if isinstance(keep, slice) else np.asarray(keep)
         if isinstance(keep, np.ndarray):
             if keep.dtype.kind not in "biu" or keep.ndim != 1:
@@ -157,16 +156,16 @@ class Cloud:
         return kept
 
     def with_vertices(self):
-        """The same points and arrays with a vertex a point, and no other cells."""
+        """The same points and arrays with a vertex per point, and no other cells."""
         shown = vtkPolyData()
         shown.ShallowCopy(self.data)
         shown.SetVerts(_make_vertices(len(self)))
         return Cloud(shown, self.waveforms, self.pulses, self.sub_rays)
 
     def write(self, path):
-        """Writes a file; its ending says which: .xyz (text), .las, .vtp (ParaView).
+        """Writes a file; its ending selects the format: .xyz (text), .las, .vtp (ParaView).
 
-        Docs/files.md says what is in them.
+        See Docs/files.md.
         """
         from . import _write
 
@@ -196,17 +195,17 @@ class Cloud:
 
 
 def data_of(item):
-    """The data object of a Cloud, as it is, or of a Scene; anything else is returned."""
+    """The data object of a Cloud, unchanged, or of a Scene; anything else is returned."""
     return item.data if isinstance(item, Cloud) else getattr(item, "polydata", item)
 
 
 class Records:
     """The columns of a cloud as a table whose rows are records, without a copy.
 
-    ``records["Range"]`` is the array of the cloud itself, and so is x (a strided view
-    of the points); writing to it writes to the cloud. ``records[7]`` and
-    ``records[mask]`` are structured numpy arrays: copies, as rows do not lie together
-    in memory. numpy functions that want a structured array get one, copied.
+    ``records["Range"]`` is the array of the cloud itself, and so is x (a strided view of the
+    points); writing to it writes to the cloud. ``records[7]`` and ``records[mask]`` are structured
+    numpy arrays: copies, as rows are not contiguous in memory. numpy functions that need a
+    structured array get a copy.
     """
 
     def __init__(self, columns):
@@ -265,7 +264,7 @@ class Records:
 
 
 def _make_vertices(count):
-    """A cell a point, of 8 bytes each (16 from 2^31 points on); the memory is VTK's own."""
+    """A vertex cell per point, 8 bytes each (16 from 2^31 points on); the memory is VTK's own."""
     ids = vtkTypeInt32Array() if count < 2**31 - 1 else vtkTypeInt64Array()
     ids.SetNumberOfValues(count)
     vtk_to_numpy(ids)[:] = np.arange(count)

@@ -1,16 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds of the Point Cloud Library (PCL), as numpy sees them without a copy.
+"""Clouds of the Point Cloud Library (PCL) as numpy arrays without a copy.
 
 >>> from vtkhelios import pcl
 >>> cloud = pcl.CloudEcho.from_polydata(echoes)     # float, relative to cloud.origin
 >>> cloud.points[:, 2].max(), cloud["GpsTime"][0]   # views of PCL's memory
 >>> again = cloud.to_polydata()                     # double, the origin added
 
-Views hold the memory they show: the cloud may go before them. The filters that PCL
-does are VTK algorithms: vtkHeliosPCLOutlierRemoval, vtkHeliosPCLVoxelGrid,
-vtkHeliosPCLNormals, vtkHeliosPCLGroundFilter, vtkHeliosPCLClusters,
-vtkHeliosPCLPlanes, vtkHeliosPCLRegistration.
+Views keep their memory alive: the cloud may be deleted first. The PCL filters are VTK algorithms:
+vtkHeliosPCLOutlierRemoval, vtkHeliosPCLVoxelGrid, vtkHeliosPCLNormals, vtkHeliosPCLGroundFilter,
+vtkHeliosPCLClusters, vtkHeliosPCLPlanes, vtkHeliosPCLRegistration.
 """
 
 try:

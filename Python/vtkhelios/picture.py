@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture of point clouds: python -m vtkhelios.picture CLOUD... --output PICTURE.png
 
-Points are coloured by their class (ground, vegetation, buildings ...) where the cloud has classes,
-else by height, a little brighter where their echo is strong, and lit by the shape they make. It needs
-an X display; without one:
+Points are coloured by their class (ground, vegetation, buildings ...) if the cloud has classes,
+else by height, slightly brighter for strong echoes, and shaded by their shape. It needs an X
+display; without one:
 
 xvfb-run -a -s "-screen 0 1280x1024x24" python3 -m vtkhelios.picture CLOUD... --output PICTURE.png
 """
@@ -31,13 +31,13 @@ from vtkmodules import vtkRenderingCore as rendering
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  draws at all
 
-OVERSAMPLING = 2  # drawn that many times wider and higher, then averaged
+OVERSAMPLING = 2  # supersampling factor in width and height, then averaged
 
 BACKGROUND_TOP, BACKGROUND_BOTTOM = (0.16, 0.20, 0.26), (0.05, 0.06, 0.08)
 TEXT = (0.86, 0.88, 0.90)
 MARK = (1.0, 0.80, 0.20)
 BAR = 0.05  # of the height: title and legend, below the picture
-SUN = (-0.55, 0.60, 0.58)  # where the light comes from: right, up, towards the viewer
+SUN = (-0.55, 0.60, 0.58)  # direction of the light: right, up, towards the viewer
 
 # ASPRS classes: a colour and a name.
 CLASSES = {
@@ -68,13 +68,13 @@ XYZ_COLUMNS = {"x": 0, "y": 1, "z": 2, "intensity": 3, "classification": 9}
 
 
 def can_render():
-    """Whether there is an X display. VTK ends the process where it looks for one in vain."""
+    """Whether there is an X display. VTK exits if it finds none."""
     try:
         x11 = ctypes.CDLL("libX11.so.6")
     except OSError:
         return False
     x11.XOpenDisplay.restype = ctypes.c_void_p
-    # Never closed: an Xvfb that loses its last client starts anew, and drops who comes meanwhile.
+    # Never closed: an Xvfb that loses its last client restarts, and drops new clients meanwhile.
     return bool(x11.XOpenDisplay(None))
 
 
@@ -147,7 +147,7 @@ def make_text(words, x, y, size, colour=TEXT, right=False):
 
 
 def add_legend(renderer, classes, marks):
-    """The classes that occur, with their colours, at the right of the bar below the picture."""
+    """The classes present, with their colours, at the right of the bar below the picture."""
     entries = [(MARK, "scanner")] if len(marks) else []
     if len(np.unique(classes)) > 1:
         entries += [CLASSES.get(number, UNCLASSIFIED) for number in reversed(np.unique(classes))]
@@ -158,7 +158,7 @@ def add_legend(renderer, classes, marks):
 
 
 def place_camera(renderer, points, azimuth, elevation, zoom):
-    """Looks from a compass direction [deg] and height [deg] at where most points are."""
+    """Looks from a compass direction [deg] and height [deg] at the bulk of the points."""
     low, high = np.quantile(points, [0.01, 0.99], axis=0)
     centre, a, e = (low + high) / 2, np.radians(azimuth), np.radians(elevation)
     camera = renderer.GetActiveCamera()
@@ -182,11 +182,11 @@ def save_picture(
 ):
     """Writes a PNG of point clouds [(points, strengths, classes) ...]; marks are positions to show.
 
-    Drawn at twice the size and averaged. Raises RuntimeError where there is no display.
+    Drawn at twice the size and averaged. Raises RuntimeError without a display.
     """
     check_display()
     points, _, classes = (np.concatenate(columns) for columns in zip(*clouds))
-    origin = points.mean(axis=0)  # the graphics card counts in float
+    origin = points.mean(axis=0)  # the graphics card computes in float
     rgb = np.concatenate([colours(*cloud) for cloud in clouds])
     actor = make_cloud_actor(points - origin, rgb, point_size * OVERSAMPLING)
     marks = np.reshape(marks, (-1, 3)) - origin
@@ -197,9 +197,9 @@ def save_picture(
 def save_mesh_picture(
     mesh, output, marks=(), title="", size=(1600, 1000), azimuth=215.0, elevation=28.0, zoom=1.6
 ):
-    """Writes a PNG of triangles with colours (cell scalars of three bytes), lit as clouds are.
+    """Writes a PNG of triangles with colours (cell scalars of three bytes), lit like clouds.
 
-    Raises RuntimeError where there is no display.
+    Raises RuntimeError without a display.
     """
     check_display()
     points = arrays(mesh)["points"]
@@ -226,7 +226,7 @@ def check_display():
 
 
 def draw_picture(actor, points, classes, marks, output, title, size, look):
-    """What both pictures have in common: points tell the camera where to look."""
+    """Common part of both pictures: the camera is fitted to the points."""
     scene = rendering.vtkRenderer()
     scene.AddActor(actor)
     place_camera(scene, points, *look)
@@ -262,7 +262,7 @@ def make_window(size):
 
 
 def grab_colours(window):
-    """What a window shows, height x width x 3 in [0, 1], from the bottom row up."""
+    """The image of a window, height x width x 3 in [0, 1], from the bottom row up."""
     width, height = window.GetSize()
     pixels = vtkUnsignedCharArray()
     window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels, 0)
@@ -270,7 +270,7 @@ def grab_colours(window):
 
 
 def grab_distances(window, renderer):
-    """How far what a window shows is from the camera, along its axis; infinite: nothing there."""
+    """Distance of each window pixel from the camera, along its axis; infinite: background."""
     width, height = window.GetSize()
     depths = vtkFloatArray()
     window.GetZbufferData(0, 0, width - 1, height - 1, depths)
@@ -281,7 +281,7 @@ def grab_distances(window, renderer):
 
 
 def shade(rgb, distance, view_angle):
-    """Lights what was drawn by the shape that its distances show; elsewhere the background shows."""
+    """Shades the image by the shape in its distances; elsewhere the background shows."""
     drawn = np.isfinite(distance)
     light = np.clip(0.72 + 0.42 * sunlight(distance, view_angle), 0.5, 1.2) * dome_light(distance)
     height = np.linspace(0.0, 1.0, len(rgb))[:, None, None]
@@ -290,7 +290,7 @@ def shade(rgb, distance, view_angle):
 
 
 def dome_light(distance, strength=12.0):
-    """Eye-dome lighting (Boucheny 2009): the more its neighbours are in front, the darker a pixel."""
+    """Eye-dome lighting (Boucheny 2009): pixels are darker the more their neighbours are in front."""
     log_distance = np.log(np.where(np.isfinite(distance), distance, 1e30))
     shadow = np.zeros_like(distance)
     for radius in (1, 2, 4):
@@ -303,9 +303,10 @@ def dome_light(distance, strength=12.0):
 
 
 def sunlight(distance, view_angle, radius=3 * OVERSAMPLING):
-    """The cosine between the light and the normals of the surface that the points lie on.
+    """The cosine between the light and the normals of the surface of the points.
 
-    A surface whose distance d changes by g = d log(d) a radian has the normal (g, 1) before the camera.
+    A surface whose distance d changes by g = d log(d) a radian has the normal (g, 1) before the
+    camera.
     """
     drawn = np.isfinite(distance)
     weight = average(drawn.astype(float), radius)
@@ -317,14 +318,14 @@ def sunlight(distance, view_angle, radius=3 * OVERSAMPLING):
 def average(image, radius):
     """The mean over a square of side 2 radius + 1, by running sums."""
     width = 2 * radius + 1
-    for _ in range(2):  # along the rows, then, turned, along the columns
+    for _ in range(2):  # along the rows, then, transposed, along the columns
         sums = np.cumsum(np.pad(image, ((radius + 1, radius), (0, 0)), mode="edge"), axis=0)
         image = ((sums[width:] - sums[:-width]) / width).T
     return image
 
 
 def write_png(rgb, output):
-    """Writes an oversampled picture, rows from the bottom up, averaged down to its size."""
+    """Writes a supersampled picture, rows from the bottom up, averaged down to its size."""
     height, width = (n // OVERSAMPLING for n in rgb.shape[:2])
     rgb = rgb.reshape(height, OVERSAMPLING, width, OVERSAMPLING, 3).mean(axis=(1, 3))
     pixels = (rgb.reshape(-1, 3) * 255).round().astype(np.uint8)
@@ -337,12 +338,12 @@ def write_png(rgb, output):
     writer.Write()
     if writer.GetErrorCode():
         if pathlib.Path(output).is_file():
-            pathlib.Path(output).unlink()  # it is not whole
+            pathlib.Path(output).unlink()  # incomplete
         raise OSError(errno.ENOSPC, "the disk may be full", str(output))
 
 
 def find_marks(cloud):
-    """Where the scanner stood for a cloud, from the trajectory beside it; none where it moved."""
+    """Scan positions of a cloud, from the trajectory beside it; empty if it moved."""
     path = pathlib.Path(cloud)
     trajectory = path.with_name(path.name.replace("_points", "_trajectory")).with_suffix(".txt")
     if not trajectory.is_file():

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A picture of a plan: the scene by the number of scans that see it, and by their best incidence.
+"""A picture of a plan: the scene by its number of scans, and by their best incidence angle.
 
-Every place has the colour of the test point nearest to it; the positions are marked. It needs an X
+Every pixel has the colour of the nearest test point; the positions are marked. It needs an X
 display, as vtkhelios.picture does.
 """
 
@@ -26,7 +26,7 @@ SCANS = [  # by the number of scans: a colour and a name
     ((0.30, 0.48, 0.80), "4"),
     ((0.50, 0.34, 0.72), "5 and more"),
 ]
-MOST_NUMBERS = 40  # positions that have theirs beside them
+MOST_NUMBERS = 40  # positions with a number beside them
 
 
 def save_picture(
@@ -39,9 +39,9 @@ def save_picture(
     azimuth=215.0,
     elevation=45.0,
 ):
-    """Writes a PNG of a plan: what a vtkHeliosScanPositionPlanner gives, and the scene it is of.
+    """Writes a PNG of a plan: the output of a vtkHeliosScanPositionPlanner, and its scene.
 
-    Raises RuntimeError where there is no display.
+    Raises RuntimeError without a display.
     """
     if not picture.can_render():
         raise RuntimeError("no X display: run it under xvfb-run -a")
@@ -60,7 +60,7 @@ def save_picture(
 
 
 def scan_colours(points):
-    """The colour of every test point by the number of scans that see it."""
+    """The colour of every test point by its number of scans."""
     number = np.minimum(points["NumberOfScans"].astype(int), len(SCANS) - 1)
     rgb = np.array([colour for colour, _ in SCANS])[number]
     rgb[points["Coverable"] == 0] = NOT_COVERABLE
@@ -77,17 +77,17 @@ def angle_colours(points):
 
 
 def ramp(share):
-    """Colours from 0, straight onto the surface, to 1, along it."""
+    """Colours from 0, normal incidence, to 1, grazing."""
     at = np.clip(share, 0.0, 1.0) * (len(HEIGHTS) - 1)
     return np.stack([np.interp(at, range(len(HEIGHTS)), HEIGHTS[:, c]) for c in range(3)], axis=-1)
 
 
 class View:
-    """A scene as a camera sees it: where in space each pixel is."""
+    """A scene seen by a camera: the position of each pixel."""
 
     def __init__(self, scene, size, azimuth, elevation):
         low, high = np.reshape(scene.GetBounds(), (3, 2)).T
-        self.origin = (low + high) / 2  # the graphics card counts in float
+        self.origin = (low + high) / 2  # the graphics card computes in float
         mesh = vtkPolyData()
         mesh.ShallowCopy(scene)
         mesh.SetPoints(make_points(vtk_to_numpy(scene.GetPoints().GetData()) - self.origin))
@@ -110,9 +110,9 @@ class View:
         self.window.RemoveRenderer(renderer)
 
     def find_nearest(self, points, normals):
-        """The test point nearest to what each pixel shows; -1 where it shows nothing.
+        """The test point nearest to each pixel; -1 for the background.
 
-        Both are moved a little off the surface, so that a thin wall has two sides.
+        Both are moved slightly off the surface, so that a thin wall has two sides.
         """
         step = find_step(points)
         shift = np.zeros_like(points) if normals is None else 0.25 * step * normals
@@ -123,7 +123,7 @@ class View:
         return nearest
 
     def unproject(self, towards):
-        """Where each pixel is, moved towards the camera."""
+        """The position of each pixel, moved towards the camera."""
         height, width = self.distance.shape
         right, up, axis = camera_axes(self.camera)
         scale = 2.0 * np.tan(np.radians(self.camera.GetViewAngle()) / 2) / height
@@ -170,7 +170,7 @@ class View:
 
 
 def camera_axes(camera):
-    """Right, up, and where a camera looks."""
+    """Right, up, and view direction of a camera."""
     axis = np.array(camera.GetDirectionOfProjection())
     right = np.cross(axis, camera.GetViewUp())
     right /= np.linalg.norm(right)
@@ -181,7 +181,7 @@ def fill_view(camera, corners, aspect):
     """Moves and zooms a camera so that a box fills the picture between title and legend."""
     box = np.array(np.meshgrid(*np.transpose(corners))).reshape(3, -1).T
     low, high = 2 * BAR - 1, 1 - 1.5 * BAR  # of the height, -1 to 1
-    for _ in range(4):  # perspective: nearly right at once
+    for _ in range(4):  # perspective: converges quickly
         axes = np.array(camera_axes(camera))
         seen = (box - camera.GetPosition()) @ axes.T
         scale = np.tan(np.radians(camera.GetViewAngle()) / 2)
@@ -213,7 +213,7 @@ def find_step(points):
 
 
 def interpolate(points, places):
-    """The index of the point nearest to each place."""
+    """The index of the nearest point to each position."""
     source = vtkPolyData()
     source.SetPoints(make_points(points))
     index = numpy_to_vtk(np.arange(len(points), dtype=np.float64), deep=True)
@@ -237,7 +237,7 @@ def make_points(coordinates):
     return points
 
 
-RAMP = (0.64, 0.80)  # where the scale of angles is in the bar, as shares of the width
+RAMP = (0.64, 0.80)  # angle scale in the bar, as fractions of the width
 
 
 def draw_ramp(image):
@@ -247,19 +247,19 @@ def draw_ramp(image):
 
 
 def bar_rows(image):
-    """The rows that colours have in the bar."""
+    """The rows of the colours in the bar."""
     return slice(int(0.32 * BAR * len(image)), int(0.68 * BAR * len(image)))
 
 
 def write_texts(image, title, scans):
-    """The picture with what its colours mean, and its title."""
+    """The picture with its legend and title."""
     height, width, _ = image.shape
     window = picture.make_window((width // OVERSAMPLING, height // OVERSAMPLING))
     overlay = rendering.vtkRenderer()
     window.AddRenderer(overlay)
 
     def write(words, x, y=0.016, colour=None, size=18, right=False):
-        if colour:  # a patch of it before the words
+        if colour:  # a colour patch before the text
             first = int(x * width)
             image[bar_rows(image), first : first + 12 * OVERSAMPLING] = colour
             x += 17 * OVERSAMPLING / width

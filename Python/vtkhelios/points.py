@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds as input: numpy arrays, and LAS or LAZ files piece by piece.
+"""Input clouds: numpy arrays, and LAS or LAZ files piece by piece.
 
 Both are input for vtkHeliosPointVoxelizer, as any VTK data set with points is:
 
@@ -32,18 +32,18 @@ def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
 
     xyz
         coordinates [m]. float64 and float32 are not copied if contiguous, and the
-        cloud keeps them alive; all else becomes float64.
+        cloud keeps them alive; other types become float64.
     normals
-        vectors of any length, 0 0 0 where there is none.
+        vectors of any length, 0 0 0 if not set.
     rgb
-        uint8, uint16, or real numbers within 0 and 1.
+        uint8, uint16, or floats in [0, 1].
     crs
         the coordinate system, WKT or "EPSG:n".
     """
     coordinates = _triples("xyz", xyz, (np.float64, np.float32))
     cloud = vtkPolyData()
     holder = vtkPoints()
-    holder.SetData(numpy_to_vtk(coordinates))  # of the array's own precision
+    holder.SetData(numpy_to_vtk(coordinates))  # in the array's own precision
     cloud.SetPoints(holder)
     if normals is not None:
         array = numpy_to_vtk(_triples("normals", normals, (np.float64,), len(coordinates)))
@@ -62,7 +62,7 @@ def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
 
 
 def _triples(name, values, types, rows=None):
-    """The values as a contiguous array of three columns, of one of the types, else of the first."""
+    """The values as a contiguous array of three columns, of one of the types, else the first."""
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3 or rows not in (None, len(array)):
         wanted = "n" if rows is None else rows
@@ -77,13 +77,12 @@ def _triples(name, values, types, rows=None):
 def las_source(path, colors=False):
     """A source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy (and lazrs for LAZ).
 
-    It answers requests for pieces, so that a filter that asks for one after the
-    other never holds the file: piece i of n is the i-th of n runs of points. The
-    coordinate system of the file, if it has one, comes as field data; with colors
-    its red, green and blue do as RGB.
+    It supports piece requests, so that a filter that requests one after the other never holds the
+    file: piece i of n is the i-th of n ranges of points. The coordinate system of the file, if any,
+    is field data; with colors, red, green and blue are RGB.
 
-    Raises ImportError without laspy, OSError and ValueError for a file that
-    cannot be read; what goes wrong later is an error of the source.
+    Raises ImportError without laspy, OSError and ValueError for a file that cannot be read; later
+    failures are errors of the source.
     """
     return _LasSource(path, colors)
 
@@ -115,7 +114,7 @@ class _LasSource(VTKPythonAlgorithmBase):
             raise ValueError(f"{self._path} has no colours; leave colors off")
 
     def _check(self):
-        """laspy and lazrs believe what a file says of itself."""
+        """laspy and lazrs do not validate headers."""
         _laspy()
         from .formats._records import FormatError, RecordReader
 
@@ -145,7 +144,7 @@ class _LasSource(VTKPythonAlgorithmBase):
         begin, end = (self._count * min(i, pieces) // pieces for i in (piece, piece + 1))
         try:
             cloud = self._read(begin, end - begin)
-        except Exception as error:  # nothing may pass through the pipeline, whatever laspy raises
+        except Exception as error:  # no exception may cross the pipeline, whatever laspy raises
             report_error(self, f"{self._path}: points {begin} to {end} cannot be read: {error}")
             return 0
         vtkPolyData.GetData(out_info).ShallowCopy(cloud)
@@ -166,11 +165,11 @@ class _LasSource(VTKPythonAlgorithmBase):
 
 
 def _find_crs(reader):
-    """The coordinate system that a LAS header tells, as WKT or EPSG code, or None."""
+    """The coordinate system in a LAS header, as WKT or EPSG code, or None."""
     records = list(reader.header.vlrs) + list(reader.evlrs or [])
     for record in records:
         if type(record).__name__ == "WktCoordinateSystemVlr" and record.string:
-            text = record.string  # bytes where they are no text
+            text = record.string  # bytes if not valid text
             text = text.decode("utf-8", "replace") if isinstance(text, bytes) else text
             return text.rstrip("\0")
     projected, geographic = 3072, 2048  # keys of GeoTIFF, with an EPSG code in place

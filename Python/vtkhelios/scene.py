@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scenes made of arrays.
+"""Scenes from arrays.
 
 >>> scene = vtkhelios.Scene(points, triangles, reflectance=0.4)
 """
@@ -25,15 +25,15 @@ class Scene:
     """Triangles to scan: ``scene.polydata`` is a vtkPolyData with materials, ready for a pipeline.
 
     points
-        the vertices [m], n x 3; or a vtkPolyData of triangles, which is taken as it is,
+        the vertices [m], n x 3; or a vtkPolyData of triangles, used unchanged,
         or an algorithm that makes one.
     triangles
-        three indices of vertices each, m x 3; the order does not matter to the scanner.
+        three vertex indices each, m x 3; the scanner ignores their order.
     reflectance
-        [0, 1], one number, or one a triangle. Default: 0.5.
+        [0, 1], one value, or one per triangle. Default: 0.5.
     ground
-        whether the triangles are ground that a tripod is put on: true or false, or one
-        a triangle. Without any ground everything is.
+        whether tripods may be placed on the triangles: a boolean, or one
+        per triangle. Without any ground everything is ground.
     """
 
     def __init__(self, points, triangles=None, reflectance=None, ground=False):
@@ -67,7 +67,7 @@ class Scene:
         return self.polydata.GetNumberOfCells()
 
     def __add__(self, other):
-        """Both scenes as one."""
+        """Merges both scenes."""
         composer = _class("vtkHeliosSceneComposer")()
         composer.AddInputDataObject(0, self.polydata)
         composer.AddInputDataObject(0, Scene(other).polydata)
@@ -76,7 +76,7 @@ class Scene:
         return Scene(joined)
 
     def write(self, path):
-        """Writes an OBJ file, and the materials beside it, from which the same scene is read."""
+        """Writes an OBJ file and its materials, which read back as the same scene."""
         writer = _class("vtkHeliosObjSceneWriter")()
         writer.SetFileName(to_vtk(path))
         writer.SetInputDataObject(self.polydata)
@@ -88,7 +88,7 @@ class Scene:
             raise OSError(f"{path} cannot be written; is its folder there?")
 
     def save_for_surveys(self):
-        """The OBJ file of the scene as it is, in a temporary folder that goes with the Scene."""
+        """The OBJ file of the current scene, in a temporary folder deleted with the Scene."""
         if self._saved is None or self._saved[1] != self.polydata.GetMTime():
             import tempfile
 
@@ -139,14 +139,14 @@ def _make_mesh(points, triangles):
     corners = np.ascontiguousarray(triangles, dtype=np.int64).reshape(-1)
     offsets = np.arange(0, len(corners) + 1, 3, dtype=np.int64)
     id_type = vtkIdTypeArray().GetDataType()
-    # Copies: the cells take the memory of these arrays, and not the arrays.
+    # Copies: the cells use the memory of these arrays, without a reference.
     cells.SetData(numpy_to_vtk(offsets, 1, id_type), numpy_to_vtk(corners, 1, id_type))
     mesh.SetPolys(cells)
     return mesh
 
 
 def _add_materials(mesh, count, reflectance, ground):
-    """A material for every pair of reflectance and ground that there is."""
+    """Adds a material for every distinct pair of reflectance and ground."""
     reflectance = _for_each("reflectance", 0.5 if reflectance is None else reflectance, count)
     if reflectance.size and not (reflectance.min() >= 0 and reflectance.max() <= 1):
         worst = reflectance[~((reflectance >= 0) & (reflectance <= 1))][0]

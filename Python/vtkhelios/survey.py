@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surveys: read from a file or made by hand, run in memory, block by block, or to files.
+"""Surveys: read from a file or made by hand, run in memory, in blocks, or to files.
 
 >>> survey = vtkhelios.read_survey("survey.xml")
 >>> cloud = survey.run(progress=True)
@@ -24,7 +24,7 @@ from .cloud import Cloud
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
-# What a run may be told, and the property of vtkHeliosSurveySource (or Player) that it is.
+# Options of a run, and their properties of vtkHeliosSurveySource (or Player).
 _OPTIONS = {
     "seed": "seed",
     "noise": "noise",
@@ -44,10 +44,10 @@ _OUTPUTS = {
 
 
 def read_survey(path, assets=()):
-    """Reads a survey (HELIOS XML); raises PipelineError with every fault, at file:line.
+    """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
 
-    Names of files are looked up in the folders of assets, beside the survey, in the
-    working directory, and in what comes with vtkHelios.
+    Files are searched in the folders of assets, beside the survey, in the working directory, and in
+    the data shipped with vtkHelios.
     """
     from .cli._reading import make_reader, missing_folder
 
@@ -66,10 +66,10 @@ def read_survey(path, assets=()):
 
 
 class Leg(typing.NamedTuple):
-    """A leg as its survey has it."""
+    """A leg of a survey."""
 
     index: int
-    position: tuple  # [m]; z is not yet on the ground where on_ground
+    position: tuple  # [m]; z is not yet on the ground if on_ground
     on_ground: bool
     active: bool
     pulse_frequency: float  # [Hz]
@@ -79,8 +79,7 @@ class Leg(typing.NamedTuple):
 class Survey:
     """A survey that can be run: ``survey.vtk`` is the vtkHeliosSurvey.
 
-    The scene and the tree that rays go through are made by the first run and kept for
-    those that follow.
+    The scene and its ray-tracing tree are built by the first run and reused later.
     """
 
     def __init__(self, vtk_survey, path=None):
@@ -94,7 +93,7 @@ class Survey:
 
     @property
     def legs(self):
-        """All legs, the inactive ones included."""
+        """All legs, including inactive ones."""
         return [self._leg(index) for index in range(self.vtk.GetNumberOfLegs())]
 
     def _leg(self, index):
@@ -127,10 +126,10 @@ class Survey:
         return tuple(ids)
 
     def trajectory(self, leg, interval=0.1):
-        """The way of a leg, a sample every interval [s] and at both ends; loads the scene.
+        """The trajectory of a leg, a sample every interval [s] and at both ends; loads the scene.
 
-        A Cloud of the platform's positions with GpsTime [s] and Orientation (quaternion w,
-        x, y, z); of a platform that stands one point.
+        A Cloud of the platform's positions with GpsTime [s] and Orientation (quaternion w, x, y,
+        z); of a static platform one point.
         """
         if not interval >= 0:
             raise ValueError(f"interval is {interval!r}; give seconds, 0 for both ends only")
@@ -152,30 +151,30 @@ class Survey:
         """Runs the survey in memory and returns its echoes as a Cloud.
 
         progress
-            True for a line on standard error, or a function of the share done (0 to 1).
-            What the function raises ends the run, and so does Ctrl-C.
+            True for a line on standard error, or a function of the fraction done (0 to 1).
+            Exceptions of the function end the run, and so does Ctrl-C.
         legs
             the index of a leg, or several; None: all.
         waveforms, pulses, hits, truth
-            True: they come, too, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
+            True: also returned, as ``cloud.waveforms`` (vtkTable), ``cloud.pulses``,
             ``cloud.sub_rays``, and as the arrays TruePoint and Normal.
         seed
             the key of all random numbers: the survey's, else 0.
         noise
             False: exact ranges.
         tolerance, energy_tolerance
-            how far sampling of the beam may put a range off [m], an amplitude (share):
+            error of beam sampling in range [m] and in amplitude (fraction):
             the survey's, else 0.001 and 0.01.
         sub_rays
-            always that many instead.
+            a fixed number instead.
         detector
             "peak", "gaussian", "cfd" or "leadingEdge".
         ray_caster
             by name: "beam", "embree", "bvh" ...
         play
-            which play, of a survey whose scene swaps parts.
+            the epoch, of a survey whose scene swaps parts.
 
-        Raises PipelineError with what any filter says.
+        Raises PipelineError with the message of any filter.
         """
         with Progress(progress) as watched:
             clouds = []
@@ -186,7 +185,7 @@ class Survey:
         return clouds[0] if len(clouds) == 1 else _join(clouds)
 
     def blocks(self, pulses=1_000_000, progress=None, legs=None, **options):
-        """The echoes as Clouds of that many pulses each, one after the other: memory holds one.
+        """The echoes as Clouds of this many pulses each, one after the other: memory holds one.
 
         Options are those of run(); the blocks in order are what it returns.
         """
@@ -202,13 +201,14 @@ class Survey:
                     yield self._run_window(options, (begin, end), watched)
 
     def run_to(self, folder, format="xyz", progress=None, **options):
-        """Runs the survey and writes a folder named as the survey below that folder; returns a report.
+        """Runs the survey and writes a folder with the survey's name below that folder; returns a
+        report.
 
         format is "xyz", "las" or "vtp". Options: seed, noise, tolerance, energy_tolerance,
-        sub_rays, detector, ray_caster and play as run() has them; waveforms, pulses,
-        split_by_channel, overwrite, resume, bytes_to_check, pulses_per_block as
-        vtkHeliosSurveyPlayer has them. Memory holds a block of pulses at a time. The report
-        (a dictionary) is that of run_summary.json, and has the "folder".
+        sub_rays, detector, ray_caster and play as in run(); waveforms, pulses, split_by_channel,
+        overwrite, resume, bytes_to_check, pulses_per_block as in vtkHeliosSurveyPlayer. Memory
+        holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
+        and has the "folder".
         """
         player = _class("vtkHeliosSurveyPlayer")(survey=self.vtk, format=format)
         player.SetOutputDirectory(to_vtk(folder))
@@ -226,7 +226,7 @@ class Survey:
         return {**report, "folder": pathlib.Path(from_vtk(player.GetRunFolder()))}
 
     def _prepare(self, options):
-        """The source that is kept, with the options, and all others as they are by themselves."""
+        """The cached source, with the options, and defaults for all others."""
         values = _translate(options, {**_OPTIONS, **_OUTPUTS})
         if self._source is None:
             self._source = self.source()
@@ -238,7 +238,7 @@ class Survey:
         return self._source
 
     def _load(self, options=None):
-        """The source, loaded, with the options, or with those that it has."""
+        """The source, loaded, with the options, or with its current ones."""
         with self._lock:
             keeps = options is None and self._source is not None
             source = self._source if keeps else self._prepare(options or {})
@@ -252,7 +252,7 @@ class Survey:
             raise ValueError(f"there is no leg {leg!r}; legs are 0 to {count - 1}")
 
     def _windows(self, legs):
-        """The runs of pulse ids of legs; those that follow each other as one."""
+        """The ranges of pulse ids of legs; consecutive ones are merged."""
         if legs is None:
             return [(0, _ALL)]
         windows = []
@@ -269,7 +269,7 @@ class Survey:
         return windows
 
     def _run_window(self, options, window, progress):
-        with self._lock:  # threads that run the same survey take turns
+        with self._lock:  # threads running the same survey take turns
             source = self._prepare(options)
             source.SetPulseWindow(*window)
             self._run_source(source, 0, progress.callback)
@@ -313,17 +313,17 @@ class Survey:
         return f"{html.escape(repr(self))}<table>{head}{''.join(rows)}</table>"
 
 
-LOAD = -1  # for _native.run(): load a survey, and no more
+LOAD = -1  # for _native.run(): only load a survey
 _ALL = 2**62
 
 
 def check_options(options, wrong="no option"):
-    """Raises TypeError for an option that Survey.run() does not have."""
+    """Raises TypeError for an option unknown to Survey.run()."""
     _translate(options, {**_OPTIONS, **_OUTPUTS, "progress": "", "legs": ""}, wrong)
 
 
 def _translate(options, known, wrong="no option"):
-    """Options as properties; raises TypeError for one that there is not."""
+    """Options as properties; raises TypeError for an unknown one."""
     for name in options:
         if name not in known:
             raise TypeError(f"{name} is {wrong}; options are: {', '.join(known)}")
@@ -336,7 +336,7 @@ def _translate(options, known, wrong="no option"):
 
 
 def _take(source):
-    """The outputs of a source as a Cloud; the source forgets them."""
+    """The outputs of a source as a Cloud; the source releases them."""
     taken = []
     for port in range(source.GetNumberOfOutputPorts()):
         output = source.GetOutputDataObject(port)
@@ -353,7 +353,7 @@ def _take(source):
 
 
 def _join(clouds):
-    """Clouds of legs that do not follow each other, as one."""
+    """Merges clouds of non-consecutive legs."""
     from ._join import join_clouds, join_tables
 
     joined = join_clouds(clouds)

@@ -31,7 +31,7 @@ std::vector<SubRay> GetSubRays(vtkHeliosBeamSampler* sampler)
   return subRays;
 }
 
-/// A sampler of the same beam, to be given a pattern.
+/// A sampler of the same beam, for another pattern.
 vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
 {
   auto to = vtkSmartPointer<vtkHeliosBeamSampler>::New();
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkHeliosBeamSampler> CopyBeam(vtkHeliosBeamSampler* from)
   return to;
 }
 
-/// Vogel's spiral: no pattern of fixed sub-rays does better where surfaces have edges.
+/// Vogel's spiral: the best fixed pattern for surfaces with edges.
 std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* sampler, int count)
 {
   sampler->SetPatternToVogel();
@@ -50,7 +50,7 @@ std::vector<SubRay> MakeSpiral(vtkHeliosBeamSampler* sampler, int count)
   return GetSubRays(sampler);
 }
 
-/// Gauss-Legendre rings: nothing does better on a smooth surface.
+/// Gauss-Legendre rings: the best pattern for a smooth surface.
 std::vector<SubRay> MakeRings(vtkHeliosBeamSampler* sampler, int rings)
 {
   sampler->SetPatternToGaussLegendre();
@@ -71,7 +71,8 @@ void AddRing(double angle, int count, double weight, double setback, std::vector
   }
 }
 
-/// Gauss-Legendre rings, and eight sub-rays without weight near the rim of a beam cut at an angle [rad].
+/// Gauss-Legendre rings, and eight sub-rays without weight near the edge of a beam truncated at an
+/// angle [rad].
 std::vector<SubRay> MakeCloseLook(vtkHeliosBeamSampler* sampler, double angle, double setback)
 {
   std::vector<SubRay> subRays = MakeRings(sampler, 4);
@@ -80,9 +81,9 @@ std::vector<SubRay> MakeCloseLook(vtkHeliosBeamSampler* sampler, double angle, d
 }
 
 /**
- * A sub-ray on the axis and rings of 8 and 12 within which 55 % and 95 % of the energy lie: few, and no
- * gap between them much wider than the others. With p = (g / w)^2 their weights give E[p] and E[p^2] of
- * the beam, so what runs across it as a polynomial of degree 5 is exact.
+ * A sub-ray on the axis and rings of 8 and 12 within which 55 % and 95 % of the energy lie: few,
+ * with nearly equal gaps. With p = (g / w)^2 their weights give E[p] and E[p^2] of the beam: exact
+ * for polynomials of degree 5 across it.
  */
 std::vector<SubRay> MakeLook(double w, double truncation, double setback)
 {
@@ -102,7 +103,7 @@ std::vector<SubRay> MakeLook(double w, double truncation, double setback)
   return subRays;
 }
 
-/// A number in [-1, 1] in ten bits, each followed by a free one.
+/// A number in [-1, 1] in ten bits, each followed by a zero bit.
 unsigned SpreadBits(double x)
 {
   const auto number = static_cast<unsigned>(511.999 * (x + 1.0));
@@ -114,7 +115,8 @@ unsigned SpreadBits(double x)
   return bits;
 }
 
-/// Puts neighbours next to each other (Morton's order): rays that are tested together meet the same.
+/// Sorts adjacent sub-rays next to each other (Morton order): rays that are tested together hit the
+/// same triangles.
 void SortInSpace(std::vector<SubRay>& subRays)
 {
   double reach = 0.0;
@@ -132,7 +134,7 @@ void SortInSpace(std::vector<SubRay>& subRays)
     [&getKey](const SubRay& a, const SubRay& b) { return getKey(a) < getKey(b); });
 }
 
-/// Sub-rays of a beam that are seldom asked for: a pattern of a size.
+/// Rarely used sub-rays of a beam: a pattern of a size.
 std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* beam,
   std::vector<SubRay> (*makePattern)(vtkHeliosBeamSampler*, int), int size)
 {
@@ -145,14 +147,15 @@ std::unique_ptr<LazySubRays> MakeLazily(vtkHeliosBeamSampler* beam,
   return std::make_unique<LazySubRays>(make);
 }
 
-/// The pairs of neighbours that join all sub-rays in the shortest way, by Prim's algorithm.
+/// The pairs of neighbours that form the minimum spanning tree of all sub-rays, by Prim's
+/// algorithm.
 std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vector<SubRay>& subRays)
 {
   const std::size_t count = subRays.size();
   const auto getDistance = [&subRays](std::size_t a, std::size_t b)
   { return (subRays[a].Direction - subRays[b].Direction).SquaredNorm(); };
   std::vector<std::pair<std::size_t, std::size_t>> tree;
-  std::vector<std::size_t> nearest(count, 0); // of those in the tree
+  std::vector<std::size_t> nearest(count, 0); // in the tree
   std::vector<bool> isIn(count, false);
   isIn[0] = true;
   while (tree.size() + 1 < count)
@@ -176,8 +179,8 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
 }
 
 /**
- * Whether it pays to ask each beam for one plane, or for nothing, before sub-rays are cast. Asked of
- * pulses spread over all of the scan, so that every piece of it gets the same answer.
+ * Whether it pays to probe each beam for one plane, or for no hit, before sub-rays are cast. Tested
+ * with pulses spread over the whole scan, so that every piece of it gets the same result.
  */
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
@@ -198,7 +201,7 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   return answered * static_cast<int>(model.Probes.size()) >= cost * asked;
 }
 
-/// What follows from the sub-rays.
+/// Derived values of the sub-rays.
 void FinishBeam(ScanModel& model)
 {
   SortInSpace(model.SubRays);
@@ -233,7 +236,7 @@ void PrepareBeamByTolerance(
   model.Setback =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
 
-  const auto beam = CopyBeam(sampler); // to be given patterns
+  const auto beam = CopyBeam(sampler); // for other patterns
   const int count = model.Plan.NumberOfSubRays;
   const int rings = model.Plan.Rings;
   model.SubRays = MakeSpiral(beam, count);

@@ -23,7 +23,7 @@ const std::vector<SubRay>& GetFiner(const std::vector<SubRay>& coarse,
   return step == 0 ? coarse : finer[static_cast<std::size_t>(step - 1)]->Get();
 }
 
-/// Aims sub-rays along a pulse: their directions and offsets, turned by the beam's rotation.
+/// Aims sub-rays along a pulse: their directions and offsets, rotated by the beam's rotation.
 HELIOS_CLONES
 vtkHeliosRay* Aim(
   const Pulse& pulse, const std::vector<SubRay>& subRays, bool hasOffsets, vtkHeliosRay* ray)
@@ -89,7 +89,7 @@ void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, s
 }
 
 //------------------------------------------------------------------------------
-/// What the sub-rays meet: surfaces, or leaves before them.
+/// The hits of the sub-rays: surfaces, or leaves before them.
 void BeamTracer::Meet(const Pulse* pulses, std::size_t count, Volley& volley)
 {
   const std::size_t each = volley.SubRays->size();
@@ -111,7 +111,7 @@ void BeamTracer::Meet(const Pulse* pulses, std::size_t count, Volley& volley)
 }
 
 //------------------------------------------------------------------------------
-/// Takes a pulse's share of a volley, and asks what its sub-rays meet for their replies.
+/// Selects a pulse's part of a ray batch, and computes the returns of its hits.
 void BeamTracer::Take(const Volley& volley, std::size_t slot)
 {
   const std::size_t count = volley.SubRays->size();
@@ -151,7 +151,7 @@ void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts
   const int step = this->GetStep(spread);
   if (step == 0 && !m.Plan.LooksFirst())
   {
-    return; // these are as many as an edge needs
+    return; // sufficient for an edge
   }
   if (this->SeeEdge(glance))
   {
@@ -177,7 +177,7 @@ bool BeamTracer::SeeEdge(const Glance& glance)
 }
 
 //------------------------------------------------------------------------------
-/// Whether b does not lie near the plane of a, or one returns less than half as much.
+/// Whether b is not near the plane of a, or one returns less than half as much.
 bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
 {
   const vtkHeliosHit& hitA = this->Hits[a];
@@ -229,14 +229,14 @@ BeamTracer::Glance BeamTracer::GetGlance() const
 }
 
 //------------------------------------------------------------------------------
-/// How much finer than usual the steepest surface needs the sub-rays; no edge makes them so.
+/// The refinement of the sub-rays that the steepest surface needs; edges do not count.
 int BeamTracer::GetStep(double spread)
 {
   if (this->Model.Plan.GetStep(spread) == 0)
   {
     return 0;
   }
-  double slope = 0.0; // of the range, by angle
+  double slope = 0.0; // of the range, per angle
   for (const auto& [a, b] : this->Model.ProbePairs)
   {
     if (!this->IsSilent(this->Hits[a]) && !this->IsEdgeBetween(a, b))

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From a beam to what its sub-rays return.
+// From a beam to the returns of its sub-rays.
 
 #ifndef heliosBeamTracer_h
 #define heliosBeamTracer_h
@@ -15,40 +15,40 @@
 namespace helios
 {
 
-/// A sub-ray as it was cast: a unit vector in the world, and its share of the energy.
+/// A sub-ray as cast: a unit vector in the world, and its fraction of the energy.
 struct CastSubRay
 {
   Vec3 Direction;
   double Weight;
 };
 
-/// Casts the sub-rays of pulses, and collects what they return. One a thread.
+/// Casts the sub-rays of pulses, and collects their returns. One per thread.
 class BeamTracer
 {
 public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Casts the first sub-rays of each of some pulses: all of fixed sampling, or those that look.
+  /// Casts the first sub-rays of each of some pulses: all of fixed sampling, or the probe rays.
   void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
 
-  /// Casts all that a pulse's beam takes among leaves, which no look tells.
+  /// Casts all sub-rays of a pulse among leaves, which probe rays do not detect.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
 
   /**
-   * Takes what was cast last for a pulse, and casts more by tolerance: where neighbours among its sub-rays
-   * meet one surface they are all it takes. Else as many are cast as an edge needs: on a spiral, or in
-   * rings where one surface runs away steeply; more, where it would show the gaps between them.
+   * Accepts the sub-rays cast last for a pulse, and casts more for adaptive sampling: if adjacent
+   * sub-rays hit one surface, they suffice. Otherwise an edge is sampled on a spiral, or a steep
+   * surface in rings; more, where gaps between the sub-rays would show.
    */
   void Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts);
 
-  /// Takes what was cast last for a pulse as it is.
+  /// Accepts the sub-rays cast last for a pulse as they are.
   void Take(std::size_t slot);
 
-  /// Replaces returns, and their sub-rays where these are wanted, by those that were taken.
+  /// Replaces returns, and their sub-rays if requested, by the accepted ones.
   void Collect(std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts);
 
 private:
-  /// The same sub-rays of pulses, one after the other, and what they meet.
+  /// The same sub-rays of consecutive pulses, and their hits.
   struct Volley
   {
     const std::vector<SubRay>* SubRays = nullptr;
@@ -61,7 +61,7 @@ private:
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
   void Take(const Volley& volley, std::size_t slot);
 
-  /// What probes meet, at first sight.
+  /// The result of probe rays.
   struct Glance
   {
     double Spread; ///< of their ranges, in sigma_R
@@ -77,13 +77,13 @@ private:
   SurfaceResponse& Response;
   double SigmaRange;
   Volley First; // of all pulses
-  Volley More;  // of one
+  Volley More;  // of one pulse
 
-  // Of the pulse at work.
+  // Of the current pulse.
   const std::vector<SubRay>* SubRays = nullptr;
   const vtkHeliosRay* Rays = nullptr;
   const vtkHeliosHit* Hits = nullptr;
-  Replies Answers; // to them
+  Replies Answers; // their returns
 };
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Terms of an error model that have no usable value, counted by pulses.
+// Terms of an error model without a usable value, counted by pulses.
 
 #ifndef heliosErrorTerms_h
 #define heliosErrorTerms_h
@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// The largest value of a term; a larger one, and what is not finite, cannot be used.
+/// The largest valid value of a term; a larger or non-finite one is invalid.
 constexpr double LargestErrorTerm = 1e9;
 
 inline bool IsUsableTerm(double value)
@@ -31,9 +31,9 @@ struct TermFault
   vtkIdType Pulses = 0;
   vtkIdType First = VTK_ID_MAX; ///< its id
   double Variable = 0.0;        ///< of the first
-  vtkIdType Last = -1;          ///< that was added
+  vtkIdType Last = -1;          ///< id added
 
-  /// The echoes of a pulse come one behind the other and count once.
+  /// The echoes of a pulse are consecutive and count once.
   void Add(vtkIdType pulse, double variable)
   {
     this->Pulses += pulse == this->Last ? 0 : 1;
@@ -55,7 +55,7 @@ struct TermFault
     }
   }
 
-  /// What follows the name of the term in a message.
+  /// The text after the name of the term in a message.
   std::string Describe(int term, vtkIdType fired) const
   {
     const bool isOfRange = term == vtkHeliosErrorModel::RANGE_NOISE_FACTOR;

@@ -17,7 +17,7 @@ double GetMiddle(const Peak& peak)
   return 0.5 * static_cast<double>(peak.First + peak.Last);
 }
 
-/// Whether another maximum within a distance [bins] counts instead of this one.
+/// Whether another maximum within a distance [bins] replaces this one.
 bool IsOutdone(
   const float* samples, const std::vector<Peak>& peaks, std::size_t index, double distance)
 {
@@ -46,7 +46,7 @@ bool IsOutdone(
   return false;
 }
 
-/// The maxima in a range of bins that count as if there was nothing beside them.
+/// The maxima in a range of bins, regardless of their neighbours.
 void AddPeaks(const vtkHeliosWaveform& waveform, double threshold, const BinRange& bins,
   std::vector<Peak>& peaks)
 {
@@ -95,7 +95,7 @@ struct ParabolaSums
     }
   }
 
-  /// By Cramer's rule; not finite where the samples are too few.
+  /// By Cramer's rule; not finite with too few samples.
   Parabola Solve() const
   {
     const double* s = this->X;
@@ -177,8 +177,8 @@ vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p)
 
 //------------------------------------------------------------------------------
 /**
- * The parabola through the logarithms, weighted by the square of the amplitude, as white noise on
- * the samples wants it; then once more with the weights of the parabola found, since those of the
+ * The parabola through the logarithms, weighted by the square of the amplitude, as for white
+ * noise on the samples; then once more with the weights of the parabola found, since those of the
  * samples are noisy (Guo 2011, IEEE Signal Process. Mag. 28(5), 134-137).
  */
 vtkHeliosDetectedEcho FitPeak(const vtkHeliosWaveform& w, const Peak& p, double reach)

@@ -14,8 +14,8 @@
 namespace helios
 {
 
-/// A maximum: samples First to Last are equal (a plateau where they are more than one) and larger
-/// than those beside them.
+/// A maximum: samples First to Last are equal (a plateau if more than one) and larger than their
+/// neighbours.
 struct Peak
 {
   vtkIdType First;
@@ -23,26 +23,26 @@ struct Peak
 };
 
 /**
- * The maxima that reach a threshold [W]; of two nearer than separation [ns] the larger, of two equal
- * ones the first. What is no finite number is no maximum.
+ * The maxima that reach a threshold [W]; of two nearer than separation [ns] the larger, of two
+ * equal ones the first. Non-finite samples are no maxima.
  */
 VTKHELIOSSCANNERCORE_EXPORT void FindPeaks(
   const vtkHeliosWaveform& waveform, double threshold, double separation, std::vector<Peak>& peaks);
 
 /**
- * All maxima that reach a threshold [W] in a range of bins at whose ends the waveform rises and falls.
- * False where it does not, or is level there.
+ * All maxima that reach a threshold [W] in a range of bins; the waveform must rise at its start and
+ * fall at its end, otherwise false.
  */
 VTKHELIOSSCANNERCORE_EXPORT bool FindPeaks(const vtkHeliosWaveform& waveform, double threshold,
   const BinRange& bins, std::vector<Peak>& peaks);
 
-/// The Gaussian through the ends of a maximum and the samples beside them; where one of these is not
+/// The Gaussian through the ends of a maximum and their neighbours; if one of these is not
 /// positive, the maximum itself with the width of the pulse.
 VTKHELIOSSCANNERCORE_EXPORT vtkHeliosDetectedEcho FitPeak(
   const vtkHeliosWaveform& waveform, const Peak& peak);
 
-/// The Gaussian that fits the samples within a reach [ns] of a maximum best; the one above where none
-/// does.
+/// The best fit of a Gaussian to the samples within a reach [ns] of a maximum; the one above if
+/// there is none.
 VTKHELIOSSCANNERCORE_EXPORT vtkHeliosDetectedEcho FitPeak(
   const vtkHeliosWaveform& waveform, const Peak& peak, double reach);
 

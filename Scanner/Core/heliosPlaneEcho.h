@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a Gaussian beam returns from one plane, in closed form.
+// The echo of a Gaussian beam from one plane, in closed form.
 
 #ifndef heliosPlaneEcho_h
 #define heliosPlaneEcho_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// The cross-section of a beam along one axis: the variance of the angle [rad^2], and its kurtosis - 3.
+/// The cross-section of a beam along one axis: angle variance [rad^2], and kurtosis - 3.
 struct BeamMoments
 {
   double Variance = 0.0;
@@ -22,9 +22,9 @@ struct BeamMoments
   BeamMoments() = default;
 
   /**
-   * Of a beam of the full angle 2 w cut at K w. With p = (g / w)^2 the moments of the beam are
-   * E[p] = (1/2 - e (K^2 + 1/2)) / (1 - e) and E[p^2] = (1/2 - e (K^4 + K^2 + 1/2)) / (1 - e),
-   * e = exp(-2 K^2); along one axis E[x^2] = E[p] w^2 / 2, E[x^4] = 3 E[p^2] w^4 / 8.
+   * For a beam of the full angle 2 w truncated at K w. With p = (g / w)^2 the moments of the
+   * beam are E[p] = (1/2 - e (K^2 + 1/2)) / (1 - e) and E[p^2] = (1/2 - e (K^4 + K^2 + 1/2)) /
+   * (1 - e), e = exp(-2 K^2); along one axis E[x^2] = E[p] w^2 / 2, E[x^4] = 3 E[p^2] w^4 / 8.
    */
   BeamMoments(double divergence, double truncation)
   {
@@ -39,31 +39,31 @@ struct BeamMoments
 };
 
 /**
- * The echo of a plane that the axis meets at range R with incidence theta: with s^2 the variance of
- * the beam's angle along an axis, the sub-rays' ranges have the mean R + R s^2 (1 - 2 tan^2) and the
+ * The echo of a plane at range R on the axis with incidence theta: with s^2 the variance of the
+ * beam's angle along an axis, the sub-rays' ranges have the mean R + R s^2 (1 - 2 tan^2) and the
  * standard deviation R s tan, their power the mean (1 + 3 s^2 (tan^2 - 1)) of the axis' own; a
- * Gaussian pulse comes back with sigma'^2 = sigma^2 + (2 R s tan / c)^2 and the peak sigma / sigma'.
+ * Gaussian pulse returns with sigma'^2 = sigma^2 + (2 R s tan / c)^2 and the peak sigma / sigma'.
  */
 struct PlaneModel
 {
   BeamMoments Beam;
   double Sigma; // of the pulse [ns]
 
-  /// How far the echo is widened, (sigma' / sigma)^2 - 1; reach is the range from the cone's apex.
+  /// The widening of the echo, (sigma' / sigma)^2 - 1; reach is the range from the cone's apex.
   double GetWidening(double reach, double tanIncidence) const
   {
     const double spread = 2.0 * reach * tanIncidence / (SpeedOfLight * this->Sigma);
     return spread * spread * this->Beam.Variance;
   }
 
-  /// How far its maximum lies from what GetEcho() says, at most [m].
+  /// The maximum distance of the peak from the range of GetEcho() [m].
   double GetShift(double reach, double tanIncidence) const
   {
     return 3.0 * this->GetWidening(reach, tanIncidence) * reach * this->Beam.Variance *
       (1.0 + tanIncidence * tanIncidence);
   }
 
-  /// With the power that the axis alone would return.
+  /// power is the return of the axis alone.
   PlaneEcho GetEcho(double range, double reach, double tanIncidence, double power) const
   {
     const double tan2 = tanIncidence * tanIncidence;

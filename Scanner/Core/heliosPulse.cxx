@@ -17,7 +17,7 @@ namespace helios
 namespace
 {
 
-/// A term of the error model; 0, and marked, where it cannot be used.
+/// A term of the error model; 0, and marked, if it is invalid.
 double UseTerm(double value, int term, Pulse& pulse)
 {
   const bool isUsable = IsUsableTerm(value);
@@ -103,7 +103,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   return true;
 }
 
-/// The beam of a platform at a pose.
+/// Sets the beam for a pose of the platform.
 void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, const Head& head,
   const Rotation& beam, Pulse& pulse) const
 {
@@ -111,7 +111,7 @@ void PulseSource::PlaceBeam(const Vec3& position, const Rotation& platform, cons
   pulse.Beam = platform * (head.Beam * beam);
 }
 
-/// Moves and turns the platform by its noise.
+/// Moves and rotates the platform by its noise.
 void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) const
 {
   double values[6];
@@ -125,7 +125,7 @@ void PulseSource::Shake(vtkIdType index, Vec3& position, Rotation& platform) con
   }
 }
 
-/// Turns the beam to where the pulse really goes.
+/// Turns the beam to the true direction of the pulse.
 void PulseSource::TurnBeam(
   vtkIdType index, double headAngle, const Rotation& platform, Vec3 direction, Pulse& pulse) const
 {

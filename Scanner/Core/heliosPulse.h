@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A pulse in the world: when and where it leaves, and the frame of its beam.
+// A pulse in the world: time, position and the frame of its beam.
 
 #ifndef heliosPulse_h
 #define heliosPulse_h
@@ -26,10 +26,10 @@ struct Pulse
   double Time;
   Vec3 Origin;
   Rotation Beam; // from the frame of the beam, whose axis is y, to the world
-  Vec3 Reported; // the direction that the instrument believes in
+  Vec3 Reported; // the direction reported by the instrument
   Vec3 ReportedOrigin;
   int Channel; // of the deflector
-  /// Of the error model: a bit for each that has no usable value and is left out.
+  /// Of the error model: a bit for each term that has no usable value and is left out.
   unsigned FaultyTerms = 0;
 
   Vec3 GetDirection() const
@@ -48,10 +48,10 @@ struct PulseIds
 };
 
 /**
- * What carries the beam, from the platform to the deflector:
- * A = A_platform A_mount R_head A_beam, and the lever arms turn with the attitude,
- * origin = p + A_platform (m + A_mount R_head b). Errors of deflector, head and angles turn the beam,
- * not what is reported. Noise moves the platform; whether that is reported is for the noise to say.
+ * The chain of frames from the platform to the deflector: A = A_platform A_mount R_head A_beam, and
+ * the lever arms rotate with the attitude, origin = p + A_platform (m + A_mount R_head b). Errors
+ * of deflector, head and angles turn the beam, not the reported direction. Noise moves the
+ * platform; its Mode decides whether that is reported.
  */
 struct PulseSource
 {
@@ -70,22 +70,22 @@ struct PulseSource
   std::uint64_t Seed = 0;
   PulseIds Ids;
 
-  /// The head on the platform, turned by an angle.
+  /// The head on the platform, rotated by an angle.
   struct Head
   {
     double Angle = std::numeric_limits<double>::quiet_NaN();
     Rotation Beam; // from the frame of the deflector
-    Vec3 Lever;    // to where the beam leaves
+    Vec3 Lever;    // to the beam origin
   };
 
-  /// What is known from the pulse before; one a thread.
+  /// State kept from the previous pulse; one per thread.
   struct Cursor
   {
     Trajectory::Cursor Platform;
     PulseSource::Head Head;
   };
 
-  /// Pulse number index; false where the deflector lets none out.
+  /// Pulse number index; false if the deflector emits none.
   bool GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many pulses leave in a time.
+// The number of pulses in a time.
 
 #ifndef heliosPulseCount_h
 #define heliosPulseCount_h
@@ -22,7 +22,7 @@ inline vtkIdType CountPulses(double duration, double rate)
   return static_cast<vtkIdType>(std::min(std::max(count, 0.0), 9e15));
 }
 
-/// Where piece p of the pulses begins: count p / pieces, without overflow.
+/// The first pulse of piece p: count p / pieces, without overflow.
 inline vtkIdType SplitPulses(vtkIdType count, vtkIdType piece, vtkIdType pieces)
 {
   return count / pieces * piece + count % pieces * piece / pieces;

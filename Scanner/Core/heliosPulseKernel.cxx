@@ -103,7 +103,7 @@ void PulseKernel::RunFixed(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-/// Finds out which beams need sub-rays that look at them.
+/// Finds the beams that need probe rays.
 void PulseKernel::LookAtPulses()
 {
   this->Views.clear();
@@ -159,7 +159,7 @@ void PulseKernel::RunByTolerance(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-/// How a beam meets a plane.
+/// The geometry of a beam on a plane.
 PulseKernel::Meeting PulseKernel::GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   const double cosPlane =
@@ -169,7 +169,7 @@ PulseKernel::Meeting PulseKernel::GetMeeting(const Pulse& pulse, const vtkHelios
 }
 
 //------------------------------------------------------------------------------
-/// Whether the closed form of the echo of a beam on one plane is exact enough.
+/// Whether the closed form of the planar echo is accurate enough.
 bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   if (!(hit.Range > 0.0))
@@ -187,7 +187,7 @@ bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
 }
 
 //------------------------------------------------------------------------------
-/// The echo of a beam that meets one plane, or nothing.
+/// The echo of a beam that hits one plane, or nothing.
 void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   const ScanModel& m = this->Model;
@@ -268,7 +268,7 @@ void PulseKernel::DetectEchoes()
 }
 
 //------------------------------------------------------------------------------
-/// The sunlight in the pulse's waveform; every return holds its share of the field of view.
+/// The sunlight in the pulse's waveform; every return fills its fraction of the field of view.
 double PulseKernel::GetBackground()
 {
   double sum = 0.0;
@@ -375,7 +375,7 @@ double PulseKernel::GetMeasuredRange(const Echo& echo, double theta, std::size_t
 }
 
 //------------------------------------------------------------------------------
-/// The value of a term of the error model; another, and counted, where it cannot be used.
+/// The value of a term of the error model; another, and counted, if it is invalid.
 double PulseKernel::UseTerm(int term, double value, double variable, double otherwise)
 {
   if (IsUsableTerm(value))

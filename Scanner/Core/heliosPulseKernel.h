@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fused kernel: pulses to sub-rays to hits to waveforms to echoes, a chunk of pulses at a time.
+// The fused kernel: pulses to sub-rays to hits to waveforms to echoes, in chunks of pulses.
 
 #ifndef heliosPulseKernel_h
 #define heliosPulseKernel_h
@@ -16,7 +16,7 @@
 namespace helios
 {
 
-/// One a thread; all its memory is scratch.
+/// One per thread; all its memory is scratch.
 class PulseKernel
 {
 public:
@@ -28,13 +28,13 @@ public:
   const ScanCounts& GetCounts() const { return this->Counts; }
 
 private:
-  /// What is known of a beam before its sub-rays are cast.
+  /// Known about a beam before its sub-rays are cast.
   struct View
   {
-    vtkHeliosConeHit Plane; ///< proved to be all that it meets, unless it is mixed
+    vtkHeliosConeHit Plane; ///< the only surface in the beam, unless mixed
     bool MeetsMedium;
   };
-  /// How a beam meets a plane.
+  /// The geometry of a beam on a plane.
   struct Meeting
   {
     double Reach;   ///< from the cone's apex: the footprint grows with it
@@ -73,11 +73,11 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
-  std::vector<View> Views;       // by tolerance
-  std::vector<Pulse> Mixed;      // of those that meet no medium
-  std::size_t NumberOfMixed = 0; // of them, those before the pulse at work
+  std::vector<View> Views;       // for adaptive sampling
+  std::vector<Pulse> Mixed;      // of those without turbid medium
+  std::size_t NumberOfMixed = 0; // of these, the ones before the current pulse
 
-  // Of the pulse at work.
+  // Of the current pulse.
   vtkIdType PulseId = 0;
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;

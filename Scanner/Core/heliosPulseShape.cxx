@@ -14,27 +14,27 @@ namespace helios
 namespace
 {
 
-// A Gaussian is followed to where it has fallen to 2e-10 of its peak: below a float's last bit.
+// A Gaussian is truncated where it has fallen to 2e-10 of its peak: below a float's last bit.
 constexpr double ReachInSigma = 6.7;
-// t^2 exp(-t): half maxima at 0.76124023 and 4.15592090 tau, below 1e-9 of the peak from 27 tau on.
+// t^2 exp(-t): half maxima at 0.76124023 and 4.15592090 tau, below 1e-9 of the peak from 27 tau.
 constexpr double HeliosLengthInTau = 3.3946806708465;
 constexpr double HeliosEndInTau = 27.0;
-// Bins handled together, so that the compiler can use vector instructions.
+// Bins processed together, for vector instructions.
 constexpr vtkIdType Lanes = 8;
 
 /**
- * A run of bins: bin i, from 0 on, gets Start Ratio^i Shape[i]. The first Skip of them, a multiple of
- * Lanes, are left as they are.
+ * A run of bins: bin i, from 0, gets Start Ratio^i Shape[i]. The first Skip bins, a multiple of
+ * Lanes, are unchanged.
  */
 struct Run
 {
   double* Sum;
-  const double* Shape; // with room for the last lanes
+  const double* Shape; // padded to full lanes
   double Start, Ratio;
   vtkIdType Skip, Count;
 };
 
-/// Start Ratio^i of the first lanes behind what is skipped; returns the factor to the next ones.
+/// Start Ratio^i of the first lanes after the skipped ones; returns the factor to the next ones.
 HELIOS_INLINE double StartLanes(const Run& run, double factor[Lanes])
 {
   factor[0] = run.Start;
@@ -55,7 +55,7 @@ HELIOS_INLINE double StartLanes(const Run& run, double factor[Lanes])
   return rho8;
 }
 
-/// Adds the values of Lanes bins from bin i on, of those that are in the run.
+/// Adds the values of Lanes bins from bin i, of those in the run.
 HELIOS_INLINE void AddLanes(const Run& run, vtkIdType i, const double value[Lanes])
 {
   if (i + Lanes <= run.Count)
@@ -118,7 +118,7 @@ HELIOS_CLONES void AddPolynomial(
   }
 }
 
-/// Where a polyline crosses a level between two samples.
+/// The crossing of a level between two samples of a polyline.
 double GetCrossing(double t0, double p0, double t1, double p1, double level)
 {
   return t0 + (t1 - t0) * (level - p0) / (p1 - p0);
@@ -186,7 +186,7 @@ void PulseShape::SetBinSize(double binSize)
     return;
   }
   this->Reach = static_cast<vtkIdType>(std::ceil(this->End / binSize));
-  const vtkIdType count = 2 * this->Reach + 1 + Lanes; // lanes may reach behind the end
+  const vtkIdType count = 2 * this->Reach + 1 + Lanes; // lanes may exceed the end
   this->Shape.assign(static_cast<std::size_t>(count), 0.0);
   for (vtkIdType i = 0; i <= 2 * this->Reach; ++i)
   {
@@ -213,10 +213,10 @@ void PulseShape::Deposit(double time, double power, double* sum, const BinRange&
   }
 }
 
-/// Where a Gaussian lands: bin From + i gets Start Ratio^i Shape[i].
+/// The window of a Gaussian: bin From + i gets Start Ratio^i Shape[i].
 struct PulseShape::Window
 {
-  vtkIdType From, Skip, Count; // Skip: lanes before the bins that are filled
+  vtkIdType From, Skip, Count; // Skip: lanes before the filled bins
   const double* Shape;
   double Start, Ratio;
 
@@ -229,9 +229,9 @@ struct PulseShape::Window
 
 //------------------------------------------------------------------------------
 /**
- * With the nearest bin m and delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2 sigma^2)) =
- * shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no exponential a bin.
- * False: no bin is reached.
+ * With the nearest bin m and delta = time - m b, bin m + q gets exp(-(q b - delta)^2 / (2
+ * sigma^2)) = shape(q) exp(-delta^2 / (2 sigma^2)) rho^q, rho = exp(b delta / sigma^2): no
+ * exponential per bin. False if no bin is reached.
  */
 bool PulseShape::GetWindow(double time, const BinRange& bins, Window& window) const
 {

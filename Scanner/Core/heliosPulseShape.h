@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the transmitted pulse runs in time: peak 1 at time 0.
+// The transmitted pulse over time: peak 1 at time 0.
 
 #ifndef heliosPulseShape_h
 #define heliosPulseShape_h
@@ -16,20 +16,20 @@
 namespace helios
 {
 
-/// Returns that come nearly at once: the sums of their powers times the powers of their times.
+/// Returns that nearly coincide: the sums of their powers times the powers of their times.
 struct PulseCluster
 {
   static constexpr int Order = 8;
   static constexpr double Reach = 0.15; ///< of a time from the middle, in sigma
 
-  vtkIdType Slot; ///< which of the clusters next to each other it is
+  vtkIdType Slot; ///< index of the cluster among adjacent ones
   double Time;    ///< the middle [ns]
   double Nearest; ///< the ranges in it [m]
   double Farthest;
   double Sums[Order] = {}; ///< with the times from the middle in sigma
 };
 
-/// The bins [First, Last) of a window that are filled.
+/// The filled bins [First, Last) of a window.
 struct BinRange
 {
   vtkIdType First;
@@ -42,10 +42,11 @@ public:
   /// exp(-t^2 / (2 sigma^2)), length [ns] its full width at half maximum.
   static PulseShape MakeGaussian(double length);
 
-  /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak on, tau = length / 3.3947.
+  /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak, tau = length / 3.3947.
   static PulseShape MakeHelios(double length);
 
-  /// Reads a time [ns] and a power a line; says what is wrong with file:line, or nothing.
+  /// Reads one time [ns] and power per line; returns an error message with file:line, or an empty
+  /// string.
   static std::string Read(const std::string& fileName, PulseShape& shape);
 
   bool IsGaussian() const { return this->Kind == Gaussian; }
@@ -54,27 +55,27 @@ public:
   double GetLength() const { return this->Length; }
   double GetSigma() const;
 
-  /// From how long before the peak to how long after it there is power [ns].
+  /// The times before and after the peak between which there is power [ns].
   double GetStart() const { return this->Start; }
   double GetEnd() const { return this->End; }
 
   double operator()(double time) const;
 
-  /// Makes it ready for bins of a size [ns].
+  /// Prepares for bins of a size [ns].
   void SetBinSize(double binSize);
 
-  /// Bins that a Gaussian reaches to either side.
+  /// The bins within reach of a Gaussian to either side.
   vtkIdType GetReach() const { return this->Reach; }
 
   /**
    * Adds a pulse with its peak at a time [ns] after bin 0. Every bin gets the pulse's value at the
-   * bin's own time, without rounding to bins; the same bytes whichever others are filled.
+   * bin's own time, without rounding to bins; byte-identical whichever other bins are filled.
    */
   void Deposit(double time, double power, double* sum, const BinRange& bins) const;
 
   /**
-   * Adds the Gaussians of a cluster at once: exp(-(u - d)^2 / 2) = exp(-u^2 / 2) sum He_n(u) d^n / n!
-   * with Hermite's polynomials, to 1e-9 of the peak.
+   * Adds the Gaussians of a cluster in one pass: exp(-(u - d)^2 / 2) = exp(-u^2 / 2) sum He_n(u)
+   * d^n / n! with Hermite's polynomials, to 1e-9 of the peak.
    */
   void Deposit(const PulseCluster& cluster, double* sum, const BinRange& bins) const;
 
@@ -100,7 +101,7 @@ private:
   std::vector<double> Times; // of a sampled pulse, from its peak
   std::vector<double> Powers;
   double BinSize = 0.25;
-  std::vector<double> Shape; // of a Gaussian at multiples of BinSize, from -Reach on
+  std::vector<double> Shape; // of a Gaussian at multiples of BinSize, from -Reach
   vtkIdType Reach = 0;       // bins
 };
 

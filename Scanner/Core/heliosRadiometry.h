@@ -33,7 +33,7 @@ inline double AtmosphericExtinction(double visibility, double wavelength)
 }
 
 /**
- * What a surface that holds the whole beam returns, as a fraction of the power sent:
+ * The return of a surface that fills the beam, as a fraction of the transmitted power:
  * f D^2 / (4 R^2) eta exp(-2 alpha R), f = rho cos(theta) for Lambert (Wagner et al. 2006).
  */
 struct LidarEquation
@@ -42,19 +42,19 @@ struct LidarEquation
   double OpticalEfficiency; // eta
   double Extinction;        // alpha [1/m]
 
-  /// Of a Lambertian surface.
+  /// For a Lambertian surface.
   double operator()(double range, double reflectance, double cosIncidence) const
   {
     return this->GetGain(range, this->GetTransmission(range)) * reflectance * cosIncidence;
   }
 
-  /// exp(-2 alpha R): the way there and back.
+  /// exp(-2 alpha R): the two-way transmission.
   double GetTransmission(double range) const
   {
     return this->Extinction > 0.0 ? std::exp(-2.0 * this->Extinction * range) : 1.0;
   }
 
-  /// All but the surface, with the transmission known.
+  /// All factors but the surface, with the transmission known.
   double GetGain(double range, double transmission) const
   {
     const double aperture = this->ReceiverDiameter / range;
@@ -62,19 +62,19 @@ struct LidarEquation
   }
 };
 
-/// How a surface sends light back.
+/// The reflection of a surface.
 struct SurfaceReflection
 {
   double Reflectance;      // rho, [0..1]
-  double Specularity;      // s, [0..1]: the share of it in the lobe
+  double Specularity;      // [0..1]: fraction of rho in the lobe
   double SpecularExponent; // n
 };
 
 /**
- * pi times the bidirectional reflectance times cos(theta), back along the way the light came: what
- * takes the place of rho cos(theta) in the lidar equation. The lobe of Phong is about the mirrored
- * direction, 2 theta away, and normalised by (n + 2) / (2 pi) so that it returns no more than it gets
- * (Lewis 1994, Computer Graphics Forum 13, 109-120); where 2 theta > 90 degrees there is none.
+ * pi times the bidirectional reflectance times cos(theta), in the backscatter direction: replaces
+ * rho cos(theta) in the lidar equation. The Phong lobe is about the mirrored direction, 2 theta
+ * away, and normalised by (n + 2) / (2 pi) to conserve energy (Lewis 1994, Computer Graphics Forum
+ * 13, 109-120); it is 0 for 2 theta > 90 degrees.
  */
 inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
 {
@@ -91,7 +91,7 @@ inline double GetBackscatter(const SurfaceReflection& surface, double cosTheta)
 
 /**
  * The transmission for the sub-rays of one pulse, whose ranges differ little: one exponential at
- * the first range, and its series from there.
+ * the first range, and a series about it.
  */
 class NearbyTransmission
 {
@@ -101,7 +101,7 @@ public:
   {
   }
 
-  /// At a range; from now on the series starts there if it was not good enough.
+  /// At a range; restarts the series there if it was not accurate enough.
   double operator()(double range)
   {
     const double x = this->GetExponent(range);
@@ -115,7 +115,7 @@ public:
   }
 
   ///@{
-  /// The same in steps, for ranges near the one where the series starts.
+  /// In separate steps, for ranges near the start of the series.
   double GetExponent(double range) const
   {
     return -2.0 * this->Equation.Extinction * (range - this->Range);

@@ -22,7 +22,7 @@ namespace helios
 namespace
 {
 
-/// A backend registers itself when its library is loaded; to name it here keeps the library linked.
+/// A backend registers itself when its library is loaded; naming it here keeps the library linked.
 void KeepBackends()
 {
 #if VTK_MODULE_ENABLE_vtkHelios_ScannerRayCastingCgal

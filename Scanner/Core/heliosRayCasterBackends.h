@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that knows which backends of the ray caster are built.
+// The only file that knows which backends of the ray caster are built.
 
 #ifndef heliosRayCasterBackends_h
 #define heliosRayCasterBackends_h
@@ -14,7 +14,7 @@ class vtkHeliosRayCaster;
 namespace helios
 {
 
-/// The best ray caster there is. All backends that are built are then registered.
+/// The default ray caster. All backends that are built are then registered.
 VTKHELIOSSCANNERCORE_EXPORT vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster();
 
 } // namespace helios

@@ -17,8 +17,8 @@ namespace helios
 namespace
 {
 
-// The window of a Gaussian opens this long before the first return: no maximum lies outside the
-// returns.
+// The window of a Gaussian starts this long before the first return: no maximum lies outside
+// the returns.
 constexpr double MarginInSigma = 5.0;
 
 double TwoWayTime(double range)
@@ -39,7 +39,7 @@ HELIOS_INLINE void SetPowers(double x, Powers& powers)
   powers = (has1 ? Powers() + x : one) * (has2 ? Powers() + x * x : one);
 }
 
-/// The return nearest in range; of two equally near the first.
+/// The return nearest in range; the first of equally near ones.
 const SubReturn* FindNearest(const SubReturn* begin, const SubReturn* end, double range)
 {
   const SubReturn* nearest = begin;
@@ -102,7 +102,7 @@ Receiver::Limits Receiver::GetLimits(Iterator begin, Iterator end)
 }
 
 //------------------------------------------------------------------------------
-/// The echo of those of the returns that lie within limits; no other is as near to it.
+/// The echo of the returns within limits; no other return is as near to it.
 void Receiver::FindSingleEcho(
   const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes)
 {
@@ -133,14 +133,14 @@ bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vect
 }
 
 //------------------------------------------------------------------------------
-/// Groups of returns that do not touch are treated by themselves; sets whether one was binned.
+/// Groups of returns that do not overlap are processed separately; sets whether one was binned.
 bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Limits& limits,
   const Search& search, std::vector<Echo>& echoes, bool& isBinned)
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
   bool isGood = !this->OpenWindow(limits, search.BinSize);
-  // Twice what a pulse reaches, in range.
+  // Twice the reach of a pulse, in range.
   const double gap =
     SpeedOfLight * search.BinSize * static_cast<double>(search.Shape.GetReach() + 1);
   isBinned = false;
@@ -174,7 +174,7 @@ bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Limits& l
 }
 
 //------------------------------------------------------------------------------
-/// The echoes at the maxima in bins that are filled; false where the bins end in one.
+/// The echoes at the maxima in filled bins; false if a maximum lies at their end.
 bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
   std::vector<Echo>& echoes)
 {
@@ -218,14 +218,14 @@ bool Receiver::Fill(const PlaneEcho& echo, double background, vtkIdType pulseId)
 }
 
 //------------------------------------------------------------------------------
-/// Makes room for the pulses of returns; true: less than they need.
+/// Allocates the window for the pulses of returns; true if it was cut.
 bool Receiver::OpenWindow(const Limits& limits, double binSize)
 {
   return this->OpenWindow(limits.Nearest, limits.Farthest, 1.0, binSize);
 }
 
 //------------------------------------------------------------------------------
-/// Makes room for the pulses of returns between two ranges; true: less than they need.
+/// Allocates the window for the pulses of returns between two ranges; true if it was cut.
 bool Receiver::OpenWindow(double nearest, double farthest, double widening, double binSize)
 {
   const PulseShape& shape = this->Settings.Shape;
@@ -247,8 +247,8 @@ bool Receiver::OpenWindow(double nearest, double farthest, double widening, doub
 
 //------------------------------------------------------------------------------
 /**
- * Where the sum of the Gaussians of returns may have its maxima, and the samples beside these: it
- * rises up to the first return and falls from the last on.
+ * The bins where the sum of the Gaussians of returns may have maxima, and their neighbours: it
+ * rises up to the first return and falls after the last.
  */
 BinRange Receiver::GetBinsOfMaxima(
   const PulseCluster& first, const PulseCluster& last, double binSize) const
@@ -259,14 +259,14 @@ BinRange Receiver::GetBinsOfMaxima(
 }
 
 //------------------------------------------------------------------------------
-/// When a return at a range comes, in the window [ns].
+/// The time of a return at a range, in the window [ns].
 double Receiver::GetTime(double range) const
 {
   return TwoWayTime(range - this->Nearest) + this->Margin;
 }
 
 //------------------------------------------------------------------------------
-/// Puts returns that come nearly at once together, in the order of time.
+/// Groups nearly coincident returns, in order of time.
 HELIOS_CLONES
 void Receiver::MakeClusters(Iterator begin, Iterator end)
 {
@@ -275,7 +275,7 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
   const double margin = this->Margin;
   this->Clusters.clear();
   PulseCluster none{ -1, 0.0, 0.0, 0.0 };
-  PulseCluster* cluster = &none; // the next sub-ray often comes when the last one did
+  PulseCluster* cluster = &none; // the next sub-ray often has the same time
   double nearest = 0.0;
   double farthest = 0.0;
   Powers low = Powers(); // its sums
@@ -334,7 +334,7 @@ PulseCluster& Receiver::GetCluster(vtkIdType slot)
 }
 
 //------------------------------------------------------------------------------
-/// Fills a window with what some of the clusters bring.
+/// Fills a window with the pulses of some clusters.
 void Receiver::FillGroup(
   std::size_t first, std::size_t last, const PulseShape& shape, const BinRange& bins)
 {
@@ -346,7 +346,7 @@ void Receiver::FillGroup(
 }
 
 //------------------------------------------------------------------------------
-/// Fills the window that is open with returns; those of a Gaussian that come nearly at once, together.
+/// Fills the current window with returns; nearly coincident ones of a Gaussian, together.
 void Receiver::FillAll(Iterator begin, Iterator end, const PulseShape& shape)
 {
   const BinRange bins = this->GetWindow();

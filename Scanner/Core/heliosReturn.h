@@ -20,7 +20,7 @@
 namespace helios
 {
 
-/// What one sub-ray returns.
+/// The return of one sub-ray.
 struct SubReturn
 {
   double Range; // [m]
@@ -30,7 +30,7 @@ struct SubReturn
   int SubRay;
 };
 
-/// An echo at its range, and the sub-ray nearest to it.
+/// An echo at its range, and the nearest sub-ray.
 struct Echo
 {
   double Range;     // [m]
@@ -47,15 +47,15 @@ struct Waveform
   std::vector<float> Samples;
 };
 
-/// The echo of a beam on a plane, before it is detected.
+/// The undetected echo of a beam on a plane.
 struct PlaneEcho
 {
   double Range;
   double Power; // at its peak [W]
-  double Sigma; // [ns]; of a pulse that is no Gaussian: not used
+  double Sigma; // [ns]; not used for a non-Gaussian pulse
 };
 
-/// What receives the light.
+/// The receiver.
 struct ReceiverSettings
 {
   PulseShape Shape;
@@ -68,7 +68,7 @@ struct ReceiverSettings
 };
 
 /**
- * The received signal: sub-return k adds its power times the pulse at t - 2 R_k / c. One a thread: it
+ * The received signal: return k adds its power times the pulse at t - 2 R_k / c. One per thread: it
  * owns the scratch memory.
  */
 class VTKHELIOSSCANNERCORE_EXPORT Receiver
@@ -80,24 +80,25 @@ public:
   double GetSigmaRange() const { return this->SigmaRange; }
 
   /**
-   * The echoes of a pulse in the order of range. Returns too far apart to touch are treated by
-   * themselves; where a group spreads over no more than c sigma its sum has exactly one maximum, found
-   * by Newton's method, else bins are filled where maxima may be. True: all groups went without bins.
-   * For Gaussian pulses and detectors that find maxima.
+   * The echoes of a pulse in order of range. Groups of returns too far apart to overlap are
+   * processed separately; a group that spreads over no more than c sigma has exactly one maximum,
+   * found by Newton's method; in others the bins that may hold maxima are filled. Returns true if
+   * no group needed bins. For Gaussian pulses and detectors that find maxima.
    */
   bool FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
   /**
-   * The echoes that DetectEchoes() finds in the waveform of the returns, without noise, to the byte:
-   * only bins where a maximum may be are filled. False: nothing was found out, for the waveform was
-   * cut or has no single maxima. For Gaussian pulses and detectors that find maxima.
+   * The echoes that DetectEchoes() finds in the waveform of the returns, without noise,
+   * byte-identical: only bins that may hold a maximum are filled. False if no echoes were computed,
+   * because the waveform was cut or has no single maxima. For Gaussian pulses and detectors that
+   * find maxima.
    */
   bool FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
   ///@{
   /**
-   * Fills the waveform of a pulse, over a background [W]; its id is the key of the noise. True: it was
-   * cut, since it would be longer than allowed.
+   * Fills the waveform of a pulse, over a background [W]; its id is the key of the noise. Returns
+   * true if it was cut at the maximum length.
    */
   bool Fill(const std::vector<SubReturn>& returns, double background, vtkIdType pulseId);
   bool Fill(const PlaneEcho& echo, double background, vtkIdType pulseId);
@@ -105,7 +106,7 @@ public:
 
   const Waveform& GetWaveform() const { return this->Wave; }
 
-  /// The echoes in the waveform that was filled last, and their nearest returns.
+  /// The echoes in the waveform filled last, and their nearest returns.
   void DetectEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
 private:
@@ -113,9 +114,9 @@ private:
 
   struct Search
   {
-    const PulseShape& Shape; // ready for the bins
+    const PulseShape& Shape; // prepared for the bins
     double BinSize;          // [ns]
-    bool KnowsSingles;       // whether groups with one maximum go without bins
+    bool KnowsSingles;       // whether groups with one maximum skip the bins
   };
 
   /// The nearest and the farthest range of returns [m].
@@ -154,7 +155,7 @@ private:
   double SigmaRange; // [m]
   double Nearest = 0.0;
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
-  std::vector<double> Sum; // of the samples of the waveform, those that are filled
+  std::vector<double> Sum; // of the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
   SingleMaximum Maximum;
   Waveform Wave;

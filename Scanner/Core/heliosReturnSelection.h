@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From the echoes of a waveform to the returns of a pulse: the same in the scanner and behind it.
+// From the echoes of a waveform to the returns of a pulse, for the scanner and the filters.
 
 #ifndef heliosReturnSelection_h
 #define heliosReturnSelection_h
@@ -15,17 +15,18 @@
 namespace helios
 {
 
-/// As many as ReturnNumber can count.
+/// The maximum of ReturnNumber.
 constexpr std::size_t MostReturns = 255;
 
-/// The range of an echo [m], from two-way times: that of the waveform's start, and its own after it [ns].
+/// The range of an echo [m], from two-way times [ns]: the waveform's start, and the echo's after
+/// it.
 inline double GetRange(double startTime, double time)
 {
   return 0.5 * SpeedOfLight * (startTime + time);
 }
 
 /**
- * Which of the echoes of a pulse, given in the order of range, are kept: a selection of
+ * Selects the echoes of a pulse that are kept, given in order of range: a selection of
  * vtkHeliosInstrument, and of these the first maximum ones (0: all).
  */
 template <typename EchoT>

@@ -17,9 +17,9 @@ constexpr double BinRangeLaw = 0.02;
 constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
 constexpr int FewestSubRays = 16;
 constexpr int MostSubRays = 4096;
-constexpr int FinestRings = 36; // at least, on the steepest surfaces
+constexpr int FinestRings = 36; // minimum on the steepest surfaces
 
-/// So many that an edge is off by no more than a share of the energy.
+/// The number for which the energy error of an edge is at most a fraction.
 int GetNumberOfSubRays(double share)
 {
   const double count = 2416.0 * std::pow(1e-3 / share, 4.0 / 3.0);
@@ -33,17 +33,17 @@ int GetNumberOfSubRays(double share)
 SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double sigma)
 {
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
-  const double longestEcho = 4.0 * sigmaRange; // sides farther apart are echoes of their own
+  const double longestEcho = 4.0 * sigmaRange; // sides farther apart are separate echoes
   SamplingPlan plan;
   plan.LooksClosely = energyTolerance < 0.002;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
-  // Less than half of what is allowed for the amplitude, for small shares are off by more of their own.
+  // Less than half of the amplitude tolerance, because small fractions have larger relative errors.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
   plan.Rings = static_cast<int>(std::lround(0.5 * std::sqrt(plan.NumberOfSubRays)));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
-  plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // as fine as 0.25 ns of 4 ns at least
+  plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
   plan.LargestSpread = std::min(1.5, std::pow(360.0 * energyTolerance, 0.25));
   plan.LargestWidening = std::min(0.25, 0.9 * std::cbrt(energyTolerance));
   plan.LargestShift = 0.5 * rangeTolerance;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything a pulse needs to know; constant while the scanner runs.
+// The data needed for every pulse; constant while the scanner runs.
 
 #ifndef heliosScanModel_h
 #define heliosScanModel_h
@@ -22,7 +22,7 @@
 namespace helios
 {
 
-/// How far a range may be off by chance: the squares add up.
+/// The standard deviation of the range noise; contributions add in quadrature.
 struct RangeNoise
 {
   double Constant = 0.0;    // [m]
@@ -41,13 +41,13 @@ struct RangeNoise
   }
 };
 
-/// The ranges that are measured.
+/// The range gate.
 struct RangeGate
 {
   double Least = 0.0;           // [m]
   double Most = VTK_DOUBLE_MAX; // [m]
 
-  /// Whether a sub-ray returns nothing: it meets nothing, or nothing in these ranges.
+  /// Whether a sub-ray returns nothing: no hit, or a hit outside the range gate.
   bool IsSilent(const vtkHeliosHit& hit) const { return this->IsSilent(hit.CellId, hit.Range); }
   bool IsSilent(vtkIdType cell, double range) const
   {
@@ -64,23 +64,23 @@ struct ScanModel
   ReceiverSettings Receiver;
 
   bool IsFixed = false;
-  std::vector<SubRay> SubRays; // of fixed sampling; by tolerance, of a beam that meets edges
+  std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, of a beam with edges
   bool HasOffsets = false;
-  SamplingPlan Plan;         // of sampling by tolerance
-  std::vector<SubRay> Rings; // the same, of one steep surface
+  SamplingPlan Plan;         // of adaptive sampling
+  std::vector<SubRay> Rings; // for adaptive sampling, of one steep surface
   /// Of beams along steep surfaces: step k has 4^k times as many sub-rays as these two.
   std::vector<std::unique_ptr<LazySubRays>> FinerSubRays, FinerRings;
-  std::vector<SubRay> Probes;                                  // cast first, by tolerance
+  std::vector<SubRay> Probes;                                  // cast first for adaptive sampling
   std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
-  bool ProbesCones = false; // whether to ask for one plane before
+  bool ProbesCones = false; // whether to test for a planar footprint first
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
-  /// Rayleigh length of the waist [m]: from the origin back to the cone's apex.
+  /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
   double Setback = 0.0;
 
   double Power = 0.0;
   LidarEquation Equation{ 0.15, 1.0, 0.0 };
-  double Background = 0.0; // of the sun, of a white surface without air before it [W]
+  double Background = 0.0; // of the sun, of a white surface without extinction [W]
   RangeGate Gate;
   RangeNoise Noise;
   int ReturnSelection = 0;
@@ -92,10 +92,10 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
-  /// Whether each beam gets as many sub-rays as the tolerances ask for there.
+  /// Whether the number of sub-rays of each beam adapts to the tolerances.
   bool IsByTolerance() const { return !this->Probes.empty(); }
 
-  /// What all of a pulse's beam meets; the range is from the pulse's origin.
+  /// Probes all of a pulse's beam; the range is from the pulse's origin.
   vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
   {
     const Vec3 axis = pulse.GetDirection();
@@ -106,17 +106,17 @@ struct ScanModel
     return hit;
   }
 
-  /// Whether the beam of a pulse may meet leaves: if so, it takes all its sub-rays.
+  /// Whether the beam of a pulse may hit leaves: if so, it takes all its sub-rays.
   bool MeetsMedium(const Pulse& pulse) const
   {
     return !this->Medium.IsEmpty() &&
       this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->Setback);
   }
 
-  /// Whether echoes cannot be found but in a waveform.
+  /// Whether echoes can only be found in a waveform.
   bool NeedsWaveform() const { return this->IsFixed || !this->HasPlainMaxima(); }
 
-  /// Whether echoes are those of a waveform that nobody asked for, and of its maxima alone.
+  /// Whether echoes are maxima of a waveform that is not an output.
   bool FindsEchoesInBins() const
   {
     return this->IsFixed && !this->WantsWaveforms && this->HasPlainMaxima();

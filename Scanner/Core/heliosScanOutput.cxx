@@ -27,10 +27,10 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-// Room for so many echoes is made at once, some 140 bytes each; for more as they come.
+// Memory for this many echoes is reserved at once, some 140 bytes each; for more on demand.
 constexpr vtkIdType EchoesReserved = 4000000;
 
-/// Where the records of each chunk go, from a row on; the last entry is the row behind all of them.
+/// The first output row of each chunk, from a row; the last entry is one past the end.
 template <typename RecordT>
 std::vector<vtkIdType> GetOffsets(const std::vector<ChunkResult>& chunks,
   std::vector<RecordT> ChunkResult::*records, vtkIdType first)
@@ -43,17 +43,17 @@ std::vector<vtkIdType> GetOffsets(const std::vector<ChunkResult>& chunks,
   return offsets;
 }
 
-/// Makes an array longer; what is in it stays.
+/// Extends an array; its content is kept.
 void Lengthen(vtkDataArray* array, vtkIdType count)
 {
   if (count * array->GetNumberOfComponents() > array->GetSize())
   {
-    array->Resize(count); // and more, so that this is seldom done
+    array->Resize(count); // and more, to do so rarely
   }
   array->SetNumberOfTuples(count);
 }
 
-/// The arrays of one data object, all of the same length, that get rows [first, last).
+/// The arrays of one data object, all of the same length, that receive rows [first, last).
 class Columns
 {
 public:
@@ -64,7 +64,7 @@ public:
   {
   }
 
-  /// All rows of the array of a name.
+  /// All rows of the array with a name.
   template <typename ArrayT>
   typename ArrayT::ValueType* Add(const char* name, int components = 1)
   {
@@ -106,7 +106,7 @@ double* AddPoints(vtkPolyData* output, vtkIdType count)
   return vtkDoubleArray::SafeDownCast(points)->GetPointer(0);
 }
 
-/// Gives back what arrays have room for.
+/// Releases unused memory of arrays.
 void Squeeze(vtkFieldData* data)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -120,7 +120,7 @@ void Put(double* column, vtkIdType row, const Vec3& value)
   std::copy_n(value.GetData(), 3, column + 3 * row);
 }
 
-/// Calls put(record, row) for all records of all chunks; chunks go in parallel.
+/// Calls put(record, row) for all records of all chunks, in parallel over chunks.
 template <typename RecordT, typename PutT>
 void ForEachRecord(const std::vector<ChunkResult>& chunks,
   std::vector<RecordT> ChunkResult::*records, const std::vector<vtkIdType>& offsets, PutT put)
@@ -191,7 +191,7 @@ void FillEchoes(const std::vector<ChunkResult>& chunks, const ScanModel& model, 
   }
 }
 
-/// What no instrument knows, beside the echoes.
+/// The ground truth of the echoes.
 void FillTruths(const std::vector<ChunkResult>& chunks, vtkPolyData* output)
 {
   vtkDataArray* before = output->GetPointData()->GetArray(names::TruePoint);
@@ -343,7 +343,7 @@ void ScanOutput::Add(const std::vector<ChunkResult>& chunks)
 }
 
 //------------------------------------------------------------------------------
-/// Memory that is not used is not touched.
+/// Unused memory is not touched.
 void ScanOutput::Reserve(vtkIdType echoes)
 {
   vtkPointData* data = this->Echoes->GetPointData();

@@ -18,25 +18,25 @@ namespace helios
 
 struct ScanModel;
 
-/// What all records of a leg share.
+/// The data shared by all records of a leg.
 struct ScanIds
 {
   int Leg;
   int Channel; // of the deflector's channel 0
 };
 
-/// Adds the records of a scan to the data objects of a scanner, which are empty at first.
+/// Adds the records of a scan to the data objects of a scanner, which are initially empty.
 class ScanOutput
 {
 public:
-  /// The model must stay. The arrays are there at once, with room for an echo of each of so many pulses.
+  /// The model must outlive it. The arrays are allocated for this many pulses with one echo each.
   ScanOutput(
     const ScanModel& model, const ScanIds& ids, vtkIdType pulses, vtkInformationVector* outputs);
 
-  /// Adds what the model wants of the records of chunks, in order.
+  /// Adds the records of chunks that the model requests, in order.
   void Add(const std::vector<ChunkResult>& chunks);
 
-  /// Gives back the memory that is left over.
+  /// Releases unused memory.
   void Finish();
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a chunk of pulses gives, before it becomes VTK data.
+// The results of a chunk of pulses, before they become VTK data.
 
 #ifndef heliosScanRecords_h
 #define heliosScanRecords_h
@@ -75,17 +75,17 @@ struct WaveformRecord
   int Channel;
 };
 
-/// What a chunk of pulses gives, in the order of the pulses.
+/// The results of a chunk, in the order of the pulses.
 struct ChunkResult
 {
   std::vector<EchoRecord> Echoes;
-  std::vector<TruthRecord> Truths; // empty where nobody asks
+  std::vector<TruthRecord> Truths; // empty if not requested
   std::vector<PulseRecord> Pulses;
   std::vector<SubRayRecord> SubRays;
   std::vector<WaveformRecord> Waveforms;
   std::vector<float> Samples;
 
-  /// The memory stays.
+  /// Keeps the memory.
   void Clear()
   {
     this->Echoes.clear();
@@ -97,20 +97,20 @@ struct ChunkResult
   }
 };
 
-/// Sums over pulses, whatever thread they ran in.
+/// Sums over pulses, independent of threads.
 struct ScanCounts
 {
   vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         // with a surface in the measured ranges
-  vtkIdType PulsesOnPlane = 0;     // whose echo was written down at once
+  vtkIdType PulsesHit = 0;         // with a surface in the range gate
+  vtkIdType PulsesOnPlane = 0;     // with a planar footprint
   vtkIdType PulsesWithoutBins = 0; // whose maxima were found by Newton's method
   vtkIdType PulsesBinned = 0;
   vtkIdType SubRays = 0; // traced
   vtkIdType Echoes = 0;
-  vtkIdType HitsOutOfRange = 0; // sub-rays that met a surface outside the measured ranges
+  vtkIdType HitsOutOfRange = 0; // sub-rays that hit a surface outside the range gate
   vtkIdType CutWaveforms = 0;
   TermFaults Faults;             // of the error model
-  double LargestAmplitude = 0.0; // of what the pulses that hit sent back [W]
+  double LargestAmplitude = 0.0; // of the returned signals [W]
 
   void Add(const ScanCounts& other)
   {

@@ -16,12 +16,11 @@ namespace helios
 namespace
 {
 
-// Pulses handed to a thread at a time; and chunks of a thread whose records are kept: few enough that
-// the records stay in its cache.
+// Pulses per task; and chunks per thread whose records are kept: few enough for its cache.
 constexpr vtkIdType PulsesPerChunk = 256;
 constexpr vtkIdType MostChunksPerThread = 64;
 
-// Of a batch.
+// Per batch.
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.5;
 constexpr std::size_t ManyBytes = std::size_t(1) << 28;

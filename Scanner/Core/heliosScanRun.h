@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pulses through the kernel, on all threads.
+// Runs pulses through the kernel, on all threads.
 
 #ifndef heliosScanRun_h
 #define heliosScanRun_h
@@ -19,15 +19,15 @@ namespace helios
 
 struct ScanModel;
 
-/// What was done of all [0, 1]; false ends the run.
+/// The fraction done [0, 1]; false ends the run.
 using RunWatcher = std::function<bool(double)>;
 
-/// Takes the records of some chunks, in order.
+/// Receives the records of some chunks, in order.
 using ChunkSink = std::function<void(const std::vector<ChunkResult>&)>;
 
 /**
- * How many chunks run between two looks at progress and abort: as many as a cache holds, and fewer
- * where they take long or hold much, so that a run of any survey can be stopped.
+ * The number of chunks between two checks for progress and abort: limited by the cache, and
+ * smaller for slow or large chunks, so that any run can be stopped.
  */
 class VTKHELIOSSCANNERCORE_EXPORT BatchSize
 {
@@ -47,7 +47,7 @@ private:
   vtkIdType ChunksPerThread = 1;
 };
 
-/// Hands on the records of the pulses [first, last), in order, a batch at a time; and counts them.
+/// Passes on the records of the pulses [first, last), in order, in batches; and counts them.
 ScanCounts RunScan(const ScanModel& model, vtkIdType first, vtkIdType last,
   const RunWatcher& goesOn, const ChunkSink& take);
 

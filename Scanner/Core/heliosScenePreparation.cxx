@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Builds a ray caster; what it says is wrong, or an empty text.
+/// Builds a ray caster; returns an error message, or an empty string.
 std::string Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
 {
   std::string reason;

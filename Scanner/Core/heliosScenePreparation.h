@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a model's beams meet: the triangles of a scene, and turbid voxels.
+// The targets of a model's beams: the triangles of a scene, and turbid voxels.
 
 #ifndef heliosScenePreparation_h
 #define heliosScenePreparation_h
@@ -17,8 +17,8 @@ namespace helios
 
 struct ScanModel;
 
-/// Sets caster, surfaces and medium of a model. Says in words what is wrong, or returns an empty text.
-/// A scene with grids may have no triangles.
+/// Sets caster, surfaces and medium of a model. Returns an error message, or an empty string. A
+/// scene with grids may have no triangles.
 std::string PrepareScene(vtkPolyData* scene, const std::vector<vtkImageData*>& grids,
   vtkHeliosRayCaster* caster, ScanModel& model);
 

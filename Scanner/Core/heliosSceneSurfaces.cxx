@@ -21,7 +21,7 @@ namespace helios
 namespace
 {
 
-/// A cell array as one of the wanted type; null where there is none.
+/// A cell array converted to the requested type; null if missing.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> Take(
   vtkDataSet* data, const char* name, int components, const std::string& what, std::string& fault)

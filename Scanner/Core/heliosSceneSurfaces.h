@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the triangles and the turbid voxels of a scene are made of, as plain arrays.
+// The materials of the triangles and the turbid voxels of a scene, as plain arrays.
 
 #ifndef heliosSceneSurfaces_h
 #define heliosSceneSurfaces_h
@@ -27,12 +27,12 @@ namespace helios
 class SceneSurfaces
 {
 public:
-  /// Looks at a scene and keeps its arrays alive. Says in words what is wrong, or returns an empty text.
+  /// Reads a scene and keeps its arrays alive. Returns an error message, or an empty string.
   std::string Set(vtkPolyData* scene);
 
   /**
-   * Appends a grid of turbid voxels, whose cells have the ids after all cells before: its materials follow
-   * those before, and it is a part of its own. Its first cell's id; or a fault in words.
+   * Appends a grid of turbid voxels; its cell ids, materials and part follow all previous ones.
+   * Returns its first cell's id, or an error message.
    */
   std::string AddGrid(vtkImageData* grid, vtkIdType& firstCell);
 
@@ -50,7 +50,7 @@ public:
     return this->IsTurbid(cell) ? this->FindGrid(cell).Part : this->Parts ? this->Parts[cell] : 0;
   }
 
-  /// Hands echoes the names of all parts and the coordinate system, where there are any.
+  /// Passes the names of all parts and the coordinate system to the echoes, if set.
   void PassFields(vtkPolyData* scene, vtkPolyData* echoes) const;
 
   const SurfaceReflection& GetReflection(int material) const
@@ -62,7 +62,7 @@ public:
     return this->Classifications[static_cast<std::size_t>(material)];
   }
 
-  /// Sets the unit normal that the scene gives a cell; leaves it as it is where the scene gives none.
+  /// Sets the unit normal of a cell from the scene; unchanged if the scene has none.
   void GetNormal(vtkIdType cell, Vec3& normal) const
   {
     if (!this->Normals || this->IsTurbid(cell))
@@ -79,7 +79,7 @@ public:
   }
 
 private:
-  /// Turbid voxels, and what they are made of.
+  /// Turbid voxels and their materials.
   struct Grid
   {
     vtkIdType FirstCell;

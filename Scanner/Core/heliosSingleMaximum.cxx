@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-constexpr std::size_t Lanes = QuadWidth; // terms that are summed side by side
+constexpr std::size_t Lanes = QuadWidth; // terms summed in parallel
 
 /// exp(-y) for 0 <= y <= 8 to 1e-10, to the last bits for y <= 2: the series of its 64th root.
 HELIOS_INLINE Doubles ExpMinus(const Doubles& y)
@@ -28,7 +28,7 @@ HELIOS_INLINE Doubles ExpMinus(const Doubles& y)
   return e;
 }
 
-/// The sum of all lanes, neighbours first.
+/// The sum of all lanes, adjacent ones first.
 HELIOS_INLINE double AddUp(const Doubles& v)
 {
   return (v[0] + v[1]) + (v[2] + v[3]);
@@ -56,7 +56,7 @@ void SingleMaximum::Open(std::size_t most)
 }
 
 //------------------------------------------------------------------------------
-/// Makes places relative to the first, and adds nothing there up to a full number of lanes.
+/// Makes places relative to the first, and pads the lanes with zeros.
 HELIOS_CLONES
 void SingleMaximum::FillLanes()
 {
@@ -119,8 +119,8 @@ bool SingleMaximum::Find(double sigma, Result& result)
   const double mean = m.First / m.Power;
   const double variance = std::max(0.0, m.Second / m.Power - mean * mean);
 
-  // Newton on the logarithm of the sum. For a small spread the maximum lies at
-  // mean - mu3 / (2 sigma^2) but for terms of its fifth power.
+  // Newton's method on the logarithm of the sum. For a small spread the maximum
+  // is at mean - mu3 / (2 sigma^2), up to terms of its fifth power.
   const double scale = 1.0 / sigma;
   const bool isSmall = variance * scale * scale < 1e-2;
   const double mu3 = m.Third / m.Power - mean * (3.0 * variance + mean * mean);
@@ -132,9 +132,9 @@ bool SingleMaximum::Find(double sigma, Result& result)
     // 0 only for two halves two sigma apart
     const double curvature = 1.0 - (sums.W2 / sums.W0 - slope * slope);
     const double step = slope / std::max(curvature, 0.02);
-    result.Value = sums.W0 * (1.0 + 0.5 * slope * step); // but for terms of step^3
+    result.Value = sums.W0 * (1.0 + 0.5 * slope * step); // up to terms of step^3
     result.Place -= step / scale;
-    if (std::abs(step) < 1e-5) // the next would be its square
+    if (std::abs(step) < 1e-5) // the next step would be its square
     {
       break;
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The maximum of a sum of Gaussians that come nearly at one place.
+// The maximum of a sum of nearly coincident Gaussians.
 
 #ifndef heliosSingleMaximum_h
 #define heliosSingleMaximum_h
@@ -14,8 +14,8 @@ namespace helios
 {
 
 /**
- * A sum of p_k exp(-(x - x_k)^2 / (2 sigma^2)). Where the x_k spread over no more than two sigma it
- * has exactly one maximum, for its logarithm is concave between them; Newton's method finds it.
+ * A sum of p_k exp(-(x - x_k)^2 / (2 sigma^2)). If the x_k spread over no more than two sigma, it
+ * has exactly one maximum, since its logarithm is concave between them; Newton's method finds it.
  */
 class VTKHELIOSSCANNERCORE_EXPORT SingleMaximum
 {
@@ -27,10 +27,10 @@ public:
     double Variance; ///< of the x_k, weighted by p_k
   };
 
-  /// Starts anew, with room for so many terms.
+  /// Restarts, with memory for n terms.
   void Open(std::size_t most);
 
-  /// Adds a term, if it is wanted.
+  /// Adds a term, if isWanted.
   void Add(double place, double power, bool isWanted = true)
   {
     this->Places[this->Count] = place;
@@ -38,8 +38,8 @@ public:
     this->Count += isWanted ? 1 : 0;
   }
 
-  /// For one term or more that spread over no more than two sigma; false where they have no power. Once:
-  /// it makes the terms ready for itself.
+  /// For one or more terms that spread over no more than two sigma; false if they have no power.
+  /// Call once: it modifies the terms.
   bool Find(double sigma, Result& result);
 
 private:
@@ -51,7 +51,7 @@ private:
 
   std::size_t Count = 0;
   double First = 0.0;         ///< place
-  std::vector<double> Places; ///< from the first on, once they are all there
+  std::vector<double> Places; ///< relative to the first, once complete
   std::vector<double> Powers;
 };
 

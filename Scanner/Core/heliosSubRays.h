@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a beam is sampled by.
+// The sub-rays of a beam.
 
 #ifndef heliosSubRays_h
 #define heliosSubRays_h
@@ -20,10 +20,10 @@ struct SubRay
 {
   Vec3 Direction;
   double Weight;
-  Vec3 Offset; // [m], of where it leaves
+  Vec3 Offset; // [m], of the start
 };
 
-/// Sub-rays that are made when they are first asked for, whatever thread that is.
+/// Sub-rays that are computed on first use, from any thread.
 class LazySubRays
 {
 public:

@@ -16,8 +16,8 @@ double GetCosine(const Vec3& n, const double d[3])
 
 } // namespace
 
-/// The lidar equation for columns, as if all were Lambertian; false where the transmission is not near
-/// enough for its series.
+/// The lidar equation for columns, as if all were Lambertian; false if a transmission is too far
+/// from the start of its series.
 HELIOS_CLONES
 bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
   const NearbyTransmission& transmission, double* powers, double* cosines) const
@@ -39,13 +39,13 @@ bool SurfaceResponse::Columns::Compute(std::size_t count, double gain,
   return NearbyTransmission::IsNear(*std::max_element(farthest, farthest + Lanes));
 }
 
-/// Fills the columns, and up to a full number of lanes with a range that is there.
+/// Fills the columns, padding the lanes with a valid range.
 void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count)
 {
   Columns& c = this->Asked;
   const RangeGate gate = this->Model.Gate;
   const Surface* surface = nullptr;
-  vtkIdType cell = -1; // of the surface: the next sub-ray often meets it, too
+  vtkIdType cell = -1; // of the surface: the next sub-ray often hits it, too
   bool hasLobes = false;
   std::size_t silent = 0;
   double range = 1.0;
@@ -78,7 +78,7 @@ void SurfaceResponse::Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, st
   std::fill_n(c.Range + count, (Columns::Lanes - count % Columns::Lanes) % Columns::Lanes, range);
 }
 
-/// What columns do not tell, one after the other: transmissions far from each other, and lobes.
+/// The cases that columns do not handle, one by one: transmissions far from each other, and lobes.
 void SurfaceResponse::Refine(std::size_t count, double* powers, const double* cosines)
 {
   const Columns& c = this->Asked;
@@ -102,7 +102,7 @@ void SurfaceResponse::GetReplies(
     double* powers = replies.Powers.data() + first;
     double* cosines = replies.Cosines.data() + first;
     this->Ask(rays + first, hits + first, size);
-    this->Transmission(this->Asked.Range[0]); // the series starts there, or near
+    this->Transmission(this->Asked.Range[0]); // starts the series there, or near
     const bool isNear = this->Asked.Compute(size, this->Gain, this->Transmission, powers, cosines);
     if (!isNear || this->Asked.HasLobes)
     {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a surface in the beam sends back.
+// The return of a surface in the beam.
 
 #ifndef heliosSurfaceResponse_h
 #define heliosSurfaceResponse_h
@@ -18,21 +18,21 @@
 namespace helios
 {
 
-/// What a sub-ray of weight 1 returns.
+/// The return of a sub-ray of weight 1.
 struct Reply
 {
   double Power; // [W]
   double CosIncidence;
 };
 
-/// The same of the sub-rays of a pulse; of those that are silent the power is 0.
+/// The same for the sub-rays of a pulse; the power is 0 outside the range gate.
 struct Replies
 {
   std::vector<double> Powers;
   std::vector<double> Cosines;
 };
 
-/// One a thread: it remembers surfaces, and the range it saw last.
+/// One per thread: it caches surfaces and the last range.
 class SurfaceResponse
 {
 public:
@@ -43,27 +43,27 @@ public:
   {
   }
 
-  /// Of a sub-ray along a unit vector that meets a cell.
+  /// Of a sub-ray along a unit vector that hits a cell.
   Reply GetReply(vtkIdType cell, double range, const double direction[3]);
 
-  /// Of sub-rays along unit vectors and what they meet.
+  /// Of sub-rays along unit vectors and their hits.
   void GetReplies(
     const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count, Replies& replies);
 
   /// The unit normal of a cell's plane; 0 of leaves, here and below.
   const Vec3& GetPlaneNormal(vtkIdType cell) { return this->Visit(cell).PlaneNormal; }
 
-  /// The unit normal that incidence is measured from.
+  /// The unit normal from which incidence is measured.
   const Vec3& GetNormal(vtkIdType cell) { return this->Visit(cell).Normal; }
 
-  /// The sunlight that a sub-ray of weight 1 finds on a cell [W].
+  /// The sunlight received by a sub-ray of weight 1 from a cell [W].
   double GetBackground(vtkIdType cell, double range)
   {
     return this->Model.Background * this->Visit(cell).Reflection->Reflectance *
       std::sqrt(this->Transmission(range));
   }
 
-  /// Forgets the range it saw last, so that a pulse does not depend on the one before it.
+  /// Clears the last range, so that a pulse does not depend on the one before it.
   void StartPulse() { this->Transmission = NearbyTransmission(this->Model.Equation); }
 
 private:
@@ -72,12 +72,12 @@ private:
     vtkIdType Cell = -1;
     Vec3 PlaneNormal;
     Vec3 Normal;
-    double LeastCosine = 0.0; // 1 of leaves: they face the beam
+    double LeastCosine = 0.0; // 1 of leaves, which face the beam
     double Reflectance = 0.0;
     const SurfaceReflection* Reflection = nullptr;
   };
 
-  /// Sub-rays that are worked on together, a column for each thing they need.
+  /// Sub-rays processed together, as a structure of arrays.
   struct Columns
   {
     static constexpr std::size_t Size = 32;
@@ -85,7 +85,7 @@ private:
     double CosNormal[Size] = {};
     double LeastCosine[Size] = {};
     double Range[Size] = {};
-    double Reflectance[Size] = {}; // 0: silent
+    double Reflectance[Size] = {}; // 0: no return
     const SurfaceReflection* Reflection[Size] = {};
     bool HasLobes = false;
 
@@ -94,13 +94,13 @@ private:
   };
   void Ask(const vtkHeliosRay* rays, const vtkHeliosHit* hits, std::size_t count);
   void Refine(std::size_t count, double* powers, const double* cosines);
-  /// What a white surface across the beam returns [W].
+  /// The return of a white surface at normal incidence [W].
   double GetWhitePower(double range)
   {
     return this->Gain * this->Transmission(range) / (range * range);
   }
 
-  /// What is known of a cell: beams meet the same few again and again.
+  /// Cached data of a cell: beams hit the same few repeatedly.
   const Surface& Visit(vtkIdType cell)
   {
     Surface& surface = this->Known[static_cast<std::size_t>(cell) % this->Known.size()];
@@ -121,7 +121,7 @@ private:
   }
 
   const ScanModel& Model;
-  const double Gain; // of a white surface at 1 m, without air before it [W]
+  const double Gain; // of a white surface at 1 m, without extinction [W]
   NearbyTransmission Transmission;
   std::array<Surface, 64> Known;
   Columns Asked;

@@ -18,7 +18,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// What is wrong with the arrays of a trajectory, in words.
+/// Checks the arrays of a trajectory; returns an error message, or an empty string.
 std::string CheckArrays(vtkPolyData* trajectory)
 {
   const vtkIdType count = trajectory ? trajectory->GetNumberOfPoints() : 0;

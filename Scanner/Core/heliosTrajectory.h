@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the platform is at a time.
+// The platform's pose over time.
 
 #ifndef heliosTrajectory_h
 #define heliosTrajectory_h
@@ -21,14 +21,14 @@ namespace helios
 
 /**
  * The samples of a trajectory. Between two samples the position is the cubic of both positions and
- * velocities (linear in time where there are none), the orientation turns at a constant rate; of
- * two samples at one time the later holds. A single sample holds at all times, and before the first
- * and after the last sample their poses hold.
+ * velocities (linear in time without velocities), the orientation rotates at a constant rate; of
+ * two samples at one time the later holds. A single sample holds at all times; before the first and
+ * after the last sample their poses hold.
  */
 class VTKHELIOSSCANNERCORE_EXPORT Trajectory
 {
 public:
-  /// Reads a trajectory; says in words what is wrong with it, or returns an empty text.
+  /// Reads a trajectory; returns an error message, or an empty string.
   std::string Set(vtkPolyData* trajectory);
 
   /// Reads the samples of one leg only.
@@ -38,7 +38,7 @@ public:
   double GetStartTime() const { return this->Times.front(); }
   double GetEndTime() const { return this->Times.back(); }
 
-  /// Remembers where the last pose was found; one a thread.
+  /// Caches the segment of the last pose; one per thread.
   struct Cursor
   {
     std::size_t Sample = 0;
@@ -46,7 +46,7 @@ public:
     Rotation Attitude; // of the sample
   };
 
-  /// The position at a time, and the attitude in cursor.Attitude or, where it turns, as a new one.
+  /// The position at a time, and the attitude in cursor.Attitude or, if it rotates, as a new one.
   Vec3 GetPosition(double time, Cursor& cursor, Rotation& attitude) const;
 
   /// Both, for few times.
@@ -61,7 +61,7 @@ private:
 
   std::vector<double> Times;
   std::vector<Vec3> Positions;
-  std::vector<Vec3> Velocities; // until the segments are made
+  std::vector<Vec3> Velocities; // until the segments are built
   std::vector<Quaternion> Orientations;
   std::vector<HermiteSegment> Segments; // from each sample to the next
 };

@@ -19,7 +19,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <limits> // For what a detector does not give
+#include <limits> // For the missing Deviation
 #include <vector> // For the echoes
 
 /// A received waveform: Samples[i] [W] was received at i BinSize.
@@ -37,7 +37,7 @@ struct vtkHeliosDetectedEcho
   double Time;      ///< [ns] after the first sample
   double Amplitude; ///< [W]
   double Width;     ///< [ns], full width at half maximum
-  /// RMS of the samples about the fitted echo over its Amplitude; not a number where none was fitted.
+  /// RMS of the samples about the fitted echo over its Amplitude; NaN where no echo was fitted.
   double Deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -57,18 +57,18 @@ public:
   ///@}
 
   /**
-   * Whether echoes come with a Deviation. Default: no.
+   * Whether echoes have a Deviation. Default: no.
    */
   virtual bool GivesDeviation() const { return false; }
 
   /**
-   * Whether an echo is a maximum of the waveform, so that it may be found
-   * without bins where that is faster. Default: no.
+   * Whether an echo is a maximum of the waveform and may be found without bins
+   * where that is faster. Default: no.
    */
   virtual bool FindsMaxima() const { return false; }
 
   /**
-   * Appends the echoes of a waveform in the order of time. Thread-safe.
+   * Appends the echoes of a waveform in order of time. Thread-safe.
    */
   virtual void Detect(
     const vtkHeliosWaveform& waveform, std::vector<vtkHeliosDetectedEcho>& echoes) const = 0;

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosErrorModel
- * @brief   what an instrument gets wrong in a way that can be written down
+ * @brief   systematic errors of an instrument
  *
- * A strategy, const and thread-safe once set up. The pulse goes where the errors
- * of deflector and head turn it; its points are placed where the exact angles
- * say, at the range with the range error.
+ * A strategy, const and thread-safe once set up. Errors of deflector and head
+ * turn the emitted pulse; its points are placed at the exact angles, at the
+ * range with the range error.
  *
- * To add one: subclass and override what is not zero. Values are within
- * [-1e9, 1e9]: the scanner counts the pulses for which one is not finite, or
- * beyond, gives no output for them, and fails with an error.
+ * To add one: subclass and override the nonzero terms. Values are within
+ * [-1e9, 1e9]: pulses with a value that is not finite or outside this range are
+ * counted and have no output, and the scanner fails with an error.
  *
  * @sa
  * vtkHeliosScanner
@@ -31,7 +31,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The methods below that have values.
+   * The methods below that are overridden.
    */
   enum Terms
   {
@@ -44,9 +44,8 @@ public:
 
   ///@{
   /**
-   * What is added to a range [m], to the angle of the deflector and to that of
-   * the head [rad], for the exact angle theta of the deflector [rad].
-   * Default: 0.
+   * The error added to a range [m], to the deflector angle and to the head
+   * angle [rad], for the exact deflector angle theta [rad]. Default: 0.
    */
   virtual double GetRangeError(double theta) const;
   virtual double GetDeflectionError(double theta) const;
@@ -54,12 +53,12 @@ public:
   ///@}
 
   /**
-   * What the range noise is multiplied by, for a range [m]. Default: 1.
+   * The factor on the range noise at a range [m]. Default: 1.
    */
   virtual double GetRangeNoiseFactor(double range) const;
 
   /**
-   * How messages name a term. Default: its method.
+   * The name of a term in messages. Default: its method.
    */
   virtual std::string GetTermName(int term) const;
 

@@ -13,7 +13,7 @@
 namespace
 {
 
-// A waveform ends here: 16 million samples are 600 km in bins of 0.25 ns.
+// The most samples of a waveform: 39 km in bins of 0.25 ns.
 constexpr double LongestWaveform = 1 << 20;
 
 } // namespace
@@ -90,7 +90,7 @@ std::string vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
 //------------------------------------------------------------------------------
 bool vtkHeliosInstrument::CheckInstrument()
 {
-  constexpr double tiny = 1e-300; // a range that is open at zero
+  constexpr double tiny = 1e-300; // for a range open at zero
   const struct
   {
     const char* Name;
@@ -125,7 +125,7 @@ bool vtkHeliosInstrument::CheckInstrument()
   };
   for (const auto& p : properties)
   {
-    if (!(p.Value >= p.Low && p.Value <= p.High)) // not for NaN either
+    if (!(p.Value >= p.Low && p.Value <= p.High)) // false for NaN, too
     {
       vtkErrorMacro(<< p.Name << " is " << p.Value << p.Unit << ", outside "
                     << (p.Low == tiny ? "(0" : "[") << (p.Low == tiny ? "" : std::to_string(p.Low))

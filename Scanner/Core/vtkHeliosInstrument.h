@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosInstrument
- * @brief   what the data sheet of a laser scanner says: pulse, receiver, accuracy
+ * @brief   the data sheet of a laser scanner: pulse, receiver, accuracy
  *
- * The properties of an instrument that do not depend on where it stands or what
- * it looks at; vtkHeliosScanner fires it. Sub-ray k of the beam with the weight
- * W that meets a surface at range R under the incidence theta returns
+ * The properties of an instrument that do not depend on its position or the
+ * scene; used by vtkHeliosScanner. Sub-ray k of the beam, with the weight W,
+ * that hits a surface at range R and incidence angle theta returns
  * - P = AveragePower W f(theta) D^2 / (4 R^2) eta exp(-2 alpha R)
  *
  * with the ReceiverDiameter D, the OpticalEfficiency eta, the extinction alpha
@@ -14,10 +14,11 @@
  * - f = rho ((1 - s) cos(theta) + s (n + 2) / 2 max(0, cos(2 theta))^n cos(theta))
  *
  * that is pi times the bidirectional reflectance times cos(theta): Lambert and a
- * Phong lobe that returns no more than it gets (Wagner et al. 2006, ISPRS J. 60,
- * 100-112; Lewis 1994). P comes back after 2 R / c as a pulse with the peak P.
+ * Phong lobe that conserves energy (Wagner et al. 2006, ISPRS J. 60, 100-112;
+ * Lewis 1994). P returns after 2 R / c as a pulse with the peak P.
  *
- * Values out of their range are refused when it runs, with the range.
+ * Values outside their range are rejected at execution, with an error that
+ * states the range.
  *
  * @sa
  * vtkHeliosScanner vtkHeliosEchoDetector vtkHeliosErrorModel
@@ -29,7 +30,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <string> // For what is said in words
+#include <string> // For error messages
 
 namespace helios
 {
@@ -42,7 +43,7 @@ public:
   vtkTypeMacro(vtkHeliosInstrument, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the transmitted pulse runs.
+  /// The shape of the transmitted pulse.
   enum PulseShapes
   {
     GAUSSIAN = 0, ///< exp(-t^2 / (2 sigma^2))
@@ -62,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the full width of the transmitted pulse at half its maximum [ns]; not
+   * Set/Get the full width at half maximum of the transmitted pulse [ns]; not
    * used with a sampled pulse. Valid range: [1e-3, 1e6]. Default: 4.
    */
   vtkSetMacro(PulseLength, double);
@@ -71,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how the transmitted pulse runs; its peak is 1 and leaves at the time
-   * of the pulse. Default: GAUSSIAN.
+   * Set/Get the shape of the transmitted pulse; its peak is 1, at the time of
+   * the pulse. Default: GAUSSIAN.
    */
   vtkSetClampMacro(PulseShape, int, GAUSSIAN, SAMPLED);
   vtkGetMacro(PulseShape, int);
@@ -83,9 +84,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the text file of a sampled pulse: a time [ns] and a power of any unit
-   * a line, times increasing, # for comments; between the samples it is linear.
-   * Default: none.
+   * Set/Get the text file of a sampled pulse: a time [ns] and a power in any unit
+   * per line, times increasing, # for comments; linear between samples. Default:
+   * not set.
    */
   vtkSetFilePathMacro(PulseFileName);
   vtkGetFilePathMacro(PulseFileName);
@@ -93,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the bin of the waveform [ns]. Valid range: [1e-4, half the pulse].
-   * Default: 0.25.
+   * Set/Get the bin size of the waveform [ns]. Valid range: [1e-4, half the
+   * pulse]. Default: 0.25.
    */
   vtkSetMacro(BinSize, double);
   vtkGetMacro(BinSize, double);
@@ -102,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long a waveform may be [ns], or its number of bins, counted from
-   * its first; 0: as long as the target. What comes later is cut off, with a
+   * Set/Get the maximum length of a waveform [ns], or its maximum number of bins,
+   * from its first bin; 0: as long as the target. Later bins are cut off, with a
    * warning that counts the pulses. Valid range: 0 or at least a pulse. Default: 0.
    */
   vtkSetMacro(MaximumWaveformLength, double);
@@ -114,7 +115,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the transmit power in the lidar equation [W]. Valid range:
+   * Set/Get the transmitted power in the lidar equation [W]. Valid range:
    * [0, 1e12]. Default: 4.
    */
   vtkSetMacro(AveragePower, double);
@@ -148,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the meteorological visibility [km], from which the extinction
-   * follows by Kruse; infinite: none. Valid range: [1e-3, infinity]. Default: 23.
+   * Set/Get the meteorological visibility [km]; the extinction follows by Kruse;
+   * infinite: no extinction. Valid range: [1e-3, infinity]. Default: 23.
    */
   vtkSetMacro(AtmosphericVisibility, double);
   vtkGetMacro(AtmosphericVisibility, double);
@@ -166,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the standard deviation of the noise of the detector, one draw a bin
-   * [W]. With noise or sunlight every pulse is binned. Valid range: [0, 1e6].
+   * Set/Get the standard deviation of the detector noise, drawn per bin [W].
+   * With noise or sunlight every pulse is binned. Valid range: [0, 1e6].
    * Default: 0.
    */
   vtkSetMacro(DetectorNoise, double);
@@ -176,9 +177,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the sunlight that falls on the scene [W/m^2/nm] (0.6 at 1064 nm on a
-   * clear day), the width of the receiver's filter [nm] and its field of view,
-   * a full angle [rad]. A surface of reflectance rho that fills the view adds
+   * Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064 nm on a
+   * clear day), the bandwidth of the receiver's filter [nm] and its field of
+   * view, a full angle [rad]. A surface of reflectance rho that fills the field
+   * of view adds
    * - E rho / pi (pi FieldOfView^2 / 4) (pi D^2 / 4) FilterBandwidth eta exp(-alpha R)
    *
    * to every bin. Valid range: [0, 1e6]. Default: 0 (off), 1 and 0.001.
@@ -193,10 +195,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the standard deviation of the range noise, one draw an echo: constant
-   * [m], growing with the range [m/m], and of an echo that only just reaches the
-   * detection threshold [m] (it falls with the amplitude, as for every fit: Cramer
-   * and Rao); their squares add up. Valid range: [0, 1e3]. Default: 0, none.
+   * Set/Get the standard deviation of the range noise, drawn per echo: constant
+   * [m], proportional to the range [m/m], and for an echo at the detection
+   * threshold [m] (inversely proportional to the amplitude, the Cramer-Rao bound);
+   * contributions add in quadrature. Valid range: [0, 1e3]. Default: 0, no noise.
    */
   vtkSetMacro(RangeAccuracy, double);
   vtkGetMacro(RangeAccuracy, double);
@@ -209,8 +211,9 @@ public:
   ///@{
   /**
    * Set/Get the standard deviation of the direction, on each of two axes across
-   * the beam [rad]: the pulse goes along the direction with the error, and its
-   * points are placed along the one without. Valid range: [0, 0.1]. Default: 0.
+   * the beam [rad]: the pulse is emitted along the direction with the error,
+   * and its points are placed along the one without. Valid range: [0, 0.1].
+   * Default: 0.
    */
   vtkSetMacro(AngleAccuracy, double);
   vtkGetMacro(AngleAccuracy, double);
@@ -218,9 +221,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the ranges that the instrument measures [m]. What a sub-ray hits
-   * outside them blocks it and returns nothing. Valid range: [0, infinity].
-   * Default: 0 and infinity.
+   * Set/Get the range gate of the instrument [m]. A surface outside it blocks a
+   * sub-ray and returns nothing. Valid range: [0, infinity]. Default: 0 and
+   * infinity.
    */
   vtkSetMacro(RangeMin, double);
   vtkGetMacro(RangeMin, double);
@@ -244,7 +247,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how many of them are kept, in the order of range; 0: all. Valid
+   * Set/Get the maximum number of echoes kept, in order of range; 0: all. Valid
    * range: [0, 255]. Default: 0.
    */
   vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
@@ -255,19 +258,19 @@ protected:
   vtkHeliosInstrument() = default;
   ~vtkHeliosInstrument() override;
 
-  /// Whether all values are in their ranges; false after an error that names the first that is not.
+  /// Whether all values are in range; otherwise reports an error that names the first invalid one.
   bool CheckInstrument();
 
-  /// The extinction that applies [1/m].
+  /// The extinction in use [1/m].
   double ComputeExtinction() const;
 
-  /// The sunlight from a white surface without air before it, as the receiver counts it [W].
+  /// The sunlight from a white surface, without extinction, at the receiver [W].
   double ComputeBackground() const;
 
-  /// The most samples of a waveform.
+  /// The maximum number of samples of a waveform.
   vtkIdType CountSamples() const;
 
-  /// Makes the pulse, and checks it against the bins; says what is wrong, or nothing.
+  /// Builds the pulse and checks it against the bins; returns an error message, or an empty string.
   std::string MakePulseShape(helios::PulseShape& shape) const;
 
   double PulseLength = 4.0;

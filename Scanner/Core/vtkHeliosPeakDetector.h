@@ -4,15 +4,15 @@
  * @class   vtkHeliosPeakDetector
  * @brief   an echo is a local maximum of the waveform
  *
- * Each maximum that reaches DetectionThreshold is one echo, a plateau too. Time
- * and amplitude are those of the parabola through the logarithms of the largest
- * sample and its neighbours, which is exact for a Gaussian; the width is that
- * of the Gaussian with this curvature. An echo of one sample between zeros lies
- * there and has the width of the pulse.
+ * Each maximum that reaches DetectionThreshold is one echo, also a plateau.
+ * Time and amplitude are those of the parabola through the logarithms of the
+ * largest sample and its neighbours, which is exact for a Gaussian; the width
+ * is that of the Gaussian with this curvature. An echo of one sample between
+ * zeros is at that sample and has the width of the pulse.
  *
- * In noise three samples are few, and fewer the finer the bins; and each echo has
- * many maxima. Give a FitWindow (1.5 comes within 1.3 times the bound of Cramer
- * and Rao) and a MinimumSeparation then.
+ * In noise three samples are few, the more so for fine bins, and each echo has
+ * many maxima: set a FitWindow (1.5 gives 1.3 times the Cramer-Rao bound) and a
+ * MinimumSeparation.
  *
  * @sa
  * vtkHeliosEchoDetector
@@ -33,9 +33,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how far from the maximum samples are fitted, weighted by the square of
-   * their amplitude [sigma of the pulse]; 0: the largest and its neighbours.
-   * Valid range: [0, 3]. Default: 0.
+   * Set/Get the distance from the maximum within which samples are fitted,
+   * weighted by the square of their amplitude [sigma of the pulse]; 0: the largest
+   * and its neighbours. Valid range: [0, 3]. Default: 0.
    */
   vtkSetClampMacro(FitWindow, double, 0.0, 3.0);
   vtkGetMacro(FitWindow, double);
@@ -43,8 +43,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how near to a larger maximum one does not count [ns]; 0: all count.
-   * Valid range: [0, 1e6]. Default: 0.
+   * Set/Get the distance within which a smaller maximum is ignored [ns]; 0: all
+   * count. Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
   vtkGetMacro(MinimumSeparation, double);

@@ -2,31 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPlatformNoise
- * @brief   how a platform shakes about its trajectory
+ * @brief   position and attitude noise of a platform about its trajectory
  *
  * A strategy, const and thread-safe once set up. Each of six components (the position
- * along the axes of the world, and turns about the axes of the body) has a
- * distribution of its own, or none:
+ * along the world axes, and rotations about the body axes) may have its own
+ * distribution:
  *
  *   p' = p + (x, y, z),   A' = A Rx(a) Ry(b) Rz(c),
  *
- * with the trajectory's position p and attitude A. Mount and beam origin turn with
- * A', and pulses leave from there.
+ * with the trajectory's position p and attitude A. Mount and beam origin rotate
+ * with A', and pulses are emitted from there.
  *
- * A value holds for Lifespan pulses: that of pulse i is number floor(i / Lifespan)
- * of its component (0: number 0 for ever), i the PulseIds over the run. Numbers
- * are counter-based, of a stream of their own per component: no threads, pieces
- * or other components change them.
+ * A value holds for Lifespan pulses: pulse i has value number floor(i / Lifespan)
+ * of its component (0: always number 0), with i the PulseIds over the run. Values
+ * are counter-based, with a separate stream per component: they do not depend on
+ * threads, pieces or other components.
  *
- * With Mode MOTION the platform really moves so, and the instrument knows it: points
- * lie on the surfaces that were met, elsewhere than without noise. With Mode NAVIGATION_ERROR
- * the noise is what navigation does not know: the beam goes from the true pose, and
- * origin, direction and points are reported from the trajectory's; TruePoint is
- * where the light came from.
+ * With Mode MOTION the platform moves, and the instrument knows it: points lie on the
+ * surfaces hit, elsewhere than without noise. With Mode NAVIGATION_ERROR the noise is the
+ * error of navigation: the pulse is emitted from the true pose; origin, direction and points
+ * are reported from the trajectory's; TruePoint is where the echo came from.
  *
  * @warning
- * With a value a pulse (Lifespan 1) the platform has a new place every pulse. Errors
- * of navigation stay over seconds: give a Lifespan of PulseFrequency times that.
+ * With one value per pulse (Lifespan 1) the platform has a new position every pulse.
+ * Navigation errors persist for seconds: set a Lifespan of PulseFrequency times
+ * that.
  *
  * @sa
  * vtkHeliosScanner vtkHeliosErrorModel
@@ -45,7 +45,7 @@ public:
   vtkTypeMacro(vtkHeliosPlatformNoise, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What shakes: positions [m], turns about the body's axes [deg].
+  /// The noise components: positions [m], rotations about the body axes [deg].
   enum Components
   {
     POSITION_X = 0,
@@ -59,8 +59,8 @@ public:
   ///@{
   /**
    * Set the distribution of a component [m or deg]: normal, uniform within
-   * [minimum, maximum], or none. Valid range: finite, stdev >= 0, minimum <=
-   * maximum. Default: none.
+   * [minimum, maximum], or no noise. Valid range: finite, stdev >= 0,
+   * minimum <= maximum. Default: no noise.
    */
   void SetNormal(int component, double mean, double stdev);
   void SetUniform(int component, double minimum, double maximum);
@@ -69,8 +69,8 @@ public:
 
   ///@{
   /**
-   * Set the limits that values of a component are clamped to [m or deg]; or none.
-   * Valid range: minimum <= maximum. Default: none.
+   * Set the limits that values of a component are clamped to [m or deg], or no
+   * limits. Valid range: minimum <= maximum. Default: no limits.
    */
   void SetClip(int component, double minimum, double maximum);
   void SetNoClip(int component);
@@ -78,24 +78,24 @@ public:
 
   ///@{
   /**
-   * Set/Get for how many pulses a value of a component holds; 0: for ever. A
-   * lifespan of n channels gives all channels of a shot one value. Valid range: [0, 1e15].
-   * Default: 1.
+   * Set/Get the number of pulses a value of a component holds for; 0: the whole run. With
+   * n channels, a lifespan of n gives all channels of a shot the same value. Valid range:
+   * [0, 1e15]. Default: 1.
    */
   void SetLifespan(int component, vtkIdType pulses);
   vtkIdType GetLifespan(int component) const;
   ///@}
 
-  /// What the noise is.
+  /// The meaning of the noise.
   enum Modes
   {
-    MOTION = 0,          ///< it is known: points lie on surfaces
-    NAVIGATION_ERROR = 1 ///< it is not known: points are off
+    MOTION = 0,          ///< known to the instrument: points lie on surfaces
+    NAVIGATION_ERROR = 1 ///< unknown to the instrument: points are displaced
   };
 
   ///@{
   /**
-   * Set/Get what the noise is. Default: MOTION, as in HELIOS.
+   * Set/Get the meaning of the noise. Default: MOTION, as in HELIOS.
    */
   vtkSetClampMacro(Mode, int, MOTION, NAVIGATION_ERROR);
   vtkGetMacro(Mode, int);
@@ -106,7 +106,7 @@ public:
   /// Whether any component has a distribution.
   bool IsOn() const;
 
-  /// Whether what is reported comes from the trajectory's pose.
+  /// Whether origin, direction and points are reported from the trajectory's pose.
   bool IsUnknown() const { return this->Mode == NAVIGATION_ERROR; }
 
   /**

@@ -40,7 +40,7 @@ helios::Pose ToPose(const double position[3], const double q[4])
   return pose;
 }
 
-/// Half of a result is none.
+/// Clears all outputs: partial results are discarded.
 void ClearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
@@ -51,14 +51,14 @@ void ClearOutputs(vtkInformationVector* outputs)
 
 } // namespace
 
-/// The model of the kernel, and what keeps its pointers alive.
+/// The model of the kernel, and the owners of its pointers.
 struct vtkHeliosScanner::Scan
 {
   helios::ScanModel Model;
   helios::Trajectory Trajectory;
   vtkIdType FirstPulse = 0;
-  vtkIdType LastPulse = 0;      // one behind
-  vtkIdType NumberOfPulses = 0; // of the scan, in whatever window
+  vtkIdType LastPulse = 0;      // one past the end
+  vtkIdType NumberOfPulses = 0; // of the scan, regardless of windows
 };
 
 //------------------------------------------------------------------------------
@@ -110,7 +110,7 @@ void vtkHeliosScanner::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n";
 }
 
-// The strategies, each set and got alike.
+// The strategies have identical Set and Get methods.
 #define HELIOS_STRATEGY(Name)                                                                      \
   void vtkHeliosScanner::Set##Name(vtkHelios##Name* strategy)                                      \
   {                                                                                                \
@@ -137,7 +137,7 @@ HELIOS_STRATEGY(PlatformNoise)
 vtkMTimeType vtkHeliosScanner::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  // The ray caster is left out: building it changes no result, and any gives the same bytes.
+  // The ray caster is excluded: building it changes no result, and all are byte-identical.
   for (vtkObject* strategy : { static_cast<vtkObject*>(this->BeamDeflector.Get()),
          static_cast<vtkObject*>(this->BeamSampler.Get()),
          static_cast<vtkObject*>(this->EchoDetector.Get()),
@@ -187,7 +187,7 @@ int vtkHeliosScanner::RequestUpdateExtent(
   for (int port : { 0, 1 })
   {
     vtkInformation* info = inputs[port]->GetInformationObject(0);
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // scene and trajectory are always whole
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0); // scene, trajectory: always whole
     info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
     info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   }
@@ -334,7 +334,7 @@ bool vtkHeliosScanner::PrepareScene(vtkInformationVector** inputs, Scan& scan)
 }
 
 //------------------------------------------------------------------------------
-/// Scene and beam, which take time: an abort is heard meanwhile.
+/// Prepares scene and beam, which takes time: polls for an abort request.
 bool vtkHeliosScanner::PrepareSearch(vtkInformationVector** inputs, Scan& scan)
 {
   const auto shouldStop = [this]()
@@ -484,7 +484,7 @@ bool vtkHeliosScanner::RunPulses(
 }
 
 //------------------------------------------------------------------------------
-/// An error where the error model has values that cannot be used.
+/// Reports an error if the error model has invalid values.
 bool vtkHeliosScanner::CheckErrorTerms(const helios::ScanCounts& counts)
 {
   bool good = true;

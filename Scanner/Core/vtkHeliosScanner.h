@@ -2,64 +2,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosScanner
- * @brief   fires the pulses of one leg through a scene and detects the echoes
+ * @brief   emits the pulses of one leg into a scene and detects the echoes
  *
- * Port 0: the scene (vtkPolyData, triangles; cell arrays MaterialIds, PartIds
- * and Normals, which incidence is then measured from, and the material columns
- * in its field data are optional). Port 1: the trajectory (vtkPolyData with
- * GpsTime and Orientation, as platforms make it). Port 2, optional and repeatable:
- * turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell array
- * MaterialIds, field arrays LeafProjection and Part.Name and the material columns
- * are optional), as vtkHeliosVoxelReader makes them.
+ * Port 0: the scene (vtkPolyData, triangles; optional: the cell arrays
+ * MaterialIds, PartIds and Normals, from which incidence is then measured, and the
+ * material columns in its field data). Port 1: the trajectory (vtkPolyData with
+ * GpsTime and Orientation, as written by platforms). Port 2, optional and
+ * repeatable: turbid voxels (vtkImageData with the cell array PAD [m2/m3]; cell
+ * array MaterialIds, field arrays LeafProjection and Part.Name and the material
+ * columns are optional), as written by vtkHeliosVoxelReader.
  *
  * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
  * NumberOfReturns, Range, Amplitude, EchoWidth, ScanAngle, ClassificationIds,
  * MaterialIds, PartIds, CellIds, IncidenceAngle, WaveformIds, LegIds,
- * ChannelIds; Deviation where the detector gives it; TruePoint and Normal with
+ * ChannelIds; Deviation if the detector computes it; TruePoint and Normal with
  * GenerateTruth. Output 1, with GenerateWaveforms: the waveforms (vtkTable, one row
- * a pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
+ * per pulse with an echo: PulseIds, LegIds, ChannelIds, Origin, Direction,
  * GpsTime, StartTime [ns], BinSize [ns], Offset, Count; Samples [W] in the field
  * data, with one PulseLength [ns]). Output 2, with GeneratePulses: every pulse, an
  * origin with Direction, GpsTime, PulseIds, ScanAngle, LegIds, ChannelIds, Hit.
  * Output 3, with GenerateSubRays: every hit of a sub-ray with PulseIds, Weight,
  * Range, CellIds, IncidenceAngle.
  *
- * Pulse i leaves at StartTime + i / PulseFrequency, where the deflector lets it
- * out; its id is FirstPulseId + i PulseIdStride. What a sub-ray returns is the lidar equation
- * of vtkHeliosInstrument, and it returns after 2 R / c. An echo lies on the axis of
- * the beam at its own range; surface ids are those of the sub-ray nearest in
- * range.
+ * Pulse i is emitted at StartTime + i / PulseFrequency, if the deflector emits it; its id is
+ * FirstPulseId + i PulseIdStride. The signal of a sub-ray follows the lidar equation of
+ * vtkHeliosInstrument and returns after 2 R / c. An echo lies on the axis of the beam at its
+ * own range; surface ids are those of the sub-ray nearest in range.
  *
- * With FIXED sampling every pulse is all the sub-rays of the BeamSampler, its
+ * With FIXED sampling every pulse has all sub-rays of the BeamSampler, its
  * waveform is summed in bins of BinSize, and the EchoDetector finds the echoes in
- * the float samples: what GenerateWaveforms stores, so that the same detector
- * finds the same echoes there again. With TOLERANCE a pulse takes the cheapest of
- * the ways that are exact enough:
- * - its beam meets nothing, or one plane alone: no sub-ray; a plane's echo is
- *   known in closed form (not asked in scans where it is rarely so)
- * - a few sub-rays, 21 unless tolerances are narrow, find no edge: they are its
- *   returns
- * - else it is sampled by Vogel's spiral, with as many sub-rays as an edge needs;
- *   4 or 16 times as many (more where tolerances are wide) along a surface so
- *   steep that these would be echoes; where the spiral is no more than those few,
- *   it is cast at once
+ * the float samples; GenerateWaveforms stores these, so the same detector finds
+ * the same echoes in them. With TOLERANCE (adaptive sampling) a pulse takes the
+ * cheapest method that is exact enough:
+ * - its beam hits nothing, or has a planar footprint: no sub-ray; the echo of a
+ *   plane has a closed form (not tested in scans where this is rare)
+ * - a few probe rays, 21 unless tolerances are narrow, detect no edge: they are
+ *   its returns
+ * - otherwise it is sampled by Vogel's spiral, with as many sub-rays as an edge
+ *   needs; 4 or 16 times as many (more with wide tolerances) along a surface so
+ *   steep that these would be echoes; where the spiral has no more sub-rays than
+ *   the probe, it is cast at once
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
  * In turbid voxels a sub-ray is stopped in ds with the probability PAD G ds, by a
- * random number keyed by Seed, pulse and sub-ray; G is 0.5, or of the rows x y z G
- * of LeafProjection that of its direction. It then returns what a surface of the
- * cell's material returns that faces the beam (incidence 0, no normal). So a
- * dense medium is a plane to it. Cell ids of voxels follow those of the triangles,
- * grid by grid, materials and parts likewise. A beam that may meet voxels takes the
- * spiral at once. The scene may then have no triangles.
+ * random number keyed by Seed, pulse and sub-ray; G is 0.5, or from the rows x y z
+ * G of LeafProjection for its direction. It then returns the signal of a surface of
+ * the cell's material at normal incidence (0, no normal). A dense medium thus acts
+ * as a plane. Cell ids of voxels follow those of the triangles, grid by grid,
+ * likewise materials and parts. A beam that may hit voxels takes the spiral at
+ * once. The scene may then have no triangles.
  *
- * Detectors that find more than maxima, pulses that are no Gaussians, and noise
- * or sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
- * DescribeSampling() says what the tolerances come to.
+ * Detectors that find more than maxima, non-Gaussian pulses, and noise or
+ * sunlight need bins for every pulse; BeamDivergence 0 is one ideal ray.
+ * DescribeSampling() gives the resulting sub-rays and bins.
  *
- * The pulses of a piece are a contiguous range; pieces and threads do not
- * change a byte.
+ * The pulses of a piece are a contiguous range; outputs are byte-identical for
+ * any number of pieces and threads.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosBeamSampler vtkHeliosEchoDetector
@@ -73,7 +72,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the strategies
 
-#include <string> // For what is said in words
+#include <string> // For descriptions
 
 class vtkHeliosBeamDeflector;
 class vtkHeliosBeamSampler;
@@ -96,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how the scene is searched. Default: Embree where it is built, else
-   * the own hierarchy.
+   * Set/Get the ray caster. Default: Embree where it is built, else the
+   * built-in hierarchy.
    */
   void SetRayCaster(vtkHeliosRayCaster* caster);
   vtkHeliosRayCaster* GetRayCaster() const;
@@ -105,7 +104,8 @@ public:
 
   ///@{
   /**
-   * Set/Get where pulses leave, and how often. No default: an error without.
+   * Set/Get the deflector: pulse directions and frequency. No default: an error
+   * if not set.
    */
   void SetBeamDeflector(vtkHeliosBeamDeflector* deflector);
   vtkHeliosBeamDeflector* GetBeamDeflector() const;
@@ -122,7 +122,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what makes echoes of waveforms. Default: a vtkHeliosPeakDetector.
+   * Set/Get the echo detector. Default: a vtkHeliosPeakDetector.
    */
   void SetEchoDetector(vtkHeliosEchoDetector* detector);
   vtkHeliosEchoDetector* GetEchoDetector() const;
@@ -130,8 +130,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what the instrument gets wrong in a way that can be written down.
-   * Default: none, no error.
+   * Set/Get the systematic errors of the instrument. Default: not set, no
+   * error.
    */
   void SetErrorModel(vtkHeliosErrorModel* model);
   vtkHeliosErrorModel* GetErrorModel() const;
@@ -139,7 +139,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how the platform shakes about its trajectory. Default: none.
+   * Set/Get the noise of the platform about its trajectory. Default: not set.
    */
   void SetPlatformNoise(vtkHeliosPlatformNoise* noise);
   vtkHeliosPlatformNoise* GetPlatformNoise() const;
@@ -164,10 +164,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the errors that the sampling may make, as root mean squares over the
-   * echoes of a scene: in range [m], and in amplitude as a share of what the pulse
-   * returns in all. Valid range:
-   * [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
+   * Set/Get the sampling errors allowed, as root mean squares over the echoes of a
+   * scene: in range [m], and in amplitude as a fraction of the total signal of the
+   * pulse. Valid range: [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
    */
   vtkSetMacro(RangeTolerance, double);
   vtkGetMacro(RangeTolerance, double);
@@ -177,8 +176,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the scanner on its platform: position [m] and attitude (unit
-   * quaternion w, x, y, z) in the body frame. Default: at the origin, upright.
+   * Set/Get the mount of the scanner on its platform: position [m] and attitude
+   * (unit quaternion w, x, y, z) in the body frame. Default: at the origin,
+   * vertical.
    */
   vtkSetVector3Macro(MountPosition, double);
   vtkGetVector3Macro(MountPosition, double);
@@ -188,9 +188,9 @@ public:
 
   ///@{
   /**
-   * Set/Get where the beam leaves, in the frame of the rotating head: position
-   * [m] and attitude (unit quaternion w, x, y, z). Default: at the origin,
-   * upright.
+   * Set/Get the beam origin, in the frame of the rotating head: position [m]
+   * and attitude (unit quaternion w, x, y, z). Default: at the origin,
+   * vertical.
    */
   vtkSetVector3Macro(BeamOrigin, double);
   vtkGetVector3Macro(BeamOrigin, double);
@@ -200,8 +200,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the axis that the head turns about, in the frame of the mount.
-   * Default: 0, 0, 1.
+   * Set/Get the axis of the head rotation, in the frame of the mount. Default:
+   * 0, 0, 1.
    */
   vtkSetVector3Macro(HeadRotateAxis, double);
   vtkGetVector3Macro(HeadRotateAxis, double);
@@ -209,9 +209,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the turn of the head: from HeadRotateStart to HeadRotateStop [deg]
-   * at HeadRotateSpeed [deg/s] (negative: the other way round). On a platform
-   * that stands, the scan ends with it. Valid range: [-1e6, 1e6]. Default: 0.
+   * Set/Get the head rotation: from HeadRotateStart to HeadRotateStop [deg] at
+   * HeadRotateSpeed [deg/s] (negative: reversed). On a static platform the scan
+   * ends with it. Valid range: [-1e6, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeadRotateStart, double, -1e6, 1e6);
   vtkGetMacro(HeadRotateStart, double);
@@ -232,8 +232,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how long pulses are fired [s]; negative: on a platform that stands
-   * until the head has turned, else until the trajectory ends. Valid range:
+   * Set/Get the duration of the scan [s]; negative: on a static platform until
+   * the head rotation ends, else until the trajectory ends. Valid range:
    * [-1, 1e12]. Default: -1.
    */
   vtkSetClampMacro(Duration, double, -1.0, 1e12);
@@ -242,8 +242,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the part [t0, t1) of the scan that is computed [s]. Default: all of
-   * it.
+   * Set/Get the part [t0, t1) of the scan that is computed [s]. Default: all.
    */
   vtkSetVector2Macro(TimeWindow, double);
   vtkGetVector2Macro(TimeWindow, double);
@@ -251,8 +250,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the part [i0, i1) of the scan's pulse indices that is computed, of those in TimeWindow. Valid
-   * range: 0 <= i0 <= i1. Default: all of them.
+   * Set/Get the range [i0, i1) of pulse indices that is computed, within TimeWindow. Valid range:
+   * 0 <= i0 <= i1. Default: all.
    */
   vtkSetVector2Macro(PulseWindow, vtkIdType);
   vtkGetVector2Macro(PulseWindow, vtkIdType);
@@ -281,9 +280,9 @@ public:
 
   ///@{
   /**
-   * Set/Get by how much the ids of two pulses in a row differ: the number of
-   * scanners that fire at once and share their ids, each with a FirstPulseId of
-   * its own. Valid range: [1, 65536]. Default: 1.
+   * Set/Get the difference between the ids of consecutive pulses: the number of
+   * scanners that fire at once and share their ids, each with its own
+   * FirstPulseId. Valid range: [1, 65536]. Default: 1.
    */
   vtkSetClampMacro(PulseIdStride, vtkIdType, 1, 65536);
   vtkGetMacro(PulseIdStride, vtkIdType);
@@ -291,7 +290,7 @@ public:
 
   ///@{
   /**
-   * Set/Get which outputs are computed beside the echoes. Default: off.
+   * Set/Get the outputs computed in addition to the echoes. Default: off.
    */
   vtkSetMacro(GenerateWaveforms, bool);
   vtkGetMacro(GenerateWaveforms, bool);
@@ -306,8 +305,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the echoes carry TruePoint, where the light came from without
-   * any error of the instrument, and Normal, of the surface there. Default: off.
+   * Set/Get whether the echoes have TruePoint, the point hit, without any
+   * instrument error, and Normal, of the surface there. Default: off.
    */
   vtkSetMacro(GenerateTruth, bool);
   vtkGetMacro(GenerateTruth, bool);
@@ -315,25 +314,23 @@ public:
   ///@}
 
   /**
-   * What Sampling and the tolerances come to, in words.
+   * The sampling that results from Sampling and the tolerances, as text.
    */
   std::string DescribeSampling();
 
   /**
-   * The number of pulse indices of the scan (of the windows, where any is
-   * set), for the inputs as they are; -1 after an error. Updates the
-   * trajectory.
+   * The number of pulse indices of the scan (within the windows, if set), for
+   * the current inputs; -1 after an error. Updates the trajectory.
    */
   vtkIdType GetNumberOfPulses();
 
   ///@{
   /**
-   * Get the counts of the last update: pulses that left the scanner; pulses with
-   * a surface in the measured ranges; of these and others those whose beam met
-   * one plane, in closed form, those whose maxima were found by Newton's method,
-   * and those that were binned (the rest met nothing); sub-rays traced, and those
-   * that met a surface outside the measured ranges; and the largest signal of a
-   * pulse [W], detected or not.
+   * Get the counts of the last update: pulses emitted; pulses with a surface in
+   * the range gate; pulses with a planar footprint, in closed form, with maxima
+   * found by Newton's method, and binned (the others hit nothing); sub-rays
+   * traced, and those that hit a surface outside the range gate; and the largest
+   * signal of a pulse [W], detected or not.
    */
   vtkGetMacro(NumberOfPulsesFired, vtkIdType);
   vtkGetMacro(NumberOfPulsesHit, vtkIdType);
@@ -358,7 +355,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  struct Scan; // what a run needs to know
+  struct Scan; // input and state of a run
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);

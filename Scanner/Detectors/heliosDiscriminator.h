@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the discriminators share: a waveform as a function of time.
+// Common functions of the discriminators: a waveform as a function of time.
 
 #ifndef heliosDiscriminator_h
 #define heliosDiscriminator_h
@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// A sample; 0 where there is none, or no finite number.
+/// A sample; 0 if it does not exist or is not finite.
 inline double GetSample(const vtkHeliosWaveform& w, vtkIdType i)
 {
   const double sample = i >= 0 && i < w.Count ? w.Samples[i] : 0.0;
@@ -28,7 +28,8 @@ inline double Interpolate(const vtkHeliosWaveform& w, double time)
   return (1.0 - share) * GetSample(w, i) + share * GetSample(w, i + 1);
 }
 
-/// The largest of the samples [first, last] that exist; the first of equal ones, -1 where none is.
+/// The index of the largest of the samples [first, last]; the first of equal ones, -1 if none
+/// exists.
 inline vtkIdType FindLargest(const vtkHeliosWaveform& w, vtkIdType first, vtkIdType last)
 {
   vtkIdType largest = -1;
@@ -42,7 +43,8 @@ inline vtkIdType FindLargest(const vtkHeliosWaveform& w, vtkIdType first, vtkIdT
   return largest;
 }
 
-/// Bins from sample i, going by step, to where the waveform falls to a level below the sample.
+/// The bins from sample i, in direction step, to where the waveform falls to a level below the
+/// sample.
 inline double GetDistanceTo(const vtkHeliosWaveform& w, vtkIdType i, int step, double level)
 {
   vtkIdType end = i + step;

@@ -39,7 +39,7 @@ Parser MakeParser(const std::string& text)
   return parser;
 }
 
-/// Reads the words of an expression one behind the other; VTK's parser knows more than it may.
+/// Checks the tokens of an expression in sequence; VTK's parser accepts more than allowed.
 class Reader
 {
 public:
@@ -87,7 +87,7 @@ private:
   const std::string& Text;
   std::size_t Position = 0;
   bool IsAfterAtan2 = false;
-  std::vector<int> Brackets; // the commas that each may still hold
+  std::vector<int> Brackets; // the commas that each may still contain
 
   std::string At(std::size_t position) const
   {
@@ -170,7 +170,8 @@ private:
   }
 };
 
-/// What VTK's parser says about a text, without the place in its source; nothing: it is sound.
+/// The error of VTK's parser for a text, without its source location; an empty string if it is
+/// valid.
 std::string Parse(const std::string& text)
 {
   std::string said;
@@ -196,7 +197,7 @@ std::string Parse(const std::string& text)
   return core + "; write a term between operators, such as 0.001 * sin(t)";
 }
 
-/// A fault where an expression has no usable value: neither for any angle nor for any range.
+/// An error message if an expression has no valid value: neither for any angle nor for any range.
 std::string FindUsableValue(const std::string& text)
 {
   constexpr int steps = 90;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An expression of one variable, as surveys write it.
+// An expression of one variable, as in surveys.
 
 #ifndef heliosExpression_h
 #define heliosExpression_h
@@ -17,8 +17,8 @@ namespace helios
 {
 
 /**
- * Numbers, pi, e, the variable t (or THETA), + - * / ^, brackets, and exp ln sqrt abs cos sin tan acos
- * asin atan cosh sinh tanh atan2(a, b). VTK's parser evaluates it, one parser a thread at a time.
+ * Numbers, pi, e, the variable t (or THETA), + - * / ^, brackets, and exp ln sqrt abs cos sin tan
+ * acos asin atan cosh sinh tanh atan2(a, b). VTK's parser evaluates it, one parser per thread.
  */
 class Expression
 {
@@ -26,16 +26,16 @@ public:
   static constexpr std::size_t LongestText = 1000;
   static constexpr std::size_t DeepestBracket = 100;
 
-  /// What messages show of a text that may be long.
+  /// The part of a possibly long string that messages show.
   static std::string Shorten(const std::string& text);
 
-  /// What is wrong with a text and how to mend it; nothing: it is an expression, or empty. One that
-  /// has no finite value for any angle or range is wrong, too.
+  /// Returns an error message with a remedy, or an empty string if the text is a valid expression
+  /// or empty. An expression without a finite value for any angle or range is also invalid.
   static std::string FindFault(const std::string& text);
 
   explicit Expression(const std::string& text);
 
-  /// The value for a variable, which may be not finite. Thread-safe.
+  /// The value for a variable, which may be non-finite. Thread-safe.
   double Evaluate(double variable);
 
 private:

@@ -19,9 +19,9 @@ double Square(double x)
 }
 
 /**
- * The residuals as Eigen's solver wants them. Parameters without bounds stand for the bounded ones,
- * all 0 where the fit starts but for the width:
- * A = A0 exp(p), c = c0 + Reach tanh(p), s = smallest + (1 - smallest) exp(p).
+ * The residuals in the form of Eigen's solver. Unbounded parameters replace the bounded ones, all 0
+ * at the start of the fit except the width: A = A0 exp(p), c = c0 + Reach tanh(p), s = smallest +
+ * (1 - smallest) exp(p).
  */
 struct GaussianResiduals
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Least squares of a sum of Gaussians.
+// Least-squares fit of a sum of Gaussians.
 
 #ifndef heliosGaussianFit_h
 #define heliosGaussianFit_h
@@ -15,7 +15,7 @@ namespace helios
 struct GaussianComponent
 {
   double Amplitude; ///< stays positive
-  double Centre;    ///< stays within Reach of where it starts
+  double Centre;    ///< stays within Reach of its start
   double Sigma;     ///< stays above SmallestSigma
   bool IsSigmaFixed = false;
 };
@@ -25,11 +25,11 @@ struct GaussianData
 {
   std::vector<double> X;
   std::vector<double> Y;
-  bool HasBackground = false; ///< it is fitted, too
+  bool HasBackground = false; ///< whether it is fitted, too
   double Background = 0.0;
 };
 
-/// One a thread: it owns the scratch memory.
+/// One per thread: it owns the scratch memory.
 class GaussianFit
 {
 public:
@@ -41,8 +41,8 @@ public:
   ~GaussianFit();
 
   /**
-   * Improves components by Levenberg and Marquardt's method (Eigen's MINPACK), in no more than so many
-   * evaluations of the model. False, and nothing changes: the samples are too few, or it did not
+   * Improves components by the Levenberg-Marquardt method (Eigen's MINPACK), in at most n
+   * evaluations of the model. False, without changes, if there are too few samples or it did not
    * converge.
    */
   bool Run(GaussianData& data, std::vector<GaussianComponent>& components, int mostEvaluations);

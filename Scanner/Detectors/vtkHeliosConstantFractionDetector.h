@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosConstantFractionDetector
- * @brief   an echo is where a share of the waveform equals the delayed waveform
+ * @brief   an echo is where a fraction of the waveform equals the delayed
+ * waveform
  *
- * The discriminator without walk: the time at which
+ * The discriminator without range walk: the time at which
  * - Fraction w(t) - w(t - Delay)
  *
- * falls through zero, w linear between its samples. Scaling w does not move it.
- * For a Gaussian of the pulse's sigma at t0 it is t0 + Delay / 2 + sigma^2
- * ln(Fraction) / Delay; the time of an echo is the crossing less this offset from
- * t0, so that it is the peak of an echo as wide as the pulse. Amplitude is the
- * largest sample within half a PulseLength of that time, and must reach
- * DetectionThreshold; Width that between the halves of it.
+ * falls through zero, w linear between its samples. It does not depend on the
+ * scale of w. For a Gaussian of the pulse's sigma at t0 it is t0 + Delay / 2 +
+ * sigma^2 ln(Fraction) / Delay; the time of an echo is the crossing less this
+ * offset from t0, hence the peak of an echo as wide as the pulse. Amplitude is
+ * the largest sample within half a PulseLength of that time, at least
+ * DetectionThreshold; Width is the full width at half of it.
  *
  * @sa
  * vtkHeliosLeadingEdgeDetector vtkHeliosEchoDetection
@@ -34,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the share of the waveform that is not delayed. Valid range:
+   * Set/Get the fraction of the waveform that is not delayed. Valid range:
    * [0.01, 1]. Default: 0.5.
    */
   vtkSetClampMacro(Fraction, double, 0.01, 1.0);
@@ -51,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how long the receiver is blind after it has triggered [ns]. Valid
+   * Set/Get the dead time of the receiver after it has triggered [ns]. Valid
    * range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(DeadTime, double, 0.0, 1e6);

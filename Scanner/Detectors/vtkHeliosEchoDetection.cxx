@@ -36,8 +36,8 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-// Waveforms handed to a thread at a time, and such chunks of each thread between two looks at progress
-// and abort, some 0.1 s.
+// Waveforms per task, and such chunks of each thread between two checks for progress and abort,
+// about 0.1 s.
 constexpr vtkIdType RowsPerChunk = 256;
 constexpr vtkIdType ChunksOfThread = 8;
 
@@ -55,7 +55,7 @@ helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
   return { column.GetNumber(row, 0), column.GetNumber(row, 1), column.GetNumber(row, 2) };
 }
 
-/// What is wrong with the numbers of a row; nothing: they can be used.
+/// Checks the numbers of a row; returns an error message, or an empty string.
 std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
 {
   const auto tell = [row](const char* name, const char* cure)
@@ -93,7 +93,7 @@ std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
   return {};
 }
 
-/// The first row with a sample that is no finite number; -1: none.
+/// The first row with a non-finite sample; -1: none.
 vtkIdType FindBadSamples(const helios::WaveformTable& table)
 {
   for (vtkIdType row = 0; row < table.NumberOfRows; ++row)
@@ -124,13 +124,13 @@ typename ArrayT::ValueType* AddColumn(vtkPolyData* output, const char* name, vtk
 
 } // namespace
 
-/// A run over a table: what it needs, and what it gives.
+/// Input and results of a run over a table.
 struct vtkHeliosEchoDetection::Run
 {
   const vtkHeliosEchoDetector* Detector = nullptr;
   helios::WaveformTable Table;
   const float* Samples = nullptr;
-  std::vector<float> Converted; // where the table's are of another type
+  std::vector<float> Converted; // if the table's are of another type
   double PulseLength = 0.0;
   int Selection = 0;
   int Maximum = 0;
@@ -243,7 +243,7 @@ void vtkHeliosEchoDetection::Run::Fill(vtkPolyData* output) const
 }
 
 //------------------------------------------------------------------------------
-/// The ids that a table may have.
+/// The optional ids of a table.
 void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) const
 {
   for (const char* name : { names::LegIds, names::ChannelIds })

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosEchoDetection
- * @brief   the echoes of stored waveforms
+ * @brief   re-runs echo detection on stored waveforms
  *
  * Port 0: waveforms (vtkTable, one row each, as output 1 of vtkHeliosScanner:
  * PulseIds, Origin, Direction, GpsTime, StartTime [ns], BinSize [ns], Offset,
  * Count, optionally LegIds and ChannelIds; Samples [W] and optionally PulseLength
  * [ns] in the field data).
  *
- * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber,
- * NumberOfReturns, Range, Amplitude, EchoWidth, WaveformIds, LegIds and ChannelIds
- * where the input has them, and Deviation where the detector gives it. An echo at time t after the first
- * sample lies at Origin + Range Direction,
+ * Output 0: the echoes, points with GpsTime, PulseIds, ReturnNumber, NumberOfReturns, Range,
+ * Amplitude, EchoWidth, WaveformIds, LegIds and ChannelIds if the input has them, and Deviation if
+ * the detector computes it. An echo at time t after the first sample lies at Origin + Range
+ * Direction,
  * - Range = c / 2 (StartTime + t)
  *
- * With the detector of a scanner whose Sampling is Fixed and that adds no range
- * noise, these are the bytes of the scanner's echoes; by tolerance they agree
- * within its tolerances. Threads and pieces change no byte.
+ * With the detector of a scanner whose Sampling is Fixed, without range noise,
+ * the echoes are byte-identical to the scanner's; with adaptive sampling they
+ * agree within its tolerances. Results do not depend on threads or pieces.
  *
  * @sa
  * vtkHeliosEchoDetector vtkHeliosScanner
@@ -43,7 +43,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what makes echoes of waveforms. Default: a vtkHeliosPeakDetector.
+   * Set/Get the echo detector. Default: a vtkHeliosPeakDetector.
    */
   void SetEchoDetector(vtkHeliosEchoDetector* detector);
   vtkHeliosEchoDetector* GetEchoDetector() const;
@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the full width of the transmitted pulse at half its maximum [ns]; 0: as
-   * the input's field data say. Valid range: [0, 1e6]. Default: 0.
+   * Set/Get the full width at half maximum of the transmitted pulse [ns]; 0: from
+   * the input's field data. Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(PulseLength, double, 0.0, 1e6);
   vtkGetMacro(PulseLength, double);
@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * Set/Get which echoes of a pulse are kept, as vtkHeliosInstrument has them.
+   * Set/Get which echoes of a pulse are kept, as in vtkHeliosInstrument.
    * Default: ALL.
    */
   vtkSetClampMacro(
@@ -78,14 +78,14 @@ public:
 
   ///@{
   /**
-   * Set/Get how many of them are kept, in the order of range; 0: all. Valid
+   * Set/Get the maximum number of echoes kept, in order of range; 0: all. Valid
    * range: [0, 255]. Default: 0.
    */
   vtkSetClampMacro(MaximumNumberOfReturns, int, 0, 255);
   vtkGetMacro(MaximumNumberOfReturns, int);
   ///@}
 
-  /// Later than any change of the detector.
+  /// Includes changes of the detector.
   vtkMTimeType GetMTime() override;
 
 protected:

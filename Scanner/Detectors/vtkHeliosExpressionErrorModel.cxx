@@ -16,7 +16,7 @@ struct vtkHeliosExpressionErrorModel::Term
 {
   std::string Property;
   std::string Text;
-  std::unique_ptr<helios::Expression> Expression; // none: empty
+  std::unique_ptr<helios::Expression> Expression; // null: empty
   std::string Name;                               // in messages; empty: the property
 
   double Evaluate(double variable, double without) const

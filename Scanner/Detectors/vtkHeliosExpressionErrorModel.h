@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosExpressionErrorModel
- * @brief   the errors of an instrument as expressions
+ * @brief   systematic errors of an instrument as expressions
  *
- * Expressions as in HELIOS files: numbers, pi, e, the variable t (or THETA),
- * + - * / ^, brackets, and the functions exp ln sqrt abs cos sin tan acos asin
- * atan cosh sinh tanh atan2(a, b), up to 1000 characters and 100 brackets within
- * one another. An empty one is no error. One that cannot be read, or has no finite
- * value for any angle or range, is refused with an error, and the one before it
- * stays; where one has no finite value for some, the scanner fails.
+ * Expressions as in HELIOS files: numbers, pi, e, the variable t (or THETA), + - *
+ * / ^, brackets, and the functions exp ln sqrt abs cos sin tan acos asin atan cosh
+ * sinh tanh atan2(a, b), up to 1000 characters and 100 nested brackets. An empty
+ * one is no error. One that cannot be parsed, or has no finite value for any angle
+ * or range, is rejected with an error, and the previous one is kept; if it has no
+ * finite value for some, the scanner fails.
  *
  * @sa
  * vtkHeliosErrorModel vtkHeliosScanner
@@ -38,9 +38,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what is added to a range [m], to the angle of the deflector and to that
-   * of the head [rad]; the variable is the exact angle of the deflector [rad].
-   * Default: empty.
+   * Set/Get the error added to a range [m], to the deflector angle and to the head
+   * angle [rad]; the variable is the exact deflector angle [rad]. Default: empty.
    */
   void SetRangeErrorExpression(const std::string& text);
   std::string GetRangeErrorExpression() const;
@@ -52,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what the range noise is multiplied by; the variable is the range [m].
+   * Set/Get the factor on the range noise; the variable is the range [m].
    * Default: empty.
    */
   void SetRangeNoiseFactorExpression(const std::string& text);
@@ -61,8 +60,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how far the angle in the head's expression is moved from the multiples
-   * of pi, where its sine vanishes [deg]. Valid range: [0, 90]. Default: 0.
+   * Set/Get the distance by which the angle in the head's expression is moved from
+   * the multiples of pi, where its sine vanishes [deg]. Valid range: [0, 90].
+   * Default: 0.
    */
   vtkSetClampMacro(ZeroSinThreshold, double, 0.0, 90.0);
   vtkGetMacro(ZeroSinThreshold, double);
@@ -70,21 +70,22 @@ public:
 
   ///@{
   /**
-   * Set/Get how messages name a term, such as file:line and the attribute. Default:
-   * the property with its expression.
+   * Set/Get the name of a term in messages, such as file:line and the attribute.
+   * Default: the property with its expression.
    */
   void SetTermName(int term, const std::string& name);
   std::string GetTermName(int term) const override;
   ///@}
 
   /**
-   * What is wrong with an expression and how to mend it; nothing: it can be set.
+   * Returns an error message with a remedy, or an empty string for a valid
+   * expression.
    */
   static std::string FindFault(const std::string& text);
 
   ///@{
   /**
-   * The values of the expressions, which may be not finite. Thread-safe.
+   * The values of the expressions, which may be non-finite. Thread-safe.
    */
   double GetRangeError(double theta) const override;
   double GetDeflectionError(double theta) const override;

@@ -20,31 +20,31 @@ namespace
 using helios::GaussianComponent;
 using Components = std::vector<GaussianComponent>;
 
-// In sigma of a component: how far its samples are fitted, and how far the fit is judged.
+// In sigma of a component: the reach of the fitted samples, and of the residuals evaluated.
 constexpr double FitReach = 4.0;
 constexpr double DeviationReach = 2.0;
 
-// The most echoes fitted together: the work grows with the cube.
+// The maximum number of echoes fitted together: the work grows with the cube.
 constexpr std::size_t MostTogether = 12;
 
-// In sigma of the pulse: the samples that a first guess is made of, and the widest one.
+// In sigma of the pulse: the reach of the samples of an initial guess, and its maximum width.
 constexpr double GuessReach = 1.0;
 constexpr double WidestGuess = 20.0;
 
-// An echo is wider than the pulse where this much evidence says so (Bayesian information criterion:
-// Raftery 1995, Sociological Methodology 25, 111-163: very strong).
+// The evidence required for an echo wider than the pulse (Bayesian information criterion: Raftery
+// 1995, Sociological Methodology 25, 111-163: very strong).
 constexpr double StrongEvidence = 10.0;
 
-// Samples are stored as float: residuals below this share of the largest are rounding.
+// Samples are stored as float: residuals below this fraction of the largest are rounding.
 constexpr double Rounding = 6e-8;
 
-/// What a thread keeps from one waveform to the next.
+/// Memory that a thread reuses for all waveforms.
 struct Scratch
 {
   std::vector<helios::Peak> Peaks;
   std::vector<vtkHeliosDetectedEcho> Guesses;
   helios::GaussianData Data;
-  helios::GaussianData Near; // to one component
+  helios::GaussianData Near; // near one component
   helios::GaussianFit Fit;
   Components Start, Best, Trial;
 };
@@ -87,7 +87,7 @@ private:
   double Sigma;       // of the pulse [ns]
   double Largest = 0; // sample of a group [W]
 
-  /// The Gaussians of the maxima; of neighbours that overlap no wider than they are apart.
+  /// The Gaussians of the maxima; overlapping neighbours no wider than their distance.
   void MakeGuesses()
   {
     const auto& peaks = this->Work.Peaks;
@@ -182,15 +182,15 @@ private:
     }
     for (std::size_t i = 0; i < best.size(); ++i)
     {
-      const bool isPeak = i < last - first; // what was hidden stands behind
+      const bool isPeak = i < last - first; // components found later are appended
       const bool isSound = converged && (!isPeak || this->IsSound(i));
       echoes.push_back(isSound ? this->MakeEcho(best[i])
                                : helios::FitPeak(this->Waveform, this->Work.Peaks[first + i]));
     }
   }
 
-  /// Two Gaussians make two maxima only where their centres are two sigma apart or more: maxima that are
-  /// nearer are flat ones between these.
+  /// Two Gaussians have two maxima only if their centres are two sigma apart or more: nearer maxima
+  /// are flat ones between these.
   static void PushApart(Components& components)
   {
     for (std::size_t i = 1; i < components.size(); ++i)
@@ -207,7 +207,7 @@ private:
     }
   }
 
-  /// Whether a component lies within its bounds, not on them.
+  /// Whether a component is within its bounds, not on them.
   bool IsSound(std::size_t i) const
   {
     const GaussianComponent& g = this->Work.Best[i];
@@ -235,7 +235,7 @@ private:
       helios::FwhmPerSigma * g.Sigma * this->Sigma, std::sqrt(sum / count) / g.Amplitude };
   }
 
-  /// The sum of squares of a trial fit, no less than rounding makes; infinite where it failed.
+  /// The sum of squares of a trial fit, at least the rounding error; infinite if it failed.
   double FitTrial()
   {
     return this->Work.Fit.Run(this->Work.Near, this->Work.Trial, this->MostEvaluations)
@@ -250,7 +250,7 @@ private:
       static_cast<double>(data.X.size()) * Rounding * Rounding);
   }
 
-  /// What a component has to explain: the samples near it without the others and the background.
+  /// Gets the signal of a component: the samples near it without the others and the background.
   void TakeNear(std::size_t i)
   {
     const helios::GaussianData& data = this->Work.Data;
@@ -270,8 +270,8 @@ private:
     }
   }
 
-  /// The least that any smooth curve could leave of what a component leaves: half the squared
-  /// differences of neighbours, as noise has them (von Neumann 1941, Ann. Math. Stat. 12, 367-395).
+  /// The minimum residual of any smooth curve in the samples of a component: half the squared
+  /// differences of neighbours, as for noise (von Neumann 1941, Ann. Math. Stat. 12, 367-395).
   double GetRough(const Components& one) const
   {
     const helios::GaussianData& data = this->Work.Near;
@@ -286,8 +286,8 @@ private:
   }
 
   /**
-   * Replaces a component by two of the pulse's width where these leave no more than it does, but for
-   * chance, and it is wider than the pulse beyond doubt; or where they leave less beyond doubt.
+   * Replaces a component by two of the pulse's width if their residual is not significantly larger
+   * and it is significantly wider than the pulse; or if their residual is significantly smaller.
    */
   void Resolve(std::size_t i)
   {
@@ -297,7 +297,7 @@ private:
     const double left = this->GetRest(one);
     if (left <= count * 100.0 * Rounding * Rounding)
     {
-      return; // there is nothing to explain
+      return; // no residual to explain
     }
     const auto isBetter = [count](double less, double more)
     { return count * std::log(more / less) - std::log(count) > StrongEvidence; };
@@ -332,7 +332,7 @@ private:
     }
   }
 
-  /// Puts two components in the place of one, and fits all once more.
+  /// Replaces a component by two, and fits all again.
   void Accept(std::size_t i, const Components& two)
   {
     this->Work.Trial = this->Work.Best;
@@ -345,7 +345,7 @@ private:
     }
   }
 
-  /// Two halves of the trial's component, a spread to either side.
+  /// Splits the trial's component into two halves, offset by spread to either side.
   void Split(double spread)
   {
     GaussianComponent half = this->Work.Trial[0];
@@ -356,7 +356,7 @@ private:
     this->Work.Trial.push_back(half);
   }
 
-  /// A second one where the trial leaves most.
+  /// Adds a second component at the largest residual of the trial.
   void AddAtRest()
   {
     const helios::GaussianData& data = this->Work.Near;

@@ -2,27 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosGaussianDecomposition
- * @brief   the echoes are Gaussians whose sum is the waveform
+ * @brief   the echoes are the Gaussians whose sum is the waveform
  *
  * Starts from the maxima of the waveform, as vtkHeliosPeakDetector finds them,
  * and fits the sum of
  * - A exp(-(t - c)^2 / (2 s^2))
  *
- * to the samples within 4 sigma of them, those together that overlap, up to 12
- * (Levenberg and Marquardt's method; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has
- * the Amplitude A, the Time c, the Width 2.3548 s (s is the standard deviation in
- * time, its full width at half maximum is exported), and as Deviation the root
- * mean square of what the fit leaves within 2 sigma of it, over A. Under white
- * noise times reach the bound of Cramer and Rao, std(c) = (sigma_n / A) sqrt(2 s
- * dt / sqrt(pi)).
+ * to the samples within 4 sigma of them, overlapping ones together, up to 12
+ * (Levenberg-Marquardt; Wagner et al. 2006, ISPRS J. 60, 100-112). An echo has the
+ * Amplitude A, the Time c, the Width 2.3548 s (s is the standard deviation in time; the
+ * full width at half maximum is exported), and as Deviation the RMS of the residuals within
+ * 2 sigma of it, over A. Under white noise times reach the Cramer-Rao bound,
+ * std(c) = (sigma_n / A) sqrt(2 s dt / sqrt(pi)).
  *
  * The range is that of a component's centre, not of a maximum of the waveform:
  * where echoes overlap the two differ, up to 2 s.
  *
  * A is positive, s above half the pulse's, c within 2.5 sigma of the pulse from
- * its maximum. A fit that does not converge, or ends on these bounds, leaves an
- * echo as the maximum's own Gaussian says, with no number for Deviation; no
- * echo is lost.
+ * its maximum. If a fit does not converge, or ends on these bounds, the echo is
+ * the Gaussian of its maximum, with NaN as Deviation; no echo is lost.
  *
  * @sa
  * vtkHeliosPeakDetector vtkHeliosEchoDetection
@@ -43,9 +41,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how near to a larger maximum one is no start of an echo [ns]; 0: all
-   * are. Noise has many maxima: give the length of the pulse then. Valid range:
-   * [0, 1e6]. Default: 0.
+   * Set/Get the distance within which a smaller maximum is not a start of an
+   * echo [ns]; 0: all are. Noise has many maxima: set the length of the pulse
+   * then. Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(MinimumSeparation, double, 0.0, 1e6);
   vtkGetMacro(MinimumSeparation, double);
@@ -53,7 +51,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether an echo wider than the pulse is read as two of the pulse's
+   * Set/Get whether an echo wider than the pulse is fitted as two of the pulse's
    * width, where these fit as well: below the separation at which a waveform has
    * two maxima. A slope widens echoes, too. Default: off.
    */
@@ -64,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether a constant under overlapping echoes is fitted with them, such
-   * as sunlight. Default: off.
+   * Set/Get whether a constant background under overlapping echoes is fitted with
+   * them, such as sunlight. Default: off.
    */
   vtkSetMacro(FitBackground, bool);
   vtkGetMacro(FitBackground, bool);
@@ -74,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how often a fit may evaluate its model. Valid range: [1, 10000].
-   * Default: 100.
+   * Set/Get the maximum number of model evaluations per fit. Valid range:
+   * [1, 10000]. Default: 100.
    */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 10000);
   vtkGetMacro(MaximumNumberOfIterations, int);

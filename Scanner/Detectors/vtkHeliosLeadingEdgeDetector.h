@@ -8,12 +8,12 @@
  * between its samples, rises through a level L, plus the time that a Gaussian
  * pulse of PulseLength and ReferenceAmplitude A0 takes from there to its peak,
  * sigma sqrt(2 ln(A0 / L)). L is DetectionThreshold, or Fraction of the largest
- * sample where that is higher. What instruments suffer from remains, the walk: an
- * echo of amplitude A > L is off by
+ * sample where that is higher. The range walk remains: the error of an echo of
+ * amplitude A > L is
  * - sigma (sqrt(2 ln(A0 / L)) - sqrt(2 ln(A / L)))
  *
  * too late for weak echoes, too early for strong ones. Amplitude is the largest
- * sample before the waveform falls below L, Width that between the halves of it.
+ * sample before the waveform falls below L, Width the full width at half of it.
  *
  * @sa
  * vtkHeliosConstantFractionDetector vtkHeliosEchoDetection
@@ -34,8 +34,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the level as a share of the largest sample of the waveform; 0: the
-   * level is DetectionThreshold. Valid range: [0, 0.99]. Default: 0.
+   * Set/Get the level as a fraction of the largest sample of the waveform; 0:
+   * the level is DetectionThreshold. Valid range: [0, 0.99]. Default: 0.
    */
   vtkSetClampMacro(Fraction, double, 0.0, 0.99);
   vtkGetMacro(Fraction, double);
@@ -43,9 +43,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the amplitude without walk [W]; 0: twice the level, or with a Fraction
-   * the level over it. One below the level counts as the level. Valid range:
-   * [0, 1e6]. Default: 0.
+   * Set/Get the amplitude without range walk [W]; 0: twice the level, or with a
+   * Fraction the level over it. An amplitude below the level counts as the level.
+   * Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(ReferenceAmplitude, double, 0.0, 1e6);
   vtkGetMacro(ReferenceAmplitude, double);
@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how long the receiver is blind after it has triggered [ns]. Valid
+   * Set/Get the dead time of the receiver after it has triggered [ns]. Valid
    * range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(DeadTime, double, 0.0, 1e6);

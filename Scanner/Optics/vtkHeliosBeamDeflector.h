@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBeamDeflector
- * @brief   where each pulse leaves the scanner
+ * @brief   the direction of each emitted pulse
  *
  * A strategy, const once set up. The direction of a pulse is a pure function of
- * its index, so any thread or machine can compute any pulse, and nothing
- * drifts.
+ * its index: any thread or machine can compute any pulse, without drift.
  *
  * To add one: subclass, implement GetDirection() (and GetScanAngle() if the
- * angle is not the one from the y axis). Phases come from ComputePhase(), which
- * is exact for any index. It needs nothing else of vtkHelios.
+ * angle is not measured from the y axis). ComputePhase() gives phases that are
+ * exact for any index. Nothing else of vtkHelios is needed.
  *
  * @sa
  * vtkHeliosRotatingMirror vtkHeliosOscillatingMirror vtkHeliosFiberArray
@@ -32,8 +31,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the pulses emitted a second [Hz]. Valid range: (0, 1e9].
-   * Default: 100000.
+   * Set/Get the pulse frequency [Hz]. Valid range: (0, 1e9]. Default: 100000.
    */
   void SetPulseFrequency(double frequency);
   vtkGetMacro(PulseFrequency, double);
@@ -41,10 +39,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how long the optics have been moving when pulse 0 leaves [s]: pulse i
-   * is at the phases of the time i / PulseFrequency + WarmUpTime. Optics that
-   * count pulses start at the nearest whole one. Valid range: [0, 1e6].
-   * Default: 0.
+   * Set/Get how long the optics have been moving at pulse 0 [s]: pulse i is at
+   * the phases of the time i / PulseFrequency + WarmUpTime. Optics that count
+   * pulses start at the nearest whole one. Valid range: [0, 1e6]. Default: 0.
    */
   void SetWarmUpTime(double time);
   vtkGetMacro(WarmUpTime, double);
@@ -52,22 +49,22 @@ public:
 
   /**
    * The direction of a pulse in the scanner frame (x right, y forward, z up), a
-   * unit vector. Returns false where the deflector lets no pulse out at that
-   * index (the mirror is turned away); direction is then not set.
+   * unit vector. Returns false if the deflector emits no pulse at that index
+   * (the mirror is turned away); direction is then not set.
    */
   virtual bool GetDirection(vtkIdType pulse, double direction[3]) const = 0;
 
   /**
    * The angle of a pulse as the instrument reports it [deg]: by default the
-   * angle between its direction and the y axis, 0 where no pulse leaves.
+   * angle between its direction and the y axis, 0 if no pulse is emitted.
    */
   virtual double GetScanAngle(vtkIdType pulse) const;
 
   ///@{
   /**
-   * For optics with several channels: which of them, from 0, a pulse comes from,
-   * and how much later than pulse / PulseFrequency it leaves [s], where they do
-   * not fire evenly. By default there is one, which does: 0 and 0.
+   * For optics with several channels: the channel of a pulse, from 0, and its
+   * delay after pulse / PulseFrequency [s] if channels do not fire evenly. By
+   * default there is one, without delay: 0 and 0.
    */
   virtual int GetChannel(vtkIdType pulse) const;
   virtual double GetDelay(vtkIdType pulse) const;
@@ -79,19 +76,20 @@ protected:
 
   /**
    * The phase of a motion with this frequency [Hz], in [0, 1): that of pulse i is
-   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps
-   * however many turns came before. A negative frequency turns the other way.
+   * frac(frequency (i / PulseFrequency + WarmUpTime)), exact to a few ulps after
+   * any number of revolutions. A negative frequency reverses the rotation.
    */
   double ComputePhase(vtkIdType pulse, double frequency) const;
 
   /**
-   * The index of a pulse for optics that count pulses: those of the WarmUpTime
-   * come before.
+   * The index of a pulse for optics that count pulses, offset by the pulses of
+   * WarmUpTime.
    */
   vtkIdType ComputeCount(vtkIdType pulse) const;
 
   /**
-   * Sets a property in its range and says whether it changed; NaN gives low.
+   * Sets a property, clamped to its range; returns whether it changed; NaN
+   * gives low.
    */
   bool SetClamped(double& property, double value, double low, double high);
 

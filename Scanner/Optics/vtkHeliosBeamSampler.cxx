@@ -18,7 +18,7 @@ constexpr double QuarterTurn = 0.5 * 3.14159265358979323846;
 constexpr double GoldenSection = 0.61803398874989484820;
 constexpr double WeightUnit = 0x1p-53;
 
-/// A sub-ray across the axis of the beam: its radius in units of w, its azimuth, its energy.
+/// A sub-ray in the cross-section of the beam: its radius in units of w, its azimuth, its energy.
 struct Node
 {
   double Radius;
@@ -37,19 +37,19 @@ struct Node
 
 using Nodes = std::vector<Node>;
 
-/// The share of the energy inside radius r of a Gaussian beam cut at radius k.
+/// The fraction of the energy inside radius r of a Gaussian beam truncated at radius k.
 double EnergyInside(double r, double k)
 {
   return std::expm1(-2.0 * r * r) / std::expm1(-2.0 * k * k);
 }
 
-/// The inverse: the radius with the share p inside.
+/// The inverse: the radius with the fraction p inside.
 double EnergyQuantile(double p, double k)
 {
   return std::sqrt(-0.5 * std::log1p(p * std::expm1(-2.0 * k * k)));
 }
 
-/// Node j of n of the Gauss-Legendre rule on [0, 1], ascending, and its weight: Newton's method on P_n.
+/// Node j of n of the Gauss-Legendre rule on [0, 1], ascending, and its weight: Newton's method.
 std::array<long double, 2> GaussLegendre(int j, int n)
 {
   long double x = -std::cos(2.0 * QuarterTurn * (j + 0.75) / (n + 0.5));
@@ -100,13 +100,13 @@ Nodes VogelQuarter(int count, double k)
   return nodes;
 }
 
-/// The sub-rays of circle i: floor(2 pi i), one in the centre.
+/// The sub-rays of circle i: floor(2 pi i), one at the centre.
 int CircleSize(int circle)
 {
   return std::max(1, static_cast<int>(2.0 * vtkMath::Pi() * circle));
 }
 
-/// Evenly spaced circles with a weight for each sub-ray of a circle.
+/// Evenly spaced circles with a weight per sub-ray of a circle.
 template <typename WeightOf>
 Nodes Circles(int circles, double spacing, WeightOf weightOf)
 {
@@ -166,7 +166,7 @@ void Normalize(Nodes& nodes, int turns)
   }
 }
 
-/// Each node and its turns by 90, 180 and 270 degrees, without rounding.
+/// Each node and its rotations by 90, 180 and 270 degrees, without rounding.
 Nodes FourTurns(const Nodes& quarter)
 {
   Nodes nodes;

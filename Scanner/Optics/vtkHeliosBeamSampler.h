@@ -2,34 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBeamSampler
- * @brief   the sub-rays that stand for a Gaussian beam
+ * @brief   the sub-rays of a Gaussian beam
  *
  * A strategy, const once set up; the sub-rays are computed when a property
  * changes, and read by any thread. The beam has the intensity exp(-2 g^2 / w^2)
  * at angle g from its axis, with w = BeamDivergence / 2; the cone sampled
  * reaches K = Truncation times w and holds E = 1 - exp(-2 K^2) of the energy.
- * Pattern says where the sub-rays lie:
+ * Pattern sets the sub-ray positions:
  * - GAUSS_LEGENDRE: q = NumberOfRings rings at w sqrt(-ln(1 - p_j E) / 2), p_j
  *   the Gauss-Legendre nodes of [0, 1], each with the energy of its node and 4 q
- *   sub-rays, odd rings turned by half a step: 4 q^2 in all. Ranges on a plane
- *   converge exponentially: 64 sub-rays give the echo width to 1e-3, K being 1
+ *   sub-rays, odd rings rotated by half a step: 4 q^2 in all. Ranges on a plane
+ *   converge exponentially: 64 sub-rays give the echo width to 1e-3 for K = 1
  * - CIRCLES: the evenly spaced circles of the paper (Bechtold and Hoefle 2016),
  *   q = NumberOfCircles at i K w / (q - 1/2), i = 0 ... q - 1, of floor(2 pi i)
  *   sub-rays, the first of one: 1, 7, 19, 37, 62 ... in all. A circle has the
  *   exact energy between (i - 1/2) and (i + 1/2) spacings; second order in 1 / q
  * - VOGEL: a sunflower spiral of equal energies (Vogel 1979), NumberOfSubRays in
- *   all; point k of a quarter is at the energy quantile (k + 1/2) 4 / N and turned
- *   by k golden sections of 90 degrees, and the quarters are alike, so that the
- *   mean direction is the axis. The best of the three where edges or thin things
- *   cross the beam
+ *   all; point k of a quarter is at the energy quantile (k + 1/2) 4 / N, rotated
+ *   by k golden sections of 90 degrees, and the quarters are identical, so that
+ *   the mean direction is the axis. The best of the three for edges or thin
+ *   objects in the beam
  *
  * The weights are multiples of 2^-53 and sum to 1 exactly, in any order. A
  * BeamDivergence of 0 is one ray along the axis, and so is one circle or a spiral
  * of one sub-ray.
  *
  * With a BeamQualityFactor M2 the beam has a waist, w0 = M2 Wavelength / (pi w),
- * and the sub-rays are rulings of the hyperboloid that it widens along: the one at
- * r w and azimuth a leaves r w0 beside the axis at azimuth a + 90 degrees with the
+ * and the sub-rays are rulings of the hyperboloid of the widening beam: the one at
+ * r w and azimuth a starts r w0 beside the axis at azimuth a + 90 degrees with the
  * slope r w towards a. At the plane R before the scanner, the radius of the beam
  * is then sqrt(w0^2 + (w R)^2) exactly, and every ray is straight.
  *
@@ -52,7 +52,7 @@ public:
   vtkTypeMacro(vtkHeliosBeamSampler, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where the sub-rays lie.
+  /// The positions of the sub-rays.
   enum Patterns
   {
     GAUSS_LEGENDRE = 0,
@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where the sub-rays lie. Default: GAUSS_LEGENDRE.
+   * Set/Get the positions of the sub-rays. Default: GAUSS_LEGENDRE.
    */
   vtkSetClampMacro(Pattern, int, GAUSS_LEGENDRE, VOGEL);
   vtkGetMacro(Pattern, int);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as data
-   * sheets give it. Valid range: [0, 1], else refused. Default: 0.0003.
+   * Set/Get the full angle of the beam at 1/e^2 of its intensity [rad], as in
+   * data sheets. Valid range: [0, 1], else rejected. Default: 0.0003.
    */
   void SetBeamDivergence(double angle);
   vtkGetMacro(BeamDivergence, double);
@@ -101,11 +101,10 @@ public:
 
   ///@{
   /**
-   * Set/Get whether CIRCLES follow the paper to the letter, to compare with it:
-   * circles at i K w / q, and sub-rays weighted with the intensity where they are
-   * times an equal share of the area. These weights are not normalised: their
-   * sum is 1 + C / q, C = 0.6259 for K = 1, 31 % too much for 19 sub-rays.
-   * Default: off.
+   * Set/Get whether CIRCLES follow the paper exactly, for comparison: circles at
+   * i K w / q, and sub-rays weighted with their intensity times an equal share of
+   * the area. These weights are not normalised: their sum is 1 + C / q,
+   * C = 0.6259 for K = 1, 31 % too much for 19 sub-rays. Default: off.
    */
   vtkSetMacro(LegacyWeights, bool);
   vtkGetMacro(LegacyWeights, bool);
@@ -116,7 +115,7 @@ public:
   /**
    * Set the number of sub-rays of VOGEL; above 1, it is rounded up to a multiple
    * of 4. Valid range: [1, 65536]. Default: 64. Get the number of sub-rays of a
-   * pulse, whatever the Pattern.
+   * pulse, for any Pattern.
    */
   void SetNumberOfSubRays(int number);
   int GetNumberOfSubRays() const { return static_cast<int>(this->SubRays.size()); }
@@ -133,9 +132,9 @@ public:
 
   ///@{
   /**
-   * Set/Get M2, how many times wider the beam is than diffraction makes it; 0: no
-   * waist, all sub-rays leave from one point. Valid range: 0 or [1, 1e4], else
-   * refused. Default: 0.
+   * Set/Get M2, the ratio of the beam width to the diffraction limit; 0: no
+   * waist, all sub-rays start at one point. Valid range: 0 or [1, 1e4], else
+   * rejected. Default: 0.
    */
   void SetBeamQualityFactor(double factor);
   vtkGetMacro(BeamQualityFactor, double);
@@ -143,8 +142,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the wavelength [nm], which the waist is proportional to. Valid range:
-   * [1, 1e6], else refused. Default: 1064.
+   * Set/Get the wavelength [nm]; the waist is proportional to it. Valid range:
+   * [1, 1e6], else rejected. Default: 1064.
    */
   void SetWavelength(double wavelength);
   vtkGetMacro(Wavelength, double);
@@ -152,31 +151,31 @@ public:
 
   /**
    * The radius of the beam at 1/e^2 of its intensity at a distance from the
-   * waist [m], where the beam leaves.
+   * waist [m], the beam origin.
    */
   double GetFootprintRadius(double distance) const;
 
   /**
-   * A sub-ray's direction in the frame of the beam, whose axis is y: a unit
-   * vector.
+   * The direction of a sub-ray in the frame of the beam, whose axis is y: a
+   * unit vector.
    */
   void GetDirection(int subRay, double direction[3]) const
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
-   * Where a sub-ray leaves, beside the origin of the beam and across its axis
+   * The start of a sub-ray relative to the origin of the beam, across its axis
    * [m]: zero without a waist.
    */
   void GetOffset(int subRay, double offset[3]) const
     VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
-   * A sub-ray's share of the pulse's energy, in (0, 1].
+   * The fraction of the pulse's energy in a sub-ray, in (0, 1].
    */
   double GetWeight(int subRay) const VTK_EXPECTS(0 <= subRay && subRay < GetNumberOfSubRays());
 
   /**
-   * Computes the sub-rays anew.
+   * Recomputes the sub-rays.
    */
   void Modified() override;
 

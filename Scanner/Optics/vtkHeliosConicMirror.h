@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosConicMirror
- * @brief   the beam runs round a cone
+ * @brief   a mirror that scans a cone
  *
- * The beam leaves the mirror at half angle ScanAngle from the y axis and turns
- * about it with ScanFrequency. Pulse i at PulseFrequency f has azimuth
- * phi = 2 pi frac(i ScanFrequency / f), the fraction taken exactly, and the
+ * The beam leaves the mirror at half angle ScanAngle from the y axis and
+ * rotates about it with ScanFrequency. Pulse i at PulseFrequency f has azimuth
+ * phi = 2 pi frac(i ScanFrequency / f), with an exact fraction, and the
  * direction (sin A sin phi, cos A, sin A cos phi); on flat ground below, the
  * centres of the footprints form a circle.
  *
@@ -29,8 +29,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the revolutions of the mirror a second [Hz]. Valid range:
-   * [0, 1e6]. Default: 50.
+   * Set/Get the rotation frequency of the mirror [Hz]. Valid range: [0, 1e6].
+   * Default: 50.
    */
   vtkSetClampMacro(ScanFrequency, double, 0.0, 1e6);
   vtkGetMacro(ScanFrequency, double);
@@ -62,7 +62,7 @@ private:
 
   double ScanFrequency = 50.0;
   double ScanAngle = 20.0;
-  double SinScanAngle; // of ScanAngle, so that a pulse costs one sine and cosine
+  double SinScanAngle; // of ScanAngle, saves a sine and cosine per pulse
   double CosScanAngle;
 };
 

@@ -20,7 +20,7 @@ double vtkHeliosFiberArray::GetScanAngle(vtkIdType pulse) const
 {
   const vtkIdType last = this->NumberOfFibers - 1;
   const vtkIdType fiber = this->ComputeCount(pulse) % this->NumberOfFibers;
-  // From the middle outwards, in integers: a row that is symmetric to the last bit.
+  // Outwards from the middle, in integers: symmetric to the last bit.
   return last == 0
     ? 0.0
     : this->ScanAngle * (static_cast<double>(2 * fiber - last) / static_cast<double>(last));

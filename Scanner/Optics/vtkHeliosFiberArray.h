@@ -4,12 +4,12 @@
  * @class   vtkHeliosFiberArray
  * @brief   a row of fibres: lines of fixed directions, one fibre after the other
  *
- * The ends of N fibres spread evenly over the scan angle; fibre k looks to
+ * The ends of N fibres are spaced evenly over the scan angle; fibre k points to
  * - a = -ScanAngle + 2 ScanAngle k / (N - 1)
  *
  * so that the first and the last reach both ends, and the row is symmetric; a
- * single fibre looks straight ahead. Pulse i leaves fibre i mod N to
- * (0, cos a, sin a): PulseFrequency / N lines a second, whatever the scan
+ * single fibre points straight ahead. Pulse i is emitted from fibre i mod N to
+ * (0, cos a, sin a): PulseFrequency / N lines/s, regardless of the scan
  * frequency of the survey.
  *
  * @sa
@@ -31,7 +31,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the fibres N of the row. Valid range: [1, 1000000]. Default: 128.
+   * Set/Get the number of fibres N. Valid range: [1, 1000000]. Default: 128.
    */
   vtkSetClampMacro(NumberOfFibers, int, 1, 1000000);
   vtkGetMacro(NumberOfFibers, int);

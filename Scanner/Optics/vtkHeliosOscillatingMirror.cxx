@@ -17,7 +17,7 @@ void vtkHeliosOscillatingMirror::SetScanAngle(double angle)
 }
 
 //------------------------------------------------------------------------------
-// The part of a line that is done after a part of its time, both from 0 to 1.
+// The fraction of a line completed after a fraction of its time, both from 0 to 1.
 double vtkHeliosOscillatingMirror::ComputeTravel(double time) const
 {
   // T / 2 of the PulseFrequency / (2 ScanFrequency) pulses of a line
@@ -28,7 +28,7 @@ double vtkHeliosOscillatingMirror::ComputeTravel(double time) const
   {
     return (time - 0.5 * turn) / (1.0 - turn);
   }
-  const double travel = 0.5 * end * end / (turn * (1.0 - turn)); // evenly accelerated
+  const double travel = 0.5 * end * end / (turn * (1.0 - turn)); // constant acceleration
   return time < 0.5 ? travel : 1.0 - travel;
 }
 

@@ -2,21 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosOscillatingMirror
- * @brief   a mirror that swings: lines to and fro
+ * @brief   an oscillating mirror: lines in both directions
  *
- * The beam turns about the x axis: at mirror angle beta it points to
- * (0, cos beta, sin beta), and beta swings between -ScanAngle and +ScanAngle,
- * ScanFrequency times a second to and fro, i.e. two lines each time. Pulse 0 is
- * at -ScanAngle. With the phase p = frac(i ScanFrequency / PulseFrequency),
- * taken exactly, and A = ScanAngle,
+ * The beam rotates about the x axis: at mirror angle beta it points to (0, cos
+ * beta, sin beta), and beta oscillates between -ScanAngle and +ScanAngle with
+ * ScanFrequency, two lines per period. Pulse 0 is at -ScanAngle. With the phase
+ * p = frac(i ScanFrequency / PulseFrequency), an exact fraction, and
+ * A = ScanAngle,
  * - triangular: beta = A (4 q - 1), q = p up to half the period, then 1 - p
  * - sinusoidal: beta = -A cos(2 pi p)
  *
- * No mirror turns at once. With TurningPulses T > 0 the triangle is rounded: the
- * mirror slows down evenly during the last T / 2 pulses before an end, speeds up
- * during the T / 2 after it, still reaches both ends, and is as much faster in
- * between. HELIOS++ does so over 100 pulses, in whole steps; where T pulses last
- * longer than a line, all of the line is spent turning.
+ * A mirror cannot reverse instantly. With TurningPulses T > 0 the triangle is
+ * rounded: the mirror decelerates evenly during the last T / 2 pulses before an
+ * end, accelerates during the T / 2 after it, still reaches both ends, and is
+ * faster in between. HELIOS++ does so over 100 pulses, in whole steps; if T
+ * pulses last longer than a line, the whole line is a turn.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -35,7 +35,7 @@ public:
   vtkTypeMacro(vtkHeliosOscillatingMirror, vtkHeliosBeamDeflector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the angle changes with time.
+  /// The scan angle over time.
   enum Patterns
   {
     TRIANGULAR = 0,
@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how the mirror swings. Default: TRIANGULAR.
+   * Set/Get the scan angle over time. Default: TRIANGULAR.
    */
   vtkSetClampMacro(Pattern, int, TRIANGULAR, SINUSOIDAL);
   vtkGetMacro(Pattern, int);
@@ -54,7 +54,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how often the mirror swings to and fro a second [Hz]. Valid range:
+   * Set/Get the oscillation frequency of the mirror [Hz]. Valid range:
    * [0, 1e6]. Default: 50.
    */
   vtkSetClampMacro(ScanFrequency, double, 0.0, 1e6);
@@ -63,7 +63,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far it swings to either side [deg]. Valid range: [0, 180].
+   * Set/Get the maximum angle to either side [deg]. Valid range: [0, 180].
    * Default: 20.
    */
   void SetScanAngle(double angle);
@@ -72,8 +72,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how many pulses a triangular mirror takes to turn. Valid range:
-   * [0, 1e9]. Default: 0, it turns at once.
+   * Set/Get the number of pulses a triangular mirror takes to reverse. Valid
+   * range: [0, 1e9]. Default: 0, instantly.
    */
   vtkSetClampMacro(TurningPulses, int, 0, 1000000000);
   vtkGetMacro(TurningPulses, int);

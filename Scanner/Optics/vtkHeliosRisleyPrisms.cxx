@@ -13,8 +13,8 @@ vtkStandardNewMacro(vtkHeliosRisleyPrisms);
 namespace
 {
 
-/// Bends a beam at a face by Snell's law, with the ratio of the indices before and behind; false
-/// where it does not come through.
+/// Refracts a beam at a face by Snell's law, with the ratio of the indices before and behind;
+/// false for total reflection or a missed face.
 bool Refract(double ratio, const double normal[3], double d[3])
 {
   const double cosIn = -vtkMath::Dot(d, normal);

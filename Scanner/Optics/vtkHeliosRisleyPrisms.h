@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosRisleyPrisms
- * @brief   wedge prisms that turn one behind the other: rosettes
+ * @brief   rotating wedge prisms in series: rosettes
  *
  * The IncidentBeam passes up to three prisms on the y axis, prism 0 first, each
- * with an index of refraction in air of AirRefractiveIndex. Prism k turns about y
- * with RotorFrequency (negative: the other way); at pulse i its angle is
- * psi = 2 pi frac(i RotorFrequency / PulseFrequency), each fraction taken exactly.
- * One face is square to y; the other is inclined by the WedgeAngle a, the first
- * where a > 0, the second where a < 0, with the normal
+ * with an index of refraction in air of AirRefractiveIndex. Prism k rotates about
+ * y with RotorFrequency (negative: reversed); at pulse i its angle is psi = 2 pi
+ * frac(i RotorFrequency / PulseFrequency), each fraction exact. One face is
+ * perpendicular to y; the other is inclined by the WedgeAngle a, the first where
+ * a > 0, the second where a < 0, with the normal
  * - N = (sin psi sin a, -cos a, cos psi sin a)
  *
  * A prism with a = 0 is absent. At every face, from index n1 to n2, the beam d
@@ -17,7 +17,7 @@
  * - c1 = -d . N, c2 = sqrt(1 - (n1 / n2)^2 (1 - c1^2))
  * - d' = (n1 / n2) d + (n1 / n2 c1 - c2) N
  *
- * Where a beam is totally reflected, or misses a face, no pulse leaves.
+ * A beam that is totally reflected, or misses a face, emits no pulse.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -36,13 +36,13 @@ public:
   vtkTypeMacro(vtkHeliosRisleyPrisms, vtkHeliosBeamDeflector);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How many prisms there can be.
+  /// The maximum number of prisms.
   static constexpr int MaximumNumberOfPrisms = 3;
 
   ///@{
   /**
-   * Set/Get the angle between the faces of prism 0, 1 or 2 [deg]; its sign says
-   * which one is inclined. Valid range: [-89, 89]. Default: 0, no prism.
+   * Set/Get the angle between the faces of prism 0, 1 or 2 [deg]; its sign
+   * selects the inclined face. Valid range: [-89, 89]. Default: 0, no prism.
    */
   void SetWedgeAngle(int prism, double angle);
   double GetWedgeAngle(int prism) const;
@@ -59,7 +59,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the revolutions of prism 0, 1 or 2 a second [Hz]. Valid range:
+   * Set/Get the rotation frequency of prism 0, 1 or 2 [Hz]. Valid range:
    * [-1e6, 1e6]. Default: 0.
    */
   void SetRotorFrequency(int prism, double frequency);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Set/Get where the beam goes before the first prism; normalised. An error
-   * where it does not go forward (y > 0). Default: 0, 1, 0.
+   * Set/Get the beam direction before the first prism; normalised. A direction
+   * that does not point forward (y > 0) is an error. Default: 0, 1, 0.
    */
   void SetIncidentBeam(double x, double y, double z);
   void SetIncidentBeam(const double beam[3]) { this->SetIncidentBeam(beam[0], beam[1], beam[2]); }
@@ -100,7 +100,7 @@ private:
     double WedgeAngle = 0.0;
     double RefractiveIndex = 1.5;
     double RotorFrequency = 0.0;
-    double SinWedge = 0.0; // of WedgeAngle, so that a pulse costs one sine and cosine
+    double SinWedge = 0.0; // of WedgeAngle, saves a sine and cosine per pulse
     double CosWedge = 1.0;
   };
 

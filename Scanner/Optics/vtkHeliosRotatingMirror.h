@@ -4,16 +4,16 @@
  * @class   vtkHeliosRotatingMirror
  * @brief   a polygon mirror: lines in one direction
  *
- * The beam turns about the x axis: at mirror angle beta it points to
- * (0, cos beta, sin beta). Each facet sweeps from -MirrorAngle to +MirrorAngle,
- * ScanFrequency times a second, and pulse 0 is at beta = 0. Pulse i at
- * PulseFrequency f has the phase p = frac(i ScanFrequency / f), taken exactly
- * however many pulses came before, and
+ * The beam rotates about the x axis: at mirror angle beta it points to (0, cos
+ * beta, sin beta). Each facet sweeps from -MirrorAngle to +MirrorAngle, with
+ * ScanFrequency, and pulse 0 is at beta = 0. Pulse i at PulseFrequency f has
+ * the phase p = frac(i ScanFrequency / f), exact after any number of pulses,
+ * and
  * - beta = 2 MirrorAngle p where p <= 1/2, else 2 MirrorAngle (p - 1)
  *
- * so that beta is in (-MirrorAngle, MirrorAngle]. Pulses leave only where
+ * so that beta is in (-MirrorAngle, MirrorAngle]. Pulses are emitted only where
  * VerticalAngleMin < beta <= VerticalAngleMax: a window as wide as the sweep
- * lets all of them out.
+ * emits all of them.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -34,7 +34,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the lines scanned a second [Hz]. Valid range: [0, 1e6].
+   * Set/Get the number of lines per second [Hz]. Valid range: [0, 1e6].
    * Default: 100.
    */
   vtkSetClampMacro(ScanFrequency, double, 0.0, 1e6);
@@ -43,7 +43,7 @@ public:
 
   ///@{
   /**
-   * Set/Get half the angle that a facet sweeps [deg]: 180 for one facet at 45
+   * Set/Get half the angle swept by a facet [deg]: 180 for one facet at 45
    * degrees to the shaft. Valid range: (0, 360]. Default: 180.
    */
   vtkSetClampMacro(MirrorAngle, double, 1e-9, 360.0);
@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the window that pulses leave through [deg]. Valid range:
+   * Set/Get the window in which pulses are emitted [deg]. Valid range:
    * [-360, 360]. Default: -180 and 180.
    */
   vtkSetClampMacro(VerticalAngleMin, double, -360.0, 360.0);
@@ -64,7 +64,7 @@ public:
   bool GetDirection(vtkIdType pulse, double direction[3]) const override;
 
   /**
-   * The mirror angle beta [deg], whether or not a pulse leaves there.
+   * The mirror angle beta [deg], whether or not a pulse is emitted there.
    */
   double GetScanAngle(vtkIdType pulse) const override;
 

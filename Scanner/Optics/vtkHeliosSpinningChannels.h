@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSpinningChannels
- * @brief   many lasers one above the other in a head that spins
+ * @brief   a stack of lasers in a spinning head
  *
- * The n channels fire in turn, PulseFrequency pulses a second in all: pulse i is
- * channel c = i mod n in the cycle of n pulses that starts at
- * (i - c) / PulseFrequency. A channel has an elevation e above the horizon, an
- * azimuth of its own, and a time in the cycle at which it fires; by default
- * c / PulseFrequency, evenly. The head turns about z with ScanFrequency, and the
- * azimuth a of a pulse is that of the head when it fires, each fraction of a
- * turn taken exactly, plus that of its channel. The direction is
+ * The n channels fire in turn, PulseFrequency pulses/s in all: pulse i is
+ * channel c = i mod n in the cycle of n pulses that starts at (i - c) /
+ * PulseFrequency. A channel has an elevation e above the horizon, its own
+ * azimuth, and a firing time in the cycle; by default c / PulseFrequency,
+ * evenly. The head rotates about z with ScanFrequency; the azimuth a of a pulse
+ * is that of the head when it fires, with exact fractions of a revolution, plus
+ * that of its channel. The direction is
  * - (-sin a cos e, cos a cos e, sin e)
  *
- * Azimuths grow as the head of a scanner turns: anticlockwise, seen from above,
- * with y at 0; instruments that count clockwise have a negative ScanFrequency
- * and azimuths of the other sign.
+ * Azimuths increase anticlockwise, seen from above, with y at 0; instruments
+ * that count clockwise have a negative ScanFrequency and azimuths of the
+ * opposite sign.
  *
  * @sa
  * vtkHeliosBeamDeflector vtkHeliosScanner
@@ -38,7 +38,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the revolutions of the head a second [Hz]; negative: clockwise. Valid
+   * Set/Get the rotation frequency of the head [Hz]; negative: clockwise. Valid
    * range: [-1e6, 1e6]. Default: 10.
    */
   vtkSetClampMacro(ScanFrequency, double, -1e6, 1e6);
@@ -47,8 +47,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the channels n; new ones look to elevation and azimuth 0 and fire
-   * evenly. Valid range: [1, 100000]. Default: 1.
+   * Set/Get the number of channels n; new channels have elevation and azimuth 0
+   * and fire evenly. Valid range: [1, 100000]. Default: 1.
    */
   void SetNumberOfChannels(int channels);
   int GetNumberOfChannels() const;
@@ -73,7 +73,7 @@ public:
 
   ///@{
   /**
-   * Set/Get when a channel fires in a cycle [s]; negative: evenly, at
+   * Set/Get the firing time of a channel in a cycle [s]; negative: evenly, at
    * channel / PulseFrequency. Valid range: [-1, 1e3]. Default: -1.
    */
   void SetFiringTime(int channel, double time);

@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// How far, and how fast.
+/// Distance and speed.
 struct Travel
 {
   double Distance; // [m]
@@ -57,7 +57,7 @@ struct LinearDrag
     return { t * (speed + gain * ExpM2Over(z)), speed + gain * ExpM1Over(z) };
   }
 
-  /// When a speed is reached; infinity where it never is.
+  /// The time at which a speed is reached; infinity if never.
   double FindTime(double from, double to) const
   {
     const double start = this->Acceleration - this->Rate * from;
@@ -74,7 +74,7 @@ struct LinearDrag
     return z != 0.0 ? t * (-std::log1p(-z) / z) : t;
   }
 
-  /// How long a distance takes, from a speed >= 0 that stays so.
+  /// The time for a distance, from a speed >= 0 that stays so.
   double FindTimeTo(double speed, double distance) const
   {
     if (distance <= 0.0)

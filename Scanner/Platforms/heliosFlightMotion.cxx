@@ -21,7 +21,7 @@ double GetCourse(const Vec3& direction)
   return std::atan2(direction[1], direction[0]);
 }
 
-/// The thrust of a unit of mass, for a drive along a direction and a pull to a side.
+/// The thrust per unit of mass, for a drive along a direction and a lateral acceleration.
 Vec3 GetThrust(const Vec3& along, double drive)
 {
   return Vec3(0.0, 0.0, Copter::Gravity) + drive * along;
@@ -40,7 +40,7 @@ MotionPiece Hover(vtkIdType leg, const Vec3& position, double course, double ang
     } };
 }
 
-/// A part of a straight line, from a distance along it on.
+/// A part of a straight line, from a distance along it.
 MotionPiece Straight(
   vtkIdType leg, const FlightLine& line, double start, double course, const DrivePhase& phase)
 {
@@ -53,7 +53,8 @@ MotionPiece Straight(
     } };
 }
 
-/// A part of a turn at constant speed, from a length along it on; the nose keeps its angle to the way.
+/// A part of a turn at constant speed, from a length along it; the nose keeps its angle to the
+/// path.
 MotionPiece Bend(vtkIdType leg, const FlightCorner& corner, double start, double length,
   double offset, double drag)
 {
@@ -72,7 +73,7 @@ MotionPiece Bend(vtkIdType leg, const FlightCorner& corner, double start, double
     } };
 }
 
-/// Flies leg after leg.
+/// Flies all legs in order.
 class Pilot
 {
 public:
@@ -102,7 +103,7 @@ public:
   }
 
 private:
-  /// Of the first stop or leg that has one; north where none has.
+  /// Of the first stop or leg with a course; north if there is none.
   double GetFirstCourse(const std::vector<double>& courses) const
   {
     for (std::size_t leg = 0; leg < this->Path.Lines.size(); ++leg)
@@ -125,7 +126,7 @@ private:
     return HasCourse(way) ? GetCourse(way) : keep;
   }
 
-  /// The turn on the spot, or what is left of the turn at the waypoint where a leg starts.
+  /// The turn on the spot, or the rest of the turn at the waypoint where a leg starts.
   void Leave(std::size_t leg, double course)
   {
     const FlightCorner& corner = this->Path.Corners[leg];
@@ -191,7 +192,7 @@ private:
   Copter Machine;
   double BrakeDistance;
   double Course = 0.0;
-  double Offset = 0.0; // of the nose from the way
+  double Offset = 0.0; // of the nose from the path
   std::vector<MotionPiece> Motion;
 };
 

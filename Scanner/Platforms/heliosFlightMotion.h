@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A planned flight as a motion: the thrust it takes, and the body that tilts to it.
+// A planned flight as a motion: the required thrust, and the tilt of the body.
 
 #ifndef heliosFlightMotion_h
 #define heliosFlightMotion_h
@@ -17,8 +17,8 @@ namespace helios
 /// y] seen from above: yaw, then pitch about x, then roll about y.
 VTKHELIOSSCANNERPLATFORMS_EXPORT Quaternion TiltTo(const Vec3& thrust, double course);
 
-/// The pieces of a flight, leg after leg. Courses [rad] at the waypoints are those to leave a stop
-/// with; NaN is that of the leg.
+/// The pieces of a flight, leg after leg. Courses [rad] at the waypoints are the headings on
+/// leaving a stop; NaN is that of the leg.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<MotionPiece> FlyPath(const FlightPath& path,
   const Copter& copter, const std::vector<double>& courses, double brakeDistance);
 

@@ -16,7 +16,7 @@ const double Pi = std::acos(-1.0);
 /// Sharper turns than this are stops.
 const double SharpestTurn = 150.0 / 180.0 * Pi;
 
-/// The least horizontal part of the direction in a turn; steeper ones are stops.
+/// The minimum horizontal part of the direction in a turn; steeper ones are stops.
 constexpr double SteepestTurn = 0.3;
 
 double GetAngle(const Vec3& a, const Vec3& b)
@@ -24,7 +24,7 @@ double GetAngle(const Vec3& a, const Vec3& b)
   return std::atan2(a.Cross(b).Norm(), a.Dot(b));
 }
 
-/// The unit direction towards which a turn from one direction to another goes.
+/// The unit direction of the turn from one direction to another.
 Vec3 GetSide(const Vec3& from, const Vec3& to)
 {
   Vec3 side = to - from.Dot(to) * from;
@@ -36,7 +36,7 @@ Vec3 GetSide(const Vec3& from, const Vec3& to)
   return side;
 }
 
-/// The least horizontal part of the directions in a turn by an angle.
+/// The minimum horizontal part of the directions in a turn by an angle.
 double GetFlattest(const Vec3& along, const Vec3& side, double angle)
 {
   double least = 1.0;
@@ -69,7 +69,8 @@ public:
       this->Path.Corners[i].Mode = i == 0 ? Passing::Stop : this->Waypoints[i].Mode;
       this->Path.Corners[i].Speed = this->GetWantedSpeed(i);
     }
-    // Each pass that does not fit makes a corner slower; after some dozen it is a stop, which fits.
+    // Each pass that does not fit slows down a corner; after some dozen passes it is a stop, which
+    // fits.
     bool fits = false;
     for (std::size_t i = 0; i < 100 + 60 * this->Waypoints.size() && !fits; ++i)
     {
@@ -95,7 +96,7 @@ public:
   }
 
 private:
-  /// The way of a leg; 0 where it has none.
+  /// The vector of a leg; 0 for a leg of zero length.
   Vec3 GetDirection(std::size_t leg) const
   {
     Vec3 way = this->Waypoints[leg + 1].Position - this->Waypoints[leg].Position;
@@ -103,7 +104,7 @@ private:
     return way;
   }
 
-  /// The speed at a waypoint: that of the legs on both sides.
+  /// The requested speed at a waypoint: that of the legs on both sides.
   double GetWantedSpeed(std::size_t i) const
   {
     if (i == 0 || this->Waypoints[i].Mode == Passing::Stop)
@@ -123,12 +124,12 @@ private:
     return std::min(this->Waypoints[leg].Speed, this->Machine.GetTopSpeed(direction));
   }
 
-  /// What the layout of a leg depends on.
+  /// The inputs of a leg's layout.
   struct Terms
   {
     Passing Modes[2];
     double Speeds[2];
-    Vec3 Before; // the direction that the leg before ends with
+    Vec3 Before; // the final direction of the previous leg
 
     bool operator==(const Terms& b) const
     {
@@ -146,8 +147,8 @@ private:
       leg > 0 ? this->Path.Lines[leg - 1].Direction : Vec3(0.0, 0.0, 0.0) };
   }
 
-  /// Lays out all legs but those that fit already; where something does not fit, the speeds there are
-  /// made lower.
+  /// Lays out all legs except those that already fit; where one does not fit, the speeds are
+  /// reduced.
   bool Fits()
   {
     bool fits = true;
@@ -161,7 +162,7 @@ private:
       }
       if (leg + 1 < this->Laid.size())
       {
-        this->Laid[leg + 1].reset(); // it starts where this one ends
+        this->Laid[leg + 1].reset(); // it starts at the end of this one
       }
       const bool turns = this->LayCorner(leg);
       const bool isLaid = this->LayLine(leg) && turns;
@@ -182,7 +183,7 @@ private:
     corner.Speed = 0.0;
   }
 
-  /// Makes a corner slower, down to a stop.
+  /// Slows down a corner, down to a stop.
   void Slow(std::size_t i, double share)
   {
     FlightCorner& corner = this->Path.Corners[i];
@@ -193,8 +194,8 @@ private:
     }
   }
 
-  /// How a corner is turned: the length that the bank takes, at a rate, and the radius of that bank,
-  /// or of the yaw rate.
+  /// The geometry of a corner: the length to reach the bank, at a rate, and the radius of that
+  /// bank, or of the yaw rate.
   struct Style
   {
     double Curvature;
@@ -209,7 +210,7 @@ private:
     return { 1.0 / radius, speed * pull / (Copter::Gravity * this->Machine.RollRate) };
   }
 
-  /// The turn after a waypoint that is passed through; where a leg starts.
+  /// The turn after a waypoint that is passed through: the start of a leg.
   bool LayCorner(std::size_t leg)
   {
     FlightCorner& corner = this->Path.Corners[leg];
@@ -260,7 +261,7 @@ private:
     const Vec3 way = this->GetDirection(leg);
     if (this->Path.Corners[leg].Mode != Passing::Through)
     {
-      // A turn that cut the last corner may end behind the next waypoint.
+      // A turn that cut the last corner may end after the next waypoint.
       line.Length = line.Direction.Dot(way) < 0.0 ? -line.Length : line.Length;
       line.Direction = way;
     }
@@ -314,7 +315,7 @@ private:
     return corner.Start + end.Forward * corner.Along + end.Left * corner.Side;
   }
 
-  /// Whether a leg is long enough for the change of speed that it takes.
+  /// Whether a leg is long enough for its change of speed.
   bool CanChange(std::size_t leg)
   {
     const FlightLine& line = this->Path.Lines[leg];
@@ -336,7 +337,7 @@ private:
   Copter Machine;
   double Lateral; // [m/s^2]
   FlightPath Path;
-  std::vector<std::optional<Terms>> Laid; // where a leg fits
+  std::vector<std::optional<Terms>> Laid; // for legs that fit
 };
 
 } // namespace
@@ -350,7 +351,7 @@ DriveLimits Copter::GetLimits(const Vec3& direction) const
   const double tilt = std::tan(this->Pitch);
   const double reach = std::sqrt(this->Thrust * this->Thrust - g * g * flat * flat);
   DriveLimits limits{ reach - g * up, -reach - g * up, 0.0, this->Drag, this->Step };
-  // tan(tilt) = q flat / (g + q up), and q up never takes more than half of the weight away.
+  // tan(tilt) = q flat / (g + q up), and q up never exceeds half of the weight.
   const auto tighten = [&](double most, double least)
   {
     limits.Most = most > 0.0 ? std::min(limits.Most, most) : limits.Most;

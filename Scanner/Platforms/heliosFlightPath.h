@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The way a multicopter flies from waypoint to waypoint.
+// The path of a multicopter through its waypoints.
 
 #ifndef heliosFlightPath_h
 #define heliosFlightPath_h
@@ -16,24 +16,24 @@
 namespace helios
 {
 
-/// What a multicopter can do.
+/// The limits of a multicopter.
 struct Copter
 {
-  double Pitch; // [rad], tilt along the way
+  double Pitch; // [rad], along the path
   double Roll;  // [rad], bank in a turn
   double PitchRate;
   double RollRate;
   double YawRate; // [rad/s]
-  double Thrust;  // [m/s^2], a unit of mass
+  double Thrust;  // [m/s^2], per unit of mass
   double Drag;    // [1/m]
   double Step;    // [s]
 
   static constexpr double Gravity = 9.80665; // [m/s^2]
 
-  /// Along a unit direction: tilt from thrust and gravity, and thrust up to its largest.
+  /// Along a unit direction: limits from tilt, thrust, gravity and maximum thrust.
   VTKHELIOSSCANNERPLATFORMS_EXPORT DriveLimits GetLimits(const Vec3& direction) const;
 
-  /// The highest speed along a unit direction, a hundredth below the terminal one.
+  /// The maximum speed along a unit direction, 1 % below the terminal speed.
   double GetTopSpeed(const Vec3& direction) const
   {
     return this->Drag > 0.0 ? 0.99 * std::sqrt(this->GetLimits(direction).Most / this->Drag)
@@ -44,7 +44,7 @@ struct Copter
 enum class Passing
 {
   Stop,    ///< rests there, yaws, and starts again
-  Smooth,  ///< cuts the corner by a banked turn
+  Smooth,  ///< cuts the corner with a banked turn
   Through, ///< passes it, and turns to the next after that
 };
 
@@ -55,15 +55,15 @@ struct FlightWaypoint
   Passing Mode;
 };
 
-/// What happens at a waypoint.
+/// The motion at a waypoint.
 struct FlightCorner
 {
   Passing Mode;
   double Speed = 0.0; // [m/s]
   Turn Bend;
   Vec3 Start; // of the bend
-  Vec3 Along; // the direction it starts with
-  Vec3 Side;  // the way it turns
+  Vec3 Along; // the initial direction
+  Vec3 Side;  // the direction of the turn
 };
 
 /// The straight part of a leg.
@@ -77,13 +77,13 @@ struct FlightLine
 
 struct FlightPath
 {
-  std::vector<FlightCorner> Corners; // one a waypoint
-  std::vector<FlightLine> Lines;     // one a leg
-  std::vector<std::size_t> Slowed;   // waypoints passed more slowly than asked for
+  std::vector<FlightCorner> Corners; // per waypoint
+  std::vector<FlightLine> Lines;     // per leg
+  std::vector<std::size_t> Slowed;   // waypoints passed more slowly than requested
 };
 
-/// The way through all waypoints, as fast as asked for where the turns fit between the waypoints,
-/// slower where they do not.
+/// The path through all waypoints, at the requested speed if the turns fit between the waypoints,
+/// otherwise slower.
 VTKHELIOSSCANNERPLATFORMS_EXPORT FlightPath PlanFlight(
   const std::vector<FlightWaypoint>& waypoints, const Copter& copter);
 

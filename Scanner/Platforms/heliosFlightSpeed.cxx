@@ -15,7 +15,8 @@ namespace
 /// Of a ramp that takes minutes.
 constexpr int MostSteps = 4000;
 
-/// How a speed changes: the drive goes to a peak, stays a while, and goes to what keeps the end.
+/// A change of speed: the drive goes to a peak, is constant, and goes to the drive of the final
+/// speed.
 struct Maneuver
 {
   double Peak;
@@ -42,13 +43,13 @@ SpeedChange Fly(const DriveLimits& limits, double from, double to, const Maneuve
   return change;
 }
 
-/// How much faster than asked for a manoeuvre ends.
+/// The excess over the requested final speed of a manoeuvre.
 double GetExcess(const DriveLimits& limits, double from, double to, const Maneuver& maneuver)
 {
   return Fly(limits, from, to, maneuver).Phases.back().GetEnd().Speed - to;
 }
 
-/// A time to wait at the peak that surely is too long.
+/// An upper bound of the time at the peak.
 double GetLongestWait(const DriveLimits& limits, double from, double to, double peak)
 {
   if (to > from)
@@ -60,7 +61,7 @@ double GetLongestWait(const DriveLimits& limits, double from, double to, double 
     }
     return wait;
   }
-  // Until it stands.
+  // Until it is at rest.
   const double speed = DrivePhase::Ramp(limits, from, limits.Keep(from), peak).GetEnd().Speed;
   const double w = std::sqrt(limits.Drag * std::abs(peak));
   return w > 0.0 ? std::atan(speed * w / std::abs(peak)) / w : speed / std::abs(peak);
@@ -88,7 +89,7 @@ SpeedChange ChangeWithin(const DriveLimits& limits, double from, double to, doub
   return Fly(limits, from, to, { extreme, wait });
 }
 
-/// Slows down over a distance, or over what the limits need.
+/// Slows down over a distance, or over the minimum of the limits.
 SpeedChange Brake(const DriveLimits& limits, double from, double to, double distance)
 {
   SpeedChange change = ChangeSpeed(limits, from, to);
@@ -96,7 +97,7 @@ SpeedChange Brake(const DriveLimits& limits, double from, double to, double dist
   {
     return change;
   }
-  // Down to nearly no brake at all: what drag does must not be too much either.
+  // Down to almost no braking: the effect of drag must not be too large either.
   const auto at = [&](double share)
   { return ChangeWithin(limits, from, to, share * limits.Least); };
   double low = 0.5;

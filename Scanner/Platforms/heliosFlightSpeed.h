@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast a multicopter flies along a line: its thrust tilts, and drag holds against it.
+// The speed of a multicopter along a line: tilting thrust against drag.
 
 #ifndef heliosFlightSpeed_h
 #define heliosFlightSpeed_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// What the thrust can do along a line: a drive q [m/s^2], dv/dt = q - Drag v |v|.
+/// The limits of the thrust along a line: a drive q [m/s^2], dv/dt = q - Drag v |v|.
 struct DriveLimits
 {
   double Most;  // > 0
@@ -22,11 +22,11 @@ struct DriveLimits
   double Drag;  // [1/m]
   double Step;  // of the integration while the drive changes [s]
 
-  /// What keeps a speed.
+  /// The drive that keeps a speed constant.
   double Keep(double speed) const { return this->Drag * speed * speed; }
 };
 
-/// A time in which the drive stays, or changes at a constant rate.
+/// A period in which the drive is constant, or changes at a constant rate.
 class VTKHELIOSSCANNERPLATFORMS_EXPORT DrivePhase
 {
 public:
@@ -37,10 +37,10 @@ public:
     double Drive;    // [m/s^2]
   };
 
-  /// From a drive to another at the rate of the limits: RK4 steps of equal length.
+  /// From one drive to another at the rate of the limits: RK4 steps of equal length.
   static DrivePhase Ramp(const DriveLimits& limits, double speed, double from, double to);
 
-  /// The same drive, not less than 0 speed: in closed form.
+  /// Constant drive, speed >= 0: in closed form.
   static DrivePhase Hold(const DriveLimits& limits, double speed, double drive, double duration);
 
   /// A constant speed.
@@ -48,7 +48,7 @@ public:
 
   double GetDuration() const { return this->Duration; }
 
-  /// After a time in [0, GetDuration()]; the distance counts from the phase's start.
+  /// After a time in [0, GetDuration()]; the distance is from the phase's start.
   State At(double t) const;
   State GetEnd() const { return this->At(this->Duration); }
 
@@ -64,28 +64,28 @@ private:
   std::vector<Travel> Steps; // where the drive changes
 };
 
-/// Two ramps and what is between: from a speed kept to another speed kept.
+/// Two ramps and the phase between: from one constant speed to another.
 struct SpeedChange
 {
   std::vector<DrivePhase> Phases;
   double Distance = 0.0;
 };
 
-/// The fastest change within the limits. The speed kept needs less than the limits give.
+/// The fastest change within the limits. The constant speeds need less than the limits.
 VTKHELIOSSCANNERPLATFORMS_EXPORT SpeedChange ChangeSpeed(
   const DriveLimits& limits, double from, double to);
 
-/// A straight line to fly.
+/// A straight line of the flight.
 struct LineFlight
 {
   double Length;        // [m]
   double Entry;         // [m/s]
   double Exit;          // [m/s]
-  double Cruise;        // [m/s], not to be exceeded
-  double BrakeDistance; // slows down over at least this, or half the line [m]
+  double Cruise;        // [m/s], maximum
+  double BrakeDistance; // minimum slowdown distance, or half the line [m]
 };
 
-/// Up to the cruise speed, or what the line is long enough for, and down again.
+/// Up to the cruise speed, or the maximum the line allows, and down again.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<DrivePhase> FlyLine(
   const DriveLimits& limits, const LineFlight& line);
 

@@ -13,16 +13,16 @@ namespace
 
 const double Pi = std::acos(-1.0);
 
-/// Of a turn taken forward; beyond it the car backs up.
+/// Of a forward turn; for larger ones the car reverses.
 const double LargestTurn = 1.5 * Pi;
 
-/// Where the car stands, in x, y.
+/// The pose of the car in x, y.
 struct Stand
 {
   Vec3 Position;
-  double Course; // where it looks [rad]
+  double Course; // heading [rad]
 
-  /// A point ahead and to the left of it.
+  /// The position of a point ahead and to the left.
   std::pair<double, double> See(const Vec3& point) const
   {
     const double x = point[0] - this->Position[0];
@@ -33,7 +33,7 @@ struct Stand
   }
 };
 
-/// A way from a stand to a waypoint.
+/// A path from a pose to a waypoint.
 struct Approach
 {
   std::vector<GroundElement> Elements;
@@ -83,7 +83,7 @@ struct Approach
   }
 };
 
-/// How a bend is driven.
+/// The geometry of a bend.
 struct BendStyle
 {
   double Curvature;
@@ -112,7 +112,7 @@ public:
   }
 
 private:
-  /// The length over which the wheels turn to a curvature at a speed: d(angle)/ds is at most
+  /// The length in which the steering reaches a curvature at a speed: d(angle)/ds is at most
   /// Wheelbase d(curvature)/ds.
   double GetRamp(const BendStyle& style) const
   {
@@ -124,13 +124,13 @@ private:
     return std::min(cap, std::sqrt(this->Car.LateralAcceleration / curvature));
   }
 
-  /// From the bend of the full speed to the tightest, at last at a crawl.
+  /// From the bend at full speed to the tightest, finally at minimum speed.
   std::vector<BendStyle> GetStyles(const Stand& stand, double cap, const Vec3& target) const
   {
     const auto [ahead, left] = stand.See(target);
     const double bearing = std::atan2(std::abs(left), ahead);
     const double swing =
-      1.0 - std::cos(bearing); // what a bend leaves the straight way by, in radii
+      1.0 - std::cos(bearing); // distance of a bend from the straight line, in radii
     const double wide = cap * cap / this->Car.LateralAcceleration;
     const double narrow = 1.0 / this->Tightest;
     double radius =
@@ -147,7 +147,7 @@ private:
     return styles;
   }
 
-  /// A turn and a straight.
+  /// A turn and a straight line.
   std::optional<Approach> GoForward(
     const Stand& stand, const Vec3& target, const BendStyle& style, double cap) const
   {
@@ -165,7 +165,7 @@ private:
     return way;
   }
 
-  /// The shortest three-point manoeuvre of a few.
+  /// The shortest of several three-point turns.
   Approach BackUp(const Stand& stand, const GroundWaypoint& from, const Vec3& target) const
   {
     const BendStyle crawl{ this->Tightest, 0.25 * this->GetBendSpeed(this->Tightest, from.Speed) };
@@ -196,7 +196,7 @@ private:
     return best;
   }
 
-  /// Backward: a turn that brings the front round, and a straight.
+  /// Backward: a turn that swings the front round, and a straight line.
   Approach Reverse(
     const Stand& stand, const BendStyle& style, bool right, double angle, double straight) const
   {
@@ -215,7 +215,7 @@ private:
   double Tightest;
 };
 
-/// Lifts the forward part of a way to the next waypoint.
+/// Raises the forward part of a path to the next waypoint.
 void Climb(Approach& way, double z0, double z1)
 {
   double forward = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The way a car drives from waypoint to waypoint.
+// The path of a car through its waypoints.
 
 #ifndef heliosGroundPath_h
 #define heliosGroundPath_h
@@ -15,32 +15,32 @@
 namespace helios
 {
 
-/// What a car can do.
+/// The limits of a car.
 struct Steering
 {
   double Wheelbase;           // [m]
   double MaximumAngle;        // of the front wheels [rad]
   double Rate;                // of that angle [rad/s]
   double LateralAcceleration; // [m/s^2]
-  double Deviation;           // [m] off the straight way to take a bend faster
+  double Deviation;           // [m] off the straight line for a faster turn
 
-  /// The curvature of the rear axle's way on a bicycle of that steering angle.
+  /// The curvature of the path of the rear axle for a steering angle (bicycle model).
   double GetCurvature(double angle) const { return std::tan(angle) / this->Wheelbase; }
 };
 
-/// A part of the way of the rear axle in x, y: straight, or a turn.
+/// A part of the path of the rear axle in x, y: straight, or a turn.
 struct GroundElement
 {
-  std::size_t Waypoint; ///< where its leg starts
+  std::size_t Waypoint; ///< start of its leg
   Vec3 Start;
-  double Course = 0.0; ///< the way goes along (cos, sin) of it [rad]
+  double Course = 0.0; ///< the path runs along (cos, sin) of it [rad]
   double Length = 0.0; ///< in x, y [m]
   bool IsTurn = false;
   bool Right = false;
   Turn Bend;
-  bool Backward = false; ///< the body looks against the way
+  bool Backward = false; ///< the body faces backwards
   bool Stops = false;    ///< at its end
-  double Grade = 0.0;    ///< rise a metre in x, y
+  double Grade = 0.0;    ///< rise per metre in x, y
   double Cap = 0.0;      ///< [m/s]
 
   struct Place
@@ -60,9 +60,9 @@ struct GroundWaypoint
 };
 
 /**
- * The way through all waypoints, from the first where the car looks to the second. At a waypoint the
- * car turns towards the next until it lies straight ahead, then drives straight. Where no turn leads
- * there, it backs up on the other lock, and straight, as little as makes a turn lead there.
+ * The path through all waypoints, from the first, with the car heading to the second. At a waypoint
+ * the car turns towards the next until that is straight ahead, then drives straight. If no turn
+ * leads there, it reverses on the opposite lock, and straight, by the minimum that allows a turn.
  */
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<GroundElement> PlanGroundPath(
   const std::vector<GroundWaypoint>& waypoints, const Steering& steering);

@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-/// The angle between two attitudes [rad], right when small.
+/// The angle between two attitudes [rad], accurate for small angles.
 double GetAngle(const Quaternion& a, const Quaternion& b)
 {
   const Quaternion d = a.Conjugated() * b;
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// Appends what is between two samples, and the second.
+  /// Appends the samples between two samples, and the second.
   void Fill(const MotionSample& a, const MotionSample& b, int depth)
   {
     const double middle = 0.5 * (a.Time + b.Time);
@@ -53,7 +53,7 @@ private:
     return this->Fits(a, b, { t, this->Piece.At(t) });
   }
 
-  /// Whether what two samples say of a time is right there.
+  /// Whether the interpolation of two samples is accurate at a time.
   bool Fits(const MotionSample& a, const MotionSample& b, const MotionSample& truth) const
   {
     const HermiteSegment segment(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A motion as a function of time, and the samples that stand for it.
+// A motion as a function of time, and its samples.
 
 #ifndef heliosMotion_h
 #define heliosMotion_h
@@ -23,27 +23,27 @@ struct MotionState
   Quaternion Orientation;
 };
 
-/// A part of a motion without jumps: where it is after a time in [0, Duration].
+/// A part of a motion without jumps: the state after a time in [0, Duration].
 struct MotionPiece
 {
-  vtkIdType Waypoint; // where its leg starts
+  vtkIdType Waypoint; // start of its leg
   double Duration;    // [s]
   std::function<MotionState(double)> At;
 };
 
 struct MotionSample
 {
-  double Time; // [s], since the piece began
+  double Time; // [s], since the start of the piece
   MotionState State;
 };
 
-/// What is left of the motion between two samples [m], [rad].
+/// The interpolation errors between two samples [m], [rad].
 constexpr double SampleTolerance = 1e-7;
 
 /**
- * The samples of a piece, its ends among them: as few as keep the cubic in between (HermiteSegment)
- * and the attitude that turns at a constant rate within a tolerance of the motion [m] and [rad],
- * found by halving.
+ * The samples of a piece, including its ends: the fewest for which the cubic in between
+ * (HermiteSegment) and the attitude rotating at a constant rate are within a tolerance of the
+ * motion [m] and [rad], found by halving.
  */
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<MotionSample> SamplePiece(
   const MotionPiece& piece, double tolerance = SampleTolerance);

@@ -9,8 +9,8 @@
 namespace helios
 {
 
-/// Where a continuous function is zero between a and b, at which it has different signs: false
-/// position, the end that stays weighed down (Illinois), halved where that is slow.
+/// The zero of a continuous function between a and b, where it has opposite signs: regula
+/// falsi with the Illinois weighting, bisection where that is slow.
 template <typename FunctionT>
 double FindRoot(const FunctionT& f, double a, double b)
 {

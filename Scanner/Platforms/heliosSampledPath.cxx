@@ -24,7 +24,7 @@ bool IsFinite(const Vec3& v)
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/// A point array of so many components, null where there is none.
+/// A point array with n components, null if missing.
 vtkDataArray* FindArray(vtkPolyData* path, const char* name, int components)
 {
   vtkDataArray* array = path->GetPointData()->GetArray(name);
@@ -105,7 +105,7 @@ SampledPath::State SampledPath::GetSample(vtkIdType sample) const
   return state;
 }
 
-// That of the parabola through the sample and its neighbours; beside an end or a jump, of the
+// Of the parabola through the sample and its neighbours; beside an end or a jump, of the
 // parabola through the sample and the next two.
 Vec3 SampledPath::GetVelocity(vtkIdType sample) const
 {
@@ -115,7 +115,7 @@ Vec3 SampledPath::GetVelocity(vtkIdType sample) const
     this->Velocities->GetTuple(sample, velocity.GetData());
     return velocity;
   }
-  const auto step = [this](vtkIdType i) // the time from i to i + 1, 0 where nothing flies there
+  const auto step = [this](vtkIdType i) // the time from i to i + 1, 0 if there is no motion
   { return i >= 0 && i + 1 < this->Count ? this->GetTime(i + 1) - this->GetTime(i) : 0.0; };
   const auto chord = [this, &step](vtkIdType i)
   {
@@ -178,7 +178,7 @@ SampledPath::State SampledPath::GetDeparture(double time) const
                                                                   : this->GetSample(sample);
 }
 
-// Between a sample and the next, which is later.
+// Between a sample and the next, later one.
 SampledPath::State SampledPath::Interpolate(vtkIdType sample, double time) const
 {
   const State a = this->GetSample(sample);
@@ -190,7 +190,7 @@ SampledPath::State SampledPath::Interpolate(vtkIdType sample, double time) const
   if (this->IsCubic)
   {
     const Vec3 way = b.Position - a.Position;
-    const Vec3 from = step * a.Velocity - way; // how the ends differ from the straight way
+    const Vec3 from = step * a.Velocity - way; // deviation of the ends from the straight line
     const Vec3 to = step * b.Velocity - way;
     state.Position = state.Position + s * (1.0 - s) * ((1.0 - s) * from - s * to);
     state.Velocity =

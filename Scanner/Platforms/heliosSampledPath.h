@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A trajectory as it was recorded, asked for poses at any time.
+// A recorded trajectory, evaluated at any time.
 
 #ifndef heliosSampledPath_h
 #define heliosSampledPath_h
@@ -20,7 +20,8 @@ namespace helios
 
 /**
  * Between samples the position is linear in time, or cubic: Hermite's with the velocities of the
- * samples. The attitude turns at a constant rate the shorter way. Two samples at one time are a jump.
+ * samples. The attitude rotates at a constant rate along the shorter arc. Two samples at one time
+ * are a jump.
  */
 class SampledPath
 {
@@ -33,7 +34,7 @@ public:
     Vec3 Velocity; // of cubic paths
   };
 
-  /// Takes a trajectory; says in words what is wrong with it, or returns an empty text.
+  /// Reads a trajectory; returns an error message, or an empty string.
   std::string Set(vtkPolyData* trajectory, bool isCubic);
 
   double GetStartTime() const { return this->GetTime(0); }
@@ -43,12 +44,12 @@ public:
   double GetTime(vtkIdType sample) const;
   State GetSample(vtkIdType sample) const;
 
-  /// The number of samples whose time is less than a time, or not greater.
+  /// The number of samples before a time, or not after it.
   vtkIdType CountBefore(double time) const;
   vtkIdType CountUntil(double time) const;
 
   ///@{
-  /// The state at a time of the path; at a jump that from which, or to which it jumps.
+  /// The state at a path time; at a jump the state before or after it.
   State GetArrival(double time) const;
   State GetDeparture(double time) const;
   ///@}

@@ -10,13 +10,13 @@ namespace helios
 namespace
 {
 
-/// The way that a speed takes to fall to another with full brake.
+/// The braking distance from one speed to another with full brake.
 double GetBrakeDistance(const LinearDrag& brake, double from, double to)
 {
   return from > to ? brake.At(from, brake.FindTime(from, to)).Distance : 0.0;
 }
 
-/// The highest speed at the start of a stretch from which the brake reaches a speed at its end.
+/// The maximum speed at the start of a stretch from which the brake reaches a speed at its end.
 double GetEntrySpeed(const Stretch& stretch, double rate, double exit)
 {
   const LinearDrag brake{ stretch.Brake, rate };
@@ -28,7 +28,7 @@ double GetEntrySpeed(const Stretch& stretch, double rate, double exit)
     [&](double v) { return GetBrakeDistance(brake, v, exit) - stretch.Length; }, exit, stretch.Cap);
 }
 
-/// For every stretch, the highest speed at its end.
+/// For every stretch, the maximum speed at its end.
 std::vector<double> GetExitSpeeds(const std::vector<Stretch>& stretches, double rate)
 {
   std::vector<double> exits(stretches.size());
@@ -76,7 +76,7 @@ public:
   }
 
 private:
-  /// What is left of the way after full force for a time and full brake after that.
+  /// The distance left after full force for a time and full brake after that.
   double GetRest(double time) const
   {
     const Travel travel = this->Force.At(this->Entry, time);
@@ -84,7 +84,7 @@ private:
       GetBrakeDistance(this->Brake, travel.Speed, this->Exit);
   }
 
-  /// Full force for a time, the same speed over a distance, and the brake over what is left.
+  /// Full force for a time, constant speed over a distance, and the brake over the rest.
   double Append(double push, double hold, std::vector<SpeedPhase>& phases) const
   {
     Travel at{ 0.0, this->Entry };
@@ -100,7 +100,7 @@ private:
     add(at.Speed > 0.0 ? hold / at.Speed : 0.0, { this->Rate * at.Speed, this->Rate });
     if (at.Speed > this->Exit)
     {
-      // The way left to the end may be rounding only.
+      // The remaining distance may be only rounding.
       add(
         at.Speed - this->Exit > 1e-12 * at.Speed ? this->Brake.FindTime(at.Speed, this->Exit) : 0.0,
         this->Brake);

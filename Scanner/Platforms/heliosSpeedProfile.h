@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast a vehicle drives along its way: full force, cap, full brake.
+// The speed of a vehicle along its path: full force, cap, full brake.
 
 #ifndef heliosSpeedProfile_h
 #define heliosSpeedProfile_h
@@ -13,17 +13,17 @@
 namespace helios
 {
 
-/// A part of the way with one slope and one speed that is not to be exceeded.
+/// A part of the path with one slope and one maximum speed.
 struct Stretch
 {
   double Length; // [m]
   double Cap;    // [m/s]
-  double Thrust; // [m/s^2] with full force, gravity along the way counted
+  double Thrust; // [m/s^2] with full force, gravity along the path included
   double Brake;  // [m/s^2] with full brake, negative
   bool StopsAtEnd = false;
 };
 
-/// A time with a constant force.
+/// A period with a constant force.
 struct SpeedPhase
 {
   std::size_t Stretch;
@@ -40,9 +40,9 @@ struct SpeedPhase
 };
 
 /**
- * The fastest drive from rest over all stretches that keeps below every cap: what each end allows is
- * found from the last stretch to the first, then the vehicle drives. All in closed form for drag
- * that grows linearly with speed, rate [1/s]. Every stretch has Thrust > 0 > Brake.
+ * The fastest drive from rest over all stretches below every cap: the maximum end speeds are
+ * computed from the last stretch to the first, then the vehicle drives. All in closed form for
+ * linear drag, rate [1/s]. Every stretch has Thrust > 0 > Brake.
  */
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::vector<SpeedPhase> DriveStretches(
   const std::vector<Stretch>& stretches, double rate);

@@ -20,7 +20,7 @@ constexpr double Nodes[4] = { 0.18343464249564980, 0.52553240991632899, 0.796666
 constexpr double Weights[4] = { 0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
   0.10122853629037626 };
 
-/// The point ahead after a turn: how far it is to the left of the way, and how far ahead.
+/// The target after a turn: its distance to the left of the path, and ahead.
 struct Aim
 {
   double Left;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bends in a plane, as wheels and wings can follow them.
+// Bends in a plane that wheels and wings can follow.
 
 #ifndef heliosTurn_h
 #define heliosTurn_h
@@ -13,9 +13,10 @@ namespace helios
 {
 
 /**
- * A bend to the left: along the way the curvature grows at a constant rate (a clothoid), stays, and
- * falls at the same rate. It starts at (0, 0) with the heading along Forward. Without a ramp it is an
- * arc of a circle. Arcs are in closed form, clothoids by Gauss-Legendre quadrature, to rounding.
+ * A bend to the left: along the path the curvature grows at a constant rate (a clothoid), is
+ * constant, and falls at the same rate. It starts at (0, 0) with the heading along Forward. Without
+ * a ramp it is an arc of a circle. Arcs are in closed form, clothoids by Gauss-Legendre quadrature,
+ * to rounding.
  */
 class VTKHELIOSSCANNERPLATFORMS_EXPORT Turn
 {
@@ -30,7 +31,7 @@ public:
 
   Turn() = default;
 
-  /// By an angle [rad] >= 0 at a curvature [1/m] > 0 that takes the length ramp [m] to come up; a
+  /// By an angle [rad] >= 0 at a curvature [1/m] > 0 that is reached over the length ramp [m]; a
   /// turn too small for it stays below that curvature.
   Turn(double angle, double curvature, double ramp);
 
@@ -53,7 +54,7 @@ private:
   Point ArcEnd;
 };
 
-/// The first turn after which a point that is not to the right lies straight ahead; none where the
+/// The first turn after which a point that is not to the right is straight ahead; none if the
 /// point is too near.
 VTKHELIOSSCANNERPLATFORMS_EXPORT std::optional<Turn> FindTurn(
   double forward, double left, double curvature, double ramp);

@@ -25,11 +25,11 @@ namespace
 
 constexpr double Gravity = 9.80665; // [m/s^2]
 
-/// The body: how steeply its front is raised along an element.
+/// The body: its pitch along an element.
 struct Ride
 {
   helios::GroundElement Element;
-  double NextGrade = 0.0; // after the run of elements that this one is of
+  double NextGrade = 0.0; // after the run of elements that contains this one
   double ToRunEnd = 0.0;  // from the end of this element [m]
   double Blend = 1.0;     // over which the body pitches to the next grade [m]
 
@@ -48,7 +48,7 @@ struct Ride
     const double v = travel.Speed * cosine;
     const double c = std::cos(place.Course);
     const double n = std::sin(place.Course);
-    // The body's y axis along the way, or against it, and raised.
+    // The body's y axis along the path, or against it, and pitched.
     const double course = place.Course + (this->Element.Backward ? -vtkMath::Pi() : 0.0);
     const double yaw = 0.5 * (course - 0.5 * vtkMath::Pi());
     const double pitch = 0.5 * this->GetPitch(s);
@@ -58,7 +58,7 @@ struct Ride
   }
 };
 
-/// Whether two elements are driven without the slope changing in between.
+/// Whether two elements are driven without a change of slope between them.
 bool IsSameRun(const helios::GroundElement& a, const helios::GroundElement& b)
 {
   return a.Waypoint == b.Waypoint && a.Backward == b.Backward;
@@ -86,13 +86,13 @@ std::vector<Ride> MakeRides(const std::vector<helios::GroundElement>& path, doub
   return rides;
 }
 
-/// Standing at a waypoint, for a time of nothing.
+/// At rest at a waypoint, for zero time.
 helios::MotionPiece Pause(vtkIdType waypoint, const helios::MotionState& state)
 {
   return { waypoint, 0.0, [state](double) { return state; } };
 }
 
-/// The motion, leg after leg; legs that lead nowhere are pauses.
+/// The motion, leg after leg; legs of zero length are pauses.
 std::vector<helios::MotionPiece> MakeMotion(
   const std::vector<Ride>& rides, const std::vector<helios::SpeedPhase>& phases, vtkIdType legs)
 {

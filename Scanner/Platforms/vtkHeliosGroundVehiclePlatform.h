@@ -2,44 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosGroundVehiclePlatform
- * @brief   a car, steered by its front axle
+ * @brief   a car with front-axle steering
  *
- * Input: two or more waypoints with the point array Speed [m/s], the speed that
- * is not exceeded from that waypoint to the next (the last one's is not used).
+ * Input: two or more waypoints with the point array Speed [m/s], the maximum
+ * speed from that waypoint to the next (not used for the last one).
  *
  * Output: the trajectory of the middle of the rear axle, through every waypoint
- * to rounding (1e-9 of its coordinates), from rest at the first one, where the
- * car looks at the second, until it passes the last one. It is exact in time;
- * between its samples position and attitude are within 1e-7 m and 1e-7 rad.
+ * to rounding (1e-9 of its coordinates), from rest at the first one, heading to
+ * the second, until it passes the last one. It is exact in time; between its
+ * samples position and attitude are within 1e-7 m and 1e-7 rad.
  *
- * Model, a bicycle in x, y: at steering angle d the rear axle runs along a circle
+ * Model, a bicycle in x, y: at steering angle d the rear axle moves along a circle
  * of radius Wheelbase / tan(d) and the body turns by v / radius. At a waypoint the
- * car turns towards the next one until that lies straight ahead, then drives
- * straight. In a turn the curvature grows at a constant rate along the way, stays
- * and falls again, so that the front wheels never turn faster than SteeringRate;
- * the radius is the widest that neither leaves the straight way from waypoint to
- * waypoint by more than TurnDeviation nor is wider than Speed needs, or the
- * tightest. Where no turn of less than 270 degrees leads to the waypoint, the car
- * does a three-point manoeuvre: it stops, backs up on the other lock, stops, and
- * goes on.
+ * car turns towards the next one until that is straight ahead, then drives
+ * straight. In a turn the curvature increases at a constant rate along the path,
+ * is constant and decreases again, so that the steering never exceeds
+ * SteeringRate; the radius is the widest that neither departs from the straight
+ * line between waypoints by more than TurnDeviation nor is wider than Speed needs,
+ * or the tightest. Where no turn of less than 270 degrees leads to the waypoint,
+ * the car makes a three-point turn: it stops, reverses on the opposite lock,
+ * stops, and continues.
  *
- * Along the way m dv/dt = F - Drag v - m g sin(slope), g = 9.80665 m/s^2, with F
- * = EngineForce to go faster, -BrakeForce to go slower, and what it takes to keep
- * a speed: the closed forms of linear drag, without steps. The speed is that of
- * the fastest drive that stays below Speed and, in turns of radius R, below
- * sqrt(LateralAcceleration R). The terminal speed is EngineForce / Drag.
+ * Along the path m dv/dt = F - Drag v - m g sin(slope), g = 9.80665 m/s^2, with
+ * F = EngineForce to accelerate, -BrakeForce to brake, and the balancing force at
+ * constant speed: the closed forms of linear drag, without steps. The speed is
+ * that of the fastest drive that stays below Speed and, in turns of radius R,
+ * below sqrt(LateralAcceleration R). The terminal speed is EngineForce / Drag.
  *
- * z follows the straight line from waypoint to waypoint along the way driven
- * forward (backing up is level), and the body pitches to that slope, over the
+ * z follows the straight line from waypoint to waypoint along the path driven
+ * forward (reversing is level), and the body pitches to that slope, over the
  * last Wheelbase before the slope changes. It does not roll. Legs of zero length
  * take no time.
  *
- * In HELIOS files: Speed is movePerSec_m. The attribute drag is a loss a pulse,
- * without a mass, and has no physical counterpart; the defaults below stand for
- * it. See Docs/platforms.md.
+ * In HELIOS files: Speed is movePerSec_m. The attribute drag is a loss per
+ * pulse, without a mass, and has no physical counterpart; the defaults below
+ * replace it. See Docs/platforms.md.
  *
  * Errors: fewer than two waypoints, no Speed, a speed that is not positive and
- * finite, a waypoint straight above or below the one before, a climb that takes
+ * finite, a waypoint directly above or below the one before, a climb that needs
  * more than EngineForce or a descent more than BrakeForce, a leg that takes over
  * 1000 times as long as at Speed, and those of vtkHeliosPlatform.
  *
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest force of the engine, forward and backward [N]. Valid
-   * range: [0, 1e7]. Default: 6000.
+   * Set/Get the maximum engine force, forward and backward [N]. Valid range:
+   * [0, 1e7]. Default: 6000.
    */
   vtkSetClampMacro(EngineForce, double, 0.0, 1e7);
   vtkGetMacro(EngineForce, double);
@@ -79,8 +79,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the force that the brakes slow down with [N]. Valid range: [0, 1e7].
-   * Default: 6000.
+   * Set/Get the braking force [N]. Valid range: [0, 1e7]. Default: 6000.
    */
   vtkSetClampMacro(BrakeForce, double, 0.0, 1e7);
   vtkGetMacro(BrakeForce, double);
@@ -88,8 +87,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the drag, a force that grows linearly with speed [kg/s]. Valid
-   * range: [0, 1e6]. Default: 50.
+   * Set/Get the drag, a force proportional to speed [kg/s]. Valid range:
+   * [0, 1e6]. Default: 50.
    */
   vtkSetClampMacro(Drag, double, 0.0, 1e6);
   vtkGetMacro(Drag, double);
@@ -97,7 +96,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the distance of the axles [m]. Valid range: [0.1, 100]. Default: 2.5.
+   * Set/Get the wheelbase [m]. Valid range: [0.1, 100]. Default: 2.5.
    */
   vtkSetClampMacro(Wheelbase, double, 0.1, 100.0);
   vtkGetMacro(Wheelbase, double);
@@ -105,7 +104,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far the front wheels turn to either side [deg]. Valid range:
+   * Set/Get the maximum steering angle to either side [deg]. Valid range:
    * [1, 80]. Default: 30.
    */
   vtkSetClampMacro(MaximumSteeringAngle, double, 1.0, 80.0);
@@ -114,8 +113,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how fast the front wheels turn at most [deg/s]. Valid range: [1, 1e4].
-   * Default: 30.
+   * Set/Get the maximum steering rate [deg/s]. Valid range: [1, 1e4]. Default: 30.
    */
   vtkSetClampMacro(SteeringRate, double, 1.0, 1e4);
   vtkGetMacro(SteeringRate, double);
@@ -123,7 +121,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest centripetal acceleration in a turn [m/s^2]. Valid range:
+   * Set/Get the maximum lateral acceleration in a turn [m/s^2]. Valid range:
    * [0.01, 100]. Default: 2.
    */
   vtkSetClampMacro(LateralAcceleration, double, 0.01, 100.0);
@@ -132,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how far a turn may leave the straight way between waypoints to be
-   * taken faster [m]; the tightest turn may leave it by more. Valid range: [0,
-   * 1e4]. Default: 1.
+   * Set/Get how far a turn may depart from the straight line between waypoints
+   * for a higher speed [m]; the tightest turn may exceed it. Valid range:
+   * [0, 1e4]. Default: 1.
    */
   vtkSetClampMacro(TurnDeviation, double, 0.0, 1e4);
   vtkGetMacro(TurnDeviation, double);

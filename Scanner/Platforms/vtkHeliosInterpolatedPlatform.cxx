@@ -33,7 +33,7 @@ namespace
 
 constexpr int NoLeg = -1;
 
-/// A time of navigation software, which may have many digits.
+/// A time from navigation software, which may have many digits.
 std::string Seconds(double time)
 {
   std::ostringstream text;
@@ -41,7 +41,7 @@ std::string Seconds(double time)
   return text.str();
 }
 
-/// The arrays of a trajectory that is being written.
+/// The arrays of the output trajectory.
 class PathWriter
 {
 public:
@@ -100,7 +100,7 @@ private:
 
 } // namespace
 
-/// Part of the recorded times, and when it is flown. One that waits stands at its start.
+/// Part of the recorded times, and its time of flight. A waiting one stays at its start.
 struct vtkHeliosInterpolatedPlatform::Span
 {
   int LegId;
@@ -150,7 +150,7 @@ int vtkHeliosInterpolatedPlatform::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// The inputs, each checked, one behind the other; null after an error.
+// The inputs, each checked, concatenated; null after an error.
 vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInformationVector* inputs)
 {
   struct Input

@@ -2,34 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosInterpolatedPlatform
- * @brief   a platform that flies again what was recorded
+ * @brief   replays a recorded trajectory
  *
- * Input: one or more recorded trajectories in place of waypoints (vtkPolyData with
- * the point arrays GpsTime and Orientation, as vtkHeliosTrajectoryReader gives
- * them), in any order: they are put one behind the other by time and may not
- * overlap. Two samples at one time are a jump.
+ * Input: one or more recorded trajectories instead of waypoints (vtkPolyData with
+ * the point arrays GpsTime and Orientation, as written by
+ * vtkHeliosTrajectoryReader), in any order: they are concatenated by time and may
+ * not overlap. Two samples at one time are a jump.
  *
  * Output: the trajectory of the legs, each a part [start, end] of the recorded
  * times; without legs all of it is leg 0. A leg has a sample at its start, the
- * recorded ones, and one at its end; all carry its LegIds. What is flown
- * from the end of a leg to a later start of the next is there, too, with LegIds
- * -1; a leg that teleports, or starts earlier, starts where the one before ended
- * in GpsTime, at another place.
+ * recorded ones, and one at its end, all with its LegIds. The trajectory from
+ * the end of a leg to a later start of the next is included, with LegIds -1; a
+ * leg that teleports, or starts earlier, starts where the one before ended in
+ * GpsTime, at another position.
  *
- * GpsTime counts from StartTime on at the start of the first leg; with
- * KeepFileTimes it is the recorded time, and where a leg teleports the platform
- * waits at the end of the one before (LegIds -1).
+ * GpsTime counts from StartTime at the start of the first leg; with
+ * KeepFileTimes it is the recorded time, and before a leg that teleports the
+ * platform waits at the end of the one before (LegIds -1).
  *
- * Between samples the position is linear in time, and then the output has no
- * array Velocity; or cubic: Hermite's polynomial with Velocity, which is that of
- * the input or else of the parabola through a sample and its neighbours. The
- * attitude turns at a constant rate, the shorter way.
+ * Between samples the position is linear in time, without an array Velocity in
+ * the output; or cubic: Hermite's polynomial with Velocity, from the input or
+ * else from the parabola through a sample and its neighbours. The attitude
+ * rotates at a constant rate along the shorter arc.
  *
- * Errors: an input without samples, without the arrays, with samples that are
- * not finite, are no unit quaternions or go back in time; inputs that overlap;
- * a leg that does not end after it starts, or reaches beyond the recorded
- * times; with KeepFileTimes a leg that starts before the one before ends, or
- * times outside [0, 1e12].
+ * Errors: an input without samples or without the arrays; samples that are not
+ * finite, not unit quaternions or not ordered in time; inputs that overlap; a
+ * leg that does not end after it starts, or exceeds the recorded times; with
+ * KeepFileTimes a leg that starts before the one before ends, or times outside
+ * [0, 1e12].
  *
  * @sa
  * vtkHeliosTrajectoryReader vtkHeliosPlatform
@@ -58,10 +58,10 @@ public:
 
   ///@{
   /**
-   * Add a leg that flies [start, end] of the recorded times [s], NaN: from their
-   * first, or to their last; remove all, get their number. A leg that teleports
-   * is not flown to from the end of the leg before. Its LegIds are FirstLegId and
-   * those after it. Default: none, all is one leg.
+   * Add a leg over [start, end] of the recorded times [s], NaN: from their first,
+   * or to their last; remove all, get their number. The platform does not move
+   * from the end of the leg before to a leg that teleports. LegIds count from
+   * FirstLegId. Default: none, all is one leg.
    */
   void AddLeg(double start, double end, bool teleportToStart);
   void RemoveAllLegs();
@@ -78,15 +78,15 @@ public:
 
   ///@{
   /**
-   * Set/Get whether GpsTime is the recorded time; else it counts from StartTime.
-   * Default: off.
+   * Set/Get whether GpsTime is the recorded time; otherwise it counts from
+   * StartTime. Default: off.
    */
   vtkSetMacro(KeepFileTimes, bool);
   vtkGetMacro(KeepFileTimes, bool);
   vtkBooleanMacro(KeepFileTimes, bool);
   ///@}
 
-  /// How positions run between samples.
+  /// Interpolation of positions between samples.
   enum Interpolations
   {
     LINEAR = 0,
@@ -95,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how positions run between samples. Default: LINEAR.
+   * Set/Get the interpolation of positions between samples. Default: LINEAR.
    */
   vtkSetClampMacro(Interpolation, int, LINEAR, CUBIC);
   vtkGetMacro(Interpolation, int);
@@ -110,7 +110,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Not used: millions of samples go straight into the arrays of the output.
+  /// Not used: millions of samples are written directly to the output arrays.
   bool Move(vtkPolyData*, std::vector<State>&) override { return false; }
 
 private:
@@ -124,7 +124,7 @@ private:
     double End;
     bool Teleports;
   };
-  struct Span; // a leg, or what is between two
+  struct Span; // a leg, or the part between two legs
 
   vtkSmartPointer<vtkPolyData> JoinInputs(vtkInformationVector* inputs);
   bool FindLegs(const helios::SampledPath& path, std::vector<Leg>& legs);

@@ -21,7 +21,7 @@ vtkStandardNewMacro(vtkHeliosLinearPathPlatform);
 namespace
 {
 
-/// A straight way from one waypoint to the next.
+/// A straight line from one waypoint to the next.
 struct Leg
 {
   double Start[3];
@@ -57,7 +57,7 @@ std::vector<Leg> MakeLegs(vtkPolyData* waypoints, vtkDataArray* speeds)
   return legs;
 }
 
-/// The direction of the first leg that has one in x, y; north where none has.
+/// The direction of the first leg with a length in x, y; north if there is none.
 std::array<double, 2> FindFirstHeading(const std::vector<Leg>& legs)
 {
   const auto leg =

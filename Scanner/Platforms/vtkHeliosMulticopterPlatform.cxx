@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkHeliosMulticopterPlatform);
 namespace
 {
 
-/// What an array says of a waypoint; nothing more than the default where there is none.
+/// The array value of a waypoint; the default if missing.
 double GetValue(vtkDataArray* array, vtkIdType waypoint, double otherwise)
 {
   return array ? array->GetTuple1(waypoint) : otherwise;

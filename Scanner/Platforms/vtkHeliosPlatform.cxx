@@ -42,7 +42,7 @@ vtkIdType FindPointNotFinite(vtkPoints* points)
   return -1;
 }
 
-/// Adds an empty point array with room for all samples.
+/// Adds an empty point array, allocated for all samples.
 template <typename ArrayT>
 void AddArray(vtkPolyData* output, ArrayT* array, const char* name, int components, vtkIdType count)
 {

@@ -2,23 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPlatform
- * @brief   how a platform moves: waypoints in, trajectory out
+ * @brief   platform motion: waypoints in, trajectory out
  *
  * Input: waypoints (vtkPolyData), the points in order. Point arrays: LegIds
  * (optional, default 0, 1, 2 ...; the leg that starts at the waypoint), and
- * what the platform reads, e.g. Speed.
+ * those of the platform, e.g. Speed.
  *
- * Output: the trajectory (vtkPolyData), one polyline with the point arrays
- * GpsTime [s] from StartTime on, never decreasing; Orientation (unit quaternion
- * w, x, y, z, body to world; body x right, y forward, z up), Velocity [m/s],
- * LegIds. Between two samples the position is the cubic polynomial of time
- * through both positions with both velocities (a trajectory without Velocity is
- * linear), and the orientation turns at a constant rate; two samples at the same
- * time are a sudden turn. A single sample is a vertex and holds at all times. The field
- * data of the waypoints (CRS, GpsEpoch) passes.
+ * Output: the trajectory (vtkPolyData), one polyline with the point arrays GpsTime [s]
+ * from StartTime, never decreasing; Orientation (unit quaternion w, x, y, z, body to
+ * world; body x right, y forward, z up), Velocity [m/s], LegIds. Between two samples
+ * the position is the cubic polynomial of time through both positions with both
+ * velocities (linear without Velocity), and the orientation rotates at a constant rate;
+ * two samples at the same time are an instant turn. A single sample is a vertex and
+ * holds at all times. The field data of the waypoints (CRS, GpsEpoch) is passed
+ * through.
  *
- * Errors: no waypoints, waypoints that are not finite, LegIds that are not one
- * number a waypoint.
+ * Errors: no waypoints, waypoints that are not finite, LegIds with more than
+ * one component.
  *
  * To add one: subclass, implement Move().
  *
@@ -71,12 +71,12 @@ protected:
     int LegId;
   };
 
-  /// Appends the samples of the whole path; false after an error. The waypoints are checked: there
-  /// is at least one, and all are finite.
+  /// Appends the samples of the whole path; false after an error. There is at least one waypoint,
+  /// and all are finite.
   virtual bool Move(vtkPolyData* waypoints, std::vector<State>& path) = 0;
 
-  /// Whether there are two or more waypoints, with speeds to go between them; errors name the kind
-  /// of path.
+  /// Whether there are two or more waypoints with valid speeds; error messages name the kind of
+  /// path.
   bool CheckSpeeds(vtkPolyData* waypoints, const char* kind);
 
   /// Appends the samples of a motion that starts at StartTime, piece after piece; within a leg the
@@ -88,7 +88,7 @@ protected:
   bool CheckDurations(
     vtkPolyData* waypoints, const std::vector<helios::MotionPiece>& motion, const char* cure);
 
-  /// A point array of one number a waypoint, null where there is none.
+  /// A point array with one component, null if missing.
   static vtkDataArray* FindValues(vtkPolyData* waypoints, const char* name);
 
   /// The leg that starts at a waypoint.

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosStaticPlatform
- * @brief   a platform that stands: a tripod
+ * @brief   a static platform: a tripod
  *
  * Input: one waypoint. Output: one sample at that point, valid at all times:
- * level, its y axis turned to Heading, at rest.
+ * level, its y axis at Heading, at rest.
  *
- * Errors: more than one waypoint (a survey sets up the tripod once a leg), and
+ * Errors: more than one waypoint (a survey has one scan position per leg), and
  * those of vtkHeliosPlatform.
  *
  * @sa
@@ -29,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where the platform's y axis points, clockwise from north (world
+   * Set/Get the heading of the platform's y axis, clockwise from north (world
    * y) [deg]. Valid range: [-360, 360]. Default: 0.
    */
   vtkSetClampMacro(Heading, double, -360.0, 360.0);

@@ -22,11 +22,11 @@ constexpr float Endless = std::numeric_limits<float>::max();
 } // namespace
 
 /**
- * How a binary tree is best made wide: Cost[k] is the least sum of the surfaces of the nodes that its
- * subtree costs if it may be k children of a wide node; Left[k] is how many of them go to the left
- * child, 0 for one less being as good. With k = 1 it becomes a node of its own, of Width children.
- * (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
- * HPG 2017.)
+ * The optimal conversion of a binary tree to a wide one: Cost[k] is the minimum sum of the surfaces
+ * of the nodes of its subtree as k children of a wide node; Left[k] is the number of them in the
+ * left child, 0 if one less is as good. With k = 1 it becomes a separate node, of Width children.
+ * (Ylitie, Karras, Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide
+ * BVHs", HPG 2017.)
  */
 struct BeamTree::Share
 {
@@ -41,7 +41,7 @@ public:
     : Binary(binary)
     , Shares(binary.Nodes.size())
   {
-    for (std::size_t i = this->Shares.size(); i-- > 0;) // children come after their parents
+    for (std::size_t i = this->Shares.size(); i-- > 0;) // children follow their parents
     {
       check.Count();
       this->SetShare(this->Shares[i], binary.Nodes[i]);
@@ -55,7 +55,7 @@ public:
     int Side;
   };
 
-  /// Collects the children of the wide node that a binary one becomes; returns how many.
+  /// Collects the children of the wide node for a binary one; returns their number.
   int GetChildren(vtkTypeInt32 node, Child children[Width]) const
   {
     int count = 0;
@@ -103,7 +103,7 @@ private:
     }
   }
 
-  /// Parts k children between the two sides of a node.
+  /// Distributes k children over the two sides of a node.
   void Part(vtkTypeInt32 node, int left, int k, Child children[Width], int& count) const
   {
     this->Add(node, 0, left, children, count);
@@ -187,7 +187,7 @@ void BeamTree::Build(const TriangleMesh& mesh, StopCheck& check)
   binary.Build(mesh, std::move(inside), check);
   this->MakeNode(binary, Collapse(binary, check), 0, check);
   this->Nodes.shrink_to_fit();
-  this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read beyond the last
+  this->Leaves.insert(this->Leaves.end(), LeafSize, 0); // vectors read past the end
   this->Leaves.shrink_to_fit();
 }
 
@@ -211,7 +211,7 @@ vtkTypeUInt32 BeamTree::MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeI
   return made | LeafBit;
 }
 
-/// Makes a wide node of a binary one.
+/// Creates a wide node from a binary one.
 vtkTypeUInt32 BeamTree::MakeNode(
   const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check)
 {
@@ -231,7 +231,7 @@ vtkTypeUInt32 BeamTree::MakeNode(
     const vtkTypeUInt32 child = b.Count[side] > 0
       ? this->MakeLeaf(binary, b.First[side], b.Count[side])
       : this->MakeNode(binary, collapse, b.First[side], check);
-    Node& n = this->Nodes[made]; // only now: making nodes moves them
+    Node& n = this->Nodes[made]; // here, since creating nodes moves them
     for (int axis = 0; axis < 3; ++axis)
     {
       n.Low[axis][i] = RoundDown(this->GetLocal(b.Low[axis][side], axis));

@@ -40,7 +40,7 @@ HELIOS_INLINE void Transpose(const Doubles& a, const Doubles& b, const Doubles& 
   fourth = __builtin_shuffle(oddAB, oddCD, high);
 }
 
-/// Origin and the first of the direction; the direction and the range.
+/// Loads the origin and the first direction component; the rest and the range.
 HELIOS_INLINE Doubles LoadOrigin(const vtkHeliosRay& ray)
 {
   return Load<Doubles>(reinterpret_cast<const char*>(&ray));
@@ -51,7 +51,7 @@ HELIOS_INLINE Doubles LoadDirection(const vtkHeliosRay& ray)
   return Load<Doubles>(reinterpret_cast<const char*>(&ray) + offsetof(vtkHeliosRay, Direction));
 }
 
-/// Four rays into lanes.
+/// Loads four rays into lanes.
 HELIOS_INLINE void SetRays(const vtkHeliosRay& a, const vtkHeliosRay& b, const vtkHeliosRay& c,
   const vtkHeliosRay& d, RayLanes& lanes)
 {
@@ -101,10 +101,10 @@ void BeamBundle::GetHits(vtkHeliosHit* hits) const
   }
 }
 
-/// Traces those rays together that run along the same axis.
+/// Traces the rays with the same main axis together.
 void BeamBundle::TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
 {
-  int keys[MaximumRays]; // the axis a ray runs along; negative for none
+  int keys[MaximumRays]; // the main axis of a ray; negative for none
   for (int i = 0; i < count; ++i)
   {
     TestRay ray;
@@ -139,7 +139,7 @@ void BeamBundle::TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int co
 }
 
 //------------------------------------------------------------------------------
-/// Fills the lanes; false where not all rays are usable and run along the same axis.
+/// Fills the lanes; false unless all rays are usable and have the same main axis.
 HELIOS_CLONES
 bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
 {
@@ -169,7 +169,7 @@ bool BeamBundle::Take(const vtkHeliosRay* rays, int count)
   return areFine[0] && areFine[1] && areFine[2] && areFine[3];
 }
 
-/// Sets the frustum and the filter; false where the frustum misses the tree.
+/// Sets the frustum and the filter; false if the frustum misses the tree.
 HELIOS_CLONES
 bool BeamBundle::SetFrame()
 {
@@ -236,7 +236,7 @@ bool BeamBundle::SetFrame()
     std::fill_n(this->Slopes[0], MaximumRays, 0.0f);
     std::fill_n(this->Slopes[1], MaximumRays, 0.0f);
   }
-  if (this->Quads % 2 == 1) // a ray that hits nothing fills the last group
+  if (this->Quads % 2 == 1) // the last group is padded with a ray that hits nothing
   {
     const Floats nowhere = Floats() + std::numeric_limits<float>::quiet_NaN();
     Store(&this->Slopes[0][QuadWidth * this->Quads], nowhere);
@@ -246,7 +246,7 @@ bool BeamBundle::SetFrame()
   return true;
 }
 
-/// Sets the sides of blocks of neighbours.
+/// Sets the bounds of blocks of adjacent rays.
 HELIOS_INLINE void BeamBundle::SetBlocks()
 {
   constexpr int quadsPerBlock = 2 * GroupsPerBlock;
@@ -274,7 +274,7 @@ HELIOS_INLINE void BeamBundle::SetBlocks()
   }
 }
 
-/// The distance along Z beyond which no ray can meet anything better.
+/// The distance along Z beyond which no ray can have a better hit.
 HELIOS_CLONES
 double BeamBundle::GetFarthest() const
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The rays of a beam on their way through a scene, as one. For sources only, as heliosLeafFilter.h.
+// The rays of a beam, traversing a scene as one. For sources only, as heliosLeafFilter.h.
 
 #ifndef heliosBeamBundle_h
 #define heliosBeamBundle_h
@@ -15,8 +15,8 @@ namespace helios
 {
 
 /**
- * Of the triangles of a leaf, only those are tested in double that a ray may hit by LeafFilter. Many rays
- * are asked for in blocks of neighbours first.
+ * Only the triangles of a leaf that a ray may hit by LeafFilter are tested in double. Large bundles
+ * are tested in blocks of adjacent rays first.
  */
 class BeamBundle
 {
@@ -32,7 +32,7 @@ public:
   void Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
 
 private:
-  static constexpr int GroupWidth = 8; ///< rays that the filter takes at a time
+  static constexpr int GroupWidth = 8; ///< rays per filter pass
 
   void TraceParts(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count);
   bool Take(const vtkHeliosRay* rays, int count);
@@ -57,7 +57,7 @@ private:
   RayAxes Axes;
   bool IsForward = true;
   bool HaveSameOrigin = false;
-  RayLanes Lanes[MaximumRays / QuadWidth]; ///< the last ray again in those that are left
+  RayLanes Lanes[MaximumRays / QuadWidth]; ///< padded with the last ray
   Frustum Hull;
 
   LeafFilter Filter;
@@ -66,7 +66,7 @@ private:
   static constexpr int MaximumBlocks = 8;
   static constexpr int GroupsPerBlock = MaximumRays / GroupWidth / MaximumBlocks;
   int Blocks = 1;
-  float Middle[2][MaximumBlocks]; ///< of the slopes of a block, where there are some
+  float Middle[2][MaximumBlocks]; ///< of the slopes of a block, if any
   float Half[2][MaximumBlocks];   ///< from there to its sides
 };
 

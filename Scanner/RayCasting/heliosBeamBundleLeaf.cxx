@@ -19,7 +19,8 @@ namespace
 typedef EightFloats Group;
 typedef EightMasks GroupMasks;
 
-/// Of lanes by the signs of all edge functions, as far as the error tells: 0 outside, -1 perhaps, -2 inside.
+/// Classifies lanes by the signs of all edge functions, within the error: 0 outside, -1 unresolved,
+/// -2 inside.
 HELIOS_INLINE GroupMasks Compare(const Group e[3], const Group& error)
 {
   const Group least = Min(Min(e[0], e[1]), e[2]);
@@ -29,10 +30,10 @@ HELIOS_INLINE GroupMasks Compare(const Group e[3], const Group& error)
   return possible + certain;
 }
 
-/// What the bytes of four lanes have where one is perhaps inside.
+/// The lowest bits of the bytes of four lanes: set for unresolved ones.
 constexpr std::uint32_t Perhaps = 0x01010101;
 
-/// What of a triangle depends on where rays come from: on the lanes, or one place for all.
+/// The triangle data that depend on the ray origins: per lane, or one for all.
 template <typename PlaceT>
 struct Seen
 {
@@ -47,7 +48,7 @@ struct Seen
 
 } // namespace
 
-/// Keeps better hits with a triangle of lanes that may be inside, a byte for each.
+/// Keeps better hits with a triangle in lanes that may be inside, one byte per lane.
 template <typename SeenT>
 HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vtkTypeInt32 triangle,
   const TrianglePlane& plane, const SeenT& seen, Masks& better) const
@@ -65,7 +66,7 @@ HELIOS_INLINE void BeamBundle::TestQuad(RayLanes& lanes, std::uint32_t bytes, vt
   better |= isBetter;
 }
 
-/// Tests those of some groups in double that have bytes; whether any ray has a better hit.
+/// Tests the groups with nonzero bytes in double; returns whether any ray has a better hit.
 HELIOS_INLINE bool BeamBundle::TestTriangle(
   vtkTypeInt32 triangle, std::uint32_t groups, const std::uint32_t* bytes)
 {
@@ -117,7 +118,7 @@ HELIOS_INLINE void GetEdges(
   }
 }
 
-/// The blocks some of whose rays may hit a triangle, a byte for each.
+/// The blocks with rays that may hit a triangle, one byte per block.
 HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
   const LeafFilter::Edges& edges, int triangle) const
 {
@@ -140,8 +141,8 @@ HELIOS_INLINE vtkTypeUInt64 BeamBundle::FindBlocks(
   return GetBytes(positive | negative);
 }
 
-/// Compares the rays of groups with a triangle: a byte for each. The groups where any may hit it, a bit
-/// for each.
+/// Compares the rays of groups with a triangle: one byte per ray. Returns the groups with possible
+/// hits, one bit per group.
 HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   const LeafFilter::Edges& edges, int triangle, int first, int last, std::uint32_t* bytes) const
 {
@@ -158,7 +159,7 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   return groups;
 }
 
-/// The same of all groups, or those of blocks that may have some.
+/// The same for all groups, or those of candidate blocks.
 HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   const LeafFilter::Edges& edges, int triangle, std::uint32_t* bytes) const
 {
@@ -179,7 +180,7 @@ HELIOS_INLINE std::uint32_t BeamBundle::FindGroups(
   return groups;
 }
 
-/// Tests the triangles of a leaf; whether any ray has a better hit.
+/// Tests the triangles of a leaf; returns whether any ray has a better hit.
 HELIOS_CLONES
 bool BeamBundle::Test(const BeamTree::Leaf& leaf, float limit)
 {

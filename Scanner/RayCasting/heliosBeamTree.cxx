@@ -19,17 +19,17 @@ namespace
 
 constexpr int Width = BeamTree::Width;
 constexpr float Endless = std::numeric_limits<float>::max();
-constexpr float Smallest = 1e-30f;       // slope that is not zero
-constexpr float Outwards = 1 + 0x1p-20f; // more than what the arithmetic of an entry or exit rounds
+constexpr float Smallest = 1e-30f;       // slope treated as nonzero
+constexpr float Outwards = 1 + 0x1p-20f; // exceeds the rounding of an entry or exit
 
-/// Of the largest distance, how far a ray may be off: BoxSlack and the rounding of the frustum.
+/// The ray tolerance, relative to the largest distance: BoxSlack and the rounding of the frustum.
 constexpr double FrustumSlack = 4 * BoxSlack;
 
 typedef EightFloats Wide;
 typedef EightMasks WideMasks;
 static_assert(Width == 8, "a node's children are lanes");
 
-/// One bit, of 8, for each lane.
+/// Eight bits per lane, one set.
 HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
 {
   return GetBytes(masks) & 0x0101010101010101u;
@@ -108,7 +108,7 @@ BeamWalk::BeamWalk(const BeamTree& tree, const Frustum& frustum)
   this->Stack[this->Size++] = { 0.0f, 0 };
 }
 
-/// Asks for the memory of a node or leaf.
+/// Prefetches a node or leaf.
 HELIOS_INLINE void BeamTree::Prefetch(vtkTypeUInt32 child) const
 {
   const char* from = child & LeafBit
@@ -120,7 +120,7 @@ HELIOS_INLINE void BeamTree::Prefetch(vtkTypeUInt32 child) const
   }
 }
 
-/// Puts entered children on the stack, the nearest on top; bits has 8 for each child.
+/// Pushes entered children on the stack, the nearest on top; bits has 8 for each child.
 HELIOS_INLINE void BeamWalk::Push(
   const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears)
 {
@@ -142,7 +142,7 @@ HELIOS_INLINE void BeamWalk::Push(
 HELIOS_CLONES
 bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
 {
-  vtkTypeUInt32 child = 0; // the next one, or what the stack has
+  vtkTypeUInt32 child = 0; // the next one, from the node or the stack
   bool isOnStack = true;
   while (!isOnStack || this->Size > 0)
   {
@@ -221,7 +221,7 @@ void BeamTree::Intersect(
   }
 }
 
-/// The better of a hit and what the outliers have before it.
+/// The better of a hit and a nearer hit of the outliers.
 vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
 {
   TestRay rest;
@@ -236,7 +236,7 @@ vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& 
   return other.CellId >= 0 && isBetter ? other : hit;
 }
 
-/// The frustum of one ray; false where it misses the tree.
+/// The frustum of one ray; false if it misses the tree.
 bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
 {
   const RayAxes& a = ray.Axes;

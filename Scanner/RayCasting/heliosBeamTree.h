@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A wide bounding volume hierarchy that a bundle of rays, or a cone, goes through once.
+// A wide bounding volume hierarchy that a ray bundle, or a cone, traverses once.
 
 #ifndef heliosBeamTree_h
 #define heliosBeamTree_h
@@ -18,7 +18,7 @@ namespace helios
 
 class TriangleMesh;
 
-/// A float that is not above a number, or not below it.
+/// A float not above a number, or not below it.
 inline float RoundDown(double x)
 {
   return static_cast<float>(std::max(x - std::abs(x) * 0x1p-23, -1e30));
@@ -29,13 +29,13 @@ inline float RoundUp(double x)
 }
 
 /**
- * What a bundle's rays have in common: they lie in a frustum about one of the axes, Z. At a
- * distance s along Z the frustum reaches from Low + s SlopeLow to High + s SlopeHigh along X and Y.
- * Numbers are floats in the frame of the tree, rounded outwards; s starts where the frustum reaches
- * the box of the tree.
+ * The bounds of a bundle's rays: they lie in a frustum about one of the axes, Z. At a distance s
+ * along Z the frustum reaches from Low + s SlopeLow to High + s SlopeHigh along X and Y. Numbers
+ * are floats in the frame of the tree, rounded outwards; s starts where the frustum reaches the box
+ * of the tree.
  *
- * No hit of TestTriangle is lost: origins are widened by Slack, which covers what the test allows a
- * ray to pass beside a triangle (BoxSlack) and the rounding of everything here.
+ * No hit of TestTriangle is lost: origins are widened by Slack, which covers the tolerance of the
+ * test (BoxSlack) and the rounding of these numbers.
  */
 struct Frustum
 {
@@ -60,14 +60,14 @@ struct Frustum
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
 {
 public:
-  /// How many triangles there may be: leaves are numbered by their place in 32-bit words.
+  /// The maximum number of triangles: leaves are indexed by 32-bit words.
   static constexpr vtkIdType MaximumTriangles = 200000000;
 
   /// Over the triangles of a mesh that have an area; the mesh must outlive it. Empty if there are
-  /// too many. Throws Stopped where it is told to stop, and is of no use then.
+  /// too many. Throws Stopped on an abort request, and is then unusable.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
-  /// The first hits of beams, each of so many rays.
+  /// The first hits of beams, each of n rays.
   void Intersect(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
 
@@ -75,20 +75,20 @@ public:
 
   const TriangleMesh& GetMesh() const { return *this->Mesh; }
 
-  /// The triangles that are kept apart.
+  /// The outlier triangles.
   const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
 
-  /// Whether no triangle is in the tree, but for the outliers.
+  /// Whether no triangle is in the tree, except the outliers.
   bool IsEmpty() const { return this->Scale == 0.0; }
 
   /**
    * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
-   * origins, and of slopes for a unit along Z. False where it misses the tree.
+   * origins, and of slopes per unit along Z. False if it misses the tree.
    */
   bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
     const double slopeLow[2], const double slopeHigh[2]) const;
 
-  /// Where a place along an axis is in the frame of the tree.
+  /// A coordinate along an axis in the frame of the tree.
   double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
 
   static constexpr int Width = 8;
@@ -100,15 +100,15 @@ public:
     int Count = 0;
     const vtkTypeInt32* Triangles = nullptr;
 
-    /// Where floats start: a coordinate of the triangles, and more that is to be ignored.
+    /// Where floats start: a coordinate of the triangles, and padding to ignore.
     const vtkTypeInt32* GetCorners(int corner, int axis) const
     {
       return this->Triangles + (1 + 3 * corner + axis) * this->Count;
     }
   };
 
-  /// Whether anything is in a ray's way; occluder, at first an empty leaf, is what hid the one
-  /// before it and is tried first.
+  /// Whether a ray is occluded; occluder, initially an empty leaf, is the leaf that occluded
+  /// the previous ray and is tested first.
   bool IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const;
 
 private:
@@ -144,13 +144,13 @@ private:
   Bvh Outliers;
 };
 
-/// Goes through a tree along a frustum, from front to back.
+/// Traverses a tree along a frustum, from front to back.
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
 {
 public:
   BeamWalk(const BeamTree& tree, const Frustum& frustum);
 
-  /// The next leaf that the frustum enters at or before a limit; false where there is none.
+  /// The next leaf that the frustum enters at or before a limit; false if there is none.
   bool GetNext(float limit, BeamTree::Leaf& leaf);
 
 private:

@@ -17,7 +17,7 @@ namespace
 constexpr double Huge = std::numeric_limits<double>::max();
 constexpr int NumberOfBins = 16;
 constexpr vtkTypeInt32 LeafSize = 4;
-constexpr int BinnedDepth = 56; // halving below: 56 + 31 levels at most
+constexpr int BinnedDepth = 56; // median splits below: at most 56 + 31 levels
 constexpr int StackSize = 96;
 
 struct Box
@@ -74,14 +74,14 @@ struct Split
   double Cost = Huge;
 };
 
-/// A triangle while the tree is built.
+/// A triangle during the build.
 struct Primitive
 {
   Box Bounds;
   vtkTypeInt32 Triangle;
 };
 
-/// Which bin a centre falls into; the same for counting and for parting.
+/// The bin of a centre; the same for counting and partitioning.
 struct Binning
 {
   double Start;
@@ -112,7 +112,7 @@ public:
   {
   }
 
-  /// Makes the node of at least two primitives; returns its index.
+  /// Creates the node of at least two primitives; returns its index.
   vtkTypeInt32 MakeNode(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
   {
     this->Check.Count(1 + static_cast<std::size_t>(last - first) / 32);
@@ -133,7 +133,7 @@ public:
     }
     const bool isLeaf = last - first <= LeafSize;
     const vtkTypeInt32 inner = isLeaf ? first : this->MakeNode(first, last, depth + 1);
-    Node& n = this->Nodes[node]; // only now: making nodes moves them
+    Node& n = this->Nodes[node]; // here, since creating nodes moves them
     for (int axis = 0; axis < 3; ++axis)
     {
       n.Low[axis][child] = bounds.Low[axis];
@@ -144,7 +144,7 @@ public:
   }
 
 private:
-  /// Reorders a range and returns where its second half starts.
+  /// Partitions a range; returns the start of its second half.
   vtkTypeInt32 Part(vtkTypeInt32 first, vtkTypeInt32 last, int depth)
   {
     Box centres;
@@ -259,7 +259,7 @@ void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, S
   {
     builder.MakeNode(0, count, 0);
   }
-  else if (count == 1) // twice the same leaf does no harm
+  else if (count == 1) // a duplicate leaf is harmless
   {
     this->Nodes.emplace_back();
     builder.SetChild(0, 0, 0, 1, 0);
@@ -272,7 +272,8 @@ void Bvh::Build(const TriangleMesh& mesh, std::vector<vtkTypeInt32> triangles, S
   }
 }
 
-/// Calls visit for triangles in boxes that the ray enters at or before range, which visit may lower.
+/// Calls visit for triangles in boxes that the ray enters at or before range, which visit may
+/// reduce.
 template <typename VisitT>
 void Bvh::Traverse(const TestRay& ray, const double& range, VisitT visit) const
 {
@@ -346,7 +347,7 @@ vtkHeliosHit Bvh::Intersect(const TestRay& ray) const
 
 bool Bvh::IsOccluded(const TestRay& ray) const
 {
-  double range = ray.MaximumRange; // falls below every entry with the first hit
+  double range = ray.MaximumRange; // drops below every entry after the first hit
   this->Traverse(ray, range,
     [this, &ray, &range](vtkTypeInt32 triangle)
     {

@@ -19,15 +19,15 @@ namespace helios
 class TriangleMesh;
 
 /**
- * No hit of TestTriangle is lost: boxes are widened, node by node, by what the test allows a ray to
- * pass beside a triangle (BoxSlack), and by monotone rounding a node is never entered later than
- * the box of a triangle in it, to which the test clamps ranges.
+ * No hit of TestTriangle is lost: boxes are widened, node by node, by the tolerance of the test
+ * (BoxSlack), and by monotone rounding a node is never entered later than the box of a triangle in
+ * it, to which the test clamps ranges.
  */
 class VTKHELIOSSCANNERRAYCASTING_EXPORT Bvh
 {
 public:
   /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  /// Both throw Stopped where they are told to stop; it is of no use then until it is built anew.
+  /// Both throw Stopped on an abort request; the tree is then unusable until rebuilt.
   void Build(const TriangleMesh& mesh, StopCheck& check);
   void Build(const TriangleMesh& mesh)
   {
@@ -43,7 +43,7 @@ public:
 
   bool IsOccluded(const TestRay& ray) const;
 
-  /// The distance from a straight way to the nearest triangle; infinite where none is within reach.
+  /// The distance from a segment to the nearest triangle; infinite if none is within reach.
   double GetDistance(const Vec3& a, const Vec3& b, double reach) const;
 
   std::size_t GetMemorySize() const;
@@ -51,7 +51,7 @@ public:
   const std::vector<vtkTypeInt32>& GetTriangles() const { return this->Order; }
 
 private:
-  friend class BeamTree; // which makes its wide nodes of these
+  friend class BeamTree; // converts these nodes to wide ones
 
   typedef double Pair __attribute__((vector_size(16)));
 

@@ -12,7 +12,7 @@
 namespace helios
 {
 
-/// The search for the triangle nearest to a straight way: nodes farther than the best are left out.
+/// The search for the triangle nearest to a segment: nodes farther than the best are skipped.
 class Bvh::NearestSearch
 {
 public:
@@ -63,8 +63,8 @@ private:
     }
   }
 
-  /// No point of the way is nearer to the box of a child: from the box of the way, and from the
-  /// ball about it.
+  /// A lower bound of the distance from the segment to the box of a child: from the segment's
+  /// box and its bounding ball.
   double GetBound(const Node& node, int child) const
   {
     double toBox = 0.0;
@@ -79,7 +79,7 @@ private:
       toMiddle += from * from;
     }
     const double bound = std::max(std::sqrt(toBox), std::sqrt(toMiddle) - this->HalfLength);
-    return bound * (1.0 - 1e-12); // what rounding may have added
+    return bound * (1.0 - 1e-12); // allows for rounding
   }
 
   void VisitTriangle(vtkTypeInt32 triangle)

@@ -18,7 +18,7 @@ namespace
 constexpr double Error = 0x1p-47;   // of sums of a few products, relative to the largest of them
 constexpr double Margin = 1e-9;     // of the cone's width
 constexpr double Widest = 0.2;      // square of the sine of the half angle
-constexpr int MaximumOutliers = 64; // that are worth looking at one by one
+constexpr int MaximumOutliers = 64; // tested one by one
 
 double Dot(const double a[3], const double b[3])
 {
@@ -32,13 +32,13 @@ void Cross(const double a[3], const double b[3], double c[3])
   c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/// The length, from above.
+/// An upper bound of the length.
 double GetLength(const double a[3])
 {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
 
-/// The distance of a segment from the origin, squared.
+/// The squared distance of a segment from the origin.
 double GetSquareDistance(const double a[2], const double b[2])
 {
   const double d[2] = { b[0] - a[0], b[1] - a[1] };
@@ -86,7 +86,7 @@ ConeProbe::ConeProbe(
 }
 
 //------------------------------------------------------------------------------
-/// The frustum about the cone; false for a cone too wide for one.
+/// The frustum about the cone; false for a cone that is too wide.
 bool ConeProbe::SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) const
 {
   const double* w = this->Frame[2];
@@ -166,7 +166,7 @@ vtkHeliosConeHit ConeProbe::Run(const BeamTree& tree)
 }
 
 //------------------------------------------------------------------------------
-/// Takes a triangle if it touches the cone; false once the cone is known to be mixed.
+/// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
 bool ConeProbe::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
 {
   if (this->Count == MaximumCandidates && !this->DropFarther())
@@ -206,7 +206,7 @@ bool ConeProbe::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
   return true;
 }
 
-/// Whether it may touch the cone; sets what a candidate needs from its corners.
+/// Whether it may touch the cone; sets the candidate's terms from its corners.
 bool ConeProbe::Touches(Candidate& c) const
 {
   const auto& p = c.Corners;
@@ -225,7 +225,8 @@ bool ConeProbe::Touches(Candidate& c) const
     Cross(p[i], p[j], c.Edges[k]);
     c.Errors[k] = Error * lengths[i] * lengths[j] * (1 + this->Tangent);
   }
-  // The determinant of the edges' differences, which are exact or nearly: far away they are small.
+  // The determinant of the edges' differences, which are exact or nearly so: they are small for
+  // distant triangles.
   double a[3], b[3], n[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -302,7 +303,7 @@ ConeProbe::Plane ConeProbe::GetPlane(const Candidate& c) const
   return plane;
 }
 
-/// Whether a triangle lies behind the plane, and farther behind it than the tolerance.
+/// Whether a triangle lies behind the plane by more than the tolerance.
 bool ConeProbe::IsBehind(const Candidate& c, const Plane& plane) const
 {
   const double least = plane.Constant * (1 + this->Tolerance / plane.Nearest + Margin);
@@ -317,7 +318,7 @@ bool ConeProbe::IsBehind(const Candidate& c, const Plane& plane) const
   return true;
 }
 
-/// Whether the plane of a triangle keeps within the tolerance of another, over the cone.
+/// Whether the plane of a triangle is within the tolerance of another, over the cone.
 bool ConeProbe::IsOn(const Candidate& c, const Plane& plane) const
 {
   const Plane other = this->GetPlane(c);
@@ -336,7 +337,7 @@ bool ConeProbe::IsOn(const Candidate& c, const Plane& plane) const
   return most * plane.Farthest * other.Farthest <= this->Tolerance;
 }
 
-/// Whether another candidate lies on the other side of an edge.
+/// Whether another candidate adjoins an edge on its other side.
 bool ConeProbe::IsShared(int member, int edge) const
 {
   const Candidate& c = this->Candidates[member];
@@ -351,7 +352,8 @@ bool ConeProbe::IsShared(int member, int edge) const
       const double* q = other.Points[(k + 2) % 3];
       const bool isSame = AreSame(from, p) && AreSame(to, q);
       const bool isReverse = AreSame(from, q) && AreSame(to, p);
-      // Seen from the apex they turn about the edge the same way, if it runs in opposite directions.
+      // Seen from the apex they have the same orientation if they traverse the edge in opposite
+      // directions.
       if ((isReverse && c.Sign * other.Sign > 0.0) || (isSame && c.Sign * other.Sign < 0.0))
       {
         return true;
@@ -361,7 +363,7 @@ bool ConeProbe::IsShared(int member, int edge) const
   return false;
 }
 
-/// Makes room by dropping what is behind; false where there is none.
+/// Makes room by dropping candidates beyond Farthest; false if there are none.
 bool ConeProbe::DropFarther()
 {
   const auto isFarther = [this](const Candidate& c)
@@ -375,7 +377,7 @@ bool ConeProbe::DropFarther()
   return this->Count < MaximumCandidates;
 }
 
-/// What the candidates are together.
+/// The combined result of the candidates.
 vtkHeliosConeHit ConeProbe::Judge()
 {
   if (this->Count == 0)
@@ -390,7 +392,7 @@ vtkHeliosConeHit ConeProbe::Judge()
   }
   const Plane plane = this->GetPlane(*first);
   const vtkTypeInt32 hit = first->Triangle;
-  // What is left after those behind is on the plane, or it is mixed.
+  // All candidates left must be on the plane; otherwise it is mixed.
   int count = 0;
   bool isCovered = false;
   for (int i = 0; i < this->Count; ++i)

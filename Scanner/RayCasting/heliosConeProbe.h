@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a cone meets in a scene, for sure.
+// Exact cone test against a scene.
 
 #ifndef heliosConeProbe_h
 #define heliosConeProbe_h
@@ -14,12 +14,13 @@ class LeafFilter;
 
 /**
  * A cone in its own frame: the apex is the origin, the axis is z. A triangle, seen from the apex,
- * is where all three of N_k . d have the sign of its determinant, N_k being the cross product of
- * the corners of the edge across from corner k; over the directions d = (x, y, 1) of the cone
- * N . d spans N_z -+ T |N_xy|. That tells touching from covering without a division, with corners
- * behind the apex too. What is left is decided in the plane z = 1, where the cone is a disc.
+ * is the region where all three of N_k . d have the sign of its determinant, N_k being the cross
+ * product of the corners of the edge opposite corner k; over the directions d = (x, y, 1) of the
+ * cone N . d spans N_z -+ T |N_xy|. This distinguishes touching from covering without a division,
+ * also with corners behind the apex. The remaining cases are decided in the plane z = 1, where
+ * the cone is a disc.
  *
- * Rounding errs towards Mixed: signs count beyond a bound of their error only.
+ * Rounding errs towards Mixed: signs count only beyond a bound of their error.
  */
 class ConeProbe
 {
@@ -37,7 +38,7 @@ private:
     double Corners[3][3]; ///< in the frame of the cone
     double Edges[3][3];   ///< N_k
     double Errors[3];     ///< of N_k . d
-    double Sign;          ///< of the determinant; 0 where it is in doubt
+    double Sign;          ///< of the determinant; 0 if unresolved
     bool IsBefore;        ///< all of it is before the apex
     bool Covers;          ///< the whole cone
   };
@@ -73,7 +74,7 @@ private:
   int Count = 0;
   Candidate Candidates[MaximumCandidates];
   vtkHeliosHit Hit{ NoHit, -1 }; ///< of the axis
-  double Farthest = NoHit;       ///< depth beyond which nothing matters
+  double Farthest = NoHit;       ///< depth beyond which hits are irrelevant
 };
 
 } // namespace helios

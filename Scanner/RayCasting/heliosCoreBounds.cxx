@@ -13,7 +13,7 @@ namespace helios
 void GetCoreBounds(const TriangleMesh& mesh, double bounds[6])
 {
   const vtkIdType count = 3 * mesh.GetNumberOfTriangles();
-  const vtkIdType stride = 3 * (count / (3 << 16)) + 1; // takes first, second and third corners
+  const vtkIdType stride = 3 * (count / (3 << 16)) + 1; // samples first, second and third corners
   std::vector<double> values;
   double width = 0.0;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the most of a scene is.
+// The box of most of a scene.
 
 #ifndef heliosCoreBounds_h
 #define heliosCoreBounds_h
@@ -13,8 +13,8 @@ namespace helios
 class TriangleMesh;
 
 /**
- * The box that holds all but a few corners in a thousand, with four times its size around it. What
- * reaches out of it (a stray corner at 1e30) would take away the floats' resolution from the rest.
+ * The box that contains all but a few corners in a thousand, with a margin of four times its size.
+ * Anything outside it (a stray corner at 1e30) would reduce the float resolution of the rest.
  */
 VTKHELIOSSCANNERRAYCASTING_EXPORT void GetCoreBounds(const TriangleMesh& mesh, double bounds[6]);
 

@@ -28,7 +28,7 @@ namespace helios
 namespace
 {
 
-/// Places on the ground, asked whether any lies within the outline of a cell.
+/// Positions on the ground, with a query whether any lies within the outline of a cell.
 class Places
 {
 public:
@@ -67,7 +67,8 @@ private:
   std::vector<std::array<double, 2>> Sorted;
 };
 
-/// The scene's cells at some places; with groundOnly those with a ground material, where any has it.
+/// The scene's cells at some positions; with groundOnly those with a ground material, if any has
+/// it.
 vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   vtkPolyData* scene, const Places& places, bool groundOnly)
 {
@@ -91,7 +92,7 @@ vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   return ground;
 }
 
-/// The height of the highest surface at each point; NaN where there is none.
+/// The height of the highest surface at each point; NaN if there is none.
 std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
 {
   double bounds[6] = {};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How high the surfaces of a scene are.
+// Surface heights of a scene.
 
 #ifndef heliosGround_h
 #define heliosGround_h
@@ -18,14 +18,14 @@ namespace helios
 {
 
 /**
- * The height of the highest surface at the x, y of each point, NaN where there is none; with
- * groundOnly of surfaces with a ground material, where the scene has any. Says in words what is
- * wrong, or returns an empty text.
+ * The height of the highest surface at the x, y of each point, NaN if there is none; with
+ * groundOnly only of surfaces with a ground material, if the scene has any. Returns an error
+ * message, or an empty string.
  */
 std::string GetGroundHeights(
   vtkPolyData* points, vtkPolyData* scene, bool groundOnly, std::vector<double>& heights);
 
-/// For each triangle of a scene whether its material is a ground; empty where none is.
+/// For each triangle of a scene whether its material is a ground; empty if none is.
 VTKHELIOSSCANNERRAYCASTING_EXPORT std::vector<bool> FindGroundCells(vtkPolyData* scene);
 
 /// "point 3 at x 1, y 2"

@@ -18,7 +18,7 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
   const double width = std::max(slopeHigh[0] - slopeLow[0], slopeHigh[1] - slopeLow[1]);
   const int widest = slopeHigh[0] - slopeLow[0] == width ? 0 : 1;
   const double apart = high[widest] - low[widest];
-  // To where the rays cross.
+  // To the crossing of the rays.
   const double before = width * 1e6 > apart * hull.Scale ? apart / width : 0.0;
   this->Depth = (hull.Start + before) * hull.Scale;
   const double start = tree.GetLocal(low[2], axes[2]) + sign * hull.Start * hull.Scale;
@@ -42,7 +42,7 @@ void LeafFilter::SetAxis(const BeamTree& tree, const Frustum& hull, const double
 
 bool LeafFilter::SetError(double rest)
 {
-  // What floats round in a corner's place beside the axis: up to 5 + 6 Largest units of 2^-24.
+  // Float rounding of a corner's position relative to the axis: up to 5 + 6 Largest units of 2^-24.
   constexpr double placeError = 0x1p-21;
   this->Error =
     static_cast<float>(placeError * (1.0 + this->Largest) + 2 * (rest + 4 * this->Slack));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which triangles of a leaf rays near each other may hit, in floats. For sources only, which must first
-// ignore -Wpsabi: vectors are passed to functions that are inlined.
+// Selects the triangles of a leaf that adjacent rays may hit, in floats. For sources only, which
+// must first ignore -Wpsabi: vectors are passed to functions that are inlined.
 
 #ifndef heliosLeafFilter_h
 #define heliosLeafFilter_h
@@ -13,16 +13,16 @@ namespace helios
 {
 
 /**
- * A line through the middle of the rays is the axis of a plane (x, y) across Z; relative to it, a ray
- * is at slope z, z being the distance along Z from where the rays come from. With corners
- * q = (x, y, z) the edge function of a ray at the edge q r is (slope, 1) . (q x r), linear in the
- * slope: its sign decides where it is beyond a bound of its error, in which is all that floats round
- * and the test in double allows.
+ * A line through the middle of the rays is the axis of a plane (x, y) across Z; relative to it, a
+ * ray is at slope z, z being the distance along Z from the rays' origins. With corners q = (x, y,
+ * z) the edge function of a ray at the edge q r is (slope, 1) . (q x r), linear in the slope: its
+ * sign is used where it is beyond a bound of its error, which covers float rounding and the
+ * tolerance of the double test.
  */
 class LeafFilter
 {
 public:
-  /// The edge functions of four triangles, and what they are off at most.
+  /// The edge functions of four triangles, and their error bounds.
   struct Edges
   {
     float Terms[3][3][BeamTree::LeafSize]; ///< edge, factor of the slopes along X and Y, and of 1
@@ -30,13 +30,13 @@ public:
     int IsAlive[BeamTree::LeafSize]; ///< whether any ray may hit it; -1 or 0
   };
 
-  /// Of rays within intervals, from which BeamTree::SetFrustum made a frustum.
+  /// For rays within intervals, from which BeamTree::SetFrustum made a frustum.
   void SetAxis(const BeamTree& tree, const Frustum& hull, const double low[3], const double high[3],
     const double slopeLow[2], const double slopeHigh[2]);
 
   /**
-   * How far rays may pass beside where the filter has them, in the frame of the tree. False where they
-   * come from so far that floats tell nothing: then all is possible, with slopes of zero.
+   * The maximum offset of rays from their position in the filter, in the frame of the tree. False
+   * if the origins are too far for floats: then all hits are possible, with slopes of zero.
    */
   bool SetError(double rest);
 
@@ -46,21 +46,21 @@ public:
 
   HELIOS_INLINE void SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const;
 
-  /// IsAlive of the edges before a limit.
+  /// IsAlive of the edges within a limit.
   void FindAlive(const BeamTree::Leaf& leaf, float limit, int isAlive[BeamTree::LeafSize]) const;
 
 private:
   RayAxes Axes;
   bool IsForward = true;
   double Depth = 0.0;
-  double Largest = 0.0; ///< of the coordinates of where the frustum starts
+  double Largest = 0.0; ///< of the coordinates of the frustum's start
   double Slack = 0.0;
-  float Place[3] = {};  ///< of the axis where the frustum starts, along X, Y, Z
-  float Slope[2] = {};  ///< of the axis, for a unit along Z
+  float Place[3] = {};  ///< of the axis at the frustum's start, along X, Y, Z
+  float Slope[2] = {};  ///< of the axis, per unit along Z
   float Spread[2] = {}; ///< the largest slope of a ray relative to it
   float Base = 0.0f;    ///< Depth
-  float Error = 0.0f;   ///< of the place of a ray
-  float Length = 0.0f;  ///< of where they come from, along Z
+  float Error = 0.0f;   ///< of the position of a ray
+  float Length = 0.0f;  ///< of the ray origins, along Z
 };
 
 void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
@@ -80,9 +80,9 @@ void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges)
     far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
     least = Min(least, s);
   }
-  // The edge function is a x b, a and b being the places of two corners beside the ray where it passes
-  // them: if these are off by da and db, it is off by da x b + a x db + da x db.
-  constexpr float edgeError = 0x1p-19f; // of what floats round in it, relative to its terms
+  // The edge function is a x b, a and b being the positions of two corners relative to the ray
+  // where it passes them: with errors da and db, its error is da x b + a x db + da x db.
+  constexpr float edgeError = 0x1p-19f; // float rounding of it, relative to its terms
   const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // of a and b
   const Floats error =
     reach * (2 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;

@@ -12,7 +12,7 @@
 namespace helios
 {
 
-constexpr int QuadWidth = 4; // as many doubles as AVX2 holds
+constexpr int QuadWidth = 4; // doubles in an AVX2 register
 typedef double Doubles __attribute__((vector_size(8 * QuadWidth)));
 typedef long long Masks __attribute__((vector_size(8 * QuadWidth))); // -1 or 0
 typedef float Floats __attribute__((vector_size(4 * QuadWidth)));
@@ -21,8 +21,8 @@ typedef int ShortMasks __attribute__((vector_size(4 * QuadWidth)));
 /// Four rays and their best hits so far.
 struct RayLanes : RayTerms<Doubles>
 {
-  Doubles Range;  ///< of the best hit; the ray's maximum as long as there is none
-  Masks Triangle; ///< of the best hit; NoTriangle as long as there is none
+  Doubles Range;  ///< of the best hit; initially the ray's maximum
+  Masks Triangle; ///< of the best hit; initially NoTriangle
 
   static constexpr long long NoTriangle = std::numeric_limits<long long>::max();
 

@@ -39,8 +39,8 @@ typedef float EightFloats __attribute__((vector_size(32)));
 typedef int EightMasks __attribute__((vector_size(32)));
 typedef signed char MaskBytes __attribute__((vector_size(32)));
 
-/// Numbers of eight lanes that fit a byte as one byte a lane: for logic that is not about lanes. By a
-/// shuffle, for compilers convert lane by lane where the machine has no AVX-512.
+/// Converts numbers of eight lanes that fit a byte to one byte per lane: for logic independent of
+/// lanes. By a shuffle, because compilers convert lane by lane without AVX-512.
 HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
 {
   constexpr MaskBytes lowest = { 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8, 12, 16, 20, 24, 28, 0, 4, 8,
@@ -51,14 +51,14 @@ HELIOS_INLINE vtkTypeUInt64 GetBytes(const EightMasks& masks)
   return result;
 }
 
-/// The masks of four lanes where bytes are not zero.
+/// The masks of four lanes whose bytes are not zero.
 HELIOS_INLINE void SetMasks(std::uint32_t bytes, Masks& masks)
 {
   constexpr Masks ofLanes = { 0xff, 0xff00, 0xff0000, 0xff000000 };
   masks = ((Masks() + bytes) & ofLanes) != 0;
 }
 
-/// Of lanes inside a triangle but for an edge function of zero, takes those out that are not.
+/// Of lanes inside a triangle but for an edge function of zero, removes those that are not inside.
 __attribute__((noinline)) inline void SettleTies(
   const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
 {
@@ -71,7 +71,7 @@ __attribute__((noinline)) inline void SettleTies(
   }
 }
 
-/// Which lanes are inside the triangle, given by their edge functions.
+/// The lanes inside the triangle, given by their edge functions.
 HELIOS_INLINE void GetInside(
   const Masks& valid, const Doubles sheared[3][2], const Doubles edges[3], Masks& inside)
 {
@@ -85,7 +85,7 @@ HELIOS_INLINE void GetInside(
   }
 }
 
-/// The plane of a triangle, once it is asked for.
+/// The plane of a triangle, computed on first use.
 struct LazyPlane
 {
   TrianglePlane Plane;
@@ -102,7 +102,7 @@ struct LazyPlane
   }
 };
 
-/// Keeps the hits with a triangle that are better; which lanes have one.
+/// Keeps the hits with a triangle that are better; returns the lanes that have one.
 template <typename PlaceT>
 HELIOS_INLINE void KeepBetter(RayLanes& rays, const Masks& inside, long long triangle,
   const TrianglePlane& plane, const RangeTerms<PlaceT>& terms, Masks& better)
@@ -115,7 +115,7 @@ HELIOS_INLINE void KeepBetter(RayLanes& rays, const Masks& inside, long long tri
   rays.Triangle = better ? id : rays.Triangle;
 }
 
-/// Tests four rays of the same axes, and keeps better hits; which lanes have one.
+/// Tests four rays of the same axes, and keeps better hits; returns the lanes that have one.
 HELIOS_INLINE void TestLanes(RayLanes& rays, const RayAxes& axes, const Masks& isValid,
   long long triangle, const double* const points[3], LazyPlane& plane, Masks& better)
 {

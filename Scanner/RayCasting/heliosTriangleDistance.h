@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How near a straight way comes to a triangle.
+// Distance between a segment and a triangle.
 
 #ifndef heliosTriangleDistance_h
 #define heliosTriangleDistance_h
@@ -11,14 +11,14 @@
 namespace helios
 {
 
-/// The smallest distance between two straight ways, each from a to b; either may be a point.
+/// The smallest distance between two segments, each from a to b; either may be a point.
 VTKHELIOSSCANNERRAYCASTING_EXPORT double WayToWay(
   const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1);
 
 /**
- * The smallest distance between a straight way from a to b and a triangle, 0 where it goes through. It
- * is that to an edge, or of an end of the way from the inside of the triangle. The way may be a
- * point, the triangle without area.
+ * The smallest distance between a segment from a to b and a triangle, 0 if they intersect. It is
+ * that to an edge, or from an end of the segment to the inside of the triangle. The segment may be
+ * a point, the triangle without area.
  */
 VTKHELIOSSCANNERRAYCASTING_EXPORT double WayToTriangle(
   const Vec3& a, const Vec3& b, const Vec3 corners[3]);

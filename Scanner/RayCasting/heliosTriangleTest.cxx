@@ -10,7 +10,7 @@ namespace helios
 namespace
 {
 
-/// A number as an unevaluated sum, and the exact sums and products that give one.
+/// A number as an unevaluated sum, with exact sums and products.
 struct TwoDoubles
 {
   double High;

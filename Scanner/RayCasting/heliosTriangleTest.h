@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The one ray/triangle test that every ray caster takes its hits and ranges from.
+// The common ray/triangle test of all ray casters.
 //
 // Hit or not: Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection" (JCGT 2(1), 2013) in
 // double. The corners, relative to the ray's origin, are sheared so that the ray is the z axis;
-// the triangle is hit where the signs of its three 2D edge functions agree. A sheared corner is a
+// the triangle is hit if the signs of its three 2D edge functions agree. A sheared corner is a
 // function of the ray and the corner alone, the same in each triangle that shares it, and the signs
 // are exact: a*b - c*d, rounded, never has the wrong sign, since rounding is monotone; it may only
-// be zero where the truth is not, and then the rounding errors of the two products decide
+// be zero where the exact value is not; then the rounding errors of the two products decide
 // (GetSignOfTie). So the test is exact for the mesh of the sheared corners, which is as closed as
-// the scene's mesh (triangles without area apart, which are never hit): no ray leaks through a
-// shared edge or corner, however it is aimed.
+// the scene's mesh (except triangles without area, which are never hit): no ray leaks through a
+// shared edge or corner, in any direction.
 //
 // Range: from the plane of the scene's own points, which keeps |error| <= 8 u R / cos(incidence)
-// for slivers too, then clamped to the triangle's bounding box. The clamp matters for triangles
-// seen edge-on only; it makes culling by range safe: a box is never entered behind the hits in it.
+// also for slivers, then clamped to the triangle's bounding box. The clamp only affects triangles
+// seen edge-on; it makes culling by range safe: a box is never entered behind the hits in it.
 //
-// The templates take double or a vector of doubles (one ray a lane) and do the same operations in
-// the same order: compiled without contraction (-ffp-contract=off) all give the same bytes.
+// The templates take double or a vector of doubles (one ray per lane) and do the same operations
+// in the same order: compiled without contraction (-ffp-contract=off) all are byte-identical.
 
 #ifndef heliosTriangleTest_h
 #define heliosTriangleTest_h
@@ -34,13 +34,13 @@ namespace helios
 constexpr double NoHit = std::numeric_limits<double>::infinity();
 
 /**
- * How far, in units of a corner's largest distance from the ray's origin along an axis, a ray may
- * pass beside a triangle and hit it: the rounding of the shear, 7 u, and of a test of its box, 4 u,
- * with a margin. u = 2^-53.
+ * The tolerance, in units of a corner's largest distance from the ray's origin along an axis,
+ * within which a ray may pass beside a triangle and hit it: the rounding of the shear, 7 u, and of
+ * a test of its box, 4 u, with a margin. u = 2^-53.
  */
 constexpr double BoxSlack = 0x1p-49;
 
-/// What the test needs of a ray, for one ray (double) or for a ray in each lane of a vector.
+/// The data of a ray for the test, for one ray (double) or for a ray in each lane of a vector.
 template <typename Real>
 struct RayTerms
 {
@@ -68,13 +68,13 @@ struct RayAxes
   }
 };
 
-/// A ray ready for the test.
+/// A ray prepared for the test.
 struct TestRay : RayTerms<double>
 {
   RayAxes Axes;
   double MaximumRange;
 
-  /// False for a ray that hits nothing: not finite, without length or with no range to go.
+  /// False for a ray that hits nothing: not finite, without length or with an empty range.
   inline bool Set(const vtkHeliosRay& ray);
 };
 
@@ -105,8 +105,8 @@ HELIOS_INLINE Real Max(const Real& a, const Real& b)
 }
 
 /**
- * Takes the terms from origin and direction, and where the direction is largest. False where a ray
- * hits nothing: not finite, or without length.
+ * Sets the terms from origin and direction, and the axis of the largest direction component. False
+ * for a ray that hits nothing: not finite, or without length.
  */
 template <typename Real, typename MaskT>
 HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, MaskT& isY)
@@ -120,7 +120,7 @@ HELIOS_INLINE void SetTerms(RayTerms<Real>& ray, MaskT& isUsable, MaskT& isX, Ma
   {
     const Real& o = ray.Origin[axis];
     isUsable = isUsable & (size[axis] < 1e100) & (Max<Real>(o, -o) < 1e100);
-    // A component too small to matter is zero, so that no term of the test becomes subnormal.
+    // A negligible component is set to zero, so that no term of the test becomes subnormal.
     const MaskT isZero = size[axis] <= 1e-200 * largest;
     inverse[axis] = isZero ? Real() + 1e300 : 1.0 / d[axis];
     d[axis] = isZero ? Real() : d[axis];
@@ -147,7 +147,7 @@ HELIOS_INLINE void Relate(
   }
 }
 
-/// Shears the corners into the plane across the ray, and takes the edge functions there.
+/// Shears the corners into the plane across the ray, and computes the edge functions there.
 template <typename Real, typename PlaceT>
 HELIOS_INLINE void GetEdgeFunctions(const RayTerms<Real>& ray, const RayAxes& axes,
   const PlaceT corners[3][3], Real sheared[3][2], Real edges[3])
@@ -204,7 +204,7 @@ HELIOS_INLINE TrianglePlane GetPlane(const double* const points[3])
     const double* e = edges[i];
     squares[i] = e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
   }
-  // The largest angle is opposite to the longest edge: there the cross product is best.
+  // The largest angle is opposite the longest edge: the cross product is most accurate there.
   const int longest =
     squares[0] > squares[1] ? (squares[0] > squares[2] ? 0 : 2) : (squares[1] > squares[2] ? 1 : 2);
   TrianglePlane plane;
@@ -252,7 +252,7 @@ HELIOS_INLINE void GetInterval(
   }
 }
 
-/// The interval of ranges within a box given relative to the origin, widened for the test's rounding.
+/// The interval of ranges within a box relative to the origin, widened for the test's rounding.
 template <typename Real, typename InverseT>
 HELIOS_INLINE void GetBoxRange(
   const Real low[3], const Real high[3], const InverseT inverse[3], Real& entry, Real& exit)
@@ -263,7 +263,7 @@ HELIOS_INLINE void GetBoxRange(
   GetInterval(wideLow, wideHigh, inverse, entry, exit);
 }
 
-/// What the range of a hit needs of a triangle, as seen from an origin.
+/// The data of a triangle for the range of a hit, seen from an origin.
 template <typename PlaceT>
 struct RangeTerms
 {
@@ -285,7 +285,7 @@ struct RangeTerms
   }
 };
 
-/// The range at which the ray meets a triangle it hits.
+/// The range of a hit with a triangle.
 template <typename Real, typename PlaceT>
 HELIOS_INLINE Real GetRange(
   const RayTerms<Real>& ray, const TrianglePlane& plane, const RangeTerms<PlaceT>& terms)
@@ -313,7 +313,8 @@ bool TestRay::Set(const vtkHeliosRay& ray)
   return isUsable && ray.MaximumRange > 0.0;
 }
 
-/// The range at which a ray hits a triangle that has an area; NoHit where it does not, or behind it.
+/// The range at which the ray hits a triangle that has an area; NoHit for a miss or a hit behind
+/// it.
 inline double TestTriangle(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3], sheared[3][2], edges[3];

@@ -80,7 +80,7 @@ std::string TurbidGrid::CheckDensities() const
 }
 
 //------------------------------------------------------------------------------
-/// Rows of one angle are one, with their mean.
+/// Rows with the same angle are merged to their mean.
 std::string TurbidGrid::SetLeafTable(vtkImageData* grid)
 {
   this->Leaves.clear();
@@ -152,7 +152,7 @@ TurbidGrid::IndexRay TurbidGrid::ToIndex(const Vec3& origin, const Vec3& directi
 }
 
 //------------------------------------------------------------------------------
-/// Cuts the ranges of a line from + t slope to where it lies in [low, high); false where nothing is left.
+/// Clips the ranges of a line from + t slope to [low, high); false if nothing is left.
 bool TurbidGrid::ClipToSlab(double from, double slope, double low, double high, double range[2])
 {
   if (slope == 0.0)
@@ -177,7 +177,7 @@ TurbidHit TurbidGrid::FindDepth(
     [&hit, &left, pad](vtkIdType cell, double from, double to)
     {
       const double density = pad[cell];
-      if (!(density > 0.0)) // nothing, or not known
+      if (!(density > 0.0)) // zero, or unknown
       {
         return true;
       }
@@ -204,7 +204,7 @@ bool TurbidGrid::MayMeet(
     reach += std::max(std::abs(ray.Origin[axis]), std::abs(this->Count[axis] - ray.Origin[axis])) /
       Vec3(this->ToCells.M[axis]).Norm();
   }
-  const double radius = tangent * (reach + setback); // nowhere is it wider at the grid
+  const double radius = tangent * (reach + setback); // the largest radius at the grid
   double range[2] = { -radius, std::numeric_limits<double>::infinity() };
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid of cells that light passes by chance: leaves too small and too many to be triangles.
+// A grid of cells with random attenuation: leaves too small and too many to be triangles.
 
 #ifndef heliosTurbidGrid_h
 #define heliosTurbidGrid_h
@@ -24,7 +24,7 @@ class vtkImageData;
 namespace helios
 {
 
-/// Where a ray is stopped; Cell is -1 where it is not.
+/// The stop of a ray; Cell is -1 if it is not stopped.
 struct TurbidHit
 {
   double Range;
@@ -32,40 +32,41 @@ struct TurbidHit
 };
 
 /**
- * The cells of an image with their plant area density PAD [m2/m3]. A ray along d is stopped in ds with
- * the probability k ds, k = PAD G(d): G is the projection of a unit of leaf area, 0.5 for leaves of all
- * directions alike. So the optical depth, the sum of k s over the cells, is exponential with mean 1
- * (Beer and Lambert; Ross 1981, The Radiation Regime and Architecture of Plant Stands).
+ * The cells of an image with their plant area density PAD [m2/m3]. A ray along d is stopped in ds
+ * with the probability k ds, k = PAD G(d): G is the projection of a unit of leaf area, 0.5 for
+ * randomly oriented leaves. So the optical depth, the sum of k s over the cells, is exponential
+ * with mean 1 (Beer and Lambert; Ross 1981, The Radiation Regime and Architecture of Plant Stands).
  */
 class VTKHELIOSSCANNERRAYCASTING_EXPORT TurbidGrid
 {
 public:
-  /// Of leaves whose normals have no direction before others.
+  /// For a spherical leaf angle distribution.
   static constexpr double SphericalProjection = 0.5;
 
-  /// Looks at an image and keeps its array alive. Says in words what is wrong, or returns an empty text.
+  /// Reads an image and keeps its array alive. Returns an error message, or an empty string.
   std::string Set(vtkImageData* grid);
 
   vtkIdType GetNumberOfCells() const { return this->Pad->GetNumberOfValues(); }
 
-  /// G of a direction of any length: linear in its angle from the grid's z axis, up and down alike.
+  /// G of a direction of any length: linear in its angle from the grid's z axis, symmetric about
+  /// the horizontal.
   double GetProjection(const Vec3& direction) const;
 
   /**
-   * Calls visit(cell, from, to) for the cells that a ray passes at ranges [from, to] within [0, end], in
-   * that order, until it returns false. Each from is the to before it, so that there is no gap, no
-   * overlap, and nothing beyond the grid. A ray within a face between two cells is in the upper one; a
-   * ray within the uppermost face is outside.
+   * Calls visit(cell, from, to) for the cells that a ray passes at ranges [from, to] within
+   * [0, end], in order, until it returns false. Each from is the previous to: no gaps, no overlaps,
+   * and nothing beyond the grid. A ray within a face between two cells is in the upper one; a ray
+   * within the uppermost face is outside.
    */
   template <typename Visitor>
   void Traverse(const Vec3& origin, const Vec3& direction, double end, Visitor&& visit) const;
 
-  /// Where a ray with a unit direction has gone through an optical depth, at most to a range.
+  /// The point where a ray with a unit direction has passed an optical depth, at most to a range.
   TurbidHit FindDepth(const Vec3& origin, const Vec3& direction, double end, double depth) const;
 
   /**
-   * False if nothing that lies within (t + setback) tangent of a ray with a unit direction can meet
-   * the grid, t being the range along it.
+   * False if nothing within (t + setback) tangent of a ray with a unit direction can hit the grid,
+   * t being the range along it.
    */
   bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double setback) const;
 
@@ -106,8 +107,8 @@ void TurbidGrid::Traverse(
     }
   }
   vtkIdType cell = 0;
-  double plane[3]; // that the ray leaves its cell through
-  double next[3];  // the range of that
+  double plane[3]; // where the ray leaves its cell
+  double next[3];  // the ranges of these
   const auto setNext = [&](int axis)
   {
     const double slope = ray.Direction[axis];

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBeamRayCaster
- * @brief   the default ray caster: bundles of rays go through the scene once
+ * @brief   the default ray caster: traverses the scene once per bundle of rays
  *
- * A hierarchy of boxes, eight a node, that all rays of a beam go through as one
+ * A hierarchy of boxes, eight per node, traversed once for all rays of a beam
  * (interval arithmetic on their origins and directions); triangles are tested
  * in double. Boxes are float in a frame local to the scene, rounded outwards;
- * the few triangles that reach far out of a scene, if there are any, are kept
- * in a tree of doubles. Intersect() takes each ray as a beam of its own; for
- * single rays vtkHeliosEmbreeRayCaster is faster.
+ * triangles that reach far out of the scene are kept in a tree of doubles.
+ * Intersect() treats each ray as a separate beam; for single rays
+ * vtkHeliosEmbreeRayCaster is faster.
  *
  * @warning
  * For scenes of up to 2e8 triangles.

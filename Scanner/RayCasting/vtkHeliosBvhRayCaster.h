@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosBvhRayCaster
- * @brief   the ray caster that others are checked against
+ * @brief   the reference ray caster
  *
  * A binary bounding volume hierarchy in double precision, built with a binned
- * surface area heuristic. The reference that every other backend must equal
- * bit for bit.
+ * surface area heuristic. Every other backend must equal it bit for bit.
  *
  * @sa
  * vtkHeliosRayCaster

@@ -29,11 +29,11 @@ namespace
 
 constexpr double None = std::numeric_limits<double>::infinity();
 
-/// The scene, asked how far it is from straight ways.
+/// The scene, for distance queries from segments.
 class Surroundings
 {
 public:
-  /// Says in words what is wrong with a scene, or returns an empty text.
+  /// Builds from a scene; returns an error message, or an empty string.
   std::string Build(vtkPolyData* scene)
   {
     std::string fault = this->Mesh.Set(scene);
@@ -44,7 +44,7 @@ public:
     return fault;
   }
 
-  /// The height above what is below, on the way from a to b.
+  /// The height above the surface below, along the segment from a to b.
   double LookDown(const Vec3& a, const Vec3& b, double spacing) const
   {
     const double pieces = std::max(1.0, std::ceil((b - a).Norm() / spacing));
@@ -56,10 +56,10 @@ public:
     return height;
   }
 
-  /// The distance to the nearest surface within a radius, from the way from a to b.
+  /// The distance to the nearest surface within a radius, from the segment from a to b.
   double LookAround(const Vec3& a, const Vec3& b, double radius) const
   {
-    // Short ways have tight boxes.
+    // Short segments have tight boxes.
     const double pieces = std::max(1.0, std::ceil((b - a).Norm() / radius));
     double distance = None;
     for (double k = 0.0; k < pieces; ++k)
@@ -81,7 +81,7 @@ private:
 
   double GetHeight(const Vec3& p) const
   {
-    // A ray does not hit what it starts from: it starts above, by the rounding of a height.
+    // A ray does not hit a surface at its origin: it starts above, by the rounding of a height.
     const double rounding = 1e-12 * std::max(1.0, std::abs(p[2]));
     const Vec3 start(p[0], p[1], p[2] + rounding);
     const double below = this->Cast(start, -1.0);

@@ -2,30 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosClearance
- * @brief   how near a trajectory comes to a scene
+ * @brief   distance from a trajectory to a scene
  *
  * Port 0: a trajectory or waypoints (vtkPolyData, the points in order). Port 1: the
  * scene (triangles). Output: the input with the point array Clearance [m]: the
- * smallest on the straight way from a sample to the next (of the last sample, and of
- * one that jumps to a sample at the same GpsTime: at the sample).
+ * minimum on the straight segment from a sample to the next (for the last sample,
+ * and one that jumps to a sample at the same GpsTime: at the sample).
  *
- * With Direction ALL_AROUND it is the distance to the nearest surface, exact between
- * samples too, 0 where the way goes through one; infinite where there is none
- * within Radius. With DOWN it is the height above the first surface straight below,
- * at samples and every Spacing between; negative where there is a surface above and
- * none below, as below a terrain; infinite where there is neither.
+ * With Direction ALL_AROUND it is the distance to the nearest surface, also exact
+ * between samples, 0 where the segment intersects one; infinite if there is none
+ * within Radius. With DOWN it is the height above the first surface vertically
+ * below, at samples and every Spacing between; negative where there is a surface
+ * above and none below, as below a terrain; infinite where there is neither.
  *
  * Samples nearer than MinimumClearance are counted in a warning that names the first
  * and the nearest, or with FailBelowMinimum in an error.
  *
- * Distances come from closed forms for a straight way and a triangle, in a frame local to
- * the way; triangles without area are left out.
+ * Distances are closed forms for a segment and a triangle, in a frame local to the
+ * segment; triangles without area are skipped.
  *
  * @warning
- * Cubic trajectories (with Velocity) are taken as straight between samples.
+ * Cubic trajectories (with Velocity) are treated as straight between samples.
  *
- * Errors: an empty scene, or one that is not of finite triangles; samples that are not
- * finite; abortion.
+ * Errors: a scene that is empty or not of finite triangles; samples that are not
+ * finite; abort.
  *
  * @sa
  * vtkHeliosTerrainFollow vtkHeliosPlatform
@@ -46,7 +46,7 @@ public:
   vtkTypeMacro(vtkHeliosClearance, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Where surfaces are looked for.
+  /// The search direction.
   enum Directions
   {
     DOWN = 0,
@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * Set/Get where surfaces are looked for. Default: ALL_AROUND.
+   * Set/Get the search direction. Default: ALL_AROUND.
    */
   vtkSetClampMacro(Direction, int, DOWN, ALL_AROUND);
   vtkGetMacro(Direction, int);
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far all around surfaces are looked for [m]. Valid range:
-   * [1e-3, 1e6]. Default: 100.
+   * Set/Get the search radius of ALL_AROUND [m]. Valid range: [1e-3, 1e6].
+   * Default: 100.
    */
   vtkSetClampMacro(Radius, double, 1e-3, 1e6);
   vtkGetMacro(Radius, double);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how far apart places are at most that are looked down from [m]. Valid
-   * range: [1e-3, 1e6]. Default: 1.
+   * Set/Get the maximum spacing of the samples of DOWN [m]. Valid range:
+   * [1e-3, 1e6]. Default: 1.
    */
   vtkSetClampMacro(Spacing, double, 1e-3, 1e6);
   vtkGetMacro(Spacing, double);
@@ -83,9 +83,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the clearance that is to be kept [m]; all around it is at most Radius.
-   * Valid range: [0, 1e6]. Default: 0, only what is below the terrain or, all
-   * around, nothing is told.
+   * Set/Get the clearance required [m], for ALL_AROUND at most Radius. Valid
+   * range: [0, 1e6]. Default: 0, only samples below the terrain or, for
+   * ALL_AROUND, none are reported.
    */
   vtkSetClampMacro(MinimumClearance, double, 0.0, 1e6);
   vtkGetMacro(MinimumClearance, double);
@@ -103,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Get, of the last update, the number of samples below MinimumClearance, the first of
-   * them (-1: none), and the smallest clearance [m] (infinite: none).
+   * Get, for the last update, the number of samples below MinimumClearance, the first
+   * of them (-1: none), and the smallest clearance [m] (infinite: none).
    */
   vtkGetMacro(NumberBelowMinimum, vtkIdType);
   vtkGetMacro(FirstBelowMinimum, vtkIdType);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosGroundSnap
- * @brief   puts points onto the ground of a scene
+ * @brief   moves points onto the ground of a scene
  *
  * Port 0: points (vtkPolyData), e.g. waypoints. Port 1: the scene. Output: the
- * points, each moved vertically onto the highest surface with a ground
- * material (Material.IsGround) at its x, y; where the scene has no ground
- * material, any surface is ground. A point array OnGround limits this to the
- * points where it is not 0.
+ * points, each moved vertically onto the highest surface with a ground material
+ * (Material.IsGround) at its x, y; if the scene has no ground material, any
+ * surface is ground. A point array OnGround limits this to the points where it
+ * is not 0.
  *
- * Errors: no surface above or below a point, or a point that is not finite (it
- * is named with its x, y); an empty scene.
+ * Errors: no surface above or below a point, or a point that is not finite (the
+ * message gives its x, y); an empty scene.
  *
  * @sa
  * vtkHeliosRayCaster
@@ -32,7 +32,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the height above the ground that points get [m]. Valid range:
+   * Set/Get the height of the points above the ground [m]. Valid range:
    * [-1e6, 1e6]. Default: 0.
    */
   vtkSetClampMacro(HeightAboveGround, double, -1e6, 1e6);

@@ -29,7 +29,7 @@ struct Backend
   vtkHeliosRayCaster::Factory Create;
 };
 
-/// The backends, the highest priority first. Those of other libraries register when they are loaded.
+/// The backends, in order of priority. Those of other libraries register when they are loaded.
 std::vector<Backend>& GetBackends()
 {
   static std::vector<Backend> backends = {
@@ -103,7 +103,7 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   this->BuiltScene = nullptr;
   this->ConeTree = nullptr;
   this->OwnConeTree.reset();
-  this->BuildAccelerator(helios::TriangleMesh()); // forgets the old one before its mesh goes
+  this->BuildAccelerator(helios::TriangleMesh()); // releases the old one before its mesh
   const std::string problem = this->Mesh->Set(scene);
   if (!problem.empty())
   {
@@ -123,7 +123,7 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
   return true;
 }
 
-/// Forgets what is half done where it was told to stop.
+/// Clears a partial build after an abort request.
 bool vtkHeliosRayCaster::TryToBuild()
 {
   try

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosRayCaster
- * @brief   rays against the triangles of a scene, in batches
+ * @brief   intersects batches of rays with the triangles of a scene
  *
- * A strategy: Build() it once from a scene, then any number of threads may ask
+ * A strategy: after one Build() from a scene, any number of threads may query
  * it. Every backend takes hit and range from the same double-precision
- * watertight test (Woop et al. 2013) on the scene's own points, so all give the
- * same bytes: no leak through shared edges and vertices; of triangles at
- * equal range the one with the lowest cell id. Triangles without area are
- * never hit. Both sides of a triangle are hit. (Of vtkHeliosObbTreeRayCaster,
- * which is there for cross-checks, this holds only nearly.)
+ * watertight test (Woop et al. 2013) on the scene's own points, so all are
+ * byte-identical: no leak through shared edges and vertices; of triangles at
+ * equal range the one with the lowest cell id. Triangles without area are never
+ * hit. Both sides of a triangle are hit. (vtkHeliosObbTreeRayCaster, for
+ * cross-checks, fulfils this only approximately.)
  *
  * @sa
  * vtkHeliosBeamRayCaster vtkHeliosBvhRayCaster vtkHeliosEmbreeRayCaster
@@ -24,8 +24,8 @@
 #include "vtkObject.h"
 #include "vtkWeakPointer.h" // For the scene it was built from
 
-#include <functional> // For the question whether to stop
-#include <limits>     // For an endless ray
+#include <functional> // For the abort check
+#include <limits>     // For an unbounded ray
 #include <memory>     // For the private mesh
 
 class vtkCellArray;
@@ -56,18 +56,18 @@ struct vtkHeliosHit
   vtkIdType CellId;
 };
 
-/// What a cone meets.
+/// The result of a cone probe.
 struct vtkHeliosConeHit
 {
   enum Kinds
   {
-    Empty,    ///< nothing
-    OnePlane, ///< one plane all over its cross-section, and nothing before it
-    Mixed     ///< anything else, or not known
+    Empty,    ///< no hit
+    OnePlane, ///< one plane over the whole cross-section, and nothing before it
+    Mixed     ///< anything else, or unresolved
   };
   int Kind;
-  vtkIdType CellId; ///< of the plane, where the axis meets it
-  double Range;     ///< at which it does
+  vtkIdType CellId; ///< hit by the axis
+  double Range;     ///< of this hit
 };
 
 class VTKHELIOSSCANNERRAYCASTING_EXPORT vtkHeliosRayCaster : public vtkObject
@@ -77,16 +77,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * A new ray caster by the name of its backend, or of the default backend where
-   * the name is null or empty. Null, after an error that lists the names there
-   * are, for another name.
+   * Creates a ray caster by the name of its backend, or the default one if the
+   * name is null or empty. For an unknown name, null after an error that lists
+   * the valid names.
    */
   VTK_NEWINSTANCE static vtkHeliosRayCaster* Create(const char* name);
 
   ///@{
   /**
    * The names of the backends in this process, the default one first: "beam",
-   * "embree", "bvh", "cgal", "obbtree" where all are built. Valid range of an index:
+   * "embree", "bvh", "cgal", "obbtree" if all are built. Valid range of an index:
    * [0, number - 1].
    */
   static int GetNumberOfBackends();
@@ -94,39 +94,39 @@ public:
   ///@}
 
   /**
-   * Builds the accelerator for a scene of triangles. Does nothing when it was
+   * Builds the accelerator for a scene of triangles. Does nothing if it was
    * built from this scene and the scene has not been modified since. Returns
-   * false, after an error that names the reason, for a scene that is empty or
+   * false, after an error that gives the reason, for a scene that is empty or
    * has other cells than triangles or points that are not finite.
    */
   bool Build(vtkPolyData* scene);
 
   ///@{
   /**
-   * The first hit of each of count rays. Neighbours in the array should be
-   * neighbours in space: they are traced together.
+   * The first hit of each of count rays. Rays adjacent in the array should be
+   * adjacent in space: they are traced together.
    */
   virtual void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const = 0;
   ///@}
 
   /**
-   * The first hits of beams, each of so many rays that lie close together: the
-   * same bytes as Intersect() gives, only faster.
+   * The first hits of beams, each of n nearby rays: byte-identical to
+   * Intersect(), but faster.
    */
   virtual void IntersectBeams(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const;
 
   /**
-   * Prepares ProbeCone() for the scene it was built from, once. Not thread-safe.
+   * Prepares ProbeCone() for the built scene, once. Not thread-safe.
    */
   virtual void PrepareConeProbe();
 
   /**
-   * What a cone meets that opens from origin about a unit axis; planeTolerance
-   * [m] is how far surfaces may lie off one plane, along the axis, inside the
-   * cone. Empty and OnePlane are certain, whatever is between any samples; cell
-   * and range are those that Intersect() gives for the axis. Mixed before
-   * PrepareConeProbe(). Thread-safe.
+   * Probes a cone with its apex at origin about a unit axis; planeTolerance [m]
+   * is the maximum distance of surfaces from one plane, along the axis, inside
+   * the cone. Empty and OnePlane are exact for the whole cone, without
+   * sampling; cell and range are those of Intersect() for the axis. Mixed
+   * before PrepareConeProbe(). Thread-safe.
    */
   virtual vtkHeliosConeHit ProbeCone(
     const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const;
@@ -152,25 +152,25 @@ public:
   virtual const char* GetName() const = 0;
 
   /**
-   * Bytes of the accelerator beyond the scene itself.
+   * The size of the accelerator in bytes, without the scene.
    */
   virtual std::size_t GetAcceleratorSize() const = 0;
 
 #ifndef __VTK_WRAP__
   using Factory = vtkHeliosRayCaster* (*)();
 
-  /// Adds a backend to those that Create() knows; the one with the highest priority is the default.
+  /// Registers a backend for Create(); the one with the highest priority is the default.
   static bool Register(const char* name, int priority, Factory create);
 
   /**
-   * What Build() and PrepareConeProbe() ask some ten times a second, in the thread that called
-   * them; null: nothing. Where it says true, Build() ends with an error, and both leave the caster
-   * as if they had not been called, but for the scene before. vtkHeliosObbTreeRayCaster asks at its
-   * start only.
+   * A callback polled about ten times/s by Build() and PrepareConeProbe(), in the calling
+   * thread; null: none. If it returns true, Build() ends with an error, and both leave the caster
+   * unchanged, except that the previous scene is released. vtkHeliosObbTreeRayCaster polls it only
+   * at the start.
    */
   void SetShouldStop(const std::function<bool()>& shouldStop);
 
-  /// The triangles it was built from.
+  /// The triangles of the built scene.
   const helios::TriangleMesh& GetMesh() const
   {
     return *this->Mesh;
@@ -181,11 +181,11 @@ protected:
   vtkHeliosRayCaster();
   ~vtkHeliosRayCaster() override;
 
-  /// Makes the accelerator of the mesh; false after an error.
+  /// Builds the accelerator of the mesh; false after an error.
   virtual bool BuildAccelerator(const helios::TriangleMesh& mesh) = 0;
 
 #ifndef __VTK_WRAP__
-  /// To be asked while an accelerator is built: it throws out of BuildAccelerator().
+  /// To be called while an accelerator is built: it throws out of BuildAccelerator().
   helios::StopCheck& GetStopCheck()
   {
     return *this->Check;
@@ -197,7 +197,7 @@ protected:
   }
 #endif
 
-  /// The accelerator, if it is what ProbeCone() needs.
+  /// The accelerator, if it supports ProbeCone().
   virtual const helios::BeamTree* GetBeamTree() const
   {
     return nullptr;
@@ -207,7 +207,7 @@ private:
   vtkHeliosRayCaster(const vtkHeliosRayCaster&) = delete;
   void operator=(const vtkHeliosRayCaster&) = delete;
 
-  /// Whether the accelerator is that of a scene, or of another one with the same triangles.
+  /// Whether the accelerator was built from a scene, or from another one with the same triangles.
   bool IsBuilt(vtkPolyData* scene) const;
 
   bool TryToBuild();
@@ -216,10 +216,10 @@ private:
   std::unique_ptr<helios::StopCheck> Check;
   std::unique_ptr<helios::TriangleMesh> Mesh;
   std::unique_ptr<helios::BeamTree> OwnConeTree;
-  const helios::BeamTree* ConeTree = nullptr; ///< once it is prepared
+  const helios::BeamTree* ConeTree = nullptr; ///< once prepared
   vtkWeakPointer<vtkPolyData> BuiltScene;
-  vtkPoints* BuiltPoints = nullptr;   ///< of the scene, held by it
-  vtkCellArray* BuiltPolys = nullptr; ///< of the scene, held by it
+  vtkPoints* BuiltPoints = nullptr;   ///< of the scene, which holds it
+  vtkCellArray* BuiltPolys = nullptr; ///< of the scene, which holds it
   vtkMTimeType BuiltTime = 0;
 };
 

@@ -28,7 +28,7 @@ namespace
 
 constexpr double MostWaypoints = 1e7;
 
-/// How far it is from a point to the next in x, y.
+/// The distance from a point to the next in x, y.
 double GetDistance(vtkPolyData* waypoints, vtkIdType i)
 {
   double a[3], b[3];
@@ -37,7 +37,7 @@ double GetDistance(vtkPolyData* waypoints, vtkIdType i)
   return std::hypot(b[0] - a[0], b[1] - a[1]);
 }
 
-/// The ids of the legs, as they are or as they count.
+/// The ids of the legs, from the input or consecutive.
 void AddLegIds(vtkPointData* data, vtkIdType count)
 {
   if (!data->HasArray(names::LegIds))
@@ -52,7 +52,7 @@ void AddLegIds(vtkPointData* data, vtkIdType count)
   }
 }
 
-/// Raises what is too low for a slope, seen from the one before and from the one behind.
+/// Raises heights to limit the slope, in both directions.
 void LimitSlope(std::vector<double>& heights, const std::vector<double>& distances, double slope)
 {
   for (std::size_t i = 1; i < heights.size(); ++i)
@@ -108,7 +108,7 @@ int vtkHeliosTerrainFollow::RequestData(
 }
 
 //------------------------------------------------------------------------------
-// The waypoints and those between them, at heights that do not count yet.
+// The waypoints and those between them, at provisional heights.
 bool vtkHeliosTerrainFollow::Insert(vtkPolyData* waypoints, vtkPolyData* output)
 {
   const vtkIdType count = waypoints->GetNumberOfPoints();

@@ -2,25 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosTerrainFollow
- * @brief   waypoints at a height above the terrain, with more between where it is uneven
+ * @brief   waypoints at a height above the terrain, with more inserted where it is
+ * uneven
  *
  * Port 0: waypoints (vtkPolyData, the points in order). Port 1: the scene. Output:
- * the waypoints, each Height above the highest surface at its x, y. With
- * Spacing, waypoints are inserted on the straight way in x, y from each to the
- * next, evenly and at most Spacing apart; they have the point arrays of the
- * waypoint before. LegIds are there, too: as the input has them, else 0, 1, 2 ... of
- * its waypoints, so that an inserted waypoint belongs to the leg that it lies on.
- * The output has no cells; field data passes.
+ * the waypoints, each Height above the highest surface at its x, y. With Spacing,
+ * waypoints are inserted on the straight line in x, y from each to the next, evenly
+ * and at most Spacing apart; they have the point arrays of the waypoint before.
+ * LegIds are added: as in the input, else 0, 1, 2 ... of its waypoints, so that an
+ * inserted waypoint belongs to the leg that it lies on. The output has no cells;
+ * field data is passed through.
  *
- * With MaximumSlope waypoints are raised, never lowered, until no way between two
- * is steeper: what climbs a cliff starts to climb before it.
+ * With MaximumSlope waypoints are raised, never lowered, until no segment between
+ * two is steeper: a climb starts before a cliff.
  *
- * Between waypoints the way is straight: what sticks out of the terrain between two
- * is not seen. Take a Spacing finer than the terrain, and let vtkHeliosClearance check.
+ * Segments between waypoints are straight: terrain features between two are missed. Use
+ * a Spacing finer than the terrain, and check with vtkHeliosClearance.
  *
- * Errors: no surface above or below a waypoint (it is named with its x, y), or one
+ * Errors: no surface above or below a waypoint (the message gives its x, y), or one
  * that is not finite; an empty scene; a Spacing that makes more than 1e7 waypoints; a
- * trajectory (with GpsTime): a platform makes one of these waypoints.
+ * trajectory (with GpsTime): only a platform makes one from these waypoints.
  *
  * @sa
  * vtkHeliosGroundSnap vtkHeliosClearance vtkHeliosPlatform
@@ -48,16 +49,16 @@ public:
   vtkGetMacro(Height, double);
   ///@}
 
-  /// What is flown over.
+  /// The surface to follow.
   enum Surfaces
   {
-    GROUND = 0, ///< surfaces with a ground material; all where there is none
+    GROUND = 0, ///< surfaces with a ground material; all if there is none
     TOP = 1     ///< all surfaces: also trees and roofs
   };
 
   ///@{
   /**
-   * Set/Get what is flown over. Default: GROUND.
+   * Set/Get the surface to follow. Default: GROUND.
    */
   vtkSetClampMacro(Surface, int, GROUND, TOP);
   vtkGetMacro(Surface, int);
@@ -67,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Set/Get how far apart waypoints are at most in x, y [m]; 0: none are inserted.
+   * Set/Get the maximum spacing of waypoints in x, y [m]; 0: none are inserted.
    * Valid range: [0, 1e6]. Default: 0.
    */
   vtkSetClampMacro(Spacing, double, 0.0, 1e6);
@@ -76,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Set/Get how steep the way between waypoints is at most [deg]; 90: no limit.
-   * Valid range: [0, 90]. Default: 90.
+   * Set/Get the maximum slope between waypoints [deg]; 90: no limit. Valid
+   * range: [0, 90]. Default: 90.
    */
   vtkSetClampMacro(MaximumSlope, double, 0.0, 90.0);
   vtkGetMacro(MaximumSlope, double);

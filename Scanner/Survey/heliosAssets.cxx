@@ -25,7 +25,7 @@ std::string Join(const std::vector<std::string>& texts)
   return joined;
 }
 
-/// The candidates for a name, in the order of the folders; an absolute name is its own.
+/// The candidate paths of a name, in folder order; an absolute name is the only one.
 std::vector<std::string> MakeCandidates(
   const std::string& name, const std::vector<std::string>& folders)
 {
@@ -74,7 +74,7 @@ const XmlDocument* Assets::Load(const std::string& path)
   {
     return found->second.get();
   }
-  this->Documents[path] = nullptr; // where it cannot be read: once is enough
+  this->Documents[path] = nullptr; // an unreadable file is tried only once
   return this->Add(XmlDocument::Load(path, this->Log));
 }
 

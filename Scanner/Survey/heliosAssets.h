@@ -18,40 +18,40 @@ namespace helios
 class Messages;
 
 /**
- * A relative name is looked for in the asset directories (and the folder data of each), then in the
- * folder of the file that names it, then in the working directory. A document is read once.
+ * Relative names are searched in the asset directories (and the folder data of each), then in the
+ * folder of the referring file, then in the working directory. A document is read once.
  */
 class Assets
 {
 public:
   Assets(Messages& messages, std::vector<std::string> directories);
 
-  /// The document of that very path; null after an error.
+  /// The document at exactly this path; null after an error.
   const XmlDocument* Load(const std::string& path);
 
-  /// Takes a document for that of its path.
+  /// Adds a document under its path.
   const XmlDocument* Add(std::unique_ptr<XmlDocument> document);
 
-  /// The paths of all documents that were loaded, in alphabetical order.
+  /// The paths of all loaded documents, in alphabetical order.
   std::vector<std::string> GetDocumentPaths() const;
 
-  /// The path of a file; empty, after an error that names the places, where there is none.
+  /// The path of a file; empty, after an error that lists the folders searched, if it is missing.
   std::string FindFile(const XmlValue& name, const XmlDocument& from);
 
-  /// The path of a file that need not be there; empty where there is none.
+  /// The path of an optional file; empty if it is missing.
   std::string LookFor(const std::string& name, const XmlDocument& from) const;
 
   /// The paths of all files of a folder whose whole names match a regular expression, in
-  /// alphabetical order; none after an error.
+  /// alphabetical order; empty after an error.
   std::vector<std::string> FindFiles(const XmlValue& pattern, const XmlDocument& from);
 
-  /// The element of a tag that an attribute refers to by file.xml#id, #id or id; none after an error.
+  /// The element that an attribute refers to by file.xml#id, #id or id; none after an error.
   XmlElement FindElement(const char* tag, const XmlElement& from, const char* attribute);
 
-  /// The same of a reference that need not stand in a file.
+  /// The same for a reference that is not from a file.
   XmlElement FindElement(const char* tag, const XmlValue& reference, const XmlDocument& from);
 
-  /// The folders that a file named by this document is looked for in.
+  /// The folders searched for a file named in this document.
   std::vector<std::string> GetFolders(const XmlDocument& from) const;
 
 private:

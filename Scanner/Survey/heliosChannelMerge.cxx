@@ -22,14 +22,14 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// A record: of which channel, and its row there.
+/// A record: its channel and its row there.
 struct Source
 {
   std::size_t Channel;
   vtkIdType Row;
 };
 
-/// The rows of all channels in the order of their pulses.
+/// The rows of all channels in pulse order.
 std::vector<Source> FindOrder(const std::vector<vtkFieldData*>& columns)
 {
   std::vector<std::pair<double, Source>> rows; // a double holds ids up to 2^53
@@ -52,7 +52,7 @@ std::vector<Source> FindOrder(const std::vector<vtkFieldData*>& columns)
   return order;
 }
 
-/// One array of the same arrays of all channels, in an order.
+/// Gathers one array from all channels, in an order.
 vtkSmartPointer<vtkAbstractArray> Gather(
   const std::vector<vtkAbstractArray*>& arrays, const std::vector<Source>& order)
 {
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkDataObject> MergePoints(const std::vector<vtkDataObject*>& ch
   return merged;
 }
 
-/// Puts the samples of all channels one behind the other, and moves the offsets of the rows by that.
+/// Concatenates the samples of all channels, and shifts the offsets of the rows accordingly.
 void JoinSamples(
   const std::vector<vtkDataObject*>& channels, const std::vector<Source>& order, vtkTable* merged)
 {

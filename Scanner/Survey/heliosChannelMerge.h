@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The records of channels that fire at once, as those of one scanner.
+// Merges the records of simultaneous channels into those of one scanner.
 
 #ifndef heliosChannelMerge_h
 #define heliosChannelMerge_h
@@ -15,9 +15,9 @@ namespace helios
 {
 
 /**
- * The echoes, pulses or waveforms of all channels in the order of their pulses, so that it does not
- * depend on how many came at a time. Each channel's are in that order already. Field arrays are those
- * of the first; of waveforms, Samples is that of all.
+ * Merges the echoes, pulses or waveforms of all channels in pulse order, whatever the block size.
+ * Each channel is in that order already. Field arrays are those of the first; Samples of waveforms
+ * are concatenated.
  */
 vtkSmartPointer<vtkDataObject> MergeChannels(const std::vector<vtkDataObject*>& channels);
 

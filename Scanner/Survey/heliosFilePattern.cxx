@@ -31,7 +31,7 @@ std::string MakeFault(const RE2& expression)
 
 } // namespace
 
-/// RE2, out of sight of those who include the header.
+/// RE2, hidden from the header.
 struct FilePattern::Engine
 {
   explicit Engine(const std::string& text)

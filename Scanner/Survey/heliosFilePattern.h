@@ -16,9 +16,9 @@ namespace helios
 {
 
 /**
- * The text up to the last slash is the folder, what follows is the expression. Matching takes time
- * linear in the length of a name, whatever the expression: it has no lookahead and no back
- * references. Bytes are compared, so that a name need not be UTF-8.
+ * The text up to the last slash is the folder, the rest is the expression. Matching time is linear
+ * in the length of a name: lookahead and back references are not supported. Bytes are compared; a
+ * name need not be UTF-8.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT FilePattern
 {
@@ -29,15 +29,15 @@ public:
   explicit FilePattern(const std::string& text);
   ~FilePattern();
 
-  /// What is wrong with the expression, and the cure; empty: nothing.
+  /// The error in the expression, and the fix; empty: none.
   const std::string& GetFault() const { return this->Fault; }
 
-  /// With a slash at its end; empty: none is named.
+  /// With a trailing slash; empty: not given.
   const std::string& GetFolder() const { return this->Folder; }
 
   /**
-   * Adds the files of a folder whose whole names match, in alphabetical order. False where the folder
-   * has more than `most` entries; nothing is added then.
+   * Adds the files of a folder whose whole names match, in alphabetical order. Returns false, and
+   * adds nothing, if the folder has more than `most` entries.
    */
   bool FindFiles(const std::string& folder, std::vector<std::string>& files,
     std::size_t most = MostFilesInFolder) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The optics of a leg: what deflects its beam.
+// The beam deflector of a leg.
 
 #ifndef heliosLegOptics_h
 #define heliosLegOptics_h
@@ -15,7 +15,7 @@ class vtkHeliosBeamDeflector;
 namespace helios
 {
 
-/// Optics as files write them.
+/// Names of optics in files.
 struct OpticsName
 {
   const char* Name;

@@ -18,12 +18,12 @@ namespace helios
 struct FileProgress;
 struct RunSettings;
 
-// Of vtkHeliosScanner.
+// Output ports of vtkHeliosScanner.
 constexpr int EchoPort = 0;
 constexpr int WaveformPort = 1;
 constexpr int PulsePort = 2;
 
-/// A writer, and what it writes: a port of the scanner, of all its channels together or of one.
+/// A writer and its input: a port of the scanner, of all channels together or of one.
 struct LegOutput
 {
   static constexpr std::size_t AllChannels = static_cast<std::size_t>(-1);
@@ -35,17 +35,17 @@ struct LegOutput
 
 using LegOutputs = std::vector<LegOutput>;
 
-/// The writer of a port of the scanner.
+/// The writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
 
-/// How the name of its file ends.
+/// The suffix of its file name.
 std::string GetSuffix(int port, const std::string& format);
 
-/// The name of the file of a writer, without its folder.
+/// The file name of a writer, without the folder.
 std::string GetName(vtkHeliosStreamWriter* writer);
 
 ///@{
-/// How far the files of writers are, and what was written since this was asked last.
+/// The progress of the files of writers, and what was written since the last call.
 FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole);
 std::vector<FileProgress> TakeProgress(const LegOutputs& outputs, bool isWhole);
 ///@}

@@ -24,13 +24,13 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// What is left of a duration where a leg has a longest one.
+/// Limits a duration to the maximum of the leg.
 double LimitDuration(const LegData& leg, double duration)
 {
   return leg.MaximumDuration >= 0.0 ? std::min(duration, leg.MaximumDuration) : duration;
 }
 
-/// How long a leg lasts on a platform that stands: the head's turn.
+/// The duration of a leg on a static platform: that of the head rotation.
 double GetStandingTime(const LegData& leg)
 {
   const double head = leg.GetHeadTime();
@@ -85,7 +85,7 @@ std::vector<LegPlan> Planner::Plan()
 }
 
 //------------------------------------------------------------------------------
-/// One behind the last leg of the journey that a leg is on.
+/// The end of the trajectory with a leg: one past its last leg.
 std::size_t Planner::FindEnd(std::size_t first) const
 {
   std::size_t leg = first;
@@ -127,7 +127,7 @@ bool Planner::PlanJourney(std::size_t first, std::size_t last)
 }
 
 //------------------------------------------------------------------------------
-/// What a file of a trajectory has wrong names its place; else the journey's is told.
+/// Adds the place of the trajectory to an error, unless it names the trajectory file.
 void Planner::ExplainFailure(std::size_t first)
 {
   const std::string& file = this->Survey.Legs[first].Trajectory.File;
@@ -139,7 +139,7 @@ void Planner::ExplainFailure(std::size_t first)
 }
 
 //------------------------------------------------------------------------------
-/// The times of legs are those of their samples.
+/// Sets the times of legs to those of their samples.
 void Planner::PlanMovingLegs(vtkHeliosPlatform* platform, std::size_t first, std::size_t last)
 {
   vtkPointData* samples = platform->GetOutput()->GetPointData();
@@ -200,7 +200,7 @@ TrajectorySampler::TrajectorySampler(const LegPlan& plan, double interval)
   {
     const double steps = interval > 0.0 ? std::floor(plan.Duration / interval) : 0.0;
     this->NumberOfSamples = 2 + static_cast<vtkIdType>(steps);
-    // The end is a sample of its own unless the last step is there already.
+    // The end is a separate sample unless the last step is there.
     if (steps > 0.0 && this->StartTime + steps * interval >= this->EndTime)
     {
       --this->NumberOfSamples;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the platform of a survey is when: one clock over all legs.
+// Platform positions over time, with one clock for all legs.
 
 #ifndef heliosLegPlan_h
 #define heliosLegPlan_h
@@ -33,16 +33,16 @@ struct LegPlan
 };
 
 /**
- * The legs of a survey that fire pulses, with their platforms run and their times set: each platform
- * starts when the one before it has ended. None after an error.
+ * The legs of a survey that fire pulses, with their platforms run and their times set: each
+ * platform starts when the one before ends. Empty after an error.
  */
 std::vector<LegPlan> PlanLegs(
   const SurveyData& survey, vtkPolyData* scene, const LegChance& chance, Messages& log);
 
 /**
  * Samples of the trajectory of a leg at its start, every interval [s] after that, and its end; with
- * an interval of 0 at start and end only. One sample where the platform stands. Sample first and
- * the count - 1 after it come as one block.
+ * an interval of 0 at start and end only. One sample on a static platform. Samples are returned in
+ * blocks of count, starting at first.
  */
 class TrajectorySampler
 {

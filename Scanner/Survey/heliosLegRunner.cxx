@@ -25,13 +25,13 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// A word of at least three characters, with zeros before it.
+/// Pads a word with zeros to at least three characters.
 std::string Pad(const std::string& word)
 {
   return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
 }
 
-/// Notes what is written when the disk has it; says what went wrong, or returns an empty text.
+/// Journals the output once it is fsynced; returns an error message, or an empty string.
 std::string Note(
   const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
 {
@@ -52,7 +52,7 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of a run: at a billion pulses a second it takes eleven days.
+/// Limit of a run: eleven days at 1e9 pulses per second.
 constexpr vtkIdType MostPulses = 1000000000000000;
 
 } // namespace
@@ -107,7 +107,7 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// "legNNN", or "stripNNN" of its strip, and what follows.
+/// "legNNN", or "stripNNN" for a strip, and the ending.
 std::string LegRunner::MakeFileName(const LegPlan& plan, const std::string& ending) const
 {
   const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
@@ -121,7 +121,7 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
   Outputs outputs;
   this->AddOutputs(plan, EchoPort, "_points", outputs);
-  if (this->Settings.Waveforms && this->Settings.Format != "las") // whose points have them
+  if (this->Settings.Waveforms && this->Settings.Format != "las") // LAS points have them
   {
     this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
   }
@@ -133,7 +133,7 @@ LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 }
 
 //------------------------------------------------------------------------------
-/// One file of a port, or one a channel.
+/// One file of a port, or one per channel.
 void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
 {
   const std::string suffix = GetSuffix(port, this->Settings.Format);
@@ -169,7 +169,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
 }
 
 //------------------------------------------------------------------------------
-/// Whether no leg after this one writes to its files.
+/// Whether no later leg writes to the same files.
 bool LegRunner::EndsFiles(const LegPlan& plan) const
 {
   const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
@@ -236,7 +236,8 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
   }
   const bool ends = this->EndsFiles(plan);
   const bool good = ends ? writer->Close() : writer->Flush();
-  written = TakeProgress(writer, ends); // without the foot of an index: there the next leg goes on
+  written = TakeProgress(writer, ends); // without the footer of an index: the next leg continues
+                                        // there
   return (ends || writer->Abandon()) && good;
 }
 
@@ -249,7 +250,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->Counts = before.Counts;
     return true;
   }
-  if (!this->Check(journal.Check())) // a folder that was removed is not made again
+  if (!this->Check(journal.Check())) // does not recreate a removed folder
   {
     return false;
   }
@@ -274,7 +275,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   if (isWhole)
   {
     done.Files = TakeProgress(
-      outputs, true); // with the end of an index; the next leg of a strip goes on before that
+      outputs, true); // with the footer of an index; the next leg of a strip continues before it
   }
   done.Files.push_back(trajectory);
   return this->Check(journal.Append(plan.Leg, done));
@@ -295,7 +296,7 @@ bool LegRunner::RunBlocks(
   const int blocks = static_cast<int>(count);
   LegProgress progress = journal.GetLeg(plan.Leg);
   const double start = Now() - progress.Seconds;
-  // The disk takes a block while the next one is computed; nobody writes meanwhile.
+  // A block is flushed to disk while the next one is computed; nothing is written meanwhile.
   std::future<std::string> noted;
   const auto isNoted = [this, &noted] { return !noted.valid() || this->Check(noted.get()); };
   for (int block = progress.Blocks; block < blocks; ++block)
@@ -343,7 +344,7 @@ bool LegRunner::Write(const Outputs& outputs) const
       }
       las->SetWaveforms(vtkTable::SafeDownCast(get(output, WaveformPort)));
       const bool isWritten = las->Write(get(output, output.Port));
-      las->SetWaveforms(nullptr); // gives up their memory
+      las->SetWaveforms(nullptr); // releases their memory
       return isWritten;
     });
 }

@@ -47,36 +47,36 @@ public:
   const RunCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
 
-  /// Whether anything has failed, of what is listened to, too.
+  /// Whether there was any error, including those of the objects listened to.
   bool HasError() const;
   void Listen(vtkHeliosStreamWriter* writer);
 
-  /// Runs one leg, or what the journal says is left of it, and writes its files; the journal then says
-  /// how far it is. False after an error or where the callback ends it. What is written then is valid
-  /// and called .part.
+  /// Runs one leg, or its rest according to the journal, and writes its files and the journal.
+  /// Returns false after an error or if the callback stops it. The files written so far are then
+  /// valid and end in .part.
   bool Run(const LegPlan& plan, RunJournal& journal, const BlockCallback& onBlock);
 
   /// The scanner, set up for a leg.
   LegScanner& Prepare(const LegPlan& plan);
 
-  /// The outputs of the leg that the scanner is set up for; their writers are not open yet.
+  /// The outputs of the leg that the scanner is set up for, with unopened writers.
   Outputs MakeOutputs(const LegPlan& plan) const;
 
-  /// Writes what the scanner has; false after an error.
+  /// Writes the output of the scanner; false after an error.
   bool Write(const Outputs& outputs) const;
 
   /// The writer of the leg's trajectory, not open yet.
   vtkSmartPointer<vtkHeliosStreamWriter> MakeTrajectoryWriter(const LegPlan& plan) const;
 
-  /// What sub-rays and bins the settings come to, in words.
+  /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling();
 
   std::string GetRayCasterName() const;
 
-  /// Why a run has no echo, and what to do about it.
+  /// Explains why a run has no echo, and how to fix it.
   std::string ExplainNoEchoes() const;
 
-  /// The names of all files that a leg can have: a regular expression.
+  /// The names of all possible files of a leg: a regular expression.
   static const char* GetFilePattern();
 
 private:

@@ -32,7 +32,7 @@ namespace
 {
 
 constexpr double BytesPerKibibyte = 1024.0;
-constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, hits of sub-rays
+constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr vtkIdType AllPulses = VTK_ID_MAX;
 constexpr auto None = static_cast<std::size_t>(-1);
 
@@ -127,7 +127,7 @@ void LegScanner::SetUp(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// The channels of the leg's scanner on its platform, unless the leg before had the same.
+/// Makes the channels of the leg's scanner on its platform, unless the previous leg had the same.
 void LegScanner::MakeChannels(const LegPlan& plan)
 {
   const LegData& leg = this->Survey.Legs[plan.Leg];
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   }
   if (!this->Settings.RayCaster)
   {
-    this->Settings.RayCaster = channel->GetRayCaster(); // of all, built once
+    this->Settings.RayCaster = channel->GetRayCaster(); // shared by all, built once
   }
   if (this->Motion.IsMoving() && !this->MotionCaster)
   {
@@ -260,7 +260,7 @@ bool LegScanner::Update(int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
-/// Runs a piece in windows of pulses that see the same scene.
+/// Runs a piece in pulse windows of constant scene.
 bool LegScanner::UpdateMoving(int piece, int pieces)
 {
   this->ReleaseOutput();
@@ -292,7 +292,7 @@ bool LegScanner::UpdateMoving(int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
-/// Gives all channels the scene as it is now.
+/// Updates the scene of all channels.
 void LegScanner::PutParts()
 {
   const vtkMTimeType time = this->Motion.GetMoveTime();
@@ -310,7 +310,7 @@ void LegScanner::PutParts()
 }
 
 //------------------------------------------------------------------------------
-/// Takes what the channels have to what they had.
+/// Appends the output of the channels to that gathered.
 void LegScanner::Gather()
 {
   AddCounts(this->Channels, this->GatheredCounts);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The scanner of a leg: a vtkHeliosScanner for every channel, all firing at once.
+// The scanner of a leg: one vtkHeliosScanner per channel, all firing at once.
 
 #ifndef heliosLegScanner_h
 #define heliosLegScanner_h
@@ -37,19 +37,18 @@ public:
     const SurveyData& survey, vtkPolyData* scene, const RunSettings& settings, Messages& log);
   ~LegScanner();
 
-  /// Makes the scanner that of a leg.
+  /// Sets up the scanner for a leg.
   void SetUp(const LegPlan& plan);
 
   std::size_t GetNumberOfChannels() const { return this->Channels.size(); }
 
-  /// The part [t0, t1) of the leg that is run [s]; all of it after SetUp().
+  /// The part [t0, t1) of the leg to run [s]; all of it after SetUp().
   void SetTimeWindow(double t0, double t1);
 
-  /// The part [first, last) of the pulses of each channel that is run, of those in the window of time;
-  /// all of it after SetUp().
+  /// The range [first, last) of each channel's pulses in the time window to run; all after SetUp().
   void SetPulseWindow(vtkIdType first, vtkIdType last);
 
-  /// Which outputs the settings ask for beside the echoes, from now on.
+  /// Sets the outputs that the settings request besides the echoes.
   void SetOutputs(const RunSettings& settings);
 
   /// The pulses of all channels in the windows.
@@ -58,20 +57,20 @@ public:
   /// Runs a piece of the leg; false after an error.
   bool Update(int piece, int pieces);
 
-  /// The port of all channels together, in the order of pulses; the port of one of them.
+  /// The port of all channels together, in pulse order; the port of one of them.
   vtkSmartPointer<vtkDataObject> GetOutput(int port) const;
   vtkDataObject* GetOutput(int port, std::size_t channel) const;
 
-  /// Forgets the output of the last piece.
+  /// Releases the output of the last piece.
   void ReleaseOutput();
 
-  /// What the output of the last piece takes [bytes].
+  /// The size of the output of the last piece [bytes].
   double GetMemorySize() const;
 
   /// Adds the counts of the last piece.
   void Count(RunCounts& counts) const;
 
-  /// What sub-rays and bins the settings come to, in words.
+  /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling() const;
 
   std::string GetRayCasterName() const;
@@ -93,13 +92,14 @@ private:
   Messages& Log;
   SpectralScenes Scenes;
   std::vector<SpectralScenes> Grids;
-  std::size_t Scanner; // of the survey, that the channels are of
+  std::size_t Scanner; // of the survey, with these channels
   std::size_t Platform;
   std::vector<vtkSmartPointer<vtkHeliosScanner>> Channels;
   vtkIdType FirstPulse;
   vtkIdType LastPulse;
 
-  // Where parts move: the leg's clock, the window of time, and what the windows of one scene gave.
+  // With moving parts: the leg's clock, the time window, and the output of its windows of constant
+  // scene.
   MovingScene Motion;
   vtkSmartPointer<vtkHeliosRayCaster> MotionCaster;
   PulseClock Clock;

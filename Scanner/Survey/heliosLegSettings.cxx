@@ -14,13 +14,13 @@ namespace helios
 namespace
 {
 
-/// The longest leg [s]: beyond it a head practically never stops.
+/// The longest leg [s]: a slower head rotation practically never ends.
 constexpr double LongestLeg = 1e9;
 
-/// Of a platform that moves [m/s]: beyond it a flight practically never ends.
+/// The minimum speed of a moving platform [m/s]: a slower flight practically never ends.
 constexpr double SlowestSpeed = 1e-6;
 
-/// Resolves what one channel does on a leg, step by step; a step that fails has reported why.
+/// Resolves the scan of one channel on a leg, step by step; a failed step has reported its error.
 class ScanResolver
 {
 public:
@@ -56,7 +56,7 @@ private:
     return this->Given.VerticalResolution != 0.0 || this->Given.HorizontalResolution != 0.0;
   }
 
-  /// The limits of the instrument and where they stand.
+  /// The limits of the instrument and their sources.
   struct Limits
   {
     double Low;
@@ -65,10 +65,10 @@ private:
     const char* HighName;
   };
 
-  /// What is asked for (as messages say it), or the limit that it is beyond, with a warning.
+  /// The requested value (asked: its text in messages), clipped to the limits with a warning.
   double Clip(const Sentence& asked, double value, const Limits& limits);
 
-  /// Messages are about legs that fire; the others are only passed through.
+  /// Reports messages only for legs that fire pulses.
   void Error(const Sentence& text);
   void Warning(const Sentence& text);
 
@@ -170,7 +170,7 @@ double ScanResolver::Clip(const Sentence& asked, double value, const Limits& lim
 }
 
 //------------------------------------------------------------------------------
-/// A window wider than the mirror's loses what lies beyond the mirror's, and no more than is too wide.
+/// Clips a window wider than the mirror's on the sides beyond it, and only by the excess.
 void ScanResolver::ResolveWindow()
 {
   const double effective = this->Scanner.ScanAngleEffectiveMax > 0.0
@@ -220,7 +220,7 @@ void ScanResolver::ResolveFrequencies()
   {
     this->ClipScanFrequency();
   }
-  if (isByResolution) // the distance of lines stays what is asked for
+  if (isByResolution) // keeps the requested line spacing
   {
     this->Scan.HeadRotateSpeed = this->Given.HorizontalResolution * this->Scan.ScanFrequency;
   }
@@ -316,7 +316,7 @@ void ScanResolver::ResolveWarmUp()
          << "\" and beyond, before a pulse leaves; give less than " << before << " s";
     this->Error(text);
   }
-  // On a platform that moves, only where the head looks counts, not how it got there.
+  // On a moving platform, only the direction of the head matters.
   this->Scan.HeadRotateStart += this->IsMoving ? std::fmod(turn, 360.0) : turn;
 }
 
@@ -384,7 +384,7 @@ void CheckSpeed(const SurveyData& survey, std::size_t leg, Messages& log)
   }
 }
 
-/// No more samples of a trajectory than pulses.
+/// Limits the samples of a trajectory to the number of pulses.
 void LimitTrajectory(LegData& leg, bool fires, Messages& log)
 {
   const double asked = leg.TrajectoryTimeInterval;
@@ -399,7 +399,7 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
   }
 }
 
-/// A scanner that can do all that a leg asks of it.
+/// A scanner that supports all settings of a leg.
 ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
 {
   const double least = std::numeric_limits<double>::min();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a leg asks for, made what its scanner can do.
+// Adapts the settings of a leg to its scanner.
 
 #ifndef heliosLegSettings_h
 #define heliosLegSettings_h
@@ -14,13 +14,13 @@ namespace helios
 
 class Messages;
 
-/// The settings of a leg as its file gives them; NaN: not given.
+/// The settings of a leg in its file; NaN: not given.
 struct LegSettings
 {
   static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-  LegData Leg;   ///< with everything that is taken as it is
-  ScanData Scan; ///< so is its head, and its warm-up
+  LegData Leg;   ///< with all settings that need no conversion
+  ScanData Scan; ///< likewise its head and its warm-up
   double PulseFrequency = NotGiven;
   double ScanFrequency = NotGiven;
   double ScanAngle = NotGiven;
@@ -32,14 +32,13 @@ struct LegSettings
 };
 
 /**
- * Makes of what a leg of a survey asks for what each channel of its scanner does. The survey has its
- * scanners, platforms and all legs but for these. Angles and speeds beyond those of the scanner are
- * clipped with a warning; what cannot run is an error. A leg that fires no pulse is not checked.
+ * Resolves the settings of a leg for each channel of its scanner. The survey has its scanners,
+ * platforms and all legs but for these. Angles and speeds beyond the scanner's limits are clipped
+ * with a warning; settings that cannot run are errors. A leg that fires no pulses is not checked.
  */
 void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log);
 
-/// Checks a leg whose scanner is not known, since it has errors of its own: what is wrong whatever
-/// the scanner can do.
+/// Checks a leg whose scanner has errors of its own, so only for errors that do not depend on it.
 void CheckLegAlone(
   const LegSettings& settings, std::size_t leg, const SurveyData& survey, Messages& log);
 

@@ -27,7 +27,7 @@ namespace
 
 constexpr double StandardGravity = 9.80665; // [m/s^2]
 
-/// The speed of the fastest leg of a journey, at least 1 m/s: below, no drag tells.
+/// The speed of the fastest leg of a trajectory, at least 1 m/s: drag is negligible below.
 double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last)
 {
   double speed = 1.0;
@@ -38,7 +38,7 @@ double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last
   return speed;
 }
 
-/// Files say nothing of mass and drag in physical units: the drag is that at which the copter cruises
+/// Files do not give mass and drag in physical units: the drag is that at which the copter cruises
 /// at its base pitch, m g tan(pitch) = c v^2 (Docs/platforms.md).
 vtkSmartPointer<vtkHeliosPlatform> MakeMulticopter(
   const SurveyData& survey, std::size_t first, std::size_t last)
@@ -83,7 +83,7 @@ vtkSmartPointer<vtkHeliosTrajectoryReader> MakeReader(
   return reader;
 }
 
-/// The files of all legs, each once, as the first leg says that names it.
+/// The files of all legs, each once, with the settings of the first leg that names it.
 vtkSmartPointer<vtkHeliosPlatform> MakeInterpolated(
   const SurveyData& survey, std::size_t first, std::size_t last, Messages& log)
 {
@@ -125,7 +125,7 @@ vtkSmartPointer<vtkHeliosPlatform> MakeVehicle(
   return vtkSmartPointer<vtkHeliosStaticPlatform>::New();
 }
 
-/// Files count attitudes in radians.
+/// Attitudes in files are in radians.
 void SetComponent(
   int component, const NoiseData& data, std::size_t channels, vtkHeliosPlatformNoise* noise)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What moves on a journey, as its data say.
+// Makes the platforms of a survey from its data.
 
 #ifndef heliosMakePlatform_h
 #define heliosMakePlatform_h
@@ -23,7 +23,7 @@ class Messages;
 vtkSmartPointer<vtkHeliosPlatform> MakePlatform(const SurveyData& survey,
   const std::vector<Vec3>& positions, std::size_t first, std::size_t last, Messages& log);
 
-/// How a platform shakes, each value lasting for so many pulses of all channels; null: it does not.
+/// The noise of a platform, each value valid for a number of pulses of all channels; null: none.
 vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
   const PlatformData& platform, std::size_t channels);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors and warnings on behalf of one VTK object: its own, and those of the objects it runs.
+// Errors and warnings on behalf of one VTK object: its own, and those of the objects that it runs.
 
 #ifndef heliosMessages_h
 #define heliosMessages_h
@@ -22,7 +22,7 @@ class vtkObject;
 namespace helios
 {
 
-/// A text in the making: numbers come out as they would be typed.
+/// A message stream: numbers are formatted as a user would type them.
 class Sentence : public std::ostringstream
 {
 public:
@@ -32,7 +32,7 @@ public:
 /// "a, b and c".
 std::string Enumerate(const std::vector<std::string>& words);
 
-/// What messages show of a value that may be long.
+/// Shortens a value that may be long for messages.
 std::string Shorten(const std::string& text);
 
 /// Reports through the owner's error and warning events; the same text only once.
@@ -47,23 +47,23 @@ public:
   void Error(const std::string& text);
   void Warning(const std::string& text);
 
-  /// Warns unless something with this key was warned of before.
+  /// Warns unless there was a warning with this key before.
   void WarnOnce(const std::string& key, const std::string& text);
 
-  /// While muted no error is reported, nor counted: of what is stopped on request.
+  /// While muted, no error is reported or counted: for a run that is stopped on request.
   void Mute(bool isMuted) { this->IsMuted = isMuted; }
 
   bool HasError() const { return this->NumberOfErrors > 0; }
 
-  /// So far, those that were told before counted again: what has failed since shows by it.
+  /// Counts repeated errors too, so that a change shows that something failed.
   int GetNumberOfErrors() const { return this->NumberOfErrors; }
 
   /// The last error; empty: none.
   const std::string& GetLastError() const { return this->LastError; }
 
-  /// From here on, what this object reports is reported by the owner, with the place (file:line)
-  /// that it works for in front, if any. Of an algorithm's executive only what is no echo of the
-  /// algorithm's own error.
+  /// Makes the owner report what this object reports from now on, with the current place
+  /// (file:line), if any, in front. Messages of an algorithm's executive that only repeat the
+  /// algorithm's error are dropped.
   void Listen(vtkObject* object, const std::string& where = {});
   void Listen(vtkAlgorithm* algorithm, const std::string& where = {});
 

@@ -21,7 +21,7 @@ namespace helios
 namespace
 {
 
-/// The corners of some triangles, as cells.
+/// The vertices of some triangles, as cells.
 vtkSmartPointer<vtkCellArray> MakePolys(
   const TriangleMesh& mesh, const std::vector<vtkIdType>& cells)
 {
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkCellArray> MakePolys(
   return polys;
 }
 
-/// Points as they are, borrowed or copied.
+/// The points, shared or copied.
 vtkSmartPointer<vtkPoints> MakePoints(const TriangleMesh& mesh, bool copy)
 {
   vtkNew<vtkDoubleArray> all;
@@ -82,7 +82,7 @@ bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
 {
   if (mesh.GetNumberOfTriangles() == 0)
   {
-    return true; // what rests is kept
+    return true; // the static part is kept
   }
   if (!this->Moving.Scene)
   {
@@ -123,12 +123,12 @@ void MovingRayCaster::MakeShares(const TriangleMesh& mesh)
 //------------------------------------------------------------------------------
 bool MovingRayCaster::BuildMoving(const TriangleMesh& mesh)
 {
-  this->Moving.Scene->SetPoints(MakePoints(mesh, false)); // the mesh outlives what is built of it
+  this->Moving.Scene->SetPoints(MakePoints(mesh, false)); // the mesh outlives the caster
   return this->Moving.Caster->Build(this->Moving.Scene);
 }
 
 //------------------------------------------------------------------------------
-/// Of equal ranges the lowest cell wins, as in one caster.
+/// At equal ranges the lowest cell is selected, as in one caster.
 void MovingRayCaster::TakeNearer(
   const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray caster for a scene of which some triangles move: only these are put in order anew.
+// A ray caster for a scene with moving triangles: only these are rebuilt.
 
 #ifndef heliosMovingRayCaster_h
 #define heliosMovingRayCaster_h
@@ -19,8 +19,8 @@ namespace helios
 {
 
 /**
- * Two casters of one kind, of the triangles that rest and of those that move. Hits are those of one
- * caster of all, to the bit. A cone that meets surfaces of both is Mixed.
+ * Two casters of one kind, for static and for moving triangles. Hits are bit-identical to those of
+ * one caster for all. A cone that hits both is Mixed.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingRayCaster : public vtkHeliosRayCaster
 {
@@ -30,7 +30,7 @@ public:
   MovingRayCaster(const MovingRayCaster&) = delete;
   void operator=(const MovingRayCaster&) = delete;
 
-  /// What casts the rays, whose parts are PartIds of a scene, and which of these move.
+  /// Sets the ray caster to use, the scene, and the PartIds that move.
   void SetUp(vtkHeliosRayCaster* kind, vtkPolyData* scene, const std::vector<int>& parts);
 
   using vtkHeliosRayCaster::Intersect;
@@ -51,7 +51,7 @@ protected:
   bool BuildAccelerator(const TriangleMesh& mesh) override;
 
 private:
-  /// Some of the triangles, and what their cells are called in the scene.
+  /// A subset of the triangles, with their cell ids in the scene.
   struct Share
   {
     vtkSmartPointer<vtkHeliosRayCaster> Caster;

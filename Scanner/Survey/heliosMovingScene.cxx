@@ -41,7 +41,7 @@ vtkIdType FindSeenStep(const MotionData& motion, const PulseClock& clock, vtkIdT
     step = static_cast<vtkIdType>(std::max(0.0, std::round(time / motion.Seconds)));
     while (step > 0 && FindPulseOfStep(motion, clock, step) > pulse)
     {
-      --step; // by one: the pulse decides, not the rounded time
+      --step; // the pulse counts, not the rounded time
     }
   }
   else

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene of a survey whose parts move: where they are when a pulse leaves.
+// A scene with moving parts: their positions at the time of a pulse.
 
 #ifndef heliosMovingScene_h
 #define heliosMovingScene_h
@@ -23,7 +23,7 @@ namespace helios
 
 class Messages;
 
-/// When the pulses of a leg leave: pulse i at StartTime + i / Rate, as the one with that number in the run.
+/// Pulse times of a leg: pulse i leaves at StartTime + i / Rate, as pulse FirstShot + i of the run.
 struct PulseClock
 {
   vtkIdType FirstShot = 0; ///< pulses of a channel in the legs before
@@ -31,15 +31,15 @@ struct PulseClock
   double Rate = 1.0;       ///< [Hz]
 };
 
-/// The step that a part is seen at by a pulse of a leg.
+/// The motion step of a part at a pulse of a leg.
 VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindSeenStep(
   const MotionData& motion, const PulseClock& clock, vtkIdType pulse);
 
-/// The first pulse of a leg, from 0, that leaves when a part has made a step.
+/// The first pulse of a leg, from 0, after a step of a part.
 VTKHELIOSSCANNERSURVEY_EXPORT vtkIdType FindPulseOfStep(
   const MotionData& motion, const PulseClock& clock, vtkIdType step);
 
-/// Nothing of it costs anything where no part moves.
+/// No overhead without moving parts.
 class VTKHELIOSSCANNERSURVEY_EXPORT MovingScene
 {
 public:
@@ -48,17 +48,17 @@ public:
 
   bool IsMoving() const { return !this->Parts.empty(); }
 
-  /// The PartIds of what moves.
+  /// The PartIds of the moving parts.
   std::vector<int> GetParts() const;
 
-  /// Moves the parts to where a pulse of a leg sees them; returns the first pulse that sees them
-  /// elsewhere.
+  /// Moves the parts to their positions at a pulse of a leg; returns the first pulse with other
+  /// positions.
   vtkIdType MoveTo(const PulseClock& clock, vtkIdType pulse);
 
-  /// The mesh of another scene with the same points and triangles, as it is now.
+  /// Moves the mesh of another scene with the same points and triangles.
   vtkSmartPointer<vtkDataObject> Move(vtkDataObject* scene) const;
 
-  /// A ray caster of a kind for which only what moves costs.
+  /// A ray caster of a kind that rebuilds only the moving parts.
   vtkSmartPointer<vtkHeliosRayCaster> MakeRayCaster(vtkHeliosRayCaster* kind) const;
 
   /// Changes when parts have moved.

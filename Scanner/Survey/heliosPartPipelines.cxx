@@ -71,7 +71,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVegetationReader(const PartData& part, const s
   return reader;
 }
 
-/// Turns, enlarges and moves a grid as a filter does meshes; its densities stay per cubic metre.
+/// Rotates, scales and moves a grid as a filter does meshes; densities remain per cubic metre.
 void Place(vtkHeliosSceneTransform* place, vtkImageData* grid)
 {
   const double* q = place->GetRotation();
@@ -249,7 +249,8 @@ PartPipelines::Filter PartPipelines::MakeVoxels(const PartData& part)
   const auto reader = MakePointReader(part);
   this->Listen(reader, this->Where);
   this->Readers.emplace_back(part.Files.front(), voxelizer);
-  return this->Connect(voxelizer, this->AddCrs(part, reader)); // cells lie along the target's axes
+  return this->Connect(voxelizer, this->AddCrs(part, reader)); // voxels are aligned with the axes
+                                                               // of the target
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +271,7 @@ PartPipelines::Filter PartPipelines::GetReader(const PartData& part, const std::
 }
 
 //------------------------------------------------------------------------------
-/// The cubes of a grid of vegetation; of a turbid one they are made only where the ground is looked for.
+/// The cubes of a vegetation grid; those of a turbid one are made only to find the ground.
 PartPipelines::Filter PartPipelines::MakeCubes(const PartData& part, const std::string& file)
 {
   const VegetationData& cells = part.Vegetation;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The pipelines that the parts of a scene come out of: reader, material, reprojection, mesh care, transform.
+// The pipelines of the parts of a scene: reader, material, reprojection, mesh repair, transform.
 
 #ifndef heliosPartPipelines_h
 #define heliosPartPipelines_h
@@ -26,10 +26,10 @@ namespace helios
 
 class Messages;
 
-/// Called before each step of something long with what it does; false stops it.
+/// Called before each step of a long task with its name; false stops it.
 using StepCallback = std::function<bool(const std::string& step)>;
 
-/// A mesh that several parts have is read once.
+/// A mesh used by several parts is read once.
 class PartPipelines
 {
 public:
@@ -42,18 +42,18 @@ public:
   /// The last filter of a part.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
 
-  /// The grids of a turbid part after its files were read, of its materials and where a filter puts it.
+  /// The grids of a turbid part after its files were read, with its materials and filters applied.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids(
     const PartData& part, vtkHeliosSceneTransform* place);
 
-  /// Reads all files; false after an error or where it was stopped.
+  /// Reads all files; false after an error or if stopped.
   bool ReadFiles(const StepCallback& onStep);
 
-  /// Those that the readers before a filter have, a mesh that comes in twice counted twice.
+  /// The triangles of the readers of a filter; a mesh used twice is counted twice.
   static double CountTriangles(vtkAlgorithm* filter);
 
-  /// Called with the step at hand whenever a filter makes progress; where it returns false the filter
-  /// is stopped, and what it says of that is not reported. Null: nothing is called.
+  /// Sets a function to call with the current step at every progress event; if it returns false,
+  /// the filter is stopped, and its messages about that are dropped. Null: none.
   void SetOnProgress(const StepCallback* onProgress);
   bool WasStopped() const { return this->IsStopped; }
 
@@ -74,13 +74,13 @@ private:
   Messages& Log;
   vtkIdType Seed;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
-  std::string Where;                                          // the part at hand
-  std::string Step;                                           // what is done
+  std::string Where;                                          // the current part
+  std::string Step;                                           // the current step
   const StepCallback* OnProgress = nullptr;
   bool IsStopped = false;
   std::chrono::steady_clock::time_point LastProgress{};
   std::map<std::pair<std::string, bool>, Filter> MeshReaders; // by file and whether y is up
-  std::vector<std::pair<std::string, Filter>> Readers;        // all, with what they read
+  std::vector<std::pair<std::string, Filter>> Readers;        // all, with the files they read
 };
 
 } // namespace helios

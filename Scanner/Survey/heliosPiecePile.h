@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Outputs of one scanner that come in pieces, put together.
+// Concatenates outputs of one scanner that come in pieces.
 
 #ifndef heliosPiecePile_h
 #define heliosPiecePile_h
@@ -15,17 +15,17 @@
 namespace helios
 {
 
-/// As many pieces as come are copied a logarithmic number of times, and few are kept apart.
+/// Data are copied a logarithmic number of times, and few pieces are kept.
 class VTKHELIOSSCANNERSURVEY_EXPORT PiecePile
 {
 public:
   /// Adds a piece with the pulses after those of the last; it may change afterwards.
   void Add(vtkDataObject* piece);
 
-  /// Puts all that came together.
+  /// Concatenates all pieces.
   void Finish();
 
-  /// All that came, after Finish(); null before.
+  /// All data, after Finish(); null before.
   vtkDataObject* Get() const { return this->Whole; }
 
 private:

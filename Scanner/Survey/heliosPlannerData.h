@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be planned, and how: what a reader makes of a file. No trace of its form.
+// A planning task as read from a file, independent of the file format.
 
 #ifndef heliosPlannerData_h
 #define heliosPlannerData_h
@@ -13,14 +13,14 @@
 namespace helios
 {
 
-/// What the caller of a reader asks for; empty and 0: what the file says.
+/// The options of a reader's caller; empty and 0: as in the file.
 struct PlannerRequest
 {
   std::string FileName;
   std::vector<std::string> AssetDirectories;
   std::string Platform;        ///< file.xml#id
   std::string Scanner;         ///< file.xml#id
-  std::string DefaultPlatform; ///< of scenes, which name none
+  std::string DefaultPlatform; ///< for scenes, which name none
   std::string DefaultScanner;
   bool UseScannerLimits = false;
   double Resolution = 0.0;     ///< [deg]
@@ -29,12 +29,12 @@ struct PlannerRequest
 
 struct PlannerData
 {
-  std::string Kind = "scene"; ///< what the file was: planner, survey or scene
-  SurveyData Survey;          ///< scene, platform, scanner, and a leg that turns by a circle
+  std::string Kind = "scene"; ///< of the file: planner, survey or scene
+  SurveyData Survey;          ///< scene, platform, scanner, and a leg with a full rotation
   std::string SceneReference; ///< empty: the file is a mesh
   std::string PlatformReference;
   std::string ScannerReference;
-  Vec3 Instrument{ 0.0, 0.0, 0.0 }; ///< [m], from the platform to where the beam leaves
+  Vec3 Instrument{ 0.0, 0.0, 0.0 }; ///< [m], from the platform to the beam origin
 
   std::string Method; ///< empty: not given
   std::string RemoveOrder = "viewshedSize";
@@ -46,11 +46,11 @@ struct PlannerData
   std::string TestLines = "all";
   double MaximumSlope = 15.0; ///< [deg]
   std::string GroundOnly = "auto";
-  bool TakesEnclosed = false;          ///< places that are closed all around
+  bool TakesEnclosed = false;          ///< enclosed places count
   double ScannerHeight = 0.0;          ///< [m]
   double HitTolerance = 0.05;          ///< [m]
-  bool SeesBefore = true;              ///< what a ray ends behind is seen
-  bool HasScannerLimits = false;       ///< those of the scanner, where not given
+  bool SeesBefore = true;              ///< points before the end of a ray are seen
+  bool HasScannerLimits = false;       ///< use those of the scanner, if not given
   double RangeMin = 0.0;               ///< [m]
   double RangeMax = VTK_DOUBLE_MAX;    ///< [m]
   double ElevationMin = -90.0;         ///< [deg]

@@ -16,7 +16,7 @@ namespace
 constexpr double DefaultResolution = 0.1; // [deg]
 constexpr double FullCircle = 360.0;
 
-/// How often the mirror goes round, so that pulses of a line are a resolution apart [Hz].
+/// The scan frequency [Hz] at which pulses of a line are at the resolution.
 double FindScanFrequency(const ScannerData& scanner, double pulseFrequency, double resolution)
 {
   const bool isLimited = scanner.ScanFrequencyMax > 0.0;
@@ -28,7 +28,7 @@ double FindScanFrequency(const ScannerData& scanner, double pulseFrequency, doub
   return std::isfinite(wanted) ? std::clamp(wanted, scanner.ScanFrequencyMin, most) : 0.0;
 }
 
-/// Fills in what the settings do not say.
+/// Completes settings that are not given.
 void CompleteSettings(
   const ScannerData& scanner, const PlannerRequest& request, LegSettings& settings)
 {
@@ -63,7 +63,7 @@ void CompleteSettings(
   }
 }
 
-/// The elevations that the window of an upright polygon mirror sees; false for other scanners.
+/// The elevations in the window of a vertical polygon mirror; false for other scanners.
 bool FindElevations(const PlannerData& data, double& low, double& high)
 {
   const ScannerData& scanner = data.Survey.Scanners.front();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the scanner of a plan scans: where it is on its platform, what it sees, how fast it turns.
+// How the scanner of a plan scans: its pose on the platform, its field of view, its rotation speed.
 
 #ifndef heliosPlannerScan_h
 #define heliosPlannerScan_h
@@ -14,22 +14,22 @@ namespace helios
 class Messages;
 
 /**
- * From the point that a platform stands on to where the beam leaves [m], the platform facing north.
- * A beam that leaves beside the axis of the head goes round that point.
+ * The offset from the platform to the beam origin [m], with the platform facing north. A beam
+ * origin off the head axis rotates about that point.
  */
 Vec3 FindInstrument(const PlatformData& platform, const ScannerData& scanner);
 
-/// The settings that come to what a leg does.
+/// The settings that give the scan of a leg.
 LegSettings MakeSettings(const ScanData& scan);
 
 /**
- * Resolves the leg of a plan: a whole circle, as finely as is asked for and the scanner can, where the
- * settings say nothing else. False after an error.
+ * Resolves the leg of a plan: a full circle at the requested resolution, or the finest of the
+ * scanner, unless the settings say otherwise. False after an error.
  */
 bool ResolveScan(
   LegSettings settings, const PlannerRequest& request, PlannerData& data, Messages& log);
 
-/// Takes ranges and field of view of the scanner for the limits that are not given (NaN), or none.
+/// Sets limits that are not given (NaN) to range and field of view of the scanner, or to none.
 void ResolveLimits(PlannerData& data, Messages& log);
 
 } // namespace helios

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The plays of a survey whose parts are swapped: the same legs, other geometry.
+// The epochs of a survey with swapped parts: the same legs, other geometry.
 
 #ifndef heliosPlays_h
 #define heliosPlays_h
@@ -11,17 +11,17 @@
 namespace helios
 {
 
-/// How often a survey is played: once, and as long as the longest swaps of a part last.
+/// The number of epochs: one, or the longest total duration of the swaps of a part.
 VTKHELIOSSCANNERSURVEY_EXPORT int CountPlays(const SceneData& scene);
 
 /**
- * What a part is in a play, from 0: itself in the first one, then one swap after the other, and the
- * last to the end. Null where it is taken out.
+ * The part in an epoch, from 0: itself in the first, then one swap after the other, the last to the
+ * end. Null if it is removed.
  */
 VTKHELIOSSCANNERSURVEY_EXPORT const PartData* FindPart(const PartData& part, int play);
 
-/// The survey of one play: nothing is left to swap, parts that are taken out are not there, and the
-/// others have the names that they have in the first play.
+/// The survey of one epoch: without swaps and removed parts. The other parts keep the names that
+/// they have in the first epoch.
 VTKHELIOSSCANNERSURVEY_EXPORT SurveyData MakePlay(const SurveyData& survey, int play);
 
 } // namespace helios

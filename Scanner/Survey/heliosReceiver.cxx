@@ -46,7 +46,7 @@ void SetUpRadiometry(const ScannerData& data, vtkHeliosScanner* scanner)
   }
 }
 
-/// So many sub-rays: circles where they are that many, else a spiral.
+/// Sets a fixed number of sub-rays: on circles if they give that number, else on a spiral.
 void SetNumberOfSubRays(int count, vtkHeliosBeamSampler* sampler)
 {
   sampler->SetPatternToCircles();
@@ -126,7 +126,8 @@ vtkSmartPointer<vtkHeliosEchoDetector> MakePeakDetector(double window)
   return detector;
 }
 
-/// Of a name, or of none: the default; window: how far from a higher peak the next may be [ns].
+/// Makes a detector by name, or the default; window: how far from a higher peak the next may be
+/// [ns].
 vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, double window)
 {
   if (name == "gaussian")

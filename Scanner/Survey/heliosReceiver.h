@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanner set up as its data say, and as a run wants it.
+// Sets up a scanner from its data and the options of a run.
 
 #ifndef heliosReceiver_h
 #define heliosReceiver_h
@@ -17,20 +17,21 @@ namespace helios
 
 struct ScannerData;
 
-/// What a run wants otherwise than its survey; 0 and empty: as the survey has it.
+/// The options of a run that override its survey; 0 and empty: as in the survey.
 struct ReceiverChoice
 {
   bool Noise = true;
   double RangeTolerance = 0.0;  ///< [m]
   double EnergyTolerance = 0.0; ///< relative
-  int NumberOfSubRays = 0;      ///< always so many
+  int NumberOfSubRays = 0;      ///< fixed
   std::string EchoDetector;     ///< its name
 };
 
-/// What ReceiverChoice and echoDetector="..." may name.
+/// The valid names for ReceiverChoice and echoDetector="...".
 std::vector<std::string> GetEchoDetectorNames();
 
-/// Pulse, radiometry, sampling, waveforms, detection, noise and errors; a choice wins over the data.
+/// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; a choice overrides
+/// the data.
 VTKHELIOSSCANNERSURVEY_EXPORT void SetUpReceiver(
   const ScannerData& data, const ReceiverChoice& choice, vtkHeliosScanner* scanner);
 

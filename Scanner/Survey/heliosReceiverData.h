@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a scanner samples its beam, and what it makes of what comes back: plain data.
+// How a scanner samples its beam and processes the received signal: plain data.
 
 #ifndef heliosReceiverData_h
 #define heliosReceiverData_h
@@ -10,7 +10,7 @@
 namespace helios
 {
 
-/// Errors as expressions of an angle [rad] or, the noise factor, of a range [m]; empty: none.
+/// Errors as expressions of an angle [rad] or, for the noise factor, of a range [m]; empty: none.
 struct ErrorExpressions
 {
   std::string Range;                 ///< [m]
@@ -19,7 +19,7 @@ struct ErrorExpressions
   double HeadZeroSinThreshold = 0.0; ///< [deg], of the angle from multiples of pi
   std::string RangeNoiseFactor;
 
-  /// What messages call each: file:line and the attribute.
+  /// Their names in messages: file:line and the attribute.
   std::string RangeName, DeflectionName, HeadName, RangeNoiseFactorName;
 
   bool IsEmpty() const
@@ -31,12 +31,12 @@ struct ErrorExpressions
 
 struct ReceiverData
 {
-  std::string Where;                ///< what was read last
-  int NumberOfCircles = 0;          ///< of sub-rays, always these; 0: as the tolerances ask
+  std::string Where;                ///< the last place read
+  int NumberOfCircles = 0;          ///< of sub-rays, fixed; 0: adaptive
   double RangeTolerance = 1e-3;     ///< [m]
   double EnergyTolerance = 1e-2;    ///< relative
   double BinSize = 0.25;            ///< [ns]
-  double MaximumLength = 0.0;       ///< [ns], of a waveform; 0: as long as the target
+  double MaximumLength = 0.0;       ///< [ns], of a waveform; 0: as the target requires
   int NumberOfBins = 0;             ///< of a waveform; 0: as many as needed
   double PeakWindow = 0.0;          ///< [ns], either side of a peak; 0: none
   std::string PulseShape;           ///< gaussian, helios, sampled; empty: the default

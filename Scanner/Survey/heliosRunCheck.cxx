@@ -18,7 +18,7 @@ namespace
 
 constexpr const char* Cure = "; set Overwrite (--overwrite) to run anew";
 
-/// The size of a file [bytes]; -1 where there is none, and then why.
+/// The size of a file [bytes]; -1 if missing, with the reason.
 vtkIdType GetSize(const std::string& path, std::string& why)
 {
   std::error_code error;
@@ -27,7 +27,7 @@ vtkIdType GetSize(const std::string& path, std::string& why)
   return error ? -1 : static_cast<vtkIdType>(size);
 }
 
-/// What a size is not: "cannot be read: ..." or "has 5".
+/// Describes a wrong size: "cannot be read: ..." or "has 5".
 std::string Describe(vtkIdType size, const std::string& why)
 {
   return size < 0 ? "cannot be read: " + why : "has " + std::to_string(size);
@@ -48,7 +48,7 @@ std::string RunCheck::GetPath(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
-/// Where a file is that may have its final name already, or not.
+/// The path of a file, with its final name or not.
 std::string RunCheck::FindFile(const std::string& name) const
 {
   std::error_code ignored;
@@ -61,7 +61,7 @@ std::string RunCheck::FindFile(const std::string& name) const
 std::string RunCheck::CheckSizes(const RunJournal& journal) const
 {
   std::map<std::string, FileProgress> files = journal.GetFiles();
-  for (const FileBlock& block : journal.GetBlocks()) // of files beside those
+  for (const FileBlock& block : journal.GetBlocks()) // of other files
   {
     FileProgress& file = files[block.Name];
     file.Name = block.Name;
@@ -93,7 +93,7 @@ std::string RunCheck::CheckSize(const FileProgress& file) const
   }
   if (size >= file.Size)
   {
-    return {}; // what is beyond is taken away
+    return {}; // the rest is truncated
   }
   return path + " cannot be gone on with: " +
     (size < 0 ? why : "it has " + std::to_string(size) + " bytes of " + std::to_string(file.Size)) +
@@ -136,7 +136,7 @@ std::string RunCheck::CheckBlock(const FileBlock& block) const
 //------------------------------------------------------------------------------
 std::string RunCheck::CheckSummary(const Json::Value& summary) const
 {
-  // Legs of a strip write to the same files; the last one says their size.
+  // Legs of a strip share files; the last leg has the final size.
   std::map<std::string, vtkIdType> sizes;
   for (const Json::Value& leg : summary["legs"])
   {
@@ -160,7 +160,7 @@ std::string RunCheck::CheckSummary(const Json::Value& summary) const
 }
 
 //------------------------------------------------------------------------------
-/// The bytes of a file and of those that belong to it: pieces of an index, waveforms of LAS.
+/// The size of a file with those that belong to it: pieces of an index, waveforms of LAS.
 vtkIdType RunCheck::GetSizeWithPieces(const std::string& name) const
 {
   std::string why;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the files of an earlier run are those that were written.
+// Checks whether the files of an earlier run are unchanged.
 
 #ifndef heliosRunCheck_h
 #define heliosRunCheck_h
@@ -24,16 +24,16 @@ public:
   explicit RunCheck(const std::string& folder);
 
   ///@{
-  /// Each says in words what is wrong, or returns an empty text.
+  /// Each returns an error message, or an empty string.
 
-  /// The sizes of all files that a journal names.
+  /// Checks the sizes of all files in a journal.
   std::string CheckSizes(const RunJournal& journal) const;
 
-  /// The newest blocks of a journal, as many as have these bytes.
+  /// Checks the newest blocks of a journal, up to this many bytes.
   std::string CheckBlocks(
     const RunJournal& journal, vtkIdType bytes, const BlockCallback& onBlock) const;
 
-  /// The sizes of the files of a run that is finished, by its summary.
+  /// Checks the sizes of the files of a finished run against its summary.
   std::string CheckSummary(const Json::Value& summary) const;
   ///@}
 

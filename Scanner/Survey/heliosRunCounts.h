@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has counted.
+// The counts of a run.
 
 #ifndef heliosRunCounts_h
 #define heliosRunCounts_h
@@ -14,19 +14,19 @@ namespace helios
 
 struct RunCounts
 {
-  vtkIdType Pulses = 0; ///< of the legs' pulse times
+  vtkIdType Pulses = 0; ///< pulse times of the legs
   vtkIdType Echoes = 0;
   vtkIdType FirstReturns = 0;
   vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         ///< a surface in the ranges that are measured
-  vtkIdType PulsesOnPlane = 0;     ///< their beam met one plane: in closed form
-  vtkIdType PulsesWithoutBins = 0; ///< their maxima were found without bins
+  vtkIdType PulsesHit = 0;         ///< with a surface within the measured ranges
+  vtkIdType PulsesOnPlane = 0;     ///< with a planar footprint: in closed form
+  vtkIdType PulsesWithoutBins = 0; ///< with maxima found without bins
   vtkIdType PulsesBinned = 0;
   vtkIdType SubRays = 0;         ///< traced
   vtkIdType HitsOutOfRange = 0;  ///< of sub-rays
   double LargestAmplitude = 0.0; ///< [W], detected or not
 
-  /// Adds those of other pulses.
+  /// Adds the counts of other pulses.
   void Add(const RunCounts& other)
   {
     this->Pulses += other.Pulses;

@@ -19,18 +19,18 @@ namespace helios
 namespace
 {
 
-// Samples: a tenth of the run, but enough to tell and few enough to be quick [pulses].
+// Samples: a tenth of the run, within limits for accuracy and speed [pulses].
 constexpr double SampledShare = 0.1;
 constexpr double FewestPulses = 262144.0;
 constexpr double MostPulses = 2097152.0;
 constexpr double PulsesPerWindow = 8192.0;
 constexpr double FewestWindows = 8.0;   // of a leg
-constexpr double MostOverBudget = 4.0;  // in pulses, for whole lines
+constexpr double MostOverBudget = 4.0;  // with whole lines
 constexpr double LongestSampling = 4.0; // [s], of all legs together
-// Trials, each longer than the last, until one tells what a pulse costs.
+// Trials of increasing length, until one gives the time per pulse.
 constexpr double PulsesPerTrial = 8.0;
 constexpr double TrialGrowth = 8.0;
-constexpr double TrialSeconds = 0.05; // and no more than a tenth of what the leg may take
+constexpr double TrialSeconds = 0.05; // and at most a tenth of the leg's limit
 constexpr double GoldenRatio = 0.6180339887498949;
 constexpr double BytesPerKibibyte = 1024.0;
 constexpr vtkIdType TrajectorySamples = 4096;
@@ -74,7 +74,7 @@ bool RunEstimate::Make(const std::function<bool(double)>& onStep)
 }
 
 //------------------------------------------------------------------------------
-/// The pulses of a leg that should be sampled.
+/// The pulses to sample of a leg.
 double RunEstimate::GetWanted(const LegPlan& plan) const
 {
   const auto total = static_cast<double>(this->Runner.GetNumberOfPulses());
@@ -92,7 +92,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affo
   }
   const double frequency = static_cast<double>(plan.NumberOfPulses) / plan.Duration;
   const double lines = this->Runner.GetSurvey().Legs[plan.Leg].Scans.front().ScanFrequency;
-  // Whole lines: some of a line's pulses may not leave.
+  // Whole lines: some pulses of a line may not be emitted.
   double length = lines > 0.0
     ? std::max(1.0, std::round(PulsesPerWindow / frequency * lines)) / lines
     : PulsesPerWindow / frequency;
@@ -100,7 +100,7 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affo
   const double count = std::max(FewestWindows, std::ceil(budget / (length * frequency)));
   if (count * length * frequency > MostOverBudget * budget)
   {
-    // Parts of lines where whole ones take too long.
+    // Parts of lines if whole lines take too long.
     length = std::max(1.0, budget / count) / frequency;
   }
   const double stratum = plan.Duration / count;
@@ -108,10 +108,10 @@ RunEstimate::Windows RunEstimate::ChooseWindows(const LegPlan& plan, double affo
   {
     return { { plan.StartTime - 1.0, plan.StartTime + plan.Duration + 1.0 } };
   }
-  std::map<double, Window> windows; // the first few of them sample the whole leg, too
+  std::map<double, Window> windows; // sorted so that the first few cover the leg
   for (double i = 0.0; i < count; ++i)
   {
-    // About the middle, but not in step with what the scene repeats.
+    // Near the middle, but not in step with periodic scenes.
     const double turns = (i + 1.0) * GoldenRatio;
     const double place = 0.25 + 0.5 * (turns - std::floor(turns));
     const double start = plan.StartTime + i * stratum + place * (stratum - length);
@@ -140,12 +140,12 @@ bool RunEstimate::Sample(const LegPlan& plan)
   const Window empty(plan.StartTime, plan.StartTime);
   if (this->Samples.empty())
   {
-    Sums ignored; // the first window pays for the ray caster's tree
+    Sums ignored; // the first window builds the ray caster's tree
     const double start = Now();
     good = good && this->SampleWindow(empty, scanner, {}, ignored);
     this->LoadSeconds += Now() - start;
   }
-  Sums idle; // what a window takes without pulses
+  Sums idle; // overhead of a window without pulses
   good = good && this->SampleWindow(empty, scanner, {}, idle);
   Sums sums;
   const double affordable = good ? this->CountAffordable(plan, scanner) : 0.0;
@@ -171,7 +171,7 @@ bool RunEstimate::Sample(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// The time that the samples of a leg should take [s].
+/// The time for the samples of a leg [s].
 double RunEstimate::GetLongestSampling() const
 {
   return LongestSampling / static_cast<double>(this->Runner.GetPlans().size());
@@ -255,7 +255,7 @@ double RunEstimate::CountTrajectoryBytes(const LegPlan& plan) const
 //------------------------------------------------------------------------------
 double RunEstimate::GuessMemory(const Sums& totals) const
 {
-  // A block's outputs are there once in the parts of threads and once joined.
+  // The output of a block is held twice: in parts by thread, and joined.
   vtksys::SystemInformation system;
   const double now = BytesPerKibibyte * static_cast<double>(system.GetProcMemoryUsed());
   const double block = std::min(static_cast<double>(this->Settings.PulsesPerBlock), totals.Pulses);

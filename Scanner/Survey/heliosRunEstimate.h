@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run would take and give, from samples of its legs.
+// Estimates time and output of a run from samples of its legs.
 
 #ifndef heliosRunEstimate_h
 #define heliosRunEstimate_h
@@ -17,21 +17,22 @@ namespace helios
 {
 
 /**
- * Short time windows of every leg, one near the middle of each of its equal parts and each
- * of whole scan lines, are computed and formatted as the run would, and counted instead of written;
- * a leg's sums are its samples' times its pulses over theirs. A leg that is not much longer than its
- * samples is computed as a whole; where pulses take long, samples are fewer, and in the end shorter.
+ * Short time windows of every leg, one near the middle of each of its equal parts and each of whole
+ * scan lines, are computed and formatted as in a run, and counted instead of written; a leg's sums
+ * are scaled by its pulses over those sampled. A leg not much longer than its samples is computed
+ * in full; if pulses are slow, samples are fewer, and finally shorter.
  */
 class RunEstimate
 {
 public:
   RunEstimate(LegRunner& runner, const RunSettings& settings, double loadSeconds);
 
-  /// Computes the samples. onStep takes the share that is done; false ends it. False, too, after an
-  /// error.
+  /// Computes the samples. onStep gets the fraction done; false stops it. Returns false then and
+  /// after an error.
   bool Make(const std::function<bool(double share)>& onStep);
 
-  /// "legs" with pulses, points and bytes; "totals"; of this host "memory_bytes", "load_s", "run_s".
+  /// "legs" with pulses, points and bytes; "totals"; for this host "memory_bytes", "load_s",
+  /// "run_s".
   Json::Value Describe() const;
 
 private:
@@ -62,7 +63,7 @@ private:
   const RunSettings& Settings;
   double LoadSeconds;
   std::vector<Sums> Samples; // of each leg
-  std::vector<Sums> Legs;    // what they come to
+  std::vector<Sums> Legs;    // their extrapolations
 };
 
 } // namespace helios

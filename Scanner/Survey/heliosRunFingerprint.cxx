@@ -28,7 +28,7 @@ namespace helios
 namespace
 {
 
-/// All files that a survey names, each once. Who teaches the survey a new one adds it here.
+/// All files that a survey names, each once. New kinds of files must be added here.
 std::set<std::string> GetInputFiles(const SurveyData& survey)
 {
   std::set<std::string> files(survey.Documents.begin(), survey.Documents.end());
@@ -132,7 +132,7 @@ std::map<std::string, std::string> GetDigests(const Json::Value& fingerprint)
   return digests;
 }
 
-/// A value as it would be typed.
+/// A value as a user would type it.
 std::string Quote(const Json::Value& value)
 {
   return value.isNull() ? "unknown" : ToLine(value);

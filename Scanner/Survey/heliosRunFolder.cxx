@@ -118,7 +118,7 @@ std::string RunFolder::Clear() const
   {
     return lock.GetProblem() + "; let it end, or give another OutputDirectory";
   }
-  // What says that files are whole goes before the files.
+  // Summary and journal, which state that files are complete, are removed before the files.
   std::vector<fs::path> files = { this->Path / RunFolder::GetSummaryName(), journal };
   const std::vector<fs::path> found = this->FindFiles();
   files.insert(files.end(), found.begin(), found.end());

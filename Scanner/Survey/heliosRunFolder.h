@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder that a run writes to, and what earlier runs left in it.
+// The output folder of a run, with the files of earlier runs.
 
 #ifndef heliosRunFolder_h
 #define heliosRunFolder_h
@@ -22,21 +22,21 @@ public:
   explicit RunFolder(const std::string& path);
 
   ///@{
-  /// Each says in words what is wrong, or returns an empty text.
+  /// Each returns an error message, or an empty string.
 
-  /// Makes the folder; what an earlier run left there needs to be replaced, or gone on with.
+  /// Makes the folder; files of an earlier run there must be replaced or continued.
   std::string Prepare(bool overwrite, bool resume) const;
 
-  /// Removes what earlier runs left.
+  /// Removes the files of earlier runs.
   std::string Clear() const;
 
-  /// Reads the summary of a run that is finished.
+  /// Reads the summary of a finished run.
   std::string ReadSummary(Json::Value& summary) const;
 
   std::string WriteSummary(const Json::Value& summary) const;
   ///@}
 
-  /// Whether no run has left anything here.
+  /// Whether the folder has no files of a run.
   bool IsEmpty() const;
 
   bool HasSummary() const;

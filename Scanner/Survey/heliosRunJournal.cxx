@@ -90,7 +90,7 @@ std::string RunJournal::Read()
     isBroken = !this->Unseal(line, body);
     if (isBroken)
     {
-      continue; // a crash may have torn the last line
+      continue; // a crash may leave the last line incomplete
     }
     const std::string problem = this->Take(body);
     if (!problem.empty())
@@ -104,7 +104,7 @@ std::string RunJournal::Read()
 }
 
 //------------------------------------------------------------------------------
-/// The journals of earlier versions are JSON in lines, too.
+/// The journals of earlier versions are JSON lines, too.
 bool RunJournal::IsWithoutChecksums() const
 {
   std::ifstream file(this->Path, std::ios::binary);
@@ -115,7 +115,7 @@ bool RunJournal::IsWithoutChecksums() const
 }
 
 //------------------------------------------------------------------------------
-/// A value as a line with the checksum of it and all before it.
+/// A value as a line with the checksum of all lines up to it.
 std::string RunJournal::Seal(const Json::Value& value)
 {
   std::string body = ToLine(value);
@@ -127,7 +127,7 @@ std::string RunJournal::Seal(const Json::Value& value)
 }
 
 //------------------------------------------------------------------------------
-/// The line without its checksum; false where it is not the one that was written here.
+/// Removes the checksum of a line; false if it does not match.
 bool RunJournal::Unseal(const std::string& line, std::string& body)
 {
   const std::size_t length = std::strlen(SealBegin) + ChecksumDigits + std::strlen(SealEnd);
@@ -148,7 +148,7 @@ bool RunJournal::Unseal(const std::string& line, std::string& body)
 }
 
 //------------------------------------------------------------------------------
-/// Takes a line whose checksum is right; says what is wrong with it, or returns an empty text.
+/// Adds a line with a valid checksum; returns an error message, or an empty string.
 std::string RunJournal::Take(const std::string& body)
 {
   Json::Value value;
@@ -179,7 +179,7 @@ std::string RunJournal::Take(const std::string& body)
 }
 
 //------------------------------------------------------------------------------
-/// Whether progress can come after what was read; says why not, or returns an empty text.
+/// Checks whether progress can follow what was read; returns an error message, or an empty string.
 std::string RunJournal::CheckFollows(std::size_t leg, const LegProgress& progress) const
 {
   const LegProgress& before = this->GetLeg(leg);
@@ -215,7 +215,7 @@ void RunJournal::Take(std::size_t leg, const LegProgress& progress)
   for (FileProgress& file : taken.Files)
   {
     this->Blocks.insert(this->Blocks.end(), file.Blocks.begin(), file.Blocks.end());
-    file.Blocks.clear(); // they are of this line
+    file.Blocks.clear(); // they belong to this line
     this->Files[file.Name] = file;
   }
 }
@@ -240,7 +240,7 @@ std::string RunJournal::Continue()
   {
     return this->File.GetProblem();
   }
-  const std::string problem = this->Read(); // again: now nobody else writes
+  const std::string problem = this->Read(); // again, now with exclusive access
   return problem.empty() && !this->File.Cut(this->Size) ? this->File.GetProblem() : problem;
 }
 

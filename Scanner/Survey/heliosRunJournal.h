@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run has finished, on the disk while it goes on: run.journal, one JSON object a line. The first
-// line is the fingerprint of the run, the others say after every block and every leg what is safe. The
-// last member of every line, "check", is a checksum of the line and of all lines before it.
+// The state of a run on disk: run.journal, one JSON object per line. The first line is the
+// fingerprint of the run; after every block and every leg a line records what is safe. The last
+// member of every line, "check", is a checksum of all lines up to and including it.
 
 #ifndef heliosRunJournal_h
 #define heliosRunJournal_h
@@ -25,31 +25,32 @@ public:
   bool Exists() const;
 
   ///@{
-  /// Each says in words what is wrong, or returns an empty text. A last line that is torn is ignored.
-  std::string Create(const Json::Value& fingerprint); ///< anew
-  std::string Read();                                 ///< what an earlier run wrote
+  /// Each returns an error message, or an empty string. An incomplete last line is ignored.
+  std::string Create(const Json::Value& fingerprint); ///< a new one
+  std::string Read();                                 ///< that of an earlier run
   std::string Continue();                             ///< after Read()
   std::string Append(std::size_t leg, const LegProgress& progress);
   ///@}
 
-  /// That of the run that wrote what was read.
+  /// The fingerprint of the run whose journal was read.
   const Json::Value& GetFingerprint() const { return this->Fingerprint; }
 
   const LegProgress& GetLeg(std::size_t leg) const;
 
-  /// How far a file is that some leg has written to; null: it has nothing that is safe.
+  /// The progress of a file of some leg; null: nothing of it is safe.
   const FileProgress* FindFile(const std::string& name) const;
 
-  /// How far all files are, by their names.
+  /// The progress of all files, by name.
   const std::map<std::string, FileProgress>& GetFiles() const { return this->Files; }
 
-  /// What was read of the bytes of files, in the order in which they were written.
+  /// The file blocks that were read, in the order of writing.
   const std::vector<FileBlock>& GetBlocks() const { return this->Blocks; }
 
-  /// Whether the file is still there, while it is written; else an error in words.
+  /// Checks that the file still exists while it is written; returns an error message, or an empty
+  /// string.
   std::string Check();
 
-  /// After the run is whole.
+  /// For a complete run.
   void Remove();
 
   static const char* GetName() { return "run.journal"; }
@@ -75,7 +76,7 @@ private:
   std::uint64_t Size = 0; // of the lines that were read
 };
 
-/// Writes a text to a file: whole under its name, or not at all. Says what went wrong.
+/// Writes a text file atomically: complete under its name, or not at all. Returns an error message.
 std::string WriteWhole(const std::string& path, const std::string& text);
 
 } // namespace helios

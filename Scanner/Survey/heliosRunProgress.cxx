@@ -16,7 +16,7 @@ namespace helios
 namespace
 {
 
-/// A whole number of the counts, and its name in files.
+/// An integer of the counts, and its name in files.
 struct CountName
 {
   const char* Name;
@@ -53,7 +53,7 @@ Json::Value ToJson(const FileProgress& file)
   return entry;
 }
 
-/// A member that must be there and of a type.
+/// A required member of a type.
 const Json::Value& Get(
   const Json::Value& value, const char* name, bool (Json::Value::*isType)() const, const char* type)
 {
@@ -93,7 +93,7 @@ double GetNumber(const Json::Value& value, const char* name)
   return number;
 }
 
-/// The name of a file of the run's folder.
+/// The name of a file in the run folder.
 std::string GetName(const Json::Value& value)
 {
   const std::string name = GetText(value, "name");
@@ -190,11 +190,11 @@ bool FromText(const std::string& text, Json::Value& value)
   std::string ignored;
   try
   {
-    // a reader of JSON may take zeros for its end
+    // JSON readers may stop at NUL
     return text.find('\0') == std::string::npos &&
       reader->parse(text.data(), text.data() + text.size(), &value, &ignored) && value.isObject();
   }
-  catch (const Json::Exception&) // too deep
+  catch (const Json::Exception&) // nested too deep
   {
     return false;
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a run is, and the same as JSON.
+// The progress of a run, and its JSON form.
 
 #ifndef heliosRunProgress_h
 #define heliosRunProgress_h
@@ -17,46 +17,46 @@
 namespace helios
 {
 
-/// How far a file of a leg is.
+/// The progress of a file of a leg.
 struct FileProgress
 {
-  std::string Name;      ///< the final one, without its folder
-  vtkIdType Size = 0;    ///< [bytes]; of an index, without its pieces
-  vtkIdType Records = 0; ///< in it, or in its pieces
-  vtkIdType Bytes = 0;   ///< of the records, wherever they are
-  bool IsWhole = false;  ///< it has its final name
-  std::string Head;      ///< the checksum of the bytes that every block writes over; empty: none
-  std::vector<FileBlock> Blocks; ///< since the line before, in this file and those beside it
+  std::string Name;              ///< the final one, without its folder
+  vtkIdType Size = 0;            ///< [bytes]; of an index, without its pieces
+  vtkIdType Records = 0;         ///< in it, or in its pieces
+  vtkIdType Bytes = 0;           ///< of the records, in all files
+  bool IsWhole = false;          ///< it has its final name
+  std::string Head;              ///< checksum of the bytes that every block overwrites; empty: none
+  std::vector<FileBlock> Blocks; ///< since the last line, in this file and those beside it
 };
 
-/// How far a leg is.
+/// The progress of a leg.
 struct LegProgress
 {
   int Blocks = 0; ///< that are safe
   bool IsDone = false;
   std::vector<FileProgress> Files;
-  RunCounts Counts;     ///< of the run, up to here
-  double Seconds = 0.0; ///< of computing and writing, over all its attempts
+  RunCounts Counts;     ///< of the run so far
+  double Seconds = 0.0; ///< computing and writing time, over all attempts
 };
 
-/// Whether no number is smaller than before.
+/// Whether no count has decreased.
 bool HasGrown(const RunCounts& before, const RunCounts& after);
 bool HasGrown(const FileProgress& before, const FileProgress& after);
 
 ///@{
-/// JSON in one line, or in lines for people; false where a text is none.
+/// JSON in one line, or indented; false if a text is not valid.
 std::string ToLine(const Json::Value& value);
 std::string ToText(const Json::Value& value);
 bool FromText(const std::string& text, Json::Value& value);
 ///@}
 
 ///@{
-/// Counts by their names.
+/// Counts with their names.
 Json::Value ToJson(const RunCounts& counts);
 RunCounts CountsFromJson(const Json::Value& value);
 ///@}
 
-/// A member that is missing, of another type or out of range; the text says which.
+/// A member is missing, of another type or out of range; the text names it.
 class BadJson : public std::runtime_error
 {
 public:
@@ -64,7 +64,7 @@ public:
 };
 
 ///@{
-/// Strict: throws BadJson.
+/// Strict: throw BadJson.
 vtkIdType GetCount(const Json::Value& value, const char* name);
 LegProgress ProgressFromJson(const Json::Value& value);
 ///@}

@@ -29,7 +29,7 @@ bool IsToleranceOrZero(double tolerance, double least)
 }
 
 //------------------------------------------------------------------------------
-/// Of a player or a source.
+/// Gets the receiver options of a player or a source; returns an error message, or an empty string.
 template <typename Runner>
 std::string TakeReceiver(Runner* runner, ReceiverChoice& choice)
 {
@@ -91,7 +91,7 @@ std::string TakeRayCaster(Runner* runner, RunSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-/// What is the same whether a run goes to files or not.
+/// Gets the settings common to player and source.
 template <typename Runner>
 std::string TakeCommon(Runner* runner, RunSettings& settings)
 {

@@ -24,7 +24,7 @@ namespace helios
 struct RunSettings
 {
   std::string Folder; ///< of the files
-  int Play = -1;      ///< negative: the survey has one only
+  int Play = -1;      ///< negative: the survey has only one
   std::string Format; ///< xyz, las, vtp
   vtkIdType Seed = 0;
   ReceiverChoice Receiver;
@@ -38,14 +38,13 @@ struct RunSettings
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
 };
 
-/// The folder that a player which has a survey writes to.
+/// The output folder of a player that has a survey.
 std::string MakeRunFolder(vtkHeliosSurveyPlayer* player);
 
-/// Takes the settings of a player that has a survey; says in words what is wrong with them, or returns
-/// an empty text.
+/// Gets the settings of a player that has a survey; returns an error message, or an empty string.
 std::string TakeSettings(vtkHeliosSurveyPlayer* player, RunSettings& settings);
 
-/// The same of a source.
+/// The same for a source.
 std::string TakeSettings(vtkHeliosSurveySource* source, RunSettings& settings);
 
 } // namespace helios

@@ -15,7 +15,7 @@ namespace helios
 namespace
 {
 
-/// What a leg added to the counts.
+/// The counts added by a leg.
 Json::Value CountLeg(const RunCounts& before, const RunCounts& after)
 {
   Json::Value leg;
@@ -27,7 +27,7 @@ Json::Value CountLeg(const RunCounts& before, const RunCounts& after)
   return leg;
 }
 
-/// Whether the records of a file are in pieces beside it.
+/// Whether the records of a file are in separate pieces.
 bool IsIndex(const std::string& name)
 {
   const auto extension = std::filesystem::path(name).extension();

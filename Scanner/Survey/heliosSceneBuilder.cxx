@@ -23,7 +23,7 @@ namespace helios
 namespace
 {
 
-/// The lowest corner of the triangles of a mesh; false where it has none.
+/// The lowest vertex of a mesh; false if it has no triangles.
 bool FindLowestCorner(vtkPolyData* data, Vec3& lowest)
 {
   TriangleMesh mesh;
@@ -107,7 +107,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   {
     this->Log.Error(this->Scene.Where + ": " + excess);
   }
-  else if (count > 0) // else there are voxels alone
+  else if (count > 0) // else there are only voxels
   {
     composer->Update();
   }
@@ -115,7 +115,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   {
     return nullptr;
   }
-  auto scene = vtkSmartPointer<vtkPolyData>::New(); // the pipeline before it may go
+  auto scene = vtkSmartPointer<vtkPolyData>::New(); // detached from the pipeline
   scene->ShallowCopy(composer->GetOutput());
   return SetSceneCrs(scene, this->Scene, this->Log) ? scene : nullptr;
 }

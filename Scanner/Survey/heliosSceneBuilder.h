@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh of a scene from its parts: the pipeline of readers, transforms and composer.
+// Builds the mesh of a scene from its parts: the pipeline of readers, transforms and composer.
 
 #ifndef heliosSceneBuilder_h
 #define heliosSceneBuilder_h
@@ -29,11 +29,11 @@ public:
   SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);
   ~SceneBuilder();
 
-  /// All parts as one mesh, what is on the ground put there; null after an error, or where a step was
+  /// All parts as one mesh, with parts on the ground placed there; null after an error, or if
   /// stopped.
   vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep);
 
-  /// The turbid voxels beside the mesh that was built.
+  /// The turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
 private:

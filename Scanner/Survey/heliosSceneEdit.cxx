@@ -31,7 +31,7 @@ namespace
 
 constexpr const char* UsualId = "scene";
 
-/// A parameter of a filter, made where there is none.
+/// A parameter of a filter, added if missing.
 pugi::xml_node GetParameter(pugi::xml_node filter, const char* key, const char* type)
 {
   pugi::xml_node parameter = filter.find_child_by_attribute("param", "key", key);
@@ -50,7 +50,7 @@ void SetValue(pugi::xml_node parameter, const std::string& value)
   parameter.append_attribute("value") = value.c_str();
 }
 
-/// The last filter of a type, which is the one that counts; none where there is none.
+/// The last filter of a type, which is the one used; none if missing.
 pugi::xml_node FindFilter(pugi::xml_node part, const char* type)
 {
   pugi::xml_node found;
@@ -64,13 +64,13 @@ pugi::xml_node FindFilter(pugi::xml_node part, const char* type)
   return found;
 }
 
-/// The same, added behind the other filters where there is none.
+/// The same, added after the other filters if missing.
 pugi::xml_node GetFilter(pugi::xml_node part, const char* type)
 {
   pugi::xml_node filter = FindFilter(part, type);
   if (!filter)
   {
-    pugi::xml_node before; // filters stand before swaps and motions
+    pugi::xml_node before; // filters precede swaps and motions
     for (const pugi::xml_node child : part.children("filter"))
     {
       before = child;
@@ -133,7 +133,7 @@ bool IsOneTurn(pugi::xml_node filter)
   return rot && !rot.next_sibling() && std::strcmp(rot.attribute("axis").value(), "z") == 0;
 }
 
-/// The last turn is about the upright: it goes on, or another follows.
+/// Adds to the last rotation if it is about the vertical, else appends one.
 void AddTurn(pugi::xml_node part, double angle)
 {
   pugi::xml_node filter = FindFilter(part, "rotate");
@@ -153,7 +153,7 @@ void AddTurn(pugi::xml_node part, double angle)
 
 } // namespace
 
-/// The <scene>, and how its files are found.
+/// The <scene>, and the search for its files.
 class SceneEdit::Internals
 {
 public:
@@ -224,7 +224,7 @@ bool SceneEdit::Internals::Take(const XmlElement& scene, Assets& assets)
 }
 
 //------------------------------------------------------------------------------
-/// One part a file where it has several files and no id, each with the name that it is known by.
+/// Splits a part with several files and no id into one part per file, each with its default name.
 void SceneEdit::Internals::Spread(const XmlElement& element, pugi::xml_node part,
   const XmlElement& scene, Assets& assets, int& count)
 {
@@ -254,7 +254,7 @@ void SceneEdit::Internals::Spread(const XmlElement& element, pugi::xml_node part
 }
 
 //------------------------------------------------------------------------------
-/// Files are named as from the new folder.
+/// Names files relative to the new folder.
 void SceneEdit::Internals::FindFiles(pugi::xml_node node, const XmlDocument& from, Assets& assets)
 {
   const std::string key = node.attribute("key").value();

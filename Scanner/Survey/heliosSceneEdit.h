@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene whose parts are moved, turned, scaled, removed and added by hand.
+// Edits a scene: moves, rotates, scales, removes and adds parts.
 
 #ifndef heliosSceneEdit_h
 #define heliosSceneEdit_h
@@ -22,8 +22,8 @@ namespace helios
 class Messages;
 
 /**
- * The <scene> itself is changed, so that what nobody touches (materials, motions, swaps, systems)
- * stays as it is. Files are referred to as a scene in the folder of a new file does.
+ * Edits the <scene> itself, so that everything else (materials, motions, swaps, systems) is
+ * unchanged. Files are referred to as from the folder of a new file.
  */
 class VTKHELIOSSCANNERSURVEY_EXPORT SceneEdit
 {
@@ -33,7 +33,7 @@ public:
   SceneEdit(SceneEdit&&) noexcept;
   SceneEdit& operator=(SceneEdit&&) noexcept;
 
-  /// Takes a scene, file.xml#id (or the first of file.xml), or a mesh. False after an error.
+  /// Loads a scene, file.xml#id (or the first of file.xml), or a mesh. False after an error.
   bool Load(const std::string& scene, const std::string& folder,
     const std::vector<std::string>& assetDirectories, Messages& log);
 
@@ -41,36 +41,36 @@ public:
   int GetNumberOfParts() const;
   std::string GetPartName(int part) const;
 
-  /// The part of a name; -1: none.
+  /// The part with this name; -1: none.
   int FindPart(const std::string& name) const;
 
   ///@{
-  /// Moves a part [m], turns it about the upright through a place [deg], makes it a factor > 0 larger
-  /// about a place, takes it out. False, and nothing is done, where there is no such part, or no
-  /// other: a scene has one at least.
+  /// Moves a part [m], rotates it about the vertical through a point [deg], scales it by a factor >
+  /// 0 about a point, removes it. Returns false, and does nothing, if the part does not exist or,
+  /// for removal, is the only one.
   bool MovePart(int part, const Vec3& way);
   bool TurnPart(int part, double angle, const Vec3& about);
   bool ScalePart(int part, double factor, const Vec3& about);
   bool RemovePart(int part);
   ///@}
 
-  /// Adds a part from an OBJ file, the middle of its underside at a place [m]; its number, or -1
-  /// after an error.
+  /// Adds a part from an OBJ file, with the center of its base at a point [m]; returns its number,
+  /// or -1 after an error.
   int AddPart(const std::string& fileName, const Vec3& place, Messages& log);
 
   /// The mesh of the scene, for a file in its folder; null after an error.
   vtkSmartPointer<vtkPolyData> Build(Messages& log) const;
 
-  /// The id that a survey refers to the scene by.
+  /// The id of the scene in references of surveys.
   std::string GetId() const;
 
   ///@{
-  /// The <scene>; a scene is as it was when its text was got.
+  /// Get the text of the <scene>; restore a scene from such a text.
   std::string GetText() const;
   void SetText(const std::string& text);
   ///@}
 
-  /// Writes the scene to a file of its own; says what is wrong. Empty: written.
+  /// Writes the scene to its own file; returns an error message, or an empty string.
   std::string Save(const std::string& fileName) const;
 
 private:

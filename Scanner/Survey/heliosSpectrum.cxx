@@ -30,7 +30,7 @@ const char* SkipBlanks(const char* text, const char* end)
     text, end, [](char c) { return c != ' ' && c != '\t' && c != '\r' && c != ','; });
 }
 
-/// Two numbers and nothing else.
+/// Parses two numbers and nothing else.
 bool ParseRow(const std::string& line, double row[2])
 {
   const char* text = line.data();
@@ -63,7 +63,7 @@ std::string FindSpectrum(const std::string& name, const std::vector<std::string>
   return {};
 }
 
-/// The reflectance of one spectrum at a wavelength; NaN, after a warning, where it has none.
+/// The reflectance of one spectrum at a wavelength; NaN, after a warning, if it is missing.
 double LookUp(const std::string& name, const std::vector<std::string>& folders, double wavelength,
   Messages& log)
 {
@@ -124,7 +124,7 @@ std::string Spectrum::Read(const std::string& path)
     double row[2];
     if (!ParseRow(line, row))
     {
-      continue; // of the header
+      continue; // header
     }
     const std::string where = "(" + path + ":" + std::to_string(number) + ") ";
     if (!this->Wavelengths.empty() && row[0] < this->Wavelengths.back())

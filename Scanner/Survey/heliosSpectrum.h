@@ -18,16 +18,16 @@ namespace helios
 
 class Messages;
 
-/// A reflectance over the wavelength, read from the text form of the ASTER library: any header, then
+/// A reflectance over wavelength, read from the text format of the ASTER library: any header, then
 /// rows of wavelength [um] and reflectance [percent].
 class Spectrum
 {
 public:
-  /// Reads a file; says in words what is wrong with it, or returns an empty text.
+  /// Reads a file; returns an error message, or an empty string.
   std::string Read(const std::string& path);
 
-  /// The reflectance [0..1] at a wavelength [nm], linear between the rows; before the first and
-  /// after the last row theirs holds.
+  /// The reflectance [0..1] at a wavelength [nm], linear between rows, constant before the first
+  /// and after the last row.
   double GetReflectance(double wavelength) const;
 
 private:
@@ -36,10 +36,10 @@ private:
 };
 
 /**
- * A scene as light of several wavelengths sees it: materials that have a spectrum and no reflectance
- * get the one at the wavelength. A spectrum is the file <name>.txt of the first folder that has it;
- * one that is missing is warned of once, and its materials keep the default. All scenes have the same
- * points and triangles.
+ * A scene at several wavelengths: materials that have a spectrum and no reflectance get its value
+ * at the wavelength. A spectrum is the file <name>.txt in the first folder that has it; a missing
+ * one causes one warning, and its materials keep the default. All scenes have the same points and
+ * triangles.
  */
 class SpectralScenes
 {

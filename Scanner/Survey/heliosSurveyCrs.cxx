@@ -14,7 +14,7 @@ namespace helios
 namespace
 {
 
-/// Reads the name of a system that stands in the attribute crs of a place in the file.
+/// Reads the system named by the attribute crs of a place in the file.
 bool ReadCrs(
   const std::string& text, const std::string& where, Messages& log, CoordinateSystem& crs)
 {
@@ -26,14 +26,14 @@ bool ReadCrs(
   return problem.empty();
 }
 
-/// The system that the parts of a scene brought along; not set where they brought none.
+/// The system of the parts of a scene; not set if they have none.
 CoordinateSystem GetPartsCrs(vtkPolyData* scene)
 {
   CoordinateSystem crs;
   const std::string text = GetCRS(scene);
   if (!text.empty())
   {
-    crs.Set(text); // its reader has checked it
+    crs.Set(text); // checked by its reader
   }
   return crs;
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The coordinate system of a survey: one for the scene, in metres, that legs come into.
+// The coordinate system of a survey: that of the scene, in metres, to which legs are transformed.
 
 #ifndef heliosSurveyCrs_h
 #define heliosSurveyCrs_h
@@ -15,12 +15,12 @@ namespace helios
 class Messages;
 
 /**
- * Gives a composed scene the system that the survey names, where it has none of its parts. False,
- * after an error, where the two are not the same, or distances in it are no metres.
+ * Assigns the survey's system to a composed scene whose parts have none. False, after an error, if
+ * the two differ, or its unit is not the metre.
  */
 bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log);
 
-/// The position of a leg in the scene's system. False, after an error, where there is no way.
+/// The position of a leg in the scene's system. False, after an error, without a transformation.
 bool TransformPosition(const LegData& leg, vtkPolyData* scene, Messages& log, Vec3& position);
 
 } // namespace helios

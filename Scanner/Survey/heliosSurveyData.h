@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A survey as plain data: what a reader makes and a player runs. No trace of its file format but the
-// places (file:line) that messages name.
+// A survey as plain data: made by a reader and run by a player. Independent of the file format,
+// except for the places (file:line) in messages.
 
 #ifndef heliosSurveyData_h
 #define heliosSurveyData_h
@@ -33,9 +33,9 @@ enum class Optics
 /// A prism of Risley optics.
 struct PrismData
 {
-  double WedgeAngle = 0.0; ///< [deg], its sign says which face is inclined; 0: there is none
+  double WedgeAngle = 0.0; ///< [deg], the sign gives the inclined face; 0: none
   double RefractiveIndex = 1.0;
-  double RotorFrequency = 0.0; ///< [Hz], its sign is the sense
+  double RotorFrequency = 0.0; ///< [Hz], the sign gives the direction
 };
 
 enum class PlatformType
@@ -47,12 +47,12 @@ enum class PlatformType
   Interpolated
 };
 
-/// The file that says what a platform or a scanner looks like: nothing but a viewer opens it.
+/// The 3D model file of a platform or a scanner: used by viewers only.
 struct ModelData
 {
-  std::string Name;  ///< as it is given; empty: none is
-  std::string Where; ///< file:line and what it says
-  std::string File;  ///< empty: there is none of that name
+  std::string Name;  ///< as given; empty: none
+  std::string Where; ///< file:line and the attribute
+  std::string File;  ///< empty: not found
 };
 
 /// An instrument and its detector: one channel, or the first of several.
@@ -61,9 +61,9 @@ struct ScannerData
   std::string Id;
   std::string Name;
   std::string Where;
-  std::string Channel; ///< id; empty: there is one only
+  std::string Channel; ///< id; empty: the only one
   Optics Type = Optics::RotatingMirror;
-  std::vector<double> PulseFrequencies; ///< [Hz], that it offers; the first is the default
+  std::vector<double> PulseFrequencies; ///< [Hz], supported; the first is the default
   double PulseLength = 4.0;             ///< [ns], full width at half maximum
   double BeamDivergence = 0.0003;       ///< [rad], full angle at 1/e^2
   double Wavelength = 1064.0;           ///< [nm]
@@ -92,7 +92,7 @@ struct ScannerData
   Pose Beam; ///< in the frame of the head
   Vec3 HeadRotateAxis{ 0.0, 0.0, 1.0 };
   ModelData Model;                        ///< in the frame of the head
-  std::vector<ScannerData> OtherChannels; ///< beside this one; each has none
+  std::vector<ScannerData> OtherChannels; ///< besides this one, without OtherChannels
 
   std::size_t GetNumberOfChannels() const { return 1 + this->OtherChannels.size(); }
   const ScannerData& GetChannel(std::size_t channel) const
@@ -101,7 +101,7 @@ struct ScannerData
   }
 };
 
-/// How one number of a platform is off by chance.
+/// Noise of one component of a platform pose.
 struct NoiseData
 {
   bool IsUniform = false; ///< between Low and High; else normal
@@ -112,10 +112,10 @@ struct NoiseData
   bool IsClipped = false; ///< to ClipLow and ClipHigh
   double ClipLow = 0.0;
   double ClipHigh = 1.0;
-  int Lifespan = 1; ///< pulses that a value lasts; 0: all
+  int Lifespan = 1; ///< pulses per value; 0: all
 };
 
-/// What vehicles are like, as files say it.
+/// Vehicle parameters, as in files.
 struct VehicleData
 {
   double BasePitch = -5.0;   ///< [deg]
@@ -147,11 +147,11 @@ enum class Loader
   Vegetation
 };
 
-/// How the points of a file become solid cells.
+/// How the points of a file become solid voxels.
 struct VoxelData
 {
   double Size = 1.0;      ///< [m], of an edge
-  std::string Separators; ///< of columns, beside blanks and tabs
+  std::string Separators; ///< of columns, besides blanks and tabs
   bool ReadNormals = false;
   int NormalIndex[3] = { 3, 4, 5 }; ///< columns, from 0
   bool EstimateNormals = false;
@@ -159,34 +159,34 @@ struct VoxelData
   bool SnapNeighborNormal = false;
 };
 
-/// What the cells of a grid of vegetation are to light.
+/// The optical model of the cells of a vegetation grid.
 enum class CellMode
 {
-  Turbid, ///< leaves that it passes by chance
-  Scaled, ///< cubes, the denser the larger
+  Turbid, ///< randomly distributed leaves
+  Scaled, ///< cubes, larger with density
   Fixed   ///< cubes
 };
 
-/// How the cells of .vox files meet light.
+/// The optical properties of .vox cells.
 struct VegetationData
 {
   CellMode Mode = CellMode::Turbid;
   double Exponent = 0.5;    ///< of scaled cubes
   bool RandomShift = false; ///< of scaled cubes in their cells
-  std::string LeafTable;    ///< of the projection of leaves; empty: all directions alike
+  std::string LeafTable;    ///< of the projection of leaves; empty: isotropic
 };
 
-/// The one material of a part whose file has none.
+/// The material of a part whose file has none.
 struct MaterialData
 {
   std::string Where;
   std::string File;         ///< MTL; empty: the default material
   std::string Name;         ///< empty: the alphabetically first
-  int Count = 1;            ///< of materials: the others differ from it by chance
+  int Count = 1;            ///< of materials: the others vary randomly from it
   double RandomRange = 1.0; ///< of their reflectances
 };
 
-/// From one coordinate system to another.
+/// A transformation between coordinate systems.
 struct CrsData
 {
   std::string Where;
@@ -196,7 +196,8 @@ struct CrsData
 
 struct SwapData;
 
-/// A part of a scene: its files as one mesh, reprojected, repaired, simplified, rotated, scaled, moved.
+/// A part of a scene: its files as one mesh, reprojected, repaired, simplified, rotated, scaled,
+/// moved.
 struct PartData
 {
   std::string Name;
@@ -209,13 +210,13 @@ struct PartData
   MaterialData Material;
   std::vector<CrsData> Crs;
   bool Repair = false;
-  double SimplifyDistance = 0.0; ///< [m], that the surface may move; 0: not simplified
+  double SimplifyDistance = 0.0; ///< [m], tolerance of the surface; 0: not simplified
   Quaternion Rotation{ 1.0, 0.0, 0.0, 0.0 };
   double Scale = 1.0;
   Vec3 Translation{ 0.0, 0.0, 0.0 }; ///< [m]
-  bool OnGround = false;             ///< its lowest vertex goes to the ground below
-  std::vector<SwapData> Swaps;       ///< what takes its place in later plays, in this order
-  MotionData Motion;                 ///< from where it then is
+  bool OnGround = false;             ///< its lowest vertex is moved to the ground below
+  std::vector<SwapData> Swaps;       ///< its replacements in later epochs, in order
+  MotionData Motion;                 ///< from its final position
 
   bool IsTurbid() const
   {
@@ -223,12 +224,12 @@ struct PartData
   }
 };
 
-/// What takes the place of a part in later plays: as whole a part as that, without swaps of its own.
+/// The replacement of a part in later epochs: a full part, but without swaps.
 struct SwapData
 {
   PartData Part;
-  int Plays = 1;          ///< that it lasts, at least 1
-  bool IsRemoved = false; ///< nothing takes the place
+  int Plays = 1;          ///< epochs that it lasts, at least 1
+  bool IsRemoved = false; ///< without replacement
 };
 
 struct SceneData
@@ -236,12 +237,12 @@ struct SceneData
   std::string Id;
   std::string Name;
   std::string Where;
-  std::string Crs; ///< of its parts that do not say theirs; empty: a frame of its own, in metres
+  std::string Crs; ///< of parts without their own; empty: a local frame, in metres
   std::vector<PartData> Parts;
-  std::vector<std::string> SpectraFolders; ///< that a spectrum is looked for in, in this order
+  std::vector<std::string> SpectraFolders; ///< searched for spectra, in order
 };
 
-/// What one channel does on a leg: nothing is left to inherit or to clip.
+/// The scan of one channel on a leg, with all inherited values and limits resolved.
 struct ScanData
 {
   double PulseFrequency = 0.0;   ///< [Hz]
@@ -253,9 +254,9 @@ struct ScanData
   double HeadRotateStart = 0.0;  ///< [deg]
   double HeadRotateStop = 0.0;   ///< [deg]
   double BeamDivergence = 0.0;   ///< [rad]
-  double WarmUpTime = 0.0;       ///< [s], that the optics have moved before the leg
+  double WarmUpTime = 0.0;       ///< [s], motion of the optics before the leg
 
-  /// How long the head turns [s]; 0 where it does not.
+  /// The duration of the head rotation [s]; 0 without rotation.
   double GetHeadTime() const
   {
     return this->HeadRotateSpeed != 0.0
@@ -264,7 +265,7 @@ struct ScanData
   }
 };
 
-/// A trajectory in a file, and the part of it that a leg flies.
+/// A trajectory in a file, and the part of it used by a leg.
 struct TrajectoryFileData
 {
   static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
@@ -275,22 +276,22 @@ struct TrajectoryFileData
   int Columns[7] = { -1, -1, -1, -1, -1, -1, -1 }; ///< t, roll, pitch, yaw, x, y, z; -1: not given
   bool IsInRadians = false;
   bool HasAttitude = true;
-  bool KeepsTime = false;      ///< else the clock starts at 0
+  bool KeepsTime = false;      ///< else time starts at 0
   double SlopeThreshold = 0.0; ///< 0: every sample is kept
   double StartTime = NotGiven; ///< [s]
   double EndTime = NotGiven;   ///< [s]
   bool TeleportsToStart = false;
 };
 
-/// A leg and what its platform does.
+/// A leg and the settings of its platform.
 struct LegData
 {
   std::string Where;
   std::size_t Platform = 0;       ///< of the survey
   std::size_t Scanner = 0;        ///< of the survey
-  bool StartsJourney = false;     ///< the platform does not come here from the leg before
-  std::string Strip;              ///< whose files its points go to; empty: it has its own
-  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or what Crs counts in
+  bool StartsJourney = false;     ///< the platform does not come from the previous leg
+  std::string Strip;              ///< with shared output files; empty: none
+  Vec3 Position{ 0.0, 0.0, 0.0 }; ///< [m], or the unit of Crs
   std::string Crs;                ///< of the position; empty: the scene's
   bool OnGround = false;
   double Speed = 70.0; ///< [m/s], to the next leg's position
@@ -302,9 +303,9 @@ struct LegData
   bool Active = true;
   double TrajectoryTimeInterval = 0.0; ///< [s], 0: start and end of the leg only
   double MaximumDuration = -1.0;       ///< [s], negative: no limit
-  std::vector<ScanData> Scans;         ///< one a channel of its scanner
+  std::vector<ScanData> Scans;         ///< one per channel of its scanner
 
-  /// How long the heads turn [s].
+  /// The duration of the head rotation [s].
   double GetHeadTime() const
   {
     double time = 0.0;
@@ -316,7 +317,7 @@ struct LegData
   }
 };
 
-/// Chance that moves the position of every leg once.
+/// A random offset of the position of every leg.
 struct LegOffsetData
 {
   bool IsOn = false;
@@ -326,12 +327,12 @@ struct LegOffsetData
 
 struct SurveyData
 {
-  std::string Name; ///< fit for the name of a folder
+  std::string Name; ///< valid as a folder name
   std::string FileName;
   std::vector<std::string> Documents; ///< all files that the survey was read from
   std::string RayCaster;              ///< its name; empty: the default
   vtkIdType Seed = -1;                ///< negative: not given
-  bool IsCanonical = false;           ///< how attitudes in files count; else as ARINC 705 has it
+  bool IsCanonical = false;           ///< attitude convention in files; else ARINC 705
   LegOffsetData LegOffset;
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;
@@ -351,14 +352,14 @@ struct SurveyData
     return this->GetPlatform(leg).Type != PlatformType::Static;
   }
 
-  /// Whether a leg ends where it is: the last one that a platform goes through.
+  /// Whether a leg is the last one of a platform's trajectory.
   bool EndsJourney(std::size_t leg) const
   {
     return leg + 1 == this->Legs.size() || this->Legs[leg + 1].StartsJourney;
   }
 
-  /// Whether pulses leave on a leg: that which ends the way of a moving platform is only an end point,
-  /// unless its way comes from a file.
+  /// Whether a leg fires pulses: the last leg of a moving platform is only an end point, unless its
+  /// trajectory comes from a file.
   bool Fires(std::size_t leg) const
   {
     const bool isEndPoint = this->IsMoving(leg) && this->EndsJourney(leg) &&

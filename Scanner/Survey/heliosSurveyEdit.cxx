@@ -16,14 +16,14 @@ namespace helios
 namespace
 {
 
-constexpr double FineResolution = 0.1;       // [deg], of an instrument that stands, at the start
+constexpr double FineResolution = 0.1;       // [deg], initial, of a static instrument
 constexpr double UsualScanAngle = 30.0;      // [deg], half, from the air
-constexpr double UsualScanFrequency = 100.0; // [Hz], where the instrument has no limit
+constexpr double UsualScanFrequency = 100.0; // [Hz], without a limit of the instrument
 constexpr double MostScanFrequency = 400.0;
 constexpr double MostHeight = 3000.0; // [m]
 constexpr double MostSpeed = 100.0;   // [m/s]
 
-/// The half angle that pulses may leave at [deg].
+/// The half scan angle of emitted pulses [deg].
 double FindHalfAngle(const ScannerData& scanner)
 {
   const double angle =
@@ -31,7 +31,7 @@ double FindHalfAngle(const ScannerData& scanner)
   return angle > 0.0 ? angle : 90.0;
 }
 
-/// Below it an instrument sees nothing [m].
+/// The minimum height at which an instrument has returns [m].
 double FindLeastHeight(const ScannerData& scanner)
 {
   return std::max(1.0, scanner.RangeMin);
@@ -57,7 +57,7 @@ double FindMostScanFrequency(const ScannerData& scanner)
   return scanner.ScanFrequencyMax > 0.0 ? scanner.ScanFrequencyMax : MostScanFrequency;
 }
 
-/// Where a number is kept; null: nowhere.
+/// The storage of a number; null: none.
 double* FindNumber(LegSettings& settings, const std::string& name)
 {
   const std::pair<const char*, double*> all[] = { { "headStart", &settings.Scan.HeadRotateStart },
@@ -82,7 +82,7 @@ double* FindNumber(SurveyEdit& edit, const std::string& name)
                           : FindNumber(edit.Settings, name);
 }
 
-/// The nearest number that a range has.
+/// The nearest valid value of a range.
 double Limit(const EditRange& range, double value)
 {
   if (range.Choices.empty())
@@ -94,7 +94,7 @@ double Limit(const EditRange& range, double value)
   return *std::min_element(range.Choices.begin(), range.Choices.end(), isNearer);
 }
 
-/// Notes what became of a number.
+/// Adds the change of a number to the text.
 void Note(const EditRange& range, double asked, double given, Sentence& text)
 {
   if (asked != given && !std::isnan(asked))
@@ -119,7 +119,7 @@ void LimitNumbers(const SurveyEdit& edit, LegSettings& settings, Sentence& text)
   }
 }
 
-/// A head turns from start to a later stop.
+/// Makes the head stop after its start.
 void LimitHead(LegSettings& settings, Sentence& text)
 {
   ScanData& scan = settings.Scan;
@@ -132,7 +132,7 @@ void LimitHead(LegSettings& settings, Sentence& text)
   }
 }
 
-/// A window is as wide as the mirror can see, and not empty.
+/// Limits a window to that of the mirror, and makes it non-empty.
 void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& text)
 {
   const double widest = 2.0 * FindHalfAngle(scanner);
@@ -146,7 +146,7 @@ void LimitWindow(const ScannerData& scanner, LegSettings& settings, Sentence& te
   }
 }
 
-/// An oscillating mirror swings less far the faster it is.
+/// Limits the scan angle of an oscillating mirror by its frequency.
 void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& text)
 {
   const double most = scanner.ScanProduct / settings.ScanAngle;
@@ -158,7 +158,7 @@ void LimitSwing(const ScannerData& scanner, LegSettings& settings, Sentence& tex
   }
 }
 
-/// What an instrument begins with.
+/// The initial settings of an instrument.
 LegSettings MakeUsualSettings(const SurveyEdit& edit)
 {
   const ScannerData& scanner = edit.ScannerModel;
@@ -193,7 +193,7 @@ LegSettings MakeUsualSettings(const SurveyEdit& edit)
   return settings;
 }
 
-/// Puts a leg where it stands or flies.
+/// Sets the position of a leg from its ground point.
 void Place(const SurveyEdit& edit, EditLeg& leg)
 {
   LegData& data = leg.Settings.Leg;
@@ -201,7 +201,7 @@ void Place(const SurveyEdit& edit, EditLeg& leg)
   data.OnGround = data.OnGround && !edit.IsMoving();
 }
 
-/// Strips take the place of all legs.
+/// Replaces all legs by strips.
 void FlyArea(SurveyEdit& edit)
 {
   const double angle = std::isnan(edit.Settings.ScanAngle) ? 20.0 : edit.Settings.ScanAngle;
@@ -222,7 +222,7 @@ void FlyArea(SurveyEdit& edit)
   }
 }
 
-/// After the platform or a number has changed.
+/// Updates the edit after a change of the platform or a number.
 void Follow(SurveyEdit& edit)
 {
   edit.HasArea = edit.HasArea && edit.IsMoving();
@@ -236,7 +236,7 @@ void Follow(SurveyEdit& edit)
   }
 }
 
-/// The instrument's own settings for every leg; where it is stays.
+/// Resets every leg to the instrument's settings, except for its position.
 void BeginAgain(SurveyEdit& edit)
 {
   edit.Settings = MakeUsualSettings(edit);

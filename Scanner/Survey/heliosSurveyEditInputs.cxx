@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a survey made by hand begins with: catalogues, and surveys that were read.
+// Inputs of survey editing: catalogues, and existing surveys.
 #include "heliosAssets.h"
 #include "heliosInputFile.h"
 #include "heliosMessages.h"
@@ -56,13 +56,13 @@ std::string GetFile(const std::string& where)
   return where.substr(0, where.rfind(':'));
 }
 
-/// Of a scanner of channels, the first.
+/// The id of a scanner, without that of its channel.
 std::string GetScannerId(const ScannerData& scanner)
 {
   return scanner.Id.substr(0, scanner.Id.find(", channel "));
 }
 
-/// What was read well, by its reference.
+/// The items read without error, by reference.
 template <typename T, typename ReadT>
 void AddEntries(const XmlElement& root, const char* tag, const std::string& reference, ReadT read,
   const Assets& assets, std::vector<std::pair<std::string, T>>& entries)
@@ -80,7 +80,7 @@ void AddEntries(const XmlElement& root, const char* tag, const std::string& refe
   }
 }
 
-/// The entry that was read from the same place; else a reference to it.
+/// The entry read from the same place; else a reference to it.
 template <typename T>
 std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
   const std::string& where, const std::string& id, const std::string& path)
@@ -96,7 +96,7 @@ std::string FindReference(const std::vector<std::pair<std::string, T>>& entries,
   return path + "#" + id;
 }
 
-/// What of the <survey> stays as it is.
+/// Keeps the parts of the <survey> that are not edited.
 void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
 {
   static const std::set<std::string> ours = { "name", "scene", "platform", "scanner",
@@ -126,7 +126,7 @@ void KeepSurvey(const std::string& fileName, SurveyEdit& edit)
   edit.Children = text.str();
 }
 
-/// What a leg asks for, so that it comes to what it does.
+/// The settings that resolve to the scan of a leg.
 LegSettings Unresolve(const SurveyData& survey, std::size_t leg)
 {
   const LegData& data = survey.Legs[leg];
@@ -168,7 +168,7 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
     }
   }
   all.insert(all.end(), files.begin(), files.end());
-  vtkNew<vtkObject> owner; // an observer keeps it quiet about what nobody may choose
+  vtkNew<vtkObject> owner; // an observer suppresses its messages
   vtkNew<vtkCallbackCommand> nobody;
   nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   owner->AddObserver(vtkCommand::ErrorEvent, nobody);

@@ -26,7 +26,7 @@ std::string ToText(bool value)
   return value ? "true" : "false";
 }
 
-/// The scene stands in the file where it is a mesh, or was changed.
+/// Adds the scene to the file if it is a mesh, or was edited.
 std::string AddScene(pugi::xml_node root, const SurveyEdit& edit)
 {
   pugi::xml_document document;
@@ -168,7 +168,7 @@ std::string ReferTo(const std::string& path, const std::string& folder,
   bases.push_back(folder.empty() ? "." : folder);
   for (const std::string& base : bases)
   {
-    // A folder's name may end with a slash, which would make its last part empty.
+    // A trailing slash of the folder would make its last part empty.
     const fs::path way = whole.lexically_relative(fs::absolute(base + "/.").lexically_normal());
     if (!way.empty() && way != "." && *way.begin() != "..")
     {

@@ -41,7 +41,7 @@ bool TransformPositions(
   return true;
 }
 
-/// Moves every position by normal numbers, a leg's own.
+/// Adds normally distributed noise to every position, independent for each leg.
 void MoveByChance(const LegOffsetData& offset, vtkIdType seed, std::vector<Vec3>& positions)
 {
   for (std::size_t leg = 0; leg < positions.size(); ++leg)
@@ -54,7 +54,7 @@ void MoveByChance(const LegOffsetData& offset, vtkIdType seed, std::vector<Vec3>
   }
 }
 
-/// Puts the positions of legs that are on the ground there; false after an error.
+/// Places legs on the ground if requested; false after an error.
 bool PutOnGround(
   const SurveyData& survey, vtkPolyData* scene, Messages& log, std::vector<Vec3>& positions)
 {
@@ -128,7 +128,7 @@ vtkSmartPointer<vtkPolyData> MakeWaypoints(
     speed->SetValue(i, data.Speed);
     stops->SetValue(i, data.StopAndTurn ? 1 : 0);
     smooths->SetValue(i, data.SmoothTurn ? 1 : 0);
-    yaws->SetValue(i, -data.YawAtDeparture); // files count it to the left
+    yaws->SetValue(i, -data.YawAtDeparture); // counterclockwise in files
     ids->SetValue(i, static_cast<int>(leg));
   }
   return waypoints;

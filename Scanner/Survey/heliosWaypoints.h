@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the legs of a survey are, in the scene's coordinate system.
+// The positions of the legs of a survey in the scene's coordinate system.
 
 #ifndef heliosWaypoints_h
 #define heliosWaypoints_h
@@ -18,7 +18,7 @@ namespace helios
 
 class Messages;
 
-/// Whether chance may move the legs of a survey that says so, and its key.
+/// Whether leg offset noise is enabled, and its seed.
 struct LegChance
 {
   bool IsOn = true;
@@ -26,8 +26,8 @@ struct LegChance
 };
 
 /**
- * The positions of all legs, moved by chance where the survey has it, and of those that are on the
- * ground put onto that of the scene; false after an error.
+ * The positions of all legs, with leg offset noise if the survey has it, and with legs on the
+ * ground placed on that of the scene; false after an error.
  */
 bool FindPositions(const SurveyData& survey, vtkPolyData* scene, const LegChance& chance,
   Messages& log, std::vector<Vec3>& positions);

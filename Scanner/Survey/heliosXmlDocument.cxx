@@ -17,7 +17,7 @@ namespace
 
 constexpr const char* Utf8Mark = "\xEF\xBB\xBF";
 
-/// Whether the XML declaration names the encoding Latin-1.
+/// Whether the XML declaration has the encoding Latin-1.
 bool IsLatin1(const std::string& text)
 {
   const std::string declaration = text.substr(0, text.find("?>"));
@@ -46,7 +46,7 @@ std::string Latin1ToUtf8(const std::string& text)
   return utf8;
 }
 
-/// An attribute that an element has twice; empty: none.
+/// A duplicate attribute of an element; empty: none.
 std::string FindDuplicate(const pugi::xml_node& node)
 {
   std::set<std::string> names;
@@ -60,7 +60,7 @@ std::string FindDuplicate(const pugi::xml_node& node)
   return {};
 }
 
-/// The next node in the order of the file, children first; none after the last.
+/// The next node in document order, children first; none after the last.
 pugi::xml_node NextNode(pugi::xml_node node)
 {
   if (node.first_child())

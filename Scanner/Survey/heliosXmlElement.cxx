@@ -18,7 +18,7 @@ const Vec3 AxisX(1.0, 0.0, 0.0);
 const Vec3 AxisY(0.0, 1.0, 0.0);
 const Vec3 AxisZ(0.0, 0.0, 1.0);
 
-/// The axis of a <rot>: x, y, z, or as the Java program wrote them; null for any other.
+/// The axis of a <rot>: x, y, z, or the names of the Java program; null for others.
 const Vec3* FindAxis(const std::string& name)
 {
   struct Axis
@@ -211,7 +211,8 @@ void XmlElement::CheckNames() const
 void XmlElement::WarnOfValue(const XmlElementRule& rule, const std::string& name) const
 {
   const XmlValueRule* value = rule.FindValue(name);
-  const bool isForeign = name.find(':') != std::string::npos || name == "xmlns"; // of a schema
+  const bool isForeign = name.find(':') != std::string::npos || name == "xmlns"; // XML schema
+                                                                                 // attributes
   if (isForeign || (value && value->Use != XmlUse::NotModelled))
   {
     return;

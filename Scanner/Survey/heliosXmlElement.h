@@ -24,11 +24,11 @@ class XmlElement;
 class XmlDocument
 {
 public:
-  /// Reads a file; null where it is no XML or its root is no <document>. A second root, or an
-  /// attribute that an element has twice, is an error, and the first counts.
+  /// Reads a file; null if it is not XML or its root is not <document>. A second root and a
+  /// duplicate attribute are errors; the first is used.
   static std::unique_ptr<XmlDocument> Load(const std::string& path, Messages& messages);
 
-  /// The same of a text that stands for a file.
+  /// The same for the text of a file.
   static std::unique_ptr<XmlDocument> Make(
     const std::string& path, std::string text, Messages& messages);
 
@@ -36,7 +36,7 @@ public:
   Messages& GetMessages() const { return *this->Log; }
   XmlElement GetRoot() const;
 
-  /// "file:line" of a place in the file.
+  /// "file:line" of an offset in the file.
   std::string Where(std::ptrdiff_t offset) const;
 
 private:
@@ -51,7 +51,7 @@ private:
   std::vector<std::ptrdiff_t> LineEnds;
 };
 
-/// A value as it stands in the file: how it is named in messages, its text, its line.
+/// A value in a file: its name in messages, its text, its line.
 struct XmlValue
 {
   std::string Name;
@@ -60,8 +60,8 @@ struct XmlValue
 };
 
 /**
- * Each of these reads a whole text; false, after an error that names file:line, the value and the
- * cure, where the text is none of the kind or not in the rule's range. The target is then as before.
+ * Each parses a whole text; returns false, after an error with file:line, the value and the fix, if
+ * the text is not valid or not in the rule's range. The target is then unchanged.
  */
 bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target);
 bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target);
@@ -70,7 +70,7 @@ bool ParseRealList(
   const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target);
 bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
 
-/// An element of a document, or none. It holds as long as its document.
+/// An element of a document, or none. It is valid as long as its document.
 class XmlElement
 {
 public:
@@ -94,12 +94,12 @@ public:
 
   bool Has(const char* name) const { return !this->Node.attribute(name).empty(); }
 
-  /// The trimmed text of an attribute; empty where it is missing.
+  /// The trimmed text of an attribute; empty if missing.
   std::string GetText(const char* name) const;
 
   /**
-   * Each reads an attribute (or, where the dialect has such a child, the child's text) by its rule.
-   * False where it is missing or wrong; the target is then as before.
+   * Each reads an attribute (or, if the dialect has such a child, its text) by its rule. False if
+   * it is missing or invalid; the target is then unchanged.
    */
   bool Read(const char* name, std::string& target) const;
   bool Read(const char* name, double& target) const;
@@ -111,14 +111,14 @@ public:
   /// Reads an attribute with its blanks and tabs.
   bool ReadAsWritten(const char* name, std::string& target) const;
 
-  /// The attributes x, y, z; a missing one stays as before.
+  /// The attributes x, y, z; a missing one is left unchanged.
   void ReadVector(Vec3& target) const;
 
-  /// The rotation of the <rot> children, composed as the attribute rotations says.
+  /// The rotation of the <rot> children, composed by the attribute rotations.
   Quaternion ReadRotation() const;
 
-  /// Warns of attributes and children that the dialect does not know, or that are not modelled, and
-  /// of a second child where one is meant.
+  /// Warns of attributes and children that are unknown or not modelled, and of a second child where
+  /// only one is allowed.
   void CheckNames() const;
 
 private:

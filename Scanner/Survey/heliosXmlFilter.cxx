@@ -10,7 +10,7 @@ namespace helios
 namespace
 {
 
-/// Names that mean a filter of another name.
+/// Resolves aliases of filter types.
 std::string FindType(const std::string& given)
 {
   const std::string type = ToLower(given);

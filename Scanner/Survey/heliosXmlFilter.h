@@ -29,7 +29,7 @@ public:
   const XmlElement& GetParameter(const char* key) const { return this->Parameters.at(key); }
   XmlValue GetValue(const char* key) const;
 
-  /// The value of a parameter, by its rule; false where it is missing or wrong, the target being as before.
+  /// The value of a parameter, by its rule; false if missing or invalid, with the target unchanged.
   bool Read(const char* key, std::string& target) const;
   bool Read(const char* key, double& target) const;
   bool Read(const char* key, int& target) const;
@@ -45,7 +45,7 @@ private:
   std::map<std::string, XmlElement> Parameters;
 };
 
-/// The types of filter that exist.
+/// The supported filter types.
 const std::vector<std::string>& GetFilterTypes();
 
 } // namespace helios

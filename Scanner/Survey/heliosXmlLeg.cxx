@@ -11,13 +11,13 @@ namespace helios
 namespace
 {
 
-/// How deep templates of templates may go: deeper they go round in circles.
+/// The maximum depth of nested templates: deeper ones are cyclic.
 constexpr int DeepestTemplate = 32;
 
 constexpr const char* ColumnNames[7] = { "tIndex", "rollIndex", "pitchIndex", "yawIndex", "xIndex",
   "yIndex", "zIndex" };
 
-/// Reads the settings of one leg, those of templates first.
+/// Reads the settings of one leg, after those of its templates.
 class LegReader
 {
 public:
@@ -136,7 +136,7 @@ XmlElement LegReader::FindTemplate(const XmlElement& element, int depth)
   return {};
 }
 
-/// The strip of a leg, as a part of the names of files.
+/// The strip of a leg, as a part of file names.
 std::string ReadStrip(const XmlElement& leg)
 {
   const std::string strip = leg.GetText("stripId");

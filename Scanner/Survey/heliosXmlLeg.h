@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Legs with their templates from their elements. Errors go to the messages of the document.
+// Reads legs with their templates from their elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlLeg_h
 #define heliosXmlLeg_h
@@ -13,13 +13,13 @@ namespace helios
 
 class Assets;
 
-/// What a <leg> says; as in the settings given where it says nothing.
+/// Reads a <leg>; values that it does not give are those of settings.
 LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files);
 
-/// What a <scannerSettings> says, that of a leg or one beside legs, with its templates.
+/// Reads a <scannerSettings> of a leg or beside legs, with its templates.
 LegSettings ReadScannerSettings(const XmlElement& element, Assets& files);
 
-/// Reads the templates of a document, for their errors.
+/// Checks the templates of a document for errors.
 void CheckTemplates(const XmlElement& root, Assets& files);
 
 } // namespace helios

@@ -15,14 +15,15 @@ namespace helios
 namespace
 {
 
-// How far from its plane the shift of a glide plane may be, as a share of its length: files round.
+// Maximum distance of the shift of a glide plane from the plane, relative to its length: files
+// round.
 constexpr double PlaneTolerance = 1e-6;
 
 struct KindRow
 {
   const char* Name;
   MotionKind Kind;
-  const char* Vector; // the attribute that must be given; null: none
+  const char* Vector; // the required attribute; null: none
 };
 
 const std::vector<KindRow>& GetKinds()
@@ -57,7 +58,7 @@ const KindRow* FindKind(const XmlElement& element)
   return nullptr;
 }
 
-/// The vector that a kind of motion must have.
+/// Reads the required vector of a motion.
 void ReadVector(const XmlElement& element, const KindRow& row, Vec3& vector)
 {
   const std::string what = element.Where() + ": <motion type=\"" + row.Name + "\"> ";
@@ -74,7 +75,7 @@ void ReadVector(const XmlElement& element, const KindRow& row, Vec3& vector)
   }
 }
 
-/// The shift of a glide plane, which lies in it.
+/// Reads the shift of a glide plane, which must lie in it.
 void ReadShift(const XmlElement& element, Motion& motion)
 {
   if (element.Read("shift", motion.Shift) &&
@@ -145,7 +146,7 @@ MotionSequence ReadSequence(const XmlElement& element)
   return sequence;
 }
 
-/// Where each id is; of one that comes twice an error.
+/// The index of each id; a duplicate is an error.
 std::map<std::string, std::size_t> FindPlaces(const std::vector<XmlElement>& elements)
 {
   std::map<std::string, std::size_t> places;
@@ -161,7 +162,7 @@ std::map<std::string, std::size_t> FindPlaces(const std::vector<XmlElement>& ele
   return places;
 }
 
-/// What follows a sequence.
+/// The successor of a sequence.
 std::size_t FindNext(const XmlElement& element, const std::map<std::string, std::size_t>& places)
 {
   const std::string next = element.GetText("next");
@@ -180,14 +181,14 @@ std::size_t FindNext(const XmlElement& element, const std::map<std::string, std:
   return MotionSequence::None;
 }
 
-/// How many steps of one length [s] are in another one: whole ones, at least one.
+/// The number of steps [s] in a length [s], rounded to an integer, at least one.
 int CountSteps(double length, double step)
 {
   const double count = std::floor(length / step * (1.0 + 1e-12));
   return static_cast<int>(std::clamp(count, 1.0, double(std::numeric_limits<int>::max())));
 }
 
-/// The time that a step of a part takes, in pulses or seconds, from what part and scene say.
+/// Reads the step length of a part, in pulses or seconds, from part and scene.
 void ReadSteps(const XmlElement& part, const XmlElement& scene, MotionData& motion)
 {
   int scenePulses = 1;

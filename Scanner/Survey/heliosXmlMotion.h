@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a part moves, from its elements. Errors go to the messages of the document.
+// Reads the motion of a part from its elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlMotion_h
 #define heliosXmlMotion_h
@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// The <dmotion> of a <part>, and the steps of it and of its <scene>.
+/// The <dmotion> of a <part>, and its steps and those of its <scene>.
 MotionData ReadMotion(const XmlElement& part, const XmlElement& scene);
 
 } // namespace helios

@@ -12,7 +12,7 @@ namespace helios
 namespace
 {
 
-// One row a name: element, name, what it is, default, choices.
+// One row per name: element, name, description, default, choices.
 // clang-format off
 const XmlNote Notes[] = {
   { "", "id", "what references name it by" },
@@ -427,7 +427,7 @@ std::vector<std::string> GetChoices(const XmlNote& note)
 {
   const std::string text = *note.Choices == '~' ? note.Choices + 1 : note.Choices;
   const char separator =
-    text.find('|') != std::string::npos ? '|' : ' '; // words with blanks in them
+    text.find('|') != std::string::npos ? '|' : ' '; // words may contain blanks
   std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; std::getline(stream, word, separator);)

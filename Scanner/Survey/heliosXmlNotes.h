@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the names of heliosXmlRules mean to people and to schemas: one line a name.
+// Descriptions of the names in heliosXmlRules for people and schemas: one line per name.
 
 #ifndef heliosXmlNotes_h
 #define heliosXmlNotes_h
@@ -16,18 +16,18 @@ struct XmlNote
 {
   const char* Element; ///< empty: of any element
   const char* Name;    ///< empty: the element itself
-  const char* Text;    ///< what it is; for what is not read: why
+  const char* Text;    ///< its meaning; if not read, the reason
   const char* Default = "";
-  const char* Choices = ""; ///< the words that it may be, if any; '~' in front: in any letter case
+  const char* Choices = ""; ///< the valid words, if any; '~' in front: case-insensitive
 };
 
-/// The default of what must be given.
+/// The default of required values.
 constexpr const char* Required = "required";
 
-/// The note of a name of an element, or that of any element; an empty one where there is none.
+/// The note of a name of an element, or that of any element; empty if there is none.
 const XmlNote& FindXmlNote(const std::string& element, const std::string& name);
 
-/// The words that a value may be; none: any.
+/// The valid words of a value; empty: any.
 std::vector<std::string> GetChoices(const XmlNote& note);
 
 bool IsRequired(const XmlNote& note);

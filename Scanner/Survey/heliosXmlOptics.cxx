@@ -48,7 +48,7 @@ void ReadPattern(const XmlElement& element, ScannerData& scanner)
   }
 }
 
-/// Of prisms counted from 0, as the file counts them.
+/// A name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
 {
   return before + std::to_string(prism + 1) + after;
@@ -85,7 +85,7 @@ void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
   scanner.IncidentBeam = direction;
 }
 
-/// A prism that bends the beam.
+/// Whether a prism bends the beam.
 bool Bends(const PrismData& prism, const ScannerData& scanner)
 {
   return prism.WedgeAngle != 0.0 && prism.RefractiveIndex != scanner.AirRefractiveIndex;
@@ -145,7 +145,7 @@ void ForgetOptics(ScannerData& scanner)
 //------------------------------------------------------------------------------
 void CheckOptics(const ScannerData& scanner, Messages& log)
 {
-  // A swinging mirror may take its angle from the leg.
+  // The angle of an oscillating mirror may be given by the leg.
   const bool hasAngle = scanner.ScanAngleMax > 0.0 || scanner.Type == Optics::OscillatingMirror;
   if (scanner.Type == Optics::RisleyPrisms)
   {

@@ -13,13 +13,13 @@ namespace helios
 
 class Messages;
 
-/// What an element does not say stays.
+/// Reads the optics; values that are not given are unchanged.
 void ReadOptics(const XmlElement& element, ScannerData& scanner);
 
-/// Everything that ReadOptics() reads as it is in a new scanner, but for the type.
+/// Resets everything that ReadOptics() reads, except for the type, to that of a new scanner.
 void ForgetOptics(ScannerData& scanner);
 
-/// What only shows once all is read: optics that deflect nothing.
+/// Checks the complete optics: those that deflect nothing.
 void CheckOptics(const ScannerData& scanner, Messages& log);
 
 } // namespace helios

@@ -27,7 +27,7 @@ public:
 
   PartData Read();
 
-  /// Reads a <swap> of a part that was read.
+  /// Reads a <swap> of a part that is already read.
   SwapData ReadSwap(const PartData& part);
 
 private:
@@ -119,7 +119,7 @@ SwapData PartReader::ReadSwap(const PartData& part)
   this->Element.Read("force_null", swap.IsRemoved);
   this->Element.Read("keepCRS", keepsCrs);
   this->IsSwap = true;
-  this->Part = part; // as its loader and filters made it, before it was turned, scaled and moved
+  this->Part = part; // with its loader and filters, without its rotation, scale and translation
   this->Part.Where = this->Element.Where();
   this->Part.Rotation = Quaternion(1.0, 0.0, 0.0, 0.0);
   this->Part.Scale = 1.0;
@@ -187,7 +187,7 @@ bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
     return false;
   }
   this->HasLoader = true;
-  if (this->IsSwap) // nothing of the part is left
+  if (this->IsSwap) // nothing of the part remains
   {
     PartData fresh;
     fresh.Where = this->Part.Where;
@@ -297,7 +297,7 @@ void PartReader::ReadVegetation(const XmlFilter& filter)
 }
 
 //------------------------------------------------------------------------------
-/// What a grid of turbid cells cannot have: it is no mesh.
+/// Checks for filters that turbid cells do not support: they are not a mesh.
 void PartReader::CheckTurbid()
 {
   Messages& log = this->Element.GetMessages();
@@ -432,7 +432,7 @@ void PartReader::ReportFilter(const XmlFilter& filter)
     type.find("voxel") != std::string::npos;
 }
 
-/// Gives a part, or what takes its place, its motion; voxels that transmit have none.
+/// Sets the motion of a part and its swaps; turbid voxels have none.
 void SetMotion(const XmlElement& element, const MotionData& motion, PartData& part)
 {
   part.Motion = motion;

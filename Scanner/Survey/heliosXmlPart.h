@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of a scene from its element. Errors go to the messages of the document.
+// Reads a part of a scene from its element. Errors go to the messages of the document.
 
 #ifndef heliosXmlPart_h
 #define heliosXmlPart_h
@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// The filters and motions of a <part> of a <scene>, their files found; it may have several.
+/// The filters and motions of a <part> of a <scene>, with their files found; it may have several.
 PartData ReadPart(const XmlElement& element, const XmlElement& scene, Assets& assets);
 
 } // namespace helios

@@ -27,7 +27,7 @@ namespace
 
 constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-/// Reads one of the words that the notes name, as they are written there; false after an error.
+/// Reads one of the words in the notes, case-sensitive; false after an error.
 bool ReadWord(const XmlElement& element, const char* name, std::string& target)
 {
   const XmlNote& note = FindXmlNote(element.GetTag(), name);
@@ -160,7 +160,7 @@ void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
     Sentence text;
     text << planner.Where() << ": " << lowName << "=\"" << low << "\" is not below " << highName
          << "=\"" << high << "\", so that nothing is seen; give a smaller one";
-    if (low >= high) // false where one is not given
+    if (low >= high) // false for NaN: not given
     {
       this->Log.Error(text.str());
     }
@@ -221,7 +221,7 @@ void PlannerReader::ReadScene(const XmlElement& scene, PlannerData& data)
 }
 
 //------------------------------------------------------------------------------
-/// What the caller asks for, else what the element refers to.
+/// The asset named by the caller, else by the element.
 XmlElement PlannerReader::FindAsset(
   const XmlElement& from, const char* tag, const std::string& asked)
 {
@@ -263,7 +263,7 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
 {
   if (this->HasError())
   {
-    return; // what would follow is none of its own
+    return; // avoids consequential errors
   }
   const PlatformData& platform = data.Survey.Platforms.front();
   const ScannerData& scanner = data.Survey.Scanners.front();
@@ -284,7 +284,7 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
 }
 
 //------------------------------------------------------------------------------
-/// What a plan does not see of a scene.
+/// Warns of parts of a scene that a plan ignores.
 void PlannerReader::WarnOfScene(const SceneData& scene)
 {
   const int plays = CountPlays(scene);
@@ -339,7 +339,7 @@ void PlannerReader::CheckHeight(PlannerData& data)
   }
 }
 
-/// The kind of file by its ending; null: no mesh.
+/// The type of a file by its extension; null: not a mesh.
 const char* FindLoader(const std::string& fileName)
 {
   const std::string ending = ToLower(fs::path(fileName).extension().string());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be planned, from HELIOS XML or a mesh.
+// Reads a planning task from HELIOS XML or a mesh.
 
 #ifndef heliosXmlPlanner_h
 #define heliosXmlPlanner_h
@@ -16,17 +16,18 @@ class Messages;
 
 /**
  * The first <surveyPlanner> of a file, else its first <survey>, else its first <scene>; or a mesh
- * (.obj, .tif), with all that they refer to. Complete only if log has no error then.
+ * (.obj, .tif), with all references. Complete only if log has no error then.
  */
 PlannerData ReadPlanner(const PlannerRequest& request, Messages& log);
 
-/// Checks a <surveyPlanner> and what it refers to.
+/// Checks a <surveyPlanner> and its references.
 void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log);
 
-/// A file.xml#id of what was read from a place (file:line).
+/// A file.xml#id for an element read at a place (file:line).
 std::string MakeReference(const std::string& where, const std::string& id);
 
-/// A <document> with a <scene> of one part, a mesh file; empty where the ending is that of no mesh.
+/// A <document> with a <scene> of one part, a mesh file; empty if the extension is not that of a
+/// mesh.
 std::string MakeMeshDocument(const std::string& fileName, const std::string& id);
 
 } // namespace helios

@@ -51,7 +51,7 @@ void ReadVehicle(const XmlElement& element, VehicleData& vehicle)
   element.Read("pitch_offset_deg", vehicle.PitchOffset);
 }
 
-/// An interval of two attributes; an error where it holds nothing.
+/// Reads an interval of two attributes; an error if it is empty.
 void ReadInterval(
   const XmlElement& element, const char* from, const char* to, double& low, double& high)
 {
@@ -130,7 +130,7 @@ void FindModel(const XmlElement& element, const Assets& files, ModelData& model)
     return;
   }
   model.File = files.LookFor(model.Name, element.GetDocument());
-  if (model.File.empty()) // the Java program has a folder for them
+  if (model.File.empty()) // the Java program has a folder for models
   {
     model.File = files.LookFor("Models/" + model.Name, element.GetDocument());
   }

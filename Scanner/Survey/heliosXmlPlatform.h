@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Platforms from their elements. Errors go to the messages of the document.
+// Reads platforms from their elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlPlatform_h
 #define heliosXmlPlatform_h
@@ -13,19 +13,19 @@ namespace helios
 
 class Assets;
 
-/// The pose of <scannerMount> or <beamOrigin>; as before where there is no element.
+/// The pose of <scannerMount> or <beamOrigin>; unchanged without an element.
 void ReadPose(const XmlElement& element, Pose& pose);
 
-/// What an attribute says of a model; as before where there is none. Its file is not looked for.
+/// The model named by an attribute; unchanged without one. Its file is not searched.
 void ReadModel(const XmlElement& element, const char* attribute, ModelData& model);
 
-/// Finds the file of a model that an element has given. None is no error: it is but shown.
+/// Finds the file of a model of an element. A missing file is no error: it is only displayed.
 void FindModel(const XmlElement& element, const Assets& files, ModelData& model);
 
 PlatformData ReadPlatform(const XmlElement& element);
 
-/// What a survey's own noise elements and, of a platform that plays a trajectory, its <scannerMount>
-/// change in a platform.
+/// Overrides the platform's noise by that of the survey and, for a platform that plays a
+/// trajectory, its <scannerMount>.
 void OverridePlatform(const XmlElement& survey, PlatformData& platform);
 
 } // namespace helios

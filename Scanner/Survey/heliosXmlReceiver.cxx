@@ -18,11 +18,12 @@ namespace
 
 constexpr double WattsPerNanowatt = 1e-9;
 
-// The longest echo of one surface in a waveform [bins], and what it is of the pulse's length.
+// The maximum length of an echo of one surface in a waveform [bins], and its ratio to the pulse
+// length.
 constexpr double MostBins = 5000.0;
 constexpr double EchoPerPulse = 5.0;
 
-/// Reads one of some words; an error where it is another.
+/// Reads one of some words; any other is an error.
 void ReadChoice(const XmlElement& element, const char* name,
   const std::vector<std::string>& choices, std::string& target)
 {
@@ -41,7 +42,7 @@ void ReadChoice(const XmlElement& element, const char* name,
     (nearest.empty() ? "give one of " + Enumerate(choices) : "did you mean " + nearest + "?"));
 }
 
-/// gaussian, helios, or the name of a file: beside the XML, else as it is.
+/// Reads gaussian, helios, or the name of a file: beside the XML, else as given.
 void ReadPulseShape(const XmlElement& element, ReceiverData& receiver)
 {
   std::string shape;
@@ -71,7 +72,7 @@ void ReadPulseShape(const XmlElement& element, ReceiverData& receiver)
     "\" is no pulse and no file; give gaussian, helios, or a text file of times [ns] and powers");
 }
 
-/// A number of circles, or tolerances: what an element says wins over what was said before.
+/// Reads a number of circles, or tolerances, which override earlier values.
 void ReadSampling(const XmlElement& element, ReceiverData& receiver)
 {
   const bool hasRange = element.Read("rangeTolerance_m", receiver.RangeTolerance);
@@ -94,7 +95,7 @@ void ReadSampling(const XmlElement& element, ReceiverData& receiver)
   }
 }
 
-/// What vtkHelios has beyond the dialect, on <FWFSettings> and <survey>.
+/// Reads extensions of vtkHelios to the dialect, on <FWFSettings> and <survey>.
 void ReadOwn(const XmlElement& element, ReceiverData& receiver)
 {
   ReadSampling(element, receiver);
@@ -104,7 +105,7 @@ void ReadOwn(const XmlElement& element, ReceiverData& receiver)
   ReadPulseShape(element, receiver);
 }
 
-/// The names of the Java time that say the same as attributes of <scanner>.
+/// Reads attributes of <scanner> by their names in the Java program.
 void ReadJavaNames(const XmlElement& element, ScannerData& data)
 {
   element.Read("pulseLength_ns", data.PulseLength);
@@ -120,7 +121,7 @@ void ReadJavaNames(const XmlElement& element, ScannerData& data)
   }
 }
 
-/// An aperture that HELIOS reads and never uses: said where it is not the receiver's.
+/// Warns of an aperture, which HELIOS reads but never uses, if it is not the receiver's.
 void CheckAperture(const XmlElement& element, const char* name, const ScannerData& data)
 {
   double aperture = data.ReceiverDiameter;
@@ -167,7 +168,7 @@ void ReadNoise(const XmlElement& scanner, ReceiverData& receiver)
   scanner.Read("angleAccuracy_rad", receiver.AngleAccuracy);
 }
 
-/// An error where an attribute is no expression; an empty text is one. Its name in messages.
+/// Checks that an attribute is an expression; an empty one is valid. Returns its name in messages.
 std::string CheckExpression(const XmlElement& element, const char* name, const std::string& text)
 {
   const std::string shown = element.Where() + ": " + name + "=\"" + Shorten(text) + "\"";
@@ -251,7 +252,7 @@ void CheckReceiver(const ScannerData& data, Messages& log)
   const double ofBins = (receiver.NumberOfBins - 1) * receiver.BinSize;
   const bool isOfBins =
     receiver.NumberOfBins > 0 && (receiver.MaximumLength == 0.0 || ofBins < receiver.MaximumLength);
-  const double length = isOfBins ? ofBins : receiver.MaximumLength; // 0: as long as the target
+  const double length = isOfBins ? ofBins : receiver.MaximumLength; // 0: as the target requires
   Sentence text;
   if (!isSampled && receiver.BinSize > 0.5 * data.PulseLength)
   {

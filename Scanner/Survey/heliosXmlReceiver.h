@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sampling, waveforms, detection, noise and errors of a scanner from its elements.
+// Reads sampling, waveforms, detection, noise and errors of a scanner from its elements.
 
 #ifndef heliosXmlReceiver_h
 #define heliosXmlReceiver_h
@@ -13,13 +13,13 @@ namespace helios
 
 class Messages;
 
-/// What a <scanner> says about its receiver, its noise and its errors.
+/// Reads receiver, noise and errors of a <scanner>.
 void ReadReceiver(const XmlElement& scanner, ScannerData& data);
 
-/// What a survey's own <FWFSettings>, <detectorSettings> and attributes change in its scanner.
+/// Overrides the scanner by a survey's own <FWFSettings>, <detectorSettings> and attributes.
 void OverrideReceiver(const XmlElement& survey, ScannerData& data);
 
-/// What only shows once all is read: bins too wide for the pulse, waveforms shorter than it.
+/// Checks the complete data: bins too wide for the pulse, waveforms shorter than it.
 void CheckReceiver(const ScannerData& data, Messages& log);
 
 } // namespace helios

@@ -24,7 +24,7 @@ constexpr auto Used = XmlUse::Used;
 constexpr auto Ignored = XmlUse::Ignored;
 constexpr auto Later = XmlUse::NotModelled;
 
-// No survey needs more; nothing below divides or squares to infinity.
+// Sufficient for any survey; no division or square below overflows.
 constexpr XmlRange Frequency = { 1e-3, 1e9, false };
 constexpr XmlRange Distance = { 1e-3, 1e9, false };
 constexpr XmlRange Seconds = { 1e-3, 1e9, false };
@@ -50,7 +50,7 @@ constexpr XmlRange RightAngle = { 0.0, 90.0, false };
 constexpr XmlRange Elevation = { -90.0, 90.0, false };
 constexpr bool Repeats = true;
 
-// One row a name.
+// One row per name.
 // clang-format off
 const std::vector<XmlValueRule> NoiseValues = {
   { "type" },
@@ -524,7 +524,7 @@ std::string FindNearest(const std::vector<RuleT>& rules, const std::string& name
   return FindNearestName(name, names);
 }
 
-/// Levenshtein's distance: how many letters to insert, delete or replace.
+/// Levenshtein's distance: the number of letters to insert, delete or replace.
 std::size_t EditDistance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);

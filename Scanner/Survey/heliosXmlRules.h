@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the HELIOS dialect knows: every element with its attributes and children, in one table.
+// The HELIOS dialect: every element with its attributes and children, in one table.
 
 #ifndef heliosXmlRules_h
 #define heliosXmlRules_h
@@ -13,7 +13,7 @@
 namespace helios
 {
 
-/// What a value is written as.
+/// The syntax of a value.
 enum class XmlKind
 {
   Text,
@@ -26,27 +26,27 @@ enum class XmlKind
   Reference // file.xml#id, #id or id
 };
 
-/// What becomes of a value.
+/// The use of a value.
 enum class XmlUse
 {
   Used,
-  Ignored,    // means nothing for a simulation: a title, a colour
-  NotModelled // belongs to the dialect, warned of once
+  Ignored,    // irrelevant for a simulation: a title, a colour
+  NotModelled // part of the dialect, causes one warning
 };
 
-/// The largest number where nothing narrower is said.
+/// The largest number unless a rule is narrower.
 constexpr double LargestNumber = 1e12;
 
-/// The smallest but 0 of numbers that are not negative: quotients and squares stay numbers. Coordinates
-/// and angles may come as near to 0 as rounding brings them.
+/// The smallest positive value of nonnegative numbers: quotients and squares stay finite.
+/// Coordinates and angles may be closer to 0 through rounding.
 constexpr double SmallestNumber = 1e-30;
 
-/// The numbers that a value may have.
+/// The valid range of a number.
 struct XmlRange
 {
   double Low;
   double High;
-  bool AboveLow; // Low itself is not in it
+  bool AboveLow; // Low itself is excluded
 
   bool Contains(double value) const
   {
@@ -78,27 +78,26 @@ struct XmlElementRule
   std::vector<XmlValueRule> Values;
   std::vector<XmlChildRule> Children;
 
-  /// The rule of a value or child; null where the dialect does not know it.
+  /// The rule of a value or child; null if the dialect does not know it.
   const XmlValueRule* FindValue(const std::string& name) const;
   const XmlChildRule* FindChild(const std::string& name) const;
 
-  /// The value or child whose name is nearest to a misspelt one; empty where none is near.
+  /// The value or child with the name nearest to a misspelt one; empty if none is near.
   std::string FindNearestValue(const std::string& name) const;
   std::string FindNearestChild(const std::string& name) const;
 };
 
-/// The rule of an element; null where the dialect does not know it. The parameters of a scene
-/// filter are the values of "filter:<type>".
+/// The rule of an element; null if the dialect does not know it. The parameters of a scene filter
+/// are the values of "filter:<type>".
 const XmlElementRule* FindXmlRule(const std::string& element);
 
-/// All of them.
+/// All rules.
 VTKHELIOSSCANNERSURVEY_EXPORT const std::vector<XmlElementRule>& GetXmlRules();
 
-/// A text in lower case.
+/// The text in lower case.
 std::string ToLower(std::string text);
 
-/// Of some names the one nearest to a misspelt one by edit distance, upper and lower case being
-/// equal; empty where none is near.
+/// The name nearest to a misspelt one by edit distance, case-insensitive; empty if none is near.
 std::string FindNearestName(const std::string& name, const std::vector<std::string>& names);
 
 } // namespace helios

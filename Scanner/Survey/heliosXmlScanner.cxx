@@ -13,7 +13,7 @@ namespace helios
 namespace
 {
 
-/// Catalogues count the detection threshold in nanowatts whatever its name says.
+/// Catalogues give the detection threshold in nanowatts, despite its name.
 constexpr double WattsPerUnit = 1e-9;
 
 void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
@@ -35,7 +35,7 @@ void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
     ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
 }
 
-/// The numbers that are taken over as they are.
+/// Reads numbers that need no conversion.
 void ReadNumbers(const XmlElement& element, ScannerData& scanner)
 {
   element.Read("pulseFreqs_Hz", scanner.PulseFrequencies);
@@ -57,7 +57,7 @@ void ReadNumbers(const XmlElement& element, ScannerData& scanner)
   element.Read("headRotatePerSecMax_deg", scanner.HeadRotateSpeedMax);
 }
 
-/// What an element says about a scanner, or about a channel of it; what it does not say stays.
+/// Reads a scanner or one of its channels; values that are not given are unchanged.
 void ReadInstrument(const XmlElement& element, ScannerData& scanner)
 {
   element.CheckNames();
@@ -72,7 +72,7 @@ void ReadInstrument(const XmlElement& element, ScannerData& scanner)
   ReadModel(element, "visModel", scanner.Model);
 }
 
-/// A copy of the scanner, but for what the channel says. Other optics start from scratch.
+/// A copy of the scanner with the channel's settings. Other optics start from the defaults.
 ScannerData ReadChannel(const XmlElement& channel, ScannerData scanner, std::size_t index)
 {
   const ScannerData whole = scanner;
@@ -88,7 +88,7 @@ ScannerData ReadChannel(const XmlElement& channel, ScannerData scanner, std::siz
   return scanner;
 }
 
-/// The channels of a scanner in place of it; the scanner itself where it names none.
+/// Replaces a scanner by its channels; returns the scanner itself if it has none.
 ScannerData ReadChannels(const XmlElement& element, const ScannerData& scanner)
 {
   std::vector<ScannerData> channels;

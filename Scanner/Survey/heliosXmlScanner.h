@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scanners from their elements. Errors go to the messages of the document.
+// Reads scanners from their elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlScanner_h
 #define heliosXmlScanner_h
@@ -13,10 +13,10 @@ namespace helios
 
 ScannerData ReadScanner(const XmlElement& element);
 
-/// What a survey's own <FWFSettings> and <detectorSettings> change in a scanner, all its channels.
+/// Overrides all channels of a scanner by a survey's own <FWFSettings> and <detectorSettings>.
 void OverrideScanner(const XmlElement& survey, ScannerData& scanner);
 
-/// What only shows once all is read: bins too wide for the pulse, ranges that hold nothing.
+/// Checks the complete data: bins too wide for the pulse, empty ranges.
 void CheckScanner(const ScannerData& scanner, Messages& log);
 
 } // namespace helios

@@ -15,7 +15,7 @@ namespace helios
 namespace
 {
 
-/// Adds a part; as one part a file where it has several files and no id.
+/// Adds a part; as one part per file if it has several files and no id.
 void AddPart(PartData part, std::vector<PartData>& parts)
 {
   if (!part.Name.empty())
@@ -42,7 +42,7 @@ std::vector<std::string> FindSpectraFolders(const std::vector<std::string>& fold
   return spectra;
 }
 
-/// A play without a part has nothing to scan.
+/// Checks that every epoch has a part to scan.
 void CheckPlays(const SceneData& scene, Messages& log)
 {
   for (int play = 1; play < CountPlays(scene); ++play)

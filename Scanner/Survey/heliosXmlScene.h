@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes from their elements. Errors go to the messages of the document.
+// Reads scenes from their elements. Errors go to the messages of the document.
 
 #ifndef heliosXmlScene_h
 #define heliosXmlScene_h
@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// The parts of a <scene>, their files found.
+/// The parts of a <scene>, with their files found.
 SceneData ReadScene(const XmlElement& element, Assets& assets);
 
 } // namespace helios

@@ -36,7 +36,7 @@ const char* const Head = R"(<?xml version="1.0" encoding="UTF-8"?>
 
 constexpr const char* Number = R"([+\-]?([0-9]+([.][0-9]*)?|[.][0-9]+)([eE][+\-]?[0-9]+)?)";
 
-/// A text as it is written in XML, or in a Markdown table.
+/// Escapes a text for XML, or for a Markdown table.
 std::string Escape(const std::string& text, bool isXml)
 {
   std::string escaped;
@@ -55,7 +55,7 @@ std::string ToText(double number)
   return text.str();
 }
 
-/// The text with a capital, as a sentence begins.
+/// Capitalises the first letter.
 std::string Capitalise(std::string text)
 {
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -67,13 +67,13 @@ bool IsFilter(const XmlElementRule& rule)
   return std::string(rule.Name).rfind("filter:", 0) == 0;
 }
 
-/// A value that the readers read; of others they take anything.
+/// Whether the readers read a value; others may be anything.
 bool IsRead(const XmlValueRule& value)
 {
   return value.Use == XmlUse::Used;
 }
 
-/// "what it is [unit]; default: this; not read"
+/// "description [unit]; default: this; not read"
 std::string Describe(const XmlValueRule& value, const XmlNote& note)
 {
   std::string text = note.Text;
@@ -82,7 +82,7 @@ std::string Describe(const XmlValueRule& value, const XmlNote& note)
   return text + (value.Use == XmlUse::Used ? "" : "; not read");
 }
 
-/// The words of an attribute; those of a filter's type are the filters that exist.
+/// The words of an attribute; for a filter's type the supported filters.
 std::vector<std::string> FindChoices(const XmlElementRule& rule, const XmlValueRule& value)
 {
   std::vector<std::string> choices = GetChoices(FindXmlNote(rule.Name, value.Name));
@@ -123,7 +123,7 @@ std::string SchemaMaker::Make()
   this->Text = Head;
   for (const XmlElementRule& rule : GetXmlRules())
   {
-    if (!IsFilter(rule)) // their parameters are attributes of <param>, whatever they are called
+    if (!IsFilter(rule)) // their parameters are attributes of <param>
     {
       this->AddElement(rule);
     }
@@ -158,7 +158,7 @@ void SchemaMaker::AddChildren(const XmlElementRule& rule)
     repeats ? "    <xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n" : "    <xs:all>\n";
   for (const XmlChildRule& child : rule.Children)
   {
-    const XmlValueRule* value = rule.FindValue(child.Name); // an attribute in other clothes
+    const XmlValueRule* value = rule.FindValue(child.Name); // an attribute given as a child
     const bool isKnown = FindXmlRule(child.Name) && child.Use == XmlUse::Used;
     this->Text += std::string("      <xs:element name=\"") + child.Name + "\"" +
       (repeats ? "" : " minOccurs=\"0\"");
@@ -187,7 +187,7 @@ std::string SchemaMaker::MakeType(const XmlElementRule& rule, const XmlValueRule
   std::string base = "xs:string";
   if (!IsRead(value))
   {
-    // as it comes
+    // any text
   }
   else if (!words.empty())
   {
@@ -221,7 +221,7 @@ std::string SchemaMaker::MakeNumber(const XmlValueRule& value)
   const bool isReal = value.Kind == XmlKind::Real;
   const XmlRange& range = value.Range;
   const double most = isReal ? NoLimit : 2147483647.0;
-  // A real without limits gets some all the same: NaN and infinity are no numbers here.
+  // Unlimited reals get limits too: NaN and infinity are not valid.
   Sentence text;
   text << "<xs:min" << (range.AboveLow ? "Exclusive" : "Inclusive") << " value=\""
        << std::max(range.Low, -most) << "\"/><xs:maxInclusive value=\""
@@ -279,7 +279,7 @@ const char* NameKind(XmlKind kind)
   return "text";
 }
 
-/// "0 < . <= 10", in words of a table.
+/// "0 < . <= 10", for a table.
 std::string DescribeRange(const XmlElementRule& rule, const XmlValueRule& value)
 {
   const std::vector<std::string> words = FindChoices(rule, value);
@@ -350,7 +350,7 @@ std::string MakeRow(const XmlElementRule& rule, const XmlValueRule& value)
   return row + "\n";
 }
 
-/// The children that have no table of their own.
+/// The children without a table of their own.
 std::string MakeChildRows(const XmlElementRule& rule)
 {
   std::string rows;

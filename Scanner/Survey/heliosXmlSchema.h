@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The HELIOS dialect for others, made from the rules that the readers go by and their notes.
+// Exports the HELIOS dialect, from the rules of the readers and their notes.
 
 #ifndef heliosXmlSchema_h
 #define heliosXmlSchema_h
@@ -13,7 +13,7 @@ namespace helios
 /// An XML schema (XSD 1.0) of all files with a <document>.
 std::string MakeXmlSchema();
 
-/// All elements and attributes as Markdown: a heading and a table an element.
+/// All elements and attributes as Markdown: one heading and table per element.
 std::string MakeXmlTables();
 
 } // namespace helios

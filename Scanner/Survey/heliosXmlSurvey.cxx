@@ -26,7 +26,7 @@ namespace
 
 constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
 
-/// The number of a seed: of a date the digits, of a decimal number its whole part; negative: none.
+/// Parses a seed: the digits of a date, the integer part of a decimal number; negative: none.
 vtkIdType ParseSeed(std::string text)
 {
   const bool isDate = text.find_first_of("-:") != std::string::npos && text.size() == 19;
@@ -77,11 +77,11 @@ private:
   Messages& Log;
   XmlElement Survey;
   std::vector<LegSettings> Settings;           // of the legs so far
-  std::map<std::string, std::size_t> Scanners; // by where they stand
+  std::map<std::string, std::size_t> Scanners; // by their place in the file
   std::map<std::string, std::size_t> Platforms;
-  Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the legs that follow
+  Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the following legs
   bool StartsScan = false;
-  std::set<std::size_t> BadScanners; // that have errors of their own
+  std::set<std::size_t> BadScanners; // with errors of their own
   std::set<std::size_t> BadPlatforms;
   std::set<std::size_t> BadLegs;
 };
@@ -217,7 +217,7 @@ std::size_t SurveyReader::FindPlatform(const XmlElement& from, SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-/// The platform that plays trajectories from files: mount and noise are those of another.
+/// The platform that plays trajectories from files: mount and noise are those of another platform.
 PlatformData SurveyReader::MakeInterpolated()
 {
   PlatformData platform;
@@ -256,7 +256,7 @@ void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
   if (data.Legs.empty())
   {
     this->Log.Error(survey.Where() + ": survey " + data.Name + " has 0 <leg>; add one");
-    this->FindScanner(survey, data); // which may be wrong, too
+    this->FindScanner(survey, data); // may have errors, too
     this->FindPlatform(survey, data);
   }
   this->CheckJourneys(data);
@@ -270,7 +270,7 @@ void SurveyReader::ReadLeg(const XmlElement& leg, SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-/// The form that the planner of the Java program writes: a platform and a scanner with legs of their own.
+/// Reads a <scan> of the Java program's planner: a platform and a scanner with their own legs.
 void SurveyReader::ReadScan(const XmlElement& scan, SurveyData& data)
 {
   scan.CheckNames();
@@ -291,13 +291,13 @@ void SurveyReader::ReadScan(const XmlElement& scan, SurveyData& data)
     this->AddLeg(leg, settings, scan, data);
     if (this->BadScanners.count(scanner) > 0)
     {
-      this->BadLegs.insert(data.Legs.size() - 1); // its head turns as the scanner can
+      this->BadLegs.insert(data.Legs.size() - 1); // its head rotation depends on the scanner
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/// A leg with the scanner and platform that it, or what it stands in, or the survey names.
+/// Adds a leg with the scanner and platform named by it, its parent or the survey.
 void SurveyReader::AddLeg(
   const XmlElement& element, const LegSettings& base, const XmlElement& from, SurveyData& data)
 {
@@ -364,7 +364,7 @@ void SurveyReader::Resolve(SurveyData& data)
 }
 
 //------------------------------------------------------------------------------
-/// Whether a leg and its platform have no errors of their own: what follows from those is none.
+/// Whether a leg and its platform have no errors of their own, so that further errors are reported.
 bool SurveyReader::IsGood(std::size_t leg, const SurveyData& data) const
 {
   return this->BadLegs.count(leg) == 0 && this->BadPlatforms.count(data.Legs[leg].Platform) == 0;

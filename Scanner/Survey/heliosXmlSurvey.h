@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys from HELIOS XML.
+// Reads surveys from HELIOS XML.
 
 #ifndef heliosXmlSurvey_h
 #define heliosXmlSurvey_h
@@ -17,18 +17,18 @@ class Assets;
 class Messages;
 class XmlDocument;
 
-/// The first survey of a file with all that it refers to. Complete only if log has no error then.
+/// The first survey of a file with all references. Complete only if log has no error then.
 SurveyData ReadSurvey(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
-/// The same of a document, which may be null.
+/// The same for a document, which may be null.
 SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
 
-/// A name that is fit for a folder.
+/// A name valid for a folder.
 std::string MakeFolderName(std::string name);
 
-/// Checks a whole file: its surveys and planners, as they are read, and all scenes, scanners, platforms and
-/// templates in it, whether a survey uses them or not.
+/// Checks a whole file: its surveys and planners as they are read, and all scenes, scanners,
+/// platforms and templates in it, used or not.
 void CheckFile(
   const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 

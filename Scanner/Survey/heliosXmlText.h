@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values on their way into XML.
+// Formats values for XML.
 
 #ifndef heliosXmlText_h
 #define heliosXmlText_h
@@ -16,8 +16,8 @@
 namespace helios
 {
 
-/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as a
-/// whole number, and 1e5 not.
+/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as an
+/// integer, but not 1e5.
 inline std::string ToXmlText(double value)
 {
   char digits[400]; // of the smallest number

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values from text: the whole of it or nothing.
+// Parses values from whole texts.
 
 #include "heliosMessages.h"
 #include "heliosXmlElement.h"
@@ -16,7 +16,7 @@ namespace helios
 namespace
 {
 
-/// A number that takes all of a text; a sign + is allowed, as in C.
+/// A number that is the whole text; a sign + is allowed, as in C.
 template <typename NumberT>
 bool FromText(const std::string& text, NumberT& number)
 {

@@ -13,7 +13,7 @@ vtkStandardNewMacro(vtkHeliosDialect);
 namespace
 {
 
-/// " <element name>" unless that has a note.
+/// " <element name>" if it has no note.
 std::string Miss(const std::string& element, const std::string& name)
 {
   const bool isKnown = *helios::FindXmlNote(element, name).Text != '\0';

@@ -4,10 +4,9 @@
  * @class   vtkHeliosDialect
  * @brief   the HELIOS XML dialect as vtkHelios reads it
  *
- * Elements, attributes and parameters of filters with their kinds, units,
- * ranges, defaults and what becomes of them, made from the table that
- * vtkHeliosSurveyReader reads files by: as an XML schema for editors and
- * validators, and as Markdown for people (Data/Schemas, Docs/dialect.md).
+ * Lists elements, attributes and filter parameters with their kind, unit, range, default and use.
+ * The list is generated from the table that vtkHeliosSurveyReader reads files with: as an XML
+ * schema for editors and validators, and as Markdown (Data/Schemas, Docs/dialect.md).
  *
  * @sa
  * vtkHeliosSurveyReader
@@ -19,7 +18,7 @@
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <string> // For what it returns
+#include <string> // For return values
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosDialect : public vtkObject
 {
@@ -28,21 +27,19 @@ public:
   vtkTypeMacro(vtkHeliosDialect, vtkObject);
 
   /**
-   * An XML schema (XSD 1.0) of every file: surveys, scenes, scanners and
-   * platforms. It is as strict as the reader, and refuses unknown names, which
-   * the reader warns of. It does not look into references, nor into the
-   * parameters of filters, whose kind depends on their key.
+   * Returns an XML schema (XSD 1.0) for all files: surveys, scenes, scanners and platforms. It is
+   * as strict as the reader, and rejects unknown names, for which the reader only warns. References
+   * are not followed, and filter parameters, whose kind depends on their key, are not checked.
    */
   static std::string GetSchema();
 
   /**
-   * Every element with its attributes as Markdown: a heading and a table an
-   * element.
+   * Returns all elements and their attributes as Markdown: one heading and table per element.
    */
   static std::string GetTables();
 
   /**
-   * The names that have no description; empty where every name has one.
+   * Returns the names without a description; empty if every name has one.
    */
   static std::string FindUndescribed();
 

@@ -29,7 +29,7 @@ std::string Text(const char* text)
 
 } // namespace
 
-/// The data of the last Read(), and whether they still are those of the properties.
+/// The data of the last Read(), and whether they are up to date with the properties.
 class vtkHeliosPlannerReader::Internals
 {
 public:
@@ -100,7 +100,7 @@ bool vtkHeliosPlannerReader::Read()
     this->Reader->Data = helios::ReadPlanner(request, log);
     this->Reader->IsGood = !log.HasError();
   }
-  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  catch (const std::exception& error) // standard library errors: out of memory, file system
   {
     vtkErrorMacro(<< this->FileName << ": cannot be read: " << error.what());
   }
@@ -157,7 +157,7 @@ const helios::PlannerData& vtkHeliosPlannerReader::GetData() const
 namespace
 {
 
-/// What the leg of a plan does; all zero where none was read.
+/// The scan of a plan's leg; all zero if none was read.
 helios::ScanData GetScan(const helios::PlannerData& data)
 {
   const auto& legs = data.Survey.Legs;

@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosPlannerReader
- * @brief   what is to be planned, and how, from HELIOS XML or a mesh
+ * @brief   read a planning task from HELIOS XML or a mesh
  *
- * Output 0 is the scene: triangles with materials and CRS, as vtkHeliosSurveyPlayer
- * would scan it. Read() reads the settings without it, and the getters below have
- * them. A file is looked at for
+ * Output 0 is the scene: triangles with materials and CRS, as scanned by vtkHeliosSurveyPlayer.
+ * Read() reads only the settings, which the getters below return. The following is read from a
+ * file:
  * - the first <surveyPlanner>: Docs/planning.md, Docs/dialect.md;
- * - else the first <survey>: its scene, and platform, scanner and scanner settings
- *   of its first leg that fires pulses; what it changes in its scanner is left out;
+ * - else the first <survey>: its scene, and platform, scanner and scanner settings of its first leg
+ *   that fires pulses; its changes to the scanner are ignored;
  * - else the first <scene>, scanned with DefaultPlatform and DefaultScanner;
- * - a file that ends in .obj, .tif or .tiff is a scene by itself.
- * Where several parts of the scene are swapped, the first play counts; turbid voxels
- * are not in the output: with KeepGrids, GetGrid() has them.
+ * - a file that ends in .obj, .tif or .tiff is itself the scene.
+ * If parts of the scene are swapped, the first epoch is used; turbid voxels are not in the output:
+ * with KeepGrids, GetGrid() returns them.
  *
- * The platform must stand, and the scanner must turn. Platform and Scanner win over
- * those of the file. The scanner turns by a whole circle, unless a <scannerSettings>
- * says otherwise, and as finely as Resolution asks for and it can.
+ * The platform must be static, and the scanner must rotate. Platform and Scanner override those of
+ * the file. The scanner rotates a full circle unless a <scannerSettings> says otherwise, at the
+ * Resolution, or the finest that it supports.
  *
- * Errors name file:line, the value and the cure, as those of vtkHeliosSurveyReader,
- * which says where files are looked for; all are reported, not only the first.
+ * Errors give file:line, the value and the fix, as do those of vtkHeliosSurveyReader, which
+ * documents the search path; all errors are reported, not only the first.
  *
  * @sa
  * vtkHeliosSurveyWriter vtkHeliosSurveyReader vtkHeliosScanPositionPlanner
@@ -59,8 +59,7 @@ public:
 
   ///@{
   /**
-   * Add a folder that files are looked for in, after those added before; remove
-   * all. Default: none.
+   * Add an asset directory to search, after those added before; remove all. Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
@@ -68,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the platform and the scanner that win over those of the file,
-   * file.xml#id. Default: none.
+   * Set/Get the platform and the scanner that override those of the file, file.xml#id. Default:
+   * none.
    */
   vtkSetStringMacro(Platform);
   vtkGetStringMacro(Platform);
@@ -79,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the platform and the scanner of a scene that is given as such, or as a
-   * mesh, file.xml#id. Default: none.
+   * Set/Get the platform and the scanner for a scene or mesh given as input, file.xml#id. Default:
+   * none.
    */
   vtkSetStringMacro(DefaultPlatform);
   vtkGetStringMacro(DefaultPlatform);
@@ -90,8 +89,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether limits of range and elevation that the file does not give are
-   * those of the scanner, whatever the file says. Default: off, as the file says.
+   * Set/Get whether range and elevation limits that the file does not give are those of the
+   * scanner, whatever the file says. Default: off, as in the file.
    */
   vtkSetMacro(UseScannerLimits, bool);
   vtkGetMacro(UseScannerLimits, bool);
@@ -100,9 +99,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the angle between pulses of a line and between lines [deg], which wins
-   * over what the file says. Valid range: [0, 90]. Default: 0, as the file says,
-   * else 0.1; as near as the scanner can.
+   * Set/Get the angle between pulses of a line and between lines [deg], which overrides the file.
+   * The nearest supported by the scanner is used. Valid range: [0, 90]. Default: 0, as in the file,
+   * else 0.1.
    */
   vtkSetClampMacro(Resolution, double, 0.0, 90.0);
   vtkGetMacro(Resolution, double);
@@ -110,25 +109,22 @@ public:
 
   ///@{
   /**
-   * Set/Get the pulses a second [Hz], which win over what the file says. Valid
-   * range: [0, 1e9]. Default: 0, as the file says, else the first that the scanner
-   * offers.
+   * Set/Get the pulse frequency [Hz], which overrides the file. Valid range: [0, 1e9]. Default: 0,
+   * as in the file, else the first of the scanner.
    */
   vtkSetClampMacro(PulseFrequency, double, 0.0, 1e9);
   vtkGetMacro(PulseFrequency, double);
   ///@}
 
   /**
-   * Reads the file with all that it refers to, but no geometry. Returns false after
-   * an error.
+   * Reads the file with all its references, but no geometry. Returns false after an error.
    */
   bool Read();
 
   ///@{
   /**
-   * What was read: "planner", "survey" or "scene"; a name that is fit for a folder;
-   * where the scene, the platform and the scanner come from, file.xml#id. The scene's
-   * is empty where the file is a mesh.
+   * Get the type of file: "planner", "survey" or "scene"; a name valid for a folder; the sources of
+   * scene, platform and scanner, file.xml#id. That of the scene is empty if the file is a mesh.
    */
   std::string GetKind() const;
   std::string GetPlanName() const;
@@ -139,11 +135,10 @@ public:
 
   ///@{
   /**
-   * How positions are chosen: the method (reduce, bestcoverage, greedy, best,
-   * optimal; empty where no <surveyPlanner> was read), for reduce viewshedSize or
-   * meanIncidenceAngle, and whether the largest go first; the coverage that is
-   * wanted [%], of coverable or of all points; whether these count by their areas;
-   * the overlap of scans [0..1]; how long a search may take [s].
+   * Get how positions are selected: the method (reduce, bestcoverage, greedy, best, optimal; empty
+   * without a <surveyPlanner>); for reduce, viewshedSize or meanIncidenceAngle, and whether the
+   * largest are removed first; the required coverage [%], of coverable or of all points; whether
+   * points are weighted by area; the scan overlap [0..1]; the time limit of a search [s].
    */
   std::string GetMethod() const;
   std::string GetRemoveOrder() const;
@@ -157,10 +152,10 @@ public:
 
   ///@{
   /**
-   * Where candidates and test points are: their distances along x and y [m], 0 where
-   * they are not given; the lines that test points are on: all, vertical or
-   * horizontal; the largest slope [deg]; whether enclosed places count; auto, true, false or open, of the
-   * ground; how high the instrument is above the place [m].
+   * Get the layout of candidates and test points: the spacing along x and y [m], 0 if not given;
+   * the lines with test points: all, vertical or horizontal; the maximum slope [deg]; whether
+   * enclosed places are candidates; ground only: auto, true, false or open; the height of the
+   * instrument above the position [m].
    */
   double GetXStep() const;
   double GetYStep() const;
@@ -174,10 +169,10 @@ public:
 
   ///@{
   /**
-   * What is seen: the hit tolerance [m], whether a ray that ends farther behind sees,
-   * whether limits that are not given are those of the scanner, ranges [m], elevations
-   * above the horizontal [deg], the largest incidence angle [deg], the points a square
-   * metre that one position must give [1/m2].
+   * Get the visibility limits: the hit tolerance [m], whether a ray that ends farther behind counts
+   * as a hit, whether limits not given are those of the scanner, ranges [m], elevations above the
+   * horizontal [deg], the maximum incidence angle [deg], the minimum point density from one
+   * position [1/m2].
    */
   double GetHitTolerance() const;
   bool GetHitBehind() const;
@@ -192,9 +187,9 @@ public:
 
   ///@{
   /**
-   * How a position is scanned: pulses and lines a second [Hz], half the angle that
-   * the mirror sweeps, the window of a rotating one, and the head's angles [deg] and
-   * speed [deg/s].
+   * Get how a position is scanned: the pulse and the scan frequency [Hz], half the scan angle of
+   * the mirror, the window of a rotating one, and the angles [deg] and the speed [deg/s] of the
+   * head rotation.
    */
   double GetLegPulseFrequency() const;
   double GetLegScanFrequency() const;
@@ -208,9 +203,9 @@ public:
 
   ///@{
   /**
-   * Whether the scanner has a rotating mirror, whose window counts; the larger of the
-   * angles between its pulses along and across a line [deg], 0 where they are not
-   * regular; from where the platform stands to where the beam leaves [m].
+   * Get whether the scanner has a rotating mirror, which uses the window; the larger of the angles
+   * between its pulses along and across a line [deg], 0 if they are irregular; the offset from the
+   * platform to the beam origin [m].
    */
   bool HasRotatingMirror() const;
   double GetLegAngularStep() const;
@@ -219,8 +214,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the grids of turbid voxels beside the scene are kept. Default:
-   * off.
+   * Set/Get whether the grids of turbid voxels of the scene are kept. Default: off.
    */
   vtkSetMacro(KeepGrids, bool);
   vtkGetMacro(KeepGrids, bool);
@@ -228,8 +222,7 @@ public:
   ///@}
 
   /**
-   * These, from 0, after Update(), as vtkHeliosSurveySource has them. Null for a
-   * number behind the last one.
+   * Get a grid, from 0, after Update(), as in vtkHeliosSurveySource. Null if out of range.
    */
   vtkImageData* GetGrid(int grid) const;
 

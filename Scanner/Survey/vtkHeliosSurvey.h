@@ -4,10 +4,9 @@
  * @class   vtkHeliosSurvey
  * @brief   a survey as plain data
  *
- * A scene, a scanner on a platform, and the legs that it runs, as
- * vtkHeliosSurveyReader reads them and vtkHeliosSurveyPlayer runs them. Nothing
- * is left to look up, to inherit or to clip. C++ reaches the data with
- * GetData(); what is wrapped tells what the survey is.
+ * A scene, a scanner on a platform, and the legs to scan, as read by vtkHeliosSurveyReader and run
+ * by vtkHeliosSurveyPlayer. All references, inherited values and limits are resolved. C++ code
+ * accesses the data with GetData(); the wrapped methods describe the survey.
  *
  * @sa
  * vtkHeliosSurveyReader vtkHeliosSurveyPlayer
@@ -36,14 +35,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * The name of the survey, which its output folder gets, too.
+   * The name of the survey, also that of its output folder.
    */
   std::string GetName() const;
 
   ///@{
   /**
-   * The names of what the survey uses; where there are several, with commas
-   * between them.
+   * The names of what the survey uses, separated by commas.
    */
   std::string GetScannerName() const;
   std::string GetPlatformName() const;
@@ -51,44 +49,43 @@ public:
   ///@}
 
   /**
-   * The key of random numbers that the survey asks for; -1: it asks for none.
+   * The seed of the survey; -1: none.
    */
   vtkIdType GetSeed() const;
 
   /**
-   * Whether a platform moves from leg to leg. The last leg of one is then an end
-   * point only.
+   * Whether a platform moves from leg to leg. Its last leg is then an end point only.
    */
   bool IsMoving() const;
 
   /**
-   * How often the survey is played: more than once where parts of its scene are
-   * swapped. vtkHeliosSurveyPlayer runs one play at a time.
+   * The number of epochs: more than one if parts of the scene are swapped. vtkHeliosSurveyPlayer
+   * runs one epoch at a time.
    */
   int GetNumberOfPlays() const;
 
   ///@{
   /**
-   * The parts of the scene; a part's name is empty where there is no such part.
+   * The parts of the scene; the name is empty if the part does not exist.
    */
   int GetNumberOfParts() const;
   std::string GetPartName(int part) const;
   ///@}
 
   /**
-   * The number of legs, the inactive ones included.
+   * The number of legs, including inactive ones.
    */
   int GetNumberOfLegs() const;
 
   /**
-   * The position of a leg as the survey gives it [m]: with z not yet on the
-   * ground for a leg that IsLegOnGround(). Zero where there is no such leg.
+   * The position of a leg in the survey file [m]: for a leg that IsLegOnGround(), z is not yet on
+   * the ground. Zero if the leg does not exist.
    */
   void GetLegPosition(int leg, double position[3]) const;
 
   ///@{
   /**
-   * Whether a leg is put onto the ground; whether it fires pulses.
+   * Whether a leg is placed on the ground; whether it fires pulses.
    */
   bool IsLegOnGround(int leg) const;
   bool IsLegActive(int leg) const;
@@ -96,8 +93,7 @@ public:
 
   ///@{
   /**
-   * The pulse frequency [Hz] and the scan frequency [Hz] of a leg; 0 where there
-   * is no such leg.
+   * The pulse frequency [Hz] and the scan frequency [Hz] of a leg; 0 if it does not exist.
    */
   double GetLegPulseFrequency(int leg) const;
   double GetLegScanFrequency(int leg) const;
@@ -105,7 +101,7 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /// All of it; call Modified() after a change.
+  /// All data; call Modified() after a change.
   helios::SurveyData& GetData()
   {
     return *this->Data;

@@ -35,10 +35,10 @@ public:
   {
   }
 
-  /// Runs the survey and says how it ended.
+  /// Runs the survey and reports the result.
   bool Run();
 
-  /// Says what Run() would take and give.
+  /// Reports the estimated time and output of Run().
   bool Estimate();
 
 private:
@@ -61,7 +61,7 @@ private:
 
   vtkHeliosSurveyPlayer* Player;
   helios::Messages Log;
-  helios::SurveyData Survey; // of the play
+  helios::SurveyData Survey; // of the epoch
   helios::RunSettings Settings;
   bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
@@ -129,7 +129,7 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   vtkHeliosSurveyPlayer* player = this->Player;
   this->Folder = std::make_unique<helios::RunFolder>(this->Settings.Folder);
   this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
-  // The plays of a survey that was broken off which are after the one at work have nothing yet.
+  // Epochs after the current one of an interrupted run have no files yet.
   const bool isNext = player->Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
   this->Resumes = player->Resume && !isNext;
   std::string problem = this->Folder->Prepare(player->Overwrite, this->Resumes);
@@ -356,7 +356,7 @@ bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
   this->TakeCounts(counts);
   double progress = player->Progress;
   player->InvokeEvent(vtkCommand::ProgressEvent, &progress);
-  // After the last pulse there is nothing left to end.
+  // After the last pulse the run is complete.
   return !player->AbortRequested || counts.Pulses == player->NumberOfPulses;
 }
 
@@ -451,7 +451,7 @@ bool vtkHeliosSurveyPlayer::Attempt(bool (Internals::*work)())
     Internals internals(this);
     good = (internals.*work)();
   }
-  catch (const std::exception& error) // of libraries: no memory, a broken file system
+  catch (const std::exception& error) // library errors: out of memory, file system
   {
     this->Message = std::string("The run has failed: ") + error.what();
     vtkErrorMacro(<< this->Message);

@@ -4,45 +4,39 @@
  * @class   vtkHeliosSurveyPlayer
  * @brief   runs the legs of a survey and writes what the scanner records
  *
- * Run() builds the pipeline of a survey (scene readers, transforms, composer;
- * platform; scanner), runs its legs block by block and hands each block to the
- * writers, so that memory does not grow with the number of pulses. A leg of a
- * moving platform goes from its waypoint to the next one's, and the last is an
- * end point; on a platform that stands a leg is a scan position. GPS time and
- * pulse ids go on from leg to leg; a leg that is not active takes its time and
- * fires nothing. MaximumDuration of a leg ends its pulses, not its way.
+ * Run() builds the pipeline of a survey (scene readers, transforms, composer; platform; scanner),
+ * runs its legs block by block and passes each block to the writers, so that memory does not grow
+ * with the number of pulses. A leg of a moving platform runs from its waypoint to the next, and the
+ * last leg is an end point; on a static platform a leg is a scan position. GPS time and pulse ids
+ * continue from leg to leg; an inactive leg takes its time and fires no pulses. MaximumDuration of
+ * a leg ends its pulses, not its trajectory.
  *
- * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the
- * survey>:
+ * Files, for every leg NNN that fires pulses, in OutputDirectory/<name of the survey>:
  * - legNNN_points.xyz (or .las, .pvtp): the echoes
- * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at
- *   start and end of the leg
- * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms; those of
- *   legNNN_points.las are in legNNN_points.wdp
+ * - legNNN_trajectory.txt (or .pvtp): the platform every trajectoryTimeInterval_s, and at start and
+ *   end of the leg
+ * - legNNN_fullwave.txt (or .pvtt), with WriteWaveforms: the waveforms; those of legNNN_points.las
+ *   are in legNNN_points.wdp
  * - legNNN_pulse.txt (or .pvtp), with WritePulses: the pulses
- * Legs of the same strip S write to one file each, stripS_points.xyz and so on.
- * The channels of a scanner fire at once, and their records go to one file in
- * the order of pulses, or with SplitByChannel to legNNN_points_dev<channel>.xyz
- * and so on.
+ * Legs of the same strip S share files, stripS_points.xyz etc. The channels of a scanner fire at
+ * once, and their records go to one file in pulse order, or with SplitByChannel to
+ * legNNN_points_dev<channel>.xyz etc.
  *
- * Where parts of the scene are swapped, the survey has several plays
- * (vtkHeliosSurvey::GetNumberOfPlays()): the same legs and other geometry. A run
- * is one of them, Play, in a folder of its own below that of the survey,
- * play000, play001 and so on, with its own journal and summary. GPS time, pulse
- * ids and random numbers, which are keyed by seed and pulse, are the same in all
- * plays: what differs between their points comes of the geometry.
+ * If parts of the scene are swapped, the survey has several epochs
+ * (vtkHeliosSurvey::GetNumberOfPlays()): the same legs and other geometry. A run is one of them,
+ * Play, in a subfolder of the survey's folder, play000, play001 etc., with its own journal and
+ * summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
+ * epochs: their points differ only by geometry.
  *
- * While a leg runs its files end in .part and are valid up to the last block;
- * run.journal says what is safe on the disk. A run that ended early for whatever
- * reason goes on with Resume, to the same bytes as an unbroken one. When all
- * legs are whole, run_summary.json takes the place of the journal: versions,
- * inputs with their SHA-256, options, counts and files of every leg, and apart
- * from these what the host adds, the timings.
+ * While a leg runs its files end in .part and are valid up to the last block; run.journal records
+ * what is flushed to disk. Resume continues a run that ended early for any reason; its files are
+ * byte-identical to those of an uninterrupted run. When all legs are complete, run_summary.json
+ * replaces the journal: versions, inputs with their SHA-256, options, counts and files of every
+ * leg, and separately the timings, which depend on the host.
  *
- * Events: StartEvent, ProgressEvent (while loading and after every block; the
- * data is the progress as a double), EndEvent. Errors and warnings of all
- * filters come as the player's own. The number of threads is that of
- * vtkSMPTools; it changes no byte of the output.
+ * Events: StartEvent, ProgressEvent (while loading and after every block; the data is the progress
+ * as a double), EndEvent. The player forwards errors and warnings of all filters. The number of
+ * threads is that of vtkSMPTools; the output does not depend on it.
  *
  * @sa
  * vtkHeliosSurvey vtkHeliosSurveyReader vtkHeliosScanner
@@ -77,8 +71,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the folder that the survey's own folder is made in. Default:
-   * "output".
+   * Set/Get the parent of the survey's output folder. Default: "output".
    */
   vtkSetFilePathMacro(OutputDirectory);
   vtkGetFilePathMacro(OutputDirectory);
@@ -86,23 +79,23 @@ public:
 
   ///@{
   /**
-   * Set/Get the play to run: which geometry the swapped parts of the scene have.
-   * Valid range: [0, the survey's GetNumberOfPlays() - 1]. Default: 0.
+   * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
+   * the survey's GetNumberOfPlays() - 1]. Default: 0.
    */
   vtkSetClampMacro(Play, int, 0, VTK_INT_MAX);
   vtkGetMacro(Play, int);
   ///@}
 
   /**
-   * The folder that Run() writes to: OutputDirectory/<name of the survey>, and
-   * below it playNNN where the survey has several plays. Empty without a survey.
+   * The output folder of Run(): OutputDirectory/<name of the survey>, with the subfolder playNNN if
+   * the survey has several epochs. Empty without a survey.
    */
   std::string GetRunFolder();
 
   ///@{
   /**
-   * Set/Get the form of the files: "xyz", text columns; "las", points as LAS 1.4
-   * (vtkHeliosLASWriter) and the rest as text; or "vtp", VTK XML. Default: "xyz".
+   * Set/Get the file format: "xyz", text columns; "las", points as LAS 1.4 (vtkHeliosLASWriter) and
+   * the rest as text; or "vtp", VTK XML. Default: "xyz".
    */
   vtkSetStringMacro(Format);
   vtkGetStringMacro(Format);
@@ -110,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the key of all random numbers. Valid range: [0, 2^62], or -1: that of
-   * the survey, 0 where it has none. Default: -1.
+   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
+   * 0. Default: -1.
    */
   vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);
@@ -119,7 +112,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether ranges have the noise of the scanner. Default: on.
+   * Set/Get whether ranges have the scanner's noise. Default: on.
    */
   vtkSetMacro(Noise, bool);
   vtkGetMacro(Noise, bool);
@@ -128,10 +121,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the errors that the sampling of the beam may make, in range [m] and
-   * in amplitude (relative): as vtkHeliosScanner has them, instead of what the
-   * survey says. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0, as the
-   * survey says.
+   * Set/Get the tolerances of beam sampling, in range [m] and in amplitude (relative), as in
+   * vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
+   * Default: 0, as in the survey.
    */
   vtkSetMacro(RangeTolerance, double);
   vtkGetMacro(RangeTolerance, double);
@@ -141,10 +133,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of sub-rays that every pulse has: 1, 7, 19, 37, 62 ... on
-   * circles as beamSampleQuality has them, any other number (rounded up to a
-   * multiple of 4) on a spiral. Valid range: [0, 65536]. Default: 0, as the
-   * survey says.
+   * Set/Get the number of sub-rays of every pulse: 1, 7, 19, 37, 62 ... on circles as for
+   * beamSampleQuality, any other number (rounded up to a multiple of 4) on a spiral. Valid range:
+   * [0, 65536]. Default: 0, as in the survey.
    */
   vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
   vtkGetMacro(NumberOfSubRays, int);
@@ -152,8 +143,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what makes echoes of waveforms: "peak", "gaussian", "cfd" or
-   * "leadingEdge". Default: none, as the survey says.
+   * Set/Get the echo detector for waveforms: "peak", "gaussian", "cfd" or "leadingEdge". Default:
+   * none, as in the survey.
    */
   vtkSetStringMacro(EchoDetector);
   vtkGetStringMacro(EchoDetector);
@@ -161,8 +152,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName().
-   * Default: none, which takes that of the survey, or else the default one.
+   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName(). Default: none, that
+   * of the survey, else the default one.
    */
   vtkSetStringMacro(RayCaster);
   vtkGetStringMacro(RayCaster);
@@ -179,8 +170,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the pulses are written, those that hit nothing, too. Default:
-   * off.
+   * Set/Get whether the pulses are written, including those without a hit. Default: off.
    */
   vtkSetMacro(WritePulses, bool);
   vtkGetMacro(WritePulses, bool);
@@ -189,8 +179,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether every channel of a scanner has files of its own. Default:
-   * off.
+   * Set/Get whether every channel of a scanner has its own files. Default: off.
    */
   vtkSetMacro(SplitByChannel, bool);
   vtkGetMacro(SplitByChannel, bool);
@@ -199,8 +188,8 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the files of an earlier run are replaced; without it they
-   * are kept, and the run is refused. Default: off.
+   * Set/Get whether the files of an earlier run are replaced; if off, they are kept and Run()
+   * fails. Default: off.
    */
   vtkSetMacro(Overwrite, bool);
   vtkGetMacro(Overwrite, bool);
@@ -209,10 +198,9 @@ public:
 
   ///@{
   /**
-   * Set/Get whether the earlier run in the folder is gone on with after its last
-   * block: with the inputs and settings that it had, else it is an error that
-   * says what has changed. Where it was finished nothing is done; a Play above 0
-   * that has not begun is begun. Excludes Overwrite. Default: off.
+   * Set/Get whether the earlier run in the folder is continued after its last block. If inputs or
+   * settings have changed, it is an error that lists the changes. A finished run is left as it is;
+   * a Play above 0 that has not started is started. Excludes Overwrite. Default: off.
    */
   vtkSetMacro(Resume, bool);
   vtkGetMacro(Resume, bool);
@@ -221,9 +209,9 @@ public:
 
   ///@{
   /**
-   * Set/Get how many bytes of the earlier run's newest blocks Resume compares with
-   * their checksums in the journal before it goes on; the sizes of all files are
-   * always compared. Valid range: [0, VTK_ID_MAX], the latter: all. Default: 2^30.
+   * Set/Get how many bytes of the earlier run's newest blocks Resume compares with their checksums
+   * in the journal; the sizes of all files are always compared. Valid range: [0, VTK_ID_MAX], the
+   * latter: all. Default: 2^30.
    */
   vtkSetClampMacro(BytesToCheck, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(BytesToCheck, vtkIdType);
@@ -231,36 +219,34 @@ public:
 
   ///@{
   /**
-   * Set/Get the pulses between two writes. No byte of "xyz" and "las" depends on
-   * it; of "vtp" each block is a file. Valid range: [1, 2^24]. Default: 262144.
+   * Set/Get the number of pulses per block. The content of "xyz" and "las" files does not depend on
+   * it; with "vtp" each block is a file. Valid range: [1, 2^24]. Default: 262144.
    */
   vtkSetClampMacro(PulsesPerBlock, vtkIdType, 1, 16777216);
   vtkGetMacro(PulsesPerBlock, vtkIdType);
   ///@}
 
   /**
-   * Runs the survey. Returns false after an error, after Abort(), and where it
-   * ends without a point; GetMessage() says why, and what is kept.
+   * Runs the survey. Returns false after an error, after Abort(), and if the run has no points;
+   * GetMessage() gives the reason, and what is kept.
    */
   bool Run();
 
   /**
-   * Loads the survey, runs samples of all its legs and reckons from them what
-   * Run() would take and give; GetReport() has it. Writes nothing. Returns false
-   * after an error and after Abort().
+   * Loads the survey, runs samples of all its legs and estimates from them time and output of
+   * Run(); GetReport() returns it. Writes nothing. Returns false after an error and after Abort().
    */
   bool Estimate();
 
   /**
-   * Ends the run after the block at work; may be called from any thread and from
-   * observers.
+   * Ends the run after the current block; may be called from any thread and from observers.
    */
   void Abort() { this->AbortRequested = true; }
 
   ///@{
   /**
-   * How far the run is: the share of its pulses, in [0, 1]; the leg at work, and
-   * how many legs the survey has; what it does, or how it ended, in words.
+   * Get the fraction of pulses done, in [0, 1]; the current leg and the number of legs; the current
+   * step, or the result of the run, as text.
    */
   vtkGetMacro(Progress, double);
   vtkGetMacro(CurrentLeg, int);
@@ -269,21 +255,21 @@ public:
   ///@}
 
   /**
-   * What the last Run() wrote to run_summary.json, or what the last Estimate()
-   * came to: JSON. Empty before, and after a failure.
+   * The run_summary.json of the last Run(), or the result of the last Estimate(), as JSON. Empty
+   * before, and after a failure.
    */
   std::string GetReport() const { return this->Report; }
 
   /**
-   * Whether Run() has found a run that was finished already, and done nothing.
+   * Whether Run() found a run that was already finished, and did nothing.
    */
   vtkGetMacro(WasFinished, bool);
 
   ///@{
   /**
-   * The pulse indices of the run, known once the scene is loaded; how many of
-   * them are done; the pulses among those that left the scanner; the points, and
-   * the first returns among them, that are written.
+   * Get the number of pulse indices of the run, known once the scene is loaded; how many of them
+   * are done; how many of these pulses were emitted; the points, and the first returns among them,
+   * written.
    */
   vtkGetMacro(NumberOfPulses, vtkIdType);
   vtkGetMacro(NumberOfPulsesDone, vtkIdType);
@@ -294,10 +280,9 @@ public:
 
   ///@{
   /**
-   * Which way the pulses went that left the scanner: they met one plane, which is
-   * written down in closed form; their maxima were found without bins; they were
-   * binned; the rest met nothing. The sub-rays traced for all of them. What the
-   * sampling came to, in words.
+   * Get how many emitted pulses had a planar footprint, evaluated in closed form; had maxima found
+   * without bins; were binned (the rest hit nothing). Get the number of sub-rays traced, and a
+   * description of the sampling as text.
    */
   vtkGetMacro(NumberOfPulsesOnPlane, vtkIdType);
   vtkGetMacro(NumberOfPulsesWithoutBins, vtkIdType);

@@ -54,7 +54,7 @@ bool vtkHeliosSurveyReader::Try(TaskT task)
     task(log);
     return !log.HasError();
   }
-  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  catch (const std::exception& error) // standard library errors: out of memory, file system
   {
     vtkErrorMacro(<< this->FileName << ": cannot be read: " << error.what());
   }

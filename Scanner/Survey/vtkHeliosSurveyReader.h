@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveyReader
- * @brief   a survey from HELIOS XML
+ * @brief   read a survey from HELIOS XML
  *
- * Read() reads the first survey of a file with everything it refers to: the
- * scene (its OBJ files are only looked for), the scanner and the platform,
- * templates of settings. Names of files are looked for in the asset directories
- * (and the folder data of each) in their order, then in the folder of the file
- * that names them, then in the working directory; a reference is file.xml#id,
- * #id or id.
+ * Read() reads the first survey of a file with all its references: the scene (its OBJ files are
+ * only located), the scanner and the platform, templates of settings. Files are searched in the
+ * asset directories (and the folder data of each) in order, then in the folder of the referring
+ * file, then in the working directory; a reference is file.xml#id, #id or id.
  *
- * The file is read strictly: every error names file:line, the value and the
- * cure, and all errors are reported, not only the first. Attributes and elements
- * that the dialect does not know, or that this version does not model, are
- * warned of once. Docs/dialect.md lists all of them.
+ * The file is read strictly: every error gives file:line, the value and the fix, and all errors are
+ * reported, not only the first. Attributes and elements that are unknown to the dialect, or not
+ * modelled by this version, cause one warning each. Docs/dialect.md lists all of them.
  *
  * @sa
  * vtkHeliosSurvey vtkHeliosSurveyPlayer
@@ -49,8 +46,7 @@ public:
 
   ///@{
   /**
-   * Add a folder that files are looked for in, after those added before; remove
-   * all. Default: none.
+   * Add an asset directory to search, after those added before; remove all. Default: none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
@@ -62,11 +58,10 @@ public:
   bool Read();
 
   /**
-   * Checks the whole file and all that it refers to, without a survey to run in
-   * the end: surveys as Read() does, and every scene, scanner, platform and
-   * template in it, used or not; whether scene files exist, and names of
-   * coordinate systems and ray casters are known. Each fault is told on its own,
-   * what only follows from another is not. Returns false after an error.
+   * Checks the whole file with all its references, without making a survey: surveys as Read() does,
+   * and every scene, scanner, platform and template in it, used or not; whether scene files exist,
+   * and whether names of coordinate systems and ray casters are known. Each error is reported once,
+   * without consequential errors. Returns false after an error.
    */
   bool Check();
 

@@ -32,9 +32,9 @@ vtkStandardNewMacro(vtkHeliosSurveySource);
 namespace
 {
 
-constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, hits of sub-rays
+constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr int WaveformPort = 1;
-constexpr vtkIdType PulsesPerStep = 1048576; // between two reports of progress
+constexpr vtkIdType PulsesPerStep = 1048576; // per progress event
 
 /// Pulses [First, Last) of each channel of a leg.
 struct Shots
@@ -45,7 +45,7 @@ struct Shots
 
 } // namespace
 
-/// A survey that is loaded.
+/// A loaded survey.
 class vtkHeliosSurveySource::Internals
 {
 public:
@@ -55,10 +55,10 @@ public:
   {
   }
 
-  /// Loads what has changed; false after an error or an abort.
+  /// Loads all changes; false after an error or an abort.
   bool Prepare();
 
-  /// Runs a window of pulses into the outputs; false after an error.
+  /// Runs a pulse window into the outputs; false after an error.
   bool Run(vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
 
   const helios::LegPlan* FindLeg(int leg) const;
@@ -83,12 +83,12 @@ private:
 
   vtkHeliosSurveySource* Source;
   helios::Messages Log;
-  helios::SurveyData Survey; // of the play
+  helios::SurveyData Survey; // of the epoch
   helios::RunSettings Settings;
-  vtkSmartPointer<vtkHeliosRayCaster> Caster; // whose tree is kept
-  std::string CasterName;                     // that was asked for
-  std::string SceneKey;                       // what the scene depends on
-  std::string RunKey;                         // what the legs and channels depend on
+  vtkSmartPointer<vtkHeliosRayCaster> Caster; // with its tree
+  std::string CasterName;                     // as requested
+  std::string SceneKey;                       // the inputs of the scene
+  std::string RunKey;                         // the inputs of the legs and channels
   double PulsesDone = 0.0;
   double PulsesToDo = 1.0;
 };
@@ -166,7 +166,7 @@ bool vtkHeliosSurveySource::Internals::PlanLegs()
 }
 
 //------------------------------------------------------------------------------
-/// The one that is there goes on, with its tree, unless another kind is asked for.
+/// Keeps the ray caster and its tree, unless another kind is requested.
 void vtkHeliosSurveySource::Internals::ChooseRayCaster()
 {
   const vtkSmartPointer<vtkHeliosRayCaster> given = this->Settings.RayCaster;
@@ -219,7 +219,7 @@ vtkIdType vtkHeliosSurveySource::Internals::GetChannels(const helios::LegPlan& p
 }
 
 //------------------------------------------------------------------------------
-/// The shots of a leg whose first pulses are in a window of ids.
+/// The shots of a leg with their first pulse in a window of ids.
 Shots vtkHeliosSurveySource::Internals::FindShots(
   const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const
 {
@@ -342,7 +342,7 @@ bool vtkHeliosSurveySource::Load()
 }
 
 //------------------------------------------------------------------------------
-/// What is loaded after an error is no longer trusted.
+/// Discards loaded data after an error.
 bool vtkHeliosSurveySource::Prepare()
 {
   if (!this->Loaded)
@@ -354,7 +354,7 @@ bool vtkHeliosSurveySource::Prepare()
   {
     isGood = this->Loaded->Prepare();
   }
-  catch (const std::exception& error) // of libraries: no memory
+  catch (const std::exception& error) // library errors: out of memory
   {
     vtkErrorMacro("The survey cannot be loaded: " << error.what());
   }

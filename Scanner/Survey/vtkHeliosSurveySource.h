@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveySource
- * @brief   runs a survey in memory, all of it or any part of its pulses
+ * @brief   runs a survey, or part of its pulses, in memory
  *
- * What vtkHeliosSurveyPlayer writes to files is here the output of a pipeline,
- * with the same legs, times, ids and random numbers, and so the same echoes.
- * PulseWindow asks for a part of the run: a viewer takes block after block, an
- * inspector a single pulse, a study one leg (GetLegPulses()). Scene, legs and the
- * ray caster's tree are made once and kept for as long as the survey and the
- * properties they depend on stay the same.
+ * This is the pipeline counterpart of vtkHeliosSurveyPlayer, with the same legs, times, ids and
+ * random numbers, and so the same echoes. PulseWindow selects a part of the run: a viewer requests
+ * block after block, an inspector a single pulse, a study one leg (GetLegPulses()). Scene, legs and
+ * the ray caster's tree are built once and kept until the survey or the properties they depend on
+ * change.
  *
- * Output 0: the echoes of all legs in the window, in the order of pulses, with the
- * arrays that vtkHeliosScanner gives them. Outputs 1, 2 and 3, with
- * GenerateWaveforms, GeneratePulses and GenerateSubRays: the waveforms (vtkTable),
- * the pulses and the hits of sub-rays, as vtkHeliosScanner makes them. Pieces are
- * contiguous ranges of the window; in order they are the whole of it.
+ * Output 0: the echoes of all legs in the window, in pulse order, with the arrays of
+ * vtkHeliosScanner. Outputs 1, 2 and 3, with GenerateWaveforms, GeneratePulses and GenerateSubRays:
+ * the waveforms (vtkTable), the pulses and the sub-ray hits, as in vtkHeliosScanner. Pieces are
+ * contiguous ranges of the window; in order they cover it.
  *
- * Channels of a scanner fire at once: a window holds whole shots, those whose
- * first pulse is in it.
+ * Channels of a scanner fire at once: a window holds whole shots, those whose first pulse is in it.
  *
- * Events: ProgressEvent. Errors and warnings of all filters come as the source's
- * own.
+ * Events: ProgressEvent. The source forwards errors and warnings of all filters.
  *
  * @sa
  * vtkHeliosSurvey vtkHeliosSurveyReader vtkHeliosSurveyPlayer
@@ -36,7 +32,7 @@
 
 #include <atomic> // For Abort()
 #include <memory> // For the private data
-#include <string> // For what is said in words
+#include <string> // For text
 
 class vtkHeliosSurvey;
 class vtkImageData;
@@ -50,7 +46,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the survey to run. No default: an error without.
+   * Set/Get the survey to run. Required; no default.
    */
   void SetSurvey(vtkHeliosSurvey* survey);
   vtkHeliosSurvey* GetSurvey() const;
@@ -58,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the play to run: which geometry the swapped parts of the scene have.
-   * Valid range: [0, the survey's GetNumberOfPlays() - 1]. Default: 0.
+   * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
+   * the survey's GetNumberOfPlays() - 1]. Default: 0.
    */
   vtkSetClampMacro(Play, int, 0, VTK_INT_MAX);
   vtkGetMacro(Play, int);
@@ -67,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the key of all random numbers. Valid range: [0, 2^62], or -1: that of
-   * the survey, 0 where it has none. Default: -1.
+   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
+   * 0. Default: -1.
    */
   vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
   vtkGetMacro(Seed, vtkIdType);
@@ -76,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Set/Get whether ranges have the noise of the scanner. Default: on.
+   * Set/Get whether ranges have the scanner's noise. Default: on.
    */
   vtkSetMacro(Noise, bool);
   vtkGetMacro(Noise, bool);
@@ -85,10 +81,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the errors that the sampling of the beam may make, in range [m] and
-   * in amplitude (relative): as vtkHeliosScanner has them, instead of what the
-   * survey says. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0, as the
-   * survey says.
+   * Set/Get the tolerances of beam sampling, in range [m] and in amplitude (relative), as in
+   * vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
+   * Default: 0, as in the survey.
    */
   vtkSetMacro(RangeTolerance, double);
   vtkGetMacro(RangeTolerance, double);
@@ -98,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of sub-rays that every pulse has, as vtkHeliosSurveyPlayer
-   * has it. Valid range: [0, 65536]. Default: 0, as the survey says.
+   * Set/Get the number of sub-rays of every pulse, as in vtkHeliosSurveyPlayer. Valid range: [0,
+   * 65536]. Default: 0, as in the survey.
    */
   vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
   vtkGetMacro(NumberOfSubRays, int);
@@ -107,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Set/Get what makes echoes of waveforms: "peak", "gaussian", "cfd" or
-   * "leadingEdge". Default: none, as the survey says.
+   * Set/Get the echo detector for waveforms: "peak", "gaussian", "cfd" or "leadingEdge". Default:
+   * none, as in the survey.
    */
   vtkSetStringMacro(EchoDetector);
   vtkGetStringMacro(EchoDetector);
@@ -116,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName().
-   * Default: none, which takes that of the survey, or else the default one.
+   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName(). Default: none, that
+   * of the survey, else the default one.
    */
   vtkSetStringMacro(RayCaster);
   vtkGetStringMacro(RayCaster);
@@ -125,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Set/Get which outputs are computed beside the echoes, and whether the echoes
-   * carry TruePoint and Normal, as vtkHeliosScanner has them. Default: off.
+   * Set/Get which outputs are computed besides the echoes, and whether the echoes have TruePoint
+   * and Normal, as in vtkHeliosScanner. Default: off.
    */
   vtkSetMacro(GenerateWaveforms, bool);
   vtkGetMacro(GenerateWaveforms, bool);
@@ -144,26 +139,24 @@ public:
 
   ///@{
   /**
-   * Set/Get the part [i0, i1) of the run's pulse ids that is computed. Valid
-   * range: 0 <= i0 <= i1. Default: all of them.
+   * Set/Get the range [i0, i1) of pulse ids to compute. Valid range: 0 <= i0 <= i1. Default: all.
    */
   vtkSetVector2Macro(PulseWindow, vtkIdType);
   vtkGetVector2Macro(PulseWindow, vtkIdType);
   ///@}
 
   /**
-   * Loads the scene and plans the legs, unless that is done; Update() does so by
-   * itself. Returns false after an error, and after Abort().
+   * Loads the scene and plans the legs, unless that is done; Update() calls it. Returns false after
+   * an error, and after Abort().
    */
   bool Load();
 
   ///@{
   /**
-   * What Load() has found; nothing before. The scene as one mesh, where parts
-   * move as it is at the start; the pulses of all legs; the pulse ids [i0, i1) and
-   * the time [t0, t1] of a leg [s], both empty ranges for a leg that fires
-   * nothing; when a pulse leaves, and the first pulse that leaves at a time or
-   * later [s].
+   * Get the results of Load(); empty before. The scene as one mesh, moving parts at their start;
+   * the number of pulses of all legs; the pulse ids [i0, i1) and the time [t0, t1] of a leg [s],
+   * both empty ranges for a leg that fires no pulses; the time of a pulse, and the first pulse at a
+   * time or later [s].
    */
   vtkPolyData* GetScene() const;
   vtkIdType GetNumberOfPulses() const;
@@ -174,27 +167,27 @@ public:
   ///@}
 
   /**
-   * The grids of turbid voxels beside the scene, from 0, after Load(): cell data PAD
-   * and field data of materials, as vtkHeliosVoxelReader and the filters of their
-   * parts make them. Null for a number behind the last one.
+   * The grids of turbid voxels of the scene, from 0, after Load(): cell data PAD and field data of
+   * materials, as made by vtkHeliosVoxelReader and the filters of their parts. Null if out of
+   * range.
    */
   vtkImageData* GetGrid(int grid) const;
 
   /**
-   * The way of a leg: one polyline (one point where the platform stands) with
-   * GpsTime and Orientation, sampled every interval [s], and at start and end; with
-   * an interval of 0 at start and end only. Null for a leg that fires nothing.
+   * The trajectory of a leg: one polyline (one point on a static platform) with GpsTime and
+   * Orientation, sampled every interval [s], and at start and end; with an interval of 0 at start
+   * and end only. Null for a leg that fires no pulses.
    */
   vtkSmartPointer<vtkPolyData> GetTrajectory(int leg, double interval) const;
 
   /**
-   * What the sampling of the beam comes to, in words, after Load().
+   * Describes the sampling of the beam as text, after Load().
    */
   std::string DescribeSampling();
 
   /**
-   * Ends loading or the update at work soon; the outputs are then empty. May be
-   * called from any thread and from observers.
+   * Ends the current loading or update soon; the outputs are then empty. May be called from any
+   * thread and from observers.
    */
   void Abort() { this->AbortRequested = true; }
 

@@ -36,7 +36,7 @@ std::string Text(const char* text)
 
 } // namespace
 
-/// One file in the making.
+/// One file being written.
 class vtkHeliosSurveyWriter::Internals
 {
 public:
@@ -74,7 +74,7 @@ bool vtkHeliosSurveyWriter::Internals::Write()
   {
     return false;
   }
-  // Read with the positions as they are: what comes of the references says where the feet are.
+  // First read with uncorrected positions: the references give the offset to the platform's foot.
   const helios::SurveyData survey = this->Read(this->MakeText({ 0.0, 0.0, 0.0 }));
   if (!this->CheckSurvey(survey))
   {
@@ -166,7 +166,7 @@ std::string vtkHeliosSurveyWriter::Internals::MakeText(const helios::Vec3& instr
 }
 
 //------------------------------------------------------------------------------
-/// A mesh becomes a scene.
+/// Adds a scene for a mesh.
 void vtkHeliosSurveyWriter::Internals::AddScene(pugi::xml_node root) const
 {
   const std::string text = helios::MakeMeshDocument(this->Writer->Scene, SceneId);
@@ -185,7 +185,7 @@ void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
   {
     pugi::xml_node place = root.append_child("platformSettings");
     helios::SetAttribute(place, "id", TemplateId);
-    helios::SetAttribute(place, "crs", this->Crs); // WKT is long: once
+    helios::SetAttribute(place, "crs", this->Crs); // only once, since WKT is long
   }
   pugi::xml_node settings = root.append_child("scannerSettings");
   helios::SetAttribute(settings, "id", TemplateId);
@@ -281,7 +281,7 @@ int vtkHeliosSurveyWriter::RequestData(
     Internals internals(this, vtkPolyData::GetData(inputVector[0]));
     this->IsWritten = internals.Write();
   }
-  catch (const std::exception& error) // the standard library's: no memory, a broken file system
+  catch (const std::exception& error) // standard library errors: out of memory, file system
   {
     vtkErrorMacro(<< Text(this->FileName) << ": cannot be written: " << error.what());
   }

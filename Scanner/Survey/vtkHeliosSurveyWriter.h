@@ -2,27 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurveyWriter
- * @brief   scan positions as a survey in HELIOS XML
+ * @brief   write scan positions as a survey in HELIOS XML
  *
- * Input 0 is a vtkPolyData: a point a position, where the instrument is to be, in
- * the order of the legs. Write() makes a survey of a platform that stands: one leg
- * a position, with an explicit z that is not put onto the ground, and the scanner
- * settings below, once, as a template.
+ * Input 0 is a vtkPolyData with one point per instrument position, in leg order. Write() makes a
+ * survey of a static platform: one leg per position, with an explicit z that is not moved to the
+ * ground, and the scanner settings below, once, as a template.
  *
- * The beam of every leg leaves where its position is: what the platform's mount and
- * the beam's origin in the head add is taken off, so that the z of a leg is that
- * of the platform's foot. (A beam that leaves beside the head's axis goes round the
- * position.) Numbers have the fewest digits that read back exactly.
+ * The beam origin of every leg is at its position: the offsets of the platform's mount and of the
+ * beam origin in the head are subtracted, so that the z of a leg is the foot of the platform. (A
+ * beam origin off the head axis rotates about the position.) Numbers have the fewest digits that
+ * read back exactly.
  *
- * References are written as they are given, and are read as those of surveys are:
- * from the asset directories, the folder of FileName and the working directory. A
- * Scene that ends in .obj, .tif or .tiff is a mesh, and becomes a scene in the file.
- * Where the positions have a CRS in their field data that is not the crs of the
- * scene, legs carry it by a template.
+ * References are written as given, and resolved as those of surveys: in the asset directories, the
+ * folder of FileName and the working directory. A Scene that ends in .obj, .tif or .tiff is a mesh,
+ * and becomes a scene in the file. If the positions have a CRS in their field data that differs
+ * from the crs of the scene, a template adds it to the legs.
  *
- * What is written has been read with vtkHeliosSurveyReader's code before: a survey
- * that would not be read is an error, and no file is made. The file has the name
- * .part until it is whole.
+ * The output is first read with the code of vtkHeliosSurveyReader: a survey that cannot be read is
+ * an error, and no file is made. The file name ends in .part until the file is complete.
  *
  * @sa
  * vtkHeliosScanPositionPlanner vtkHeliosPlannerReader vtkHeliosSurveyReader
@@ -34,7 +31,7 @@
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <limits> // For what is not given
+#include <limits> // For NaN
 #include <string> // For the asset directories
 #include <vector> // For the asset directories
 
@@ -47,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to write, which replaces one of that name. Default: none.
+   * Set/Get the file to write; an existing file is replaced. Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -55,8 +52,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the name of the survey, which names the folder of its output. Default:
-   * none, that of the file.
+   * Set/Get the name of the survey, and so of its output folder. Default: none, that of the file.
    */
   vtkSetStringMacro(SurveyName);
   vtkGetStringMacro(SurveyName);
@@ -64,7 +60,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what is scanned: file.xml#id, or a mesh. Default: none.
+   * Set/Get the scene: file.xml#id, or a mesh. Default: none.
    */
   vtkSetStringMacro(Scene);
   vtkGetStringMacro(Scene);
@@ -72,8 +68,7 @@ public:
 
   ///@{
   /**
-   * Set/Get what carries the scanner, and the scanner: file.xml#id. The platform
-   * must stand. Default: none.
+   * Set/Get the platform and the scanner: file.xml#id. The platform must be static. Default: none.
    */
   vtkSetStringMacro(Platform);
   vtkGetStringMacro(Platform);
@@ -83,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Add a folder that references are looked for in, after those added before;
-   * remove all. Default: none.
+   * Add an asset directory to search for references, after those added before; remove all. Default:
+   * none.
    */
   void AddAssetDirectory(const char* directory);
   void RemoveAllAssetDirectories();
@@ -92,8 +87,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the pulses a second and the lines, or revolutions, a second [Hz]. Valid
-   * range: above 0, as the scanner can. Default: NaN, which is left to the scanner.
+   * Set/Get the pulse frequency and the scan frequency (lines or revolutions per second) [Hz].
+   * Valid range: above 0, within the limits of the scanner. Default: NaN, the scanner's default.
    */
   vtkSetMacro(PulseFrequency, double);
   vtkGetMacro(PulseFrequency, double);
@@ -103,9 +98,8 @@ public:
 
   ///@{
   /**
-   * Set/Get half the angle that is swept, and of a rotating mirror the window that
-   * pulses leave through [deg]. Valid range: as the scanner can. Default: NaN, which
-   * is left to the scanner.
+   * Set/Get half the scan angle and, for a rotating mirror, the window in which pulses are emitted
+   * [deg]. Valid range: the limits of the scanner. Default: NaN, the scanner's default.
    */
   vtkSetMacro(ScanAngle, double);
   vtkGetMacro(ScanAngle, double);
@@ -117,8 +111,8 @@ public:
 
   ///@{
   /**
-   * Set/Get from where to where the head turns [deg], and how fast [deg/s]. Valid
-   * range: [-1e6, 1e6]. Default: 0 to 360, with 10.
+   * Set/Get start and stop of the head rotation [deg], and its speed [deg/s]. Valid range: [-1e6,
+   * 1e6]. Default: 0 to 360, with 10.
    */
   vtkSetClampMacro(HeadRotateStart, double, -1e6, 1e6);
   vtkGetMacro(HeadRotateStart, double);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast vtkHeliosGeoTiffSceneReader makes a mesh of 4000 x 4000 heights, against a bare GDAL
-// read of the band and the allocation of the mesh's arrays.
+// Speed of vtkHeliosGeoTiffSceneReader for a mesh of 4000 x 4000 heights, against a bare GDAL read
+// of the band and the allocation of the mesh's arrays.
 // Usage: BenchGeoTiffReader [repetitions [side]]
 
 #include "heliosTriangleMesh.h"
@@ -75,7 +75,7 @@ bool Write(const Raster& raster, const Layout& layout, const std::string& path)
   return isGood;
 }
 
-/// Every point lies where its pixel says, and every triangle joins neighbours, in order.
+/// Every point matches its pixel, and every triangle joins neighbours, in order.
 bool IsRight(const Raster& raster, vtkPolyData* scene)
 {
   const std::int64_t n = raster.Side;
@@ -85,7 +85,7 @@ bool IsRight(const Raster& raster, vtkPolyData* scene)
     return false;
   }
   std::vector<std::int64_t>
-    pixels; // of the points; holes are apart, so no point is without triangle
+    pixels; // of the points; holes are isolated, so no point is without triangle
   for (std::int64_t i = 0; i < n * n; ++i)
   {
     if (!raster.IsHole(i))
@@ -144,7 +144,7 @@ double RunOurs(const Raster& raster, const std::string& path, bool isChecked, do
   return isChecked && !IsRight(raster, scene) ? -1.0 : seconds;
 }
 
-/// Reads the band as it is stored.
+/// Reads the band in its stored type.
 double RunRead(const Raster& raster, const std::string& path)
 {
   const int side = static_cast<int>(raster.Side);
@@ -158,7 +158,7 @@ double RunRead(const Raster& raster, const std::string& path)
   return isGood && values[1] == raster.GetValue(1) ? seconds : -1.0;
 }
 
-/// Allocates what a scene of this many points and triangles holds, and writes to all of it once.
+/// Allocates the memory of a scene of this many points and triangles, and writes to all of it once.
 double RunAllocate(std::int64_t points, std::int64_t triangles)
 {
   const auto start = std::chrono::steady_clock::now();

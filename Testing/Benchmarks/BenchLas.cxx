@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many echoes a second one core writes to LAS and reads from it: all arrays of the scanner, 10
-// blocks of a million, beside bare fwrite of as many bytes. What was written is read back and compared
-// before any time is printed; then it is seen that memory does not grow with the blocks.
+// Echoes per second written to LAS and read from it by one core: all arrays of the scanner, 10
+// blocks of a million, against bare fwrite of as many bytes. The data are read back and compared
+// before timing; then memory is checked not to grow with the blocks.
 // Usage: BenchLas [repetitions [folder]]
 
 #include "heliosBenchClock.h"
@@ -104,7 +104,7 @@ double Write(vtkPolyData* block, const std::string& path, int blocks, bool hasEx
   return good ? CpuSeconds() - start : std::nan("");
 }
 
-/// As many bytes, without any thought.
+/// As many bytes, without formatting.
 double WriteBare(const std::string& path, std::uintmax_t bytes)
 {
   const std::vector<char> block(1 << 20, 'x');
@@ -133,7 +133,7 @@ double Read(vtkHeliosLASReader* reader)
   return good ? CpuSeconds() - start : std::nan("");
 }
 
-/// Every number of a block.
+/// All values of a block.
 bool IsReadBack(vtkPolyData* echoes, vtkHeliosLASReader* reader)
 {
   reader->UpdatePiece(BlockCount - 1, BlockCount, 0);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What repairing and simplifying take: triangles a second, how many are left at 1 mm, 1 cm and 10 cm,
-// and the ratio of times to OpenMesh's own decimation, which proves nothing.
+// Cost of repairing and simplifying: triangles/s, number left at 1 mm, 1 cm and 10 cm, and the
+// ratio of times to OpenMesh's own decimation, which gives no guarantee.
 //   BenchMeshCare [squares a side of the terrain, 500]
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosMeshRepair.h"
@@ -31,7 +31,7 @@ struct Traits : public OpenMesh::DefaultTraits
 };
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
-/// Of the processor: other programs do not count.
+/// Processor time: other programs do not count.
 double GetSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast vtkHeliosObjSceneReader reads a terrain of two million triangles, against a bare
-// tinyobjloader in double precision on the same files. Usage: BenchObjReader [repetitions]
+// Speed of vtkHeliosObjSceneReader for a terrain of two million triangles, against a bare
+// tinyobjloader in double precision on the same files.
+// Usage: BenchObjReader [repetitions]
 
 #include "vtkHeliosObjSceneReader.h"
 
@@ -28,7 +29,7 @@ namespace
 constexpr std::int64_t Side = 1001; // vertices
 constexpr vtkIdType NumberOfTriangles = 2 * (Side - 1) * (Side - 1);
 
-/// A grid of hills; coordinates are whole numbers of a decimal unit, so that their doubles are known.
+/// A grid of hills; coordinates are integers in a decimal unit, so that their doubles are known.
 struct Terrain
 {
   const char* Name;
@@ -79,7 +80,7 @@ bool WriteTerrain(const Terrain& terrain, const std::string& path)
   return std::fclose(file) == 0;
 }
 
-/// Every point is the double nearest to its decimals: a quotient of whole numbers rounds correctly.
+/// Every point is the double nearest to its decimals: an integer quotient rounds correctly.
 bool IsRight(const Terrain& terrain, vtkPolyData* scene)
 {
   if (scene->GetNumberOfCells() != NumberOfTriangles || scene->GetNumberOfPoints() != Side * Side)

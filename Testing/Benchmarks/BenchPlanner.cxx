@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the planner takes with many candidates and test points, no two viewsheds alike.
+// Planning time for many candidates and test points with distinct viewsheds.
 //
 //   BenchPlanner [candidates a side, 100] [test points a side, 316] [reach, 0.1] [share hidden, 0]
 //
-// Viewsheds reach a share of the site that varies smoothly with place and direction, as over relief.
-// Checks that every plan sees all and has no fewer scans than its bound, before it prints a time.
+// Viewsheds cover a fraction of the site that varies smoothly with position and direction, as over
+// relief. Checks full coverage and the lower bound of scans for every plan before it prints a time.
 
 #include "heliosPlan.h"
 
@@ -31,7 +31,7 @@ Vectors MakeGrid(int side, double offset, double height)
   return grid;
 }
 
-/// How far a candidate sees in a direction [share of the site].
+/// View distance of a candidate in a direction [share of site].
 double GetReach(const helios::Incidence::Vector& c, double direction)
 {
   double sum = 0.0;
@@ -64,13 +64,13 @@ helios::BitMatrix Look(
   return rows;
 }
 
-/// Processor time, since machines are shared.
+/// Processor time, as machines are shared.
 double GetSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// One method: checked, then its time.
+/// One method: checks it, then times it.
 bool Run(const helios::CoverProblem& problem, const helios::Incidence& incidence,
   helios::PlanMethod method, const char* name)
 {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What playing a survey costs beside its scanner: the player, with its journal on the disk, against the
-// bare scanner of the same legs and against that with the text writer and no journal. The bytes must be
-// the same. And the peak of memory for 1 and for 8 times the pulses. Usage: BenchPlayback [repetitions]
+// Overhead of playing a survey: the player, with its journal on the disk, against the bare scanner
+// of the same legs and against that with the text writer and no journal. The output must be
+// byte-identical. Also the peak memory for 1 and for 8 times the pulses.
+// Usage: BenchPlayback [repetitions]
 
 #include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
@@ -67,7 +68,7 @@ std::string ReadText(const fs::path& path)
   return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
 }
 
-/// A folder that goes when the program ends.
+/// A temporary folder, removed at the end.
 struct Folder
 {
   fs::path Path = fs::temp_directory_path() / "vtkHeliosBenchPlayback";
@@ -75,7 +76,7 @@ struct Folder
   ~Folder() { fs::remove_all(this->Path); }
 };
 
-/// A tripod on hills that turns by some degrees at 20 degrees a second, 300,000 pulses a second.
+/// A tripod on hills, head rotation 20 deg/s by a given angle, 300,000 pulses/s.
 void WriteSurvey(const fs::path& folder, double turn)
 {
   const helios::Vec3 p =
@@ -107,7 +108,7 @@ void WriteScene(const fs::path& folder)
   writer->Update();
 }
 
-/// The legs of a survey, ready to run without a player.
+/// The legs of a survey, run without a player.
 struct Bare
 {
   vtkNew<vtkHeliosSurveyPlayer> Owner; // of the messages
@@ -127,7 +128,7 @@ struct Bare
     this->Runner->Plan();
   }
 
-  /// Runs all blocks, with text or without; the clock starts after the first, which pays for the ray
+  /// Runs all blocks, with or without text; the clock starts after the first, which builds the ray
   /// caster's tree.
   helios::RunCounts Run(bool writes, Seconds& start)
   {
@@ -150,13 +151,13 @@ struct Bare
     }
     if (isOpen)
     {
-      writer->Abandon(); // without a wait for the disk
+      writer->Abandon(); // without fsync
     }
     return counts;
   }
 };
 
-/// The time of many runs.
+/// The times of repeated runs.
 struct Times
 {
   std::vector<double> Wall;
@@ -173,7 +174,7 @@ struct Times
   }
 };
 
-/// Notes when a player has done its first block.
+/// Records when a player has finished its first block.
 class OnFirstBlock : public vtkCommand
 {
 public:

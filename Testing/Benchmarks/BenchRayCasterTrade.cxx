@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each way to cast rays costs and buys: speed against range error and lost hits, of our ray casters and of
-// bare loops, over a canopy, a terrain, slivers and a scene of mixed scale, at local, UTM and
-// geocentric coordinates. Prints a table and writes it as CSV; plot_ray_casters.py draws it.
+// Speed and accuracy of ray casters: speed against range error and missed hits, of vtkHelios
+// casters and bare loops, over a canopy, a terrain, slivers and a mixed-scale scene, at local, UTM
+// and geocentric coordinates. Prints a table and writes it as CSV; plot_ray_casters.py draws it.
 //
-// The truth is the double-precision tree, whose hits the tests prove; ranges are compared with the plane
-// of the true triangle in extended precision. Ours must equal it, or no table is written.
+// The reference is the double-precision tree, whose hits the tests verify; ranges are compared with
+// the plane of the true triangle in extended precision. vtkHelios must equal it, or no table is
+// written.
 //
 // Usage: BenchRayCasterTrade [--quick] [--scene NAME] [table.csv]
 
@@ -26,7 +27,7 @@ namespace
 using namespace helios::bench;
 using helios::Vec3;
 
-/// A scene, and rays over it, at local coordinates.
+/// A scene and rays over it, in local coordinates.
 struct Setting
 {
   const char* Name;
@@ -43,14 +44,14 @@ struct Place
 const Place Places[] = { { "local", { 0, 0, 0 } }, { "UTM", { 5e5, 5.5e6, 300 } },
   { "geocentric", { 4e6, 6e5, 4.9e6 } } };
 
-/// What a way to cast rays gave.
+/// The result of a caster.
 struct Result
 {
   double Rate = 0.0; // [Mray/s]
   std::size_t Cast = 0;
-  std::size_t Missed = 0;   // nothing where there is a surface
-  std::size_t Invented = 0; // a surface where there is none
-  std::size_t Other = 0;    // a surface more than 1 mm before or behind
+  std::size_t Missed = 0;   // no hit on a surface
+  std::size_t Invented = 0; // a hit without a surface
+  std::size_t Other = 0;    // a surface more than 1 mm nearer or farther
   double WorstError = 0.0;  // [m], of the rest
 };
 
@@ -72,7 +73,7 @@ void Move(Setting& setting, const Vec3& shift)
   }
 }
 
-/// A ray from above or aside to a random point inside a triangle.
+/// A ray from above or the side to a random point inside a triangle.
 vtkHeliosRay AimAt(vtkPolyData* scene, vtkIdType triangle, std::uint64_t item, double distance)
 {
   const auto a = helios::Uniform4(2, helios::RandomStream::Scene, item, 0);
@@ -99,7 +100,7 @@ Rays AimAtTriangles(vtkPolyData* scene, vtkIdType first, vtkIdType count, double
   return rays;
 }
 
-/// A fan of needles, 1 km long and 0.8 m wide at the rim.
+/// A fan of slivers, 1 km long and 0.8 m wide at the rim.
 Setting MakeSlivers()
 {
   helios::BenchScene fan;
@@ -137,7 +138,7 @@ Setting MakeMixedScale()
   return { "mixed scale", scene, AimAtTriangles(scene, terrain, 2 * leaves, 50.0) };
 }
 
-/// Rays aimed exactly at the corners and the middles of edges of hills: what is missed leaks.
+/// Rays aimed exactly at the vertices and edge midpoints of hills: misses are leaks.
 Setting MakeEdges()
 {
   helios::BenchScene hills;
@@ -175,11 +176,11 @@ std::vector<Setting> MakeSettings(bool isQuick)
   {
     Move(setting, Vec3(0, 0, 0) - helios::BenchOffset);
   }
-  // Those that aim at triangles were aimed where the scene was made: all moved alike.
+  // Rays aimed at triangles use the scene's original position: all move alike.
   return settings;
 }
 
-/// The range at which a ray meets the plane of a triangle, in extended precision.
+/// The range from a ray to the plane of a triangle, in extended precision.
 long double GetTrueRange(const helios::TriangleMesh& mesh, const vtkHeliosRay& ray, vtkIdType cell)
 {
   long double e[2][3], o[3];
@@ -276,7 +277,7 @@ private:
   std::FILE* File;
 };
 
-/// Our casters over a scene at a place; false where one of those that must be exact is not.
+/// Runs our casters on a scene at a position; false if one that must be exact is not.
 bool RunPlace(const Setting& setting, const Place& place, int repeats, Table& table)
 {
   vtkNew<vtkHeliosBvhRayCaster> bvh;
@@ -325,14 +326,14 @@ bool RunPlace(const Setting& setting, const Place& place, int repeats, Table& ta
   return isRight;
 }
 
-/// What the command line asks for.
+/// Command line options.
 struct Options
 {
   bool IsQuick = false;
   std::string Scene; // empty: all
   std::string Path;
 
-  /// False where it makes no sense.
+  /// Returns false if not valid.
   bool Read(int argc, char** argv)
   {
     for (int i = 1; i < argc; ++i)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ray casters against bare loops of Embree's own triangles and of CGAL's AABB tree, on the same
-// rays: a tripod (TLS) and an aircraft (ALS), single rays and bundles of 19 and 217 within 0.3 mrad, over
-// a canopy of 984 k and a terrain of 2 M triangles in UTM coordinates. Answers are checked before
-// times are printed; repeats of all casters take turns, rates are medians by thread CPU time.
+// rays: a tripod (TLS) and an aircraft (ALS), single rays and bundles of 19 and 217 within 0.3
+// mrad, over a canopy of 984 k and a terrain of 2 M triangles in UTM coordinates. Hits are checked
+// before times are printed; repeats alternate between casters, rates are medians by thread CPU
+// time.
 //
 // CGAL's AABB tree is under the GPL, and so is this program once built: it is for measuring, and is
 // not installed.
@@ -28,10 +29,10 @@ using namespace helios::bench;
 
 struct Differences
 {
-  std::size_t Missed = 0;    // where there is a hit
-  std::size_t Invented = 0;  // where there is none
+  std::size_t Missed = 0;    // with a true hit
+  std::size_t Invented = 0;  // without one
   std::size_t Triangles = 0; // another triangle
-  std::size_t Ranges = 0;    // another range, in any bit
+  std::size_t Ranges = 0;    // different range, in any bit
 };
 
 Differences Compare(const Hits& truth, const Hits& hits)
@@ -48,10 +49,10 @@ Differences Compare(const Hits& truth, const Hits& hits)
   return d;
 }
 
-/// Casts a contender's share of the rays; returns its rate [Mray/s].
+/// Casts a caster's subset of the rays; returns its rate [Mray/s].
 double GetRate(const Contender& contender, const Rays& rays, Hits& hits)
 {
-  // In runs of whole bundles, so that neighbours stay neighbours.
+  // In runs of whole bundles, so that neighbours stay adjacent.
   const std::size_t run = contender.Share == 1 ? rays.size() : 19 * 217;
   std::size_t count = 0;
   const double start = GetThreadTime();
@@ -64,7 +65,7 @@ double GetRate(const Contender& contender, const Rays& rays, Hits& hits)
   return 1e-6 * static_cast<double>(count) / (GetThreadTime() - start);
 }
 
-/// Times contenders in turns, and prints their rates and how much faster than them the first is.
+/// Times casters in turns, and prints their rates and the speed-up of the first over them.
 void Race(const std::vector<Contender>& contenders, const Rays& rays, int repeats)
 {
   std::vector<std::vector<double>> rates(contenders.size());
@@ -89,7 +90,7 @@ void Race(const std::vector<Contender>& contenders, const Rays& rays, int repeat
   }
 }
 
-/// Casts every second run of rays; returns the thread's CPU time for it.
+/// Casts every second run of rays; returns its thread CPU time.
 double CastEverySecond(const Contender& contender, const Rays& rays, Hits& hits, std::size_t first)
 {
   const std::size_t run = 19 * 217;
@@ -101,7 +102,7 @@ double CastEverySecond(const Contender& contender, const Rays& rays, Hits& hits,
   return GetThreadTime() - start;
 }
 
-/// How much faster two threads are than one, by the CPU time of the longer of the two.
+/// Speed-up of two threads over one, by the CPU time of the longer of the two.
 double GetSpeedUp(const Contender& contender, const Rays& rays, int repeats)
 {
   std::vector<double> speedUps;
@@ -120,7 +121,7 @@ double GetSpeedUp(const Contender& contender, const Rays& rays, int repeats)
   return GetMedian(speedUps);
 }
 
-/// Checks the answers on a set of rays and races on it; returns whether ours are right.
+/// Checks the hits of a set of rays and times it; returns whether ours are right.
 bool RunSet(
   const char* set, const std::vector<Contender>& contenders, const Rays& rays, int repeats)
 {
@@ -149,7 +150,7 @@ bool RunSet(
   return ours.Triangles == 0 && ours.Ranges == 0;
 }
 
-/// Whether a cone's answer is true of the 19 rays in it, the first of which is its axis.
+/// Whether a cone hit is valid for its 19 rays, the first of which is its axis.
 bool IsTrue(const helios::TriangleMesh& mesh, const vtkHeliosConeHit& cone, double tolerance,
   const vtkHeliosRay* rays, const vtkHeliosHit* hits)
 {
@@ -165,7 +166,7 @@ bool IsTrue(const helios::TriangleMesh& mesh, const vtkHeliosConeHit& cone, doub
   return isTrue;
 }
 
-/// Checks and times ProbeCone for the cones about bundles of 19 rays.
+/// Checks and times ProbeCone for the cones around bundles of 19 rays.
 bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
 {
   const double tolerance = 2.5e-4;
@@ -199,7 +200,7 @@ bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
   return wrong == 0;
 }
 
-/// The bytes a triangle of a scene and of each accelerator.
+/// Bytes per triangle of a scene and of each accelerator.
 void PrintSizes(const char* name, const helios::TriangleMesh& mesh, std::size_t beam,
   std::size_t embree, std::size_t bvh, std::size_t bare)
 {

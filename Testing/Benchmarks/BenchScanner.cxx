@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the ray caster's rate the whole scanner keeps: pulses with 19 sub-rays to echoes in
-// memory, against the bare rays of the same pulses in one batch; and the same pulses by tolerance:
-// of 1 mm and 1 %, and of 10 mm and 10 %, whose errors are about those of the 19 sub-rays (Docs/
-// scanner-trade.md). Usage: BenchScanner [repetitions [scene]]
+// Fraction of the ray caster's rate kept by the whole scanner: pulses with 19 sub-rays to echoes in
+// memory, against the bare rays of the same pulses in one batch; and the same pulses with adaptive
+// sampling, at 1 mm and 1 %, and at 10 mm and 10 %, with errors similar to 19 sub-rays
+// (Docs/scanner-trade.md).
+// Usage: BenchScanner [repetitions [scene]]
 
 #include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
@@ -36,7 +37,7 @@ using helios::WallSeconds;
 namespace
 {
 
-/// A scanner ready to run over one of the scenes.
+/// A configured scanner over one of the scenes.
 struct Survey
 {
   std::string Name;
@@ -77,7 +78,7 @@ struct Survey
   }
 };
 
-/// Passes on what the scanner asks another caster, and keeps the rays.
+/// Forwards the scanner's calls to another caster, and records the rays.
 class Recorder : public vtkHeliosRayCaster
 {
 public:
@@ -104,7 +105,7 @@ protected:
 };
 vtkStandardNewMacro(Recorder);
 
-/// The rays of all pulses of a survey in order.
+/// The rays of all pulses of a survey, in order.
 std::vector<vtkHeliosRay> GetRays(Survey& survey)
 {
   survey.Run(); // builds the caster
@@ -118,7 +119,7 @@ std::vector<vtkHeliosRay> GetRays(Survey& survey)
   return std::move(recorder->Rays);
 }
 
-/// Every pulse with a hit has a first echo within the ranges of its sub-rays, and no other has one.
+/// Every pulse with a hit has a first echo within the ranges of its sub-rays; no other has one.
 bool Check(Survey& survey, const std::vector<vtkHeliosHit>& hits)
 {
   vtkPolyData* echoes = survey.Run();
@@ -156,7 +157,7 @@ bool Check(Survey& survey, const std::vector<vtkHeliosHit>& hits)
   return echo == echoes->GetNumberOfPoints();
 }
 
-/// The time that sampling by a tolerance in range [m], and ten times as much in energy, takes.
+/// The time of adaptive sampling with a tolerance in range [m], and ten times as much in energy.
 double MeasureTolerance(Survey& survey, double tolerance)
 {
   survey.Scanner->SetSamplingToTolerance();
@@ -224,7 +225,7 @@ void SetUpAircraft(Survey& survey, double swath)
 {
   survey.Mirror->SetMirrorAngle(swath);
   survey.Mirror->SetPulseFrequency(200000);
-  survey.Scanner->SetMountOrientation(0.5, -0.5, -0.5, 0.5); // y down, lines across the flight
+  survey.Scanner->SetMountOrientation(0.5, -0.5, -0.5, 0.5); // y down, lines across track
   survey.Scanner->SetDuration(1.5);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What each way to sample a beam costs and buys: processor time a pulse against missed and extra
-// echoes, range and amplitude errors, over six scenes; one thing changed at a time. Prints a table,
-// writes it as CSV (plot_scanner_trade.py draws it), and prints what sampling by tolerance is worth.
+// Cost and accuracy of beam sampling: processor time per pulse against missed and extra echoes,
+// range and amplitude errors, over six scenes; one parameter varied at a time. Prints a table,
+// writes it as CSV (plot_scanner_trade.py draws it), and prints the gain of adaptive sampling.
 //
-// The reference has 4096 sub-rays a pulse and bins of 0.1 ns; its own error is its distance from one of
-// 8192. It must agree with closed forms on plane, step and sphere, or no table is written.
+// The reference has 4096 sub-rays per pulse and bins of 0.1 ns; its own error is its distance from
+// one of 8192. It must agree with closed forms on plane, step and sphere, or no table is written.
 //
 // Usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]
 
@@ -37,11 +37,11 @@ namespace
 using namespace helios::bench;
 using helios::Vec3;
 
-constexpr double LongTime = 1.0;    // of a run that is timed but once [s]
+constexpr double LongTime = 1.0;    // of a run timed only once [s]
 constexpr double PulseLength = 4.0; // [ns]
 constexpr double Separation = helios::SpeedOfLight * PulseLength / 2.35482004503095; // c sigma [m]
 
-/// A way to sample a beam and to find its echoes.
+/// A method of beam sampling and echo detection.
 struct Way
 {
   std::string Pattern; // "GL", "circles", "Vogel", "tolerance"
@@ -60,7 +60,7 @@ Way ByTolerance(double range, const char* detector = "peaks")
 
 const Way Reference{ "Vogel", 4096, 0.1 };
 const Way Doubled{ "Vogel", 8192, 0.1 };
-// 1.1 and 1.2 mm are the widest that are no worse than 256 sub-rays among leaves.
+// 1.1 and 1.2 mm are the largest that are no worse than 256 sub-rays among leaves.
 const double Tolerances[] = { 1e-2, 3e-3, 1.2e-3, 1.1e-3, 1e-3, 3e-4, 1e-4 };
 
 std::vector<Way> GetWays()
@@ -93,13 +93,13 @@ std::vector<Way> GetWays()
   return ways;
 }
 
-/// What a way costs and how wrong it is.
+/// Cost and errors of a method.
 struct Row
 {
   Way How;
-  double SubRays = 0.0;       // a pulse
-  std::vector<double> Times;  // [s] a pulse, one thread; one for each round, or but one
-  std::vector<double> Times2; // two threads, on the wall
+  double SubRays = 0.0;       // per pulse
+  std::vector<double> Times;  // [s] per pulse, one thread; one per round, or only one
+  std::vector<double> Times2; // two threads, wall time
   double OnPlane = 0.0;       // pulses in closed form [%]
   double NoBins = 0.0;        // pulses by Newton's method [%]
   TradeErrors Errors;
@@ -107,7 +107,7 @@ struct Row
   double GetSeconds() const { return this->Times.empty() ? 0.0 : Median(this->Times); }
   double GetSeconds2() const { return this->Times2.empty() ? 0.0 : Median(this->Times2); }
 
-  /// How much faster than another way: the median of the rounds, for machines that change speed.
+  /// Speed-up over another method: the median of the rounds, for machines of varying speed.
   double GetSpeedUp(const Row& other) const
   {
     std::vector<double> ratios;
@@ -152,7 +152,7 @@ public:
     this->Threshold = 0.02 * this->GetFullAmplitude((middle - scene.From).Norm());
   }
 
-  /// What a plane across the whole beam returns [W].
+  /// Amplitude of a plane across the whole beam [W].
   double GetFullAmplitude(double range)
   {
     const double d = this->Scanner->GetReceiverDiameter();
@@ -203,7 +203,7 @@ public:
     return GetEchoes(this->Scanner->GetOutput(), this->Pulses);
   }
 
-  /// Times a way once more, less a run of one pulse; not if it takes long.
+  /// Times a method once more, less a run of one pulse; skipped if slow.
   void Time(Row& row)
   {
     if (!row.Times.empty() && row.Times[0] * this->Pulses > LongTime)
@@ -231,7 +231,7 @@ public:
   double Threshold;
 };
 
-/// Whether the reference is right where that is known in closed form.
+/// Whether the reference matches the known closed forms.
 bool CheckReference(Bench& bench, const TradeScene& scene, const RunEchoes& reference)
 {
   double range = 0.0, share = 0.0;
@@ -319,7 +319,7 @@ private:
   std::FILE* File;
 };
 
-/// The fastest sampling by tolerance that is no worse than a fixed one.
+/// The fastest adaptive sampling that is no worse than a fixed one.
 const Row* FindFastest(const std::vector<Row>& rows, const Row& fixed, const TradeErrors& floor)
 {
   const Row* best = nullptr;
@@ -334,10 +334,10 @@ const Row* FindFastest(const std::vector<Row>& rows, const Row& fixed, const Tra
   return best;
 }
 
-/// What sampling by tolerance is worth, to the last micrometre and where only more than a tenth of the noise counts.
+/// The gain of adaptive sampling, for any error and for errors above a tenth of the noise.
 void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErrors& self)
 {
-  TradeErrors noise = self; // a tenth of that of a signal 50 times the noise
+  TradeErrors noise = self; // a tenth of that at a signal-to-noise ratio of 50
   noise.RangeRms = std::max(self.RangeRms, 0.1 * 0.2075 / 50);
   noise.AmplitudeRms = std::max(self.AmplitudeRms, 0.1 / 50);
   const std::string name = fixed.How.Pattern + " " + std::to_string(std::lround(fixed.SubRays));
@@ -357,7 +357,7 @@ void PrintRatios(const std::vector<Row>& rows, const Row& fixed, const TradeErro
   std::printf("\n");
 }
 
-/// False where the reference is wrong.
+/// Returns false if the reference is wrong.
 bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
 {
   Bench bench(scene, isQuick ? 50 : 250);
@@ -402,14 +402,14 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
   return true;
 }
 
-/// What the command line asks for.
+/// Command line options.
 struct Options
 {
   bool IsQuick = false;
   std::string Scene; // empty: all
   std::string Path;
 
-  /// False where it makes no sense.
+  /// Returns false if not valid.
   bool Read(int argc, char** argv)
   {
     for (int i = 1; i < argc; ++i)

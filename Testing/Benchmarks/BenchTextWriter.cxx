@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How many records a second one core writes: echoes as text beside bare fprintf of the same
-// columns, echoes as VTP, waveforms as text. Texts are compared before any time is printed; then
-// blocks are written that together are many times one block, to see that memory does not grow.
+// Records per second written by one core: echoes as text against bare fprintf of the same columns,
+// echoes as VTP, waveforms as text. Texts are compared before timing; then many more blocks are
+// written, to check that memory does not grow.
 // Usage: BenchTextWriter [repetitions [folder]]
 
 #include "heliosBenchClock.h"

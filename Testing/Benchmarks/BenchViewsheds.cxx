@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of the ray caster's rate for bare occlusion rays vtkHeliosViewsheds keeps, on 2 M triangles
-// of terrain with 10^4 candidates and 10^5 test points. Answers are compared bit for bit first;
-// repeats take turns, numbers are medians by processor time.
+// Fraction of the ray caster's rate for bare occlusion rays kept by vtkHeliosViewsheds, on 2 M
+// triangles of terrain with 10^4 candidates and 10^5 test points. Results are first compared bit
+// for bit; repeats alternate, values are medians by processor time.
 //
 // Usage: BenchViewsheds [repetitions [candidates [ray caster]]]
 
@@ -28,7 +28,7 @@ using helios::WallSeconds;
 namespace
 {
 
-/// Every so many of the candidates, so that a part of them stands for all.
+/// Every nth candidate, as a sample of all.
 vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, vtkIdType count)
 {
   vtkNew<vtkPoints> kept;
@@ -43,7 +43,8 @@ vtkSmartPointer<vtkPolyData> Thin(vtkPolyData* points, vtkIdType count)
   return result;
 }
 
-/// The rays that ask whether a candidate sees the test points, a thousandth of 5 cm below the surface.
+/// The visibility rays from a candidate to the test points, aimed 0.05 mm (5 cm / 1000) below the
+/// surface.
 std::vector<vtkHeliosRay> MakeRays(const double eye[3], vtkPolyData* testPoints)
 {
   vtkDataArray* normals = testPoints->GetPointData()->GetArray("Normal");
@@ -59,7 +60,7 @@ std::vector<vtkHeliosRay> MakeRays(const double eye[3], vtkPolyData* testPoints)
   return rays;
 }
 
-/// Bare rays of some candidates, made before they are timed.
+/// Bare rays of some candidates, built before timing.
 struct Bare
 {
   std::vector<std::vector<vtkHeliosRay>> Rays;
@@ -77,7 +78,7 @@ struct Bare
   }
 };
 
-/// Whether the filter's bits are what the bare rays say.
+/// Whether the filter's bits match the bare rays.
 bool Check(const Bare& bare, vtkPolyData* views)
 {
   vtkDataArray* rows = views->GetPointData()->GetArray("Visibility");

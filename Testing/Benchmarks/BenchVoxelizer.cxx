@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How fast points become solid cells, in memory, and from a text file of which only cells stay in
-// memory. Times are of the processor. Usage: BenchVoxelizer [repetitions] [rows of the file]
+// Rate of voxelizing points, in memory, and from a text file of which only voxels stay in memory.
+// Times are processor times.
+// Usage: BenchVoxelizer [repetitions] [rows of the file]
 
 #include "vtkHeliosPointVoxelizer.h"
 #include "vtkHeliosXyzReader.h"
@@ -29,8 +30,8 @@ namespace
 
 constexpr vtkIdType NumberOfPoints = 10000000;
 
-/// Points of rolling terrain with trees, at UTM coordinates in millimetres, as a scanner leaves
-/// them: along lines, or (scattered) in no order.
+/// Points of rolling terrain with trees, at UTM coordinates in millimetres, in scan order: along
+/// lines, or (scattered) in random order.
 class Cloud
 {
 public:
@@ -86,7 +87,7 @@ public:
     return file && std::fclose(file) == 0;
   }
 
-  /// The number of cells by whole numbers: sorted and counted, no rounding anywhere.
+  /// The number of voxels in integers: sorted and counted, no rounding anywhere.
   vtkIdType CountCells(long long millimetres) const
   {
     long long low[3] = { 1LL << 62, 1LL << 62, 1LL << 62 };
@@ -141,7 +142,7 @@ double Measure(int repetitions, Work&& work)
   return GetMedian(times);
 }
 
-/// The largest memory of the process so far [MiB].
+/// The peak memory of the process so far [MiB].
 double GetPeak()
 {
   rusage usage{};
@@ -173,7 +174,7 @@ bool RunInMemory(bool isScattered, double size, int repetitions)
   voxelizer->EstimateNormalsOn();
   const double withPlanes = Measure(repetitions, run);
 
-  vtkNew<vtkVoxelGrid> reference; // averages the points of each cell; makes no faces
+  vtkNew<vtkVoxelGrid> reference; // averages the points of each voxel; no faces
   reference->SetInputData(cloud);
   reference->SetConfigurationStyleToLeafSize();
   reference->SetLeafSize(size, size, size);
@@ -190,7 +191,7 @@ bool RunInMemory(bool isScattered, double size, int repetitions)
   return true;
 }
 
-/// The numbers of a file by a bare loop of std::from_chars: nothing checked, nothing kept.
+/// Parses the numbers of a file in a bare loop of std::from_chars: no checks, no storage.
 double ParseBare(const std::string& path)
 {
   const double start = GetTime();

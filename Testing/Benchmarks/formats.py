@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How fast points are converted, beside bare laspy and lazrs.
+"""Speed of point conversion, against bare laspy and lazrs.
 
     build/venv/bin/python Testing/Benchmarks/formats.py [MILLIONS]
 
-Prints M points a second, seconds of all processors a million points, and the largest memory of each
-conversion, which runs in a process of its own, after it has compared the points; the best of three.
-MILLIONS is 3 unless given. The ratios are also of processor time, which a busy machine changes less.
+Prints M points/s, CPU seconds per million points, and the peak memory of each conversion, which
+runs in its own process, after comparing the points; the best of three. Default of MILLIONS: 3. The
+ratios also use processor time, which a busy machine changes less.
 """
 
 import argparse
@@ -42,7 +42,7 @@ def make_chunk(count, seed):
 
 
 def work(what, source, target):
-    """One conversion; prints seconds and the memory it took."""
+    """One conversion; prints its seconds and memory."""
     from vtkhelios import cli, formats
 
     if what == "laspy":

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What our ray casters are measured against: bare loops over Embree, CGAL's AABB tree and vtkOBBTree.
+// Reference casters for comparison: bare loops over Embree, CGAL's AABB tree and vtkOBBTree.
 //
-// CGAL's AABB tree is under the GPL, and so is a program with this header: it is for measuring, and is
-// not installed.
+// CGAL's AABB tree is under the GPL, and so is a program with this header: it is for measuring, and
+// is not installed.
 
 #ifndef heliosBareCasters_h
 #define heliosBareCasters_h
@@ -55,15 +55,15 @@ inline double GetMedian(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-/// Something that casts rays [first, last) of a set.
+/// Casts rays [first, last) of a set.
 struct Contender
 {
   const char* Name;
   std::function<void(const Rays&, Hits&, std::size_t, std::size_t)> Cast;
-  std::size_t Share = 1; // of the rays it casts in a race: one in so many
+  std::size_t Share = 1; // of its rays in a race: one in this many
 };
 
-/// The range in double at which a ray meets the plane of a triangle.
+/// The range in double from a ray to the plane of a triangle.
 inline double Refine(const TriangleMesh& mesh, const vtkHeliosRay& ray, vtkIdType triangle)
 {
   const Vec3 a(mesh.GetCorner(triangle, 0));
@@ -73,7 +73,7 @@ inline double Refine(const TriangleMesh& mesh, const vtkHeliosRay& ray, vtkIdTyp
   return n.Dot(a - Vec3(ray.Origin)) / n.Dot(Vec3(ray.Direction));
 }
 
-/// Embree's robust float triangles; centred, and the range from the double triangle it finds, or not.
+/// Embree's robust float triangles; optionally centred, and with the range of the double triangle.
 class BareEmbree
 {
 public:
@@ -235,8 +235,8 @@ private:
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, IndexPrimitive>> Tree;
 };
 
-/// vtkOBBTree asked with segments that are cut to the scene's box, in the scene's own coordinates or
-/// about its middle; the point it finds gives the range.
+/// vtkOBBTree queried with segments clipped to the scene's box, in scene coordinates or centred;
+/// the range is from the point found.
 class BareObbTree
 {
 public:

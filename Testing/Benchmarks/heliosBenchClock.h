@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What benchmarks measure with.
+// Clock and memory of the benchmarks.
 
 #ifndef heliosBenchClock_h
 #define heliosBenchClock_h
@@ -28,7 +28,7 @@ inline double WallSeconds()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The most memory the process has had.
+/// The peak memory of the process.
 inline double PeakMebibytes()
 {
   rusage usage;

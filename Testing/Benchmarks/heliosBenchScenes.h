@@ -22,17 +22,17 @@
 namespace helios
 {
 
-/// Where the scenes lie: UTM.
+/// Position of the scenes: UTM.
 inline const Vec3 BenchOffset(5e5, 5.5e6, 300);
 
-/// The height of the hills at a place.
+/// The height of the hills at a position.
 inline double GetHillHeight(double x, double y)
 {
   return 8 * std::sin(0.011 * x) * std::cos(0.013 * y) + 2 * std::sin(0.05 * x + 0.03 * y) +
     0.3 * std::sin(0.31 * x) * std::sin(0.37 * y) + 0.05 * std::sin(1.7 * x + 2.3 * y);
 }
 
-/// A scene with room for its points and triangles, moved to BenchOffset.
+/// A scene with preallocated points and triangles, moved to BenchOffset.
 class BenchScene
 {
 public:
@@ -60,7 +60,7 @@ public:
     this->AddTriangle(a, a + 1, a + 2);
     this->AddTriangle(a, a + 2, a + 3);
   }
-  /// Hills over [0, width]^2, cells x cells squares of two triangles.
+  /// Hills over [0, width]^2, cells x cells squares of two triangles each.
   void AddHills(vtkIdType cells, double width)
   {
     const double step = width / static_cast<double>(cells);
@@ -123,7 +123,7 @@ inline vtkSmartPointer<vtkPolyData> MakeBenchCanopy()
     {
       const auto a = Uniform4(1, RandomStream::Scene, item, 0);
       const auto b = Uniform4(1, RandomStream::Scene, item, 1);
-      // Denser towards the outside, as crowns are.
+      // Denser towards the outside, like crowns.
       const double r = radius * std::cbrt(0.1 + 0.9 * a[0]);
       const double z = 2 * a[1] - 1;
       const double s = std::sqrt(1 - z * z);
@@ -160,7 +160,7 @@ inline void AddPulse(
   }
 }
 
-/// A tripod in the middle of a scene of a width: lines from -60 to +40 deg, all round.
+/// A tripod at the centre of a scene of a width: lines from -60 to +40 deg, 360 deg around.
 inline std::vector<vtkHeliosRay> MakeTripodRays(double width, int pulses, int rings)
 {
   std::vector<vtkHeliosRay> rays;
@@ -179,7 +179,7 @@ inline std::vector<vtkHeliosRay> MakeTripodRays(double width, int pulses, int ri
   return rays;
 }
 
-/// An aircraft over the middle of a scene of a width: lines across, as wide as the scene.
+/// An aircraft over the centre of a scene of a width: lines across, as wide as the scene.
 inline std::vector<vtkHeliosRay> MakeAirborneRays(
   double width, double height, int pulses, int rings)
 {

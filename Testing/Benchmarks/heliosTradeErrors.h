@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the echoes of one run are from those of another.
+// Differences between the echoes of two runs.
 
 #ifndef heliosTradeErrors_h
 #define heliosTradeErrors_h
@@ -24,7 +24,7 @@ struct RunEcho
   double Amplitude;
 };
 
-/// The echoes of every pulse, in the order of range.
+/// The echoes of every pulse, sorted by range.
 using RunEchoes = std::vector<std::vector<RunEcho>>;
 
 inline RunEchoes GetEchoes(vtkPolyData* output, int pulses)
@@ -44,14 +44,14 @@ inline RunEchoes GetEchoes(vtkPolyData* output, int pulses)
 
 struct TradeErrors
 {
-  double Missed = 0.0;       // echoes of the reference without a partner [%]
-  double Extra = 0.0;        // echoes without a partner in the reference [%]
-  double RangeBias = 0.0;    // [m], of the partners
+  double Missed = 0.0;       // unmatched echoes of the reference [%]
+  double Extra = 0.0;        // echoes unmatched in the reference [%]
+  double RangeBias = 0.0;    // [m], of matched echoes
   double RangeRms = 0.0;     // [m]
   double RangeP99 = 0.0;     // [m]
   double AmplitudeRms = 0.0; // relative
 
-  /// Whether no error is larger than that of another way, or than what does not matter.
+  /// Whether no error exceeds that of another method, or a negligible level.
   bool IsNoWorse(const TradeErrors& other, const TradeErrors& floor) const
   {
     return this->RangeRms <= std::max(other.RangeRms, floor.RangeRms) &&
@@ -61,7 +61,7 @@ struct TradeErrors
   }
 };
 
-/// Partners are the nearest, within 0.6 of the least separation of two equal echoes, c sigma.
+/// Matches are the nearest, within 0.6 of the least separation of two equal echoes, c sigma.
 inline TradeErrors Compare(const RunEchoes& run, const RunEchoes& reference, double separation)
 {
   TradeErrors errors;

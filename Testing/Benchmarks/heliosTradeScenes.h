@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The scenes of BenchScannerTrade, what is aimed at in each, and what closed forms say of three.
+// The scenes of BenchScannerTrade, their targets, and closed forms for three.
 
 #ifndef heliosTradeScenes_h
 #define heliosTradeScenes_h
@@ -23,7 +23,7 @@
 namespace helios::bench
 {
 
-/// Aims pulses in directions of a list, so that aiming costs nothing that is measured.
+/// Aims pulses in directions of a list, so that aiming adds no measured cost.
 class ListDeflector : public vtkHeliosBeamDeflector
 {
 public:
@@ -42,14 +42,14 @@ public:
 };
 vtkStandardNewMacro(ListDeflector);
 
-/// What is known of the echoes of a pulse, for the first of them: NaN where nothing is.
+/// Known values of the first echo of a pulse: NaN if unknown.
 struct ClosedForm
 {
   double Range = vtkMath::Nan();
   double Share = vtkMath::Nan(); // of the amplitude of a plane across the beam at Range
 };
 
-/// A scene and a beam that leaves From for the parallelogram at Corner, all in the scene's frame.
+/// A scene and a beam from From to the parallelogram at Corner, all in the scene's frame.
 struct TradeScene
 {
   std::string Name;
@@ -60,7 +60,7 @@ struct TradeScene
   std::function<ClosedForm(const Vec3& direction)> Truth;
 };
 
-/// To side * side squares of what is aimed at, line by line, at a random place within each.
+/// To side * side squares of the target, line by line, at a random position within each.
 inline std::vector<Vec3> GetDirections(const TradeScene& scene, int side)
 {
   std::vector<Vec3> directions;
@@ -77,14 +77,15 @@ inline std::vector<Vec3> GetDirections(const TradeScene& scene, int side)
 
 constexpr double Truncation = 1.5;
 
-/// E[r^2] / w^2 of a beam cut at K.
+/// E[r^2] / w^2 of a beam truncated at K.
 inline double MeanSquare()
 {
   const double e = std::exp(-2 * Truncation * Truncation);
   return (0.5 - e * (Truncation * Truncation + 0.5)) / (1 - e);
 }
 
-/// The energy of a cut beam beyond a line at s w from its axis: 1 / (pi E) int exp(-2 (s / cos a)^2) - e da.
+/// The energy of a truncated beam beyond a line at s w from its axis: 1 / (pi E) int exp(-2 (s /
+/// cos a)^2) - e da.
 inline double ShareBeyond(double s)
 {
   if (s < 0)
@@ -133,7 +134,7 @@ inline TradeScene MakePlaneScene()
     const double tan2 = 1 / (d[2] * d[2]) - 1;
     const double sigma = 0.5 * SpeedOfLight * 4 / 2.35482004503095; // [m]
     const double widening = range * range * tan2 * variance / (sigma * sigma);
-    ClosedForm form; // to the first order of the widening: for narrow footprints only
+    ClosedForm form; // to first order in the widening: for narrow footprints only
     if (widening < 0.01)
     {
       form.Range = range * (1 + variance * (1 - 2 * tan2));
@@ -145,7 +146,7 @@ inline TradeScene MakePlaneScene()
     truth };
 }
 
-/// The edge of a step of 10 m, from 150 m above it.
+/// The edge of a 10 m step, from 150 m above it.
 inline TradeScene MakeStepScene()
 {
   const auto mesh = MakeMesh([](vtkHeliosSyntheticScene* maker) { maker->SetKindToStep(); });
@@ -154,7 +155,8 @@ inline TradeScene MakeStepScene()
   const auto truth = [from, divergence](const Vec3& d)
   {
     const Vec3 toEdge = Vec3(0, 0, 10) - from;
-    const Vec3 normal = toEdge.Cross(Vec3(0, 1, 0)).Normalized(); // of the plane of eye and edge
+    const Vec3 normal =
+      toEdge.Cross(Vec3(0, 1, 0)).Normalized(); // of the plane of scanner and edge
     const double s = std::asin(normal.Dot(d)) / (0.5 * divergence);
     const double upper = ShareBeyond(normal[0] > 0 ? -s : s);
     ClosedForm form;
@@ -169,7 +171,7 @@ inline TradeScene MakeStepScene()
     truth };
 }
 
-/// A sphere of 5 m radius, 20,480 triangles, from 50 m, past its rim.
+/// A sphere of 5 m radius, 20,480 triangles, from 50 m, near its rim.
 inline TradeScene MakeSphereScene()
 {
   const auto mesh = MakeMesh([](vtkHeliosSyntheticScene* maker) { maker->SetKindToSphere(); });
@@ -188,7 +190,7 @@ inline TradeScene MakeSphereScene()
     truth };
 }
 
-/// A pyramid of 10 m, faces of 10^2 triangles each, from 60 m and half above.
+/// A pyramid of 10 m, faces of 10^2 triangles each, from 60 m obliquely above.
 inline TradeScene MakePyramidScene()
 {
   const auto mesh = MakeMesh(
@@ -201,14 +203,14 @@ inline TradeScene MakePyramidScene()
     {} };
 }
 
-/// The canopy from an aircraft: footprints of 0.24 m across on leaves of 5 to 10 cm.
+/// The canopy from an aircraft: footprints of 0.24 m on leaves of 5 to 10 cm.
 inline TradeScene MakeCanopyScene()
 {
   return { "canopy", MakeBenchCanopy(), BenchOffset, { 100, 55, 800 }, { 80, 60, 0 }, { 40, 0, 0 },
     { 0, 40, 0 }, 0.3e-3, {} };
 }
 
-/// Hills from an aircraft: footprints of 0.18 m across on triangles of 1 m.
+/// Hills from an aircraft: footprints of 0.18 m on triangles of 1 m.
 inline TradeScene MakeTerrainScene()
 {
   return { "terrain", MakeBenchTerrain(), BenchOffset, { 500, 450, 600 }, { 350, 430, 0 },

@@ -14,8 +14,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 MARKERS = {"local": "o", "UTM": "s", "geocentric": "^"}
-SMALLEST = 1e-16  # m, where an error of 0 is drawn
-LARGEST = 1e-2  # m, where one is drawn that has hardly a right hit
+SMALLEST = 1e-16  # m, plotted for an error of 0
+LARGEST = 1e-2  # m, plotted if hardly any hit is right
 
 
 def main(table, picture):
@@ -43,7 +43,7 @@ def main(table, picture):
 
 
 def draw(axis, row, colour):
-    """One way to cast rays at one place; filled where it is ours."""
+    """One ray caster at one position; filled if ours."""
     speed, error = float(row["mray_per_s"]), max(float(row["worst_range_error_m"]), SMALLEST)
     wrong = sum(int(row[name]) for name in ("missed", "invented", "other_surface"))
     wrong = round(1000 * wrong / int(row["rays"]))

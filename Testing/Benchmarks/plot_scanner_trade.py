@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the table of BenchScannerTrade: error against time a pulse, one column a scene.
+"""Draws the table of BenchScannerTrade: error against time per pulse, one column per scene.
 
     plot_scanner_trade.py table.csv picture.png      (needs python3-matplotlib)
 """
@@ -17,10 +17,10 @@ import matplotlib.pyplot as plt
 COLOURS = {"GL": "tab:blue", "circles": "tab:orange", "Vogel": "tab:green", "tolerance": "tab:red"}
 MARKERS = {"peaks": "o", "gaussians": "s"}
 ERRORS = {"range_rms_m": "range RMS [m]", "amplitude_rms": "amplitude RMS"}
-SMALLEST = 1e-6  # where less is drawn
+SMALLEST = 1e-6  # lower values are clipped
 LIGHT = 0.299792458  # m/ns
-SHIFT = LIGHT * 0.25 / (4 * math.sqrt(3))  # RMS of taking the largest bin of 0.25 ns
-NOISE = 0.2075 / 50  # Cramer-Rao bound for a signal to noise ratio of 50, 4 ns, 1 ns
+SHIFT = LIGHT * 0.25 / (4 * math.sqrt(3))  # RMS error of the largest bin of 0.25 ns
+NOISE = 0.2075 / 50  # Cramer-Rao bound for a signal-to-noise ratio of 50, 4 ns, 1 ns
 
 
 def main(table, picture):
@@ -49,7 +49,7 @@ def main(table, picture):
 
 
 def draw(axis, rows, error):
-    """One scene; hollow where bins are not 0.25 ns."""
+    """One scene; hollow if bins are not 0.25 ns."""
     points = []
     for row in rows:
         time, wrong = float(row["us_per_pulse"]), max(float(row[error]), SMALLEST)

@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""By how much a window slows the survey that it shows.
+"""Slowdown of a survey by its viewer window.
 
     xvfb-run -a build/venv/bin/python Testing/Benchmarks/viewer.py SURVEY.xml SCENE-FOLDER [TIMES]
 
-Runs a survey in the viewer to its end, in turn in a window (under Xvfb: the rasteriser is software and takes the
-same processors) and without any drawing, TIMES times (default: 3). Prints the seconds in which blocks of pulses
-were computed, each time and their medians, and the ratio of the medians; before that it checks that both
-have computed the same pulses to the same number of points.
+Runs a survey in the viewer to the end, alternately in a window (under Xvfb: the software rasteriser
+uses the same processors) and without drawing, TIMES times (default: 3). Prints the computing time
+of the pulse blocks [s], of each run and their medians, and the ratio of the medians; first it
+checks that both computed the same pulses and number of points.
 """
 
 import json
@@ -23,7 +23,7 @@ from vtkhelios.cli import view
 
 
 def is_over(time_shown):
-    """Whether all echoes have arrived, or none will."""
+    """Whether all echoes have arrived, or none can arrive."""
     phase, computed, end = (time_shown[name] for name in ("phase", "computed", "end"))
     return phase == "failed" or (phase == "finished" and computed >= end)
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Collects the errors and warnings of an object, so that a test can read them.
+// Collects the errors and warnings of an object for checks in a test.
 
 #ifndef heliosErrorObserver_h
 #define heliosErrorObserver_h
@@ -26,7 +26,7 @@ public:
     log += message ? message : "";
   }
 
-  /// Listens to an object from here on.
+  /// Observes an object from here on.
   void Watch(vtkObject* object)
   {
     object->AddObserver(vtkCommand::ErrorEvent, this);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damages the bytes of a file, the same way for the same seed: what a reader must survive.
+// Mutates the bytes of a file, the same way for the same seed, to test readers.
 
 #ifndef heliosMutation_h
 #define heliosMutation_h
@@ -14,7 +14,7 @@
 namespace helios
 {
 
-/// How many damaged files a test gives to a reader: HELIOS_MUTATIONS, or 200.
+/// Number of mutated files that a test passes to a reader: HELIOS_MUTATIONS, or 200.
 inline int GetNumberOfMutations()
 {
   const char* text = std::getenv("HELIOS_MUTATIONS");
@@ -22,7 +22,8 @@ inline int GetNumberOfMutations()
   return number > 0 ? number : 200;
 }
 
-/// One to four of: cut off, bytes changed, taken out, doubled, moved, or replaced by what readers trip over.
+/// One to four of: truncated, bytes changed, removed, duplicated, moved, or replaced by critical
+/// values.
 class Mutator
 {
 public:
@@ -40,7 +41,7 @@ public:
     return bytes;
   }
 
-  /// Another value in the place of one of the numbers: the rest of a text stays as it is.
+  /// Replaces one of the numbers; the rest of the text is unchanged.
   std::string ChangeNumber(std::string text)
   {
     static const char* const values[] = { "1e308", "-1e308", "1e-320", "1e999", "0", "-0", "-1",
@@ -94,7 +95,7 @@ private:
     }
   }
 
-  std::mt19937 Generator; // the same numbers everywhere
+  std::mt19937 Generator; // the same sequence everywhere
 };
 
 } // namespace helios

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Feeds damaged files to everything of vtkHelios that reads files."""
+"""Passes damaged files to all file readers of vtkHelios."""
 
 import argparse
 import collections
@@ -76,7 +76,7 @@ def parse(argv):
 
 
 def choose(patterns, known):
-    """The targets that patterns name; a word that is no target, or None."""
+    """The targets matched by patterns; a word that matches none, or None."""
     import fnmatch
 
     chosen = {}
@@ -89,13 +89,13 @@ def choose(patterns, known):
 
 
 def share(targets, cases):
-    """How many mutants each target gets."""
+    """Number of mutants of each target."""
     total = sum(target.weight for target in targets)
     return [max(1, round(cases * target.weight / total)) if cases else 0 for target in targets]
 
 
 def make_batches(target, seeds, mutants):
-    """The good files, those that failed once, and mutants, in batches."""
+    """The valid files, earlier failures, and mutants, in batches."""
     cases = [f"seed:{name}" for name in dict.fromkeys(seed.name for seed in seeds)]
     cases += [f"kept:{name}" for name in target.kept()]
     cases += [str(number) for number in range(mutants)]
@@ -104,7 +104,7 @@ def make_batches(target, seeds, mutants):
 
 
 class Tally:
-    """What came of all cases, and the progress line."""
+    """The results of all cases, and the progress line."""
 
     def __init__(self, total, quiet):
         self.rows = collections.defaultdict(collections.Counter)
@@ -141,7 +141,7 @@ class Tally:
         print(line.ljust(70), end=end, file=sys.stderr, flush=True)
 
     def table(self, markdown):
-        """The table, and its sums."""
+        """The table with its sums."""
         head = ["target", *COLUMNS, "peak MB", "slowest s"]
         rows = [
             [name, *(row[column] for column in COLUMNS), self.peak[name] >> 20,
@@ -171,7 +171,7 @@ def _format(rows, markdown):
 
 
 def save(failure, target, seeds, arguments):
-    """Saves a failing input; how to run it again."""
+    """Saves a failing input; returns its command."""
     seed, data = target.make_input(seeds, failure.case, arguments.seed)
     if failure.case.startswith("kept:"):
         path = outcomes_folder(target) / failure.case[5:]
@@ -239,7 +239,7 @@ def run(targets, arguments):
 
 
 def warm_up(targets):
-    """Imports once what all workers would."""
+    """Imports shared modules for all workers."""
     import importlib
 
     modules = ["vtkhelios.cli", "vtkhelios.formats._run", "vtkhelios.formats._copc"]
@@ -253,7 +253,7 @@ def warm_up(targets):
 
 
 def all_batches(targets, seeds, arguments, settings):
-    """What to run, targets in turn, so that the time left is told well."""
+    """All batches, targets in turn, for a good time estimate."""
     if arguments.input or arguments.case:
         target = next(iter(targets.values()))
         case = arguments.case

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kills runs, damages what they left, and resumes them.
+"""Kills runs, damages their output, and resumes them.
 
-    PYTHONPATH=build/lib/python3/dist-packages build/venv/bin/python Testing/Fuzz/resume.py --kills 100 --cases 2500
+    PYTHONPATH=build/lib/python3/dist-packages build/venv/bin/python Testing/Fuzz/resume.py --kills
+    100 --cases 2500
 
-A small survey is run to its end as text, LAS and VTK XML, and again and again with SIGKILL at a random
-moment. What each killed run leaves is resumed as it is, and many times with damage to its journal and its
-files. A resume has two right ends: the bytes of the run that was not disturbed, or exit code 1 and an
-error. Anything else is printed with the seed of the case, and the exit code is 1.
+A small survey is run to the end as text, LAS and VTK XML, and repeatedly with SIGKILL at a random
+time. The output of each killed run is resumed unchanged, and many times with damage to its journal
+and its files. A resume has two valid results: byte-identical to the undisturbed run, or exit code 1
+and an error. Anything else is printed with the seed of the case, and the exit code is 1.
 """
 
 import argparse
@@ -47,7 +48,7 @@ YARD = "v -60 -60 0\nv 60 -60 0\nv 60 60 0\nv -60 60 0\nf 1 2 3 4\n" + "".join(
     for k in range(-20, 20)
 )
 
-# The survey and the options of a run. Of a strip all legs write to the same files.
+# The survey and the options of a run. All legs of a strip write to the same files.
 RUNS = {
     "text": ["legs.xml", "--format", "xyz", "--waveforms", "--pulses"],
     "las": ["legs.xml", "--format", "las", "--waveforms"],
@@ -68,7 +69,7 @@ def write_survey(folder):
 
 
 def run(name, output, *options):
-    """Runs a survey through the command line; the exit code and what it says."""
+    """Runs a survey through the command line; returns the exit code and messages."""
     from vtkhelios.cli import main
 
     said = io.StringIO()
@@ -88,7 +89,7 @@ def without_timings(summary):
 
 
 def contents(folder):
-    """The digest of every file; of the summary all but what the computer and the day give it."""
+    """The digest of every file; of the summary without host-dependent and time values."""
     found = {}
     for path in folder.iterdir():
         data = path.read_bytes()
@@ -98,7 +99,7 @@ def contents(folder):
     return found
 
 
-# What is done to the bytes of any file
+# Damage to the bytes of any file
 
 
 def change_bytes(data, chance):
@@ -130,7 +131,7 @@ def remove_bytes(data, chance):
 ANY = [change_bytes, change_bytes, zero_bytes, cut_end, add_bytes, remove_bytes]
 
 
-# What is done to the lines of a journal
+# Damage to the lines of a journal
 
 
 def delete_line(data, chance):
@@ -170,7 +171,7 @@ LINES = [delete_line, double_line, swap_lines, remove_key, change_number, cut_en
 
 
 def damage_journal(folder, chance, others):
-    """Damages the journal; says how."""
+    """Damages the journal; returns how."""
     path = folder / JOURNAL
     kind = chance.choice([*ANY, *LINES, *LINES, "other", "empty", "gone"])
     if kind == "other":
@@ -185,7 +186,7 @@ def damage_journal(folder, chance, others):
 
 
 def damage_file(folder, chance):
-    """Damages a file of points, waveforms, pulses or trajectories; says how."""
+    """Damages a file of points, waveforms, pulses or trajectories; returns how."""
     files = sorted(path for path in folder.iterdir() if path.name not in (JOURNAL, SUMMARY))
     if not files:
         return "no file"
@@ -204,7 +205,7 @@ def damage_file(folder, chance):
 
 
 def damage_finished(folder, chance):
-    """Damages the summary of a run that is finished, or the size of one of its files; says how."""
+    """Damages the summary of a finished run, or the size of one of its files; returns how."""
     if chance.random() < 0.7:
         path = folder / SUMMARY
         kind = chance.choice([*ANY, remove_key, change_number])
@@ -216,7 +217,7 @@ def damage_finished(folder, chance):
 
 
 def judge(code, said, folder, truth):
-    """What is wrong with how a resume ended; empty: nothing."""
+    """The error in how a resume ended; empty: none."""
     if "Traceback" in said:
         return "a traceback: " + said
     if code == 0:
@@ -232,7 +233,7 @@ def judge(code, said, folder, truth):
 
 
 def in_child(work, seconds=SLOWEST):
-    """Calls work(tell) in a child; what it tells, and how it ended. A child that is silent for long is killed."""
+    """Calls work(tell) in a child; returns its messages, and how it ended. A child silent for too long is killed."""
     read, write = os.pipe()
     child = os.fork()
     if child == 0:
@@ -275,7 +276,7 @@ class Campaign:
         print("WRONG", text, flush=True)
 
     def run_whole(self, name):
-        """The run that is not disturbed, and how many lines its journal had."""
+        """The undisturbed run, and the number of its journal lines."""
         (((code, said),), _) = in_child(lambda tell: tell(run(name, self.folder / "whole" / name)))
         assert code == 0, said
         folder = self.folder / "whole" / name / "yard"
@@ -284,7 +285,7 @@ class Campaign:
         return 1 + sum(1 - -leg["pulses"] // BLOCK for leg in legs)
 
     def kill(self, name, number, lines):
-        """Keeps what a killed run leaves if its journal has a line of progress."""
+        """Keeps the output of a killed run if its journal has a line of progress."""
         output = self.folder / "killed" / name / str(number)
         child = os.fork()
         if child == 0:
@@ -309,7 +310,7 @@ class Campaign:
             self.left[name].append(folder)
 
     def resume_all(self, name, cases):
-        """Resumes what was left: as it is, then damaged."""
+        """Resumes the output: unchanged, then damaged."""
         folders = self.left[name]
         jobs = [(folder, None) for folder in folders]
         seeds = [self.chance.getrandbits(48) for _ in range(cases)]
@@ -384,7 +385,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--verbose", action="store_true", help="figures of every kind of damage")
     arguments = parser.parse_args()
-    fast = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # whose fsync takes no time
+    fast = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where fsync takes no time
     with tempfile.TemporaryDirectory(dir=fast) as folder:
         folder = pathlib.Path(folder)
         write_survey(folder)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A few thousand damaged files over all targets; Testing/run.sh --fuzz feeds 100,000."""
+"""A few thousand damaged files over all targets; Testing/run.sh --fuzz runs 100,000."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ PROGRAM = fuzz.__file__
 
 @pytest.fixture(scope="module")
 def campaign(tmp_path_factory):
-    """What came of all cases: failures by target, and the table."""
+    """The results of all cases: failures by target, and the table."""
     failures = tmp_path_factory.mktemp("failures")
     done = call("--cases", CASES, "--quiet", "--failures", failures, "--hang", 60)  # busy machines
     assert done.returncode in (0, 1), done.stderr
@@ -50,7 +50,7 @@ def test_the_table_sums_up(campaign):
     counts = [int(each.replace(",", "")) for each in row[1:9]]
     assert counts[0] == sum(counts[1:])
     assert counts[0] > 0.9 * CASES
-    assert counts[1] > 0.1 * counts[0] and counts[2] > 0.1 * counts[0]  # both happen
+    assert counts[1] > 0.1 * counts[0] and counts[2] > 0.1 * counts[0]  # both occur
 
 
 def test_a_failure_is_saved_with_its_command(tmp_path, monkeypatch, capsys):

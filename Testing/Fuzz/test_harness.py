@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The harness itself: it notices what it is there for, on targets that fail on purpose."""
+"""The harness itself: it detects failures, on targets that fail on purpose."""
 
 import ctypes
 import os
@@ -18,7 +18,7 @@ CASES = [str(number) for number in range(5)]
 
 
 class Fake(target.Target):
-    """Reads a file of a word by a function of the path and the bytes."""
+    """Reads a one-word file by a function of the path and the bytes."""
 
     name = "fake"
     kind = "text"
@@ -51,7 +51,7 @@ def run(tmp_path, action, cases=CASES, hang=20.0, memory=None, monkeypatch=None)
 
 
 def at(case, action):
-    """An action that misbehaves at one case only: the harness attributes it, and goes on."""
+    """An action that fails in one case only: the harness attributes it, and continues."""
     source = Fake(None).make_input(SEEDS, case, 1)[1]
     return lambda path, data: action() if data == source else None
 
@@ -285,6 +285,6 @@ def test_lines_are_counted_only_where_that_is_simple():
 
 
 def test_pages_get_their_checksums():
-    assert targets_points.crc32c(b"123456789") == 0xE3069283  # of its standard
+    assert targets_points.crc32c(b"123456789") == 0xE3069283  # from its standard
     mended = targets_points.mend_pages(b"a" * 1020 + b"junk")
     assert mended == b"a" * 1020 + struct.pack(">I", targets_points.crc32c(b"a" * 1020))

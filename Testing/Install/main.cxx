@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fires a scanner with a deflector of our own at the plane z = 0 from 10 m above it. An echo at scan
+// Runs a scanner with a custom deflector over the plane z = 0 from 10 m above it. An echo at scan
 // angle a must lie at range 10 m / cos a, on the plane.
 #include "ownZigzagMirror.h"
 
@@ -55,7 +55,7 @@ void MakeWaypoint(vtkPolyData* waypoint)
   waypoint->SetPoints(points);
 }
 
-/// The largest distance of an echo from where it must be [m].
+/// The largest distance of an echo from its expected position [m].
 double FindLargestError(vtkPolyData* echoes)
 {
   vtkDataArray* range = echoes->GetPointData()->GetArray("Range");

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   ownZigzagMirror
- * @brief   a deflector that is not part of vtkHelios: it looks down, to and fro across the track
+ * @brief   a custom deflector outside of vtkHelios: it sweeps across track, back and forth
  *
- * Pulse i points to the angle ScanAngle (1 - |4 frac(i / PulsesPerPeriod) - 2|)
- * from straight down, in the plane of x and z.
+ * Pulse i points to the angle ScanAngle (1 - |4 frac(i / PulsesPerPeriod) - 2|) from nadir, in the
+ * xz plane.
  */
 
 #ifndef ownZigzagMirror_h
@@ -21,8 +21,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the largest angle from straight down [deg]. Valid range: [0, 89].
-   * Default: 30.
+   * Set/Get the largest angle from nadir [deg]. Valid range: [0, 89]. Default: 30.
    */
   vtkSetClampMacro(ScanAngle, double, 0.0, 89.0);
   vtkGetMacro(ScanAngle, double);

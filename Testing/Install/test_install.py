@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The installed package, as other projects use it: find_package(vtkHelios), and pip install."""
+"""The installed package in other projects: find_package(vtkHelios), and pip install."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ BUILD = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # <build>/lib/py
 
 
 def call(*command, **options):
-    """Runs a command, without the PYTHONPATH of this build, and returns what it prints."""
+    """Runs a command, without the PYTHONPATH of this build, and returns its output."""
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
     done = subprocess.run(
         [str(word) for word in command],
@@ -106,7 +106,7 @@ def test_pip_install(tmp_path):
         "import vtkhelios; print(*vtkhelios.__all__, vtkhelios.__file__)",
         cwd=tmp_path,
     ).split()
-    under_gpl = {"vtkHeliosCgalRayCaster", "vtkHeliosMeshSimplify"}  # left out where nobody asks for it
+    under_gpl = {"vtkHeliosCgalRayCaster", "vtkHeliosMeshSimplify"}  # omitted unless requested
     assert names[:-1] == [name for name in vtkhelios.__all__ if name not in under_gpl]
     assert names[-1].startswith(str(tmp_path))
 

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The layers of vtkHelios, and who breaks them.
+"""The layers of vtkHelios, and their violations.
 
-A module may use modules of lower layers only. What it may use it declares in its
-vtk.module, and its sources include no header of a module it does not declare.
+A module may use modules of lower layers only. It declares them in its vtk.module, and its sources
+include no header of an undeclared module.
 """
 
 import pathlib
 import re
 
-# From the bottom up; the modules of one layer do not see each other.
+# From the bottom up; the modules of a layer are independent.
 LAYERS = [
     ["FiltersCore"],
     ["FiltersIO", "FiltersScene", "FiltersPCL"],
@@ -24,7 +24,8 @@ LAYERS = [
 ]
 LAYER = {name: number for number, names in enumerate(LAYERS) for name in names}
 
-# The home of each library (CGAL's GPL parts are in two optional modules); its headers are included in sources (.cxx) only.
+# The home of each library (CGAL's GPL parts are in two optional modules); only sources (.cxx)
+# include its headers.
 HOMES = {
     r"embree3/": "ScannerRayCastingEmbree",
     r"pugixml": "ScannerSurvey",
@@ -77,7 +78,7 @@ def used_modules(entries):
 
 
 def find_edge_faults(modules):
-    """Edges that do not go down, as lines of text."""
+    """Dependencies that do not point down, as lines of text."""
     faults = []
     for name, (entries, _) in modules.items():
         if name not in LAYER:
@@ -93,12 +94,12 @@ def find_edge_faults(modules):
 
 
 def sources_of(folder):
-    """The sources of a module, without its tests and the modules below it."""
+    """The sources of a module, without its tests and submodules."""
     return [path for path in sorted(folder.glob("*")) if path.suffix in (".h", ".cxx")]
 
 
 def find_include_faults(modules):
-    """Headers included from modules that vtk.module does not name, and libraries away from home."""
+    """Headers included from undeclared modules, and libraries used outside their home."""
     owner = {
         path.name: name for name, (_, folder) in modules.items() for path in sources_of(folder)
     }

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad input to `vtkhelios run`: a clear message, an exit code, and nothing lost."""
+"""Invalid input to `vtkhelios run`: a clear message, an exit code, and no data loss."""
 
 import os
 import pathlib

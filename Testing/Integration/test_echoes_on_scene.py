@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Without noise, the echo of a single surface lies on the scene: asked of VTK's own cell locator."""
+"""Without noise, the echo of a single surface lies on the scene, checked with VTK's cell locator."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkPolyData, vtkStatic
 import vtkhelios
 
 DIVERGENCE = 0.5e-3  # rad, full angle at 1/e^2
-CONE = 1.5 * DIVERGENCE / 2  # half angle of the cone that is sampled
+CONE = 1.5 * DIVERGENCE / 2  # half angle of the sampled cone
 
 
 def one_point(x, y, z):
@@ -23,7 +23,7 @@ def one_point(x, y, z):
 
 
 def make_scanner(scene, position):
-    """A tripod that looks all round, 200,000 pulses."""
+    """A tripod with a 360 deg scan, 200,000 pulses."""
     tripod = vtkhelios.vtkHeliosStaticPlatform()
     tripod.SetInputData(one_point(*position))
     mirror = vtkhelios.vtkHeliosRotatingMirror()
@@ -42,7 +42,7 @@ def make_scanner(scene, position):
 
 
 def distances(mesh, points):
-    """From each point to the nearest triangle."""
+    """Distances of points to the nearest triangle."""
     locator = vtkStaticCellLocator()
     locator.SetDataSet(mesh)
     locator.BuildLocator()
@@ -56,7 +56,7 @@ def distances(mesh, points):
 
 
 def sub_ray_ranges(scanner, pulses):
-    """The least and the largest range that sub-rays of each of some pulses met."""
+    """The minimum and maximum range of the sub-rays of each of some pulses."""
     hits = vtkhelios.arrays(scanner.GetOutput(3))
     nearest = np.full(pulses.max() + 1, np.inf)
     farthest = -nearest
@@ -80,12 +80,12 @@ def test_single_echoes_lie_on_the_scene(kind):
     assert single.sum() > 5_000
     ranges = columns["Range"][single]
     away = distances(scene.GetOutput(), columns["points"][single])
-    # On a plane only the middle of the beam counts; across an edge the echo is of all the beam.
+    # On a plane only the beam's centre matters; across an edge the echo is of the whole beam.
     assert np.quantile(away, 0.5) < 1e-5
     assert np.quantile(away, 0.98) < 2e-3
     nearest, farthest = sub_ray_ranges(scanner, columns["PulseIds"][single])
     assert np.all((ranges > nearest - 1e-5) & (ranges < farthest + 1e-5))
-    # What spreads farther than one plane would are two surfaces, with their echo between them.
+    # A spread larger than one plane's means two surfaces, with their echo between them.
     footprint = CONE * ranges / np.cos(np.radians(columns["IncidenceAngle"][single]))
     on_one = farthest - nearest <= 2 * footprint + 1e-5
     assert on_one.mean() > 0.995
@@ -104,5 +104,5 @@ def test_a_shift_to_utm_shifts_the_cloud():
     assert len(clouds[0]["points"]) == pytest.approx(len(clouds[1]["points"]), rel=1e-3)
     both = np.intersect1d(clouds[0]["PulseIds"], clouds[1]["PulseIds"], return_indices=True)[1:]
     moved = clouds[1]["points"][both[1]] - shift - clouds[0]["points"][both[0]]
-    # coordinates of corners round to 1e-9 m there; a grazing surface stretches that
+    # coordinates of vertices round to 1e-9 m there; grazing incidence amplifies that
     assert np.quantile(np.abs(moved), 0.99) < 1e-8

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Disks that fill up at any point of a run: an error that says so, no wrong file, and resume when there is room."""
+"""Disks that fill up at any point of a run: an error about it, no wrong file, and resume once there is space."""
 
 import hashlib
 import json
@@ -56,7 +56,7 @@ def digests(folder):
 
 @pytest.fixture
 def disk(tmp_path):
-    """A function that gives the folder "disk" a size [KiB]."""
+    """A function that sets the size [KiB] of the folder "disk"."""
     (tmp_path / "survey.xml").write_text(SURVEY)
     (tmp_path / "scene.xml").write_text(SCENE)
     (tmp_path / "yard.obj").write_text(YARD)

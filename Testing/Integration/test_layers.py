@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""No module uses one above it, and the check for that can fail."""
+"""No module uses a higher one, and the check can fail."""
 
 import importlib.util
 import pathlib

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs that are killed, starved or robbed of their folder, and go on."""
+"""Runs that are killed, out of resources or lose their folder, and resume."""
 
 import hashlib
 import json
@@ -46,9 +46,9 @@ FORMATS = {
 KILLS = 12  # of each format
 BLOCK = ["--pulses-per-block", "1000"]
 
-# The folder, the seed, how many kills, a command line. Runs it to its end; then again and again in children of
-# its own, each killed at some moment and gone on with by the next; the last one may end. What is killed before
-# it has a journal begins anew, as the message says.
+# The folder, the seed, number of kills, a command line. Runs it to the end; then repeatedly in
+# child processes, each killed at a random time and resumed by the next; the last one may end. A run
+# killed before it has a journal starts again, as the message states.
 KILLER = """\
 import json, os, pathlib, random, shutil, signal, sys, time
 from vtkhelios.cli import main
@@ -109,7 +109,7 @@ def run(folder, *options, **more):
 
 
 def digests(folder):
-    """The SHA-256 of every file of a run but its summary, which has timings."""
+    """The SHA-256 of every file of a run except its summary, which has timings."""
     return {
         path.name: hashlib.sha256(path.read_bytes()).hexdigest()
         for path in folder.iterdir()
@@ -118,14 +118,14 @@ def digests(folder):
 
 
 def summary(folder):
-    """All of a summary that no host adds to."""
+    """The host-independent part of a summary."""
     report = json.loads((folder / "run_summary.json").read_text())
     assert report.pop("timings").keys() == {"load_s", "run_s", "legs_s", "threads"}
     return report
 
 
 def break_off(survey, *options, size=200_000):
-    """A run that ends early, since no file may have more bytes."""
+    """A run that ends early, due to a file size limit."""
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     done = run(survey, *BLOCK, *options, preexec_fn=limit)
     assert done.returncode == 1, done
@@ -162,7 +162,7 @@ def test_a_file_that_may_not_grow(name, survey):
     assert "are safe in" in done.stderr and "Resume" in done.stderr
     folder = survey / "output/yard"
     assert not (folder / "run_summary.json").exists() and (folder / "run.journal").exists()
-    # neither anew nor with other settings
+    # neither restarted nor with other settings
     done = run(survey, *BLOCK, *FORMATS[name])
     assert done.returncode == 1 and "not finished: set Resume (--resume) to go on" in done.stderr
     done = run(survey, *BLOCK, *FORMATS[name], "--seed", "4", "--resume")

@@ -15,7 +15,7 @@ gdal.UseExceptions()
 EAST, NORTH = 478233.5100801130, 5471966.6981215651
 LATITUDE, LONGITUDE = 49.4, 8.7
 GROUND = 110.0
-CONE = 1.5 * 0.35e-3 / 2  # rad, half angle of the cone that is sampled, of the scanner below
+CONE = 1.5 * 0.35e-3 / 2  # rad, half angle of the sampled cone of the scanner below
 
 SURVEY = """\
 <document><survey name="town" platform="platforms.xml#tripod" scanner="scanners.xml#vz400_class_tls"
@@ -42,7 +42,7 @@ MATERIALS = "newmtl grass\nhelios_reflectance 0.4\nhelios_classification 2\nheli
 
 
 def write_terrain(path, epsg, x, y, pixel, side=80):
-    """Level ground about (x, y), as a raster of north-up pixels."""
+    """Level ground around (x, y), as a raster of north-up pixels."""
     driver = gdal.GetDriverByName("GTiff")
     raster = driver.Create(str(path), side, side, 1, gdal.GDT_Float32)
     reference = osr.SpatialReference()
@@ -55,7 +55,7 @@ def write_terrain(path, epsg, x, y, pixel, side=80):
 
 
 def write_wall(path):
-    """Points 0.1 m apart on a wall 8 m north of the middle, 4 m wide, 2 m high."""
+    """Points 0.1 m apart on a wall 8 m north of the centre, 4 m wide, 2 m high."""
     x, z = np.meshgrid(np.arange(-2, 2, 0.1), np.arange(0, 2, 0.1))
     points = np.stack([EAST + x.ravel(), np.full(x.size, NORTH + 8), GROUND + z.ravel()], axis=-1)
     np.savetxt(path, points, fmt="%.3f", delimiter=";")
@@ -63,7 +63,7 @@ def write_wall(path):
 
 @pytest.fixture
 def run(tmp_path):
-    """Runs a survey of a scene with these parts; returns the echoes, or the text of the errors."""
+    """Runs a survey of a scene with these parts; returns the echoes, or the error texts."""
     write_terrain(tmp_path / "terrain.tif", 32632, EAST, NORTH, (1.0, 1.0))
     write_wall(tmp_path / "wall.xyz")
     (tmp_path / "ground.mtl").write_text("newmtl asphalt\n" + MATERIALS)
@@ -121,14 +121,14 @@ def test_three_kinds_in_one_scene(run):
     ground = single & (part == 0)
     away = np.abs(points[ground, 2] - GROUND)
     assert np.quantile(away, 0.99) < 2e-3
-    # Where a part cuts the footprint the echo is that of the rest: never more than the footprint away.
+    # If a part cuts the footprint the echo is that of the rest: at most the footprint away.
     cosine = np.cos(np.radians(echoes["IncidenceAngle"][ground]))
     assert np.all(away < CONE * echoes["Range"][ground] / cosine + 1e-5)
     assert np.all(echoes["ClassificationIds"][part == 0] == 2)
-    # The house stands on the ground, its west side 8 m away.
+    # The house is on the ground, its west side 8 m away.
     assert points[part == 1, 0].min() == pytest.approx(EAST + 8, abs=1e-3)
     assert points[part == 1, 2].min() > GROUND - 0.05
-    # The wall is one layer of cells of 0.25 m from its points' minimum on.
+    # The wall is one layer of 0.25 m voxels from the minimum of its points on.
     wall = points[single & (part == 2)]
     assert wall[:, 1].min() == pytest.approx(NORTH + 8, abs=1e-2)
     assert wall[:, 1].max() <= NORTH + 8.25 + 1e-2
@@ -151,7 +151,7 @@ def test_a_raster_in_degrees_is_reprojected_on_request(run):
     points = vtkhelios.arrays(cloud)["points"]
     middle = (points.min(axis=0) + points.max(axis=0)) / 2
     assert np.abs(points[:, 2] - GROUND).max() < 2e-2
-    # 40 pixels each way: metres of a degree there, by the meridian's and the parallel's radius
+    # 40 pixels each way: metres per degree there, by the radii of meridian and parallel
     assert np.abs(middle[:2] - (EAST, NORTH)).max() < 1.5
     assert np.ptp(points[:, 0]) < 82 and np.ptp(points[:, 1]) < 82
 

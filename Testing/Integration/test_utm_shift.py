@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A survey moved to UTM coordinates gives the same cloud, moved: to 1e-8 m, every point of it."""
+"""A survey moved to UTM coordinates gives the same cloud, moved: to 1e-8 m, at every point."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ SCENE = """\
 
 
 def make_hills(path, side=120):
-    """A rough surface whose coordinates are multiples of 2^-10 m: they shift without rounding."""
+    """A rough surface whose coordinates are multiples of 2^-10 m: shifts do not round."""
     x, y = np.meshgrid(np.arange(side) - side / 2, np.arange(side) - side / 2)
     z = np.random.default_rng(0).normal(0.0, 0.7, x.shape)
     points = np.round(1024 * np.stack([x, y, z], axis=-1).reshape(-1, 3)) / 1024

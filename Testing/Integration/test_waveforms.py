@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Waveforms of a run: written as text and as VTK tables, read back, and where their echoes are."""
+"""Waveforms of a run: written as text and as VTK tables, read back, and the positions of their echoes."""
 
 import os
 import pathlib
@@ -32,7 +32,7 @@ SCENE = """\
 
 
 def steps():
-    """A floor, and walls one behind the other with gaps between them."""
+    """A floor, and walls behind each other with gaps between them."""
     lines = ["v -60 -60 0", "v 60 -60 0", "v 60 60 0", "v -60 60 0", "f 1 2 3 4"]
     for k in range(40):
         x, y = -10 + 0.5 * k, 15 + 0.8 * (k % 3)
@@ -87,7 +87,7 @@ def test_text_and_binary_are_the_same_waveforms(run):
     for name, rounding in (("Origin", 5e-5), ("StartTime", 5e-5), ("GpsTime", 5e-10)):
         np.testing.assert_allclose(text[name], binary[name], rtol=0, atol=1.01 * rounding)
     np.testing.assert_allclose(text["Direction"], binary["Direction"], rtol=0, atol=1e-9)
-    # 9 decimals of a nanowatt, and the rounding of a float
+    # 9 decimals of a nanowatt, and float rounding
     np.testing.assert_allclose(text["Samples"], binary["Samples"], rtol=6e-8, atol=5.1e-19)
 
 
@@ -123,7 +123,7 @@ def test_echoes_are_where_their_waveforms_peak(run, fwf):
     assert (echoes["WaveformIds"] == echoes["PulseIds"]).all()
     several = np.flatnonzero(echoes["NumberOfReturns"] > 1)
     assert len(several) > 20
-    sigma = 3.0 / 2.3548  # of a pulse, or less
+    sigma = 3.0 / 2.3548  # of a pulse, at most
     for i in np.concatenate([several[:200], np.arange(0, len(echoes["Range"]), 97)]):
         row = rows[echoes["WaveformIds"][i]]
         samples, bin_size = samples_of(waveforms, row), waveforms["BinSize"][row]
@@ -146,7 +146,7 @@ def test_curves_stand_beside_their_echoes(run):
     output = vtkhelios.update(curves)
     assert output.GetNumberOfLines() == -(-len(waveforms["PulseIds"]) // 50)
     points = vtkhelios.arrays(output)
-    # along the beam at the range, across it by the share of the largest amplitude
+    # along the beam at the range, across it scaled by the largest amplitude
     origin = np.array([0.0, 0.0, waveforms["Origin"][0][2]])
     largest = np.abs(waveforms["Samples"]).max()
     squared = points["Range"] ** 2 + (2 * points["Amplitude"] / largest) ** 2

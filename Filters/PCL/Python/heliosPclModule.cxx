@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkhelios._pcl: clouds of PCL in Python, as numpy sees them without a copy. vtkhelios/pcl.py is its
-// public face.
+// vtkhelios._pcl: PCL clouds in Python, as numpy views without a copy. The public interface is
+// vtkhelios/pcl.py.
 #include "heliosPclCloud.h"
 
 #include <vtkNew.h>
@@ -75,7 +75,7 @@ Triple ToTriple(const py::object& origin)
   return { numbers.at(0), numbers.at(1), numbers.at(2) };
 }
 
-/// A cloud with its origin. Views of it hold the cloud, so that it outlives this.
+/// A cloud with its origin. Views share ownership of the cloud, so that it outlives this.
 template <typename PointT>
 class Cloud
 {
@@ -189,7 +189,7 @@ void Define(py::module_& module, const char* name, const char* doc)
 
 PYBIND11_MODULE(_pcl, module)
 {
-  py::module_::import("vtkmodules.vtkCommonDataModel"); // knows vtkPolyData
+  py::module_::import("vtkmodules.vtkCommonDataModel"); // registers vtkPolyData
   module.doc() = "Clouds of the Point Cloud Library, as numpy sees them without a copy.";
   Define<pcl::PointXYZ>(module, "CloudXYZ", "A pcl::PointCloud<pcl::PointXYZ>: x y z.");
   Define<pcl::PointXYZI>(module, "CloudXYZI",

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the planner is made of, against trying all choices of small problems.
+// Components of the planner, compared with enumeration of small problems.
 
 #include "heliosCoverBest.h"
 #include "heliosCoverBound.h"
@@ -43,7 +43,8 @@ void AskForPart(SmallCover& cover, int seed)
   cover.Problem.Require(share * cover.Problem.GetWeight(cover.Problem.Coverable.data()));
 }
 
-/// The paper's loop, word by word: the first in the order that sees nothing alone leaves; again.
+/// The paper's loop, literally: the first in the order that sees no point exclusively leaves;
+/// repeat.
 Choice RemoveLiterally(const SmallCover& cover, const Choice& order)
 {
   Choice remaining = order;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Worst and mean incidence among covers of as few scans, each step against trying all.
+// Worst and mean incidence among minimum covers, each step compared with enumeration.
 
 #include "heliosCoverQuality.h"
 #include "heliosSmallCovers.h"
@@ -17,7 +17,7 @@ using helios::Quality;
 namespace
 {
 
-/// Candidates above, and points with any normals.
+/// Candidates above, and points with random normals.
 helios::Incidence MakeIncidence(int candidates, int points, unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -68,7 +68,7 @@ struct Trial
   Choice Start; // the worst of the optima
 };
 
-/// The first cover of so many, by the tree.
+/// The first cover of at most count scans, by the tree.
 CoverAnswer Solve(const helios::CoverProblem& problem, int count, Choice& choice)
 {
   const helios::BitMatrix columns = helios::Transpose(problem.Rows);

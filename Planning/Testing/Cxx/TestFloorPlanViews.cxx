@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Floor plans with walls 3 m high: rays in space see what lines in the plan see.
+// Floor plans with walls 3 m high: visibility by rays in space equals that by lines in the plan.
 
 #include "vtkHeliosViewsheds.h"
 

@@ -197,7 +197,7 @@ TEST_CASE("of one scan the best is known by trying all", "[vtkHeliosScanPosition
 
 TEST_CASE("coverage-limited reduction follows the known curves", "[vtkHeliosScanPositionPlanner]")
 {
-  // Test points covered by so many scans, the fewest scans first.
+  // Test points covered by this many scans, the fewest scans first.
   const std::vector<std::pair<int, std::vector<int>>> curves = {
     { 4, { 500, 607, 630, 636, 640, 642 } },
     { 5, { 799, 1110, 1195, 1229, 1239 } },

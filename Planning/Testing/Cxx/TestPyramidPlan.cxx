@@ -41,7 +41,7 @@ struct Experiment
     const helios::Pyramid& pyramid = helios::Pyramid(), double scannerHeight = 1.5)
     : Scene(helios::MakePyramidScene(pyramid))
   {
-    // The grid goes over whole metres and, with 0.5 m, over half ones: the mesh's edges are beside it.
+    // The grid is on whole metres and, with 0.5 m, half metres: the mesh's edges are off the grid.
     const double half = std::floor(pyramid.Ground) + 0.5 * step;
     this->Candidates->SetInputData(this->Scene);
     this->Candidates->SetRegion(-half, half, -half, half);
@@ -69,7 +69,7 @@ struct Experiment
     this->Planner->SetInputConnection(1, this->TestPoints->GetOutputPort());
   }
 
-  /// The positions of a method, in rows of x from the smallest y on.
+  /// The positions selected by a method, in rows of x from the smallest y on.
   std::vector<Vec3> Plan(int method)
   {
     this->Planner->SetMethod(method);
@@ -85,7 +85,7 @@ struct Experiment
     return positions;
   }
 
-  /// How many of these stand on the structure.
+  /// The number of positions on the structure.
   static std::ptrdiff_t CountOnTop(const std::vector<Vec3>& positions)
   {
     return std::count_if(
@@ -93,7 +93,7 @@ struct Experiment
   }
 };
 
-/// Whether two positions are opposite corners of a square about the origin, but for some metres.
+/// Whether two positions are opposite corners of a square about the origin, within a few metres.
 bool AreOppositeCorners(const std::vector<Vec3>& p, double half)
 {
   return p.size() == 2 && std::abs(std::abs(p[0][0]) - half) <= 1.0 &&
@@ -155,7 +155,7 @@ TEST_CASE("the pyramid: greedy takes three, the best is two", "[PyramidPlan]")
   CHECK(added->GetTuple1(0) == 401); // the one on top
   CHECK(added->GetTuple1(0) + added->GetTuple1(1) + added->GetTuple1(2) == 441);
   CHECK(experiment.Plan(Planner::BEST).size() == 2);
-  CHECK(experiment.Planner->GetLowerBound() > 1.0); // so that two are needed
+  CHECK(experiment.Planner->GetLowerBound() > 1.0); // two are needed
   CHECK(experiment.Planner->GetLowerBound() <= 2.0 + 1e-9);
 }
 
@@ -189,13 +189,14 @@ TEST_CASE("the pyramid with points from the side, and on a finer grid", "[Pyrami
     CHECK(IsAt(bySize[2], -2, 10, 1.5));
     const auto byAngle = experiment.Plan(Planner::MEAN_INCIDENCE_ANGLE);
     REQUIRE(byAngle.size() == 2);
-    CHECK(AreOppositeCorners(byAngle, 10.0)); // which pair, normals on edges decide
+    CHECK(AreOppositeCorners(byAngle, 10.0)); // normals on edges decide which pair
   }
   SECTION("half metres")
   {
     Experiment experiment(0.5);
     const auto bySize = experiment.Plan(Planner::VIEWSHED_SIZE);
-    // 32 steep ones; those at 2.5 m, on the edge to the ground, count as ground: its cells come first.
+    // 32 steep ones; those at 2.5 m, on the edge to the ground, count as ground: its cells come
+    // first.
     CHECK(experiment.Candidates->GetOutput()->GetNumberOfPoints() == 1681 - 32);
     CHECK(experiment.TestPoints->GetOutput()->GetNumberOfPoints() == 1681);
     CHECK(bySize.size() == 4);
@@ -217,8 +218,8 @@ TEST_CASE("the pyramid's outcome does not hang on details", "[PyramidPlan]")
   experiment.Viewsheds->SetHitTolerance(tolerance);
   CAPTURE(tolerance, step, withBeside);
   const auto bySize = experiment.Plan(Planner::VIEWSHED_SIZE);
-  // On the finer grid, with points at the shoulder's edge, two on top are enough (so says a loop
-  // over all lines and triangles, too).
+  // On the finer grid, with points at the shoulder's edge, two on top are enough (confirmed by a
+  // loop over all lines and triangles).
   CHECK(bySize.size() >= (step == 0.5 && withBeside ? 2 : 3));
   CHECK(Experiment::CountOnTop(bySize) >= 1);
   const auto byAngle = experiment.Plan(Planner::MEAN_INCIDENCE_ANGLE);

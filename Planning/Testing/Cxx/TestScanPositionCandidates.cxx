@@ -52,7 +52,7 @@ int CountAbove(vtkPolyData* points, double z)
   return count;
 }
 
-/// An outline of places in the plane z = 7.
+/// An outline of points in the plane z = 7.
 vtkSmartPointer<vtkPolyData> MakeOutline(
   const std::vector<std::array<double, 2>>& places, bool isLine)
 {
@@ -107,7 +107,7 @@ TEST_CASE("candidates stand on a grid half a step inside the scene", "[ScanPosit
   }
   SECTION("no step given: a twentieth of the diagonal")
   {
-    candidates.Filter->SetStep(0.0); // 0.05 * 10.5 * sqrt 2 = 0.7425: 14 places
+    candidates.Filter->SetStep(0.0); // 0.05 * 10.5 * sqrt 2 = 0.7425: 14 positions
     CHECK(candidates.Update()->GetNumberOfPoints() == 14 * 14);
   }
 }
@@ -125,7 +125,7 @@ TEST_CASE("a surface as steep as the limit is one to stand on", "[ScanPositionCa
   const double rise = std::tan(M_PI / 6.0); // 30 degrees
   Candidates candidates(helios::MakeTriangles(
     { { 0, 0, 0 }, { 10, 0, 10 * rise }, { 10, 10, 10 * rise }, { 0, 10, 0 } },
-    { { 0, 2, 1 }, { 0, 2, 3 } })); // one triangle looks down: slopes do not care
+    { { 0, 2, 1 }, { 0, 2, 3 } })); // one triangle faces down: slopes ignore it
   candidates.Filter->SetMaximumSlope(30.0);
   vtkPolyData* output = candidates.Update();
   REQUIRE(output->GetNumberOfPoints() == 100);
@@ -211,14 +211,14 @@ TEST_CASE(
   candidates.Filter->SkipEnclosedOff();
   CHECK(candidates.Update()->GetNumberOfPoints() == 100);
   candidates.Filter->SkipEnclosedOn();
-  candidates.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0); // a hall: nothing is open
+  candidates.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0); // a hall: no open position
   CHECK(candidates.Update()->GetNumberOfPoints() == 4);
   CHECK(candidates.Filter->GetNumberOfEnclosed() == 0);
 }
 
 TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
 {
-  Candidates candidates(MakeFloor(5.0, 0.0)); // places at -4.5, -3.5 ... 4.5
+  Candidates candidates(MakeFloor(5.0, 0.0)); // positions at -4.5, -3.5 ... 4.5
   const bool isLine = GENERATE(false, true);
   SECTION("a square, border included")
   {

@@ -134,7 +134,7 @@ helios::BitMatrix MakeRows(int points, const std::vector<std::vector<int>>& sets
   return rows;
 }
 
-/// 0 to 5 are seen, 6 is not; {0, 2} or {1, 2} or ... see all with two.
+/// 0 to 5 are seen, 6 is not; pairs such as {0, 2} or {1, 2} see all.
 helios::BitMatrix MakeExample()
 {
   return MakeRows(7, { { 0, 1, 2 }, { 0, 1, 2 }, { 2, 3, 4, 5 }, {}, { 5 } });
@@ -453,7 +453,7 @@ TEST_CASE("a time limit of nothing leaves the best found", "[vtkHeliosScanPositi
   }
 }
 
-// Too hard to be proved within the limit: 400 points of which each is seen by some 8 of 200 candidates.
+// Too hard to prove within the limit: 400 points, each seen by about 8 of 200 candidates.
 TEST_CASE("a hard proof reports, is aborted, or ends with a gap", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::SmallCover cover(200, 400, 0.04, 1);
@@ -463,7 +463,7 @@ TEST_CASE("a hard proof reports, is aborted, or ends with a gap", "[vtkHeliosSca
     return;
   }
   site.Filter->SetMethodToOptimal();
-  site.Filter->SetMinimumCoverage(99.5); // without what BEST tries by itself
+  site.Filter->SetMinimumCoverage(99.5); // skips the enumeration of BEST
   SECTION("an abort in the middle of branch and cut")
   {
     site.Filter->SetTimeLimit(60.0);

@@ -64,7 +64,7 @@ struct PyramidViews
     return sum;
   }
 
-  /// ViewshedSize and MeanIncidenceAngle of the candidate at a place.
+  /// ViewshedSize and MeanIncidenceAngle of the candidate at a position.
   std::pair<double, double> GetView(double x, double y, double z)
   {
     vtkPolyData* views = this->Update();
@@ -112,7 +112,7 @@ struct FloorViews
     this->Log->Watch(this->Viewsheds);
   }
 
-  /// Which of the four are seen, the first to the left.
+  /// Which of the four are seen, from left to right.
   std::string See()
   {
     this->Viewsheds->Update();
@@ -259,7 +259,7 @@ TEST_CASE("a line of sight that hits nothing sees, but not for both sides", "[Vi
   FloorViews views;
   views.Viewsheds->SetInputData(
     2, MakePoints({ { 0, 0, 3 }, { 200, 0, 0 }, { 0, 0, 2 }, { 1, 0, -1 } }));
-  CHECK(views.See() == "1100"); // the third is where the instrument is
+  CHECK(views.See() == "1100"); // the third is at the instrument position
   views.Viewsheds->BothSidesOn();
   CHECK(views.See() == "0000");
 }

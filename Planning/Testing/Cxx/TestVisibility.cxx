@@ -15,7 +15,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Candidates at the origin with rows of so many words, all zero.
+/// Candidates at the origin with rows of this many words, all zero.
 vtkNew<vtkPolyData> MakeCandidates(int candidates, int words)
 {
   vtkNew<vtkPoints> points;

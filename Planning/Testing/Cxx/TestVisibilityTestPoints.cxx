@@ -50,7 +50,7 @@ vtkSmartPointer<vtkPolyData> MakeBox(double x, double y, double z)
       { 2, 7, 6 }, { 0, 2, 6 }, { 0, 6, 4 }, { 1, 3, 7 }, { 1, 7, 5 } });
 }
 
-/// A sphere of radius 1 in so many meridians and parallels.
+/// A sphere of radius 1 with this many meridians and parallels.
 vtkSmartPointer<vtkPolyData> MakeSphere(int count)
 {
   std::vector<std::array<double, 3>> corners;
@@ -121,7 +121,7 @@ TEST_CASE("lines through a box meet all its sides", "[VisibilityTestPoints]")
   }
   SECTION("a region")
   {
-    points.Filter->SetRegion(-2.0, 2.0, -2.0, 2.0, -1.0, 9.0); // the upper side alone
+    points.Filter->SetRegion(-2.0, 2.0, -2.0, 2.0, -1.0, 9.0); // only the upper side
     CHECK(points.Update()->GetNumberOfPoints() == 16);
   }
   SECTION("without areas")
@@ -143,11 +143,11 @@ TEST_CASE("areas add up to the area of the surface", "[VisibilityTestPoints]")
 
 TEST_CASE("points where lines cross are one", "[VisibilityTestPoints]")
 {
-  // The planes x = z and y = 0.5: lines of two or three families meet there at half metres.
+  // The planes x = z and y = 0.5: lines of two or three families intersect there at half metres.
   TestPoints points(helios::MakeTriangles(
     { { 0, 0, 0 }, { 4, 0, 4 }, { 4, 4, 4 }, { 0, 4, 0 } }, { { 0, 1, 2 }, { 0, 2, 3 } }));
   points.Filter->GenerateAreasOn();
-  CHECK(points.Update()->GetNumberOfPoints() == 16); // 16 from above are 16 from the side
+  CHECK(points.Update()->GetNumberOfPoints() == 16); // 16 from above coincide with 16 from the side
   CHECK(points.GetArea() == Approx(16.0 * std::sqrt(2.0)).epsilon(1e-12));
   points.Filter->SetMergeTolerance(0.0);
   CHECK(points.Update()->GetNumberOfPoints() <= 32);
@@ -160,7 +160,7 @@ TEST_CASE("surfaces just behind each other are two", "[VisibilityTestPoints]")
   TestPoints points(scene);
   points.Filter->HorizontalOff();
   CHECK(points.Update()->GetNumberOfPoints() == 200);
-  points.Filter->SetMergeTolerance(0.1); // a thousandth of the step is the most
+  points.Filter->SetMergeTolerance(0.1); // limited to a thousandth of the step
   CHECK(points.Update()->GetNumberOfPoints() == 200);
   auto thin = MakeBox(5.0, 5.0, 0.0004);
   points.Filter->SetInputData(thin);

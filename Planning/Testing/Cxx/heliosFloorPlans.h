@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Plans of buildings as scenes to plan scans for, with lines of sight computed here, in the plan.
+// Floor plans as planning scenes, with lines of sight computed here in 2D.
 
 #ifndef heliosFloorPlans_h
 #define heliosFloorPlans_h
@@ -26,7 +26,7 @@ namespace helios
 using PlanPoint = std::array<double, 2>;
 using PlanPolygon = std::vector<PlanPoint>;
 
-/// What is known of a scene.
+/// Known values of a scene.
 struct PlanTruth
 {
   int Candidates;
@@ -70,7 +70,7 @@ public:
   vtkSmartPointer<vtkPolyData> GetTestPoints() const { return this->TestPoints; }
   const std::vector<PlanPoint>& GetPlaces() const { return this->Places; }
 
-  /// The candidate at a place.
+  /// The candidate at a position.
   int Find(const PlanPoint& place) const
   {
     for (std::size_t c = 0; c < this->Places.size(); ++c)
@@ -235,7 +235,7 @@ inline PlanPolygon MakeRectangle(double x0, double y0, double x1, double y1)
   return { { x0, y0 }, { x1, y0 }, { x1, y1 }, { x0, y1 } };
 }
 
-/// A corridor with dead ends: each takes a scan of its own.
+/// A corridor with dead ends: each needs its own scan.
 inline PlanPolygon MakeComb(int teeth)
 {
   PlanPolygon comb = { { 0.0, 0.0 }, { 4.0 * teeth, 0.0 }, { 4.0 * teeth, 2.0 } };
@@ -265,7 +265,7 @@ inline std::vector<PlanPolygon> MakeColumns(int nx, int ny, double stepY)
   return columns;
 }
 
-/// Eight scenes whose optima are proved.
+/// Eight scenes with proved optima.
 inline std::vector<FloorPlan> MakeFloorPlans()
 {
   std::vector<FloorPlan> scenes(8);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of planning share.
+// Helpers shared by the planning tests.
 
 #ifndef heliosPlanningTest_h
 #define heliosPlanningTest_h
@@ -58,7 +58,7 @@ inline vtkSmartPointer<vtkPolyData> MakeFloor(double half, double z)
     { { 0, 1, 2 }, { 0, 2, 3 } });
 }
 
-/// A filter over a scene, with steps of 1 m, whose errors are kept.
+/// A filter on a scene, with steps of 1 m and recorded errors.
 template <typename FilterT>
 struct FilterOverScene
 {
@@ -78,7 +78,7 @@ struct FilterOverScene
     return this->Filter->GetOutput();
   }
 
-  /// Whether an update says this.
+  /// Whether an update reports an error with this text.
   bool Fails(const std::string& text)
   {
     this->Update();
@@ -87,7 +87,7 @@ struct FilterOverScene
   }
 };
 
-/// Has a filter aborted at its next progress.
+/// Aborts a filter at its next progress event.
 inline void AbortAtProgress(vtkAlgorithm* filter)
 {
   vtkNew<vtkCallbackCommand> stop;

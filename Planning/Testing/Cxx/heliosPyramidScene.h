@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A small pyramid on a steep base, in the middle of flat ground: few places see all of it.
+// A small pyramid on a steep base, in the middle of flat ground: few positions see all of it.
 
 #ifndef heliosPyramidScene_h
 #define heliosPyramidScene_h
@@ -15,7 +15,7 @@
 namespace helios
 {
 
-/// The measures of the pyramid [m]; half widths, and heights above the ground.
+/// Dimensions of the pyramid [m]; half widths, and heights above the ground.
 struct Pyramid
 {
   double Ground = 10.5;
@@ -25,7 +25,7 @@ struct Pyramid
   double ApexHeight = 2.4375;
 };
 
-/// 20 triangles: a ring of ground, a steep frustum, and a flat pyramid on it.
+/// 20 triangles: a ring of ground, a steep frustum, and a flat pyramid on top.
 inline vtkSmartPointer<vtkPolyData> MakePyramidScene(const Pyramid& size = Pyramid())
 {
   vtkSmartPointer<vtkPoints> points = vtkSmartPointer<vtkPoints>::New();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Random covers so small that all choices can be tried.
+// Random covers small enough for enumeration.
 
 #ifndef heliosSmallCovers_h
 #define heliosSmallCovers_h
@@ -56,7 +56,7 @@ public:
     return weight >= this->Problem.Required;
   }
 
-  /// All choices for which isGood(choice), of as few members as there are such.
+  /// All choices with isGood(choice) and the minimum number of members.
   template <typename TestT>
   std::vector<Choice> TryAll(TestT isGood) const
   {

@@ -82,7 +82,7 @@ def main(argv=None):
 
 
 def run_command(argv):
-    """Runs the command that is named and returns its exit code."""
+    """Runs the given command and returns its exit code."""
     start = getattr(commands().get(argv[0]), "start", None) if argv else None
     if start:
         return start(argv[1:])
@@ -98,12 +98,12 @@ def run_command(argv):
 
 
 def written(results, code):
-    """The exit code, which is not 0 where results could not be printed."""
+    """The exit code, not 0 if results could not be printed."""
     results.flush()
     failure = results.failure()
     if failure is None:
         return code
-    if not isinstance(failure, BrokenPipeError):  # the reader has gone: vtkhelios ... | head
+    if not isinstance(failure, BrokenPipeError):  # closed by the reader: vtkhelios ... | head
         done = "" if code else "; the files that the command wrote are complete"
         say_error(f"standard output: {failure.strerror}: what it should hold is lost{done}")
     return code or 1

@@ -8,12 +8,12 @@ import numpy as np
 
 BLUE, ORANGE, GREY = "#0072b2", "#d55e00", "#9aa3ab"  # of Okabe and Ito's palette
 WIDTH, HEIGHT = 5.6, 3.1  # of a chart [inches]
-DOTS = 144  # an inch
+DOTS = 144  # per inch
 COLOURS_OF_STRIPS = ["#b9d3e8", "#7fb2d9", "#3d8dc4", "#0b5a94", "#06335a"]
 
 
 def load():
-    """matplotlib, without a display; ImportError where there is none."""
+    """matplotlib, without a display; ImportError if it is missing."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -42,7 +42,7 @@ def _figure(width=WIDTH, height=HEIGHT):
 
 
 def density_map(raster, paths=()):
-    """Points a square metre, by colour on a logarithmic scale; ways of the platform on it."""
+    """Points/m², by colour on a logarithmic scale, with platform trajectories."""
     from matplotlib.colors import LogNorm
 
     density = raster.density()
@@ -69,7 +69,7 @@ def density_map(raster, paths=()):
 
 
 def strips_map(raster):
-    """How many scans saw each cell."""
+    """The number of scans of each cell."""
     from matplotlib.colors import BoundaryNorm, ListedColormap
 
     scans = raster.scans()
@@ -130,7 +130,7 @@ def _few_ticks():
 
 
 def histogram(edges, counts, label, median=None, unit="", log=False):
-    """Bars that touch; the median as a line. Shares may be on a logarithmic scale."""
+    """Adjacent bars; the median as a line. Fractions may be on a logarithmic scale."""
     figure, axes = _figure()
     total = max(1, counts.sum())
     axes.bar(
@@ -158,7 +158,7 @@ def histogram(edges, counts, label, median=None, unit="", log=False):
 
 
 def bars(names, values, label, axis_label):
-    """A bar a name, with its share written at its end."""
+    """One bar per name, with its fraction written at its end."""
     figure, axes = _figure(WIDTH, max(1.5, 0.6 + 0.32 * len(names)))
     total = max(1, sum(values))
     shares = [100 * value / total for value in values]

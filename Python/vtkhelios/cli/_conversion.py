@@ -14,11 +14,11 @@ from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
 
 RECORDS = (".las", ".laz", ".copc.laz")
-NAMES = {"Part.Name", "Material.Name"}  # field arrays that only VTK files keep
+NAMES = {"Part.Name", "Material.Name"}  # field arrays stored only in VTK files
 
 
 class Conversion:
-    """One output and the inputs that go into it."""
+    """One output and its inputs."""
 
     def __init__(self, inputs, output, selection, crs=None, waveforms=None):
         self.inputs = inputs
@@ -32,13 +32,13 @@ class Conversion:
         self.count = 0
 
     def files(self):
-        """All that the output will be."""
+        """All files of the output."""
         path = pathlib.Path(self.output)
         beside = [path.with_suffix(".wdp")] if formats.ending(path) in (".las", ".laz") else []
         return [path, *beside]
 
     def run(self, task):
-        """Converts; raises FormatError, OSError or Interrupted, and then leaves no output."""
+        """Converts; raises FormatError, OSError or Interrupted, and then writes no output."""
         paths = self._record_files()
         if paths and self._copy_records(paths, task):
             return
@@ -52,7 +52,7 @@ class Conversion:
     # Records.
 
     def _record_files(self):
-        """The files whose records can be copied; none where arrays are needed."""
+        """The files whose records can be copied; empty if arrays are needed."""
         if formats.ending(self.output) not in (".las", ".laz") or self.crs:
             return []
         paths = []
@@ -92,7 +92,7 @@ class Conversion:
         return True
 
     def _is_internal(self, packets):
-        """Whether packets go into the file; None: there are none."""
+        """Whether packets are stored in the file; None: there are none."""
         found = [packet for packet in packets if packet]
         if not found:
             return None
@@ -131,7 +131,7 @@ class Conversion:
             for each in self.inputs
         ]
         for reader in readers:
-            reader.keeps_invalid = True  # the selection says what to do about them
+            reader.keeps_invalid = True  # the selection handles them
         self._check_headers(readers)
         counts = [reader.count for reader in readers]
         task.total = None if None in counts else sum(counts)
@@ -184,13 +184,13 @@ class Conversion:
                 )
 
     def _make_move(self, header):
-        """What brings chunks to the coordinate system of the output."""
+        """A converter of chunks to the output coordinate system."""
         if not self.crs or self.crs == header.crs:
             return lambda chunk: chunk
         source = formats.Header(header.fields)
         header.crs = self.crs
         if not source.crs:
-            return lambda chunk: chunk  # theirs, from now on
+            return lambda chunk: chunk  # assigned, not converted
         reproject = vtkhelios.vtkHeliosReproject()
         reproject.SetTargetCRS(self.crs)
 
@@ -203,7 +203,7 @@ class Conversion:
 
     @property
     def path(self):
-        """What errors of the reprojection name."""
+        """Path named in errors of the reprojection."""
         return self.output
 
     def _check_count(self):
@@ -230,7 +230,7 @@ class Conversion:
 
 
 class Output:
-    """A LAS or LAZ file, and maybe packets beside it, under names that end in .part."""
+    """A LAS or LAZ file, optionally with packets beside it, under names ending in .part."""
 
     def __init__(self, path, internal):
         self.path = pathlib.Path(path)
@@ -258,7 +258,7 @@ class Output:
 
     def abandon(self):
         for path, file in zip(self._paths, self._files):
-            with contextlib.suppress(OSError):  # of a full disk, which is told already
+            with contextlib.suppress(OSError):  # of a full disk, already reported
                 file.close()
             pathlib.Path(f"{path}.part").unlink(missing_ok=True)
 

@@ -8,7 +8,7 @@ from ..formats import FormatError
 from ..formats._base import rows_of
 from ._raster import FARTHEST, Histogram, Raster, is_near, tally
 
-# Of ASPRS; those that scenes use.
+# ASPRS classes used by scenes.
 CLASSES = {
     0: "never classified", 1: "unclassified", 2: "ground", 3: "low vegetation",
     4: "medium vegetation", 5: "high vegetation", 6: "building", 7: "low noise", 9: "water",
@@ -23,7 +23,7 @@ HISTOGRAMS = {  # key: finest bin
 
 
 class Figures:
-    """Numbers of a run, all in memory that does not grow with its points."""
+    """Statistics of a run, in memory independent of the number of points."""
 
     def __init__(self, cell=None):
         self.raster = Raster(cell)
@@ -35,7 +35,7 @@ class Figures:
         self.low = np.full(3, np.inf)
         self.high = np.full(3, -np.inf)
         self.range_is_reckoned = False
-        self._path = None  # of the platform: times, places
+        self._path = None  # of the platform: times, positions
         self._scan = None
 
     def add(self, chunk, reader):
@@ -64,7 +64,7 @@ class Figures:
         if len(points):
             self.low = np.minimum(self.low, points.min(axis=0))
             self.high = np.maximum(self.high, points.max(axis=0))
-        with np.errstate(all="ignore"):  # of numbers that histograms leave out
+        with np.errstate(all="ignore"):  # values excluded from histograms
             self._add_values(chunk)
 
     def _add_values(self, chunk):
@@ -91,7 +91,7 @@ class Figures:
         return trajectory and trajectory[:2]
 
     def _ranges(self, chunk):
-        """Of the array, else the distance from the platform [m]."""
+        """From the array, else the distance to the platform [m]."""
         if "Range" in chunk or self._path is None:
             return chunk.get("Range")
         times, places = self._path
@@ -99,12 +99,12 @@ class Figures:
         return np.linalg.norm(chunk["points"] - np.column_stack(at), axis=1)
 
     def mean_density(self):
-        """Points a square metre of the cells that have some."""
+        """Points/m² of the non-empty cells."""
         hit = np.count_nonzero(self.raster.counts)
         return self.count / max(1, hit) / self.raster.cell**2
 
     def overlap(self):
-        """The share of the cells with a point that two scans saw, or None of one scan."""
+        """The fraction of non-empty cells covered by two scans, or None for one scan."""
         if len(self.legs) < 2:
             return None
         scans = self.raster.scans()

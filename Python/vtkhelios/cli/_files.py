@@ -10,7 +10,7 @@ _FULL = {errno.ENOSPC: "free space on its disk or ", errno.EDQUOT: "free space o
 
 
 def write_whole(path, text):
-    """Writes a file (a Path) by way of a .part; where that fails the part goes, and the error names the file."""
+    """Writes a file (a Path) via a .part; on failure the part is removed, and the error names the file."""
     part = path.with_name(f"{path.name}.part")
     try:
         part.write_text(text, encoding="utf-8")
@@ -22,6 +22,6 @@ def write_whole(path, text):
 
 
 def cannot_be_written(error, file, option):
-    """The message of an OSError: the file, by default that which is given, and the cure."""
+    """The message of an OSError: the file, by default the given one, and the remedy."""
     cure = f"{_FULL.get(error.errno, '')}give another {option}"
     return f"{error.filename or file}: cannot be written: {error.strerror}; {cure}"

@@ -15,11 +15,11 @@ UNITS = {
     "GpsTime": "s", "Range": "m", "Amplitude": "W", "EchoWidth": "ns", "ScanAngle": "deg",
     "IncidenceAngle": "deg", "TruePoint": "m",
 }  # fmt: skip
-POINTS_A_CELL = 8  # for the spacing
+POINTS_A_CELL = 8  # for the point spacing
 
 
 class Inspection:
-    """Reads all points once; ``facts`` is what --json prints, ``warnings`` what is wrong."""
+    """Reads all points once; ``facts`` is the --json output, ``warnings`` the problems."""
 
     def __init__(self, path):
         self.path = path
@@ -103,7 +103,7 @@ class Inspection:
         ]  # fmt: skip
 
     def _spacing(self):
-        """About, from above: of the median cell with points, of some points a cell."""
+        """Approximate, in xy: of the median non-empty cell, with some points per cell."""
         raster = self._raster
         while raster.counts.sum() < POINTS_A_CELL * np.count_nonzero(raster.counts):
             if min(raster.counts.shape) <= 2:
@@ -202,7 +202,7 @@ class Inspection:
 
 
 def _text(value):
-    """A text of a header; laspy gives bytes where they are no UTF-8."""
+    """A header string; laspy returns bytes if it is not UTF-8."""
     return value.decode(errors="replace") if isinstance(value, bytes) else value
 
 
@@ -211,7 +211,7 @@ def _triple(values):
 
 
 def inspect_survey(path, assets, messages):
-    """What a survey asks for, or None after an error."""
+    """Facts about a survey, or None after an error."""
     from .._paths import text_from_vtk
     from ._reading import make_reader
 

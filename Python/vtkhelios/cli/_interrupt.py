@@ -8,10 +8,10 @@ from .. import _native
 
 
 class Interrupt:
-    """While entered, SIGINT and SIGTERM ask the player to stop. ``signal`` is the one that came.
+    """While entered, SIGINT and SIGTERM request the player to stop. ``signal`` is the one received.
 
-    Python runs the handler when the player next reports its progress. A second signal ends the
-    process at once, also where nothing is reported.
+    Python runs the handler at the next progress report of the player. A second signal ends the
+    process at once, even without reports.
     """
 
     def __init__(self, player, messages):

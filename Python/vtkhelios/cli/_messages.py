@@ -11,15 +11,14 @@ from ._streams import visible
 
 
 def say_error(text):
-    """Prints an error where there are no Messages yet."""
+    """Prints an error before there are Messages."""
     print(f"error: {visible(text)}", file=sys.stderr, flush=True)
 
 
 class Messages:
-    """Prints VTK's errors and warnings as one line each, at once.
+    """Prints VTK's errors and warnings as one line each, immediately.
 
-    Listens to the objects it watches and to VTK's output window, where what
-    nobody listens to ends.
+    Observes the watched objects and VTK's output window, which gets unobserved messages.
     """
 
     def __init__(self, quiet=False, results=True):
@@ -50,7 +49,7 @@ class Messages:
         )
 
     def _passer_on(self, say):
-        """A function that says a message once."""
+        """A function that prints a message once."""
 
         def pass_on(message):
             repeats = is_executive_message(message) and self.errors
@@ -65,7 +64,7 @@ class Messages:
         self.write_error(visible(f"error: {text}"))
 
     def error_unless_told(self, text):
-        """An error, unless the reason was reported already."""
+        """Reports an error, unless its reason was already reported."""
         if not self.errors:
             self.error(text)
 

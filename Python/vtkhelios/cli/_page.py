@@ -13,8 +13,8 @@ from ._progress import duration
 from ._raster import Histogram, is_near
 from ._report import describe_paths, readable
 
-MOST_ECHOES = 6  # from which on pulses are one bar
-OUTER = 0.003  # share of points at either end that histograms leave out
+MOST_ECHOES = 6  # larger counts share one bar
+OUTER = 0.003  # fraction of points at either end excluded from histograms
 LEG_HEADS = ("leg", "start [s]", "lasts [s]", "pulses", "with echo [%]", "points", "computed in [s]")
 HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
     "range": ("Range", "range [m]", "m", ""),
@@ -29,7 +29,7 @@ HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
 
 
 def load_template():
-    """The template of the page; ImportError where there is no Jinja2."""
+    """The template of the page; ImportError without Jinja2."""
     import jinja2
 
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined)
@@ -120,7 +120,7 @@ def _histograms(figures):
 
 
 def _focus(histogram):
-    """Edges and counts without the outermost points, which would squeeze the rest."""
+    """Edges and counts without the outermost points, which would compress the rest."""
     low, high = histogram.quantile(OUTER), histogram.quantile(1 - OUTER)
     first = max(0, int(low / histogram.width) - histogram.first - 1)
     last = int(high / histogram.width) - histogram.first + 2
@@ -162,7 +162,7 @@ def _legs(summary):
 
 
 def _files(figures, reader):
-    """Files and their points, unless every leg has one of its own."""
+    """Files and their points, unless every leg has its own."""
     if len(reader.files) == len(reader.summary["legs"]):
         return []
     return [(name, f"{count:,}") for name, count in zip(reader.files, figures.legs)]

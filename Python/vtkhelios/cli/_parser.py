@@ -11,13 +11,13 @@ OPTION = re.compile(r"-[^\d.]")  # -1 and -.5 are numbers
 
 
 def nearest(word, known):
-    """The known word most like a given one, or None."""
+    """The known word most similar to a given one, or None."""
     close = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
     return close[0] if close else None
 
 
 class Parser(argparse.ArgumentParser):
-    """argparse, with suggestions, whole option names only, and texts printed as they are written."""
+    """argparse with suggestions, whole option names only, and texts printed verbatim."""
 
     def __init__(self, **options):
         options.setdefault("allow_abbrev", False)
@@ -28,7 +28,7 @@ class Parser(argparse.ArgumentParser):
         args = sys.argv[1:] if args is None else list(args)
         for word in args:
             if word == "--" or (self._subparsers and not word.startswith("-")):
-                break  # the rest is files, or the command's
+                break  # the rest is files or command options
             option = word.split("=")[0]
             if OPTION.match(option) and option not in self._option_string_actions:
                 self.error(self.explain_unknown(option))

@@ -16,12 +16,12 @@ from ._interrupt import Interrupt
 from ._progress import make_progress
 from ._reading import make_reader
 
-SAME_PULSE = 1e-7  # rad, between the directions of the returns of one
-STEEPEST = 0.02  # cosine of incidence; where beams graze, echoes are no further apart than so
+SAME_PULSE = 1e-7  # rad, between the directions of the returns of a pulse
+STEEPEST = 0.02  # cosine of incidence; lower limit for the echo spacing at grazing incidence
 
 
 def simulate(survey, arguments, folder, messages):
-    """Runs a survey without noise; an exit code, and the folder that its files are in."""
+    """Runs a survey without noise; returns an exit code and the output folder."""
     reader = make_reader(str(survey), arguments.assets)
     messages.watch(reader)
     if not reader.Read():
@@ -49,10 +49,10 @@ def simulate(survey, arguments, folder, messages):
 def compare(clouds, planner, settings, angular_step):
     """Predicted and simulated coverage of the coverable test points.
 
-    A test point is met where an echo is within the tolerance of it; or, where a scan is coarser than
-    that, where the pulse that passes nearest, by half the distance of pulses at most, has an echo on
-    the surface there. What the plan asks of a line of sight (range, incidence ...), which is not the
-    scanner's to refuse, must be given, too.
+    A test point is covered if an echo is within the tolerance; or, for coarser scans, if the
+    nearest pulse, at most half the pulse spacing away, has an echo on the surface there.
+    Requirements of the plan on a line of sight (range, incidence ...) that the scanner does not
+    enforce must also hold.
     """
     points = vtkhelios.arrays(planner.GetOutputDataObject(1))
     coverable = points["Coverable"] > 0
@@ -88,7 +88,7 @@ def compare(clouds, planner, settings, angular_step):
 
 
 class Sights:
-    """The lines of sight from a scanner to some places, whatever is between."""
+    """The lines of sight from a scanner to some positions, ignoring occlusion."""
 
     def __init__(self, places, normals, scanner, angular_step):
         sights = places - scanner
@@ -107,12 +107,12 @@ class Sights:
         return 0.5 * np.hypot(self.steps, self.steps / np.maximum(self.cosines, STEEPEST))
 
     def range_differences(self):
-        """By how much ranges on a surface there differ between pulses that are half a step apart [m]."""
+        """Range differences on a surface there between pulses half a step apart [m]."""
         cosines = np.maximum(self.cosines, STEEPEST)
         return self.half_step * self.ranges * np.sqrt(1.0 - cosines**2) / cosines
 
     def find_wanted(self, settings):
-        """Which of them the plan asks for, by range, elevation, incidence and density."""
+        """Those required by the plan, by range, elevation, incidence and density."""
         incidence = np.degrees(np.arccos(np.clip(self.cosines, 0.0, 1.0)))
         thin = settings["minDensity_1_m2"] * self.steps**2 > self.cosines
         return (
@@ -126,7 +126,7 @@ class Sights:
 
 
 def find_near(cloud, places, wanted, tolerance):
-    """Which of the wanted places have an echo within the tolerance."""
+    """Which of the wanted positions have an echo within the tolerance."""
     near = np.zeros(len(places), dtype=bool)
     if cloud.GetNumberOfPoints() > 0:
         locator = make_locator(cloud)
@@ -138,7 +138,7 @@ def find_near(cloud, places, wanted, tolerance):
 
 
 def find_passed(cloud, sights, wanted, tolerance):
-    """Which of the wanted places the pulse that passes nearest has an echo on the surface of."""
+    """Which of the wanted positions have an echo of the nearest pulse on their surface."""
     passed = np.zeros(len(wanted), dtype=bool)
     if cloud.GetNumberOfPoints() == 0 or not wanted.any():
         return passed
@@ -168,7 +168,7 @@ def make_locator(points):
 
 
 def read_clouds(folder, count):
-    """The points of every leg, one cloud at a time; that of a leg without any is empty."""
+    """The points of every leg, one cloud at a time; empty for a leg without points."""
     for leg in range(count):
         reader = vtkXMLPPolyDataReader()
         reader.SetFileName(f"{folder}/leg{leg:03}_points.pvtp")
@@ -179,7 +179,7 @@ def read_clouds(folder, count):
 
 
 def check_lines(check, tolerance):
-    """What the comparison came to."""
+    """The result of the comparison."""
     yield (
         f"check    predicted {check['predicted_percent']:.2f} %, simulated "
         f"{check['simulated_percent']:.2f} % of the coverable test points, by {check['echoes']:,} "
@@ -195,7 +195,7 @@ def check_lines(check, tolerance):
 
 
 def explain_difference(check, settings):
-    """What to do where the simulated coverage is not the predicted one; None where it is."""
+    """Advice if the simulated coverage differs from the predicted one; None if equal."""
     difference = check["predicted_percent"] - check["simulated_percent"]
     if abs(difference) <= 1:
         return None

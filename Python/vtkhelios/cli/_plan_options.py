@@ -10,7 +10,7 @@ PLATFORM, SCANNER = "platforms.xml#tripod", "scanners.xml#vz400_class_tls"
 
 
 def add_plan_arguments(parser):
-    """All of them."""
+    """Adds all options."""
     parser.add_argument(
         "input", metavar="FILE", help="a planner, survey or scene (HELIOS XML), or a mesh"
     )

@@ -33,7 +33,7 @@ COLUMNS = (  # of the table of positions: title, text
 
 
 def make_report(plan, source):
-    """All of a plan as plain data: what it was made of, and what came of it."""
+    """A plan as plain data: its inputs and results."""
     planner, document = plan.planner, plan.document
     return {
         "vtkHelios": vtkhelios.__version__,
@@ -70,7 +70,7 @@ def make_report(plan, source):
 
 
 def position_rows(positions):
-    """The selected positions, those first that add most."""
+    """The selected positions, largest gain first."""
     columns = vtkhelios.arrays(positions)
     unknown = [math.nan] * positions.GetNumberOfPoints()
     for scan, (x, y, z) in enumerate(columns["points"]):
@@ -119,7 +119,7 @@ def print_table(rows):
 
 
 def result_lines(report):
-    """What came of it, in words."""
+    """The result, as text."""
     result = report["result"]
     points = report["testPoints"]
     yield (
@@ -136,7 +136,7 @@ def result_lines(report):
 
 
 def describe_proof(result, limit=None):
-    """The count and what is proved of it; limit is how long the exact method could search [s]."""
+    """The count and its proof; limit is the search time of the exact method [s]."""
     scans = counted(result["scans"], "scan")
     bound = f"lower bound {result['lowerBound']:.2f}"
     if result["isProvedOptimal"]:

@@ -14,7 +14,7 @@ METHODS = ["reduce", "bestcoverage", "greedy", "best", "optimal"]
 GROUND = {"auto": "Automatic", "true": "Ground", "false": "Highest", "open": "OpenGround"}
 LINES = {"all": (True, True), "vertical": (True, False), "horizontal": (False, True)}
 
-# What errors of the filters name, and the options that set it.
+# Properties in errors of the filters, and the options that set them.
 OPTIONS = {
     "MaximumSlope": "--max-slope",
     "XStep": "--grid",
@@ -43,7 +43,7 @@ WORDS = re.compile(r"(?<![\w=\"/.])(" + "|".join(OPTIONS) + r")(?![\w=\"/.]*=|\w
 
 
 class PlanMessages(Messages):
-    """Errors name options instead of properties, and nothing is said of what was interrupted."""
+    """Names options instead of properties in errors, and omits interrupted steps."""
 
     interrupted = False
 
@@ -53,10 +53,10 @@ class PlanMessages(Messages):
 
 
 class Steps:
-    """The steps of a plan as a player: what shows progress and what interrupts can watch it."""
+    """The steps of a plan with a player's interface, for progress and interrupts."""
 
     def __init__(self, messages):
-        self.seconds = {}  # that steps took, by their names
+        self.seconds = {}  # by step name
         self._messages = messages
         self._algorithm = None
         self._name = "loading"
@@ -64,9 +64,9 @@ class Steps:
         self._callback = None
 
     def run(self, name, algorithm, even=True):
-        """Brings an algorithm up to date; False after an error or where it was stopped.
+        """Updates an algorithm; returns False after an error or if stopped.
 
-        Of one whose progress is uneven it is not said when it will be done.
+        If its progress is uneven, no remaining time is shown.
         """
         if self._messages.interrupted:
             return False
@@ -91,7 +91,7 @@ class Steps:
         if self._callback:
             self._callback()
 
-    # What a player has, too.
+    # Interface of a player.
 
     def Abort(self):
         self._messages.interrupted = True
@@ -106,7 +106,7 @@ class Steps:
         self._callback = None
 
     def GetNumberOfPulsesDone(self):
-        return 0  # there is a message instead
+        return 0  # reported by a message
 
     def GetProgress(self):
         return self._algorithm.GetProgress() if self._algorithm else 0.0
@@ -117,7 +117,7 @@ class Steps:
 
 
 class Plan:
-    """The filters of a plan, set as the arguments say, or else the document."""
+    """The filters of a plan, configured by the arguments, or else the document."""
 
     def __init__(self, arguments, document):
         self.arguments = arguments
@@ -129,7 +129,7 @@ class Plan:
         self.planner = self.make_planner()
 
     def run(self, steps):
-        """Runs all filters; False after an error or where it was stopped."""
+        """Runs all filters; returns False after an error or if stopped."""
         return (
             steps.run("loading the scene", self.document)
             and steps.run("looking for positions", self.candidates)
@@ -148,7 +148,7 @@ class Plan:
         return "choosing positions" + (f", proofs for {limit:g} s at most" if limit else "")
 
     def choose_settings(self):
-        """All that determines the plan, as JSON has it: options win over the document."""
+        """All settings of the plan, as JSON: options override the document."""
         given, document = self.arguments, self.document
         grid = chosen(given.grid, document.GetXStep())
         grid_y = grid if given.grid and not given.grid_y else document.GetYStep() or grid
@@ -263,5 +263,5 @@ class Plan:
 
 
 def chosen(option, document):
-    """An option, else what the document says."""
+    """An option, else the value of the document."""
     return document if option is None else option

@@ -10,7 +10,7 @@ RETURNS = ("all", "first", "last", "single")
 
 
 class Selection:
-    """Points by their return, class and number; counts them as they pass."""
+    """Points by their return, class and number; counts them."""
 
     def __init__(self, returns="all", classes=None, every=1, skip_invalid=False):
         self.returns = returns
@@ -56,7 +56,7 @@ class Selection:
         return number >= count if self.returns == "last" else count <= 1
 
     def _finite(self, points, path):
-        """None where all coordinates are finite."""
+        """None if all coordinates are finite."""
         if np.isfinite(points).all():
             return None
         finite = np.isfinite(points).all(axis=1)

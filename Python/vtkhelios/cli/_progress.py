@@ -19,7 +19,7 @@ SECONDS_BETWEEN_BARS = 0.1
 
 
 class Pace:
-    """How fast a count grows, over the last seconds, and how long the rest will take."""
+    """Growth rate of a count over the last seconds, and the remaining time."""
 
     def __init__(self, seconds=10.0):
         self._window = seconds
@@ -31,14 +31,14 @@ class Pace:
             self._samples.popleft()
 
     def rate(self):
-        """Counts a second, or None while there is nothing to tell it from."""
+        """Counts per second, or None without enough data."""
         if len(self._samples) < 2:
             return None
         (t0, n0), (t1, n1) = self._samples[0], self._samples[-1]
         return (n1 - n0) / (t1 - t0) if t1 - t0 > 0.05 and n1 > n0 else None
 
     def remaining(self, total):
-        """Seconds until total is reached, never negative; None where that is not known."""
+        """Seconds until total is reached, never negative; None if unknown."""
         rate = self.rate()
         return max(0.0, (total - self._samples[-1][1]) / rate) if rate else None
 
@@ -53,14 +53,14 @@ def duration(seconds):
 
 
 class Progress:
-    """Follows a player; subclasses show what describe() says."""
+    """Follows a player; subclasses show the text of describe()."""
 
     seconds_between = SECONDS_BETWEEN_LINES
 
     def __init__(self, player):
         self._player = player
-        self._indices = Pace()  # what the end is reckoned from
-        self._fired = Pace()  # what is shown: some pulse indices let no pulse out
+        self._indices = Pace()  # for the remaining time
+        self._fired = Pace()  # shown: some pulse indices emit no pulse
         self._next = time.monotonic() + self.seconds_between
         self._tag = None
 
@@ -108,7 +108,7 @@ class Lines(Progress):
 
 
 class PlainBar(Progress):
-    """One line that is written over, for a terminal without rich."""
+    """A single line that is overwritten, for a terminal without rich."""
 
     seconds_between = SECONDS_BETWEEN_BARS
 
@@ -166,7 +166,7 @@ class RichBar(Progress):
 
 
 def make_progress(player, messages, quiet=False):
-    """What suits standard error."""
+    """The progress display for standard error."""
     if quiet:
         return Progress(player)
     if not sys.stderr.isatty():

@@ -6,28 +6,28 @@ import numpy as np
 
 FINEST = 2.0**-10  # [m]
 SCANS_A_PLANE = 64
-LARGEST = 20_000  # cells a side that a given size may lead to
+LARGEST = 20_000  # maximum cells a side for a given size
 MOST_CELLS = 2**24  # in all
-FARTHEST = 1e12  # of coordinates and other numbers; what is beyond is damaged
+FARTHEST = 1e12  # of coordinates and other numbers; larger ones are damaged
 
 
 def is_near(points):
-    """Which rows are finite and not farther out than anything can be."""
+    """Which rows are finite and within FARTHEST."""
     return (np.abs(points) <= FARTHEST).all(axis=1)
 
 
 def tally(values):
-    """How many whole numbers there are of 0 to 255 each; others do not count."""
+    """Counts of the integers 0 to 255; others are ignored."""
     known = values[(values >= 0) & (values <= 255)]
     return np.bincount(known.astype(np.int64).ravel(), minlength=256)
 
 
 class Raster:
-    """Counts points, and which scans saw a cell, in cells from above.
+    """Counts points, and the scans of each cell, in a raster in xy.
 
-    Without a cell size it begins with fine ones and joins 2 x 2 of them whenever there would be
-    more than ``limit`` in a direction; sums and scans stay exact. Cells begin at multiples of
-    their size.
+    Without a cell size it starts with fine cells and merges 2 x 2 of them whenever there would be
+    more than ``limit`` in a direction; sums and scans stay exact. Cells start at multiples of their
+    size.
     """
 
     def __init__(self, cell=None, limit=512):
@@ -39,7 +39,7 @@ class Raster:
         self._scans = []  # planes of 64 scans each, as bits
 
     def add(self, xy, scan):
-        """Counts points (n x 2) of a scan by its number; False where cells would be too many.
+        """Counts points (n x 2) of a scan by its number; False if there would be too many cells.
 
         All coordinates are within FARTHEST, see is_near().
         """
@@ -96,7 +96,7 @@ class Raster:
         return new
 
     def coarsen(self):
-        """Joins 2 x 2 cells."""
+        """Merges 2 x 2 cells."""
         self.cell *= 2
         if self._corner is None:
             return
@@ -123,11 +123,11 @@ class Raster:
         return x, x + width * self.cell, y, y + height * self.cell
 
     def density(self):
-        """Points a square metre."""
+        """Points/m²."""
         return self.counts / self.cell**2
 
     def scans(self):
-        """How many scans saw each cell."""
+        """The number of scans of each cell."""
         total = np.zeros(self.counts.shape, np.int64)
         for plane in self._scans:
             for row, seen in zip(total, plane):  # bits take 64 times the memory
@@ -136,12 +136,12 @@ class Raster:
         return total
 
     def outline(self):
-        """The cells between the first and the last with a point, of their row and column."""
+        """The cells between the first and the last non-empty ones in their row and column."""
         hit = self.counts > 0
         return _between(hit, 0) & _between(hit, 1)
 
     def coverage(self):
-        """The share of the cells in the outline that have a point."""
+        """The fraction of the cells in the outline that have a point."""
         outline = self.outline()
         return float((self.counts > 0).sum() / max(1, outline.sum()))
 
@@ -153,7 +153,7 @@ def _between(hit, axis):
 
 
 class Histogram:
-    """Numbers in bins of a width that doubles when there would be more than ``limit`` of them."""
+    """Values in bins of a width that doubles when there would be more than ``limit``."""
 
     def __init__(self, width, limit=4096):
         self.width = width
@@ -189,7 +189,7 @@ class Histogram:
             self.first //= 2
 
     def merged(self, most=80):
-        """Edges and counts of at most so many bins."""
+        """Edges and counts of at most this many bins."""
         joined = max(1, -(-len(self.counts) // most))
         odd = self.first % joined
         padded = np.r_[np.zeros(odd, np.int64), self.counts]
@@ -200,7 +200,7 @@ class Histogram:
         return edges, counts
 
     def quantile(self, share):
-        """About; within a bin."""
+        """Approximate; within a bin."""
         total = np.cumsum(self.counts)
         if not len(total) or total[-1] == 0:
             return float("nan")

@@ -45,12 +45,12 @@ def add_memory_argument(parser):
 
 
 def limit_memory(arguments):
-    """From here on --memory holds."""
+    """Applies --memory from here on."""
     vtkhelios.vtkHeliosMemoryLimit.SetLimit(arguments.memory / MEBIBYTE)
 
 
 def missing_folder(assets):
-    """What is wrong with the folders of --assets, or None."""
+    """The error in the folders of --assets, or None."""
     missing = (folder for folder in assets if not pathlib.Path(folder).is_dir())
     folder = next(missing, None)
     return None if folder is None else f"--assets {folder}: no such folder"
@@ -62,7 +62,7 @@ def make_reader(path, assets):
 
 
 def look_up(reader, path, assets):
-    """A reader, or writer, of a file that looks in the user's folders, beside it, then in what is shipped."""
+    """A reader, or writer, that searches the user's folders, the file's own, then the shipped data."""
     shipped = vtkhelios.data_directory()
     beside = str(pathlib.Path(path).parent)
     reader.SetFileName(to_vtk(path))

@@ -18,7 +18,7 @@ COLUMNS = (  # of a table of legs: title, width, text
 
 
 def summary_lines(report, folder):
-    """A run that is done."""
+    """A finished run."""
     totals, timings = report["totals"], report["timings"]
     seconds = max(timings["run_s"], 1e-9)
     threads = timings["threads"]
@@ -42,7 +42,7 @@ def summary_lines(report, folder):
 
 
 def file_lines(legs, folder):
-    """The files of a run, and the summary among them."""
+    """The files of a run, including the summary."""
     files = [(file["name"], file["bytes"]) for leg in legs for file in leg["files"]]
     lines = [f"{folder / name} ({readable(size)})" for name, size in files[:MAXIMUM_FILES]]
     if len(files) > MAXIMUM_FILES:
@@ -53,7 +53,7 @@ def file_lines(legs, folder):
 
 
 def estimate_lines(report):
-    """A run that there might be."""
+    """An estimated run."""
     totals = report["totals"]
     yield f"sub-rays {report['sampling']}"
     sizes = [readable(leg["bytes"]) for leg in report["legs"]]
@@ -73,19 +73,19 @@ def estimate_lines(report):
 
 
 def join_reports(plays, reports):
-    """The reports of several plays in one, with their sums."""
+    """Merges the reports of several epochs, with their sums."""
     joined = {"plays": [{"play": play, **report} for play, report in zip(plays, reports)]}
     names = reports[0]["totals"]
     joined["totals"] = {name: sum(each["totals"][name] for each in reports) for name in names}
     times = [each.get("timings", each) for each in reports]
     joined["timings"] = {name: sum(each[name] for each in times) for name in ("load_s", "run_s")}
-    if "memory_bytes" in reports[0]:  # of estimates: one play runs at a time
+    if "memory_bytes" in reports[0]:  # of estimates: epochs run one at a time
         joined["memory_bytes"] = max(each["memory_bytes"] for each in reports)
     return joined
 
 
 def plays_lines(joined):
-    """All plays of a survey together."""
+    """All epochs of a survey together."""
     totals, timings = joined["totals"], joined["timings"]
     seconds = timings["load_s"] + timings["run_s"]
     yield f"plays    {len(joined['plays'])}, of the same legs"
@@ -98,7 +98,7 @@ def plays_lines(joined):
 
 
 def table_lines(legs, more):
-    """The legs, one a line; more columns are (title, width, a value a leg)."""
+    """The legs, one per line; more columns are (title, width, one value per leg)."""
     shown = legs[:MAXIMUM_LEGS]
     columns = [(title, width, [text(leg) for leg in shown]) for title, width, text in COLUMNS]
     for title, width, values in more:
@@ -112,13 +112,13 @@ def table_lines(legs, more):
 
 
 def _padded(texts, width):
-    """Texts of one column, at its width or two blanks more than the longest."""
+    """Texts of one column, at its width or the longest plus two blanks."""
     width = max(width, 2 + max(map(len, texts)))
     return [f"{text:>{width}}" for text in texts]
 
 
 def describe_paths(totals):
-    """Which way the pulses went, and what they cost."""
+    """How pulses were sampled, and their cost."""
     pulses = max(1, totals["pulsesFired"])
     ways = {
         "on one plane": totals["pulsesOnPlane"],
@@ -136,7 +136,7 @@ def counted(number, what):
 
 
 def readable(size):
-    """A number of bytes for people: 1.2 MB."""
+    """A human-readable number of bytes: 1.2 MB."""
     for unit in ("B", "kB", "MB", "GB"):
         if size < 1000:
             return f"{size:.0f} {unit}" if unit == "B" else f"{size:.1f} {unit}"

@@ -13,13 +13,13 @@ import os
 import re
 import sys
 
-# All but tab and line feed; C1, and what reorders a line of text, too.
+# All except tab and line feed; also C1 and bidirectional control characters.
 _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
 _BYTE = re.compile("[\udc80-\udcff]")  # of a file name that is not UTF-8
 
 
 def visible(text, encoding="utf-8"):
-    """A text as it can be printed: \\x1b for an escape, \\xff for a byte that is no text."""
+    """A printable text: \\x1b for an escape, \\xff for a byte that is not text."""
     text = _BYTE.sub(lambda match: f"\\x{ord(match[0]) - 0xDC00:02x}", text)
     text = _CONTROL.sub(lambda match: match[0].encode("unicode_escape").decode(), text)
     return text.encode(encoding, "backslashreplace").decode(encoding)
@@ -28,7 +28,7 @@ def visible(text, encoding="utf-8"):
 class Stream:
     """A text stream whose text is visible() and whose errors are kept in ``error``.
 
-    ``unfiltered`` is the same stream for text that commands the terminal on purpose.
+    ``unfiltered`` is the same stream for intentional control sequences.
     """
 
     def __init__(self, raw, show=visible):
@@ -73,7 +73,7 @@ def _as_it_is(text, encoding):
 
 
 def _discard_the_rest(raw):
-    """What is still in the buffer of a stream would fail once more when Python ends."""
+    """The rest of a stream's buffer would fail again when Python exits."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         null = os.open(os.devnull, os.O_WRONLY)
         os.dup2(null, raw.fileno())
@@ -81,12 +81,12 @@ def _discard_the_rest(raw):
 
 
 def unfiltered(stream):
-    """The stream for text that commands the terminal, such as that of a progress bar."""
+    """The stream for control sequences, such as those of a progress bar."""
     return getattr(stream, "unfiltered", stream)
 
 
 class _Closed:
-    """A standard stream that the caller has closed."""
+    """A standard stream closed by the caller."""
 
     encoding = "utf-8"
 
@@ -102,7 +102,7 @@ class _Closed:
 
 @contextlib.contextmanager
 def standard_streams():
-    """Makes sys.stdout and sys.stderr such streams while entered; returns the one of results."""
+    """Replaces sys.stdout and sys.stderr while entered; returns the one of results."""
     before = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = (Stream(_Closed() if raw is None else raw) for raw in before)
     try:
@@ -114,13 +114,13 @@ def standard_streams():
 
 
 def fill_standard_descriptors():
-    """Opens /dev/null for each of the descriptors 0 to 2 that is closed.
+    """Opens /dev/null for each closed descriptor of 0 to 2.
 
-    Otherwise the next files that are opened take their numbers, and what a library prints goes into them.
+    Otherwise the next opened files get their numbers, and library output goes into them.
     """
     for number in (0, 1, 2):
         try:
             os.fstat(number)
         except OSError:
-            taken = os.open(os.devnull, os.O_RDWR)  # the lowest number that is free
+            taken = os.open(os.devnull, os.O_RDWR)  # the lowest free number
             os.set_inheritable(taken, True)

@@ -8,11 +8,11 @@ from ._progress import Pace, duration
 
 
 class Interrupted(Exception):
-    """Ctrl-C came; raised between two chunks."""
+    """Ctrl-C was pressed; raised between two chunks."""
 
 
 class Task:
-    """Counts points. ``total`` may be None: then nothing is said of the end."""
+    """Counts points. ``total`` may be None: then no remaining time is shown."""
 
     def __init__(self, name, total=None):
         self.name = name
@@ -23,20 +23,20 @@ class Task:
         self._callback = None
 
     def advance(self, count):
-        """So many points more are done; raises Interrupted where that was asked for."""
+        """Adds finished points; raises Interrupted if requested."""
         self.done += count
         self._pace.add(time.monotonic(), self.done)
         self.tell()
 
     def tell(self, name=None):
-        """Shows where it is; with a name, what it is at."""
+        """Shows the progress; with a name, the current step."""
         self.name = name or self.name
         if self._callback:
             self._callback()
         if self._stopped:
             raise Interrupted
 
-    # What a player has, too.
+    # Interface of a player.
 
     def Abort(self):
         self._stopped = True
@@ -49,7 +49,7 @@ class Task:
         self._callback = None
 
     def GetNumberOfPulsesDone(self):
-        return 0  # there is a message instead
+        return 0  # reported by a message
 
     def GetProgress(self):
         return self.done / self.total if self.total else 0.0

@@ -123,7 +123,7 @@ def run(arguments):
 
 
 def plan(arguments):
-    """What goes where."""
+    """The conversions to run."""
     for path in arguments.inputs:
         if not pathlib.Path(path).exists():
             raise formats.FormatError(f"{path}: no such file or folder; check its name")
@@ -176,7 +176,7 @@ def make_conversion(arguments, inputs, output):
 
 
 def refuse(conversions, overwrite):
-    """Inputs are never written to, nor other files without being told."""
+    """Inputs are never overwritten, nor other files without permission."""
     for conversion in conversions:
         sources = []
         for each in conversion.inputs:
@@ -208,7 +208,7 @@ def convert_all(conversions, arguments, messages):
 
 
 def conclude(conversion, seconds, messages):
-    """What has become of it."""
+    """Reports the result."""
     for note in dict.fromkeys(conversion.notes):
         messages.warning(note)
     for path, kind, count in conversion.kinds:

@@ -35,12 +35,12 @@ examples:
 exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
 """
 
-PIECE_SIZE = 64_000_000  # bytes of text that are in memory at a time
+PIECE_SIZE = 64_000_000  # bytes of text in memory at a time
 SELECTIONS = ["all", "first", "last", "strongest", "firstAndLast"]
 
 
 def output_name(text):
-    """An argparse type: a file whose ending says its form."""
+    """An argparse type: a file whose ending selects its format."""
     if pathlib.Path(text).suffix not in (".xyz", ".pvtp"):
         raise argparse.ArgumentTypeError(f"{text!r} ends neither in .xyz (text) nor in .pvtp (VTK)")
     return text
@@ -142,7 +142,7 @@ def make_reader(arguments):
 
 
 def count_pieces(reader, path):
-    """In how many pieces the waveforms are read, so that memory does not grow with the file."""
+    """Number of pieces in which waveforms are read, so that memory does not grow with the file."""
     reader.UpdateInformation()
     if reader.IsA("vtkHeliosWaveformXMLReader"):
         return max(1, reader.GetNumberOfPieces())
@@ -151,7 +151,7 @@ def count_pieces(reader, path):
 
 
 def make_detector(name):
-    """A detector by the name that surveys and options give it."""
+    """A detector by its name in surveys and options."""
     classes = {
         "peak": "vtkHeliosPeakDetector",
         "gaussian": "vtkHeliosGaussianDecomposition",
@@ -181,7 +181,7 @@ def make_writer(path):
 
 
 def complete(echoes):
-    """The echoes with the columns that only a scene could fill."""
+    """Adds the echo columns that require a scene."""
     data = echoes.GetPointData()
     for name, value in (("PartIds", -1), ("ClassificationIds", 0)):
         if not data.HasArray(name):
@@ -192,7 +192,7 @@ def complete(echoes):
 
 
 def give_up(arguments, writer):
-    """Removes what was written, of which nothing goes on; returns the exit code."""
+    """Removes the incomplete output; returns the exit code."""
     writer.Abandon()
     pathlib.Path(f"{arguments.output}.part").unlink(missing_ok=True)
     return 1

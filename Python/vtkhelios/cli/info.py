@@ -32,7 +32,7 @@ examples:
 exit codes: 0 done (with warnings or without), 1 failed, 2 wrong usage, 130 interrupted.
 """
 
-MOST = 12  # legs that are listed
+MOST = 12  # maximum listed legs
 
 
 def add_arguments(parser):

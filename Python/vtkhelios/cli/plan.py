@@ -93,7 +93,7 @@ def add_arguments(parser):
 
 
 def run(arguments):
-    require_utf8(arguments.input, arguments.output)  # the survey will name them, in XML
+    require_utf8(arguments.input, arguments.output)  # the survey stores them as XML
     with PlanMessages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         document = read_document(arguments, messages)
@@ -130,7 +130,7 @@ def run(arguments):
 
 
 def read_document(arguments, messages):
-    """What is to be planned, or None after an error."""
+    """The plan document, or None after an error."""
     if problem := missing_folder(arguments.assets):
         messages.error(problem)
         return None
@@ -161,7 +161,7 @@ def find_earlier_plan(folder, overwrite):
 
 
 def find_unusable(arguments, folder):
-    """What is wrong with the files that were named, or None."""
+    """The error in the named files, or None."""
     if arguments.exclude and not vtkXMLPolyDataReader().CanReadFile(arguments.exclude):
         return f"--exclude {arguments.exclude}: is no VTK XML file of polygons; give a .vtp"
     try:
@@ -174,7 +174,7 @@ def find_unusable(arguments, folder):
 
 
 def find_contradiction(settings):
-    """What lets nothing be seen, or None."""
+    """Why nothing can be visible, or None."""
     for low, high, options in (
         (settings["rangeMin_m"], settings["rangeMax_m"], "--range-min, --range-max"),
         (
@@ -189,7 +189,7 @@ def find_contradiction(settings):
 
 
 def conclude(arguments, plan, steps, folder, messages):
-    """Writes and prints what came of a plan; returns an exit code."""
+    """Writes and prints the result of a plan; returns an exit code."""
     report = make_report(plan, arguments.input)
     messages.info(
         f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
@@ -240,7 +240,7 @@ def write_plan(arguments, plan, steps, folder, report, messages):
 def clear(folder):
     """Makes a folder without the files of an earlier plan."""
     folder.mkdir(parents=True, exist_ok=True)
-    for name in reversed(FILES):  # the summary, which says that they are whole, first
+    for name in reversed(FILES):  # the summary, which marks them complete, first
         (folder / name).unlink(missing_ok=True)
     shutil.rmtree(folder / "check", ignore_errors=True)
 
@@ -251,7 +251,7 @@ def write_data(planner, folder):
     for port, name in ((2, "positions.vtp"), (0, "candidates.vtp"), (1, "test_points.vtp")):
         data = vtkPolyData()
         data.ShallowCopy(planner.GetOutputDataObject(port))
-        data.GetPointData().RemoveArray("Visibility")  # a bit a pair: as large as all else
+        data.GetPointData().RemoveArray("Visibility")  # a bit per pair: as large as all else
         part = folder / f"{name}.part"
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(part))
@@ -290,7 +290,7 @@ def write_survey(arguments, plan, folder, messages):
 
 
 def refer(reference, folder):
-    """A reference as it is to stand in a file of a folder: what is shipped by its name."""
+    """A reference as written to a file of a folder: shipped files by name."""
     path, mark, name = reference.partition("#")
     absolute = pathlib.Path(path).resolve()
     if absolute.is_relative_to(vtkhelios.data_directory().resolve() / "Assets"):
@@ -299,7 +299,7 @@ def refer(reference, folder):
 
 
 def draw(arguments, plan, folder, messages):
-    """The picture of a plan: its path, or None where there is none."""
+    """The picture of a plan: its path, or None without one."""
     if arguments.no_picture:
         return None
     from vtkhelios import plan_picture

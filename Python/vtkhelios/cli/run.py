@@ -333,12 +333,12 @@ def make_player(arguments, survey, messages):
 
 
 def plays_to_run(arguments, player, messages):
-    """The plays that are asked for; none after an error."""
+    """The epochs to run; empty after an error."""
     count = player.GetSurvey().GetNumberOfPlays()
     if arguments.play is not None:
-        return [arguments.play]  # the player says where there is none
+        return [arguments.play]  # the player reports a missing one
     if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
-        for play in range(count):  # before the first one runs for an hour
+        for play in range(count):  # before a long first run
             player.SetPlay(play)
             folder = pathlib.Path(from_vtk(player.GetRunFolder()))
             if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
@@ -351,7 +351,7 @@ def plays_to_run(arguments, player, messages):
 
 
 def run_play(arguments, player, play, messages, interrupt, reports):
-    """Runs a play and adds its report to the others; returns an exit code."""
+    """Runs an epoch and adds its report to the others; returns an exit code."""
     if interrupt.signal:
         messages.error(f"interrupted before play {play}: --resume goes on with it")
         return 128 + interrupt.signal
@@ -387,14 +387,14 @@ def run_play(arguments, player, play, messages, interrupt, reports):
 
 
 def read_report(player, folder):
-    """What a run did, or did before: then it is what its summary holds, which is checked."""
+    """The report of a run, or of an earlier one: then that of its summary, which is checked."""
     if player.GetWasFinished():
         return parse_summary(from_vtk(player.GetReport()), folder / "run_summary.json", FINISHED)
     return json.loads(from_vtk(player.GetReport()))
 
 
 def conclude(arguments, plays, reports, messages):
-    """What came of it as JSON; of several plays their sums, too."""
+    """The result as JSON; of several epochs also their sums."""
     report = reports[0]
     if len(reports) > 1:
         report = join_reports(plays, reports)

@@ -26,7 +26,7 @@ examples:
 exit codes: 0 done, 1 failed, 2 wrong usage.
 """
 
-# The names that HELIOS files give for their schema: the same dialect.
+# The schema names in HELIOS files: the same dialect.
 KINDS = ("platform", "scanner", "scene", "survey")
 
 INCLUDE = """\

@@ -36,7 +36,7 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
 
 @dataclasses.dataclass
 class Finding:
-    """One thing that is wrong; line is None where it is not in a line."""
+    """An error; line is None if it has no line."""
 
     file: str
     line: int | None
@@ -57,7 +57,7 @@ def add_arguments(parser):
 
 
 class Collector(Messages):
-    """Keeps what a reader says instead of printing it."""
+    """Keeps a reader's messages instead of printing them."""
 
     def __init__(self, path):
         super().__init__()
@@ -83,7 +83,7 @@ class Collector(Messages):
 
 
 def check(path, assets):
-    """What is wrong with a file and what it refers to, in the order of files and lines."""
+    """The errors of a file and the files it refers to, in the order of files and lines."""
     shown = visible(path)
     with Collector(shown) as messages:
         reader = make_reader(path, assets)

@@ -28,7 +28,7 @@ def find_viewer():
 
 
 def command(viewer, arguments, environment):
-    """The command that shows what is asked for: on a display of its own where none is needed."""
+    """The command of the viewer: with its own display if none is needed."""
     shipped = vtkhelios.data_directory()
     full = [viewer, *arguments]
     if arguments and not {"-h", "--help", "--version"} & set(arguments):
@@ -39,7 +39,7 @@ def command(viewer, arguments, environment):
 
 
 def explain_missing():
-    """Why there is no viewer, and the cure."""
+    """Why there is no viewer, and the remedy."""
     tree = pathlib.Path(vtkhelios.__file__).absolute().parents[4]  # of a build
     build = f"cmake --build {tree} --target {PROGRAM}"
     if not (tree / "CMakeCache.txt").is_file():

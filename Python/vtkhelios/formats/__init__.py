@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Point files of many formats, read and written in chunks.
 
-A chunk is what vtkhelios.arrays() gives: a dict of numpy arrays, ``points`` (n x 3, float64, [m])
+A chunk has the form of vtkhelios.arrays(): a dict of numpy arrays, ``points`` (n x 3, float64, [m])
 and every array of the points by its name in vtkHeliosArrayNames.h.
 
 >>> from vtkhelios import formats
@@ -11,9 +11,8 @@ and every array of the points by its name in vtkHeliosArrayNames.h.
 ...         for chunk in reader.chunks():
 ...             writer.write(chunk)
 
-Writers write to a file whose name ends in .part, and give it its own name when they are closed;
-an exception inside ``with`` removes it. Everything that is wrong is a FormatError that names the
-file and the cure.
+Writers write to a file whose name ends in .part, and rename it when they are closed; an exception
+inside ``with`` removes it. Every error is a FormatError that names the file and the remedy.
 
 To add a format: a module with a Reader and a Writer (see _base.py), and its line in FORMATS.
 """
@@ -41,11 +40,11 @@ FORMATS = {
     ".e57": ("_e57", "E57Reader", "E57Writer"),
 }
 
-_ONLY_UTF8 = {".copc.laz", ".e57"}  # what their libraries take as a name
+_ONLY_UTF8 = {".copc.laz", ".e57"}  # names accepted by their libraries
 
 
 def ending(path):
-    """Which of FORMATS a name ends in."""
+    """The entry of FORMATS that a name ends in."""
     name = pathlib.Path(path).name.lower()
     for known in FORMATS:
         if name.endswith(known):
@@ -79,5 +78,5 @@ def open_reader(path):
 
 
 def open_writer(path, header=None):
-    """The writer of a file, which is made with the first chunk."""
+    """The writer of a file, which is created with the first chunk."""
     return _find(path, 2)(path, header or Header())

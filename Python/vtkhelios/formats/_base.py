@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What all formats share."""
+"""Base classes of all formats."""
 
 import contextlib
 import dataclasses
@@ -21,7 +21,7 @@ ROWS = 500_000  # points of a chunk
 
 NUMBERS = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8")  # types of arrays
 
-# Arrays of clouds that have one value a point.
+# Arrays of clouds with one value per point.
 SCALARS = frozenset(
     "Amplitude CellIds ChannelIds ClassificationFlags ClassificationIds Deviation EchoWidth "
     "EdgeOfFlightLine GpsTime IncidenceAngle Intensity LegIds MaterialIds NearInfrared "
@@ -29,14 +29,14 @@ SCALARS = frozenset(
     "WaveformIds".split()
 )
 
-Chunk = dict  # name: numpy array; "points" is among them
+Chunk = dict  # name: numpy array; includes "points"
 
 
 class FormatError(ValueError):
-    """A file that cannot be read or written; says which, why, and what to do."""
+    """A file that cannot be read or written, with the reason and the remedy."""
 
 
-# What a path can name that is not a file to read; the words are those of heliosInputFile.cxx.
+# Paths that are not files to read; same messages as heliosInputFile.cxx.
 _KINDS = {
     stat.S_IFDIR: "a folder; give the name of a file",
     stat.S_IFIFO: "a FIFO, not a regular file; copy it to a file",
@@ -48,7 +48,7 @@ _KERNEL = "a file of the kernel (/proc, /sys), not a regular file; copy it to a 
 
 
 def check_file(path):
-    """FormatError where a path names no regular file, which may have no end or no size."""
+    """Raises FormatError unless a path is a regular file; others may have no end or no size."""
     path = os.fspath(path)
     try:
         status = os.stat(path)
@@ -63,24 +63,24 @@ def check_file(path):
 
 
 def _is_of_kernel(status):
-    """Whether the kernel makes up what is in a file when it is read."""
+    """Whether the kernel generates a file's contents on reading."""
     mounts = {os.stat(path).st_dev for path in ("/proc", "/sys") if os.path.isdir(path)}
     return status.st_dev in mounts - {os.stat("/").st_dev}
 
 
 def memory_limit(size):
-    """What one step of reading a file of a size may need [bytes]; some steps overlap."""
+    """Maximum memory of one step of reading a file of a size [bytes]; some steps overlap."""
     return 4e8 + 8.0 * size
 
 
 def is_failure(error):
-    """Whether an exception is a failure of a library; a panic of lazrs is no Exception."""
+    """Whether an exception is a failure of a library; a lazrs panic is not an Exception."""
     return isinstance(error, Exception) or type(error).__name__ == "PanicException"
 
 
 @contextlib.contextmanager
 def guarded(path):
-    """Whatever the libraries of a format raise becomes a FormatError that names the file."""
+    """Converts exceptions of a format's libraries to a FormatError that names the file."""
     try:
         yield
     except FormatError:
@@ -104,12 +104,12 @@ def guarded(path):
 
 
 def _as_text(value):
-    """A text of VTK, which gives bytes where they are not UTF-8."""
+    """A VTK string; VTK returns bytes if it is not UTF-8."""
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else value
 
 
 class Header:
-    """What is the same for all points of a file: field arrays, as VTK has them."""
+    """Values common to all points of a file: field arrays, as in VTK."""
 
     def __init__(self, fields=None):
         self.fields = vtkFieldData()
@@ -118,7 +118,7 @@ class Header:
 
     @property
     def crs(self):
-        """The coordinate system: WKT or EPSG:n; empty: not known."""
+        """The coordinate system: WKT or EPSG:n; empty: unknown."""
         array = self.fields.GetAbstractArray("CRS")
         return _as_text(array.GetValue(0)) if array and array.GetNumberOfValues() else ""
 
@@ -128,7 +128,7 @@ class Header:
 
     @property
     def epoch(self):
-        """What GpsTime counts from [s], GPS time since 6 January 1980; 0: not known."""
+        """Zero of GpsTime [s], GPS time since 6 January 1980; 0: unknown."""
         array = self.fields.GetArray("GpsEpoch")
         return array.GetTuple1(0) if array and array.GetNumberOfValues() else 0.0
 
@@ -164,13 +164,13 @@ class Header:
 
 @dataclasses.dataclass
 class Scan:
-    """Where points come from: a leg, or a file."""
+    """Source of points: a leg, or a file."""
 
     name: str
     translation: tuple = (0.0, 0.0, 0.0)  # of the scanner or platform [m]
     rotation: tuple = (1.0, 0.0, 0.0, 0.0)  # w x y z, body to world
     has_pose: bool = False
-    pulses: object = None  # a function of an iterator over chunks of pulses; None: not known
+    pulses: object = None  # a function of an iterator over chunks of pulses; None: unknown
 
 
 class _Closing:
@@ -179,23 +179,24 @@ class _Closing:
 
 
 class Reader(_Closing):
-    """Points of a file. ``count`` is their number, None where only reading tells."""
+    """Points of a file. ``count`` is their number, None if only known after reading."""
 
-    kind = ""  # for people
+    kind = ""  # for display
 
     def __init__(self, path):
         self.path = str(path)
         self.header = Header()
         self.count = None
         self.scans = [Scan(pathlib.Path(path).name.split(".")[0])]
-        self.scan = 0  # whose points the latest chunk has
-        self.has_waveforms = False  # that chunks do not have
-        self.notes = []  # what is not read, or otherwise than it may seem
-        self.keeps_invalid = False  # whether points that are not finite are in chunks, too
+        self.scan = 0  # of the points of the latest chunk
+        self.has_waveforms = False  # not included in chunks
+        self.notes = []  # skipped or reinterpreted data
+        self.keeps_invalid = False  # whether chunks include points that are not finite
 
     def chunks(self, rows=ROWS):
-        """Yields the points, at most so many at a time. Points that are not finite are left out,
-        unless keeps_invalid; the notes count them, and other values that are not finite."""
+        """Yields the points, at most this many at a time. Points that are not finite are skipped,
+        unless keeps_invalid; the notes count them, and other values that are not finite.
+        """
         invalid, seen = {}, 0
         with guarded(self.path):
             for chunk in self.read_chunks(rows):
@@ -205,7 +206,7 @@ class Reader(_Closing):
         self._note_invalid(invalid, seen)
 
     def read_chunks(self, rows):
-        """Yields the points as the file has them; of subclasses."""
+        """Yields the points as stored in the file; of subclasses."""
         raise NotImplementedError
 
     def _check_shapes(self, chunk):
@@ -217,7 +218,7 @@ class Reader(_Closing):
                 )
 
     def _drop_invalid(self, chunk, invalid):
-        """The finite points of a chunk; counts by name of array what is not finite."""
+        """The finite points of a chunk; counts values that are not finite by array name."""
         finite = np.isfinite(chunk["points"]).all(axis=1)
         for name, values in chunk.items():
             if values.dtype.kind == "f" and name != "points" and not np.isfinite(values).all():
@@ -248,18 +249,18 @@ class Reader(_Closing):
 
 
 class Writer(_Closing):
-    """Points into a file."""
+    """Writes points to a file."""
 
     def __init__(self, path, header):
         self.path = str(path)
         self.header = header
         self.count = 0  # of points written
-        self.lost = {}  # what the format has no room for: name to reason
+        self.lost = {}  # not storable in the format: name to reason
         self.notes = []
         self.scan = Scan(pathlib.Path(path).name.split(".")[0])
 
     def begin(self, scan):
-        """Says where the next chunks come from; formats that know scans start a new one."""
+        """Sets the scan of the next chunks; formats with scans start a new one."""
         self.scan = scan
 
     def write(self, chunk):
@@ -269,19 +270,19 @@ class Writer(_Closing):
         self.put(chunk)
 
     def put(self, chunk):
-        """Appends points that are checked; of subclasses."""
+        """Appends checked points; of subclasses."""
         raise NotImplementedError
 
     def close(self):
-        """Ends the file and gives it its name. Without any points: an error, and no file."""
+        """Ends the file and renames it. Without any points: an error, and no file."""
         raise NotImplementedError
 
     def abandon(self):
-        """Removes what there is."""
+        """Removes the output."""
         raise NotImplementedError
 
     def names(self):
-        """The files that close() leaves, as far as names can be told."""
+        """The files left by close(), as far as names are known."""
         return [self.path]
 
     def fail(self, problem):
@@ -299,7 +300,7 @@ class Writer(_Closing):
 
 
 class FileWriter(Writer):
-    """A writer of one binary file of its own. Subclasses write to ``file``."""
+    """A writer of a single binary file. Subclasses write to ``file``."""
 
     def __init__(self, path, header):
         super().__init__(path, header)
@@ -314,18 +315,18 @@ class FileWriter(Writer):
             self.fail(f"cannot be written: {error.strerror}; choose another folder")
 
     def keep_part(self):
-        """Gives the finished file its name."""
+        """Renames the finished file."""
         os.replace(self.part, self.path)
 
     def abandon(self):
         if self.file is not None and not self.file.closed:
-            with contextlib.suppress(OSError):  # of a full disk, which is told already
+            with contextlib.suppress(OSError):  # of a full disk, already reported
                 self.file.close()
         pathlib.Path(self.part).unlink(missing_ok=True)
 
 
 class StreamWriter(Writer):
-    """A writer by a vtkHeliosStreamWriter, a block a chunk."""
+    """A writer by a vtkHeliosStreamWriter, one block per chunk."""
 
     def __init__(self, path, header, stream):
         super().__init__(path, header)
@@ -353,7 +354,7 @@ class StreamWriter(Writer):
 
 
 def find_problem(chunk):
-    """What is wrong with the shapes and types of a chunk, or None."""
+    """The error in the shapes and types of a chunk, or None."""
     points = chunk.get("points")
     shape = np.shape(points)
     if len(shape) != 2 or shape[1] != 3:
@@ -408,7 +409,7 @@ def from_cloud(cloud):
 
 
 def call(owner, vtk_object, action):
-    """What an action of a VTK object returns; its errors become FormatErrors of owner.path."""
+    """Returns the result of an action of a VTK object; its errors become FormatErrors of owner.path."""
     with MessageLog() as log:
         log.watch(vtk_object)
         if hasattr(vtk_object, "GetExecutive"):
@@ -422,7 +423,7 @@ def call(owner, vtk_object, action):
 
 
 def need(module, what):
-    """Imports an optional package, or says how to get it."""
+    """Imports an optional package, or explains how to get it."""
     packages = {"laspy": "laspy lazrs", "lazrs": "laspy lazrs"}
     packages |= {"copclib": "copclib laspy lazrs", "pye57": "pye57 pyquaternion"}
     try:

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""COPC: a LAZ file in the order of an octree, by copclib.
+"""COPC: a LAZ file in octree order, by copclib.
 
-A node of the octree has one point of every cell of a grid of 128 x 128 x 128, or all where there
-are few; what is left goes to its children. Points are sorted by the Morton codes of their places,
-so that a node is a stretch of them; they wait in a scratch file.
+A node of the octree has one point per cell of a grid of 128 x 128 x 128, or all if there are few;
+the rest goes to its children. Points are sorted by the Morton codes of their positions, so that a
+node is a range of them; they are stored in a scratch file meanwhile.
 """
 
 import math
@@ -19,17 +19,17 @@ from ._base import FileWriter, need
 from ._las import Encoder, LazReader
 from ._records import RecordReader
 
-LEVELS = 21  # bits of a Morton code a direction
+LEVELS = 21  # bits of a Morton code per direction
 GRID = 7  # bits of a node's grid
 FEW = 20_000  # points that are not divided further
 
 
-INFO = 375 + 54  # the place of the record that says where the octree is
-ENTRY = struct.Struct("<4iQii")  # of a page: key, place, bytes, points; -1 points: another page
+INFO = 375 + 54  # offset of the record that locates the octree
+ENTRY = struct.Struct("<4iQii")  # of a page: key, offset, bytes, points; -1 points: another page
 
 
 class CopcReader(LazReader):
-    """As LAZ, which it is; the octree is checked and not used."""
+    """Read as LAZ; the octree is checked and not used."""
 
     def __init__(self, path):
         super().__init__(path)
@@ -41,7 +41,7 @@ class CopcReader(LazReader):
             )
 
     def _find_wrong_octree(self):
-        """What is wrong with the pages of the octree, or None."""
+        """The error in the pages of the octree, or None."""
         size, count = os.path.getsize(self.path), 0
         with open(self.path, "rb") as file:
             file.seek(INFO + 40)
@@ -62,7 +62,7 @@ class CopcReader(LazReader):
 
 
 def spread(values):
-    """Puts two zeros between the bits of whole numbers below 2^21."""
+    """Inserts two zeros between the bits of integers below 2^21."""
     x = values.astype(np.uint64)
     for shift, mask in (
         (32, 0x1F00000000FFFF),
@@ -154,7 +154,7 @@ class CopcWriter(FileWriter):
         self.keep_part()
 
     def _cube_size(self, extent, scales):
-        """The side of the cube [m]: a little more than the points need."""
+        """The side of the cube [m]: slightly more than the points need."""
         return max(float((extent * scales).max()), float(scales.max())) * (1 + 1e-6)
 
     def _codes(self, records, low, scales, size):
@@ -193,7 +193,7 @@ class CopcWriter(FileWriter):
         return found[0].string.rstrip("\0") if found else ""
 
     def _extra_bytes(self, model):
-        """Extra Bytes as copclib knows them: their names it takes from a LAZ file only."""
+        """Extra Bytes known to copclib: it takes their names from a LAZ file only."""
         import laspy
 
         with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""E57 by pye57: a scan a leg or file, in the coordinates of its scanner, with its pose."""
+"""E57 by pye57: a scan per leg or file, in scanner coordinates, with its pose."""
 
 import pathlib
 import uuid
@@ -12,13 +12,13 @@ import vtkhelios
 from ._base import ROWS, FileWriter, Reader, Scan, need, rows_of
 from ._grid import find_grid
 
-OURS = "vtkHelios, intensity: amplitude [W]"  # how the description of a scan begins
+OURS = "vtkHelios, intensity: amplitude [W]"  # prefix of a scan's description
 STANDARD = ("points", "Amplitude", "Intensity", "ReturnNumber", "NumberOfReturns", "GpsTime", "RGB")
 XYZ = ("cartesianX", "cartesianY", "cartesianZ")
 POLAR = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 COLOURS = ("colorRed", "colorGreen", "colorBlue")
-LONG = np.dtype("q")  # 64 bits for pye57, which takes numpy's int64 for 32 bits
-DIRECTION_ONLY = 1  # of cartesianInvalidState: x y z is where the pulse went
+LONG = np.dtype("q")  # 64 bits for pye57, which treats numpy's int64 as 32 bits
+DIRECTION_ONLY = 1  # of cartesianInvalidState: x y z is the pulse direction
 
 
 def rotation_matrix(quaternion):
@@ -34,7 +34,7 @@ def rotation_matrix(quaternion):
 
 
 def _first_line(error):
-    """What libE57Format says, without the places in its source."""
+    """The message of libE57Format, without source locations."""
     return (str(error).strip().splitlines() or [type(error).__name__])[0]
 
 
@@ -46,7 +46,7 @@ class E57Reader(Reader):
             self._file = self._pye57.E57(self.path)
             headers = [self._file.get_header(i) for i in range(self._file.scan_count)]
             self.header.crs = self._text(self._file.root, "coordinateMetadata")
-        except Exception as error:  # of libE57Format, whose type differs between releases
+        except Exception as error:  # of libE57Format, whose type varies between releases
             self.fail(f"is no E57 file, or is damaged: {_first_line(error)}; copy it again")
         self.count = sum(header.point_count for header in headers)
         self.kind = f"E57, {len(headers)} scan{'s'[: len(headers) != 1]}"
@@ -124,7 +124,7 @@ class E57Reader(Reader):
         return chunk
 
     def _place(self, data):
-        """World coordinates; those that are not finite stay so."""
+        """World coordinates; values that are not finite stay so."""
         with np.errstate(invalid="ignore", over="ignore"):
             return self._move_to_world(data)
 
@@ -169,7 +169,7 @@ class E57Writer(FileWriter):
         self._libe57 = need("pye57", "E57 files").libe57
         self._image = None  # of libE57Format
         self._writer = None  # of the points of a scan
-        self._rows = 0  # room in the buffers
+        self._rows = 0  # capacity of the buffers
 
     def begin(self, scan):
         self._try(self._end_scan)
@@ -179,7 +179,7 @@ class E57Writer(FileWriter):
         self._try(lambda: self._write(chunk))
 
     def _try(self, action):
-        """Errors of libE57Format, a full disk among them, name the file."""
+        """Errors of libE57Format, including a full disk, name the file."""
         try:
             action()
         except self._libe57.E57Exception as error:
@@ -202,7 +202,7 @@ class E57Writer(FileWriter):
         self.count += rows_of(chunk)
 
     def _open(self):
-        self.open_part()  # that it can be written
+        self.open_part()  # checks that it is writable
         self.file.close()
         libe57 = self._libe57
         self._image = image = libe57.ImageFile(self.part, "w")
@@ -285,7 +285,7 @@ class E57Writer(FileWriter):
             self._writer.write(count)
 
     def _put_misses(self):
-        """The pulses that came to nothing, as directions."""
+        """Writes pulses without echoes, as directions."""
         for miss in self._pulses.misses(self.scan.pulses(), self._turn, ROWS):
             count = len(miss["cartesianX"])
             fields = {
@@ -312,7 +312,7 @@ class E57Writer(FileWriter):
         return node
 
     def _structure(self, numbers=()):
-        """A structure of real numbers."""
+        """A structure of floats."""
         image = self._image
         node = self._libe57.StructureNode(image)
         for name, value in dict(numbers).items():

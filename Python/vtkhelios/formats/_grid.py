@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows and columns of a scan, from its pulses, those that hit nothing among them."""
+"""The rows and columns of a scan, from its pulses, including those without echoes."""
 
 import numpy as np
 
-JUMP = 10.0  # of the angle, in usual steps: a new line
+JUMP = 10.0  # of the angle, in typical steps: a new line
 
 
 class Grid:
-    """Row and column of every pulse of a scan: 17 bytes a pulse."""
+    """Row and column of every pulse of a scan: 17 bytes/pulse."""
 
     def __init__(self, first, rows, columns):
         self._first = first
@@ -17,16 +17,16 @@ class Grid:
         self._hit = np.zeros(len(rows), bool)
 
     def place(self, ids):
-        """The fields of E57 of pulses by their ids."""
+        """The E57 fields of pulses by their ids."""
         at = np.clip(ids - self._first, 0, len(self._rows) - 1)
         return {"rowIndex": self._rows[at], "columnIndex": self._columns[at]}
 
     def note(self, ids):
-        """Pulses that have an echo."""
+        """Marks pulses that have an echo."""
         self._hit[np.clip(ids - self._first, 0, len(self._hit) - 1)] = True
 
     def misses(self, chunks, turn, rows):
-        """Yields the pulses that have none: directions in the frame of the scanner."""
+        """Yields the pulses without echoes: directions in the frame of the scanner."""
         for chunk in chunks:
             for begin in range(0, len(chunk["PulseIds"]), rows):
                 ids = chunk["PulseIds"][begin : begin + rows]
@@ -42,10 +42,10 @@ class Grid:
 
 
 def find_grid(chunks, turn):
-    """The grid of pulses, or None where they are in no lines.
+    """The grid of pulses, or None if they are not in lines.
 
-    A line ends where the angle of the mirror jumps, or where pulses are left out; rows are steps
-    of that angle. Of a scanner of several channels a channel is a row.
+    A line ends where the mirror angle jumps, or where pulses are missing; rows are steps of that
+    angle. For a multi-channel scanner a channel is a row.
     """
     parts = [
         (chunk["PulseIds"].copy(), _angles(chunk, turn), chunk["ChannelIds"].copy())

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""LAS by vtkHeliosLASReader and vtkHeliosLASWriter; LAZ as LAS that laspy and lazrs compress.
+"""LAS by vtkHeliosLASReader and vtkHeliosLASWriter; LAZ as LAS compressed by laspy and lazrs.
 
-A chunk of LAZ passes through a small LAS file in a temporary folder, so that arrays become fields,
-and fields arrays, in one place only: in C++.
+A chunk of LAZ passes through a small LAS file in a temporary folder, so that arrays and fields are
+converted in one place only: in C++.
 """
 
 import pathlib
@@ -21,7 +21,7 @@ from ._records import RecordReader, RecordWriter
 
 
 def _head(path):
-    """What a header tells: number of points, version and format in words, whether waveforms."""
+    """Header data: number of points, version and format as text, whether waveforms."""
     with open(path, "rb") as file:
         start = file.read(375).ljust(375, b"\0")
     old, new = struct.unpack_from("<I", start, 107)[0], struct.unpack_from("<Q", start, 247)[0]
@@ -37,7 +37,7 @@ class LasReader(Reader):
         self._reader.SetFileName(self.path)
         self.count, words, self.has_waveforms = _head(self.path)
         self.kind = f"LAS {words}"
-        some = self._piece(0, min(max(1, self.count), 2**31 - 1))  # finds what is wrong, too
+        some = self._piece(0, min(max(1, self.count), 2**31 - 1))  # also finds errors
         self.header = Header(some.GetFieldData())
         if self.count == 0:
             self.fail("has no points; give a file with points")
@@ -53,7 +53,7 @@ class LasReader(Reader):
 
 
 def _call(owner, reader, action):
-    """As call(); values that are not finite are not noted: Reader counts them."""
+    """As call(), without notes on values that are not finite: Reader counts them."""
     known = len(owner.notes)
     call(owner, reader, action)
     owner.notes[known:] = [note for note in owner.notes[known:] if "is not finite at" not in note]
@@ -106,7 +106,7 @@ class LasWriter(StreamWriter):
 
 
 class Encoder:
-    """Chunks as LAS records: those that vtkHeliosLASWriter writes. One header for all of them."""
+    """Chunks as the LAS records of vtkHeliosLASWriter. One header for all of them."""
 
     def __init__(self, owner, header):
         self._owner = owner

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LAS headers and LAZ chunks, checked before laspy and lazrs read them.
 
-Both believe what a file says of itself: they ask for the memory of any count, and a wrong one ends
-the process. Every size is held against the file here, and every count against the chunk table.
+Both trust the file: they allocate memory for any count, and a wrong one ends the process. Every
+size is checked against the file here, and every count against the chunk table.
 """
 
 import struct
@@ -13,13 +13,13 @@ import numpy as np
 from ._base import memory_limit
 
 LASZIP = (b"laszip encoded", 22204)
-TABLE_AT_END = -1  # the place of a chunk table that the last 8 bytes of the file tell
-VARIABLE = 2**32 - 1  # the chunk size of chunks that differ
+TABLE_AT_END = -1  # the last 8 bytes of the file hold the chunk table offset
+VARIABLE = 2**32 - 1  # the chunk size of variable chunks
 LAYERED = 3  # a compressor
-POINTS_A_BYTE = 100  # of compressed points, at most
-FEW = 1_000_000  # points that may be in any file
+POINTS_A_BYTE = 100  # of compressed points, maximum
+FEW = 1_000_000  # points allowed in any file
 
-# Items of a compressed point, by type: bytes (None: any), layers of a chunk (None: one a byte).
+# Items of a compressed point, by type: bytes (None: any), layers of a chunk (None: one per byte).
 ITEMS = {
     0: (None, 0), 6: (20, 0), 7: (8, 0), 8: (6, 0), 9: (29, 0),
     10: (30, 9), 11: (6, 1), 12: (8, 2), 13: (29, 1), 14: (None, None),
@@ -27,11 +27,11 @@ ITEMS = {
 
 
 class Damage(Exception):
-    """What is wrong with a file."""
+    """An error in a file."""
 
 
 def check_header(start, size):
-    """What is wrong with the first 375 bytes of a file of a size, or None."""
+    """The error in the first 375 bytes of a file of a size, or None."""
     if len(start) < 227 or start[:4] != b"LASF":
         return "it does not start with a header of LASF"
     if start[24] != 1 or start[25] > 4:
@@ -57,8 +57,7 @@ def _find_wrong_scale(start):
 
 
 def check_points(path, header, size):
-    """Raises Damage where the compressed points of a file are not as its header says; the header is
-    that of laspy."""
+    """Raises Damage if the compressed points of a file do not match its header; the header is that of laspy."""
     import lazrs
 
     zipped = header.vlrs.get("LasZipVlr")
@@ -89,7 +88,7 @@ def check_points(path, header, size):
 
 
 def _check_items(data, width):
-    """The number of layers of a chunk, 0 where it has none."""
+    """The number of layers of a chunk, 0 without layers."""
     if len(data) < 34:
         raise Damage("its header record of LASzip is cut off")
     compressor, items = struct.unpack_from("<H", data)[0], struct.unpack_from("<H", data, 32)[0]
@@ -109,7 +108,7 @@ def _check_items(data, width):
 
 
 def _find_table(file, begin, size):
-    """The place of the chunk table, and its number of chunks."""
+    """The offset of the chunk table, and its number of chunks."""
     file.seek(begin)
     place = _unpack(file, "<q")
     if place == TABLE_AT_END:
@@ -153,7 +152,7 @@ def _check_chunks(sizes, count, width, room, size):
 
 
 def _check_memory(points, width, size):
-    """lazrs has room for whole chunks, of the size that the header record says."""
+    """lazrs allocates whole chunks, of the size in the header record."""
     if points * width > memory_limit(size):
         raise Damage(
             f"a chunk of {points} points needs {points * width / 1e6:.0f} MB, too much for a file "

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """PCD of the Point Cloud Library, by vtkHeliosPCDReader and vtkHeliosPCDWriter.
 
-Binary, x y z as floats about an origin that a comment tells: what PCL's point types take.
+Binary, x y z as floats relative to an origin in a comment: as in PCL's point types.
 """
 
 import vtkhelios
@@ -11,7 +11,7 @@ from ._base import ROWS, Header, Reader, StreamWriter, call, from_cloud, rows_of
 
 
 class PcdReader(Reader):
-    """In memory as a whole."""
+    """Read into memory as a whole."""
 
     kind = "PCD"
 

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """PLY: binary, little endian, every array a property of the vertices.
 
-VTK's writer has floats for coordinates and leaves arrays out; a vertex of fixed size is a numpy
-record, so reading and writing are a header and copies.
+VTK's writer uses floats for coordinates and drops arrays; a vertex of fixed size is a numpy record,
+so reading and writing are a header and copies.
 """
 
 import numpy as np
@@ -17,19 +17,19 @@ TYPES = {
 }  # fmt: skip
 WORDS = {"i1": "char", "u1": "uchar", "i2": "short", "u2": "ushort", "i4": "int", "u4": "uint"}
 WORDS |= {"f4": "float", "f8": "double"}
-MARK = "vtkhelios"  # of the comments that say what PLY does not
+MARK = "vtkhelios"  # of comments with data that PLY cannot store
 
-# Names that others know.
+# Names used by other programs.
 NORMALS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
-LARGEST = 2**53  # whole numbers that doubles hold
-COUNT_WIDTH = 20  # room for the number of vertices, filled with a comment
+LARGEST = 2**53  # integers exact in doubles
+COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
 
 class PlyReader(Reader):
     def __init__(self, path):
         super().__init__(path)
         self._properties = []  # name, type
-        self._marks = {}  # what our comments say
+        self._marks = {}  # data of our comments
         with open(self.path, "rb") as file:
             self._read_head(file)
             self._begin = file.tell()
@@ -100,7 +100,7 @@ class PlyReader(Reader):
         self._properties.append((words[2], TYPES[words[1]]))
 
     def _read_epoch(self):
-        """What our comment says of the times, 0: nothing."""
+        """The time origin in our comment, 0: none."""
         word = self._marks.get("epoch", "0")
         try:
             epoch = float(word)
@@ -137,7 +137,7 @@ class PlyReader(Reader):
         return vertices
 
     def _fill(self, vertices, name, values, done):
-        """Numbers of text as the type that the header says."""
+        """Numbers of text as the type in the header."""
         with np.errstate(invalid="ignore", over="ignore"):
             vertices[name] = values
         wrong = vertices[name] != values
@@ -178,7 +178,7 @@ class PlyReader(Reader):
         chunk[name] = self._widen(name, values, wide) if wide in ("int64", "uint64") else values
 
     def _widen(self, name, values, kind):
-        """Whole numbers that the writer kept as doubles."""
+        """Integers stored as doubles by the writer."""
         if not ((np.abs(values) <= LARGEST) & (np.rint(values) == values)).all():
             self.fail(f"has values of {name} that are no whole numbers to 2^53; correct them")
         return values.astype(kind)
@@ -237,7 +237,7 @@ class PlyWriter(FileWriter):
         return bytes_of
 
     def _fit(self, name, values):
-        """Whole numbers of 64 bits as doubles, which hold those to 2^53."""
+        """64-bit integers as doubles, exact up to 2^53."""
         if values.dtype.itemsize < 8 or values.dtype.kind == "f":
             return values
         if len(values) and max(abs(int(values.min())), abs(int(values.max()))) > LARGEST:
@@ -247,7 +247,7 @@ class PlyWriter(FileWriter):
         return values.astype(np.float64)
 
     def _head(self, count):
-        """The header, of the same size whatever the count."""
+        """The header, of the same size for any count."""
         text = str(count)
         lines = ["ply", "format binary_little_endian 1.0"]
         lines.append("comment " + "." * (COUNT_WIDTH - len(text)))

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""LAS and LAZ as records: bytes that are copied as they are, so that nothing is lost."""
+"""LAS and LAZ as records: bytes are copied verbatim, so that nothing is lost."""
 
 import copy
 import logging
@@ -14,22 +14,22 @@ from ._base import ROWS, FormatError, check_file, is_failure, need
 from ._las_check import Damage, check_header, check_points
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
-NOT_KEPT = (b"laszip encoded", b"copc")  # users of records that say how points are compressed
+NOT_KEPT = (b"laszip encoded", b"copc")  # users of the point compression records
 HEAD, EXTENDED_HEAD = 54, 60  # bytes before the data of a record
-INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: where packets are
-DESCRIPTORS = range(100, 355)  # the numbers of the records that say how packets are made
-TO_SCANNER = b"waveform [W], to the scanner"  # what heliosLasWaves.h has descriptors say, and
-FROM_SCANNER = b"waveform [W]"  # what earlier versions said, whose vectors led the other way
+INTERNAL, EXTERNAL = 2, 4  # bits of the global encoding: location of packets
+DESCRIPTORS = range(100, 355)  # numbers of the waveform packet descriptor records
+TO_SCANNER = b"waveform [W], to the scanner"  # descriptor text in heliosLasWaves.h, and
+FROM_SCANNER = b"waveform [W]"  # that of earlier versions, whose vectors had the opposite sign
 
 
 class RecordReader:
-    """The header of a file as laspy knows it, its head as bytes, and its points as records."""
+    """The header of a file in laspy, its head as bytes, and its points as records."""
 
     def __init__(self, path):
         self.path = str(path)
-        self.notes = []  # what is read otherwise than it may seem
+        self.notes = []  # reinterpreted data
         laspy = need("laspy", "LAS and LAZ files")
-        logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is an exception, too
+        logging.getLogger("laspy").setLevel(logging.CRITICAL)  # it is also an exception
         if os.path.exists(self.path):
             check_file(self.path)
         self._size = os.path.getsize(self.path)
@@ -44,7 +44,7 @@ class RecordReader:
             self._turn_descriptors()
         except FormatError:
             raise
-        except Exception as error:  # whatever laspy raises for bytes that cannot be
+        except Exception as error:  # any exception of laspy for invalid bytes
             self.fail(f"is no LAS or LAZ file, or its header is damaged: {error}; write it again")
         if self.header.are_points_compressed:
             need("lazrs", "LAZ files")
@@ -55,7 +55,7 @@ class RecordReader:
         raise FormatError(f"{self.path}: {problem}")
 
     def _make_plain(self, header):
-        """laspy writes no texts that are not ASCII; RecordWriter brings their bytes back."""
+        """laspy writes only ASCII texts; RecordWriter restores their bytes."""
         for name in ("generating_software", "system_identifier"):
             setattr(header, name, _as_ascii(getattr(header, name)))
         from laspy import VLR
@@ -83,8 +83,9 @@ class RecordReader:
             self.extended = self._find_extended(file, start) if self.minor >= 4 else []
 
     def _turn_descriptors(self):
-        """Waveform vectors of earlier versions lead away from the scanner: chunks() turns them, and
-        records say so."""
+        """Waveform vectors of earlier versions point away from the scanner: chunks() inverts them
+        and updates the records.
+        """
         from laspy import VLR
 
         turned = [(user, _say_turned(data)) for user, data in self.records]
@@ -104,7 +105,7 @@ class RecordReader:
         )
 
     def _find_extended(self, file, start):
-        """The extended records: user, id, place, size with the head."""
+        """The extended records: user, id, offset, size with the head."""
         place, count = struct.unpack_from("<QI", start, 235)
         found = []
         for _ in range(count):
@@ -150,7 +151,7 @@ class RecordReader:
             )
 
     def packets(self):
-        """Where the waveform packets are: file, place, size with a head of 60 bytes; or None."""
+        """Location of the waveform packets: file, offset, size with a head of 60 bytes; or None."""
         if not self.header.point_format.has_waveform_packet:
             return None
         for user, number, place, size in self.extended:
@@ -190,7 +191,7 @@ class RecordReader:
 
 
 def _as_ascii(text):
-    """A text of a header, as laspy gives it, with ? for what is not ASCII."""
+    """A header text, as laspy returns it, with ? for what is not ASCII."""
     data = text if isinstance(text, bytes) else str(text).encode("latin-1", "replace")
     return data.decode("ascii", "replace").replace("\ufffd", "?")
 
@@ -206,7 +207,7 @@ def _split(data, count):
 
 
 def _say_turned(data):
-    """A descriptor record of an earlier version as one of today; others as they are."""
+    """A descriptor record of an earlier version in current form; others unchanged."""
     is_ours = (
         data[2:18].split(b"\0")[0] == b"LASF_Spec"
         and struct.unpack_from("<H", data, 18)[0] in DESCRIPTORS
@@ -216,7 +217,7 @@ def _say_turned(data):
 
 
 class RecordWriter:
-    """Points as records, with the head of the file that they come from."""
+    """Points as records, with the head of their file."""
 
     def __init__(self, file, reader, compress):
         import laspy
@@ -232,7 +233,7 @@ class RecordWriter:
             self._writer = laspy.LasWriter(
                 file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
             )
-        except Exception as error:  # what laspy reads and does not write
+        except Exception as error:  # read but not written by laspy
             raise FormatError(
                 f"{reader.path}: its records cannot be copied by laspy: {type(error).__name__} "
                 f"{error}; convert it with another program first"
@@ -240,8 +241,9 @@ class RecordWriter:
         self._laspy = laspy
 
     def _choose_backend(self, laspy, form):
-        """lazrs, but for waveforms laszip where it is there: lazrs loses the waveform fields of
-        formats 9 and 10 where scanner channels change."""
+        """lazrs, but laszip for waveforms if available: lazrs loses the waveform fields of formats
+        9 and 10 when scanner channels change.
+        """
         backends = laspy.LazBackend
         if form.id not in (9, 10):
             return backends.LazrsParallel
@@ -266,7 +268,7 @@ class RecordWriter:
         self._try(lambda: self._writer.write_points(self._laspy.PackedPointRecord(records, form)))
 
     def _try(self, action):
-        """Errors of lazrs and laszip, of which a full disk is one, name the file."""
+        """Errors of lazrs and laszip, including a full disk, name the file."""
         try:
             action()
         except (OSError, FormatError):
@@ -278,7 +280,7 @@ class RecordWriter:
             ) from error
 
     def shift(self, records, reader):
-        """Brings coordinates to the offset of this file; False where they do not fit in exactly."""
+        """Converts coordinates to the offset of this file; False if that is not exact."""
         ours, theirs = self._model.header, reader.header
         steps = (theirs.offsets - ours.offsets) / ours.scales
         whole = np.rint(steps)
@@ -292,14 +294,13 @@ class RecordWriter:
         return True
 
     def add_packets(self, packets):
-        """Takes the packets of a file along; what their places in points grow by."""
+        """Adds the packets of a file; returns the shift of their offsets in points."""
         before = sum(size - EXTENDED_HEAD for _, _, size in self._ranges)
         self._ranges.append(packets)
         return before
 
     def close(self, internal=True, beside=None, bare=False):
-        """Ends the file; the packets go into it, or into another one that is open. Bare: without
-        extended records."""
+        """Ends the file; packets are written to it, or to another open one. Bare: without extended records."""
         self._try(self._writer.close)
         self._restore_head()
         if bare:
@@ -313,8 +314,7 @@ class RecordWriter:
             self._append(others, internal, beside)
 
     def _restore_head(self):
-        """Who made the file, the day and the records as they were, to the byte; records only where
-        there are as many bytes of them."""
+        """Restores creator, date and records, byte-identical; records only if the total size agrees."""
         for first, last in ((4, 6), (8, 24), (26, 94)):
             self.file.seek(first)
             self.file.write(self._model.start[first:last])
@@ -374,7 +374,7 @@ def _copy(path, place, size, file, block=1 << 24):
 
 
 def same_form(one, other):
-    """Why the records of two files do not fit into one, or an empty text."""
+    """Why the records of two files do not fit into one, or an empty string."""
     ours, theirs = one.header, other.header
     if ours.point_format != theirs.point_format or ours.version != theirs.version:
         return "other point formats or Extra Bytes"

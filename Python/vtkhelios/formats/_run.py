@@ -21,7 +21,7 @@ NUMBER = re.compile(r"-?\d{1,9}")
 
 
 def is_run(path):
-    """Whether a path is a folder, which can only be a run."""
+    """Whether a path is a folder, i.e. a run."""
     return pathlib.Path(path).is_dir()
 
 
@@ -54,7 +54,7 @@ class RunReader(Reader):
         )
 
     def _find_unnamed(self):
-        """Notes on files of points in the folder that the summary does not name."""
+        """Notes on point files in the folder that the summary does not list."""
         beside = {path.name for path in self.folder.iterdir() if POINTS.fullmatch(path.name)}
         return [
             f"{self.folder / name}: is not read: run_summary.json does not name it; run the survey "
@@ -63,7 +63,7 @@ class RunReader(Reader):
         ]
 
     def _count(self):
-        """The points of the files; what legs of a strip write to the same one adds up there."""
+        """The points of the files; legs of a strip that share a file add up."""
         records = {file["name"]: file["records"] for leg in self.summary["legs"]
                    for file in leg["files"]}  # fmt: skip
         return sum(records[name] for name in self.files)
@@ -88,7 +88,7 @@ class RunReader(Reader):
         return open_reader(path)
 
     def leg_of(self, name):
-        """The number of the leg or strip in the name of a file; -1: its strip has a name."""
+        """The number of the leg or strip in a file name; -1: its strip has a name."""
         number = POINTS.fullmatch(name)[3]
         return int(number) if NUMBER.fullmatch(number) else -1
 
@@ -104,7 +104,7 @@ class RunReader(Reader):
             self.notes += [note for note in reader.notes if note not in self.notes]
 
     def trajectory(self, name):
-        """Times [s], points [m] and quaternions of the leg of a file of points; None: no file."""
+        """Times [s], points [m] and quaternions of the leg of a point file; None: no file."""
         stem = POINTS.fullmatch(name)[1]
         for ending in (".txt", ".pvtp"):
             path = self.folder / f"{stem}_trajectory{ending}"
@@ -127,7 +127,7 @@ class RunReader(Reader):
             return Scan(stem)
         _, places, turns = trajectory
         stands = np.ptp(places, axis=0).max() == 0.0
-        if not stands:  # a frame of its own, near the points
+        if not stands:  # a local frame near the points
             return Scan(stem, tuple(np.rint(places.mean(axis=0))), has_pose=True)
         origin = next(pulses())["points"][0] if pulses else places[0]
         return Scan(stem, tuple(origin), tuple(turns[0]), True, pulses)
@@ -160,7 +160,7 @@ def _text_pulses(path, rows=ROWS):
 
 
 def _text_trajectory(owner, path):
-    """x y z, GPS time, roll pitch yaw, as vtkHeliosTrajectoryTextWriter has them."""
+    """x y z, GPS time, roll pitch yaw, as written by vtkHeliosTrajectoryTextWriter."""
     reader = vtkhelios.vtkHeliosTrajectoryReader()
     reader.SetFileName(str(path))
     for name, column in zip(("X", "Y", "Z", "Time", "Roll", "Pitch", "Yaw"), range(7)):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""run_summary.json: read, and checked against what vtkhelios run writes."""
+"""run_summary.json: read, and checked against the output of vtkhelios run."""
 
 import json
 
@@ -49,7 +49,7 @@ EXPECTED = {
     list: "a list",
 }
 
-# What a summary holds: a dict by its keys, a list by its one kind of entry; of OPTIONS any keys.
+# Contents of a summary: a dict by its keys, a list by its one kind of entry; any keys in OPTIONS.
 _COUNTS = ("firstReturns", "hitsOutOfRange", "points", "pulses", "pulsesBinned", "pulsesFired")
 _COUNTS += ("pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "subRays")
 _OPTIONS = {None: _option}
@@ -70,9 +70,9 @@ WHOLE = {
     "versions": {"VTK": _text, "vtkHelios": _text},
 }  # fmt: skip
 
-# What must be there for points to be found; all else is checked where it is there.
+# Required to find points; other keys are checked if present.
 FILES = {"legs": [{"files": [{"name": None, "records": None}]}]}
-# And for what reports say.
+# Also for reports.
 REPORT = {
     **FILES,
     "inputs": [{"bytes": None, "file": None, "sha256": None}],
@@ -87,14 +87,14 @@ REPORT = {
     ),
     "versions": dict.fromkeys(("VTK", "vtkHelios")),
 }  # fmt: skip
-# And for what vtkhelios run says of a run that was finished before.
+# Also for vtkhelios run on a finished run.
 FINISHED = {**REPORT, "totals": {**REPORT["totals"], "points": None, "firstReturns": None}}
 FINISHED["legs"] = [{**REPORT["legs"][0], "pulses": None,
                      "files": [{"name": None, "records": None, "bytes": None}]}]  # fmt: skip
 
 
 def read_summary(path, needed=FILES):
-    """The summary in a file; FormatError where it cannot be read, or is not as it should be."""
+    """The summary in a file; FormatError if it cannot be read, or is not valid."""
     check_file(path)
     try:
         data = path.read_bytes()
@@ -104,7 +104,7 @@ def read_summary(path, needed=FILES):
 
 
 def parse_summary(data, path, needed=FILES):
-    """The summary in text or bytes, of which a file is named in messages."""
+    """The summary in text or bytes; messages name the file."""
     try:
         text = data if isinstance(data, str) else data.decode()
         summary = json.loads(text, object_pairs_hook=_unique, parse_constant=_refuse)
@@ -119,7 +119,7 @@ def parse_summary(data, path, needed=FILES):
 
 
 def check_summary(summary, path, needed=FILES):
-    """FormatError where a key is missing that is needed, or a value is not what it should be."""
+    """Raises FormatError if a required key is missing, or a value is not valid."""
     try:
         _check(summary, WHOLE, "")
         _check_keys(summary, needed, "")
@@ -129,7 +129,7 @@ def check_summary(summary, path, needed=FILES):
 
 
 class _Wrong(ValueError):
-    """What is wrong with a value, and where."""
+    """The error of a value, and its location."""
 
 
 def _check(value, kind, where):
@@ -181,7 +181,7 @@ def _refuse(word):
 
 
 def _quote(value):
-    """A value as a message shows it: one line of ASCII that is cut where it is long."""
+    """A value in a message: one line of ASCII, truncated if long."""
     if isinstance(value, (dict, list)):
         return "an object" if isinstance(value, dict) else "a list"
     if isinstance(value, int) and abs(value) > 10**LONGEST:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Text: the eleven columns of vtkHeliosPointTextWriter, or any whose first three are x y z."""
+"""Text: the eleven columns of vtkHeliosPointTextWriter, or any that start with x y z."""
 
 import itertools
 import pathlib
@@ -22,7 +22,7 @@ ARRAYS = (
     ("ClassificationIds", 9, np.int32),
     ("GpsTime", 10, np.float64),
 )
-# What a column is where there is no such array.
+# Default values of columns without an array.
 DEFAULTS = {
     "Amplitude": (0.0, np.float64),
     "EchoWidth": (0.0, np.float64),
@@ -40,7 +40,7 @@ class TextReader(Reader):
 
     def __init__(self, path, names=None):
         super().__init__(path)
-        self._names = {} if names is None else names  # of objects: number, maybe of several files
+        self._names = {} if names is None else names  # of objects: number, may span several files
         with open(self.path, "rb") as file:
             first = next((words for line in file if (words := _words(line))), None)
         if first is None:
@@ -79,7 +79,7 @@ class TextReader(Reader):
         return chunk
 
     def _table(self, lines, first):
-        """The numbers; objects by name get a number of their own."""
+        """The numbers; objects by name get new numbers."""
         named = self.columns == COLUMNS and (self._names or _has_names(lines))
         before = len(self._names)
         try:
@@ -97,7 +97,7 @@ class TextReader(Reader):
         return table
 
     def _number(self, name):
-        """The number of an object that has a name."""
+        """The number of a named object."""
         return self._names.setdefault(name, len(self._names))
 
     def _whole(self, values, kind, column, lines, first):
@@ -115,7 +115,7 @@ class TextReader(Reader):
         return whole
 
     def _complain(self, lines, first):
-        """The error of the first line that is wrong."""
+        """Raises the error of the first invalid line."""
         for number, line in enumerate(lines, first):
             words = line.split()
             if words and len(words) != self.columns:
@@ -138,10 +138,10 @@ class TextReader(Reader):
 
 
 def _has_names(lines):
-    """Whether an object is no number."""
+    """Whether an object is not a number."""
     try:
         return not all(line.split(None, 9)[8].lstrip(b"-").isdigit() for line in lines)
-    except IndexError:  # a line that is too short, which is found later
+    except IndexError:  # a line that is too short, reported later
         return False
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK XML: .pvtp with pieces, which streams, and .vtp, which is in memory as a whole."""
+"""VTK XML: .pvtp with pieces, streamed, and .vtp, in memory as a whole."""
 
 import os
 import pathlib
@@ -73,7 +73,7 @@ class PiecesReader(VtpReader):
 
 
 class PiecesWriter(StreamWriter):
-    """A piece a chunk."""
+    """One piece per chunk."""
 
     def __init__(self, path, header):
         super().__init__(path, header, vtkhelios.vtkHeliosPointXMLWriter())
@@ -117,7 +117,7 @@ class VtpWriter(Writer):
         writer.SetFileName(f"{self.path}.part")
         writer.SetInputData(cloud)
         writer.SetHeaderTypeToUInt64()
-        with MessageLog() as log:  # what VTK says of a full disk is many lines
+        with MessageLog() as log:  # VTK reports a full disk in many lines
             log.watch(writer)
             log.watch(writer.GetExecutive())
             writer.Write()
@@ -127,7 +127,7 @@ class VtpWriter(Writer):
         os.replace(f"{self.path}.part", self.path)
 
     def _add_vertices(self, cloud):
-        """A vertex a point, so that viewers show it."""
+        """A vertex per point, so that viewers show it."""
         places = np.arange(self.count + 1, dtype=np.int64)
         cells = vtkCellArray()
         cells.SetData(

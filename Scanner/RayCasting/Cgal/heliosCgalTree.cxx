@@ -21,7 +21,7 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A triangle of the mesh by its index, 4 bytes; the mesh is shared by all.
+/// A triangle of the mesh by its index, 4 bytes; all share the mesh.
 struct IndexPrimitive
 {
   using Id = vtkTypeInt32;
@@ -57,7 +57,7 @@ struct IndexPrimitive
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, IndexPrimitive>>;
 using Node = CGAL::AABB_node<CGAL::AABB_traits<Kernel, IndexPrimitive>>;
 
-/// Where a ray enters the box of a node; NoHit where it does not, or behind its range to go.
+/// The range at which a ray enters the box of a node; NoHit for a miss or beyond its maximum range.
 double GetEntry(const TestRay& ray, const Node& node)
 {
   const CGAL::Bbox_3& box = node.bbox();
@@ -71,7 +71,7 @@ double GetEntry(const TestRay& ray, const Node& node)
   return entry <= exit && exit > 0.0 && entry <= ray.MaximumRange ? entry : NoHit;
 }
 
-/// A visitor of CGAL's traversal; the range that a ray has to go shrinks to its best hit.
+/// A visitor of CGAL's traversal; the ray's maximum range shrinks to its best hit.
 class Search
 {
 public:
@@ -165,7 +165,7 @@ void CgalTree::Build(const TriangleMesh& mesh, StopCheck& check)
   const Tree::AABB_traits& traits = this->State->Boxes.traits();
   using Split = StoppableSplit<Tree::AABB_traits::Split_primitives>;
   this->State->Boxes.custom_build(traits.compute_bbox_object(),
-    Split(traits.split_primitives_object(), check)); // now: a query that built would not be const
+    Split(traits.split_primitives_object(), check)); // now: queries must be const
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ public:
   ~CgalTree();
 
   /// Over the triangles of a mesh that have an area; the mesh must outlive it.
-  /// Throws Stopped where it is told to stop.
+  /// Throws Stopped on an abort request.
   void Build(const TriangleMesh& mesh, StopCheck& check);
 
   /// The hit with the smallest range and, of equals, the smallest triangle; triangle -1 for a miss.

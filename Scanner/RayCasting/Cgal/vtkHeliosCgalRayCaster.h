@@ -4,14 +4,14 @@
  * @class   vtkHeliosCgalRayCaster
  * @brief   the ray caster on CGAL's AABB tree
  *
- * CGAL's tree of boxes in double precision, with the indices of triangles as
- * its primitives over the scene's own points. It finds the triangles a ray may
- * meet, the nearer box first; which of them it hits, and where, is decided by
- * the common test. So its hits are those of every other backend, bit for bit,
- * and it needs no local frame: nothing is rounded on the way.
+ * CGAL's AABB tree in double precision, with triangle indices as primitives
+ * over the scene's own points. It finds the candidate triangles of a ray, the
+ * nearer box first; the common test decides hits and ranges. Its hits are
+ * therefore bitwise identical to those of every other backend, and it needs no
+ * local frame: no coordinate is rounded.
  *
- * For those who want CGAL's tree, and as an independent check: Embree is many
- * times faster (Docs/ray-casters.md).
+ * An alternative to Embree and an independent check; Embree is many times
+ * faster (Docs/ray-casters.md).
  *
  * @warning
  * CGAL's AABB tree is under the GPL, and so is a program that links this module.

@@ -15,14 +15,14 @@ namespace helios
 namespace
 {
 
-/// How far a float ray may go for a hit at a range: rounded up, so that equal ranges are still seen.
+/// The float range of a ray for a hit at a range: rounded up, so that equal ranges are still found.
 template <typename Real>
 HELIOS_INLINE Real GetFar(const Real& range, const Real& start, const Real& stretch)
 {
   return (range - start) * stretch * (1.0 + 0x1p-20) + 2 * LocalFrame::Pad;
 }
 
-/// Takes four rays; writes their float side from lane first on, and which are valid.
+/// Sets four rays; writes their float rays from lane first, and their validity.
 HELIOS_INLINE void SetQuad(RayQuad& quad, const LocalFrame& frame, const vtkHeliosRay* rays,
   int count, int first, Packet& packet)
 {
@@ -146,7 +146,7 @@ void Packet::SetWidth(int width)
 HELIOS_CLONES
 int Packet::Set(const LocalFrame& frame, const vtkHeliosRay* rays, int count)
 {
-  if (frame.Scale == 0.0) // all of the scene is without area, or outliers
+  if (frame.Scale == 0.0) // the whole scene is without area, or outliers
   {
     count = 0;
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays in packets, as the double-precision test and as Embree's float traversal want them.
+// Rays in packets, for the double-precision test and for Embree's float traversal.
 
 #ifndef heliosEmbreePacket_h
 #define heliosEmbreePacket_h
@@ -10,14 +10,14 @@
 namespace helios
 {
 
-constexpr int MaximumWidth = 16; // of a packet: as many rays as Embree traces at a time
+constexpr int MaximumWidth = 16; // rays that Embree traces at a time
 
 /**
  * The frame of the float boxes: the scene's box, centred and scaled by a power of two into
- * [-1, 1]^3. Boxes are padded by Pad = 8 u32, u32 = 2^-24: a float ray is off its double by u32 for
- * the rounding of its origin and 2 u32 for that of its direction, a box by u32. The other half of
- * the pad is for what the double test allows (BoxSlack) and for the start of the float ray, which
- * suffices for origins up to 1e7 scene sizes away.
+ * [-1, 1]^3. Boxes are padded by Pad = 8 u32, u32 = 2^-24: a float ray differs from its double by
+ * u32 for the rounding of its origin and 2 u32 for that of its direction, a box by u32. The other
+ * half of the pad covers the tolerance of the double test (BoxSlack) and the start of the float
+ * ray, for origins up to 1e7 scene sizes away.
  */
 struct LocalFrame
 {
@@ -28,10 +28,10 @@ struct LocalFrame
   double Low[3] = { 0, 0, 0 }; ///< the padded box, relative to the centre
   double High[3] = { 0, 0, 0 };
 
-  /// Takes the box of what is in the tree; an empty one where low is above high.
+  /// Sets the box of the tree's content; empty if low is above high.
   void Set(const double low[3], const double high[3]);
 
-  /// Makes a float box large enough for a triangle.
+  /// Builds a float box that contains a triangle.
   void AddBox(const double* const points[3], float low[3], float high[3]) const;
 };
 
@@ -43,7 +43,7 @@ struct TrianglePair
   const double* Points[2][3];
 };
 
-/// Four rays, their best hits so far, and how they go on in floats.
+/// Four rays, their best hits so far, and their float rays.
 struct RayQuad : RayLanes
 {
   Doubles Start;   ///< where the float ray starts, on the scene's box
@@ -52,13 +52,13 @@ struct RayQuad : RayLanes
   bool HaveSameAxes;
 
   /**
-   * Tests one ray against triangles; keeps a better hit and says how far its float ray may go.
-   * Returns whether there is a better hit.
+   * Tests one ray against triangles; keeps a better hit and updates the range of its float
+   * ray. Returns whether there is a better hit.
    */
   bool TestLane(int lane, const TrianglePair& pair, float& far);
 };
 
-/// The fields of Embree's packets of rays (RTCRay4, 8, 16), one after the other.
+/// The fields of Embree's packets of rays (RTCRay4, 8, 16), in order.
 enum class RayField
 {
   Origin = 0,
@@ -71,7 +71,7 @@ enum class RayField
   Flags = 11
 };
 
-/// As many rays as Embree takes at a time: 4, 8 or 16.
+/// A packet of Embree's width: 4, 8 or 16 rays.
 struct Packet
 {
   int Width = 0;
@@ -81,10 +81,10 @@ struct Packet
 
   float* GetField(RayField field) { return this->Floats + static_cast<int>(field) * this->Width; }
 
-  /// Sets what is the same for all rays.
+  /// Sets the fields common to all rays.
   void SetWidth(int width);
 
-  /// Takes up to Width rays; returns how many of them may hit the scene and are valid.
+  /// Adds up to Width rays; returns the number of them that may hit the scene and are valid.
   int Set(const LocalFrame& frame, const vtkHeliosRay* rays, int count);
 
   vtkHeliosHit GetHit(int lane) const

@@ -28,7 +28,7 @@ static_assert(sizeof(RTCRayHit16) == sizeof(Packet::Floats), "room for the large
 static_assert(offsetof(RTCRay16, tfar) == 64 * static_cast<int>(RayField::Far), "the same order");
 static_assert(offsetof(RTCRay, id) == 4 * static_cast<int>(RayField::Id), "the same order");
 
-/// Embree is slow on subnormal floats: they are zero while it traverses, in this thread.
+/// Embree is slow on subnormal floats: flushed to zero during traversal, in this thread.
 class FlushSubnormals
 {
 public:
@@ -52,7 +52,7 @@ private:
   unsigned int Saved = 0;
 };
 
-/// How many rays Embree traces at a time on this machine.
+/// The number of rays Embree traces at a time on this machine.
 int GetNativeWidth(RTCDevice device)
 {
   if (rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))
@@ -62,7 +62,7 @@ int GetNativeWidth(RTCDevice device)
   return rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_NATIVE_RAY8_SUPPORTED) ? 8 : 4;
 }
 
-/// Embree tells its progress in any of its threads; whether to stop is asked in the first one.
+/// Embree reports its progress in any of its threads; the abort check runs in the first one.
 struct Watch
 {
   explicit Watch(const StopCheck& check)
@@ -80,7 +80,7 @@ struct Watch
     return !watch->IsStopped;
   }
 
-  /// Nothing may be thrown through Embree.
+  /// Exceptions must not propagate through Embree.
   void Ask()
   {
     try
@@ -98,7 +98,7 @@ struct Watch
   std::atomic<bool> IsStopped{ false };
 };
 
-/// The one valid ray of a packet, for Embree's functions that take one.
+/// The single valid ray of a packet, for Embree's functions that take one.
 RTCRay GetAlone(const Packet& rays)
 {
   const auto lane = std::find(rays.Valid, rays.Valid + rays.Width, -1) - rays.Valid;
@@ -266,7 +266,7 @@ bool EmbreeTree::OnMemory(void* self, std::ptrdiff_t bytes, bool)
 void EmbreeTree::OnBounds(const RTCBoundsFunctionArguments* args)
 {
   const auto* self = static_cast<const EmbreeTree*>(args->geometryUserPtr);
-  float low[3] = { 1, 1, 1 }; // an empty box, which Embree leaves out
+  float low[3] = { 1, 1, 1 }; // an empty box, which Embree skips
   float high[3] = { -1, -1, -1 };
   if (!self->IsLeftOut[args->primID])
   {
@@ -314,7 +314,7 @@ void EmbreeTree::OnIntersect(const RTCIntersectFunctionNArguments* args)
     rays.TestLanes(args->valid, pair, far);
     return;
   }
-  for (unsigned int i = 0; i < args->N; ++i) // alone: its id is its lane
+  for (unsigned int i = 0; i < args->N; ++i) // single ray: its id is its lane
   {
     if (args->valid[i])
     {
@@ -334,7 +334,7 @@ void EmbreeTree::OnOccluded(const RTCOccludedFunctionNArguments* args)
     const int lane = static_cast<int>(RTCRayN_id(args->ray, args->N, i));
     if (args->valid[i] && rays.TestLane(lane, pair, far[i]))
     {
-      far[i] = -std::numeric_limits<float>::infinity(); // Embree's word for occluded
+      far[i] = -std::numeric_limits<float>::infinity(); // Embree's value for occluded
     }
   }
 }
@@ -390,7 +390,7 @@ void EmbreeTree::TraceAny(Trace& trace, int alive) const
   }
 }
 
-/// The better of a hit and what the outliers have before it.
+/// The better of a hit and a nearer hit of the outliers.
 vtkHeliosHit EmbreeTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
 {
   TestRay rest;

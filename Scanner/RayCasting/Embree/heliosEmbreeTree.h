@@ -29,8 +29,8 @@ public:
   EmbreeTree(const EmbreeTree&) = delete;
   void operator=(const EmbreeTree&) = delete;
 
-  /// Over a mesh, which must outlive it. Returns an empty text, or what went wrong. Throws Stopped
-  /// where it is told to stop.
+  /// Over a mesh, which must outlive it. Returns an error message, or an empty string. Throws
+  /// Stopped on an abort request.
   std::string Build(const TriangleMesh& mesh, StopCheck& check);
   void Clear();
 
@@ -40,10 +40,10 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
-  /// A packet of rays, with what Embree hands to the callbacks.
+  /// A packet of rays, with the callback arguments of Embree.
   struct Trace
   {
-    RTCIntersectContext Context; // first: they are given its address
+    RTCIntersectContext Context; // first: callbacks receive its address
     Packet Rays;
   };
 
@@ -53,7 +53,7 @@ private:
   bool HaveCommonEdge(vtkTypeInt32 a, vtkTypeInt32 b) const;
   TrianglePair GetPair(unsigned int first) const;
 
-  /// The best hits of a packet, or any; they are then in its rays.
+  /// The best hits of a packet, or any hits; stored in its rays.
   void TraceFirst(Trace& trace, int alive) const;
   void TraceAny(Trace& trace, int alive) const;
   vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
@@ -66,9 +66,9 @@ private:
 
   const TriangleMesh* Mesh = nullptr;
   LocalFrame Frame;
-  std::vector<bool> IsLeftOut; ///< while it is built
-  std::vector<bool> IsPaired;  ///< shares a box with the next triangle: a quad, mostly
-  Bvh Outliers;                ///< the triangles that reach far out, if there are any
+  std::vector<bool> IsLeftOut; ///< during the build
+  std::vector<bool> IsPaired;  ///< shares a box with the next triangle: usually a quad
+  Bvh Outliers;                ///< the triangles that reach far out
   bool HasOutliers = false;
   RTCDevice Device = nullptr;
   RTCScene Scene = nullptr;

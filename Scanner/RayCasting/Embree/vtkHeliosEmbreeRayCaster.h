@@ -6,15 +6,15 @@
  *
  * Embree 3 user geometry: it traverses padded float boxes in a frame local to
  * the scene, with the ray's origin advanced to the scene in double; every
- * triangle it reaches is tested in double on the scene's own points. Rays are
- * traced together, as many at a time as the machine can: 16, 8 or 4.
+ * candidate triangle is tested in double on the scene's own points. Rays are
+ * traced in packets of 16, 8 or 4, as the machine supports.
  *
- * Neighbours in the order of cells that have a common edge share a box. The
- * few triangles that reach far out of a scene, if there are any, are kept in a
- * tree of doubles, so that one stray point takes no resolution from the rest.
+ * Consecutive cells that share an edge share a box. Triangles that reach far
+ * out of the scene are kept in a tree of doubles, so that one outlier does not
+ * reduce the float resolution.
  *
  * @warning
- * A hit at the very rim of a surface may be lost for a ray that starts more
+ * A hit at the very edge of a surface may be lost for a ray that starts more
  * than 1e7 times the size of the scene away from it.
  *
  * @sa

@@ -33,7 +33,7 @@ vtkSmartPointer<vtkPoints> MakeLocalPoints(const TriangleMesh& mesh, const doubl
   return points;
 }
 
-/// The range of the common test, for a triangle that the tree says is hit.
+/// The range of the common test, for a triangle that the tree reports as hit.
 double GetPlaneRange(const TestRay& ray, const double* const points[3])
 {
   double corners[3][3];
@@ -78,14 +78,14 @@ void ObbSearch::Build(const TriangleMesh& mesh)
   this->Tolerance = RelativeTolerance * size;
   this->Local->SetPoints(MakeLocalPoints(mesh, this->Middle));
   this->Local->SetPolys(cells);
-  this->Local->BuildCells(); // now: a query that built them would not be const
+  this->Local->BuildCells(); // now: queries must be const
   this->Tree->SetDataSet(this->Local);
   this->Tree->AutomaticOn();
   this->Tree->BuildLocator();
 }
 
 //------------------------------------------------------------------------------
-/// The part of a ray within the scene's box, about the middle; false where it misses the box.
+/// The part of a ray within the scene's box, about the middle; false for a miss.
 bool ObbSearch::Clip(const TestRay& ray, double from[3], double to[3]) const
 {
   double low[3], high[3], entry, exit;
@@ -135,7 +135,7 @@ vtkHeliosHit ObbSearch::Intersect(const vtkHeliosRay& ray) const
 //------------------------------------------------------------------------------
 std::size_t ObbSearch::GetMemorySize() const
 {
-  // The tree tells its size in KiB only for what it stores itself; a node is one vtkOBBNode and its ids.
+  // The tree's own size, in KiB, covers only its arrays; a node is one vtkOBBNode and its ids.
   return 1024 * this->Local->GetActualMemorySize() +
     this->Triangles.capacity() * sizeof(vtkTypeInt32) +
     (std::size_t(2) << std::min(this->Tree->GetLevel(), 30)) * sizeof(vtkOBBNode);

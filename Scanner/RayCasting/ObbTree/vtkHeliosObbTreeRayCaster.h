@@ -4,16 +4,16 @@
  * @class   vtkHeliosObbTreeRayCaster
  * @brief   the ray caster on vtkOBBTree: a cross-check
  *
- * VTK's tree of oriented boxes over the scene moved to its middle. Each ray is
- * cut to the scene's box first, since the tree's cost grows with the length of
- * the segment, and asked with a tolerance of 1e-9 of the scene's size, without
- * which the tree loses hits at edges. The tree says whether a triangle is hit; the
- * range is that of the common test on the scene's own points.
+ * VTK's tree of oriented boxes over the scene, translated to its middle. Each ray
+ * is clipped to the scene's box first, since the tree's cost grows with the length
+ * of the segment, and intersected with a tolerance of 1e-9 of the scene's size;
+ * without it the tree loses hits at edges. The tree decides whether a triangle is
+ * hit; the range is that of the common test on the scene's own points.
  *
- * It is hundreds to thousands of times slower than Embree (Docs/ray-casters.md
- * has the numbers), loses some hits at shared edges, hits a surface up to 1e-9 of the scene's size
- * beside it, and of triangles at equal range takes any. Use it for nothing but to check other
- * casters against something that shares no traversal with them.
+ * It is hundreds to thousands of times slower than Embree (numbers: Docs/ray-casters.md), loses
+ * some hits at shared edges, hits a surface up to 1e-9 of the scene's size beside it, and of
+ * triangles at equal range returns any. Use it only to check other casters against a different
+ * traversal.
  *
  * @sa
  * vtkHeliosRayCaster

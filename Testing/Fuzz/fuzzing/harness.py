@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs cases in forked workers: a batch of a target each, no new interpreter a case.
+"""Runs cases in forked workers: one batch of a target each, no new interpreter per case.
 
-A worker writes the number of a case to shared memory before it begins, and a line to a pipe when it
-is done. Where a worker dies, the parent knows the case: ended by the alarm it is a hang, else a
-crash; another worker goes on after it.
+A worker writes the number of a case to shared memory before it starts, and a line to a pipe when it
+is done. If a worker dies, the parent knows the case: ended by the alarm it is a hang, else a crash;
+another worker continues after it.
 """
 
 import dataclasses
@@ -27,23 +27,23 @@ import traceback
 from .outcomes import ALLOWED, Refused, Silent
 
 HANG = 10.0  # [s]
-MEMORY = 1 << 30  # [bytes], and
-MEMORY_FACTOR = 20  # times the files
-ADDRESSES = 1 << 30  # [bytes] of addresses that are no memory: stacks, arenas of threads
+MEMORY = 1 << 30  # [bytes], plus
+MEMORY_FACTOR = 20  # times the file size
+ADDRESSES = 1 << 30  # [bytes] of address space without memory: stacks, thread arenas
 BATCH = 250  # cases of a worker
 LONGEST_TEXT = 2000
 
 
 @dataclasses.dataclass
 class Result:
-    """What came of a case."""
+    """Result of a case."""
 
     target: str
     case: str
     outcome: str
     text: str = ""
     seconds: float = 0.0
-    peak: int = 0  # [bytes] above what the worker had before
+    peak: int = 0  # [bytes] above the worker's previous memory
 
     @property
     def failed(self):
@@ -76,7 +76,7 @@ class _Worker:
         self._buffer = b""
 
     def read(self):
-        """The results that have come, or None at the end."""
+        """The available results, or None at the end."""
         data = os.read(self.pipe, 1 << 16)
         if not data:
             return None
@@ -85,7 +85,7 @@ class _Worker:
         return [Result(self.batch.target.name, **json.loads(line)) for line in lines]
 
     def close(self):
-        """Waits for the end; a result where it was no good one."""
+        """Waits for the end; returns a result if it failed."""
         os.close(self.pipe)
         _, status = os.waitpid(self.pid, 0)
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -123,7 +123,7 @@ def _set_up(folder):
     os.chdir(folder)
     os.environ.update(TMPDIR=folder, HOME=folder)
     tempfile.tempdir = folder
-    null = os.open(os.devnull, os.O_WRONLY)  # what libraries print past Python
+    null = os.open(os.devnull, os.O_WRONLY)  # library output that bypasses Python
     for number in (1, 2):
         os.dup2(null, number)
     faulthandler.disable()
@@ -139,7 +139,7 @@ def _set_up(folder):
 
 
 def run_case(target, seeds, case, settings, folder):
-    """Runs a case in this process; what Result needs besides the target."""
+    """Runs a case in this process; the fields of Result without target."""
     seed, data = target.make_input(seeds, case, settings.seed)
     if settings.input is not None:
         data = settings.input
@@ -164,7 +164,7 @@ def run_case(target, seeds, case, settings, folder):
 
 
 def classify(target, path, data):
-    """The outcome of a case and what was said."""
+    """The outcome of a case and its message."""
     from vtkhelios import PipelineError
     from vtkhelios.formats import FormatError
 
@@ -195,7 +195,7 @@ def _place(folder, seed, data):
 
 
 def _reset_peak():
-    """Starts measuring anew; what the process has [bytes]."""
+    """Restarts the peak measurement; the current memory [bytes]."""
     try:
         pathlib.Path("/proc/self/clear_refs").write_text("5")
     except OSError:
@@ -216,7 +216,7 @@ def _limit_addresses(more):
 
 
 def make_seeds(target, folder):
-    """The seeds of a target, made in a process of their own: threads of it do not survive a fork."""
+    """The seeds of a target, made in a separate process: its threads do not survive a fork."""
     place = tempfile.mkdtemp(prefix="seeds-", dir=folder)
     result = pathlib.Path(place, "seeds.pickle")
     sys.stdout.flush()
@@ -253,7 +253,7 @@ class Settings:
 
 
 def run_batches(batches, settings, jobs, on_result):
-    """Runs batches, several at a time. A hang counts where the case, run again, does not end either."""
+    """Runs batches, several at a time. A hang counts if the case, run again, also hangs."""
     queue = list(batches)
     workers = {}
     suspects = set()
@@ -279,7 +279,7 @@ def _end(worker, queue, suspects, on_result):
     cases = worker.rest()
     key = (ended.target, ended.case)
     if ended.outcome == "hang" and key not in suspects:
-        suspects.add(key)  # on a busy machine anything is late once
+        suspects.add(key)  # on a busy machine single delays occur
         queue.insert(0, Batch(batch.target, batch.seeds, [ended.case]))
     else:
         on_result(ended)

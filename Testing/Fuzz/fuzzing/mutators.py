@@ -24,7 +24,7 @@ TRAPS = NUMBERS + (
     b"{", b"}", b"[", b"]", b"(", b")", b"\x1b[31m", b"%s%n", b"../../../etc/passwd", b"\0",
     b"\xef\xbb\xbf", b"\xff\xfe", b"\xc3(", b"\xed\xa0\x80", b"\xf4\x90\x80\x80",
 )  # fmt: skip
-LONGEST = 200_000  # bytes that a mutator makes of one place
+LONGEST = 200_000  # bytes added by a mutator at one position
 
 
 # Bytes.
@@ -86,7 +86,7 @@ def _range(data, random, longest=16):
 
 
 def change_integer(data, random, begin=0, end=400):
-    """Puts a number that readers trip over where an integer of a header may be."""
+    """Replaces a possible integer of a header by a critical value."""
     end = min(end, len(data))
     width = random.choice((1, 2, 4, 8))
     if end - begin < width:
@@ -132,7 +132,7 @@ def swap_numbers(data, random):
 
 
 def damage_lines(data, random):
-    """Deletes, doubles, swaps, joins, cuts or lengthens lines."""
+    """Deletes, duplicates, swaps, joins, cuts or lengthens lines."""
     lines = data.splitlines(keepends=True)
     if not lines:
         return data
@@ -173,7 +173,7 @@ def change_line_ends(data, random):
 
 
 def damage_elements(data, random):
-    """Deletes, doubles, moves, misspells or nests an element, by its tags alone."""
+    """Deletes, duplicates, moves, misspells or nests an element, by its tags only."""
     tags = list(TAG.finditer(data[:LONGEST]))
     if not tags:
         return insert_trap(data, random)
@@ -204,7 +204,7 @@ def damage_elements(data, random):
 
 
 def _end_of(data, tag, tags):
-    """Where the element of a tag ends."""
+    """End of the element of a tag."""
     if tag[1] or tag[4]:
         return tag.end()
     depth = 0
@@ -218,7 +218,7 @@ def _end_of(data, tag, tags):
 
 
 def damage_attributes(data, random):
-    """Deletes, doubles, empties or exchanges values, or puts a trap or another unit in."""
+    """Deletes, duplicates, empties or swaps values, or inserts bad values or units."""
     found = list(VALUE.finditer(data[:LONGEST]))
     if not found:
         return change_number(data, random)
@@ -272,7 +272,7 @@ KINDS = {
 
 
 def mutate(data, kind, random):
-    """The data with one to four damages of a kind of file."""
+    """The data with one to four mutations of a file kind."""
     for _ in range(random.choice((1, 1, 1, 2, 3, 4))):
         data = random.choice(KINDS[kind])(data, random)
     return data

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What may come of a case, and the checks of data that was accepted."""
+"""Possible outcomes of a case, and the checks of accepted data."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 ALLOWED = ("accepted", "refused")
 FAILURES = ("crash", "hang", "traceback", "silent", "memory")
 
-# Names of arrays: whole range that values must be in.
+# Array names: full range of valid values.
 RANGES = {
     "ReturnNumber": (0, 255),
     "NumberOfReturns": (0, 255),
@@ -18,11 +18,11 @@ RANGES = {
 
 
 class Refused(Exception):
-    """The reader said what is wrong: its message."""
+    """The reader rejected the file: its message."""
 
 
 class Silent(AssertionError):
-    """A reader accepted a file, and what it gave is wrong, incomplete or without a reason."""
+    """A reader accepted a file with output that is wrong, incomplete or without a reason."""
 
 
 def check(condition, message):
@@ -31,7 +31,7 @@ def check(condition, message):
 
 
 def check_count(found, expected, warned, what="records"):
-    """As many as an independent count, unless a warning says why not."""
+    """Equal to an independent count, unless a warning explains it."""
     if expected is not None and not warned:
         check(found == expected, f"{found} of {expected} {what}, and no warning")
 
@@ -44,7 +44,7 @@ def check_finite(name, values):
 
 
 def check_chunk(chunk, may_be_invalid=("Deviation",)):
-    """Arrays of points: of one length, finite, in their ranges. An echo without a fit has no Deviation."""
+    """Point arrays: of equal length, finite, in their ranges. An echo without a fit has no Deviation."""
     count = len(chunk["points"])
     for name, values in chunk.items():
         check(len(values) == count, f"{name} has {len(values)} rows for {count} points")
@@ -57,7 +57,7 @@ def check_chunk(chunk, may_be_invalid=("Deviation",)):
 
 
 def check_polydata(data):
-    """Points finite, ids of cells within bounds, arrays of one length. Returns the cells."""
+    """Points finite, cell ids within bounds, arrays of equal length. Returns the cells."""
     points = data.GetPoints()
     count = data.GetNumberOfPoints()
     if points is not None:
@@ -90,7 +90,7 @@ def check_fields(fields, count):
 
 
 def plain_lines(data, comments=(b"#", b"//")):
-    """The lines with something in them but comments; None where that cannot be told simply."""
+    """Non-empty lines without comments; None if ambiguous."""
     if b"\0" in data or b"\r" in data.replace(b"\r\n", b"\n") or not data.isascii():
         return None
     lines = []

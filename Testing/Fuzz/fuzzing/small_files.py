@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small surveys, scenes and clouds of our own, which the seeds are made of."""
+"""Small built-in surveys, scenes and clouds, the basis of the seeds."""
 
 import numpy as np
 
@@ -174,7 +174,7 @@ def make_chunk(count=60):
 
 
 def write_points(path, chunk, pieces=1):
-    """Writes a file of points by our own writers."""
+    """Writes a point file with the vtkHelios writers."""
     from vtkhelios import formats
 
     header = formats.Header()
@@ -187,7 +187,7 @@ def write_points(path, chunk, pieces=1):
 
 
 def write_survey(folder, survey, scene=SCENE):
-    """Writes a survey and all that it names; the path of the survey."""
+    """Writes a survey and all files it refers to; returns its path."""
     for name, text in {**BESIDE, "scene.xml": scene, "survey.xml": survey}.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -196,7 +196,7 @@ def write_survey(folder, survey, scene=SCENE):
 
 
 def run_survey(folder, survey, *options, scene=SCENE):
-    """Runs a survey to files; the folder of the run."""
+    """Runs a survey to files; returns the run folder."""
     from vtkhelios import cli
 
     path = write_survey(folder, survey, scene)
@@ -208,7 +208,7 @@ def run_survey(folder, survey, *options, scene=SCENE):
 
 
 def files_below(folder):
-    """The bytes of all files below a folder, by their names from there."""
+    """The bytes of all files below a folder, by relative name."""
     return {
         str(path.relative_to(folder)): path.read_bytes()
         for path in sorted(folder.rglob("*")) if path.is_file()

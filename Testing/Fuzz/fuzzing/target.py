@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is fed with damaged files."""
+"""Base class of fuzz targets."""
 
 import contextlib
 import dataclasses
@@ -14,14 +14,14 @@ import zlib
 from . import mutators
 from .outcomes import Refused, check
 
-KEPT = pathlib.Path(__file__).absolute().parents[1] / "seeds"  # of all that ever failed
+KEPT = pathlib.Path(__file__).absolute().parents[1] / "seeds"  # of all earlier failures
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
-KEPT_SHARE = 0.1  # of the mutants that are made of kept files
+KEPT_SHARE = 0.1  # fraction of mutants made from kept files
 
 
 @dataclasses.dataclass
 class Seed:
-    """A good file. ``beside``: other files that a reader finds beside it, by their names."""
+    """A valid file. ``beside``: other files that a reader finds beside it, by name."""
 
     name: str
     data: bytes
@@ -31,32 +31,32 @@ class Seed:
 class Target:
     """A reader and its files.
 
-    Subclasses give ``name``, ``make_seeds`` and ``run``; an instance is found by targets.ALL.
+    Subclasses have ``name``, ``make_seeds`` and ``run``; instances are listed in targets.ALL.
     """
 
     name = ""
     kind = "text"  # of mutators.KINDS
-    weight = 1.0  # its share of the cases
-    modules = ()  # that are worth importing before workers are forked
+    weight = 1.0  # its fraction of the cases
+    modules = ()  # to import before workers are forked
 
     def missing(self):
-        """What is not installed that it needs, or an empty text."""
+        """Its missing dependencies, or an empty string."""
         return ""
 
     def make_seeds(self, folder):
-        """Good files, made by our own code in a folder that is thrown away: a list of Seeds."""
+        """Valid files, created by vtkHelios in a temporary folder: a list of Seeds."""
         raise NotImplementedError
 
     def run(self, path, data):
-        """Reads the file at a path. Raises Refused, or what readers raise; Silent by outcomes.check."""
+        """Reads the file at a path. Raises Refused, or exceptions of readers; Silent by outcomes.check."""
         raise NotImplementedError
 
     def repair(self, data, random):
-        """Mends what would end every case at the same check, such as a checksum."""
+        """Repairs what would fail every case at one check, such as a checksum."""
         return data
 
     def make_input(self, seeds, case, seed_of_all):
-        """The seed and the bytes of a case: ``seed:NAME`` (as it is), ``kept:NAME`` or a number."""
+        """The seed and the bytes of a case: ``seed:NAME`` (unchanged), ``kept:NAME`` or a number."""
         if case.startswith("seed:"):
             seed = next(each for each in seeds if each.name == case[5:])
             return seed, seed.data
@@ -79,7 +79,7 @@ class Target:
 
 
 def seed_of(seeds, name):
-    """The seed that the name of a saved file begins with."""
+    """The seed named at the start of a saved file's name."""
     stem = name.split("~")[0].replace("%", "/")
     found = [each for each in seeds if each.name == stem]
     if not found:
@@ -91,7 +91,7 @@ def seed_of(seeds, name):
 
 
 def pick(data, choices):
-    """One of several ways to read, by the bytes: the same in every run."""
+    """One way to read, chosen by the bytes: the same in every run."""
     return choices[zlib.crc32(data) % len(choices)]
 
 
@@ -137,7 +137,7 @@ def update(algorithm):
 
 
 def need(*modules):
-    """What is missing of some modules."""
+    """The missing ones of some modules."""
     missing = []
     for module in modules:
         try:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All targets, by their names. A new one: a Target in a module of its kind, and in its make_targets()."""
+"""All targets by name. To add one: a Target in a module of its kind, and in its make_targets()."""
 
 from . import targets_points, targets_run, targets_scene, targets_survey
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of points: the readers of vtkhelios.formats, info, convert, and laspy's points."""
+"""Point files: the readers of vtkhelios.formats, info, convert, and points by laspy."""
 
 import json
 import re
@@ -28,13 +28,13 @@ def las_count(data):
 
 
 def one_number(pattern, data):
-    """What a header says, where it says it once."""
+    """The value in a header, if unique."""
     found = re.findall(pattern, data)
     return int(found[0]) if len(found) == 1 and len(found[0]) < 18 else None
 
 
 def expected_count(kind, data):
-    """The number of points by another way than the reader's; None: it cannot be told simply."""
+    """The number of points by an independent method; None: ambiguous."""
     if kind in ("las", "laz", "copc"):
         return las_count(data)
     if kind == "ply":
@@ -170,7 +170,7 @@ class LasSource(Points):
 
         try:
             source = points.las_source(path)
-        except (ValueError, OSError) as error:  # as it promises
+        except (ValueError, OSError) as error:  # as documented
             raise PipelineError([str(error)]) from error
         cloud = update(source)
         check_polydata(cloud)
@@ -210,7 +210,7 @@ class Waves(Target):
         cloud, warned = update(reader)
         try:
             check_polydata(cloud)
-        except Silent as error:  # kept, and said
+        except Silent as error:  # kept, with a message
             if "not finite" not in str(error) or not any("not finite" in each for each in warned):
                 raise
         check_count(cloud.GetNumberOfPoints(), las_count(las.read_bytes()), False)
@@ -218,7 +218,7 @@ class Waves(Target):
 
 
 def parse_strict(text):
-    """JSON as its standard has it: no NaN."""
+    """Standard JSON: no NaN."""
 
     def fail(word):
         raise Silent(f"{word} in JSON")
@@ -229,7 +229,7 @@ def parse_strict(text):
         raise Silent(f"no JSON: {error}") from error
 
 
-# E57: every page of 1024 bytes ends in a checksum, without which no damage gets past the first check.
+# E57: every page of 1024 bytes ends in a checksum; without repair no damage passes the first check.
 
 PAGE = 1024
 
@@ -254,7 +254,7 @@ def crc32c(data):
 
 
 def mend_pages(data):
-    """The same bytes with right checksums, where the file is of whole pages."""
+    """The same bytes with valid checksums, if the file has whole pages."""
     if len(data) % PAGE or not data:
         return data
     pages = []

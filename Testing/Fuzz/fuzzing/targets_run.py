@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What runs leave: the journal and parts of an interrupted one, the summary of a finished one."""
+"""Output of runs: the journal and parts of an interrupted one, the summary of a finished one."""
 
 import os
 
@@ -17,12 +17,12 @@ POINTS = ("_points", "_trajectory", "_pulse", "_fullwave")
 
 
 def is_data(name):
-    """Whether a file of a run must be the same whatever happened on the way."""
+    """Whether a file of a run must be identical in any case."""
     return any(part in name for part in POINTS)
 
 
 class Journal(Target):
-    """Resumes an interrupted run whose journal, or a part, is damaged: the same bytes, or an error."""
+    """Resumes an interrupted run with a damaged journal or part: byte-identical, or an error."""
 
     kind = "json"
 
@@ -65,7 +65,7 @@ class Journal(Target):
 
 
 def counts_of(summary):
-    """What two summaries of the same run agree in."""
+    """The values equal in two summaries of the same run."""
     summary = parse_strict(summary.decode())
 
     def strip(value):
@@ -80,11 +80,11 @@ def counts_of(summary):
 
 
 def resume(folder, form, resume, blocks=None, output="out"):
-    """Runs the survey of a folder; of some blocks only: as far as that, as Ctrl-C would."""
+    """Runs the survey of a folder; optionally only some blocks, then stops like Ctrl-C."""
     from vtkhelios import PipelineError
     from vtkhelios._pipeline import MessageLog
 
-    os.chdir(folder)  # names are the same wherever the folder is
+    os.chdir(folder)  # names do not depend on the folder
     survey = vtkhelios.read_survey("survey.xml")
     player = vtkhelios.vtkHeliosSurveyPlayer()
     player.SetSurvey(survey.vtk)
@@ -113,7 +113,7 @@ def resume(folder, form, resume, blocks=None, output="out"):
 
 
 class Summary(Target):
-    """A command on the folder of a run whose summary is damaged."""
+    """A command on the folder of a run with a damaged summary."""
 
     kind = "json"
 
@@ -159,13 +159,13 @@ class Summary(Target):
 
 
 def check_page(text):
-    """A page without script of the summary's own."""
+    """A page without script from the summary."""
     check("</html>" in text, "the page is not whole")
     check("<script>alert" not in text and "onerror=alert" not in text, "a live script in the page")
 
 
 class ReportPoints(Target):
-    """The report on a run whose files of points are damaged."""
+    """The report on a run with damaged point files."""
 
     name = "report-points"
     modules = CHARTS

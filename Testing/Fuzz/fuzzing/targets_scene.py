@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of scenes, trajectories and waveforms: the C++ readers by themselves, and detect."""
+"""Scene, trajectory and waveform files: the C++ readers alone, and detect."""
 
 import struct
 
@@ -71,7 +71,7 @@ def check_materials(fields):
     reflectance = fields.GetArray("Material.Reflectance")
     if reflectance is not None:
         values = vtk_to_numpy(reflectance)
-        known = values[~np.isnan(values)]  # not given: by the spectrum, or the default
+        known = values[~np.isnan(values)]  # not set: by the spectrum, or the default
         check(((known >= 0) & (known <= 1)).all(), f"reflectances {values}")
 
 
@@ -165,7 +165,7 @@ class Voxels(Target):
 
 
 class Spectrum(Target):
-    """The spectrum of a material, and the run of a survey of it."""
+    """The spectrum of a material, and a survey run with it."""
 
     name = "spectrum"
     weight = 0.4
@@ -183,7 +183,7 @@ class Spectrum(Target):
 
 
 def survey_files(folder):
-    """A survey whose wall reflects as its spectrum says."""
+    """A survey whose wall has the reflectance of its spectrum."""
     materials = small_files.MATERIALS.replace("helios_reflectance 0.3\n", "")
     small_files.write_survey(folder, small_files.STAND, small_files.SIMPLE_SCENE)
     (folder / "a.mtl").write_text(materials)
@@ -221,7 +221,7 @@ class Trajectory(Target):
 
 
 class Waveforms(Target):
-    """Stored waveforms by their reader; and by detect."""
+    """Stored waveforms, by their reader and by detect."""
 
     def __init__(self, kind, by_detect):
         self.name = f"{'detect' if by_detect else 'waveforms'}-{kind}"
@@ -264,7 +264,7 @@ class Waveforms(Target):
 
 
 def check_waveforms(table):
-    """Columns finite and of one length, samples of every row there. Returns the rows."""
+    """Columns finite and of equal length, samples of every row present. Returns the rows."""
     rows = table.GetNumberOfRows()
     check_fields(table.GetRowData(), rows)
     if rows:

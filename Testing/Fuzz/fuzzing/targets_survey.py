@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""XML of surveys, scenes, assets and planners, and the texts that their attributes hold."""
+"""XML of surveys, scenes, assets and planners, and the texts in their attributes."""
 
 import contextlib
 import time
@@ -15,12 +15,12 @@ from .outcomes import check, check_finite, check_polydata
 from .target import Seed, Target, command_line, pick
 from .targets_points import parse_strict
 
-LONGEST_RUN = 1.0  # [s]: a survey may mean hours, so it is interrupted as a user would
+LONGEST_RUN = 1.0  # [s]: a survey may take hours, so it is interrupted like by a user
 LOADING = -1
 
 
 class Stop(BaseException):
-    """What interrupts a run that has shown that it goes on."""
+    """Interrupts a run that has made progress."""
 
 
 def stop_after(seconds=LONGEST_RUN):
@@ -34,7 +34,7 @@ def stop_after(seconds=LONGEST_RUN):
 
 
 def run_in_memory(path):
-    """Reads and runs a survey, for a second at most; checks what came."""
+    """Reads and runs a survey, for 1 s at most; checks the result."""
     from .target import collect_warnings
 
     with collect_warnings():
@@ -45,7 +45,7 @@ def run_in_memory(path):
 
 
 def check_echoes(cloud):
-    """What a run promises of its echoes."""
+    """Checks the guarantees on echoes."""
     check_polydata(cloud)
     data = cloud.GetPointData()
     if cloud.GetNumberOfPoints():
@@ -56,7 +56,7 @@ def check_echoes(cloud):
 
 
 def xml_seeds(which):
-    """Surveys and what they name; the file that is damaged is one of them."""
+    """Surveys and the files they refer to; one of them is damaged."""
     everything = small_files.encoded({**small_files.BESIDE, **small_files.SURVEYS,
                                       "plan.xml": small_files.PLANNER})  # fmt: skip
     seeds = []
@@ -87,7 +87,7 @@ class Validate(Target):
 
 
 class Survey(Target):
-    """Surveys, scenes and assets, and the run of what is accepted."""
+    """Surveys, scenes and assets; accepted ones are run."""
 
     name = "survey-xml"
     kind = "xml"
@@ -105,7 +105,7 @@ class Survey(Target):
 
 
 class RunFiles(Survey):
-    """Surveys that are run to files, for a second at most."""
+    """Surveys run to files, for 1 s at most."""
 
     name = "survey-run"
     weight = 0.4
@@ -126,7 +126,7 @@ class RunFiles(Survey):
 
 
 class DryRun(Survey):
-    """Surveys, and the estimate of what is accepted."""
+    """Surveys, with the estimate of accepted ones."""
 
     name = "dry-run"
     weight = 0.3
@@ -161,7 +161,7 @@ class DryRun(Survey):
 
 
 class Planner(Target):
-    """Planner documents and the assets that they name."""
+    """Planner documents and the assets they refer to."""
 
     name = "planner-xml"
     kind = "xml"
@@ -190,9 +190,9 @@ class Planner(Target):
 
 
 class AttributeText(Target):
-    """The text of an attribute of a small survey: the whole text is damaged, not its quotes."""
+    """The text of an attribute of a small survey: all the text is damaged, not its quotes."""
 
-    attribute = ""  # where it is put
+    attribute = ""  # its location
     texts = ()
 
     def make_seeds(self, folder):
@@ -200,7 +200,7 @@ class AttributeText(Target):
                 for number, text in enumerate(self.texts)]  # fmt: skip
 
     def quoted(self, data):
-        """As an attribute: controls that XML has no room for are left out."""
+        """As an attribute: control characters not allowed in XML are dropped."""
         text = data.decode("utf-8", "replace")
         text = "".join(c for c in text if c >= " " and c not in "\ufffe\uffff" or c in "\t\n")
         return xml.sax.saxutils.quoteattr(text)

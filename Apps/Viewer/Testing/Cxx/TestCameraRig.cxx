@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where cameras are, for a platform of known places.
+// Camera positions, for a platform of known positions.
 #include "heliosCameraRig.h"
 
 #include <vtkCamera.h>
@@ -47,7 +47,7 @@ void CheckNear(const Vec3& a, const Vec3& b)
   CHECK((a - b).Norm() < 1e-9);
 }
 
-/// A file of key frames that goes away.
+/// A temporary file of key frames.
 struct Script
 {
   std::string Name = (std::filesystem::temp_directory_path() / "vtkHeliosScriptXXXXXX").string();
@@ -119,7 +119,7 @@ TEST_CASE("CameraRig: the scanner's eye looks at what it measures", "[Viewer]")
   ahead = rig.Focus() - rig.Eye();
   ahead.Normalize();
   CHECK(ahead[2] < -0.999);
-  CHECK(Vec3(rig.Renderer->GetActiveCamera()->GetViewUp())[1] > 0.99); // the way ahead
+  CHECK(Vec3(rig.Renderer->GetActiveCamera()->GetViewUp())[1] > 0.99); // forward
 }
 
 TEST_CASE("CameraRig: round once a minute", "[Viewer]")

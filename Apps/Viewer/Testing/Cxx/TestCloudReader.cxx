@@ -197,7 +197,7 @@ TEST_CASE("CloudReader: the folder of a run, and how far the reading is")
 
   int blocks = 0;
   CHECK(CloudReader().Read(folder / ".", [&](vtkPolyData*, double) { return ++blocks > 1; }) == "");
-  CHECK(blocks == 1); // false has stopped it
+  CHECK(blocks == 1); // stopped by false
 }
 
 TEST_CASE("CloudReader: errors name the file and the cure")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Times of a large cloud; asked for by name: vtkHeliosViewerTests [benchmark]
+// Times of a large cloud; run by name: vtkHeliosViewerTests [benchmark]
 #include "heliosCloudView.h"
 #include "heliosViewerTest.h"
 
@@ -19,7 +19,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Rolling ground of a square kilometre, as a scanner on lines over it gives it.
+/// Rolling ground of 1 km^2, as scanned on lines over it.
 vtkSmartPointer<vtkPolyData> MakeGround(vtkIdType first, vtkIdType count, vtkIdType all)
 {
   std::vector<Vec3> places;

@@ -18,7 +18,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Four points with different numbers, on the axes 5 m from the middle: east, north, west, south.
+/// Four points with different values, on the axes 5 m from the centre: east, north, west, south.
 vtkSmartPointer<vtkPolyData> MakeFour()
 {
   return MakeEchoes({ { 5, 0, 0 }, { 0, 5, 1 }, { -5, 0, 2 }, { 0, -5, 3 } });
@@ -213,7 +213,7 @@ TEST_CASE("CloudView: the scalar bar has the title, the ends and the colours of 
   CHECK(table->GetNumberOfAnnotatedValues() == 3);
   CHECK(table->GetAnnotation(0) == "ground");
   CHECK(bar->GetVisibility() == 1);
-  stage.Render(); // a legend of texts does not fail
+  stage.Render(); // a text legend does not fail
   CHECK(stage.CountPixels(Black) < 199 * 200);
   view.SetColorBy(ColorBy::One);
   CHECK(bar->GetVisibility() == 0);

@@ -55,7 +55,7 @@ TEST_CASE("CloudView: while moving an even sample is drawn, everything when stil
   CHECK(sample <= static_cast<vtkIdType>(CloudView::MaximumSample));
   CHECK(sample > 90000);
   stage.Render();
-  // 180 x 180 pixels with about 3.4 points each: all four quarters are alike.
+  // 180 x 180 pixels with about 3.4 points each: all quarters are equal.
   int quarters[4] = { 0, 0, 0, 0 };
   for (int i = 0; i < 200 * 200; ++i)
   {
@@ -135,7 +135,7 @@ TEST_CASE("CloudView: slow frames make it draw less while moving, quick ones mor
   CloudView view(cloud, stage.Renderer);
   view.SetEyeDomeLighting(true);
   view.ReportFrame(1.0);
-  CHECK(view.GetNumberOfDrawnPoints() == 900000); // it is still
+  CHECK(view.GetNumberOfDrawnPoints() == 900000); // still
   view.SetInteracting(true);
   const auto sample = static_cast<double>(view.GetNumberOfDrawnPoints());
   view.ReportFrame(0.1);
@@ -210,5 +210,5 @@ TEST_CASE("CloudView: at most 40 bytes a point, cloud and display together")
   REQUIRE(cloud.GetNumberOfPoints() == 5000000);
   const auto bytes = static_cast<double>(cloud.GetMemorySize() + view.GetMemorySize());
   CHECK(bytes <= 40.0 * 5e6);
-  CHECK(bytes >= 34.0 * 5e6); // nothing is forgotten
+  CHECK(bytes >= 34.0 * 5e6); // all data counted
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A flight over a step of 2 m whose edge lies below the track: ranges are known.
+// A flight over a 2 m step with the edge below the track: ranges are known.
 #include "heliosInspector.h"
 
 #include "heliosCloudView.h"
@@ -53,7 +53,7 @@ void Wait(Inspector& inspector)
   REQUIRE_FALSE(inspector.IsWaiting());
 }
 
-/// Looks down on an echo, 12 m high: its pixel is the middle of the window.
+/// Looks down on an echo, 12 m high: its pixel is the window's centre.
 void LookDownOn(Viewer& viewer, const Vec3& position)
 {
   const Vec3 at = position - viewer.GetOrigin();
@@ -66,7 +66,7 @@ void LookDownOn(Viewer& viewer, const Vec3& position)
   viewer.GetRenderer()->ResetCameraClippingRange();
 }
 
-/// The row of the first echo of n that a wanted pulse has: the axis meets y in (low, high).
+/// The row of the first echo of a pulse with n returns whose axis hits y in (low, high).
 vtkIdType FindRow(Viewer& viewer, int returns, double low, double high)
 {
   const Cloud& cloud = viewer.GetCloud();
@@ -82,7 +82,7 @@ vtkIdType FindRow(Viewer& viewer, int returns, double low, double high)
   return -1;
 }
 
-/// Where the axis of a beam meets a level plane [m].
+/// Range along a beam axis to a horizontal plane [m].
 double GetRangeTo(const PulseReading& reading, double z)
 {
   return (z - reading.Origin[2]) / reading.Direction[2];
@@ -101,12 +101,12 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
   LookDownOn(viewer, planted.Position);
 
   Inspector inspector(viewer);
-  CHECK_FALSE(inspector.OnKey("n", false)); // nothing is picked: the key is not the inspector's
+  CHECK_FALSE(inspector.OnKey("n", false)); // no selection: the key is not the inspector's
   CHECK_FALSE(inspector.OnClick(360, 240)); // between two lines of the scan
   REQUIRE(inspector.OnClick(320, 240));
   CHECK(inspector.GetRow() == row);
   CHECK(inspector.GetReading().Pulse == planted.PulseId);
-  CHECK(inspector.GetReading().Echoes.size() == 2); // as the cloud has them, at once
+  CHECK(inspector.GetReading().Echoes.size() == 2); // from the cloud, at once
   Wait(inspector);
 
   const PulseReading& reading = inspector.GetReading();
@@ -155,7 +155,7 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
     CHECK(chart->GetPlot(1)->GetInput()->GetNumberOfRows() == vtkIdType(reading.Samples.size()));
     CHECK(inspector.GetChart().GetTitle().find("return 1 of 2") != std::string::npos);
     CHECK(inspector.GetChart().Contains(100, 100));
-    CHECK(inspector.OnClick(100, 100)); // clicks on it pick nothing
+    CHECK(inspector.OnClick(100, 100)); // clicks on it select nothing
     CHECK(inspector.GetRow() == row);
   }
   SECTION("the waveform stands along the beam")
@@ -217,7 +217,7 @@ TEST_CASE("Inspector: a pulse on one plane")
   REQUIRE(reading.Gaussians.size() == 1);
   CHECK(reading.Gaussians[0].Range == Approx(GetRangeTo(reading, 0.0)).margin(1e-3));
   CHECK(reading.PulseLength == 4.0);
-  CHECK(inspector.GetView().GetNumberOfBeams() >= 1); // its axis, where no sub-ray was needed
+  CHECK(inspector.GetView().GetNumberOfBeams() >= 1); // its axis, if no sub-ray was needed
   CHECK(reading.Samples.size() == reading.Ranges.size());
 }
 
@@ -317,7 +317,7 @@ TEST_CASE("Inspector: a cloud in LAS, and its packets")
   }
   CHECK(fs::file_size(points) > 400000); // two pieces
   REQUIRE(reading.Gaussians.size() == 2);
-  REQUIRE(reading.Samples.size() <= truth.Samples.size()); // but for zeros at the end
+  REQUIRE(reading.Samples.size() <= truth.Samples.size()); // except for trailing zeros
   const double highest = *std::max_element(truth.Samples.begin(), truth.Samples.end());
   for (std::size_t i = 0; i < reading.Samples.size(); ++i)
   {
@@ -346,7 +346,7 @@ TEST_CASE("Inspector: where no waveform can be, it says why")
   options.Inputs = { "cloud.xyz" };
   options.Offscreen = true;
   Viewer viewer(options);
-  REQUIRE(viewer.Run() == 1); // there is no such file; the test brings the points
+  REQUIRE(viewer.Run() == 1); // the file does not exist; the test supplies the points
   auto echoes = MakeEchoes({ { 1, 2, 3 }, { 4, 5, 6 } });
   const bool hasPulses = GENERATE(false, true);
   if (hasPulses)

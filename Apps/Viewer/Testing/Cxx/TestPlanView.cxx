@@ -18,7 +18,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Five test points, from one that nobody can see to one that three see, 4 m apart along x.
+/// Five test points, visible from no to three positions, 4 m apart along x.
 Plan MakePlan()
 {
   Plan plan;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Platforms and scanners as the files look that surveys name: known squares at known pixels.
+// Platforms and scanners drawn from model files: known squares at known pixels.
 #include "heliosPlatformView.h"
 
 #include "heliosMaterialColors.h"
@@ -19,7 +19,7 @@ using namespace helios;
 namespace
 {
 
-/// A square of 2 m about (x, y), at a height.
+/// A square of 2 m centred at (x, y), at a height.
 std::string MakeSquare(double x, double y, double z)
 {
   std::string text;
@@ -43,7 +43,7 @@ bool IsNear(const Rgb& a, const Rgb& b)
   return std::abs(a[0] - b[0]) <= 2 && std::abs(a[1] - b[1]) <= 2 && std::abs(a[2] - b[2]) <= 2;
 }
 
-/// The folder with a body of roof at x = 3 m and glass at y = 6 m, and a head at y = 2 m of its own.
+/// A folder with a body of roof at x = 3 m and glass at y = 6 m, and a separate head at y = 2 m.
 class ModelStage : public StepFiles
 {
 public:
@@ -106,7 +106,7 @@ TEST_CASE("PlatformView: the scanner's model turns with its head")
   stage.Show({ Vec3(0, 0, 0), Level }, 10.0);
   CHECK(stage.Picture.GetColorAt(-4, -2) != Black); // 180
   CHECK(stage.Picture.GetColorAt(-6, 0) == Black);
-  stage.Show({ Vec3(0, 0, 0), Level }, 99.0); // it stands when the leg is over
+  stage.Show({ Vec3(0, 0, 0), Level }, 99.0); // stops at the end of the leg
   CHECK(stage.Picture.GetColorAt(-4, -2) != Black);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Time that plays, and how often there is time to draw.
+// Playback time, and the frame rate limit.
 #include "heliosFrameBudget.h"
 #include "heliosPlayClock.h"
 
@@ -19,7 +19,7 @@ TEST_CASE("PlayClock: time goes as fast as asked, and no farther than there is",
   clock.SetSpeed(2.0);
   clock.Advance(1.5, 20.0);
   CHECK(clock.GetTime() == 13.0);
-  clock.Advance(1.0, 14.0); // only that is computed
+  clock.Advance(1.0, 14.0); // limited by computed time
   CHECK(clock.GetTime() == 14.0);
   clock.SetSpeed(PlayClock::AsFastAsItComputes);
   clock.Advance(0.001, 17.0);
@@ -40,11 +40,11 @@ TEST_CASE("PlayClock: a pause stays, and what is sought is the target", "[Viewer
   CHECK(clock.GetTarget() == 40.0);
   clock.SetPlaying(true);
   clock.SetSpeed(1.0);
-  clock.Advance(1.0, 10.0); // nothing is there yet: it waits, and does not go back
+  clock.Advance(1.0, 10.0); // nothing computed yet: waits, does not go back
   CHECK(clock.GetTime() == 40.0);
   clock.Seek(-5.0);
   CHECK(clock.GetTime() == 0.0);
-  CHECK(clock.GetTarget() > 0.0); // a little ahead
+  CHECK(clock.GetTarget() > 0.0); // slightly ahead
 }
 
 TEST_CASE("PlayClock: speeds in steps", "[Viewer]")
@@ -59,7 +59,7 @@ TEST_CASE("PlayClock: speeds in steps", "[Viewer]")
   CHECK(clock.GetSpeed() == 2.0);
   clock.ChangeSpeed(-99);
   CHECK(clock.GetSpeed() == 0.01);
-  clock.SetSpeed(0.0); // refused
+  clock.SetSpeed(0.0); // rejected
   CHECK(clock.GetSpeed() == 0.01);
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("FrameBudget: drawing takes its share, and the user what he needs", "[
   FrameBudget budget;
   CHECK(budget.IsDue(0.0, true));
   budget.NoteFrame(10.0, 0.05);
-  CHECK(budget.IsDue(10.01, false)); // nothing computes
+  CHECK(budget.IsDue(10.01, false)); // no computation
   CHECK_FALSE(budget.IsDue(10.01, true));
   CHECK(budget.IsDue(10.0 + 0.05 / FrameBudget::Share, true));
   budget.NoteInput(10.02);

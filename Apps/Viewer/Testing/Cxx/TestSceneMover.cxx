@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A plate that moves by a metre every 0.05 s: where it is drawn, and that echoes are on it.
+// A plate that moves 1 m every 0.05 s: its drawn position, with echoes on it.
 #include "heliosSceneMover.h"
 
 #include "heliosSceneView.h"
@@ -21,9 +21,9 @@ using namespace helios;
 namespace
 {
 
-constexpr double Start = -10.0; // of the middle of the plate, x [m]
+constexpr double Start = -10.0; // of the plate's centre, x [m]
 
-/// The flight, with a plate of 4 m at a place beside it or below it instead of the step.
+/// The flight, with a plate of 4 m beside it or below it instead of the step.
 class MovingFiles : public StepFiles
 {
 public:
@@ -54,7 +54,7 @@ public:
   ViewerOptions Options;
 };
 
-/// Whether a place [m] has a colour in the picture.
+/// Whether a position [m] has a colour in the picture.
 bool HasColor(Viewer& viewer, const Vec3& place, const Rgb& color)
 {
   const Vec3 local = place - viewer.GetOrigin();
@@ -117,7 +117,7 @@ TEST_CASE("SceneMover: echoes are on the part when they are measured, to and fro
       continue;
     }
     mover.MoveTo(viewer.GetLegs(), echo.GpsTime);
-    CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), echo.GpsTime)); // it is there
+    CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), echo.GpsTime)); // unchanged
     double bounds[6];
     view.GetMovingMesh()->GetPoints()->GetBounds(bounds);
     const double x = echo.Position[0];

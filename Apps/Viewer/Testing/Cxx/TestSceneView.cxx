@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> MakeScene(const Vec3& origin)
   return scene;
 }
 
-/// The same squares as very many triangles.
+/// The same squares with very many triangles.
 vtkSmartPointer<vtkPolyData> MakeFine(const Vec3& origin, int side)
 {
   std::vector<Vec3> corners;
@@ -193,13 +193,13 @@ TEST_CASE("SceneView: parts that move are drawn and picked where they are put")
   stage.Render();
   CHECK(stage.GetColorAt(4, 0) == Black);
   CHECK(IsNear(stage.GetColorAt(4, 6), GetClassColor(6)));
-  CHECK(IsNear(stage.GetColorAt(-4, 0), Rgb{ 104, 106, 112 })); // what rests
+  CHECK(IsNear(stage.GetColorAt(-4, 0), Rgb{ 104, 106, 112 })); // static part
   CHECK(stage.CountPixels(Black) == 200 * 200 - 2 * 40 * 40);
   CHECK_FALSE(view.Pick(Stage::ToPixel(4), Stage::ToPixel(0)));
   const auto pick = view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(5.0));
   REQUIRE(pick);
   CHECK(pick->Part == 1);
-  CHECK(pick->Cell == 2); // as the whole scene calls it
+  CHECK(pick->Cell == 2); // index in the whole scene
   CHECK(std::abs(pick->Position[2] - Far[2] - 2.0) < 1e-6);
   CHECK(view.Pick(Stage::ToPixel(-4), Stage::ToPixel(0))->Part == 0);
   view.SetHighlightedPart(1);
@@ -211,7 +211,7 @@ TEST_CASE("SceneView: parts that move are drawn and picked where they are put")
   CHECK(stage.CountPixels(Black) == 200 * 200);
   REQUIRE(view.SetScene(MakeScene(Far)).empty());
   CHECK_FALSE(view.GetMovingMesh());
-  view.Move(moved); // of a scene that is gone
+  view.Move(moved); // of an earlier scene
   stage.Render();
   CHECK(IsNear(stage.GetColorAt(4, 0), Rgb{ 255, 205, 60 }));
   view.SetMovingParts({ 0, 1 }); // all of it
@@ -284,7 +284,7 @@ TEST_CASE("SceneView: very many triangles are drawn as fewer while the camera mo
   check(false);
   view.SetInteracting(true);
   check(true);
-  CHECK(view.Pick(140.5, 100.5)->Material == 1); // of the triangles as they are
+  CHECK(view.Pick(140.5, 100.5)->Material == 1); // of the original triangles
   view.SetVisible(false);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);
@@ -295,5 +295,5 @@ TEST_CASE("SceneView: very many triangles are drawn as fewer while the camera mo
   view.SetInteracting(true);
   REQUIRE(view.SetScene(MakeScene(Far)).empty());
   stage.Render();
-  CHECK_FALSE(view.IsCoarse()); // few are drawn as they are
+  CHECK_FALSE(view.IsCoarse()); // few are drawn unchanged
 }

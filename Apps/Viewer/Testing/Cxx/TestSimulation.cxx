@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A survey that runs beside the viewer: the echoes of a run, as far as it is asked to go.
+// A survey running in the background: the echoes of a run, up to the requested time.
 #include "heliosBeamFan.h"
 #include "heliosCloud.h"
 #include "heliosSimulation.h"
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkHeliosSurvey> Read(const StepFiles& files)
   return reader->GetSurvey();
 }
 
-/// Takes what comes until a condition holds; the echoes in their order.
+/// Takes echoes until a condition holds; the echoes in order.
 template <typename Condition>
 std::vector<vtkSmartPointer<vtkPolyData>> TakeUntil(Simulation& run, Condition isThere)
 {
@@ -85,7 +85,7 @@ TEST_CASE("Simulation: it goes as far as asked, then on, and all is that of one 
   run.SetTarget(0.25);
   auto blocks = TakeUntil(run, [&run] { return run.GetTakenTime() >= 0.25; });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  CHECK(run.TakeEchoes().empty());    // it waits
+  CHECK(run.TakeEchoes().empty());    // waiting
   CHECK(run.GetTakenPulses() == 500); // at 2 kHz
   CHECK(run.GetPhase() == Simulation::Phase::Running);
   run.SetTarget(Forever);
@@ -162,7 +162,7 @@ TEST_CASE("BeamFan: the points just before a time", "[Viewer]")
   {
     cloud.Append(block);
   }
-  // The platform goes by 20 m/s and looks down: points of [0.4 s, 0.5 s] are at x in [-2 m, 0].
+  // The platform moves at 20 m/s and looks down: points of [0.4 s, 0.5 s] are at x in [-2 m, 0].
   const auto ends = FindNewestPoints(cloud, 0.5, 0.1, 20);
   CHECK(ends.size() > 10);
   CHECK(ends.size() <= 20);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Turbid voxels as boxes: their places, sizes and colours, and how many there are.
+// Turbid voxels as boxes: positions, sizes, colours and number.
 #include "heliosTurbidBoxes.h"
 
 #include "heliosCloudView.h"
@@ -32,7 +32,7 @@ namespace
 constexpr double Opacity = 0.35;
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 
-/// Cells of an edge [m] whose lowest corner is at a place, with densities.
+/// Cells of an edge [m] with the lowest corner at a position, with densities.
 vtkSmartPointer<vtkImageData> MakeGrid(
   const Vec3& corner, double edge, int nx, int ny, int nz, const std::vector<double>& densities)
 {
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> MakeGrid(
   return grid;
 }
 
-/// A scene of one triangle far below, of which nothing is seen.
+/// A scene of one triangle far below, not visible.
 vtkSmartPointer<vtkPolyData> MakeSpeck()
 {
   auto scene = MakeEchoes({ { 0, 0, -50 }, { 0.001, 0, -50 }, { 0, 0.001, -50 } });
@@ -87,10 +87,10 @@ TEST_CASE("TurbidBoxes: a box a cell, its volume the density, its colour the mat
   stage.Render();
   CHECK(IsNear(stage.GetColorAt(-6, 0), Leaf, Opacity)); // from -8 to -4
   CHECK(IsNear(stage.GetColorAt(-7.8, -1.8), Leaf, Opacity));
-  CHECK(IsNear(stage.GetColorAt(-2.8, 0.8), Leaf, Opacity)); // an eighth: 2 m about -2
+  CHECK(IsNear(stage.GetColorAt(-2.8, 0.8), Leaf, Opacity)); // an eighth: 2 m around -2
   CHECK(stage.GetColorAt(-3.3, 0) == Black);
-  CHECK(stage.GetColorAt(2, 0) == Black); // not known
-  CHECK(stage.GetColorAt(6, 0) == Black); // nothing
+  CHECK(stage.GetColorAt(2, 0) == Black); // unknown
+  CHECK(stage.GetColorAt(6, 0) == Black); // empty
   CHECK(stage.CountPixels(Black) == 200 * 200 - 40 * 40 - 20 * 20);
 
   MaterialTable table(2);
@@ -130,7 +130,7 @@ TEST_CASE("TurbidBoxes: a grid that is turned, and begins anywhere")
   vtkNew<vtkImageData> grid;
   grid->SetExtent(3, 5, 0, 1, 0, 1); // two cells from index 3
   grid->SetSpacing(2.0, 2.0, 2.0);
-  const double turned[9] = { 0, -1, 0, 1, 0, 0, 0, 0, 1 }; // x goes to y
+  const double turned[9] = { 0, -1, 0, 1, 0, 0, 0, 0, 1 }; // x maps to y
   grid->SetDirectionMatrix(turned);
   vtkNew<vtkDoubleArray> pad;
   pad->SetName(names::PAD);
@@ -150,11 +150,11 @@ TEST_CASE("TurbidBoxes: a million voxels are as many boxes as can be drawn")
   const vtkIdType most = SceneView::MostBoxes;
   const auto boxes = MakeTurbidBoxes(grid, most, Vec3(0, 0, 0));
   const vtkIdType count = boxes->GetNumberOfCells() / 6;
-  CHECK(count == 25 * 25 * 25); // of 4 x 4 x 4 cells, the fewest that are below
+  CHECK(count == 25 * 25 * 25); // of 4 x 4 x 4 cells, the smallest below the limit
   CHECK(boxes->GetNumberOfPoints() == 8 * count);
   double bounds[6];
   boxes->GetPoints()->GetBounds(bounds);
-  CHECK(bounds[0] == Approx(-5.0)); // alike, so they fill their blocks
+  CHECK(bounds[0] == Approx(-5.0)); // equal, so they fill their blocks
   CHECK(bounds[5] == Approx(10.0));
   CHECK(MakeTurbidBoxes(grid, 1, Vec3(0, 0, 0))->GetNumberOfCells() == 6);
   Stage stage;
@@ -166,14 +166,14 @@ TEST_CASE("TurbidBoxes: a million voxels are as many boxes as can be drawn")
   CHECK(view.GetNumberOfBoxes() <= SceneView::MostMovingBoxes);
   CHECK(view.GetNumberOfBoxes() > SceneView::MostMovingBoxes / 4);
   stage.Render();
-  CHECK(stage.CountPixels(Black) == 200 * 200 - 100 * 99); // the last layer has nothing
+  CHECK(stage.CountPixels(Black) == 200 * 200 - 100 * 99); // the last layer is empty
   view.SetInteracting(false);
   CHECK(view.GetNumberOfBoxes() == count);
   std::vector<vtkSmartPointer<vtkImageData>> two = { grid, grid };
   CHECK(MakeTurbidBoxes(two, most, Vec3(0, 0, 0))->GetNumberOfCells() / 6 <= most);
   const auto few = MakeGrid(Vec3(0, 0, 0), 1.0, 7, 3, 5, { 1.0 });
   CHECK(MakeTurbidBoxes(few, 105, Vec3(0, 0, 0))->GetNumberOfCells() / 6 == 105);
-  const auto odd = MakeTurbidBoxes(few, 30, Vec3(0, 0, 0)); // 2 x 2 x 2, less at the ends
+  const auto odd = MakeTurbidBoxes(few, 30, Vec3(0, 0, 0)); // 2 x 2 x 2, fewer at the ends
   CHECK(odd->GetNumberOfCells() / 6 == 4 * 2 * 3);
   odd->GetPoints()->GetBounds(bounds);
   CHECK(bounds[1] == Approx(7.0));
@@ -211,7 +211,7 @@ TEST_CASE("TurbidBoxes: the viewer shows them, of surveys and of scenes")
   Viewer viewer(options);
   REQUIRE(viewer.Run() == 0);
   CHECK(viewer.GetSceneView()->GetNumberOfBoxes() == 2);
-  CHECK(viewer.GetCloudView().GetEyeDomeLighting() == (input == "survey.xml")); // it is for points
+  CHECK(viewer.GetCloudView().GetEyeDomeLighting() == (input == "survey.xml")); // only for points
   std::ifstream state(options.State);
   const std::string said((std::istreambuf_iterator<char>(state)), std::istreambuf_iterator<char>());
   CHECK(said.find("\"voxels\" : 2") != std::string::npos);

@@ -37,7 +37,7 @@ void Write(const std::string& path, const std::string& text)
   std::ofstream(path, std::ios::binary) << text;
 }
 
-/// A text in so many brackets that a reader that recurses gives up.
+/// A text in enough brackets to overflow a recursive reader.
 std::string Nest(const std::string& text, int depth)
 {
   const auto n = static_cast<std::size_t>(depth);

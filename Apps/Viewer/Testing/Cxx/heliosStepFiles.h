@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A survey for the viewer's tests: a flight of a second over a step of 2 m.
+// A survey for the viewer's tests: a flight of 1 s over a 2 m step.
 
 #ifndef heliosStepFiles_h
 #define heliosStepFiles_h
@@ -16,7 +16,7 @@ namespace helios
 
 constexpr double StepHeight = 2.0; // [m]
 
-/// A folder with the survey; beams of 5 mrad are half a metre wide on the ground.
+/// A folder with the survey; beams of 5 mrad are 0.5 m wide on the ground.
 class StepFiles
 {
 public:
@@ -51,12 +51,12 @@ public:
     std::ofstream(this->Folder / name) << text;
   }
 
-  /// Replaces the first occurrence of a text in a file, which must have it.
+  /// Replaces the first occurrence of a required text in a file.
   void Replace(const std::string& name, const std::string& from, const std::string& to) const
   {
     std::ifstream file(this->Folder / name);
     std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    this->Write(name, text.replace(text.find(from), from.size(), to)); // throws without it
+    this->Write(name, text.replace(text.find(from), from.size(), to)); // throws if missing
   }
 
   std::filesystem::path Folder;

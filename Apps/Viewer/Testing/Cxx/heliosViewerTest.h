@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes, a camera of known scale and the pixels it gives, for the viewer's tests.
+// Echoes, a camera of known scale and its pixels, for the viewer's tests.
 
 #ifndef heliosViewerTest_h
 #define heliosViewerTest_h
@@ -51,7 +51,7 @@ void AddColumn(vtkPolyData* echoes, const char* name, const std::vector<double>&
   echoes->GetPointData()->AddArray(array);
 }
 
-/// n points at random-looking places in [-9, 9]^2, height 0, with pulse ids and times 0, 1, 2 ...
+/// n points at pseudo-random positions in [-9, 9]^2, height 0, with pulse ids and times 0, 1, 2 ...
 inline vtkSmartPointer<vtkPolyData> MakeField(vtkIdType n)
 {
   std::vector<Vec3> places;
@@ -69,7 +69,7 @@ inline vtkSmartPointer<vtkPolyData> MakeField(vtkIdType n)
   return field;
 }
 
-/// Looks down on x, y in [-10, 10] with 10 pixels a metre; x = y = 0 is at pixel 100, 100.
+/// Looks down on x, y in [-10, 10] at 10 pixels/m; x = y = 0 is at pixel 100, 100.
 class Stage
 {
 public:
@@ -88,7 +88,7 @@ public:
     camera->SetClippingRange(1.0, 1000.0);
   }
 
-  /// Where x or y [m] is.
+  /// Pixel of x or y [m].
   static int ToPixel(double metres) { return static_cast<int>(100.0 + 10.0 * metres); }
 
   void Render()
@@ -103,7 +103,7 @@ public:
     return { p[0], p[1], p[2] };
   }
 
-  /// The colour drawn at a place [m], at the height of the focal point.
+  /// The colour drawn at a position [m], at the height of the focal point.
   Rgb GetColorAt(double x, double y) const { return this->GetPixel(ToPixel(x), ToPixel(y)); }
 
   int CountPixels(const Rgb& color) const

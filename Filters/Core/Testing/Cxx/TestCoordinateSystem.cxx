@@ -18,7 +18,7 @@ helios::CoordinateSystem Make(const std::string& text)
   return system;
 }
 
-/// What is wrong with a text.
+/// The error message of a text.
 std::string GetProblem(const std::string& text)
 {
   helios::CoordinateSystem system;
@@ -64,7 +64,7 @@ TEST_CASE("CoordinateSystem: knows its name and units", "[CoordinateSystem]")
   CHECK_FALSE(degrees.IsMetric());
   CHECK(degrees.GetUnit() == 0.0);
   CHECK(degrees.GetUnitName() == "degrees");
-  CHECK(Make("EPSG:4807").GetUnitName() == "degrees"); // its own: grads
+  CHECK(Make("EPSG:4807").GetUnitName() == "degrees"); // the definition uses grads
 
   const helios::CoordinateSystem feet = Make("EPSG:2263+6360");
   CHECK_FALSE(feet.IsMetric());
@@ -101,7 +101,7 @@ TEST_CASE("CoordinateSystem: is equal in every spelling", "[CoordinateSystem]")
     CHECK(Make(other) != utm);
     CHECK(utm != Make(other));
   }
-  CHECK(Make("EPSG:4326") == Make("OGC:CRS84")); // the order of axes is ours
+  CHECK(Make("EPSG:4326") == Make("OGC:CRS84")); // the axis order is normalized
   CHECK(Make("EPSG:4326") == Make("+proj=longlat +datum=WGS84 +no_defs"));
   CHECK(Make("EPSG:32661") == Make("EPSG:5041"));
   CHECK(Make("ENU 49.4 8.7 110") == Make("ENU  49.40\t8.7 1.1e2"));
@@ -143,7 +143,7 @@ TEST_CASE("CoordinateSystem: says why a scene cannot be scanned in it", "[Coordi
   CHECK(helios::GetMetricProblem(Make("EPSG:4326"), heidelberg) ==
     "EPSG:4326 (WGS 84) is in degrees; reproject it to a metric system, e.g. "
     "<filter type=\"crs\"> with target EPSG:32632");
-  const double bergen[3] = { 5.3, 60.4, 0.0 }; // zone 32 by the rule for Norway
+  const double bergen[3] = { 5.3, 60.4, 0.0 }; // zone 32 by the exception for Norway
   CHECK(Has(helios::GetMetricProblem(Make("EPSG:4258"), bergen), "target EPSG:32632"));
   const double sydney[3] = { 151.2153, -33.8568, 0.0 };
   CHECK(Has(helios::GetMetricProblem(Make("EPSG:4326"), sydney), "target EPSG:32756"));
@@ -170,12 +170,12 @@ TEST_CASE("CoordinateSystem: its WKT means the same", "[CoordinateSystem]")
     const std::string wkt = system.GetWkt();
     CHECK(Has(wkt, "[\""));
     CHECK(wkt.find('\n') == std::string::npos);
-    CHECK(wkt.find("CRS[") == std::string::npos); // WKT 1 has CS only
+    CHECK(wkt.find("CRS[") == std::string::npos); // WKT 1 has only CS
     CHECK(Make(wkt) == system);
     CHECK(Make(wkt).GetWkt() == wkt);
   }
   CHECK(Make("ENU 49.4 8.7 110").GetWkt().empty());
-  // WKT 1 knows no such projection
+  // WKT 1 does not have this projection
   CHECK(Has(
     Make("+proj=ob_tran +o_proj=longlat +o_lon_p=-162 +o_lat_p=39 +lon_0=180 +type=crs").GetWkt(),
     "[\""));

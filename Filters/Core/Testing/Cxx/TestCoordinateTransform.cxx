@@ -67,7 +67,7 @@ double GetDistance(const Point& a, const Point& b)
   return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/// Longitude, latitude, height over an area.
+/// Longitude, latitude, height on a grid.
 std::vector<Point> MakeGrid(
   double west, double east, double south, double north, int count, double height = 110.0)
 {
@@ -103,7 +103,7 @@ std::vector<Point> Transform(
   return images;
 }
 
-/// How far points come back from where they were after there and back again.
+/// Largest distance of points from their original position after a round trip.
 double GetRoundTrip(
   const std::string& source, const std::string& target, const std::vector<Point>& points)
 {
@@ -226,7 +226,7 @@ TEST_CASE("CoordinateTransform: comes back to 5e-9 m", "[CoordinateTransform]")
 
 TEST_CASE("CoordinateTransform: GeographicLib and PROJ agree", "[CoordinateTransform]")
 {
-  // Without a datum PROJ does it, on the same ellipsoid.
+  // Without a datum, PROJ computes it on the same ellipsoid.
   const auto check = [](const char* ours, const std::string& theirs, const auto& grid)
   {
     CAPTURE(theirs);
@@ -256,12 +256,12 @@ TEST_CASE("CoordinateTransform: local east, north, up", "[CoordinateTransform]")
   CHECK(north[1] == Approx(111.226).margin(1e-2));
   CHECK(std::abs(north[0]) < 1e-8);
 
-  // The same place by PROJ's topocentric conversion of geocentric coordinates.
+  // The same point by the topocentric conversion of PROJ from geocentric coordinates.
   const Point there = Transform("EPSG:4978", local, { 4111000.0, 629100.0, 4819800.0 });
   const Point back = Transform(local, "EPSG:4978", there);
   CHECK(GetDistance(back, { 4111000.0, 629100.0, 4819800.0 }) <= Tolerance);
 
-  // With a system that is PROJ's alone.
+  // With a system that only PROJ supports.
   const Point gauss = Transform(local, "EPSG:31467", { 0, 0, 0 });
   CHECK(GetDistance(gauss, Transform("EPSG:4326", "EPSG:31467", origin)) <= Tolerance);
   CHECK(GetDistance(Transform("EPSG:31467", local, gauss), { 0, 0, 0 }) <= Tolerance);
@@ -279,7 +279,7 @@ TEST_CASE("CoordinateTransform: east comes first, whatever the definition", "[Co
   const Point gk = Transform("EPSG:4258", "EPSG:3879", { 25, 60, 0 }); // north, east
   CHECK(gk[0] == Approx(25500000.0).margin(1e-6));
 
-  // The pole's two orders; axes to the south and west.
+  // Both axis orders at the pole; axes to the south and west.
   const Point pole{ 20, 88, 0 };
   CHECK(Transform("EPSG:4326", "EPSG:32661", pole) == Transform("EPSG:4326", "EPSG:5041", pole));
   const Point cape = Transform("EPSG:4148", "EPSG:2053", { 28, -26, 0 }); // meridian 29 east
@@ -301,7 +301,7 @@ TEST_CASE("CoordinateTransform: angles are degrees, feet stay feet", "[Coordinat
   const Point manhattan{ 984000.0, 200000.0, 100.0 };
   const Point utm = Transform("EPSG:2263", "EPSG:32618", manhattan);
   CHECK(utm[0] == Approx(584386.43).margin(0.1));
-  CHECK(utm[2] == 100.0); // nothing said of heights
+  CHECK(utm[2] == 100.0); // no vertical part
   const double foot = 1200.0 / 3937.0;
   const Point metres = Transform("EPSG:2263", "EPSG:32118", manhattan); // the same map in metres
   CHECK(metres[0] == Approx(984000.0 * foot).margin(1e-6));
@@ -380,7 +380,7 @@ TEST_CASE("CoordinateTransform: names the point outside the domain", "[Coordinat
   const double nan = std::nan("");
   GetFailure("EPSG:4326", "EPSG:32632", { 8.7, nan, 1 });
   GetFailure("EPSG:4326", "EPSG:32632", { 8.7, 49.4, nan });
-  GetFailure("EPSG:4326", "EPSG:32632", { 150.0, 10.0, 0.0 }); // the other side of the earth
+  GetFailure("EPSG:4326", "EPSG:32632", { 150.0, 10.0, 0.0 }); // the other side of the Earth
   GetFailure("EPSG:4326", "EPSG:4978", { 8.7, 95, 0 });
   GetFailure("EPSG:4326", "ENU 0 0 0", { 8.7, 95, 0 });
   GetFailure("EPSG:4326", "EPSG:5041", { 0, -90, 0 });

@@ -18,7 +18,7 @@ using helios::CheckInputFile;
 namespace
 {
 
-/// A folder that is gone after the test.
+/// A folder that is removed after the test.
 struct Folder
 {
   Folder()
@@ -40,7 +40,7 @@ TEST_CASE("CheckInputFile: regular files, and links to them", "[InputFile]")
   std::filesystem::create_symlink("a.obj", folder / "link.obj");
   CHECK(CheckInputFile(folder / "a.obj").empty());
   CHECK(CheckInputFile(folder / "link.obj").empty());
-  CHECK(CheckInputFile(folder / "none.obj").empty()); // the reader says so
+  CHECK(CheckInputFile(folder / "none.obj").empty()); // reported by the reader
   CHECK(CheckInputFile("").empty());
   CHECK(CheckInputFile(std::string("/dev/zero\0.obj", 14)).empty());
 }

@@ -12,7 +12,7 @@ using helios::CheckMemory;
 namespace
 {
 
-/// A limit for one test.
+/// A memory limit for one test.
 struct Limit
 {
   explicit Limit(double mebibytes) { vtkHeliosMemoryLimit::SetLimit(mebibytes); }

@@ -9,7 +9,7 @@
 namespace
 {
 
-/// frac(i f / r) in integer arithmetic, for whole frequencies.
+/// frac(i f / r) in integer arithmetic, for integer frequencies.
 double ExactPhase(std::int64_t i, std::int64_t frequency, std::int64_t rate)
 {
   const auto product = static_cast<__int128>(i) * frequency;
@@ -52,12 +52,12 @@ TEST_CASE("Phase: a negative frequency turns the other way", "[Phase]")
   {
     CHECK(helios::Phase(i, -7294, 6000000) == Approx(ExactPhase(i, -7294, 6000000)).margin(1e-15));
   }
-  CHECK(helios::Phase(1, -1e-30, 1.0) == 0.0); // 1 - 1e-30 is no double below 1
+  CHECK(helios::Phase(1, -1e-30, 1.0) == 0.0); // 1 - 1e-30 has no double below 1
 }
 
 TEST_CASE("Phase: of a time", "[Phase]")
 {
-  // 86400.001 s is 86400 + m 2^-36 as it is stored; 997 Hz times that, in integers.
+  // 86400.001 s is stored as 86400 + m 2^-36; 997 Hz times that, in integers.
   const double time = 86400.001;
   const auto scaled = static_cast<__int128>(std::ldexp(time, 36)) * 997;
   const auto rest = static_cast<std::int64_t>(scaled % (std::int64_t(1) << 36));

@@ -38,6 +38,6 @@ TEST_CASE("Pose: the lever arm turns with the attitude", "[Pose]")
   const helios::Pose mount{ { 1, 0, 0.5 }, helios::AxisAngle({ 1, 0, 0 }, 90) };
   const helios::Pose scanner = platform * mount;
   CheckNear(scanner.Position, 10, 21, 30.5);
-  // y of the scanner: up by the mount, which the heading leaves alone
+  // y of the scanner: up by the mount, independent of the heading
   CheckNear(helios::Rotate(scanner.Orientation, { 0, 1, 0 }), 0, 0, 1);
 }

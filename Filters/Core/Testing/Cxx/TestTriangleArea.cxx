@@ -51,7 +51,8 @@ TEST_CASE("TriangleArea: agrees with whole numbers", "[TriangleArea]")
   {
     for (int y = -4; y <= 4; ++y)
     {
-      // a at the origin, b = (2, 2, 0), c = (x, y, 0), shifted so that double's filter is of no use
+      // a at the origin, b = (2, 2, 0), c = (x, y, 0), shifted so that the double filter cannot
+      // decide
       const double s = 0x1p52;
       const double a[3] = { s, s, s };
       const double b[3] = { s + 2, s + 2, s };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Checksums of what is written.
+// Checksums of written files.
 #include "heliosChecksum.h"
 #include "heliosPartFile.h"
 #include "heliosTempFolder.h"

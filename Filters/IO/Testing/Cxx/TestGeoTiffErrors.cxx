@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the GeoTIFF reader says about bad files.
+// Errors of the GeoTIFF reader on bad files.
 #include "heliosGeoTiffTesting.h"
 #include "heliosRasterMesh.h"
 #include "heliosRasterUnits.h"
@@ -61,7 +61,7 @@ std::string MakeGoodBytes()
   return helios::MakeGeoTiffBytes(3, 2, { 1, 2, 3, 4, 5, 6 }, 1);
 }
 
-/// What is written to the console while it lives.
+/// Captures console output during its lifetime.
 class ConsoleCatcher
 {
 public:
@@ -194,7 +194,7 @@ TEST_CASE("GeoTiffErrors: geotransforms", "[GeoTiffErrors]")
     ": has ground control points only, which place no pixel exactly; make a map of "
     "it with gdalwarp");
   const std::string cure = ", which gives pixels no area; correct it with gdal_edit.py -a_ullr";
-  const std::vector<std::vector<double>> bad = { { 0, 1, 2, 0, 2, 4 }, // columns along rows
+  const std::vector<std::vector<double>> bad = { { 0, 1, 2, 0, 2, 4 }, // columns parallel to rows
     { 0, 1, 0, 0, 1, 0 }, { 5e5, 1e-12, 0, 5.5e6, 0, -1e-12 }, { 0, 1, 0, NaN, 0, -1 },
     { 0, 1, 0, 0, 0, -Infinity }, { 1e308, 1e308, 0, 0, 0, -1 } };
   for (const auto& transform : bad)
@@ -305,7 +305,7 @@ TEST_CASE(
   std::string bytes = helios::ReadText(folder / "a.tif");
   const std::size_t at = bytes.find("\xe8\x64"); // 25832
   REQUIRE(at != std::string::npos);
-  bytes[at + 1] = 0x71; // no system has this code
+  bytes[at + 1] = 0x71; // not a valid code
   helios::WriteBytes(folder / "a.tif", bytes);
   GeoTiffReading reading(folder / "a.tif");
   REQUIRE(reading.Read());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged GeoTIFF files give an error or a whole scene.
+// Damaged GeoTIFF files give an error or a complete scene.
 #include "heliosGeoTiffTesting.h"
 #include "heliosMaterialTable.h"
 #include "heliosMutation.h"
@@ -20,7 +20,7 @@ using helios::TestRaster;
 namespace
 {
 
-/// Good files of all kinds: without GDAL, by strips, by tiles, compressed, masked, turned.
+/// Valid files of all kinds: without GDAL, in strips, in tiles, compressed, masked, rotated.
 std::vector<std::string> MakeGoodFiles(const TempFolder& folder)
 {
   std::vector<TestRaster> rasters(5, TestRaster(20, 18));
@@ -51,7 +51,7 @@ std::vector<std::string> MakeGoodFiles(const TempFolder& folder)
   return files;
 }
 
-/// What is wrong with a scene, or nothing.
+/// Checks a scene. Returns an error message, or an empty string.
 std::string FindFault(GeoTiffReading& reading)
 {
   vtkPolyData* scene = reading.Scene();
@@ -69,7 +69,7 @@ std::string FindFault(GeoTiffReading& reading)
     return "not a scene";
   }
   helios::TriangleMesh mesh;
-  return mesh.Set(scene); // corners are points and finite
+  return mesh.Set(scene); // corners are valid and finite
 }
 
 } // namespace
@@ -92,7 +92,7 @@ TEST_CASE("GeoTiffMutations: damaged files give an error or a whole scene", "[mu
     REQUIRE((isRead || reading.Log->HasError(folder / "a.tif")));
     REQUIRE((isRead || reading.PointCount() == 0));
   }
-  CHECK(errorCount > count / 10); // both happen
+  CHECK(errorCount > count / 10); // both occur
   CHECK(errorCount < count - count / 10);
 }
 

@@ -22,7 +22,7 @@ using helios::TestRaster;
 namespace
 {
 
-// Triangles and points of a raster, some pixels of which have no height.
+// Triangles and points of a raster with some pixels without height.
 std::array<vtkIdType, 2> Count(TestRaster raster, const std::vector<std::array<int, 2>>& holes)
 {
   for (const auto& [column, row] : holes)
@@ -128,7 +128,7 @@ TEST_CASE(
   CHECK(Count(raster, { { n - 1, m - 1 } }) == Counts{ all - 1, n * m - 1 });
   CHECK(Count(raster, { { n - 1, 0 } }) == Counts{ all - 2, n * m - 1 });
   CHECK(Count(raster, { { 0, m - 1 } }) == Counts{ all - 2, n * m - 1 });
-  // Both neighbours of a corner: nothing holds it any more.
+  // Both neighbours of a corner: the corner is no longer used.
   CHECK(Count(raster, { { 1, 0 }, { 0, 1 } }) == Counts{ all - 4, n * m - 3 });
 }
 
@@ -191,10 +191,10 @@ TEST_CASE("GeoTiffSceneReader: normals look up whatever the geotransform", "[Geo
   const std::vector<std::vector<double>> transforms = { { 5e5, 1.0, 0.0, 5.5e6, 0.0, -1.0 },
     { 5e5, 1.0, 0.0, 5.5e6, 0.0, 1.0 },     // rows to the north
     { 5e5, -1.0, 0.0, 5.5e6, 0.0, -1.0 },   // columns to the west
-    { 5e5, -1.0, 0.0, 5.5e6, 0.0, 1.0 },    // half a turn
+    { 5e5, -1.0, 0.0, 5.5e6, 0.0, 1.0 },    // rotated by 180 degrees
     { 5e5, 0.0, 1.0, 5.5e6, 1.0, 0.0 },     // transposed
-    { 5e5, 0.0, -2.0, 5.5e6, 1.0, 0.0 },    // a quarter turn
-    { 5e5, 0.8, 0.6, 5.5e6, 0.6, -0.8 },    // turned
+    { 5e5, 0.0, -2.0, 5.5e6, 1.0, 0.0 },    // rotated by 90 degrees
+    { 5e5, 0.8, 0.6, 5.5e6, 0.6, -0.8 },    // rotated
     { 5e5, 1.0, 0.7, 5.5e6, 0.1, -0.25 } }; // sheared
   for (const std::vector<double>& t : transforms)
   {
@@ -232,7 +232,7 @@ TEST_CASE(
     { GDT_Float32, -9999.9, -9999.9, 11 }, { GDT_Float32, 0.1, 0.1, 11 },
     { GDT_Float32, lowest, lowest, 11 },
     { GDT_Float32, -3.4028230607370965e+38, -3.4028230607370965e+38, 11 },
-    { GDT_Float32, 1000.0, 1000.00006103515625, 12 }, // two neighbours in single precision
+    { GDT_Float32, 1000.0, 1000.00006103515625, 12 }, // adjacent values in single precision
     { GDT_Float64, 0.1, 0.1, 11 }, { GDT_Float64, 0.1, 0.1 + 2e-17, 12 },
     { GDT_Float64, 1e-300, 0.0, 12 }, { GDT_Float32, NaN, NaN, 11 },
     { GDT_Float64, -std::numeric_limits<double>::infinity(),
@@ -273,7 +273,7 @@ TEST_CASE("GeoTiffSceneReader: NoDataValue replaces the file's", "[GeoTiffSceneR
       ": heights reach from -9999.9 to 77 m; if pixels without height do that, name their value "
       "with NoDataValue"));
     reading.Log->Clear();
-    reading.Reader->SetNoDataValue(-9999.9); // is not a float; is compared as one
+    reading.Reader->SetNoDataValue(-9999.9); // not a float; compared as one
     REQUIRE(reading.Read());
     CHECK(reading.TriangleCount() == 11);
     CHECK(reading.Log->Warnings.empty());
@@ -294,7 +294,7 @@ TEST_CASE("GeoTiffSceneReader: masks and alpha bands hide pixels", "[GeoTiffScen
     TestRaster raster(4, 3);
     raster.Mask.assign(12, 255);
     raster.Mask[5] = 0;
-    raster.At(1, 1) = std::numeric_limits<double>::infinity(); // hidden, so no matter
+    raster.At(1, 1) = std::numeric_limits<double>::infinity(); // masked, so ignored
     GeoTiffReading reading(folder, raster);
     REQUIRE(reading.Read());
     CHECK(reading.TriangleCount() == 6);
@@ -312,12 +312,12 @@ TEST_CASE("GeoTiffSceneReader: masks and alpha bands hide pixels", "[GeoTiffScen
     CHECK(reading.TriangleCount() == 12 - 1 - 1 - 2);
   }
   {
-    TestRaster raster(4, 3); // the second band is the first + 1000: as alpha 1000 cut to 255
+    TestRaster raster(4, 3); // the second band is the first + 1000: as alpha clamped to 255
     raster.Type = GDT_Byte;
     raster.Bands = 2;
     raster.Options = { "ALPHA=YES" };
     raster.Values.assign(12, 5.0);
-    raster.At(0, 0) = -1000.0; // cut to 0 in both
+    raster.At(0, 0) = -1000.0; // clamped to 0 in both
     GeoTiffReading reading(folder, raster);
     REQUIRE(reading.Read());
     CHECK(reading.TriangleCount() == 11);
@@ -431,7 +431,7 @@ TEST_CASE("GeoTiffSceneReader: heights in feet become metres, and the vertical s
   CHECK(crs.find("6360") == std::string::npos);
   CHECK(crs.find("ID[\"EPSG\",26915]") != std::string::npos);
 
-  raster.Unit = "m"; // the band knows better
+  raster.Unit = "m"; // the band takes precedence
   GeoTiffReading metres(folder, raster);
   REQUIRE(metres.Read());
   CHECK(metres.Height(7) == 7.0);
@@ -488,7 +488,7 @@ TEST_CASE("GeoTiffSceneReader: blocks that are not in the file are holes", "[Geo
 {
   for (const bool isTiled : { false, true })
   {
-    TestRaster raster(40, 40); // of 0 outside of one block: GDAL leaves such blocks out
+    TestRaster raster(40, 40); // 0 outside of one block: GDAL omits such blocks
     raster.Values.assign(1600, 0.0);
     raster.At(20, 18) = 5.0;
     raster.Options = isTiled

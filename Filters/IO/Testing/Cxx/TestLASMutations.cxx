@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged LAS files give an error or points that are whole, in any number of pieces.
+// Damaged LAS files give an error or complete points, in any number of pieces.
 #include "heliosLasTesting.h"
 #include "heliosMutation.h"
 #include "heliosWaveformTable.h"
@@ -16,7 +16,7 @@
 namespace
 {
 
-/// Finite points, and as many tuples in all arrays.
+/// Finite points, and the same number of tuples in all arrays.
 bool IsWhole(vtkPolyData* cloud)
 {
   const vtkIdType count = cloud->GetNumberOfPoints();
@@ -102,7 +102,7 @@ TEST_CASE("LASMutations: damaged waveforms give an error or waveforms", "[LASMut
   REQUIRE((writer->Open() && writer->Write(echoes) && writer->Close()));
   const std::string whole = helios::ReadText(path);
   const std::string packets = helios::ReadText(packetsPath);
-  const std::size_t points = whole.size() - 20 * 59; // descriptors of some bytes, and the points
+  const std::size_t points = whole.size() - 20 * 59; // descriptors of a few bytes, and the points
   helios::Mutator mutate(20252);
   int errorCount = 0;
   int goodCount = 0;

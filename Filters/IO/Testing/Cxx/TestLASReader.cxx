@@ -39,7 +39,7 @@ std::string WriteEchoes(vtkPolyData* echoes)
   return helios::ReadText(Path);
 }
 
-/// Whether the reading of bytes ends with a message and without points.
+/// Whether reading the bytes fails with a message and without points.
 bool FailsWith(const std::string& bytes, const std::string& message)
 {
   WriteFile(bytes);
@@ -50,7 +50,7 @@ bool FailsWith(const std::string& bytes, const std::string& message)
   return !isRead && reading.CountPoints() == 0;
 }
 
-/// A header of an old version, and points of zeros.
+/// A header of an old version, and zero-filled points.
 std::string MakeOld(int minor, int format, std::uint32_t count, std::uint16_t length)
 {
   const std::uint16_t size = minor == 4 ? 375 : minor == 3 ? 235 : 227;
@@ -75,7 +75,7 @@ std::string MakeOld(int minor, int format, std::uint32_t count, std::uint16_t le
   return bytes;
 }
 
-/// Puts a variable length record after the header.
+/// Inserts a variable length record after the header.
 void AddRecord(
   std::string& bytes, const std::string& user, std::uint16_t id, const std::string& data)
 {
@@ -125,7 +125,7 @@ TEST_CASE("LASReader: what was written comes back", "[LASReader]")
     CHECK(read->GetDataType() == written->GetDataType());
     if (name == names::GpsTime)
     {
-      continue; // of another epoch
+      continue; // different epoch
     }
     CHECK(CountWrong(read, written, 0, name == names::ScanAngle ? 1e-12 : 0.0) == 0);
   }
@@ -158,7 +158,7 @@ TEST_CASE("LASReader: what is read is written to the same bytes", "[LASReader]")
   REQUIRE(again.Read());
   cloud->DeepCopy(again.Cloud());
   CHECK(first == WriteEchoes(cloud));
-  // ChannelIds stand before other arrays now; else the points are the same
+  // ChannelIds now precede other arrays; otherwise the points are the same
   REQUIRE(first.size() == bytes.size());
   const auto begin = GetNumber<std::uint32_t>(bytes, 96);
   const auto length = GetNumber<std::uint16_t>(bytes, 105);
@@ -416,7 +416,7 @@ TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
     reading.Log->HasWarning(Path + ": GpsTime is not finite at 2 of 10 points, and is kept so"));
   reading.Log->Clear();
   REQUIRE(reading.Read());
-  CHECK(reading.Log->Warnings.empty()); // once a file
+  CHECK(reading.Log->Warnings.empty()); // once per file
 }
 
 TEST_CASE("LASReader: names that are wrong", "[LASReader]")

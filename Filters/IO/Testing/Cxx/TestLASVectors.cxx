@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// X(t), Y(t), Z(t) of points lead to the scanner; those of files of earlier versions away from it.
+// X(t), Y(t), Z(t) of points lead to the scanner; in files of earlier versions away from it.
 #include "heliosLasWaveTesting.h"
 
 namespace names = vtkHeliosArrayNames;
@@ -10,7 +10,7 @@ using helios::GetNumber;
 namespace
 {
 
-/// A file as earlier versions wrote it.
+/// A file as written by earlier versions.
 std::string TurnVectors(std::string las)
 {
   const std::string description = "waveform [W], to the scanner";
@@ -65,7 +65,7 @@ TEST_CASE("LASVectors: files of earlier versions are read right, with a warning"
   }
   reading.Log->Clear();
   REQUIRE((reading.Read(0, 3) && reading.Read(1, 3)));
-  CHECK(reading.Log->Warnings.empty()); // once a file
+  CHECK(reading.Log->Warnings.empty()); // once per file
 }
 
 TEST_CASE("LASVectors: a file of an earlier version does not go on", "[LASVectors]")
@@ -87,7 +87,7 @@ TEST_CASE("LASVectors: a file of an earlier version does not go on", "[LASVector
 
 TEST_CASE("LASVectors: the anchor of other programs' files", "[LASVectors]")
 {
-  // light is slower in air, and some programs say so
+  // light is slower in air, and some programs account for it
   constexpr double air = 0.99972;
   helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(4);
@@ -116,7 +116,7 @@ TEST_CASE("LASVectors: the anchor of other programs' files", "[LASVectors]")
   for (int k = 0; k < 3; ++k)
   {
     CHECK(get(names::Origin, k) == Approx(anchor[k]).margin(1e-4));
-    // at its time the point is where it was
+    // at its time the point has the original position
     const double time = get(names::StartTime, 0) + 1e-3 * static_cast<double>(location);
     CHECK(
       get(names::Origin, k) + 0.5e-9 * helios::LasSpeedOfLight * time * get(names::Direction, k) ==

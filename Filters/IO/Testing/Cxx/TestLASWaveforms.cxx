@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waveforms of a LAS file: packets in a .wdp, and what points say of them.
+// Waveforms of a LAS file: packets in a .wdp, and the point fields that refer to them.
 #include "heliosLasWaveTesting.h"
 
 #include <limits>
@@ -53,7 +53,7 @@ TEST_CASE("LASWaveforms: samples of any strength keep 23 bits", "[LASWaveforms]"
     for (vtkIdType i = 0; i < static_cast<vtkIdType>(counts->GetTuple1(wave)); ++i)
     {
       const double strength = std::pow(10.0, -15.5 + 0.08 * static_cast<double>(wave));  // to 2.6 W
-      samples->SetValue(at + i, static_cast<float>(strength * std::sin(1.0 + 7.0 * i))); // below 0
+      samples->SetValue(at + i, static_cast<float>(strength * std::sin(1.0 + 7.0 * i))); // negative
     }
   }
   REQUIRE((writing.Writer->Open() && writing.Write(waveforms) && writing.Writer->Close()));
@@ -88,7 +88,7 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
   const auto run = [&](const std::string& name)
   {
     writer->SetFileName((writing.Folder / (name + ".las")).c_str());
-    // at first no pulse has a waveform: the time between samples is not known yet
+    // at first no pulse has a waveform: the sample spacing is not known yet
     const auto none = helios::MakeEchoesOf(helios::MakeWaveforms(4));
     helios::AddColumn<vtkTypeInt64Array>(
       none->GetPointData(), names::WaveformIds, 12, [](vtkIdType) { return -1; });
@@ -155,7 +155,7 @@ TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
   REQUIRE(reading.Read());
   auto* table = vtkTable::SafeDownCast(reading.Reader->GetOutputDataObject(1));
   REQUIRE(table);
-  CHECK(table->GetNumberOfRows() == 0); // not asked for
+  CHECK(table->GetNumberOfRows() == 0); // not requested
   reading.Reader->ReadWaveformsOn();
   const int pieces = GENERATE(1, 5); // of 36 points, 12 waveforms
   vtkIdType wave = 0;
@@ -199,7 +199,7 @@ TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
       }
     }
   }
-  CHECK(wave == 59); // the last has none
+  CHECK(wave == 59); // the last one has no packet
   CHECK(wrong == 0);
 }
 
@@ -266,7 +266,7 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   CHECK(
     fails(with(record, std::uint8_t(12)), "has a waveform descriptor 1 that is not of 8, 16 or"));
   CHECK(fails(with(record + 1, std::uint8_t(1)), "bits without compression"));
-  std::string empty = good; // a descriptor without samples may be there, but not be named
+  std::string empty = good; // an empty descriptor is valid unless a point refers to it
   empty.replace(record + 80, 26, 26, '\0'); // the second
   std::ofstream(writing.Path, std::ios::binary) << empty;
   helios::LasReading reading(writing.Path);
@@ -276,7 +276,7 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   CHECK(isRead);
   helios::SetNumber(empty, at, std::uint8_t(2));
   CHECK(fails(empty, "point 0 of the piece names the waveform descriptor 2, which has no samples"));
-  std::string overlapping = good; // 12 points, each with a packet of its own from byte 60 on
+  std::string overlapping = good; // 12 points, each with its own packet from byte 60 on
   for (std::uint64_t i = 0; i < 12; ++i)
   {
     const std::size_t place = at + i * GetNumber<std::uint16_t>(good, 105);
@@ -435,7 +435,7 @@ TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
     echoes->GetPoints()->SetPoint(3, 500000, 0, std::numeric_limits<double>::infinity());
     CHECK(writing.Fails(echoes, waveforms, "point 3 of a block has the coordinate z = inf"));
   }
-  REQUIRE((writing.Write(good) && writing.Writer->Close())); // another block may follow
+  REQUIRE((writing.Write(good) && writing.Writer->Close())); // another block is accepted
   helios::CheckPackets(helios::ReadText(writing.Path), helios::ReadText(writing.Packets), good,
     helios::MakeEchoesOf(good), isFirst ? 0 : 18);
 }

@@ -40,7 +40,7 @@ struct LasWriting
   std::string Bytes() const { return helios::ReadText(this->Path); }
 };
 
-/// One point, or several.
+/// Creates one or more points.
 vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>& coordinates)
 {
   auto cloud = vtkSmartPointer<vtkPolyData>::New();
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>
   return cloud;
 }
 
-/// Points begin to end.
+/// Copies points begin to end.
 vtkSmartPointer<vtkPolyData> CopyPoints(vtkPolyData* echoes, vtkIdType begin, vtkIdType end)
 {
   auto block = MakePoints({});
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> CopyPoints(vtkPolyData* echoes, vtkIdType begin, vt
   return block;
 }
 
-/// What the header says of itself and of the points behind it.
+/// Checks the header and the points after it.
 void CheckHeader(const std::string& bytes, std::uint64_t points)
 {
   REQUIRE(bytes.size() >= HeaderSize);
@@ -159,7 +159,7 @@ TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter
   REQUIRE(writing.WriteAll(echo));
   const std::string bytes = writing.Bytes();
   CheckHeader(bytes, 2);
-  const std::size_t extras = HeaderSize + 54; // ChannelIds, Amplitude: in the order of the arrays
+  const std::size_t extras = HeaderSize + 54; // ChannelIds, Amplitude: in array order
   CHECK(bytes.substr(HeaderSize + 2, 10) == std::string("LASF_Spec\0", 10));
   CHECK(GetNumber<std::uint16_t>(bytes, HeaderSize + 18) == 4);
   CHECK(GetNumber<std::uint16_t>(bytes, HeaderSize + 20) == 2 * 192);
@@ -174,8 +174,8 @@ TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter
   CHECK(GetNumber<std::uint16_t>(bytes, 105) == 30 + 4 + 8);
   CHECK(GetNumber<double>(bytes, 155) == 1000.0); // the first point in whole units
   CHECK(GetNumber<double>(bytes, 163) == -2.0);
-  CHECK(GetNumber<std::int32_t>(bytes, at) == 2);      // rounded, not cut
-  CHECK(GetNumber<std::int32_t>(bytes, at + 4) == -1); // away from zero, too
+  CHECK(GetNumber<std::int32_t>(bytes, at) == 2);      // rounded, not truncated
+  CHECK(GetNumber<std::int32_t>(bytes, at + 4) == -1); // negative values too
   CHECK(GetNumber<std::int32_t>(bytes, at + 8) == 0);
   CHECK(GetNumber<std::uint16_t>(bytes, at + 12) == 6000); // 1 nW over 1 fW: 60 dB
   CHECK(GetNumber<std::uint8_t>(bytes, at + 14) == (2 | 3 << 4));
@@ -187,7 +187,7 @@ TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter
   CHECK(GetNumber<double>(bytes, at + 22) == 12.5);
   CHECK(GetNumber<std::int32_t>(bytes, at + 30) == 6);
   CHECK(GetNumber<double>(bytes, at + 34) == 1e-9);
-  CHECK(GetNumber<std::uint16_t>(bytes, 6) == 16); // WKT, and no GPS time that is known
+  CHECK(GetNumber<std::uint16_t>(bytes, 6) == 16); // WKT, and unknown GPS time
 }
 
 TEST_CASE("LASWriter: points alone are one return each", "[LASWriter]")
@@ -198,7 +198,7 @@ TEST_CASE("LASWriter: points alone are one return each", "[LASWriter]")
   CheckHeader(bytes, 1);
   REQUIRE(bytes.size() == HeaderSize + 30); // no records
   CHECK(GetNumber<std::uint8_t>(bytes, HeaderSize + 14) == 0x11);
-  CHECK(GetNumber<std::uint8_t>(bytes, HeaderSize + 16) == 1); // not classified
+  CHECK(GetNumber<std::uint8_t>(bytes, HeaderSize + 16) == 1); // unclassified
   CHECK(GetNumber<std::uint16_t>(bytes, HeaderSize + 20) == 0);
 }
 
@@ -353,7 +353,7 @@ TEST_CASE("LASWriter: the same bytes by blocks of any size", "[LASWriter]")
         writing.Writer->Write(CopyPoints(echoes, first, std::min(first + size, vtkIdType(1000)))));
     }
     REQUIRE(writing.Writer->Close());
-    CHECK((writing.Bytes() == whole)); // not printed
+    CHECK((writing.Bytes() == whole)); // equal, without printing
   }
 }
 
@@ -413,7 +413,7 @@ TEST_CASE("LASWriter: it goes on where it was", "[LASWriter]")
   const bool isOpen = writer->Reopen(size, 5020, size);
   INFO(writing.Log->Errors);
   REQUIRE(isOpen);
-  CheckHeader(helios::ReadText(part), 5020); // at once
+  CheckHeader(helios::ReadText(part), 5020); // immediately
   const auto other = make(1);
   SECTION("with another epoch")
   {
@@ -452,7 +452,7 @@ TEST_CASE("LASWriter: it does not go on with what is no file of its own", "[LASW
   CHECK_FALSE(writer->Reopen(size, 2, size));
   CHECK(writing.Log->HasError("points.las.part has 3 points and not 2, and cannot be gone on"));
   CHECK_FALSE(writer->IsOpen());
-  CHECK_FALSE(writer->Reopen(300, 2, 300)); // cut within the header
+  CHECK_FALSE(writer->Reopen(300, 2, 300)); // truncated within the header
   CHECK(writing.Log->HasError("points.las.part: ends within its header, after 300 bytes"));
   CHECK_FALSE(writer->Reopen(size, 2, size));
   CHECK(writing.Log->HasError("it has 300 bytes of"));
@@ -539,9 +539,9 @@ TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
   }
   CHECK_FALSE(writer->Write(block));
   CHECK(writing.Log->HasError(writing.Path + ": " + expected));
-  REQUIRE((writer->Write(good) && writer->Close())); // another block may follow
+  REQUIRE((writer->Write(good) && writer->Close())); // another block is accepted
   CheckHeader(writing.Bytes(), isFirst ? 1 : 2);
-  CHECK(GetNumber<double>(writing.Bytes(), 155) == 10.0); // the bad block has chosen nothing
+  CHECK(GetNumber<double>(writing.Bytes(), 155) == 10.0); // unaffected by the bad block
 }
 
 TEST_CASE("LASWriter: of a large block with a bad end nothing stays", "[LASWriter]")
@@ -553,7 +553,7 @@ TEST_CASE("LASWriter: of a large block with a bad end nothing stays", "[LASWrite
   const auto block = MakePoints({});
   block->SetPoints(points);
   points->Delete();
-  points->SetNumberOfPoints(600000); // more than are in memory at a time, for up to 18 threads
+  points->SetNumberOfPoints(600000); // more than fit in memory at a time, for up to 18 threads
   points->GetData()->Fill(1.0);
   points->SetPoint(599999, 0, 0, std::numeric_limits<double>::quiet_NaN());
   CHECK_FALSE(writing.Writer->Write(block));
@@ -658,7 +658,7 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
     }
     CHECK(fails("a block has more arrays than Extra Bytes can hold, 341 numbers"));
   }
-  REQUIRE((writer->Write(MakeLasEchoes(3)) && writer->Close())); // another block may follow
+  REQUIRE((writer->Write(MakeLasEchoes(3)) && writer->Close())); // another block is accepted
   CheckHeader(writing.Bytes(), 5);
 }
 

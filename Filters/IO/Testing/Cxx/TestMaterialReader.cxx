@@ -26,7 +26,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// A reader of an MTL file with a given text, before a scene of two triangles.
+/// A reader of an MTL file with a given text, applied to a scene of two triangles.
 class Reading
 {
 public:
@@ -119,7 +119,7 @@ TEST_CASE("MaterialReader: several that differ by chance", "[MaterialReader]")
     sum += x;
     squares += x * x;
   }
-  const double deviation = 0.2 / std::sqrt(3.0); // of a uniform number in +-0.2
+  const double deviation = 0.2 / std::sqrt(3.0); // of a uniform distribution in +-0.2
   CHECK(std::abs(sum / 1000) < 4.0 * deviation / std::sqrt(1000.0));
   CHECK(squares / 1000 == Approx(deviation * deviation).epsilon(0.1));
   reading.Reader->Modified();
@@ -133,7 +133,7 @@ TEST_CASE("MaterialReader: several that differ by chance", "[MaterialReader]")
     REQUIRE((material.Reflectance >= 0.0 && material.Reflectance <= 1.0));
     atEnds += material.Reflectance == 0.0 || material.Reflectance == 1.0 ? 1 : 0;
   }
-  CHECK(atEnds > 300); // 0.3 +- 1 is cut to [0, 1]
+  CHECK(atEnds > 300); // 0.3 +- 1 is clamped to [0, 1]
   CHECK(reading.Log->Warnings.empty());
 }
 

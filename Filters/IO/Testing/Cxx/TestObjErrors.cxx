@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the OBJ reader says about bad files.
+// Errors of the OBJ reader on bad files.
 #include "heliosObjParser.h"
 #include "heliosObjTestFiles.h"
 
@@ -26,7 +26,7 @@ namespace
 struct BadText
 {
   const char* Text;
-  const char* Message; // behind the path
+  const char* Message; // after the path
 };
 
 void CheckError(const std::string& text, const std::string& message)
@@ -55,7 +55,7 @@ void CheckWarning(const std::string& text, const std::string& message, vtkIdType
 }
 
 #ifdef __linux__
-/// From here on every read of an open file fails.
+/// Makes every later read of the open file fail.
 void ReplaceByFolder(const std::string& path)
 {
   const int folder = open("/", O_RDONLY);
@@ -107,7 +107,7 @@ TEST_CASE("ObjErrors: numbers", "[ObjErrors]")
 TEST_CASE("ObjErrors: faces", "[ObjErrors]")
 {
   const BadText cases[] = {
-    // lines 1 to 4 are a square's vertices
+    // lines 1 to 4 are the vertices of a square
     { "f 1 2 5\n", ":5: face refers to vertex 5, but the file has 4; correct the index" },
     { "f 1 2 3\nf 1 2 70\nf 1 2 6\n", ":6: face refers to vertex 70, but the file has 4" },
     { "f 0 1 2\n", ":5: face refers to vertex 0; indices count from 1, or backwards from -1" },
@@ -199,7 +199,7 @@ TEST_CASE("ObjErrors: a disk that fails while reading", "[ObjErrors]")
 {
   TestFolder folder;
   std::string text;
-  while (text.size() < (std::size_t(3) << 20)) // more than a block
+  while (text.size() < (std::size_t(3) << 20)) // more than one block
   {
     text += "v 0 0 0\n";
   }
@@ -208,7 +208,7 @@ TEST_CASE("ObjErrors: a disk that fails while reading", "[ObjErrors]")
   helios::ObjParser parser(report);
   parser.File.OnBlock = [&path](double)
   {
-    ReplaceByFolder(path); // reading goes on in what cannot be read
+    ReplaceByFolder(path); // reading continues in an unreadable file
     return true;
   };
   CHECK_FALSE(parser.Read(path));
@@ -272,11 +272,11 @@ TEST_CASE("ObjErrors: triangles without area are dropped and counted", "[ObjErro
   const std::string path = folder.Write("a.obj",
     ObjSquare + "v 0 0 0\nv 0.5 0.5 0\n" + utm +
       "f 1 2 3\n"
-      "f 1 2 2\n"   // a corner twice
-      "f 1 5 3\n"   // two corners in one place
-      "f 1 3 6\n"   // corners in a line
-      "f 7 8 9\n"   // in a line as far as decimals can tell
-      "f 7 10 9\n"  // a micrometre high
+      "f 1 2 2\n"   // repeated corner
+      "f 1 5 3\n"   // two coincident corners
+      "f 1 3 6\n"   // collinear corners
+      "f 7 8 9\n"   // collinear to rounding
+      "f 7 10 9\n"  // height of a micrometre
       "f 1 1 2 3\n" // one of its two triangles
   );
   ObjReading reading(path);

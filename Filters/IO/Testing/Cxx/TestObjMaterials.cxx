@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The material files of the OBJ reader.
+// Material files of the OBJ reader.
 #include "heliosObjTestFiles.h"
 
 #include <catch2/catch.hpp>
@@ -181,7 +181,7 @@ TEST_CASE(
   CHECK(reading.MaterialOf(2).Name == "elm tree");
   CHECK(reading.MaterialOf(3).Name == "elm tree");
   CHECK(reading.MaterialOf(4).Reflectance == 0.125);
-  CHECK(std::isnan(reading.MaterialOf(5).Reflectance)); // leaf or bark?
+  CHECK(std::isnan(reading.MaterialOf(5).Reflectance)); // leaf or bark: ambiguous
   INFO(reading.Log->Warnings);
   CHECK(
     reading.Log->HasWarning(path + ":16: unknown material \"oak\", default properties are used"));

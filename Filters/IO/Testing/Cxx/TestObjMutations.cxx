@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged OBJ files give an error or a whole scene.
+// Damaged OBJ files give an error or a complete scene.
 #include "heliosObjMutations.h"
 
 #include <catch2/catch.hpp>
@@ -21,6 +21,6 @@ TEST_CASE("ObjMutations: damaged files give an error or a whole scene", "[mutati
     REQUIRE(helios::ReadMutation(folder.GetPath("a.obj"), isScene) == "");
     sceneCount += isScene;
   }
-  CHECK(sceneCount > count / 20); // both happen
+  CHECK(sceneCount > count / 20); // both occur
   CHECK(sceneCount < count - count / 20);
 }

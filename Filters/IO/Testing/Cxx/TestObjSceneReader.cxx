@@ -22,7 +22,7 @@ using Ids = std::vector<vtkIdType>;
 namespace
 {
 
-// Keeps the progress of an algorithm, and aborts it from some progress on.
+// Records the progress of an algorithm, and aborts it at a given progress.
 class ProgressObserver : public vtkCommand
 {
 public:
@@ -39,7 +39,7 @@ public:
   double AbortFrom = 2.0;
 };
 
-// A strip of triangles, many blocks of the reader long.
+// A triangle strip that spans many blocks of the reader.
 std::string MakeLongFile(int vertexCount)
 {
   std::string text;

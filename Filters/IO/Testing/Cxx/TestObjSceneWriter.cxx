@@ -39,7 +39,7 @@ private:
     vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
 };
 
-// Random triangles, each of its own points, with random materials.
+// Random triangles with separate points and random materials.
 vtkSmartPointer<vtkPolyData> MakeScene(vtkIdType triangleCount, const MaterialTable& materials)
 {
   std::mt19937_64 random(99);
@@ -136,7 +136,7 @@ TEST_CASE(
   bare->SetPolys(scene->GetPolys());
   ObjWriting writing(bare, folder.GetPath("a.obj"));
   REQUIRE(writing.Writer->Write() == 1);
-  REQUIRE(writing.Writer->Write() == 1); // again, over the first
+  REQUIRE(writing.Writer->Write() == 1); // again, overwriting the first
   ObjReading reading(folder.GetPath("a.obj"));
   REQUIRE(reading.Read());
   CHECK((helios::GetMaterials(reading.Scene()) == MaterialTable(1)));

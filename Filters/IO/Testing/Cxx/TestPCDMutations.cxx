@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged PCD files give an error or points that are whole.
+// Damaged PCD files give an error or complete points.
 #include "heliosMutation.h"
 #include "heliosPcdTesting.h"
 #include "vtkHeliosPCDWriter.h"
@@ -14,7 +14,7 @@
 namespace
 {
 
-/// Finite points, and as many tuples in all arrays.
+/// Finite points, and the same number of tuples in all arrays.
 bool IsWhole(vtkPolyData* cloud)
 {
   const vtkIdType count = cloud->GetNumberOfPoints();
@@ -62,7 +62,7 @@ std::string MakeCompressed()
     bytes + packed.substr(0, size);
 }
 
-/// A header with another value of an entry.
+/// A header with a changed entry.
 std::string SetEntry(std::string text, const std::string& key, const std::string& value)
 {
   const std::size_t at = text.find('\n' + key + ' ') + 1;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PCD files are read as they are, and what is wrong with them is said with its place and cure.
+// Reading PCD files, and errors with their position and a remedy.
 #include "heliosPcdTesting.h"
 
 #include <vtkCallbackCommand.h>
@@ -20,7 +20,7 @@ using helios::Replace;
 namespace
 {
 
-/// The header of three points of x y z (float), a padding of 3 bytes and a long number.
+/// The header of three points with x y z (float), 3 bytes of padding and a 64-bit integer.
 std::string MakeHeader(const std::string& data)
 {
   return "VERSION 0.7\nFIELDS x y z _ id\nSIZE 4 4 4 1 8\nTYPE F F F U U\nCOUNT 1 1 1 3 1\n"
@@ -42,7 +42,7 @@ std::string MakeRows()
   return rows;
 }
 
-/// The same field by field.
+/// The same data field by field.
 std::string MakeFields()
 {
   const std::string rows = MakeRows();

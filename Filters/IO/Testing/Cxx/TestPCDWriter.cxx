@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PCD files of echoes: what is written comes back, block by block.
+// PCD files of echoes: written data are read back, block by block.
 #include "heliosLasTesting.h"
 #include "heliosPcdTesting.h"
 #include "vtkHeliosPCDWriter.h"
@@ -36,7 +36,7 @@ void AddNormals(vtkPolyData* echoes)
   echoes->GetPointData()->SetNormals(normals);
 }
 
-/// How many coordinates differ by more than a tolerance.
+/// Counts coordinates that differ by more than a tolerance.
 vtkIdType CountMoved(vtkPolyData* a, vtkPolyData* b, double tolerance)
 {
   return helios::CountWrong(a->GetPoints()->GetData(), b->GetPoints()->GetData(), 0, tolerance);
@@ -134,7 +134,7 @@ TEST_CASE("PCDWriter: blocks, and the part is valid after each", "[PCDWriter]")
   REQUIRE(writing.Writer->Write(echoes));
   REQUIRE(writing.Writer->Abandon());
 
-  // taken up again after the third block
+  // resumed after the third block
   vtkNew<vtkHeliosPCDWriter> again;
   again->SetFileName(writing.Path.c_str());
   REQUIRE(again->Reopen(size, 3000, bytes));

@@ -111,7 +111,7 @@ TEST_CASE("PointTextWriter: arrays of other types and layouts", "[PointTextWrite
     [](vtkIdType i) { return std::numeric_limits<vtkTypeInt64>::max() - i; });
   vtkNew<vtkSOADataArrayTemplate<double>> times;
   times->SetName(names::GpsTime);
-  times->SetNumberOfComponents(1); // makes its buffer
+  times->SetNumberOfComponents(1); // allocates its buffer
   times->SetNumberOfTuples(2);
   times->SetValue(0, 1.25);
   times->SetValue(1, 2.5);
@@ -127,7 +127,7 @@ TEST_CASE("PointTextWriter: arrays of other types and layouts", "[PointTextWrite
   REQUIRE(rows.size() == 2);
   CHECK(rows[1][4] == "1.5000");
   CHECK(rows[1][6] == "65535");
-  CHECK(rows[1][7] == "9223372036854775806"); // a double would round it
+  CHECK(rows[1][7] == "9223372036854775806"); // double would round it
   CHECK(rows[0][9] == "-7");
   CHECK(rows[1][9] == "2000000000");
   CHECK(rows[1][10] == "2.500000000");

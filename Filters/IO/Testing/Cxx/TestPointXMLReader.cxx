@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VTK writes is read; what is damaged is an error that names the file.
+// Files of VTK are read; damaged files give an error that names the file.
 #include "heliosMutation.h"
 #include "heliosVtpTesting.h"
 #include "heliosWaveformTesting.h"
@@ -27,7 +27,7 @@ struct Reading
 
   explicit Reading(const std::string& path) { this->Reader->SetFileName(path.c_str()); }
 
-  /// Whether a reading ends without an error.
+  /// Whether reading ends without an error.
   bool Read(int piece = 0, int count = 1)
   {
     this->Log->Errors.clear();
@@ -39,7 +39,7 @@ struct Reading
 
 using PointReading = Reading<vtkHeliosPointXMLReader>;
 
-/// A .vtp with values as text, and one part of it replaced.
+/// A .vtp with ascii values, and one part of it replaced.
 struct DamagedFile
 {
   helios::TempFolder Folder;
@@ -100,7 +100,7 @@ TEST_CASE("PointXMLReader: pieces, some of them or all", "[PointXMLReader]")
   CHECK(reading.Reader->GetOutput()->GetPoint(11)[0] == 500000 + 0.25 * 6);
   REQUIRE(reading.Read(1, 2));
   CHECK(reading.Reader->GetOutput()->GetNumberOfPoints() == 7);
-  REQUIRE(reading.Read(0, 3)); // more pieces than the file has
+  REQUIRE(reading.Read(0, 3)); // more pieces than in the file
   CHECK(reading.Reader->GetOutput()->GetNumberOfPoints() == 0);
 
   helios::WriteBytes(folder / "a_0001.vtp", helios::ReadText(folder / "a_0001.vtp").substr(0, 900));

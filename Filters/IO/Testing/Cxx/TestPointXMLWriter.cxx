@@ -34,7 +34,7 @@ vtkSmartPointer<vtkPolyData> Read(const std::string& path)
   return reader->GetOutput();
 }
 
-/// Every value of every array, from a point on.
+/// Compares every value of every array, from a point on.
 void CheckSame(vtkPolyData* read, vtkIdType from, vtkPolyData* written)
 {
   vtkPointData* a = read->GetPointData();
@@ -64,7 +64,7 @@ void CheckSame(vtkPolyData* read, vtkIdType from, vtkPolyData* written)
   CHECK(wrong == 0);
 }
 
-/// Vertex i is point i.
+/// Checks that vertex i is point i.
 void CheckVertices(vtkPolyData* cloud)
 {
   REQUIRE(cloud->GetNumberOfVerts() == cloud->GetNumberOfPoints());
@@ -92,7 +92,7 @@ TEST_CASE("PointXMLWriter: VTK reads back every value", "[PointXMLWriter]")
   const auto second = helios::MakeEchoes(11);
   for (const auto& block : { first, second })
   {
-    vtkNew<vtkFloatArray> vectors; // an array of another shape
+    vtkNew<vtkFloatArray> vectors; // an array with several components
     vectors->SetName("of floats");
     vectors->SetNumberOfComponents(3);
     vectors->SetNumberOfTuples(block->GetNumberOfPoints());
@@ -101,9 +101,9 @@ TEST_CASE("PointXMLWriter: VTK reads back every value", "[PointXMLWriter]")
   }
   REQUIRE(writer->Open());
   REQUIRE(writer->Write(first));
-  REQUIRE(writer->Write(helios::MakeEchoes(0))); // makes no piece
+  REQUIRE(writer->Write(helios::MakeEchoes(0))); // creates no piece
   REQUIRE(writer->Write(second));
-  CHECK(first->GetNumberOfCells() == 0); // the block is left alone
+  CHECK(first->GetNumberOfCells() == 0); // the block is not modified
   CHECK(fs::exists(path + ".part"));
   CHECK_FALSE(fs::exists(path));
   REQUIRE(writer->Close());
@@ -122,7 +122,7 @@ TEST_CASE("PointXMLWriter: VTK reads back every value", "[PointXMLWriter]")
       "leg & 0_points.pvtp", "leg & 0_points_0000.vtp", "leg & 0_points_0001.vtp" });
   CHECK(writer->GetNumberOfBytes() == bytes);
 
-  fs::rename(folder / "run", folder / "moved"); // the pieces are named without their folder
+  fs::rename(folder / "run", folder / "moved"); // piece names have no folder
   const auto cloud = Read<vtkXMLPPolyDataReader>(folder / "moved/leg & 0_points.pvtp");
   REQUIRE(cloud->GetNumberOfPoints() == 70011);
   CheckSame(cloud, 0, first);
@@ -157,7 +157,7 @@ TEST_CASE(
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(100);
-  vtkNew<vtkDoubleArray> column; // as that of a scene: the same in all blocks
+  vtkNew<vtkDoubleArray> column; // like that of a scene: the same in all blocks
   column->SetName("Column");
   column->InsertNextValue(0.5);
   echoes->GetFieldData()->AddArray(column);
@@ -315,7 +315,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     CHECK(log->HasError("a block has other arrays than those before"));
     CHECK(log->HasError("Name=\"EchoWidth\""));
   }
-  CHECK(writer->Write(helios::MakeEchoes(3))); // another block may follow
+  CHECK(writer->Write(helios::MakeEchoes(3))); // another block is accepted
   CHECK(writer->Close());
   CHECK(Read<vtkXMLPPolyDataReader>(path)->GetNumberOfPoints() == 8);
 }
@@ -333,11 +333,11 @@ TEST_CASE("PointXMLWriter: a full disk keeps whole pieces and says how many", "[
   const int pages = static_cast<int>(writer->GetNumberOfBytes() / 4096) + 1;
   REQUIRE(pages > 10);
 
-  // room for everything but the last page, and for less
+  // space for everything but the last page, and for less
   for (const int room : { pages - 1, pages - 2, pages / 2, 1 })
   {
     const std::string name = "disk" + std::to_string(room);
-    const helios::SmallDisk disk(folder / name, 4 * (room + 6)); // 6: folder, index, a small piece
+    const helios::SmallDisk disk(folder / name, 4 * (room + 6)); // 6: folder, index, small piece
     if (!disk.IsMounted())
     {
       WARN("no small disk can be mounted here: not tested");
@@ -382,5 +382,5 @@ TEST_CASE("PointXMLWriter: a folder that is removed meanwhile", "[PointXMLWriter
   CHECK_FALSE(writer->Close());
   CHECK(log->HasError("lacks a block that could not be written; nothing is kept"));
   CHECK_FALSE(log->HasError("are safe"));
-  CHECK_FALSE(fs::exists(folder / "new")); // it is not made again
+  CHECK_FALSE(fs::exists(folder / "new")); // not created again
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes that take more memory than there is are refused before they are made.
+// Scenes that exceed the available memory are rejected before allocation.
 #include "heliosGeoTiffTesting.h"
 #include "heliosObjMemory.h"
 #include "heliosObjTestFiles.h"
@@ -13,14 +13,14 @@
 namespace
 {
 
-/// A limit for one test [MiB].
+/// A memory limit for one test [MiB].
 struct Limit
 {
   explicit Limit(double mebibytes) { vtkHeliosMemoryLimit::SetLimit(mebibytes); }
   ~Limit() { vtkHeliosMemoryLimit::SetLimit(0.0); }
 };
 
-/// A raster of empty blocks but for one pixel, if any.
+/// A raster of empty blocks except for one pixel, if any.
 std::string WriteSparse(const helios::TempFolder& folder, int side, bool hasBlock)
 {
   GDALRegister_GTiff();
@@ -61,7 +61,7 @@ TEST_CASE("ReaderMemory: GeoTIFF: without blocks there is nothing to read", "[Re
 {
   const helios::TempFolder folder;
   helios::GeoTiffReading reading(WriteSparse(folder, 100000, false));
-  REQUIRE(reading.Read()); // at once
+  REQUIRE(reading.Read()); // without delay
   CHECK(reading.Log->HasWarning("no triangles, so the scene is empty"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What all writers share, by the writer of points as text.
+// Common behaviour of all writers, tested with the point text writer.
 #include "heliosTempFolder.h"
 #include "heliosWriterTesting.h"
 #include "vtkHeliosPointTextWriter.h"
@@ -40,7 +40,7 @@ TEST_CASE("StreamWriter: .part until it is closed, in folders that it makes", "[
   REQUIRE(writer->Write(helios::MakeEchoes(10)));
   CHECK(CountLines(path + ".part") == 10);
   CHECK_FALSE(fs::exists(path));
-  writer->SetFileName("other"); // is for the next Open()
+  writer->SetFileName("other"); // applies to the next Open()
   REQUIRE(writer->Write(helios::MakeEchoes(5)));
   REQUIRE(writer->Close());
   CHECK_FALSE(writer->IsOpen());
@@ -74,7 +74,7 @@ TEST_CASE("StreamWriter: what is abandoned stays whole as .part", "[StreamWriter
     writer->SetFileName(path.c_str());
     REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(4)) && writer->Abandon()));
     CHECK_FALSE(writer->IsOpen());
-    CHECK(writer->Abandon()); // nothing to do
+    CHECK(writer->Abandon()); // no effect
   }
   SECTION("by the end of the writer")
   {
@@ -124,7 +124,7 @@ TEST_CASE("StreamWriter: same bytes for any threads and blocks", "[StreamWriter]
   CHECK(texts[0].size() > 8000000);
   CHECK(texts[0] == texts[1]);
 
-  // the blocks of one echo each give the same lines
+  // blocks of one echo each give the same lines
   REQUIRE(writer->Open());
   vtkNew<vtkPolyData> one;
   vtkNew<vtkPoints> point;
@@ -292,7 +292,7 @@ TEST_CASE("StreamWriter: blocks of another kind", "[StreamWriter]")
     CHECK(log->HasError("array PulseIds of the block holds float; it must hold integers"));
   }
   CHECK(writer->GetNumberOfRecords() == 0);
-  CHECK(writer->Write(helios::MakeEchoes(2))); // another block may follow
+  CHECK(writer->Write(helios::MakeEchoes(2))); // another block is accepted
   CHECK(writer->Close());
   CHECK(CountLines(path) == 2);
 }
@@ -320,7 +320,7 @@ TEST_CASE("StreamWriter: a full disk keeps whole blocks and says how many", "[St
   CHECK(writer->GetNumberOfBytes() == bytes);
   CHECK(static_cast<vtkIdType>(fs::file_size(path + ".part")) == bytes);
 
-  // the file lacks a block: no others, and no final name
+  // the file lacks a block: no more blocks are accepted, and no final name is given
   log->Clear();
   CHECK_FALSE(writer->Write(helios::MakeEchoes(10)));
   CHECK(log->HasError("lacks a block that could not be written; 1000 records are safe in"));
@@ -388,7 +388,7 @@ TEST_CASE("StreamWriter: a file that is removed meanwhile", "[StreamWriter]")
   CHECK(log->HasError("is not open"));
   REQUIRE((writer->Open() && writer->Write(helios::MakeEchoes(10)) && writer->Flush()));
   fs::remove_all(folder / "new");
-  REQUIRE(writer->Write(helios::MakeEchoes(10))); // the system still takes it
+  REQUIRE(writer->Write(helios::MakeEchoes(10))); // still accepted by the system
   SECTION("found by Flush()")
   {
     CHECK_FALSE(writer->Flush());
@@ -425,7 +425,7 @@ TEST_CASE("StreamWriter: a disk that is full from the start", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
-  fs::create_symlink("/dev/full", path + ".part"); // which cannot be cut either
+  fs::create_symlink("/dev/full", path + ".part"); // cannot be truncated either
   vtkNew<vtkHeliosPointTextWriter> writer;
   const auto log = helios::WatchErrors(writer);
   writer->SetFileName(path.c_str());

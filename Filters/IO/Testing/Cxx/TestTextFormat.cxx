@@ -21,7 +21,7 @@ std::string Fixed(double value)
   return { text.GetText(), text.GetSize() };
 }
 
-/// Compares with std::to_chars, which rounds correctly; zero without a sign. Counts differences.
+/// Compares with std::to_chars, which rounds correctly, except for signed zero. Counts differences.
 class Comparison
 {
 public:
@@ -32,7 +32,7 @@ public:
     this->TryWith<9>(value);
   }
 
-  /// A value and its neighbours, of both signs.
+  /// Tests a value and its neighbours, of both signs.
   void TryAround(double value)
   {
     for (const double v : { value, -value })
@@ -45,7 +45,7 @@ public:
 
   long NumberOfTries = 0;
   long NumberOfDifferences = 0;
-  double Different = 0.0; // the last one
+  double Different = 0.0; // last difference
 
 private:
   template <int Decimals>
@@ -170,10 +170,10 @@ TEST_CASE("TextBuffer: rounds next to halves as std::to_chars", "[TextFormat]")
   {
     const auto u = Uniform(i);
     const double whole = std::floor(std::pow(10.0, 8 * u[2]));
-    // as near to a half of the last decimal as a double gets
+    // the closest double to a half of the last decimal
     comparison.TryAround(whole + (std::floor(1e4 * u[0]) + 0.5) / 1e4);
     comparison.TryAround((std::floor(1e9 * u[1]) + 0.5) / 1e9);
-    // halves that a double holds: multiples of 2^-(decimals + 1)
+    // halves exactly representable in double: multiples of 2^-(decimals + 1)
     comparison.TryAround(whole + std::floor(32 * u[0]) / 32);
     comparison.TryAround(whole + std::floor(1024 * u[1]) / 1024);
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged trajectory files give an error or a trajectory that is whole.
+// Damaged trajectory files give an error or a complete trajectory.
 #include "heliosMutation.h"
 #include "heliosTrajectoryReading.h"
 
@@ -18,7 +18,7 @@ const std::string Plain =
   "#TIME_COLUMN: 0\n0 0 0 90 476000.5 5473000.25 120\n1 0.5 -1 91 2 2 3 // a bend\n"
   "1 0.5 -1 91 2 2 3\n2 1 0 95 3 2.5 1e2\n";
 
-/// Times in order, places finite, orientations of length 1.
+/// Times in order, positions finite, orientations of length 1.
 bool IsWhole(helios::TrajectoryReading& reading)
 {
   bool isWhole = true;

@@ -164,7 +164,7 @@ TEST_CASE(
   CHECK(reading.Log->HasWarning(
     "a.trj:4: the platform jumps: 1 time has two rows at different places, the first here; give "
     "the times with more digits if it does not"));
-  // A sudden turn says nothing.
+  // A sudden turn gives no warning.
   REQUIRE(reading.Read("1,0,0,0,1,0,0\n1,0,0,90,1,0,0\n2,0,0,0,2,0,0\n2,0,0,9,2,0,0\n"));
   CHECK(reading.Log->Warnings.empty());
 }
@@ -189,7 +189,7 @@ TEST_CASE(
     REQUIRE(reading.Read(text));
     for (int i = 0; i <= 36; ++i)
     {
-      // the ends have the direction of their piece
+      // the ends have the direction of their segment
       const double a = vtkMath::RadiansFromDegrees(10.0 * i + (i == 0 ? 5 : (i == 36 ? -5 : 0)));
       INFO("row " << i);
       CHECK(reading.IsAlong(i, Y, { -std::sin(a), std::cos(a), 0 }));
@@ -251,7 +251,7 @@ TEST_CASE("TrajectoryReader: the slope filter keeps where the motion changes", "
   {
     CHECK(reading.GetTime(i) == times[i]);
   }
-  // Slopes of a parabola change by 0.02 m/s a row: every third row adds up to more than 0.05.
+  // Slopes of a parabola change by 0.02 m/s per row: every third row exceeds 0.05 in total.
   reading.Reader->SetSlopeFilterThreshold(0.05);
   text.clear();
   for (int i = 0; i <= 30; ++i)
@@ -261,7 +261,7 @@ TEST_CASE("TrajectoryReader: the slope filter keeps where the motion changes", "
   REQUIRE(reading.Read(text));
   CHECK(reading.CountRows() == 11);
   CHECK(reading.GetTime(1) == 3.0);
-  // Both rows of a jump stay.
+  // Both rows of a jump are kept.
   REQUIRE(reading.Read("0,0,0,0,0,0,0\n1,0,0,0,1,0,0\n2,0,0,0,2,0,0\n2,0,0,0,8,0,0\n3,0,0,0,9,0,0\n"
                        "4,0,0,0,10,0,0\n"));
   REQUIRE(reading.CountRows() == 4);
@@ -373,8 +373,7 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
       "a.trj:3: TIME_COLUMN is 1, but HEADER has t in column 0; correct one"));
     CHECK(reading.FailsWith(good + "#TIME_COLUMN: 3\n",
       "a.trj:2: TIME_COLUMN changes the columns below rows that were read"));
-    CHECK(
-      reading.Read(good + "#TIME_COLUMN: 0\n2,0,0,0,1,2,3\n")); // two files, one behind the other
+    CHECK(reading.Read(good + "#TIME_COLUMN: 0\n2,0,0,0,1,2,3\n")); // two files concatenated
   }
   SECTION("settings")
   {

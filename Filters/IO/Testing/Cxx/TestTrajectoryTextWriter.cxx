@@ -15,7 +15,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// X-Y-Z of HELIOS: the body is turned by yaw first, about the axes of the world throughout.
+/// X-Y-Z of HELIOS: yaw is applied to the body first; all axes are those of the world.
 helios::Quaternion Cardan(double roll, double pitch, double yaw)
 {
   return helios::AxisAngle({ 1, 0, 0 }, roll) * helios::AxisAngle({ 0, 1, 0 }, pitch) *
@@ -53,7 +53,7 @@ std::vector<std::vector<std::string>> WriteSamples(const std::vector<helios::Qua
   return helios::ReadRows(path);
 }
 
-/// The angles as words.
+/// Formats the angles as words.
 std::vector<std::string> WriteAngles(const helios::Quaternion& q)
 {
   const auto row = WriteSamples({ q })[0];
@@ -76,11 +76,11 @@ TEST_CASE("TrajectoryTextWriter: the columns", "[TrajectoryTextWriter]")
 
 TEST_CASE("TrajectoryTextWriter: headings of a level body", "[TrajectoryTextWriter]")
 {
-  // forward is y: to the west is a quarter turn, counter-clockwise from above
+  // forward is y: a heading to the west is 90 degrees, counter-clockwise from above
   CHECK(WriteAngles(helios::AxisAngle({ 0, 0, 1 }, 90)) == Words{ "0.0000", "0.0000", "90.0000" });
   CHECK(
     WriteAngles(helios::AxisAngle({ 0, 0, 1 }, -90)) == Words{ "0.0000", "0.0000", "270.0000" });
-  // nose up while heading along y is a turn about x
+  // nose up while heading along y is a rotation about x
   CHECK(WriteAngles(helios::AxisAngle({ 1, 0, 0 }, 5)) == Words{ "5.0000", "0.0000", "0.0000" });
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("TrajectoryTextWriter: the angles give the attitude back", "[Trajector
   {
     const auto u = helios::Uniform4(1, helios::RandomStream::Scene, i, 0);
     orientations.emplace_back(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5, u[3] - 0.5); // of any length
-    // near to gimbal lock
+    // close to gimbal lock
     const double off = std::pow(10.0, -14 * u[2]);
     orientations.push_back(Cardan(360 * u[0], i % 2 == 0 ? 90 - off : off - 90, 360 * u[1]));
   }
@@ -127,7 +127,7 @@ TEST_CASE("TrajectoryTextWriter: the angles give the attitude back", "[Trajector
       largest = std::max(largest, std::abs(read.M[k / 3][k % 3] - expected.M[k / 3][k % 3]));
     }
   }
-  // three angles, each rounded by half of 1e-4 degrees
+  // three angles, each with a rounding error of half of 1e-4 degrees
   CHECK(largest < 3 * vtkMath::RadiansFromDegrees(5e-5));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of vegetation from .vox files: what is read, and what is wrong with them.
+// Vegetation grids from .vox files: valid files and errors.
 #include "heliosVoxTesting.h"
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ TEST_CASE("VoxelReader: cells, where they are and what they hold", "[VoxelReader
   CHECK(std::isnan(reading.Get(names::PAD, 1)));
   CHECK(reading.Get(names::PAD, 12 + 4 + 2) == 2.25);
   CHECK(reading.Get(names::PAD, 23) == 0.1);
-  CHECK(reading.Get(names::PAD, 2) == 0.0); // the file does not have it
+  CHECK(reading.Get(names::PAD, 2) == 0.0); // missing in the file
   CHECK(reading.Get(names::Transmittance, 0) == 0.75);
   CHECK(std::isnan(reading.Get(names::Transmittance, 1)));
   CHECK(reading.Get(names::Transmittance, 2) == 1.0);

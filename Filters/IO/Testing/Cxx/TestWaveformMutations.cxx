@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged waveform files give an error or waveforms that are whole, in any number of pieces.
+// Damaged waveform files give an error or complete waveforms, in any number of pieces.
 #include "heliosMutation.h"
 #include "heliosWaveformReading.h"
 
@@ -91,7 +91,7 @@ TEST_CASE(
       REQUIRE(IsWhole(reading.Table()));
       sum += reading.CountWaveforms();
     }
-    // A file of comments is an error at once, and nothing in pieces.
+    // A file of comments only is an error when read as a whole, and empty in pieces.
     REQUIRE((areGood == isGood || error.find("has no waveforms") != std::string::npos));
     REQUIRE((!isGood || sum == count));
   }

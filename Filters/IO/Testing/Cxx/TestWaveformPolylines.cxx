@@ -103,7 +103,7 @@ TEST_CASE("WaveformPolylines: every sample is where the formula has it", "[Wavef
         SpeedOfLight / 2 * (667.125 + static_cast<double>(row) + 0.25 * static_cast<double>(i));
       const double a = curves.GetSample(at);
       const Vector point = GetPoint(output, at);
-      for (int axis = 0; axis < 3; ++axis) // beams are level, within 1e-9: up is across
+      for (int axis = 0; axis < 3; ++axis) // beams are horizontal within 1e-9: up is perpendicular
       {
         const double expected = curves.Get(names::Origin, row, axis) +
           range * curves.Get(names::Direction, row, axis) + (axis == 2 ? scale * a : 0.0);
@@ -114,7 +114,7 @@ TEST_CASE("WaveformPolylines: every sample is where the formula has it", "[Wavef
     }
   }
   CHECK(at == output->GetNumberOfPoints());
-  CHECK(worst < 1e-8); // the beams are level within 1e-9, and displacements go up to 3 m
+  CHECK(worst < 1e-8); // the beams are horizontal within 1e-9, and displacements go up to 3 m
   CHECK(output->GetCellData()->GetArray(names::GpsTime)->GetComponent(7, 0) == 1.75);
   CHECK(GetPulses(output)[3] == 49);
   CHECK_FALSE(output->GetCellData()->GetArray(names::Offset));
@@ -125,7 +125,7 @@ TEST_CASE("WaveformPolylines: amplitudes go across the beam", "[WaveformPolyline
 {
   const auto [direction, wanted, across] = GENERATE(
     std::tuple(Vector{ 0, 0.6, -0.8 }, Vector{ 0, 0, 1 }, Vector{ 0, 0.8, 0.6 }), // tilted: up
-    std::tuple(Vector{ 0, 0.6, -0.8 }, Vector{ 5, 0, 0 }, Vector{ 1, 0, 0 }),     // as it is
+    std::tuple(Vector{ 0, 0.6, -0.8 }, Vector{ 5, 0, 0 }, Vector{ 1, 0, 0 }),     // unchanged
     std::tuple(Vector{ 0, 0, -1 }, Vector{ 0, 0, 1 }, Vector{ 1, 0, 0 }),         // along it: x
     std::tuple(Vector{ 1, 0, 0 }, Vector{ -2, 0, 0 }, Vector{ 0, 1, 0 }));        // along x: y
   Polylines curves(1);

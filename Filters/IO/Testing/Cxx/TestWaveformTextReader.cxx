@@ -55,9 +55,9 @@ TEST_CASE("WaveformTextReader: what was written comes back", "[WaveformTextReade
   for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
   {
     const double x = static_cast<double>(i);
-    samples->SetComponent(i, 0, 1e-9 * (1.0 + 1e3 * std::abs(std::sin(x)))); // from 1 nW on
+    samples->SetComponent(i, 0, 1e-9 * (1.0 + 1e3 * std::abs(std::sin(x)))); // from 1 nW up
   }
-  for (vtkIdType i = 0; i < count; ++i) // a bin of one sample is not known from its times
+  for (vtkIdType i = 0; i < count; ++i) // one sample does not define its bin
   {
     vtkDataArray* counts = table->GetRowData()->GetArray(names::Count);
     vtkDataArray* offsets = table->GetRowData()->GetArray(names::Offset);

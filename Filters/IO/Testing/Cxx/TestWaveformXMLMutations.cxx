@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged VTK XML files of waveforms give an error or waveforms that are whole.
+// Damaged VTK XML files of waveforms give an error or complete waveforms.
 #include "heliosMutation.h"
 #include "heliosTempFolder.h"
 #include "heliosWaveformTesting.h"
@@ -51,7 +51,7 @@ struct Files
   }
 };
 
-/// Every row has its own samples, which are there and finite.
+/// Every row has its own samples, which exist and are finite.
 bool IsWhole(vtkTable* table)
 {
   const vtkIdType rows = table->GetNumberOfRows();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the writer writes, read back by VTK's own readers and by ours.
+// Written files are read back by the VTK readers and by the vtkHelios reader.
 #include "heliosTempFolder.h"
 #include "heliosWaveformTesting.h"
 #include "vtkHeliosWaveformXMLReader.h"
@@ -38,7 +38,7 @@ struct Reading
   }
 };
 
-/// The number of values that are not those written, from a tuple on; Offset is behind others.
+/// Counts values that differ from those written, from a tuple on; Offset is shifted.
 vtkIdType CountDifferences(
   vtkFieldData* read, vtkIdType from, vtkFieldData* written, double shift = 0.0)
 {
@@ -131,7 +131,7 @@ TEST_CASE(
   CHECK(run.Writer->GetNumberOfBytes() == bytes);
 
   CheckSame(Reading<vtkXMLTableReader>(run / "leg000_fullwave_0000.vtt").Read(), run.First);
-  fs::rename(run.Folder / "run", run.Folder / "moved"); // the pieces are named without their folder
+  fs::rename(run.Folder / "run", run.Folder / "moved"); // piece names have no folder
   Reading<vtkXMLPTableReader> index(run.Folder / "moved/leg000_fullwave.pvtt");
   index.Reader->UpdateInformation();
   REQUIRE(index.Reader->GetNumberOfPieces() == 2);
@@ -168,7 +168,7 @@ TEST_CASE(
 
   CheckSame(all.Read(0, 2), run.First);
   CheckSame(all.Read(1, 2), run.Last);
-  CHECK(all.Read(0, 3)->GetNumberOfRows() == 0); // more pieces than the file has
+  CHECK(all.Read(0, 3)->GetNumberOfRows() == 0); // more pieces than in the file
   CheckSame(all.Read(1, 3), run.First);
   CheckSame(all.Read(2, 3), run.Last);
   CheckSame(Reading<vtkHeliosWaveformXMLReader>(run / "leg000_fullwave_0001.vtt").Read(), run.Last);
@@ -230,7 +230,7 @@ TEST_CASE("WaveformXMLWriter: what is wrong is said", "[WaveformXMLWriter]")
     CHECK_FALSE(run.Writer->Write(table));
     CHECK(run.Log->HasError("a block has other arrays than those before"));
   }
-  CHECK(run.Writer->Write(run.Last)); // another block may follow
+  CHECK(run.Writer->Write(run.Last)); // another block is accepted
   CHECK(run.Writer->Close());
   CHECK(Reading<vtkHeliosWaveformXMLReader>(run.Path).Read()->GetNumberOfRows() == 20014);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged files of points give an error or points that are whole, in any number of pieces.
+// Damaged point files give an error or complete points, in any number of pieces.
 #include "heliosMutation.h"
 #include "heliosXyzTesting.h"
 
@@ -33,7 +33,7 @@ bool IsFinite(vtkDataArray* array)
   return true;
 }
 
-/// Points, and what was asked for at each of them.
+/// Checks the points and the requested arrays.
 bool IsWhole(vtkPolyData* cloud, bool hasColumns)
 {
   const vtkIdType count = cloud->GetNumberOfPoints();
@@ -82,7 +82,7 @@ TEST_CASE("XyzMutations: damaged files give an error or points", "[XyzMutations]
       sum += reading.CountPoints();
       areGood = areGood && isPieceGood;
     }
-    // A file of comments is an error at once, and nothing in pieces.
+    // A file of comments only is an error when read as a whole, and empty in pieces.
     REQUIRE((areGood == isGood || error.find("has no points") != std::string::npos));
     REQUIRE((!isGood || sum == count));
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points from text: every dialect of columns, every error, every piece.
+// Points from text: all column formats, errors and pieces.
 #include "heliosXyzTesting.h"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ TEST_CASE("XyzReader: coordinates are the doubles nearest to their decimals", "[
   CHECK(reading.GetPoint(0) == Triple{ 476000.123, 5473000.456, 110.001 });
   CHECK(reading.GetPoint(1) == Triple{ 1.0, -2500.0, 0.5 });
   CHECK(reading.GetPoint(2) == Triple{ 0.0, 1e-310, 0.0 });
-  CHECK(reading.Cloud()->GetPointData()->GetNumberOfArrays() == 0); // only what is asked
+  CHECK(reading.Cloud()->GetPointData()->GetNumberOfArrays() == 0); // only requested arrays
   CHECK(reading.Cloud()->GetNumberOfCells() == 0);
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("XyzReader: a header is left out, with a warning", "[XyzReader]")
   CHECK(reading.Log->HasWarning("a.xyz:1: "));
   reading.Log->Clear();
   REQUIRE(reading.Read(0, 2));
-  CHECK(reading.Log->Warnings.empty()); // said once
+  CHECK(reading.Log->Warnings.empty()); // reported once
   reading.Reader->SetSeparators(" ");
   CHECK(reading.FailsWith("x y z\na b c\n1 2 3\n", "a.xyz:2: \"a\" in column 0 is not a number"));
   CHECK(reading.FailsWith(
@@ -207,7 +207,7 @@ TEST_CASE("XyzReader: pieces are the whole, each row once", "[XyzReader]")
       text << (i % 10 ? "" : "\n") << (i % 17 ? "" : "# comment\n");
     }
   }
-  XyzReading reading(texts[0].str() + "0 0 0"); // no end of the last line
+  XyzReading reading(texts[0].str() + "0 0 0"); // last line without line end
   reading.Reader->AddFileName(reading.Write("b.xyz", texts[1].str()).c_str());
   reading.Reader->AddFileName(reading.Write("c.xyz", texts[2].str()).c_str());
   REQUIRE(reading.Read());
@@ -233,7 +233,7 @@ TEST_CASE("XyzReader: pieces are the whole, each row once", "[XyzReader]")
     CHECK(parts == whole);
     CHECK(largest <= 451 / std::min(pieces, 451) * 1.3 + 1);
   }
-  REQUIRE(reading.Read(7, 7)); // beyond the last
+  REQUIRE(reading.Read(7, 7)); // past the end
   CHECK(reading.CountPoints() == 0);
 }
 
@@ -258,7 +258,7 @@ TEST_CASE("XyzReader: errors in a piece name the line of the file", "[XyzReader]
     }
   }
   CHECK(failures == 1);
-  // The end of a line beyond 1 MiB is found from wherever a piece starts.
+  // The end of a line longer than 1 MiB is found from any start of a piece.
   reading.Set("1 2 3\n# " + std::string(5 << 20, '-') + "\n4 5 6\n");
   CHECK(!reading.Read());
   CHECK(reading.Log->HasError("a.xyz:2: the line is longer"));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// GeoTIFF files for tests, written by GDAL or byte by byte, and their reading.
+// GeoTIFF files for tests, written by GDAL or byte by byte, and a reader for them.
 
 #ifndef heliosGeoTiffTesting_h
 #define heliosGeoTiffTesting_h
@@ -35,7 +35,7 @@ namespace helios
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A raster of heights, row by row from above; its first pixel's corner is (100, 200).
+/// A raster of heights, row by row from the top; the corner of its first pixel is (100, 200).
 struct TestRaster
 {
   int Columns = 4;
@@ -44,14 +44,14 @@ struct TestRaster
   GDALDataType Type = GDT_Float64;
   std::vector<double> Values;
   std::vector<double> Transform = { 100.0, 0.5, 0.0, 200.0, 0.0, -0.5 }; // empty: none
-  std::string Crs;                                                       // anything GDAL knows
+  std::string Crs;                                                       // any GDAL definition
   std::string Unit;
   double NoData = NaN;
   bool HasNoData = false;
   double Scale = 1.0;
   double Offset = 0.0;
-  std::vector<unsigned char> Mask;  // one number a pixel, 0 is a hole
-  std::vector<std::string> Options; // of creation, "TILED=YES"
+  std::vector<unsigned char> Mask;  // one value per pixel, 0 is a hole
+  std::vector<std::string> Options; // creation options, "TILED=YES"
   int NumberOfGroundPoints = 0;
 
   TestRaster(int columns, int rows)
@@ -163,8 +163,8 @@ private:
 };
 
 /**
- * The bytes of a GeoTIFF of doubles in one strip, without GDAL: the tie point (0, 0) lies at
- * (100, 200), pixels are 0.5 wide, and GTRasterTypeGeoKey is 1 (area) or 2 (point).
+ * The bytes of a GeoTIFF of doubles in one strip, without GDAL: the tie point (0, 0) is at
+ * (100, 200), the pixel size is 0.5, and GTRasterTypeGeoKey is 1 (area) or 2 (point).
  */
 inline std::string MakeGeoTiffBytes(
   int columns, int rows, const std::vector<double>& values, std::uint16_t rasterType)
@@ -209,7 +209,7 @@ inline std::string MakeGeoTiffBytes(
   return bytes;
 }
 
-/// A reader whose messages are kept, and what it read.
+/// A reader with recorded messages, and its output.
 struct GeoTiffReading
 {
   vtkNew<vtkHeliosGeoTiffSceneReader> Reader;
@@ -239,7 +239,7 @@ struct GeoTiffReading
   vtkIdType TriangleCount() { return this->Scene()->GetNumberOfPolys(); }
   double Height(vtkIdType point) { return this->Scene()->GetPoint(point)[2]; }
 
-  /// Says what is wrong with the mesh, or nothing: triangles are whole and look up.
+  /// Checks that the mesh is valid and faces up. Returns an error message, or an empty string.
   std::string FindFault()
   {
     TriangleMesh mesh;
@@ -260,7 +260,7 @@ struct GeoTiffReading
   }
 
 private:
-  // The executive repeats every error in words of its own.
+  // The executive repeats every error with its own message.
   vtkSmartPointer<ErrorObserver> Quiet = vtkSmartPointer<ErrorObserver>::Take(ErrorObserver::New());
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes that a LAS file holds whole, the bytes of LAS files, and their reading.
+// Echoes fully storable in LAS, the bytes of LAS files, and a reader for them.
 
 #ifndef heliosLasTesting_h
 #define heliosLasTesting_h
@@ -21,7 +21,7 @@
 namespace helios
 {
 
-/// A number of the bytes of a file.
+/// Reads a number from the bytes of a file.
 template <typename T>
 T GetNumber(const std::string& bytes, std::size_t at)
 {
@@ -65,7 +65,7 @@ inline void SetEpoch(vtkPolyData* echoes, double epoch)
     echoes->GetFieldData(), vtkHeliosArrayNames::GpsEpoch, 1, [epoch](vtkIdType) { return epoch; });
 }
 
-/// Echoes with every array of the scanner.
+/// Echoes with all arrays of the scanner.
 inline vtkSmartPointer<vtkPolyData> MakeLasEchoes(vtkIdType count)
 {
   namespace names = vtkHeliosArrayNames;
@@ -90,7 +90,7 @@ inline vtkSmartPointer<vtkPolyData> MakeLasEchoes(vtkIdType count)
   return echoes;
 }
 
-/// Cuts a file to half its size at the first progress that is made.
+/// Truncates a file to half its size at the first progress event.
 class FileCut : public vtkCommand
 {
 public:
@@ -131,8 +131,8 @@ struct LasReading
   vtkDataArray* Get(const char* name) { return this->Cloud()->GetPointData()->GetArray(name); }
 };
 
-/// How many numbers of an array differ by more than a tolerance from those of another, from a
-/// tuple of the first on; -1: their shapes do.
+/// Counts values of an array that differ by more than a tolerance from those of another, from a
+/// tuple of the first on; -1 if the shapes differ.
 inline vtkIdType CountWrong(
   vtkDataArray* read, vtkDataArray* written, vtkIdType from = 0, double tolerance = 0.0)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// LAS files with waveforms: their writing, and what the bytes of points and packets must say.
+// LAS files with waveforms: writing, and checks of the point and packet bytes.
 
 #ifndef heliosLasWaveTesting_h
 #define heliosLasWaveTesting_h
@@ -21,8 +21,8 @@ namespace helios
 
 constexpr double LasSpeedOfLight = 299792458.0; // [m/s]
 
-/// Three points a waveform, but of each fifth pulse that has none; on the beam, a little after the
-/// first sample.
+/// Three points per waveform, except every fifth pulse, which has none; on the beam, shortly after
+/// the first sample.
 inline vtkSmartPointer<vtkPolyData> MakeEchoesOf(vtkTable* waveforms)
 {
   const vtkIdType count = 3 * waveforms->GetNumberOfRows();
@@ -51,7 +51,7 @@ inline vtkSmartPointer<vtkPolyData> MakeEchoesOf(vtkTable* waveforms)
   return echoes;
 }
 
-/// What a point says of its packet, and the descriptor that it names.
+/// The packet of a point and its descriptor.
 struct LasWavePacket
 {
   int Index;
@@ -103,8 +103,8 @@ struct LasWavePacket
   }
 };
 
-/// As the specification has it: the anchor, point + location (X(t), Y(t), Z(t)), is where the first
-/// sample came from, and lies between scanner and point.
+/// As in the specification: the anchor, point + location (X(t), Y(t), Z(t)), is the origin of the
+/// first sample and lies between scanner and point.
 inline void CheckAnchor(
   const LasWavePacket& packet, const double point[3], vtkTable* waveforms, vtkIdType wave)
 {
@@ -126,7 +126,7 @@ inline void CheckAnchor(
   REQUIRE(along >= -1e-6);
 }
 
-/// The samples of points from a row on, and where their points are on them.
+/// Checks the samples of points from a row on, and the point locations in them.
 inline void CheckPackets(const std::string& las, const std::string& packets, vtkTable* waveforms,
   vtkPolyData* echoes, std::size_t from)
 {
@@ -173,7 +173,7 @@ inline void CheckPackets(const std::string& las, const std::string& packets, vtk
     CheckAnchor(packet, echoes->GetPoint(row), waveforms, wave);
     const bool isOther = row % 3 > 0 &&
       LasWavePacket(las, from + static_cast<std::size_t>(row) - 1).Place != packet.Place;
-    REQUIRE_FALSE(isOther); // one packet a pulse
+    REQUIRE_FALSE(isOther); // one packet per pulse
   }
 }
 
@@ -205,7 +205,7 @@ struct LasWaveWriting
     return this->Writer->Write(MakeEchoesOf(waveforms));
   }
 
-  /// Whether a block fails with a message, and leaves the files as they were.
+  /// Whether a block fails with a message and leaves the files unchanged.
   bool Fails(vtkPolyData* echoes, vtkTable* waveforms, const std::string& message)
   {
     const std::string las = ReadText(this->Path + ".part");

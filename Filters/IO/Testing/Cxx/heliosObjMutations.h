@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Good OBJ and MTL files to damage, and what must hold of a scene that was read from them.
+// Valid OBJ and MTL files to damage, and checks of the scenes read from them.
 
 #ifndef heliosObjMutations_h
 #define heliosObjMutations_h
@@ -28,7 +28,7 @@ inline const std::string GoodMtl =
   "helios_spectra shingle_red\nhelios_isGround false\nmap_Kd a b.png\n"
   "newmtl roof\nhelios_reflectance 40\nhelios_isGround 1\n";
 
-/// Damages a file as Mutator does; every other time it gets a word of the format in a wrong place.
+/// Damages a file with Mutator; every second time also inserts a keyword at a wrong position.
 inline std::string MutateText(std::string text, unsigned seed)
 {
   static const char* const phrases[] = { "f 1 2 3\n", "f ", "v ", "v 1 2\n", "1e30", "vn 0 0\n",
@@ -42,7 +42,7 @@ inline std::string MutateText(std::string text, unsigned seed)
   return Mutator(seed)(std::move(text));
 }
 
-/// What is wrong with a scene, or nothing.
+/// Checks a scene. Returns an error message, or an empty string.
 inline std::string FindFault(ObjReading& reading)
 {
   vtkPolyData* scene = reading.Scene();
@@ -71,10 +71,10 @@ inline std::string FindFault(ObjReading& reading)
     }
   }
   TriangleMesh mesh;
-  return count > 0 ? mesh.Set(scene) : std::string(); // corners are points and finite
+  return count > 0 ? mesh.Set(scene) : std::string(); // corners are valid and finite
 }
 
-/// Reads an OBJ file; returns what is wrong with the outcome, and whether it was a scene.
+/// Reads an OBJ file. Returns an error message about the result, and whether it is a scene.
 inline std::string ReadMutation(const std::string& path, bool& isScene)
 {
   ObjReading reading(path);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder for a test's files, and the reading of an OBJ file in it.
+// A folder for test files, and a reader of an OBJ file in it.
 
 #ifndef heliosObjTestFiles_h
 #define heliosObjTestFiles_h
@@ -27,7 +27,7 @@
 namespace helios
 {
 
-/// A new folder, removed with all that is in it at the end of the test.
+/// A new folder, removed with its content at the end of the test.
 class TestFolder
 {
 public:
@@ -51,7 +51,7 @@ private:
   std::filesystem::path Path;
 };
 
-/// A reader whose messages are kept.
+/// A reader with recorded messages.
 struct ObjReading
 {
   vtkNew<vtkHeliosObjSceneReader> Reader;
@@ -89,11 +89,11 @@ struct ObjReading
   }
 
 private:
-  // The executive repeats every error in words of its own.
+  // The executive repeats every error with its own message.
   vtkSmartPointer<ErrorObserver> Quiet = vtkSmartPointer<ErrorObserver>::Take(ErrorObserver::New());
 };
 
-/// Four vertices of a unit square, in lines 1 to 4.
+/// The vertices of a unit square, in lines 1 to 4.
 inline const std::string ObjSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 } // namespace helios

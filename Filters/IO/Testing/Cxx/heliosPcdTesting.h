@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reading of PCD files, and files as texts.
+// A reader of PCD files, and PCD files as text.
 
 #ifndef heliosPcdTesting_h
 #define heliosPcdTesting_h
@@ -58,7 +58,7 @@ void AppendBytes(std::string& bytes, T value)
   bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
 }
 
-/// As PCL writes them.
+/// As written by PCL.
 inline const std::string AsciiPcd = "# .PCD v.7 - Point Cloud Data file format\n"
                                     "VERSION .7\n"
                                     "FIELDS x y z intensity label\n"

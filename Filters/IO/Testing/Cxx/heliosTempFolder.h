@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A folder for one test, gone with it; and a small disk in it.
+// A temporary folder for one test, and a small file system in it.
 
 #ifndef heliosTempFolder_h
 #define heliosTempFolder_h
@@ -35,7 +35,7 @@ private:
   std::filesystem::path Path;
 };
 
-/// A file system of a few KiB in a new folder, where the system lets the test mount one.
+/// A file system of a few KiB in a new folder, if the system permits the mount.
 class SmallDisk
 {
 public:
@@ -71,7 +71,7 @@ inline std::string ReadText(const std::string& path)
   return text.str();
 }
 
-/// Lines of words.
+/// Reads lines as words.
 inline std::vector<std::vector<std::string>> ReadRows(const std::string& path)
 {
   std::vector<std::vector<std::string>> rows;

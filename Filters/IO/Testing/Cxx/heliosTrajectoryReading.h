@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reading of a trajectory file in a folder of its own.
+// A reader of a trajectory file in a temporary folder.
 
 #ifndef heliosTrajectoryReading_h
 #define heliosTrajectoryReading_h
@@ -70,11 +70,11 @@ struct TrajectoryReading
     return Quaternion(
       this->Path()->GetPointData()->GetArray(vtkHeliosArrayNames::Orientation)->GetTuple4(row));
   }
-  /// A vector of the body in the world.
+  /// Transforms a body vector to the world.
   Vec3 ToWorld(vtkIdType row, const Vec3& v) { return Rotate(this->GetOrientation(row), v); }
 };
 
-/// The largest difference of the matrices of two attitudes, about the angle between them [rad].
+/// The largest element difference of two attitude matrices, about the angle between them [rad].
 inline double Distance(const Quaternion& a, const Quaternion& b)
 {
   const Rotation m(a), n(b);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A .vox file, and its reading.
+// A .vox file, and a reader for it.
 
 #ifndef heliosVoxTesting_h
 #define heliosVoxTesting_h

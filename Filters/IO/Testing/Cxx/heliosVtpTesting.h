@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTP and VTT files in all forms that VTK writes.
+// VTP and VTT files in all formats that VTK writes.
 
 #ifndef heliosVtpTesting_h
 #define heliosVtpTesting_h
@@ -23,7 +23,7 @@ inline void WriteBytes(const std::string& path, const std::string& bytes)
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// The bytes of data by a writer of VTK's: ascii, base64 and raw, with each compressor.
+/// Data as written by a VTK writer: ascii, base64 and raw, with each compressor.
 template <typename WriterT, typename DataT>
 std::vector<std::string> WriteAllForms(DataT* data, const std::string& path)
 {
@@ -53,14 +53,14 @@ std::vector<std::string> WriteAllForms(DataT* data, const std::string& path)
   return files;
 }
 
-/// A text with one part replaced; empty where it does not have it.
+/// A text with one part replaced; empty if the part does not occur.
 inline std::string Replace(std::string text, const std::string& from, const std::string& to)
 {
   const std::size_t at = text.find(from);
   return at == std::string::npos ? "" : text.replace(at, from.size(), to);
 }
 
-/// Points with vertices, a polygon, arrays and texts.
+/// Points with vertices, a polygon, numeric and string arrays.
 inline vtkSmartPointer<vtkPolyData> MakeCloud(vtkIdType count)
 {
   auto cloud = MakeEchoes(count);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reading of a waveform file in a folder of its own, as a whole or in pieces.
+// A reader of a waveform file in a temporary folder, as a whole or in pieces.
 
 #ifndef heliosWaveformReading_h
 #define heliosWaveformReading_h
@@ -27,7 +27,7 @@ struct WaveformReading
   WaveformReading() = default;
   explicit WaveformReading(const std::string& text) { this->Set(text); }
 
-  /// Another text in the file.
+  /// Replaces the text of the file.
   void Set(const std::string& text)
   {
     std::ofstream(this->Folder / "a.txt", std::ios::binary) << text;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waveforms for the tests of what writes, reads and shows them.
+// Waveforms for the tests of writers, readers and display.
 
 #ifndef heliosWaveformTesting_h
 #define heliosWaveformTesting_h

@@ -32,7 +32,7 @@ inline vtkSmartPointer<ErrorObserver> WatchErrors(vtkObject* object)
   return log;
 }
 
-/// Adds a column whose values are value(row), or replaces it.
+/// Adds or replaces a column whose values are value(row).
 template <typename ArrayT, typename ValueT>
 void AddColumn(vtkFieldData* data, const char* name, vtkIdType count, ValueT value)
 {
@@ -46,7 +46,7 @@ void AddColumn(vtkFieldData* data, const char* name, vtkIdType count, ValueT val
   data->AddArray(array);
 }
 
-/// Echoes whose numbers follow from their row.
+/// Echoes with values derived from their row.
 inline vtkSmartPointer<vtkPolyData> MakeEchoes(vtkIdType count)
 {
   namespace names = vtkHeliosArrayNames;
@@ -80,7 +80,7 @@ inline vtkSmartPointer<vtkPolyData> MakeEchoes(vtkIdType count)
   return echoes;
 }
 
-/// The widest rounding of a number with so many decimals, of a magnitude.
+/// The maximum rounding error of a number of a magnitude with this many decimals.
 inline double RoundingOf(int decimals, double magnitude)
 {
   return 0.5 * std::pow(10.0, -decimals) + std::ldexp(std::abs(magnitude), -52);

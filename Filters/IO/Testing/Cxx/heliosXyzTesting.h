@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The reading of a file of points in a folder of its own, as a whole or in pieces.
+// A reader of a point file in a temporary folder, as a whole or in pieces.
 
 #ifndef heliosXyzTesting_h
 #define heliosXyzTesting_h
@@ -50,7 +50,7 @@ struct XyzReading
     return this->Folder / name;
   }
 
-  /// Another text in the file.
+  /// Replaces the text of the file.
   void Set(const std::string& text)
   {
     this->Reader->SetFileName(this->Write("a.xyz", text).c_str());
@@ -81,7 +81,7 @@ struct XyzReading
     return point;
   }
 
-  /// Of a point array.
+  /// A tuple of a point array.
   std::array<double, 3> GetTriple(const char* name, vtkIdType i)
   {
     std::array<double, 3> triple{};

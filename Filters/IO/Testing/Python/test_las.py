@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""LAS files as laspy sees them: what we write, and what laspy writes for us to read."""
+"""LAS files and laspy: laspy reads vtkHelios files, and vtkHelios reads laspy files."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ EXTRA = {  # name: type, description
 
 
 def columns(count=COUNT, seed=8):
-    """Numbers for every array that the scanner gives."""
+    """Values for all arrays of the scanner."""
     random = np.random.default_rng(seed)
     values = {name: random.integers(0, 1000, count) for name in EXTRA}
     for name in ("Range", "EchoWidth", "IncidenceAngle"):
@@ -101,7 +101,7 @@ def check_header(las, points):
     assert np.all(header.scales == 0.0001)
     assert np.array_equal(header.offsets, np.round(header.offsets))
     xyz = las.xyz
-    assert np.abs(xyz - points).max() <= 0.5e-4 + 1e-8  # rounded, not cut
+    assert np.abs(xyz - points).max() <= 0.5e-4 + 1e-8  # rounded, not truncated
     assert np.array_equal(header.mins, xyz.min(axis=0))
     assert np.array_equal(header.maxs, xyz.max(axis=0))
     counts = np.bincount(np.asarray(las.return_number), minlength=16)[1:]
@@ -195,7 +195,7 @@ def test_laz_of_laspy_has_the_same_points(tmp_path):
         read(tmp_path / "a.laz")
 
 
-FORMATS = [  # of each version, as laspy knows them
+FORMATS = [  # per version, as supported by laspy
     (version, form)
     for version in ("1.2", "1.3", "1.4")
     for form in laspy.point.format.dims.VERSION_TO_POINT_FMT[version]
@@ -247,7 +247,7 @@ LIGHT = 0.299792458  # [m/ns]
 
 
 def make_waveforms(count):
-    """A Gaussian for every pulse, its directions, and the points at its middle."""
+    """A Gaussian for every pulse, the directions, and the points at its centre."""
     random = np.random.default_rng(5)
     direction = random.normal(size=(count, 3))
     direction /= np.linalg.norm(direction, axis=1)[:, None]
@@ -306,7 +306,7 @@ def test_waveforms_as_laspy_reads_them(tmp_path):
     for k, name in enumerate(("x_t", "y_t", "z_t")):
         assert np.allclose(las[name][has], speed[has, k], rtol=1e-6, atol=1e-12)
     assert np.allclose(las.return_point_wave_location[has], 12300.0, rtol=0.0, atol=0.5)
-    # point + location * vector is where the first sample came from, nearer to the scanner
+    # point + location * vector is the origin of the first sample, nearer to the scanner
     vector = np.stack([las["x_t"], las["y_t"], las["z_t"]], axis=1).astype(float)
     anchor = las.xyz + np.asarray(las.return_point_wave_location)[:, None] * vector
     begin = points - (0.5 * LIGHT * 12.3) * direction

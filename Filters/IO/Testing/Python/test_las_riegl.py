@@ -25,7 +25,7 @@ pytestmark = pytest.mark.skipif(not LAS.is_file(), reason="without the data of t
 
 @pytest.fixture(scope="module")
 def riegl():
-    """The cloud and its waveforms, as arrays; messages that came with them."""
+    """The cloud and its waveforms as arrays, and the messages."""
     reader = vtkhelios.vtkHeliosLASReader()
     messages = []
     reader.AddObserver("WarningEvent", lambda *_: messages.append(1))
@@ -43,7 +43,7 @@ def riegl():
 
 @pytest.fixture(scope="module")
 def points():
-    """What the bytes say of each point: packet, location [ps], return number."""
+    """Raw fields of each point: packet, location [ps], return number."""
     data = LAS.read_bytes()
     begin, length = struct.unpack_from("<I", data, 96)[0], struct.unpack_from("<H", data, 105)[0]
     form = np.dtype({
@@ -56,7 +56,7 @@ def points():
 
 
 def get_pulses():
-    """GPS time, anchor [m], direction a nanosecond [m/ns], first and last sample of PulseWaves 0.3."""
+    """GPS time, anchor [m], direction per nanosecond [m/ns], first and last sample of PulseWaves 0.3."""
     data = LAS.with_suffix(".pls").read_bytes()
     begin, count = struct.unpack_from("<qq", data, 176)
     scale, offset = struct.unpack_from("<3d", data, 256), struct.unpack_from("<3d", data, 280)
@@ -82,9 +82,9 @@ def test_beams_go_down_from_above(riegl, points):
     cloud, waves = riegl
     assert np.all(points["vector"][:, 2] > 1.4e-4)  # [m/ps], to the scanner
     assert np.all(waves["Direction"][:, 2] < -0.9)
-    first = waves["PulseIds"]  # there are no ids: the rows of the first points
+    first = waves["PulseIds"]  # no ids: the rows of the first points
     assert np.all(waves["Origin"][:, 2] > cloud["points"][first, 2])
-    # on its waveform the point is where the file has it, although light is slower in air there
+    # on its waveform the point has the file position, although light is slower in air
     time = waves["StartTime"] + 1e-3 * points["location"][first]
     found = waves["Origin"] + (0.5 * LIGHT * time)[:, None] * waves["Direction"]
     assert np.abs(found - cloud["points"][first]).max() < 1e-6
@@ -118,4 +118,4 @@ def test_origins_are_those_of_pulsewaves(riegl):
     sample = along / speed  # [ns] after the anchor: within the digitized part of the pulse
     assert np.all(sample > first[pulse] - 0.2)
     assert np.all(sample < last[pulse])
-    assert np.median(np.abs(sample - first[pulse])) < 0.1  # but for later segments its begin
+    assert np.median(np.abs(sample - first[pulse])) < 0.1  # except for later segments

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Long work reports again and again, and each report may end it. By counts of reports, not by time.
+// Long work reports repeatedly, and each report may stop it. By counts of reports, not by time.
 #include "heliosPclTesting.h"
 #include "vtkHeliosPCLClusters.h"
 #include "vtkHeliosPCLGroundFilter.h"
@@ -64,7 +64,7 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
 {
   Aborter whole(run.Filter);
   REQUIRE(run.Run());
-  CHECK(whole.Reports >= least); // the first and the last are not of the library's part
+  CHECK(whole.Reports >= least); // the first and the last are not from the library part
   CHECK(whole.IsGrowing);
   CHECK(run.Count() > 0);
   run.Filter->RemoveObserver(whole.Command);
@@ -75,11 +75,11 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
     aborter.Last = last;
     CHECK(run.FailsWith("The work was aborted at "));
     CHECK(run.Log->HasError(" %; update again for the whole"));
-    CHECK(aborter.Reports <= last + 1); // the executive's last one
+    CHECK(aborter.Reports <= last + 1); // the final one by the executive
     CHECK(run.Output()->GetPointData()->GetNumberOfArrays() == 0);
     run.Filter->RemoveObserver(aborter.Command);
   }
-  REQUIRE(run.Run()); // an abort leaves nothing behind
+  REQUIRE(run.Run()); // an abort leaves no state
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What all filters on PCL do with points that are not finite, none, far off, and with an abort.
+// All PCL filters: points that are not finite, no points, distant points, and an abort.
 #include "heliosPclTesting.h"
 #include "vtkHeliosPCLClusters.h"
 #include "vtkHeliosPCLGroundFilter.h"

@@ -30,8 +30,8 @@ struct Landscape
   vtkSmartPointer<vtkPolyData> MakeCloud() const { return helios::MakeCloud(this->Points); }
 };
 
-/// Hills up to 40 % steep with houses, cars and trees, scanned from above with 8 points a square metre
-/// and 2 cm of noise; below a tree every third pulse reaches the ground.
+/// Hills up to 40 % steep with houses, cars and trees, scanned from above at 8 points/m2 with 2 cm
+/// of noise; below a tree every third pulse reaches the ground.
 Landscape MakeLandscape()
 {
   helios::Uniform uniform(41);
@@ -74,8 +74,8 @@ TEST_CASE("PCLGroundFilter: at least 95 % of known ground is right", "[PCLGround
   REQUIRE(run.Run());
   CHECK(run.CountMoved() == 0);
   REQUIRE(run.Count() == 80000);
-  int missed = 0; // ground taken for something else
-  int wrong = 0;  // something else taken for ground
+  int missed = 0; // ground not classified as ground
+  int wrong = 0;  // other points classified as ground
   int ground = 0;
   for (vtkIdType i = 0; i < run.Count(); ++i)
   {
@@ -112,7 +112,7 @@ TEST_CASE("PCLGroundFilter: other classes stay", "[PCLGroundFilter]")
     REQUIRE(classes->GetTuple1(i) == 2);
   }
   CHECK(classes->GetTuple1(400) == 6);
-  CHECK(classes->GetTuple1(401) == 1); // ground no more
+  CHECK(classes->GetTuple1(401) == 1); // no longer ground
   CHECK(cloud->GetPointData()->GetArray(names::ClassificationIds)->GetTuple1(0) == 6);
 }
 

@@ -14,7 +14,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Points on a sphere about a place, by equal areas.
+/// Points on a sphere about a position, by equal areas.
 helios::Triples MakeSphere(int count, double radius)
 {
   helios::Triples points;
@@ -53,8 +53,8 @@ double GetLargestAngle(helios::Filtering<vtkHeliosPCLNormals>& run, double side,
 
 TEST_CASE("PCLNormals: those of a sphere are its radii", "[PCLNormals]")
 {
-  // 4 pi 25 m2 for 20000 points: 0.125 m apart. The 24 neighbours lie within 0.4 m, and not quite
-  // evenly about the point: the plane tilts by a part of their distance over the radius.
+  // 4 pi 25 m2 for 20000 points: 0.125 m apart. The 24 neighbours are within 0.4 m, and not quite
+  // evenly around the point: the plane tilts by a share of their distance over the radius.
   helios::Filtering<vtkHeliosPCLNormals> run(MakeSphere(20000, 5.0));
   run.Filter->SetNumberOfNeighbors(24);
   run.Filter->SetSide(vtkHeliosPCLNormals::ToViewpoint);

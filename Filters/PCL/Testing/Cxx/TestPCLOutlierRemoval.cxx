@@ -10,7 +10,7 @@
 namespace
 {
 
-/// A roof of 10000 points 0.1 m apart, and 50 points that hang over it in the air.
+/// A roof of 10000 points 0.1 m apart, and 50 points above it in the air.
 helios::Triples MakeRoofWithOutliers()
 {
   helios::Uniform uniform(11);

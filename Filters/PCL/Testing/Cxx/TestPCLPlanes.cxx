@@ -94,7 +94,7 @@ TEST_CASE("PCLPlanes: planes are where they are, within what noise allows", "[PC
     vtkMath::Cross(n.data(), row, cross.data());
     CHECK(vtkMath::Norm(cross.data()) < 4.0 * std::sqrt(2.0) * Noise / (spread * root));
     CHECK(cosine > 0.999);
-    // the truth's distance from the centre that was found
+    // the true distance from the detected centre
     helios::Triple offset;
     const helios::Triple truth = helios::Utm + patch.Centre;
     vtkMath::Subtract(centre, truth.data(), offset.data());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is computed in chunks or without PCL, against PCL's own filters.
+// Computations in chunks or without PCL, compared with PCL's own filters.
 #include "heliosGroundOpening.h"
 #include "heliosPclCloud.h"
 #include "heliosPclTesting.h"
@@ -39,7 +39,7 @@ Cloud::Ptr MakePclCloud(vtkPolyData* data)
   return cloud;
 }
 
-/// Points of uneven density about some centres, a third of them where others are.
+/// Points of uneven density about several centres, a third of them at existing points.
 helios::Triples MakeUneven(unsigned seed, int count)
 {
   helios::Uniform uniform(seed);
@@ -60,7 +60,7 @@ helios::Triples MakeUneven(unsigned seed, int count)
   return points;
 }
 
-/// The clusters of PCL by their sizes and first points, of a point each; -1: too small.
+/// PCL's clusters by size and first point, one per point; -1: too small.
 std::vector<int> GetPclClusters(const Cloud::Ptr& cloud, double tolerance, int least)
 {
   pcl::EuclideanClusterExtraction<pcl::PointXYZ> extraction;
@@ -92,7 +92,7 @@ std::vector<int> GetPclClusters(const Cloud::Ptr& cloud, double tolerance, int l
   return ids;
 }
 
-/// The same without any library: each pair of points. By float, as PCL has its points.
+/// The same without a library: each pair of points, in float like PCL's points.
 std::vector<int> GetFirstByPairs(const Cloud& cloud, double tolerance)
 {
   std::vector<int> first(cloud.size());
@@ -191,8 +191,8 @@ TEST_CASE("PCLClusters: what all pairs of points say", "[PCLClusters]")
   CHECK(run.Filter->GetNumberOfClusters() > 10);
 }
 
-// Two dense sheets a little farther apart than the tolerance: all pairs of a cell with its neighbours
-// would be 4e10. Counted by the reports, one for some 2.6e5 points looked at.
+// Two dense sheets slightly farther apart than the tolerance: all pairs of a cell with its
+// neighbours would be 4e10. Counted by the reports, one per about 2.6e5 points read.
 TEST_CASE("PCLClusters: dense points that are not joined cost n log n", "[PCLClusters]")
 {
   helios::Uniform uniform(9);

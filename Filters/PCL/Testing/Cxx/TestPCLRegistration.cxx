@@ -18,8 +18,8 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// What a scanner at a place in a room of 12 x 8 x 3 m with two boxes hits: rays by equal angles, so
-/// that no two scans have a point in common.
+/// Hits of a scanner in a room of 12 x 8 x 3 m with two boxes: rays by equal angles, so that no two
+/// scans have a point in common.
 helios::Triples ScanRoom(const helios::Triple& scanner, int rows, double turn)
 {
   struct Box
@@ -80,7 +80,7 @@ struct Registering : helios::Filtering<vtkHeliosPCLRegistration>
   }
 };
 
-/// A rotation about the place in UTM, and a shift.
+/// A rotation about the position in UTM, and a translation.
 vtkSmartPointer<vtkTransform> MakeMotion(double degrees, const helios::Triple& shift)
 {
   auto motion = vtkSmartPointer<vtkTransform>::New();
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkPolyData> Move(const helios::Triples& points, vtkTransform* m
   return helios::MakeCloud(moved);
 }
 
-/// The largest distance of the output's points from where they were before they were moved.
+/// The largest distance of the output points from their position before the motion.
 double GetLargestError(Registering& run, const helios::Triples& truth)
 {
   REQUIRE(run.Count() == static_cast<vtkIdType>(truth.size()));
@@ -135,7 +135,7 @@ TEST_CASE(
   CHECK(error < 1e-3);
   CHECK(run.Filter->GetNumberOfPairs() > 10000);
 
-  // the matrix says the same: there and back
+  // the matrix agrees: inverse of the motion
   double p[4] = { helios::Utm[0] + 3.0, helios::Utm[1], helios::Utm[2], 1.0 };
   double q[4] = { 0.0, 0.0, 0.0, 1.0 };
   motion->TransformPoint(p, q);
@@ -179,7 +179,7 @@ TEST_CASE("PCLRegistration: vectors turn with the points", "[PCLRegistration]")
   {
     CHECK(std::abs(run.Get(names::Normals)->GetComponent(17, axis) - expected[axis]) < 1e-4);
   }
-  CHECK(normals->GetComponent(17, 0) == 1.0); // the input's stay
+  CHECK(normals->GetComponent(17, 0) == 1.0); // the input's are unchanged
 }
 
 TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")

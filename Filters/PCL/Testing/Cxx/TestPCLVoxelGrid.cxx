@@ -35,9 +35,9 @@ Cell GetCell(const helios::Triple& p, double size)
 
 TEST_CASE("PCLVoxelGrid: the point nearest to the mean of each cell", "[PCLVoxelGrid]")
 {
-  const double size = 0.5; // exact in double: our own cells are those of the grid
+  const double size = 0.5; // exact in double: the cells here are those of the grid
   const helios::Triples points = MakePoints(20000);
-  std::map<Cell, std::pair<helios::Triple, int>> cells; // sum and number
+  std::map<Cell, std::pair<helios::Triple, int>> cells; // sum and count
   for (const helios::Triple& p : points)
   {
     auto& cell = cells[GetCell(p, size)];

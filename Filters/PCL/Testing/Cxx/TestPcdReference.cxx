@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// PCL's own reader takes what we write, and we take what PCL writes.
+// PCL reads the output of vtkHelios, and vtkHelios reads the output of PCL.
 #include "heliosPclCloud.h"
 #include "heliosPclTesting.h"
 #include "vtkHeliosPCDReader.h"
@@ -21,7 +21,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// A file for one test, gone with it.
+/// A temporary file, removed after the test.
 struct TempFile
 {
   std::string Folder = (std::filesystem::temp_directory_path() / "vtkHeliosXXXXXX").string();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Echoes to PCL and back: within 0.1 mm of where they were, at UTM coordinates, with their arrays.
+// Echoes to PCL and back: within 0.1 mm of the original, at UTM coordinates, with their arrays.
 #include "heliosPclCloud.h"
 #include "heliosPclTesting.h"
 
@@ -16,7 +16,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// Points up to 1 km from a place in UTM, with every array that a point type has a field for.
+/// Points up to 1 km from a position in UTM, with every array that a point type has a field for.
 vtkSmartPointer<vtkPolyData> MakeEchoes(vtkIdType count)
 {
   helios::Uniform uniform(3);
@@ -183,6 +183,6 @@ TEST_CASE("PclCloud: arrays of another shape or type are named", "[PclCloud]")
   echoes->GetPointData()->AddArray(text);
   CHECK(helios::ToPcl(echoes, origin, cloud).find("GpsTime holds 10 x 1 values (string)") !=
     std::string::npos);
-  pcl::PointCloud<pcl::PointXYZ> places; // has no field for it
+  pcl::PointCloud<pcl::PointXYZ> places; // without such a field
   CHECK(helios::ToPcl(echoes, origin, places).empty());
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds for the tests of filters on PCL, and the run of a filter.
+// Clouds and a filter runner for the tests of PCL filters.
 
 #ifndef heliosPclTesting_h
 #define heliosPclTesting_h
@@ -31,13 +31,13 @@
 namespace helios
 {
 
-/// Of this namespace, so that its + is found.
+/// In this namespace, for lookup of its operator+.
 struct Triple : std::array<double, 3>
 {
 };
 using Triples = std::vector<Triple>;
 
-// A place in UTM, with the decimals that float loses.
+// A position in UTM, with decimals beyond float precision.
 constexpr Triple Utm = { 476123.4567, 5473987.6543, 312.3456 };
 
 inline Triple operator+(const Triple& a, const Triple& b)
@@ -58,7 +58,7 @@ void AddColumn(vtkFieldData* data, const char* name, vtkIdType count, ValueT val
   data->AddArray(array);
 }
 
-/// A cloud of points with their numbers as PulseIds, which tell them again.
+/// A cloud of points with their ids as PulseIds, for identification.
 inline vtkSmartPointer<vtkPolyData> MakeCloud(const Triples& triples)
 {
   auto cloud = vtkSmartPointer<vtkPolyData>::New();
@@ -78,7 +78,7 @@ inline vtkSmartPointer<vtkPolyData> MakeCloud(const Triples& triples)
   return cloud;
 }
 
-/// The same random numbers everywhere, whatever the library.
+/// The same random numbers on all platforms, for any library.
 class Uniform
 {
 public:
@@ -90,7 +90,7 @@ public:
   {
     return low + (high - low) * (static_cast<double>(this->Generator()) + 0.5) / 4294967296.0;
   }
-  /// Of mean 0 and standard deviation 1.
+  /// With mean 0 and standard deviation 1.
   double Normal()
   {
     return std::sqrt(-2.0 * std::log((*this)(0.0, 1.0))) * std::cos((*this)(0.0, 2.0 * M_PI));
@@ -100,7 +100,7 @@ private:
   std::mt19937 Generator;
 };
 
-/// A filter and what it says.
+/// A filter with recorded messages.
 template <typename FilterT>
 struct Filtering
 {
@@ -139,13 +139,13 @@ struct Filtering
   {
     return this->Output()->GetFieldData()->GetArray(name);
   }
-  /// The number of the input's point that a point of the output is.
+  /// The input id of an output point.
   vtkIdType GetId(vtkIdType point)
   {
     return static_cast<vtkIdType>(this->Get(vtkHeliosArrayNames::PulseIds)->GetTuple1(point));
   }
 
-  /// How many points of the output are not those of the input, bit by bit.
+  /// The number of output points that are not input points, bit by bit.
   vtkIdType CountMoved()
   {
     auto* input = vtkPolyData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clouds of PCL in Python: views without copies, which outlive their cloud; and the filters."""
+"""PCL clouds in Python: views without copies, which outlive their cloud; and the filters."""
 
 import gc
 
@@ -76,7 +76,7 @@ def test_views_outlive_their_cloud():
     expected = points.copy()
     del cloud
     gc.collect()
-    others = [np.full(100000, i, np.float64) for i in range(50)]  # takes what was freed
+    others = [np.full(100000, i, np.float64) for i in range(50)]  # reuses freed memory
     assert (points == expected).all() and (intensity == np.arange(100000)).all()
     del others
 
@@ -156,7 +156,7 @@ def test_pcd_there_and_back(tmp_path):
 
 
 def test_planes_are_silent(capfd):
-    """Points on a line are no plane: PCL would tell standard error of each three it tries."""
+    """Collinear points are not a plane: PCL would report each sample of three to stderr."""
     random = np.random.default_rng(1)
     line = np.linspace(0, 10, 1000)[:, None] * [1.0, 0.0, 0.0]
     some = random.uniform(0, 10, (60, 3)) * [1.0, 1.0, 0.0]

@@ -64,7 +64,7 @@ Moments GetMoments(vtkDoubleArray* values)
   return { sum / n, std::sqrt(squares / n) };
 }
 
-/// The area of a strip of n trapezia along an arc, worked out anew.
+/// The area of a strip of n trapezoids along an arc, computed independently.
 double GetStripArea(double length, double width, double droop, double widest, int n)
 {
   const double turn = vtkMath::RadiansFromDegrees(droop) / n;
@@ -100,7 +100,7 @@ TEST_CASE("CropFieldSource: plants stand in rows at their spacing", "[CropFieldS
     CHECK(places->GetComponent(i, 1) == Approx(5500000.25 + 0.1 * (i % 4 - 1.5)).epsilon(1e-14));
     CHECK(places->GetComponent(i, 2) == 100.125);
   }
-  // The stems stand there, and every plant is a part.
+  // The stems are at these positions, and every plant is a part.
   vtkIntArray* parts = helios::GetIds(field->GetOutput(), names::PartIds);
   CHECK(parts->GetValueRange()[0] == 0);
   CHECK(parts->GetValueRange()[1] == 16);
@@ -168,7 +168,7 @@ TEST_CASE("CropFieldSource: chance has the numbers that were set", "[CropFieldSo
   CHECK(GetMoments(offsets).Mean == Approx(0.0).margin(4 * 0.02 / std::sqrt(n)));
   CHECK(GetMoments(offsets).Deviation == Approx(0.02).epsilon(0.02));
 
-  // The height said is that of the stem.
+  // The reported height is that of the stem.
   std::vector<double> tops(static_cast<std::size_t>(n), 0.0);
   vtkIntArray* parts = helios::GetIds(field->GetOutput(), names::PartIds);
   for (vtkIdType i = 2; i < mesh.GetNumberOfTriangles(); ++i)
@@ -220,7 +220,7 @@ TEST_CASE("CropFieldSource: leaf area is that of the strips", "[CropFieldSource]
         for (int leaf = 0; leaf < 8; ++leaf)
         {
           const double level = (leaf / species.Stems + 0.5) / ranks;
-          // A cereal's lower tillers are of the same height: leaves scale with the plant.
+          // A cereal's lower tillers are equally high: leaves scale with the plant.
           const double size = 1.0 - 0.45 * std::pow(2.0 * level - 1.0, 2);
           plant += GetStripArea(0.4 * size, 0.05 * size, droop, species.Widest, segments);
         }
@@ -232,7 +232,7 @@ TEST_CASE("CropFieldSource: leaf area is that of the strips", "[CropFieldSource]
       }
     }
   }
-  // Many parts come close to the parabola: (1 - (0.6^3 + 0.4^3) / 3 / 0.6^2) L W.
+  // Many segments approach the parabola: (1 - (0.6^3 + 0.4^3) / 3 / 0.6^2) L W.
   field->SetSpeciesToMaize();
   field->SetLeavesPerPlant(1);
   field->SetLeafSegments(100);
@@ -290,7 +290,7 @@ TEST_CASE("CropFieldSource: leaves stay above the soil, stems are closed", "[Cro
       field->SetSpecies(species);
       field->SetGroundRoughness(roughness);
       const helios::TriangleMesh mesh = Make(field);
-      // The soil as the field has it: rows, margin and jitter.
+      // The soil of the field: rows, margin and jitter.
       double bounds[6];
       mesh.GetBounds(bounds);
       double soil[2] = { 0.0, 0.0 };
@@ -333,7 +333,7 @@ TEST_CASE(
   "CropFieldSource: the soil between its points is that of its triangles", "[CropFieldSource]")
 {
   const helios::CropGround ground(3.0, 2.0, 0.5, 0.3, 7);
-  // In the middle of an edge or a diagonal it is the mean of the ends.
+  // At the midpoint of an edge or a diagonal it is the mean of the ends.
   const double a = ground.GetHeight(0.5, 0.0);
   const double b = ground.GetHeight(1.0, 0.0);
   const double c = ground.GetHeight(1.0, 0.5);
@@ -364,7 +364,7 @@ TEST_CASE("CropFieldSource: the seed alone decides", "[CropFieldSource]")
   const std::size_t bytes =
     3 * sizeof(double) * static_cast<std::size_t>(first.GetNumberOfPoints());
   CHECK(std::memcmp(first.GetPoints(), second.GetPoints(), bytes) == 0);
-  // Another row leaves the plants of the first ones as they were.
+  // Another row does not change the plants of the first rows.
   b->SetNumberOfRows(4);
   Make(b);
   for (vtkIdType i = 0; i < GetTruth(a, truth::PlantHeight)->GetNumberOfValues(); ++i)
@@ -475,7 +475,7 @@ TEST_CASE("CropFieldSource: says what is wrong", "[CropFieldSource]")
   CHECK(field->GetOutput()->GetNumberOfCells() == 0);
 
   log->Clear();
-  field->SetNumberOfRows(1); // the soil alone is too much
+  field->SetNumberOfRows(1); // the soil alone is too large
   field->SetRowLength(1e3);
   field->SetGroundSpacing(0.001);
   field->Update();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The shapes of single plants, taken from their triangles.
+// The shapes of single plants, measured on their triangles.
 
 #include "heliosCropTesting.h"
 
@@ -17,10 +17,10 @@ using helios::GetTruth;
 using helios::Make;
 using helios::Vec3;
 
-/// A leaf as its first and last triangle have it.
+/// A leaf, from its first and last triangle.
 struct Leaf
 {
-  Vec3 Left; // of its base; of a pointed leaf both are one point
+  Vec3 Left; // of its base; both coincide for a pointed leaf
   Vec3 Right;
   Vec3 Tip;
   int Part;
@@ -34,7 +34,7 @@ struct Leaf
   }
 };
 
-/// All leaves in order, each of so many triangles.
+/// All leaves in order, with this many triangles each.
 std::vector<Leaf> GetLeaves(
   vtkHeliosCropFieldSource* field, const helios::TriangleMesh& mesh, vtkIdType triangles)
 {
@@ -99,7 +99,7 @@ TEST_CASE("CropPlants: maize has its leaves in one plane, and plants face anywhe
   const helios::TriangleMesh mesh = Make(field);
   const std::vector<Leaf> leaves = GetLeaves(field, mesh, 15);
   REQUIRE(leaves.size() == 20 * 21 * 12);
-  double off = 0.0; // from the other side of the stem
+  double off = 0.0; // deviation from the opposite side of the stem
   Vec3 sum(0.0, 0.0, 0.0);
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
@@ -130,7 +130,7 @@ TEST_CASE("CropPlants: leaves go around a stem by the golden angle", "[CropPlant
   const double golden = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    // Each sits at the end of its stalk.
+    // Each is at the end of its stalk.
     const Vec3& base = leaves[i].Left;
     CHECK(std::any_of(stalks.begin(), stalks.end(),
       [&base](const Vec3& corner) { return (corner - base).Norm() < 1e-12; }));
@@ -208,7 +208,7 @@ TEST_CASE("CropPlants: ears grow with the plant", "[CropPlants]")
     const std::vector<Vec3> corners = GetCorners(field, mesh, "crop_ear");
     const auto ends = std::minmax_element(corners.begin(), corners.end(), IsLower);
     CHECK((*ends.second)[2] == Approx(height));
-    // 0.09 m of 0.9 m; its lowest ring is a little tilted.
+    // 0.09 m of 0.9 m; its lowest ring is slightly tilted.
     CHECK((*ends.second)[2] - (*ends.first)[2] == Approx(0.1 * height).epsilon(0.02));
   }
 }

@@ -29,7 +29,7 @@ namespace
 
 using Corner = std::array<double, 3>;
 
-/// A scene by hand: cell i has material id i and the double 10 i, point i the double 100 i.
+/// A handmade scene: cell i has material id i and the double 10 i, point i the double 100 i.
 class Hand
 {
 public:
@@ -92,7 +92,7 @@ std::vector<int> GetMaterialIds(vtkPolyData* scene)
   return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues() };
 }
 
-/// Every array has the right value a cell or point, and every coordinate is one of the input's.
+/// Every array has the right value per cell or point, and every coordinate is one of the input's.
 void CheckFollows(vtkPolyData* input, vtkPolyData* output)
 {
   CHECK(output->GetPoints()->GetDataType() == VTK_DOUBLE);
@@ -126,7 +126,7 @@ TEST_CASE("MeshRepair: of triangles at one place the first stays", "[MeshRepair]
   hand.AddSoup(C, B, D);
   hand.AddSoup(A, B, C);
   hand.AddSoup(A, B, C);
-  hand.AddSoup(C, A, B); // turned
+  hand.AddSoup(C, A, B); // rotated
   hand.AddSoup(A, C, B); // seen from behind
   hand.AddSoup(A, B, D);
   const auto scene = hand.Finish();
@@ -229,7 +229,7 @@ TEST_CASE("MeshRepair: merges points at equal coordinates", "[MeshRepair]")
 
 TEST_CASE("MeshRepair: merges points within a tolerance", "[MeshRepair]")
 {
-  // Pairs 0.9 mm and 1.1 mm apart, 1 m from each other, anywhere on the grid of the search.
+  // Pairs 0.9 mm and 1.1 mm apart, 1 m from each other, anywhere on the search grid.
   std::mt19937 random(3);
   std::uniform_real_distribution<double> anywhere(0.0, 0.002);
   Hand hand;
@@ -254,7 +254,7 @@ TEST_CASE("MeshRepair: merges points within a tolerance", "[MeshRepair]")
   CHECK(repair->GetNumberOfMergedPoints() == near);
   CHECK(repair->GetNumberOfBoundaryEdges() == 6 * 300);
   CheckFollows(scene, repair->GetOutput());
-  // A triangle that the tolerance swallows is degenerate.
+  // A triangle smaller than the tolerance is degenerate.
   repair->SetMergeTolerance(10.0);
   repair->Update();
   CHECK(repair->GetNumberOfDegenerateTriangles() > 0);
@@ -285,7 +285,7 @@ TEST_CASE("MeshRepair: tells boundary, non-manifold and inconsistent edges", "[M
   hand.AddSoup(A, B, C); // with the next two: a fan about A B, and an edge B C
   hand.AddSoup(B, A, { 0, 0, 1 });
   hand.AddSoup(A, B, { 0, 0, -1 });
-  hand.AddSoup(B, C, D); // runs along B C as the first does
+  hand.AddSoup(B, C, D); // goes along B C in the direction of the first
   hand.AddSoup({ 5, 0, 0 }, { 6, 0, 0 }, { 5, 1, 0 });
   vtkNew<vtkHeliosMeshRepair> repair;
   repair->SetInputData(hand.Finish());

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions of parts against their closed forms.
+// Motions of parts compared with their closed forms.
 #include "heliosPartMotion.h"
 
 #include <catch2/catch.hpp>
@@ -113,7 +113,7 @@ TEST_CASE("PartMotion: about the centroid, wherever it has gone", "[PartMotion]"
   spin.IsSelf = true;
   CheckPoint(Endless(spin, centroid).GetMap(1) * Vec3(11, 0, 0), Vec3(10, 1, 0), 1e-15);
 
-  // A planet: a step round the origin, and one on its own axis.
+  // A planet: a step around the origin, and one around its own axis.
   const PartMotion planet(
     { { { Make(MotionKind::Rotation, Vec3(0, 0, 1), 2), spin }, 0, None } }, centroid);
   for (const int k : { 1, 7, 100001 })
@@ -124,7 +124,7 @@ TEST_CASE("PartMotion: about the centroid, wherever it has gone", "[PartMotion]"
       Vec3(10 * std::cos(path) + std::cos(all), 10 * std::sin(path) + std::sin(all), 0), 1e-11);
   }
 
-  Motion arm = spin; // about a point beside the centroid: it goes in a circle step by step
+  Motion arm = spin; // about a point beside the centroid, which moves on a circle
   arm.Center = Vec3(1, 0, 0);
   CheckPoint(Endless(arm, centroid).GetMap(1) * centroid, Vec3(11, -1, 0), 1e-15);
   CheckPoint(Endless(arm, centroid).GetMap(2) * centroid, Vec3(12, -2, 0), 1e-15);
@@ -173,7 +173,7 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
   }
   SECTION("and begin again")
   {
-    // once 2 x; then 3 y, 5 steps of rest, again and again
+    // once 2 x; then 3 y and 5 steps of rest, repeated
     const PartMotion motion({ { { x }, 2, 1 }, { { y }, 3, 2 }, { { rest }, 5, 1 } });
     CheckPoint(motion.GetMap(1) * o, Vec3(1, 0, 0), 0.0);
     CheckPoint(motion.GetMap(2) * o, Vec3(2, 0, 0), 0.0);

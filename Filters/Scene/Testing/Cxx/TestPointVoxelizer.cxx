@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Solid cells from points: which cells, which faces, whatever the order and the pieces.
+// Solid voxels from points: cells and faces, for any order and pieces.
 #include "heliosVoxelGrid.h"
 #include "heliosVoxelTesting.h"
 #include "vtkHeliosMemoryLimit.h"
@@ -43,7 +43,7 @@ Triples MakeRandomPoints(int count, double size, unsigned seed = 7)
   return points;
 }
 
-/// How often a line through a scene enters and leaves it, and how long it is inside.
+/// The number of entries and exits of a line through a scene, and its length inside.
 struct Chord
 {
   int Crossings = 0;
@@ -79,7 +79,7 @@ Chord Cut(vtkPolyData* scene, const helios::Vec3& origin, const helios::Vec3& di
 
 TEST_CASE("PointVoxelizer: lattice points are where their decimals say", "[PointVoxelizer]")
 {
-  // x = (x0 + k step) / 1000 as whole numbers: the quotient is the double nearest to the decimal.
+  // x = (x0 + k step) / 1000 as integers: the quotient is the double nearest to the decimal.
   int wrong = 0;
   int wrongByFloor = 0;
   int wrongInside = 0;
@@ -104,7 +104,7 @@ TEST_CASE("PointVoxelizer: lattice points are where their decimals say", "[Point
   CHECK(count == 300015);
   CHECK(wrong == 0);
   CHECK(wrongInside == 0);
-  CHECK(wrongByFloor > 6457); // what the rule is for
+  CHECK(wrongByFloor > 6457); // the errors that the rule avoids
 }
 
 TEST_CASE("PointVoxelizer: cells are half-open", "[PointVoxelizer]")
@@ -114,7 +114,7 @@ TEST_CASE("PointVoxelizer: cells are half-open", "[PointVoxelizer]")
   CHECK(helios::GetVoxelIndex(std::nextafter(0.3, 0.0) - 1e-15, 0.0, s) == 2.0);
   CHECK(helios::GetVoxelIndex(0.3, 0.0, s) == 3.0);
   CHECK(helios::GetVoxelIndex(0.3999999, 0.0, s) == 3.0);
-  // Of float coordinates the decimals end sooner.
+  // For float coordinates decimals end sooner.
   for (int k = 0; k < 2000; ++k)
   {
     const float x = static_cast<float>(1000.0 + k / 10.0);
@@ -171,7 +171,7 @@ TEST_CASE("PointVoxelizer: no faces between solid cells", "[PointVoxelizer]")
   CHECK(helios::GetVolume(shell.Scene()) == Approx(26.0).epsilon(1e-14));
   CHECK(helios::CountUnbalancedEdges(shell.Scene()) == 0);
 
-  // Layers with nothing between them share no corners.
+  // Layers with a gap share no corners.
   Voxelizing layers(MakeCloud({ { 0, 0, 0 }, { 0, 0, 2 }, { 0, 0, 7 }, { 0, 0, 8 } }), 1.0);
   REQUIRE(layers.Run());
   CHECK(layers.FaceCount() == 22);
@@ -188,7 +188,7 @@ TEST_CASE("PointVoxelizer: a line through a block enters and leaves it once", "[
   Voxelizing block(MakeCloud(points), 0.1);
   REQUIRE(block.Run());
   CHECK(block.Filter->GetNumberOfVoxels() == 1000);
-  // Beside the diagonal by so little that the chord is the same, and off the edges.
+  // So close to the diagonal that the chord is the same, but off the edges.
   const helios::Vec3 origin(-1.0 + 1e-9, -1.0 + 3e-9, -1.0);
   const double third = 1.0 / std::sqrt(3.0);
   const Chord chord = Cut(block.Scene(), origin, { third, third, third });
@@ -229,7 +229,7 @@ TEST_CASE(
     there.emplace_back();
     for (int axis = 0; axis < 3; ++axis)
     {
-      const std::int64_t units = i == 0 ? 0 : random() % 1000; // 0.01 m, so many at faces of cells
+      const std::int64_t units = i == 0 ? 0 : random() % 1000; // 0.01 m, so many are on cell faces
       here.back()[axis] = static_cast<double>(units) / 100.0;
       there.back()[axis] = static_cast<double>(units + 100 * offset[axis]) / 100.0;
     }
@@ -275,7 +275,7 @@ TEST_CASE("PointVoxelizer: materials in turn, and the numbers of cells", "[Point
   Voxelizing row(MakeCloud({ { 6, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 }, { 0, 0, 0 } }), 1.0);
   REQUIRE(row.Run());
   CHECK(helios::GetMaterials(row.Scene()).size() == 1);
-  CHECK(row.Scene()->GetCellData()->GetNumberOfArrays() == 1); // only what is asked
+  CHECK(row.Scene()->GetCellData()->GetNumberOfArrays() == 1); // no optional arrays
   row.Filter->SetNumberOfMaterials(3);
   row.Filter->GenerateVoxelIdsOn();
   REQUIRE(row.Run());
@@ -351,19 +351,19 @@ TEST_CASE("PointVoxelizer: a large source is asked for pieces of bounded size", 
   CHECK(voxels.Filter->GetNumberOfPoints() == 100000);
   CHECK(voxels.Filter->GetNumberOfVoxels() == 1000);
   CHECK(source->Largest <= 4 * 2000);
-  // Nothing has changed: nothing is asked again.
+  // Without changes nothing is requested again.
   source->Asked.clear();
   voxels.Run();
   CHECK(source->Asked.empty());
   vtkInformation* output = voxels.Filter->GetOutputInformation(0);
-  CHECK(!output->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST())); // the output comes whole
+  CHECK(!output->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST())); // the output is complete
 }
 
 TEST_CASE("PointVoxelizer: field data pass", "[PointVoxelizer]")
 {
   vtkNew<helios::PieceSource> source;
   source->Cloud = MakeCloud(MakeRandomPoints(100, 9.0));
-  vtkNew<vtkIntArray> extra; // stands for any array, the coordinate system's too
+  vtkNew<vtkIntArray> extra; // represents any array, e.g. the coordinate system
   extra->SetName(names::CRS);
   extra->InsertNextValue(32632);
   source->Cloud->GetFieldData()->AddArray(extra);
@@ -504,5 +504,5 @@ TEST_CASE("PointVoxelizer: stops within a piece when told to", "[PointVoxelizer]
   Voxelizing cloud(MakeCloud(MakeRandomPoints(200000, 20.0)), 1.0);
   cloud.Filter->AddObserver(vtkCommand::ProgressEvent, &watch, &Stop::Count);
   CHECK(cloud.FailsWith("Voxelizing was aborted at " + std::string(stop.second)));
-  CHECK(watch.Steps == 0); // and none after
+  CHECK(watch.Steps == 0); // no step afterwards
 }

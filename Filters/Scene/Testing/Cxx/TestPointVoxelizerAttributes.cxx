@@ -46,7 +46,7 @@ Triples MakePlane(const Vec3& normal, double noise, const Vec3& centre)
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-0.28, 0.28);
   std::normal_distribution<double> gauss(0.0, 1.0);
-  Triples points = { { centre[0] - 0.5, centre[1] - 0.5, centre[2] - 0.5 } }; // starts the grid
+  Triples points = { { centre[0] - 0.5, centre[1] - 0.5, centre[2] - 0.5 } }; // origin of the grid
   for (int i = 0; i < 2000; ++i)
   {
     const Vec3 p =
@@ -80,9 +80,9 @@ TEST_CASE(
   Voxelizing cells(MakeCloud(points, normals), 1.0);
   cells.Filter->SnapNeighborNormalOn();
   REQUIRE(cells.Run());
-  CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0)); // of those that have one
+  CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0)); // of those with a normal
 
-  // Of points in one place neither the first nor the last, but the same in any order.
+  // For coincident points neither the first nor the last, but the same for any order.
   const Triples place = { { 0, 0, 0 }, { 0.5, 0.5, 0.5 }, { 0.5, 0.5, 0.5 } };
   for (const Triples& twins : { Triples{ { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 } },
          Triples{ { 0, 0, 1 }, { 0, 1, 0 }, { 1, 0, 0 } } })
@@ -146,7 +146,7 @@ TEST_CASE("PointVoxelizer: planes are fitted", "[PointVoxelizerAttributes]")
       cells.Filter->SetInputData(MakeCloud(points));
       REQUIRE(cells.Run());
       const double turn = GetAngle(GetTriple(cells.Scene(), names::Normals, 12), normal);
-      const double angle = std::min(turn, std::acos(-1.0) - turn); // of level ones either is up
+      const double angle = std::min(turn, std::acos(-1.0) - turn); // horizontal: either is up
       CHECK(angle < 4.0 * 0.01 / (0.16 * std::sqrt(2000.0)));
       CHECK(angle > 0.0);
     }
@@ -169,7 +169,7 @@ TEST_CASE("PointVoxelizer: no plane through two points or a line", "[PointVoxeli
     REQUIRE(cells.Run());
     CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0));
   }
-  // Their own normals do not matter then.
+  // The points' own normals are then ignored.
   Voxelizing cells(MakeCloud(two, { { 1, 0, 0 }, { 1, 0, 0 } }), 1.0);
   cells.Filter->EstimateNormalsOn();
   cells.Filter->SetDefaultNormal(0, 1, 0);
@@ -224,6 +224,6 @@ TEST_CASE(
   cloud->SetPoints(points);
   Voxelizing cells(cloud, 0.1);
   REQUIRE(cells.Run());
-  CHECK(cells.Filter->GetNumberOfVoxels() == 1000); // none shares a cell, none is left out
+  CHECK(cells.Filter->GetNumberOfVoxels() == 1000); // one point per cell, no cell missing
   CHECK(cells.Scene()->GetPoints()->GetDataType() == VTK_DOUBLE);
 }

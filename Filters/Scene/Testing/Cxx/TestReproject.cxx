@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<std::array<double, 3>>
   return data;
 }
 
-/// A hilly mesh over a square [m] about a place, triangles counter-clockwise from above.
+/// A hilly mesh over a square [m] at a position, triangles counter-clockwise from above.
 vtkSmartPointer<vtkPolyData> MakeHills(double x0, double y0, double size, int count)
 {
   vtkNew<vtkPoints> points;
@@ -243,7 +243,7 @@ TEST_CASE("Reproject: directions turn by the convergences of both grids", "[Repr
   reproject->Update();
   vtkPointData* turned = reproject->GetOutput()->GetPointData();
 
-  // Grid north of zone 32 lies Convergence east of north here, that of zone 33 as much west of it.
+  // Grid north of zone 32 is Convergence east of north here, that of zone 33 equally far west.
   const double angle = vtkMath::RadiansFromDegrees(2.0 * Convergence);
   const helios::Vec3 velocity(turned->GetArray(names::Velocity)->GetTuple3(0));
   CHECK(velocity[0] == Approx(5.0 * std::sin(angle)).margin(1e-8));

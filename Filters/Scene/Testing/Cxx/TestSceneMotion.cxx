@@ -39,7 +39,7 @@ void CheckPoint(vtkPolyData* scene, vtkIdType point, double x, double y, double 
   CHECK((p - helios::Vec3(x, y, z)).Norm() < 1e-14);
 }
 
-/// A filter on a scene, whose part 1 rises.
+/// A filter on a scene; part 1 rises.
 struct Rising
 {
   vtkSmartPointer<vtkPolyData> Scene = MakeScene();
@@ -139,7 +139,7 @@ TEST_CASE("SceneMotion: normals turn with their part", "[SceneMotion]")
 TEST_CASE("SceneMotion: the centroid is that of the area", "[SceneMotion]")
 {
   Rising rising;
-  // a second triangle of part 2 without area far away changes nothing
+  // a distant second triangle of part 2 with zero area changes nothing
   vtkNew<vtkPolyData> scene;
   scene->DeepCopy(rising.Scene);
   scene->GetPoints()->InsertNextPoint(90, 0, 0);

@@ -18,7 +18,7 @@ namespace
 
 const double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A part of one triangle, its first corner there.
+/// A part of one triangle with its first corner at x, y, z.
 vtkSmartPointer<vtkPolyData> MakePart(double x, double y, double z)
 {
   auto part = helios::MakeTriangle(0.0, { helios::Material() });

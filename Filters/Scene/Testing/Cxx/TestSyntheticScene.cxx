@@ -15,7 +15,7 @@ namespace
 {
 namespace names = vtkHeliosArrayNames;
 
-/// A scene as triangles, checked for what every scene promises.
+/// A scene as triangles, checked for the guarantees of every scene.
 helios::TriangleMesh Make(vtkHeliosSyntheticScene* source)
 {
   source->Update();
@@ -52,7 +52,7 @@ double GetBound(const helios::TriangleMesh& mesh, int index)
   return bounds[index];
 }
 
-/// The triangles of one material, points shared as in the whole.
+/// The material names of a scene.
 std::set<std::string> GetMaterialNames(vtkPolyData* scene)
 {
   std::set<std::string> used;
@@ -136,7 +136,7 @@ TEST_CASE("SyntheticScene: all points of the sphere lie on it", "[SyntheticScene
       worst = std::max(worst, std::abs(helios::Vec3(mesh.GetPoints() + 3 * i).Norm() - 3.0));
     }
     CHECK(worst < 2e-15);
-    // A chord mesh holds a little less than the ball.
+    // An inscribed mesh has slightly less volume than the ball.
     const double ball = vtkMath::Pi() * 36.0;
     CHECK(helios::GetVolume(mesh) < ball);
     CHECK(helios::GetVolume(mesh) > ball * (1.0 - 0.6 / (parts * parts)));
@@ -181,7 +181,7 @@ TEST_CASE("SyntheticScene: terrain follows its closed form", "[SyntheticScene]")
   CHECK(worst < 1e-9);
   CHECK(GetBound(mesh, 4) > 300.0 - 7.5);
   CHECK(GetBound(mesh, 5) < 300.0 + 7.5);
-  CHECK(GetBound(mesh, 5) - GetBound(mesh, 4) > 3.0); // hills there are
+  CHECK(GetBound(mesh, 5) - GetBound(mesh, 4) > 3.0); // hills exist
   for (vtkIdType i = 0; i < mesh.GetNumberOfTriangles(); ++i)
   {
     REQUIRE(mesh.GetNormal(i)[2] > 0.5);
@@ -202,7 +202,7 @@ TEST_CASE("SyntheticScene: blocks stand on the ground, the centre is free", "[Sy
   CHECK(GetClasses(source) == std::set<int>({ 2, 6 }));
   CHECK(GetBound(mesh, 5) <= 10.0);
   CHECK(GetBound(mesh, 4) == Approx(-0.5));
-  CHECK(GetBound(mesh, 1) == 50.0); // no block reaches over the ground
+  CHECK(GetBound(mesh, 1) == 50.0); // no block extends beyond the ground
   for (vtkIdType i = 50; i < mesh.GetNumberOfTriangles(); ++i)
   {
     const double* p = mesh.GetCorner(i, 0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of vegetation as cubes, against counts and volumes.
+// Cells of vegetation as cubes, compared with counts and volumes.
 #include "heliosErrorObserver.h"
 #include "heliosMaterialTable.h"
 #include "vtkHeliosArrayNames.h"
@@ -129,10 +129,10 @@ TEST_CASE("VoxelCubes: which cells are opaque", "[VoxelCubes]")
     run.Update();
     return run.Filter->GetNumberOfCubes();
   };
-  // Without a transmittance: what has leaves.
+  // Without a transmittance: cells with leaves.
   CHECK(count(MakeGrid(7, 1, 1, pads), false) == 4);
   CHECK(count(MakeGrid(7, 1, 1, pads), true) == 4);
-  // With one: what is less than 1, whatever its density; scaled cubes need a size, too.
+  // With one: cells below 1, of any density; scaled cubes also need a size.
   const auto grid = MakeGrid(7, 1, 1, pads, { 0.5, 0.9, NaN, 1.0, 0.0, NaN, 0.0 });
   CHECK(count(grid, false) == 4);
   CHECK(count(grid, true) == 2);
@@ -146,7 +146,7 @@ TEST_CASE("VoxelCubes: scaled cubes have their share of the edge", "[VoxelCubes]
   CHECK(run.Filter->GetNumberOfCubes() == 3);
   REQUIRE(scene->GetNumberOfCells() == 36);
   CHECK(GetVolume(scene) == Approx(0.125 * (1.0 + std::pow(0.5, 3) + std::pow(0.25, 3))));
-  // The second cube is about the centre of its cell.
+  // The second cube is centred in its cell.
   CHECK(scene->GetPoint(8)[0] == Approx(10.5 + 0.125));
   CHECK(scene->GetPoint(8)[1] == Approx(20.125));
   run.Filter->SetExponent(1.0 / 3.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields of crops for tests, and what they say of themselves.
+// Crop fields for tests, and their ground truth arrays.
 
 #ifndef heliosCropTesting_h
 #define heliosCropTesting_h
@@ -20,7 +20,7 @@
 namespace helios
 {
 
-/// A field as triangles, checked for what every scene promises.
+/// A field as triangles, checked for the guarantees of every scene.
 inline TriangleMesh Make(vtkHeliosCropFieldSource* field)
 {
   field->Update();
@@ -57,7 +57,7 @@ inline std::vector<bool> FindMaterial(vtkHeliosCropFieldSource* field, const std
   return is;
 }
 
-/// Everything is where it should be and as it should be.
+/// Disables all random variation.
 inline void MakeExact(vtkHeliosCropFieldSource* field)
 {
   field->SetEmergence(1.0);

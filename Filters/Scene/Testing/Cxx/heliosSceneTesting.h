@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of scenes measure on them.
+// Measurements on scenes, shared by the tests.
 
 #ifndef heliosSceneTesting_h
 #define heliosSceneTesting_h
@@ -25,7 +25,7 @@
 namespace helios
 {
 
-/// A triangle at x, its material id 0 of a table of the given materials.
+/// A triangle at x, with material id 0 of a table of the given materials.
 inline vtkSmartPointer<vtkPolyData> MakeTriangle(
   double x, const MaterialTable& materials, bool narrow = true, int precision = VTK_DOUBLE)
 {
@@ -61,7 +61,7 @@ inline vtkIntArray* GetIds(vtkPolyData* scene, const char* name)
   return vtkIntArray::SafeDownCast(scene->GetCellData()->GetArray(name));
 }
 
-/// The directed edges that are not met by exactly one edge the other way.
+/// The number of directed edges not matched by exactly one opposite edge.
 inline int CountOpenEdges(const TriangleMesh& mesh)
 {
   std::map<std::pair<int, int>, int> edges;
@@ -82,7 +82,7 @@ inline int CountOpenEdges(const TriangleMesh& mesh)
   return open;
 }
 
-/// The volume a closed mesh holds, positive where its normals look outward.
+/// The volume of a closed mesh, positive for outward normals.
 inline double GetVolume(const TriangleMesh& mesh)
 {
   double volume = 0.0;

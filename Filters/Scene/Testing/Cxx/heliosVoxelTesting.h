@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds for the voxelizer, at once and piece by piece, and what tests measure on the cells.
+// Point clouds for the voxelizer, complete and in pieces, and measurements on the cells.
 
 #ifndef heliosVoxelTesting_h
 #define heliosVoxelTesting_h
@@ -63,7 +63,7 @@ inline vtkSmartPointer<vtkPolyData> MakeCloud(
   return cloud;
 }
 
-/// A cloud that answers requests for pieces, and fails at one if it is told so.
+/// A cloud that supports pieces, and can fail at a given one.
 class PieceSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -71,11 +71,11 @@ public:
   vtkTypeMacro(PieceSource, vtkPolyDataAlgorithm);
 
   vtkSmartPointer<vtkPolyData> Cloud;
-  std::set<int> Asked; // numbers of pieces
+  std::set<int> Asked; // piece numbers
   vtkIdType Largest = 0;
   int FailingPiece = -1;
-  int BarePiece = -1;                               // comes without attributes
-  std::function<void(int, vtkPolyData*)> OnRequest; // may change what comes; counts from 0
+  int BarePiece = -1;                               // piece without attributes
+  std::function<void(int, vtkPolyData*)> OnRequest; // may change the piece delivered; counts from 0
   int NumberOfRequests = 0;
 
 protected:
@@ -125,7 +125,7 @@ protected:
 };
 inline vtkStandardNewMacro(PieceSource);
 
-/// A voxelizer whose messages are kept.
+/// A voxelizer with recorded messages.
 struct Voxelizing
 {
   vtkNew<vtkHeliosPointVoxelizer> Filter;
@@ -162,7 +162,7 @@ struct Voxelizing
   vtkIdType FaceCount() { return this->Scene()->GetNumberOfPolys() / 2; }
 };
 
-/// Directed edges that are not met by as many the other way.
+/// Directed edges not matched by as many opposite ones.
 inline int CountUnbalancedEdges(vtkPolyData* scene)
 {
   TriangleMesh mesh;
@@ -203,7 +203,7 @@ inline bool HaveSameBytes(vtkDataArray* a, vtkDataArray* b)
       static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
 }
 
-/// Points, corners and cell arrays, byte for byte.
+/// Compares points, corners and cell arrays, byte by byte.
 inline bool HaveSameBytes(vtkPolyData* a, vtkPolyData* b)
 {
   bool isSame = a->GetNumberOfPoints() == b->GetNumberOfPoints() &&

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The village that Data/Scenes/make_village.py makes, and the surveys that go there."""
+"""The village of Data/Scenes/make_village.py, and its surveys."""
 
 import importlib.util
 import math

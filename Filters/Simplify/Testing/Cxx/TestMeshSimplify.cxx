@@ -46,7 +46,7 @@ using helios::Vec3;
 namespace
 {
 
-/// A grid of squares of a side, at heights of a function; material and part by place.
+/// A grid of squares of a side, with heights by a function; material and part by position.
 vtkSmartPointer<vtkPolyData> MakeGrid(int cells, double side,
   const std::function<double(double, double)>& height, const Vec3& offset = Vec3(0, 0, 0))
 {
@@ -122,7 +122,7 @@ vtkSmartPointer<vtkPolyData> Simplify(vtkPolyData* scene, double distance)
   return simplify->GetOutput();
 }
 
-/// The largest distance of places all over one surface from the other one, by VTK's locator.
+/// The largest distance of samples of one surface from the other one, by VTK's locator.
 double SampleDistance(vtkPolyData* from, vtkPolyData* to, int steps)
 {
   vtkNew<vtkStaticCellLocator> locator;
@@ -177,7 +177,7 @@ CgalMesh ToCgal(vtkPolyData* scene)
 
 using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
 
-/// The edges, by coordinates, at which triangles of one material and part end.
+/// The edges, by coordinates, where triangles of one material and part end.
 std::set<Edge> GetBorders(vtkPolyData* scene)
 {
   std::map<std::pair<std::pair<int, int>, Edge>, int> uses;
@@ -208,7 +208,7 @@ std::set<Edge> GetBorders(vtkPolyData* scene)
   return borders;
 }
 
-/// Every coordinate is one of the input's, bit by bit, and arrays are those of points and cells.
+/// Every coordinate is one of the input's, bit by bit, and arrays match their points and cells.
 void CheckFollows(vtkPolyData* input, vtkPolyData* output)
 {
   vtkDataArray* pointIds = output->GetPointData()->GetArray("id");
@@ -265,7 +265,7 @@ TEST_CASE("MeshSimplify: a flat grid is its border and nothing else", "[MeshSimp
   simplify->SetMaximumDistance(0.0);
   simplify->Update();
   vtkPolyData* output = simplify->GetOutput();
-  // A polygon of 160 corners takes 158 triangles; a few points inside may be stuck.
+  // A polygon of 160 corners takes 158 triangles; a few interior points may remain.
   CHECK(output->GetNumberOfCells() >= 158);
   CHECK(output->GetNumberOfCells() <= 200);
   CHECK(simplify->GetVerifiedDistance() < 1e-12);
@@ -292,7 +292,7 @@ TEST_CASE("MeshSimplify: keeps within the distance, both ways", "[MeshSimplify]"
     CHECK(simplify->GetVerifiedDistance() <= distance);
     CHECK(there <= simplify->GetVerifiedDistance() + 1e-12);
     CHECK(back <= simplify->GetVerifiedDistance() + 1e-12);
-    CHECK(std::max(there, back) > 0.3 * simplify->GetVerifiedDistance()); // it is no wild guess
+    CHECK(std::max(there, back) > 0.3 * simplify->GetVerifiedDistance()); // the bound is tight
     CHECK(output->GetNumberOfCells() < last);
     CHECK(GetBorders(output) == GetBorders(scene));
     CheckFollows(scene, output);
@@ -323,7 +323,7 @@ TEST_CASE("MeshSimplify: CGAL bounds the distance alike", "[MeshSimplify]")
 
 TEST_CASE("MeshSimplify: a sphere becomes as coarse as its chords allow", "[MeshSimplify]")
 {
-  // A chord of length e is e^2 / (8 rho) below a sphere: triangles are about that size.
+  // A chord of length e is e^2 / (8 rho) below a sphere: this determines the triangle size.
   vtkNew<vtkHeliosSyntheticScene> sphere;
   sphere->SetKindToSphere();
   sphere->SetSize(10.0);
@@ -346,7 +346,7 @@ TEST_CASE("MeshSimplify: a sphere becomes as coarse as its chords allow", "[Mesh
 
 TEST_CASE("MeshSimplify: a scene at UTM coordinates is the same, moved", "[MeshSimplify]")
 {
-  // Coordinates of 2^-10 m, so that moving is exact.
+  // Coordinates of 2^-10 m, so that translation is exact.
   const auto rounded = [](double x, double y) { return std::round(1024.0 * Hills(x, y)) / 1024.0; };
   const Vec3 shift(500000.0, 5500000.0, 300.0);
   const auto local = MakeGrid(40, 0.125, rounded);
@@ -382,7 +382,7 @@ TEST_CASE("MeshSimplify: does not depend on the number of threads", "[MeshSimpli
 
 TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimplify]")
 {
-  // Three flat sheets that meet in one edge of 8 m, each of 8 x 8 squares.
+  // Three flat sheets that share one edge of 8 m, each of 8 x 8 squares.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polys;
@@ -414,7 +414,7 @@ TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimp
   simplify->SetInputData(scene);
   simplify->Update();
   vtkPolyData* output = simplify->GetOutput();
-  CHECK(simplify->GetNumberOfRejectedTriangles() == 3 * 8); // one a square at the edge
+  CHECK(simplify->GetNumberOfRejectedTriangles() == 3 * 8); // one per square at the edge
   CHECK(output->GetNumberOfCells() < scene->GetNumberOfCells());
   vtkNew<vtkHeliosMeshRepair> repair;
   repair->SetInputData(output);
@@ -427,7 +427,7 @@ TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimp
 TEST_CASE(
   "MeshSimplify: what OpenMesh does not take stays, and nothing is printed", "[MeshSimplify]")
 {
-  // Two closed tetrahedra that share an edge, which four triangles meet at.
+  // Two closed tetrahedra that share an edge, which four triangles share.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3& p :
@@ -609,7 +609,7 @@ TEST_CASE("MeshSimplify: stops at any time within one large patch", "[MeshSimpli
     events.Last = last;
     vtkNew<vtkHeliosMeshSimplify> simplify;
     simplify->SetInputData(scene);
-    simplify->SetMaximumDistance(1e-9); // nothing can be taken out: it is all looking
+    simplify->SetMaximumDistance(1e-9); // nothing can be removed: only checks
     vtkNew<vtkCallbackCommand> stop;
     stop->SetClientData(&events);
     stop->SetCallback(CountedEvents::Take);

@@ -16,7 +16,7 @@
 namespace
 {
 
-/// Choose rows of random members, each needing one of its columns: a set cover.
+/// Rows of random columns, each needing one of them: a set cover.
 helios::BinaryProgram MakeCover(int columns, int rows, int each, unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -72,7 +72,7 @@ double GetCost(const helios::BinaryProgram& program, const std::vector<double>& 
   return cost;
 }
 
-/// The processor's time of this thread.
+/// CPU time of this thread.
 double GetThreadSeconds()
 {
   timespec time = {};
@@ -80,7 +80,7 @@ double GetThreadSeconds()
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The least cost, by trying all.
+/// The minimum cost, by enumeration.
 double TryAll(const helios::BinaryProgram& program)
 {
   double least = 1e300;
@@ -225,13 +225,13 @@ TEST_CASE("wherever a search is stopped, what it says is true", "[BinaryProgram]
       REQUIRE(Holds(program, answer.Values));
       REQUIRE(answer.Bound <= least + 1e-6);
       REQUIRE(answer.IsProved != wasStopped);
-      REQUIRE(calls <= last); // nothing is asked any more
+      REQUIRE(calls <= last); // no further calls
     }
   }
 }
 
-// CBC's own limit is of the processor's time. With busy threads, 8 a core, a search of 2 s on the wall
-// has less than that, and the less the busier the machine is.
+// CBC's own limit is CPU time. With busy threads, 8 per core, a search of 2 s wall time has less
+// CPU time than that, and the less the busier the machine is.
 TEST_CASE("the time limit is that of the clock on the wall", "[BinaryProgram]")
 {
   std::atomic<bool> isOver{ false };

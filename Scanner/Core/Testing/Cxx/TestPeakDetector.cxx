@@ -161,7 +161,7 @@ TEST_CASE("PeakDetector: in noise a window does as well with fine bins", "[PeakD
     const double bound = std::sqrt(2.0 * Sigma * bin / std::sqrt(std::acos(-1.0))) / snr;
     return std::sqrt(sum / pulses) / bound;
   };
-  // Three samples: 11 and 2.1 times the bound of Cramer and Rao (accuracy.md A3).
+  // Three samples: 11 and 2.1 times the Cramer-Rao bound (accuracy.md A3).
   CHECK(errorOverBound(0.25, 0.0) > 5.0);
   CHECK(errorOverBound(1.0, 0.0) > 1.8);
   CHECK(errorOverBound(0.25, 1.0) < 1.9);
@@ -186,7 +186,7 @@ TEST_CASE("PeakDetector: of maxima too near each other the largest counts", "[Pe
     return bins;
   };
   CHECK(timesOf(0.0) == std::vector<int>{ 1, 3, 5, 7, 12 });
-  CHECK(timesOf(2.0) == std::vector<int>{ 1, 3, 5, 7, 12 }); // nearer than, not as near as
+  CHECK(timesOf(2.0) == std::vector<int>{ 1, 3, 5, 7, 12 }); // nearer than, exclusive
   CHECK(timesOf(2.1) == std::vector<int>{ 3, 12 }); // the first of two equal ones, itself too near
   CHECK(timesOf(20.0) == std::vector<int>{ 3 });
 }

@@ -28,7 +28,7 @@ struct Row
   double MeanShift, WidthNs, Ratio;
 };
 
-/// A plane that the y axis meets at a range and an incidence.
+/// A plane at a range on the y axis, with an incidence.
 vtkSmartPointer<vtkPolyData> MakeTilted(double range, double degrees, double half)
 {
   const Vec3 slope(0, std::sin(degrees * Degree), std::cos(degrees * Degree));
@@ -47,7 +47,7 @@ TEST_CASE("PlaneEcho: moments of the beam", "[PlaneEcho]")
     CHECK(2 * beam.Variance == Approx(moment).epsilon(1e-14));
   }
   CHECK(helios::BeamMoments(2.0, 12.0).Excess == Approx(0).margin(1e-12));
-  CHECK(helios::BeamMoments(2.0, 0.1).Excess == Approx(-1).epsilon(1e-2)); // an even disc
+  CHECK(helios::BeamMoments(2.0, 0.1).Excess == Approx(-1).epsilon(1e-2)); // a uniform disc
 }
 
 TEST_CASE("PlaneEcho: width, amplitude and mean range of the table", "[PlaneEcho]")
@@ -73,7 +73,8 @@ TEST_CASE("PlaneEcho: width, amplitude and mean range of the table", "[PlaneEcho
 
 TEST_CASE("PlaneEcho: beam correction on a slope of 85 degrees", "[PlaneEcho]")
 {
-  // 1 + 3 s^2 (tan^2 - 1) - 1 = 2.4308e-3 for w = 5 mrad; so short a range widens nothing.
+  // 1 + 3 s^2 (tan^2 - 1) - 1 = 2.4308e-3 for w = 5 mrad; at this short range the widening
+  // is negligible.
   const helios::PlaneModel model{ helios::BeamMoments(1e-2, 12.0), Sigma };
   const helios::PlaneEcho echo = model.GetEcho(1e-3, 1e-3, std::tan(85 * Degree), 1.0);
   CHECK(echo.Power - 1 == Approx(2.4308e-3).epsilon(1e-4));
@@ -93,7 +94,8 @@ TEST_CASE("PlaneEcho: by tolerance the scanner agrees with ten thousand sub-rays
     bench.Scanner->SetDuration(1e-5);
     vtkHeliosBeamSampler* sampler = bench.Scanner->GetBeamSampler();
     sampler->SetBeamDivergence(1e-3);
-    // Rings have converged by far; in finer bins the width is lost in the rounding of the samples.
+    // Rings have converged by far; with finer bins the width is limited by the rounding of the
+    // samples.
     sampler->SetPatternToGaussLegendre();
     sampler->SetNumberOfRings(50);
     vtkPolyData* echoes = bench.Run();

@@ -44,7 +44,7 @@ std::array<double, 4> GetMoments(Noise* noise, int component, int count)
   return sums;
 }
 
-/// A scanner that looks along y at a wall, with noise.
+/// A scanner facing a wall along y, with noise.
 struct NoiseBench : Bench
 {
   vtkNew<Noise> Shaking;
@@ -157,7 +157,7 @@ TEST_CASE("PlatformNoise: clipped values are the limits", "[PlatformNoise]")
     low += z == -1;
     high += z == 0.5;
   }
-  // The shares of the normal distribution beyond them.
+  // The fractions of the normal distribution beyond them.
   const double shares[2] = { 0.5 * std::erfc(std::sqrt(0.5)),
     0.5 * std::erfc(0.5 * std::sqrt(0.5)) };
   CHECK(low / (1.0 * n) == Approx(shares[0]).margin(5 * std::sqrt(shares[0] / n)));
@@ -247,10 +247,10 @@ TEST_CASE(
   "PlatformNoise: turns are about the body's axes, and turn the lever arm", "[PlatformNoise]")
 {
   NoiseBench bench;
-  bench.Tripod->SetHeading(90); // forward is x, and so is the wall
+  bench.Tripod->SetHeading(90); // forward is x, towards the wall
   bench.Scanner->SetInputData(0, MakeScene({ { { 40, -50, -50 }, { 0, 100, 0 }, { 0, 0, 100 } } }));
   bench.Scanner->SetMountPosition(0, 0.5, 2);
-  bench.Shaking->SetNormal(Noise::ATTITUDE_X, 0.0, 2.0); // nose up, whatever the heading
+  bench.Shaking->SetNormal(Noise::ATTITUDE_X, 0.0, 2.0); // nose up, for any heading
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
   for (vtkIdType i = 0; i < 1000; ++i)

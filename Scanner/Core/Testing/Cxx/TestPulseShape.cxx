@@ -15,7 +15,7 @@ using helios::PulseShape;
 namespace
 {
 
-/// The sum of all bins of a pulse in a window that holds it, times the bin.
+/// The sum of all bins of a pulse in a window that contains it, times the bin size.
 double GetArea(PulseShape& shape, double bin, double shift = 0.0)
 {
   shape.SetBinSize(bin);
@@ -41,7 +41,7 @@ TEST_CASE("PulseShape: a Gaussian", "[PulseShape]")
   CHECK(shape(2) == Approx(0.5).epsilon(1e-14));
   CHECK(shape(-2) == Approx(0.5).epsilon(1e-14));
   CHECK(shape.GetSigma() == Approx(sigma).epsilon(1e-15));
-  // E2: the sum over bins is the area but for 2 exp(-2 pi^2 sigma^2 / dt^2).
+  // E2: the sum over bins is the area up to 2 exp(-2 pi^2 sigma^2 / dt^2).
   const double area = sigma * std::sqrt(2 * std::acos(-1.0));
   for (const double ratio : { 0.1, 0.5, 1.0 })
   {
@@ -65,7 +65,8 @@ TEST_CASE("PulseShape: the pulse of HELIOS", "[PulseShape]")
   CHECK(shape((0.76124022935 - 2) * tau) == Approx(0.5).epsilon(1e-8));
   CHECK(shape((0.76124022935 + 3.3946806708465 - 2) * tau) == Approx(0.5).epsilon(1e-8));
   CHECK(GetArea(shape, 0.01 * tau) == Approx(2 * tau / 0.541341132946451).epsilon(1e-8));
-  // Its curvature jumps where it starts: the error of the sum falls with the cube of the bin.
+  // Its curvature is discontinuous at its start: the error of the sum falls with the cube of the
+  // bin size.
   const double area = 2 * tau / 0.541341132946451;
   for (const double ratio : { 0.25, 0.5, 1.0 })
   {

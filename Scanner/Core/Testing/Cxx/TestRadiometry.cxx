@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Truths: 40-digit evaluation of the lidar equation and of Kruse's formula.
+// Expected values: 40-digit evaluation of the lidar equation and of Kruse's formula.
 #include "heliosRadiometry.h"
 
 #include <catch2/catch.hpp>

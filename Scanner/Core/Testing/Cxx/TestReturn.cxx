@@ -114,7 +114,7 @@ TEST_CASE("Receiver: bins agree with the exact maximum", "[Receiver]")
 
 TEST_CASE("Receiver: separation limit of two equal echoes", "[Receiver]")
 {
-  // Two maxima from 2 sigma of time on: 0.509241 m at 4 ns (1 % below and above).
+  // Two maxima for separations in time from 2 sigma: 0.509241 m at 4 ns (1 % below and above).
   for (const double factor : { 0.99, 1.01 })
   {
     const double limit = 0.509241;
@@ -236,7 +236,7 @@ TEST_CASE(
     Receiver(settings).FindEchoesInBins(MakeReturns({ { 100, 1e-9 }, { 110, 1e-9 } }), echoes));
   CHECK_FALSE(
     Receiver(MakeSettings(detector, 0.25)).FindEchoesInBins(MakeReturns({ { 100, 0.0 } }), echoes));
-  // Bins so small that floats are level over some of them.
+  // Bins so small that floats are constant over some of them.
   CHECK_FALSE(Receiver(MakeSettings(detector, 1e-4))
                 .FindEchoesInBins(MakeReturns({ { 100, 1e-9 } }), echoes));
   CHECK(echoes.empty());

@@ -30,7 +30,7 @@ TEST_CASE("ReturnSelection: selection first, then the maximum", "[ReturnSelectio
   CHECK(Select(echoes, Instrument::ALL, 3) == Kept{ 0, 1, 2 });
   CHECK(Select(echoes, Instrument::FIRST) == Kept{ 0 });
   CHECK(Select(echoes, Instrument::LAST, 1) == Kept{ 3 });
-  CHECK(Select(echoes, Instrument::STRONGEST) == Kept{ 1 }); // of equal ones the first
+  CHECK(Select(echoes, Instrument::STRONGEST) == Kept{ 1 }); // the first of equal ones
   CHECK(Select(echoes, Instrument::FIRST_AND_LAST) == Kept{ 0, 3 });
   CHECK(Select(echoes, Instrument::FIRST_AND_LAST, 1) == Kept{ 0 });
   CHECK(Select({ { 1 } }, Instrument::FIRST_AND_LAST) == Kept{ 0 });

@@ -41,7 +41,8 @@ TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
   CHECK(bench.Log->Errors.empty());
-  // The beam's rim is longer by R s^2 / 2 and weaker: a few micrometres at most.
+  // The range at the beam's edge is longer by R s^2 / 2, with less power: a few micrometres at
+  // most.
   CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(3e-6));
   const helios::LidarEquation equation{ 0.15, 0.99, helios::AtmosphericExtinction(23, 1064) };
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.5, 1)).epsilon(1e-6));
@@ -84,7 +85,7 @@ TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider ec
   bench.Scanner->SetDuration(1e-4);
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 10);
-  // Truths: sigma_t 1.809093830 ns and peak ratio 0.938947208 of the untruncated beam.
+  // Expected: sigma_t 1.809093830 ns and peak ratio 0.938947208 of the untruncated beam.
   CHECK(Value(echoes, names::Range, 0) == Approx(100).epsilon(0).margin(5e-4));
   CHECK(
     Value(echoes, names::EchoWidth, 0) == Approx(helios::FwhmPerSigma * 1.809093830).epsilon(2e-4));
@@ -95,7 +96,7 @@ TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider ec
 
 TEST_CASE("Scanner: an edge in the beam gives two echoes", "[Scanner]")
 {
-  // The upper half of the beam meets a wall at 50 m, the lower one at 60 m.
+  // The upper half of the beam hits a wall at 50 m, the lower one at 60 m.
   const auto scene = MakeScene({ { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) });
   Bench bench(scene);
   bench.Scanner->GetBeamSampler()->SetNumberOfCircles(8);
@@ -262,7 +263,8 @@ TEST_CASE("Scanner: windows of pulses share them, too, and cut time windows", "[
 
 TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attitude", "[Scanner]")
 {
-  // Platform at (10, 20, 5) looks west; mount 1 m to its right and 2 m up, tilted up by 90 degrees.
+  // Platform at (10, 20, 5) facing west; mount 1 m to its right and 2 m up, tilted up by 90
+  // degrees.
   const auto ceiling = MakeScene({ { { -50, -50, 40 }, { 200, 0, 0 }, { 0, 200, 0 } } });
   Bench bench(ceiling, { 10, 20, 5 });
   bench.Tripod->SetHeading(-90);
@@ -279,7 +281,7 @@ TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attit
   double origin[3];
   pulses->GetPoint(0, origin);
   CHECK(origin[0] == Approx(10).epsilon(1e-14));
-  CHECK(origin[1] == Approx(21).epsilon(1e-14)); // the right of a platform that looks west is north
+  CHECK(origin[1] == Approx(21).epsilon(1e-14)); // the right of a platform facing west is north
   CHECK(origin[2] == Approx(7.5).epsilon(1e-14));
   CHECK(Value(echoes, names::Range, 0) == Approx(32.5).epsilon(1e-14));
   CHECK(Value(pulses, names::Hit, 0) == 1);
@@ -297,7 +299,7 @@ TEST_CASE("Scanner: the head turns at its speed and ends the scan", "[Scanner]")
   CHECK(bench.Scanner->GetNumberOfPulses() == 10000); // 0.1 s at 100 kHz
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 10000);
-  // right-handed about z: -30 degrees looks to the right
+  // right-handed about z: -30 degrees is to the right
   double p[3];
   echoes->GetPoint(0, p);
   CHECK(p[0] == Approx(10 * std::tan(30 * 0.017453292519943295)).epsilon(1e-13));
@@ -344,7 +346,7 @@ TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]"
   CHECK(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 19000);
   CHECK(Value(echoes, names::WaveformIds, 7) == 7);
 
-  // The largest sample lies at two-way time.
+  // The largest sample is at two-way time.
   vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
   const vtkIdType first = table->GetValueByName(7, names::Offset).ToTypeInt64();
   const vtkIdType count = table->GetValueByName(7, names::Count).ToTypeInt64();
@@ -375,7 +377,7 @@ TEST_CASE("Scanner: the records of many batches come in order, and as from windo
   const auto getTable = [&bench]
   { return vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1)); };
   vtkTable* table = getTable();
-  REQUIRE(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 70000); // of 16384 a thread and batch
+  REQUIRE(bench.Scanner->GetOutput(2)->GetNumberOfPoints() == 70000); // 16384 per thread, batch
   REQUIRE(bench.Scanner->GetOutput(3)->GetNumberOfPoints() == 7 * 70000);
   REQUIRE(table->GetNumberOfRows() == 70000);
   REQUIRE(echoes->GetPointData()->GetArray(names::TruePoint)->GetNumberOfTuples() ==
@@ -453,7 +455,7 @@ TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "
     head->SetElevation(c, 2.0 * c - 3.0);
     head->SetFiringTime(c, 1e-6 * c);
   }
-  head->SetPulseFrequency(40000); // a cycle of four a 10 kHz
+  head->SetPulseFrequency(40000); // cycles of four at 10 kHz
   head->SetScanFrequency(0);
   bench.Scanner->SetBeamDeflector(head);
   bench.Scanner->SetChannelId(10);
@@ -478,7 +480,7 @@ TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "
 TEST_CASE("Scanner: batches grow while they are quick and small", "[Scanner]")
 {
   helios::BatchSize batch(2);
-  CHECK(batch.GetChunks() == 2); // the first shows what pulses cost
+  CHECK(batch.GetChunks() == 2); // the first measures the cost of pulses
   for (vtkIdType chunks : { 8, 32, 128, 128 })
   {
     batch.Adapt(0.001, 1000);

@@ -27,7 +27,7 @@ using namespace helios::testing;
 namespace
 {
 
-/// One term of it has no value for angles below a limit [rad], or ranges beyond one [m].
+/// One of its terms has no value for angles below a limit [rad], or ranges beyond one [m].
 class FaultyErrors : public vtkHeliosErrorModel
 {
 public:
@@ -63,7 +63,7 @@ private:
 
 TEST_CASE("Scanner: terms of errors that are not finite end a run, counted", "[Scanner]")
 {
-  // A window of 100 deg before a wall at 50 m: 1000 pulses of one ray, each hits.
+  // A window of 100 deg before a wall at 50 m: 1000 pulses of one ray, each a hit.
   Bench bench(MakeScene({ Wall(50, 1000) }));
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetVerticalAngleMin(-50);
@@ -264,7 +264,7 @@ struct EventsBeforePulses
   }
 };
 
-/// A wave of so many squares along each side, above and below a height of 50 m.
+/// A wave of n squares per side, above and below a height of 50 m.
 vtkSmartPointer<vtkPolyData> MakeWave(int squares)
 {
   auto scene = MakeScene({});
@@ -307,12 +307,12 @@ TEST_CASE("Scanner: stops at any time while the scene is made ready", "[Scanner]
     REQUIRE(bench.Run()->GetNumberOfPoints() == 1000);
     const int all = events.Count;
     REQUIRE(all > 5);
-    // How often Embree asks in this thread, and not in others, differs from run to run.
+    // The number of polls of Embree in this thread, not in others, differs from run to run.
     const int most = name == "embree" ? all / 4 : all;
     for (int last = 2; last < most; ++last)
     {
       CAPTURE(name, last, all);
-      bench.Scanner->GetInputDataObject(0, 0)->Modified(); // to be built anew
+      bench.Scanner->GetInputDataObject(0, 0)->Modified(); // to be rebuilt
       events = { 0, last };
       bench.Log->Clear();
       CHECK(bench.Run()->GetNumberOfPoints() == 0);
@@ -320,7 +320,7 @@ TEST_CASE("Scanner: stops at any time while the scene is made ready", "[Scanner]
     }
     events = { 0, VTK_INT_MAX };
     bench.Log->Clear();
-    bench.Scanner->Modified(); // the scene is as it was
+    bench.Scanner->Modified(); // the scene is unchanged
     CHECK(bench.Run()->GetNumberOfPoints() == 1000);
     CHECK(bench.Log->Errors.empty());
   }

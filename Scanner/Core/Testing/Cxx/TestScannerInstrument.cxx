@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What an instrument can be, and what it says of what it cannot be.
+// Valid instruments, and the errors of invalid ones.
 #include "vtkHeliosInstrument.h"
 
 #include "heliosScannerBench.h"
@@ -173,7 +173,7 @@ TEST_CASE("Instrument: a window that is too short cuts, and says how often", "[I
 
 TEST_CASE("Instrument: which returns are kept", "[Instrument]")
 {
-  // Three steps in the beam; the middle one gets most of it.
+  // Three steps in the beam; most of it hits the middle one.
   const auto scene = MakeScene({ { { -50, 50, 0.008 }, { 100, 0, 0 }, { 0, 0, 50 } },
     { { -50, 55, -0.008 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(60) });
   Bench bench(scene);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Noise and errors of the instrument, and the truth beside them.
+// Noise and errors of the instrument, and the ground truth.
 #include "heliosScannerBench.h"
 #include "vtkHeliosEchoDetector.h"
 #include "vtkHeliosErrorModel.h"
@@ -31,7 +31,7 @@ double Deviation(vtkPolyData* echoes, const char* name, double about)
   return std::sqrt(sum / static_cast<double>(echoes->GetNumberOfPoints()));
 }
 
-/// 20000 ideal rays onto a wall at a range.
+/// 20000 ideal rays at a wall at a range.
 struct NoiseBench : Bench
 {
   explicit NoiseBench(double range)
@@ -58,7 +58,7 @@ public:
 
 TEST_CASE("Noise: constant, with the range and with the amplitude", "[Noise]")
 {
-  // 20000 draws: the standard deviation is known to 1 / sqrt(2 n) = 0.5 %; 4 of these.
+  // 20000 draws: the standard error of the standard deviation is 1 / sqrt(2 n) = 0.5 %; 4 of these.
   NoiseBench bench(40);
   bench.Scanner->SetRangeAccuracy(0.003);
   CHECK(Deviation(bench.Run(), names::Range, 40) == Approx(0.003).epsilon(0.02));
@@ -72,7 +72,7 @@ TEST_CASE("Noise: constant, with the range and with the amplitude", "[Noise]")
 
 TEST_CASE("Noise: of the angles moves the pulse, not where its point is put", "[Noise]")
 {
-  // A wall 45 degrees aslant: a tilt e about one axis changes the range by 40 e.
+  // A wall at 45 degrees: a tilt e about one axis changes the range by 40 e.
   Bench bench(MakeScene({ { { -50, -10, -50 }, { 100, 0, 0 }, { 0, 100, 100 } } }));
   bench.Scanner->SetDuration(0.2);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
@@ -87,7 +87,7 @@ TEST_CASE("Noise: of the angles moves the pulse, not where its point is put", "[
   REQUIRE(normal);
   for (vtkIdType i = 0; i < 100; ++i)
   {
-    CHECK(echoes->GetPoint(i)[0] == 0.0); // on the axis that was reported
+    CHECK(echoes->GetPoint(i)[0] == 0.0); // on the reported axis
     CHECK(echoes->GetPoint(i)[2] == 0.0);
     const double* p = truth->GetTuple3(i);
     CHECK(p[1] - p[2] == Approx(40).epsilon(1e-12)); // on the wall
@@ -111,7 +111,7 @@ TEST_CASE("Noise: the truth costs nothing where nobody asks", "[Noise]")
 
 TEST_CASE("Noise: written errors turn the beam and stretch the range", "[Noise]")
 {
-  // Pulse 0 of the mirror goes along y: theta is 0.
+  // Pulse 0 of the mirror is along y: theta is 0.
   Bench bench(MakeScene({ Wall(50) }));
   vtkNew<vtkHeliosRotatingMirror> mirror;
   bench.Scanner->SetBeamDeflector(mirror);
@@ -130,7 +130,7 @@ TEST_CASE("Noise: written errors turn the beam and stretch the range", "[Noise]"
   CHECK(truth[1] == Approx(50).epsilon(1e-13));
   CHECK(truth[0] == Approx(-50 * std::tan(0.003)).epsilon(1e-10));
   CHECK(truth[2] == Approx(range * std::sin(0.002)).epsilon(1e-10));
-  // The range noise is multiplied.
+  // The factor applies to the range noise.
   bench.Scanner->SetBeamDeflector(bench.Deflector);
   bench.Scanner->SetDuration(0.2);
   bench.Scanner->SetRangeAccuracy(0.01);

@@ -22,7 +22,7 @@ namespace
 
 constexpr double Degree = 0.017453292519943295;
 
-/// A plane that the y axis meets at a range and an incidence, as large as the range.
+/// A plane at a range on the y axis with an incidence, as large as the range.
 vtkSmartPointer<vtkPolyData> MakeTilted(double range, double degrees)
 {
   const Vec3 slope(0, std::sin(degrees * Degree), std::cos(degrees * Degree));
@@ -48,7 +48,7 @@ void SetMaterial(vtkPolyData* scene, double reflectance, double specularity, dou
   add(names::MaterialSpecularExponent, exponent);
 }
 
-/// One pulse of 1 W, D = 0.15 m, eta = 0.9, into vacuum.
+/// One pulse of 1 W, D = 0.15 m, eta = 0.9, in vacuum.
 struct OnePulse : Bench
 {
   explicit OnePulse(vtkPolyData* scene)
@@ -132,7 +132,8 @@ TEST_CASE("Scanner: a Phong surface has its lobe about the way back, and none at
 
 TEST_CASE("Radiometry: a lobe returns no more than it gets", "[ScannerRadiometry]")
 {
-  // At normal incidence the hemisphere gets rho: 2 pi int cos^n sin = 2 pi / (n + 2), by its formula.
+  // At normal incidence the hemisphere receives rho: 2 pi int cos^n sin = 2 pi / (n + 2), by its
+  // formula.
   for (const double n : { 0.0, 1.0, 10.0, 100.0 })
   {
     const double lobe = helios::GetBackscatter({ 1.0, 1.0, n }, 1.0) / std::acos(-1.0);
@@ -176,7 +177,8 @@ TEST_CASE("Scanner: amplitudes of plane, wire and disc fall with 2, 3 and 4 powe
   };
   const auto makeWall = [](double y) { return MakeScene({ Wall(y) }); };
 
-  // Circles about the axis lie along the cells of sampling by tolerance: the disc takes the spiral.
+  // Circles about the axis are aligned with the cells of adaptive sampling: the disc takes the
+  // spiral.
   const auto exponent = [](const auto& make, double range, bool isFixed)
   {
     double amplitudes[2];
@@ -210,13 +212,13 @@ TEST_CASE("Scanner: amplitudes of plane, wire and disc fall with 2, 3 and 4 powe
 
 TEST_CASE("Scanner: a thin wire and a small disc in the far field", "[ScannerRadiometry]")
 {
-  // f = erf(sqrt2 d / (2 w R)) and 1 - exp(-2 a^2 / (w R)^2) fall with R^-1 and R^-2.
+  // f = erf(sqrt2 d / (2 w R)) and 1 - exp(-2 a^2 / (w R)^2) decrease as R^-1 and R^-2.
   const double w = 0.5e-3;
   const auto wire = [w](double r) { return std::erf(std::sqrt(2.0) * 0.0025 / (w * r)); };
   const auto disc = [w](double r) { return -std::expm1(-2 * std::pow(0.01 / (w * r), 2)); };
   CHECK(wire(10) == Approx(0.6826894921371).epsilon(1e-12));
   CHECK(disc(1000) == Approx(7.996800853163e-4).epsilon(1e-12));
-  // The scanner at 200 m, where the wire is 1/40 of the footprint, by 40,000 sub-rays.
+  // The scanner at 200 m, where the wire is 1/40 of the footprint, with 40,000 sub-rays.
   for (const double range : { 100.0, 200.0 })
   {
     OnePulse bench(MakeScene({ { { -50, range, -0.0025 }, { 100, 0, 0 }, { 0, 0, 0.005 } } }));
@@ -249,20 +251,20 @@ TEST_CASE("Scanner: sunlight lifts the waveform", "[ScannerRadiometry]")
 TEST_CASE(
   "Scanner: two surfaces are two echoes from the limit of separation on", "[ScannerRadiometry]")
 {
-  // Half of the beam each: 0.509241 m at 4 ns; at 1 % less it is one echo, by either sampling.
+  // Half of the beam each: 0.509241 m at 4 ns; at 1 % less it is one echo, with either sampling.
   for (const bool isFixed : { true, false })
   {
     for (const double factor : { 0.99, 1.01 })
     {
       const double behind = 50 + factor * 0.509241;
-      // The nearer half sends back more, by (R2 / R1)^2; so does its reflectance less.
+      // The nearer half returns more, by (R2 / R1)^2; its reflectance is reduced to match.
       OnePulse bench(MakeScene({ { { -50, 50, 0 }, { 100, 0, 0 }, { 0, 0, 50 } }, Wall(behind) }));
       bench.Scanner->SetSampling(isFixed ? 0 : 1);
       bench.Scanner->SetBinSize(0.05);
       bench.Scanner->SetRangeTolerance(1e-4);
       bench.Scanner->GetBeamSampler()->SetPatternToVogel();
       bench.Scanner->GetBeamSampler()->SetNumberOfSubRays(4000);
-      // Unequal by 2 %, the limit moves: see the condition |ln a| <= 2 d sqrt(d^2 - 1) + ...
+      // Unequal by 2 %, the limit changes: see the condition |ln a| <= 2 d sqrt(d^2 - 1) + ...
       const double a = std::pow(50 / behind, 2);
       double d = 1.0;
       for (double step = 0.1; step > 1e-9; step *= 0.5)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pulses from a trajectory that was recorded, or flown.
+// Pulses along a recorded or a simulated trajectory.
 #include "heliosScannerBench.h"
 #include "vtkHeliosInterpolatedPlatform.h"
 #include "vtkHeliosMulticopterPlatform.h"
@@ -16,7 +16,7 @@ using namespace helios::testing;
 namespace
 {
 
-/// From 1000 s on, one sample a second: out along x by 10 m a second, turning by 30 degrees.
+/// From 1000 s, one sample per second: along x at 10 m/s, turning by 30 degrees.
 vtkSmartPointer<vtkPolyData> MakeRecord()
 {
   vtkNew<vtkPoints> points;
@@ -104,7 +104,7 @@ TEST_CASE("Scanner: a flight is the same at 10 kHz and at 1 MHz", "[Scanner]")
     return pulses;
   };
   double farthest = 0.0;
-  for (vtkIdType i = 0; i < 200000; i += 10007) // of 20 s, in turns and out of them
+  for (vtkIdType i = 0; i < 200000; i += 10007) // of 20 s, inside and outside turns
   {
     const auto slow = run(1e4, i, i + 3);
     const auto fast = run(1e6, 100 * i, 100 * i + 201);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the scene says of its surfaces: materials and normals.
+// Surface data of the scene: materials and normals.
 #include "heliosMaterialTable.h"
 #include "heliosRadiometry.h"
 #include "heliosScannerBench.h"
@@ -41,7 +41,7 @@ TEST_CASE("Scanner: incidence is measured from the scene's normals where it has 
   normals->SetNumberOfComponents(3);
   const double angle = std::acos(0.5); // 60 degrees
   normals->InsertNextTuple3(std::sin(angle), std::cos(angle), 0);
-  normals->InsertNextTuple3(2 * std::sin(angle), 2 * std::cos(angle), 0); // any length will do
+  normals->InsertNextTuple3(2 * std::sin(angle), 2 * std::cos(angle), 0); // any length is valid
   tilted->GetCellData()->AddArray(normals);
   Bench bench(tilted);
   vtkPolyData* echoes = bench.Run();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sampling by tolerance against thousands of fixed sub-rays.
+// Adaptive sampling against thousands of fixed sub-rays.
 #include "heliosRandom.h"
 #include "heliosScannerBench.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -69,8 +69,8 @@ double GetPower(vtkPolyData* echoes, vtkIdType echo)
   return sum;
 }
 
-/// Echoes of the same pulse nearer than 0.3 m are the same; amplitudes are in units of what the whole
-/// pulse returns.
+/// Echoes of the same pulse nearer than 0.3 m are the same; amplitudes are relative to the total
+/// return of the pulse.
 Comparison Compare(vtkPolyData* echoes, vtkPolyData* reference)
 {
   Comparison c;
@@ -113,8 +113,8 @@ Comparison Compare(vtkPolyData* echoes, vtkPolyData* reference)
   return c;
 }
 
-/// A plane has the echoes of 40,000 sub-rays: one, and one of a leaf before a part of it. The ranges in
-/// the beam spread over 6 q sigma_R, q = R w tan / (c sigma).
+/// A plane has the same echoes as with 40,000 sub-rays: one, and one of a leaf before a part of it.
+/// The ranges in the beam spread over 6 q sigma_R, q = R w tan / (c sigma).
 void CheckSteepPlane(double q, bool isLeaf, double tolerance)
 {
   const double tangent = q * 0.509236;
@@ -194,7 +194,7 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   CHECK(
     edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
   CHECK(edge.Scanner->GetNumberOfSubRays() == (21 + 336) * 1000);
-  // So few that there is no need to look first.
+  // So few that no probe is needed.
   edge.Scanner->SetRangeTolerance(1e-2);
   edge.Scanner->SetEnergyTolerance(0.1);
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
@@ -203,7 +203,7 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
 
 TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance]")
 {
-  // Two planes, 5 mm apart: neither one plane nor an edge.
+  // Two planes, 5 mm apart: neither a planar footprint nor an edge.
   Bench bench(MakeScene({ { { -50, 60, -50 }, { 50, 0, 0 }, { 0, 0, 100 } },
     { { 0, 60.005, -50 }, { 50, 0, 0 }, { 0, 0, 100 } } }));
   bench.Scanner->SetSamplingToTolerance();
@@ -240,7 +240,7 @@ TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance
 
 TEST_CASE("Tolerance: one triangle has an edge where the range ends", "[Tolerance]")
 {
-  // Steep, off the diagonal; the axis meets it at 60 m.
+  // Steep, off the diagonal; the axis hits it at 60 m.
   Bench bench(MakeScene({ { { -20, 40, -50 }, { 40, 40, 0 }, { 0, 0, 90 } } }));
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(2e-3);
   bench.Scanner->SetRangeMax(60.01);
@@ -347,7 +347,7 @@ TEST_CASE("Tolerance: same bytes for any number of threads, pieces, and caster",
 
 TEST_CASE("Tolerance: a beam with a waist has its footprint near by", "[Tolerance]")
 {
-  // 1550 nm, w = 0.15 mrad: w(10 m) = 3.6 mm, not 1.5 mm. An edge 2 mm off the axis cuts it.
+  // 1550 nm, w = 0.15 mrad: w(10 m) = 3.6 mm, not 1.5 mm. An edge is 2 mm off the axis.
   const auto scene = MakeScene({ { { -5, 10, 0.002 }, { 10, 0, 0 }, { 0, 0, 5 } }, Wall(20) });
   Bench bench(scene);
   bench.Scanner->SetSamplingToTolerance();

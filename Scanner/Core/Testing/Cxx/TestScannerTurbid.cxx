@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pulses into turbid voxels, against Beer and Lambert.
+// Pulses into turbid voxels, against the Beer-Lambert law.
 #include "heliosMaterialTable.h"
 #include "heliosScannerBench.h"
 
@@ -26,7 +26,7 @@ namespace
 
 constexpr int Pulses = 100000;
 
-/// Cells of half a metre across the y axis, from a distance on, of one density.
+/// Cells of 0.5 m across the y axis, from a distance, of one density.
 vtkSmartPointer<vtkImageData> MakeSlab(double from, double thickness, double density)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> MakeSlab(double from, double thickness, double den
   return image;
 }
 
-/// A bench whose pulses are single rays, and a slab before it.
+/// A bench whose pulses are single rays, with a slab before it.
 struct TurbidBench : Bench
 {
   TurbidBench(vtkPolyData* scene, vtkImageData* slab, vtkIdType pulses = Pulses)
@@ -97,7 +97,7 @@ TEST_CASE("Scanner: what passes a turbid slab is exp(-k L)", "[ScannerTurbid]")
   const double stopped = 1.0 - std::exp(-k * depth);
   const double sigma = std::sqrt(Pulses * stopped * (1.0 - stopped));
   CHECK(std::abs(leaves.Count - Pulses * stopped) < 4.0 * sigma);
-  // Mean and variance of an exponential cut at the depth of the slab.
+  // Mean and variance of an exponential truncated at the depth of the slab.
   const double rest = depth * (1.0 - stopped) / stopped;
   const double mean = 1.0 / k - rest;
   const double variance = 1.0 / (k * k) - depth * depth * (1.0 - stopped) / (stopped * stopped);
@@ -111,14 +111,14 @@ TEST_CASE(
   const double k = 0.5 * 3.0;
   TurbidBench bench(MakeScene({ Wall(40.0) }), MakeSlab(10.0, 20.0, 3.0));
   const Moments leaves = MeasureBelow(bench.Run(), names::Range, 35.0);
-  REQUIRE(leaves.Count == Pulses); // but exp(-30)
+  REQUIRE(leaves.Count == Pulses); // except exp(-30)
   CHECK(std::abs(leaves.Mean - 10.0 - 1.0 / k) < 4.0 / (k * std::sqrt(Pulses)));
   CHECK(leaves.Variance == Approx(1.0 / (k * k)).epsilon(0.03));
 }
 
 TEST_CASE("Scanner: leaves between the scanner and a wall, from within", "[ScannerTurbid]")
 {
-  // The wall stands in the slab, and so does the scanner: 3 m of leaves are left.
+  // The wall and the scanner are in the slab: 3 m of leaves are left.
   const double k = 0.5 * 0.8;
   TurbidBench bench(MakeScene({ Wall(3.0) }), MakeSlab(-5.0, 10.0, 0.8));
   const Moments leaves = MeasureBelow(bench.Run(), names::Range, 3.0 - 1e-9);
@@ -139,7 +139,7 @@ TEST_CASE("Scanner: grids that overlap add up", "[ScannerTurbid]")
 
 TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[ScannerTurbid]")
 {
-  // So dense that every sub-ray stops at once: the echo of a wall there.
+  // So dense that every sub-ray stops at once: same echo as from a wall there.
   Bench wall(MakeScene({ Wall(10.0) }));
   TurbidBench dense(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 1.0, 1e7), 1000);
   dense.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
@@ -163,7 +163,7 @@ TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[Scanner
 
 TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[ScannerTurbid]")
 {
-  // The head turns from leaves to two walls alone, with an edge that all beams meet.
+  // The head rotates from leaves to two walls alone, with an edge in all beams.
   const Rectangle upper{ { -50, 20, 1e-5 }, { 100, 0, 0 }, { 0, 0, 50 } };
   TurbidBench bench(MakeScene({ upper, Wall(30) }), MakeSlab(10.0, 1.0, 1e7), 200);
   bench.Scanner->SetSamplingToTolerance();
@@ -176,7 +176,7 @@ TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[Sca
   for (vtkIdType i = 0; i < echoes->GetNumberOfPoints(); ++i)
   {
     const double turn = vtkMath::RadiansFromDegrees(0.05 * Value(echoes, names::PulseIds, i));
-    const double x = 10.0 * std::tan(turn); // where leaves may begin; they end at 1
+    const double x = 10.0 * std::tan(turn); // leaves may begin here; they end at 1
     const double y = Value(echoes, names::Range, i) * std::cos(turn);
     CAPTURE(Value(echoes, names::PulseIds, i), x);
     if (x < 0.99)
@@ -196,7 +196,7 @@ TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[Sca
 
 TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[ScannerTurbid]")
 {
-  // Leaves and wall have one reflectance, so power R^2 sums up to that of the wall alone.
+  // Leaves and wall have the same reflectance, so the sum of power R^2 is that of the wall alone.
   TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 1000);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
   bench.Scanner->GenerateSubRaysOn();
@@ -214,7 +214,7 @@ TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[Scan
     leaves += Value(hits, names::Range, i) < 15.0 ? weight : 0.0;
   }
   CHECK(all == Approx(1000.0).epsilon(1e-12));
-  // Each sub-ray has a path of its own: hardly ever do all of a pulse stop.
+  // Each sub-ray has its own path: all of a pulse rarely stop.
   int pulsesStopped = 0;
   for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); i += 19)
   {

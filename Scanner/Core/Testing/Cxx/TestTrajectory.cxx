@@ -32,7 +32,7 @@ vtkDoubleArray* AddArray(vtkPolyData* data, const char* name, int components)
   return array;
 }
 
-/// Samples at times, where a motion puts them; its velocity where asked for.
+/// Samples of a motion at given times; with its velocity on request.
 template <typename MotionT>
 vtkSmartPointer<vtkPolyData> MakePath(
   const std::vector<double>& times, const MotionT& motion, bool withVelocity)
@@ -145,7 +145,7 @@ TEST_CASE("Trajectory: the samples of one leg", "[Trajectory]")
   CHECK(leg.GetStartTime() == 1.0);
   CHECK(leg.GetEndTime() == 3.0);
   CHECK(leg.GetPose(2.0).Position[0] == Approx(49.0).epsilon(1e-15));
-  CHECK(leg.GetPose(0.0).Position[0] == 10.0); // before: where it starts
+  CHECK(leg.GetPose(0.0).Position[0] == 10.0); // before: the start
   CHECK(leg.GetPose(9.0).Position[2] == -21.0);
   CHECK(leg.SetLeg(path, 2) == "the trajectory has no samples of leg 2");
 }

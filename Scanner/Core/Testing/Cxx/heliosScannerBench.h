@@ -31,7 +31,7 @@ namespace helios
 namespace testing
 {
 
-/// A deflector of a user: all pulses go along y.
+/// A user-defined deflector: all pulses along y.
 class StraightAhead : public vtkHeliosBeamDeflector
 {
 public:
@@ -96,7 +96,7 @@ inline vtkSmartPointer<vtkPolyData> MakeWaypoints(
   return waypoints;
 }
 
-/// A scanner on a tripod at the origin that looks along y for 10 ms: 1000 pulses of 19 sub-rays.
+/// A scanner on a tripod at the origin, facing y, for 10 ms: 1000 pulses of 19 sub-rays.
 struct Bench
 {
   vtkNew<vtkHeliosScanner> Scanner;

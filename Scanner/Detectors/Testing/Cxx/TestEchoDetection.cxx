@@ -93,7 +93,7 @@ struct Detection
   }
 };
 
-/// Steps, slopes and gaps, so that pulses have one echo or more.
+/// Steps, slopes and gaps: pulses have one or more echoes.
 vtkSmartPointer<vtkPolyData> MakeStairs()
 {
   return MakeScene({ { { -50, 60, -50 }, { 50.001, 0, 0 }, { 0, 0, 100 } },
@@ -109,7 +109,7 @@ void SetUpScanner(Bench& bench, vtkHeliosEchoDetector* detector)
   bench.Scanner->SetAngleAccuracy(2e-4); // pulses differ
 }
 
-/// The bytes of those arrays of the scanner that the filter has, too.
+/// The bytes of the arrays common to the scanner and the filter.
 std::string CommonBytes(vtkPolyData* cloud, vtkPolyData* like)
 {
   vtkNew<vtkPolyData> common;
@@ -417,7 +417,7 @@ TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
 
 TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetection]")
 {
-  const vtkIdType rows = 100000; // all like the first
+  const vtkIdType rows = 100000; // all equal to the first
   const auto one = MakeTable();
   vtkNew<vtkTable> table;
   table->GetFieldData()->ShallowCopy(one->GetFieldData());

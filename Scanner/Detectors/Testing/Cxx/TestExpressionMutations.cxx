@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged expressions are refused with a reason, or have values.
+// Damaged expressions are rejected with a reason, or have values.
 #include "heliosErrorObserver.h"
 #include "heliosMutation.h"
 #include "vtkHeliosExpressionErrorModel.h"
@@ -19,7 +19,7 @@ const char* const Expressions[] = { "0.001 * t", "sin(THETA) * 1e-3 + 2 * pi / (
   "atan2(t, 1) * -1e-3 + e - exp(1)", "abs(sqrt(t) * 1e-4) + ln(2 + t)",
   "-((cosh(t)-tanh(2))*.5)" };
 
-/// What a text with many brackets, signs or digits in a row becomes.
+/// A text with many repeated brackets, signs or digits.
 std::string Repeat(const std::string& text, int i)
 {
   static const char* const units[] = { "(", "-", "9", "t+", "sin(", "2^", ")" };
@@ -54,7 +54,7 @@ TEST_CASE("ExpressionMutations: damaged expressions are refused, or have values"
     for (const double t : { -1.0, 0.0, 0.7, 1e9 })
     {
       const double value = model->GetRangeError(t);
-      REQUIRE((isGood || value == 0.0)); // refused: the one before, which is none
+      REQUIRE((isGood || value == 0.0)); // rejected: the previous one, empty, is kept
     }
   }
   CHECK(errorCount > 20);

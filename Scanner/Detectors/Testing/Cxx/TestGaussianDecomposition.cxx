@@ -16,7 +16,7 @@ using namespace helios::testing;
 namespace
 {
 
-/// Every echo is where it is, as strong and as wide as it is.
+/// Every echo has the true time, amplitude and width.
 void CheckExact(const std::vector<Gaussian>& truth, const std::vector<vtkHeliosDetectedEcho>& found,
   double tolerance)
 {
@@ -73,7 +73,7 @@ TEST_CASE("GaussianDecomposition: exact where echoes overlap", "[GaussianDecompo
       { ratio * 1e-6, 20.03 + 1.01 * limit * PulseSigma } };
     CheckExact(truth, Detect(detector, MakeSamples(truth, 0.25), 0.25), 1e-3);
   }
-  // In fine bins the two maxima are seen where they are far nearer than the echoes.
+  // In fine bins the two maxima are resolved at far smaller separations.
   for (const double factor : { 1.01, 1.02, 1.03, 1.05 })
   {
     CAPTURE(factor);
@@ -177,7 +177,7 @@ TEST_CASE("GaussianDecomposition: the separation of hidden echoes reaches its bo
   detector->SetDetectionThreshold(0.5);
   constexpr double bin = 1.0;
   constexpr int pulses = 600;
-  // Range bounds at SNR 50, sigma known (accuracy.md A3). Nearer than sigma the best estimate has a bias
+  // Range bounds at SNR 50, sigma known (accuracy.md A3). Below sigma the best estimate has a bias
   // that falls with the square of the SNR: the bound is that of better ones.
   struct Case
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Waveforms that are known in closed form.
+// Waveforms in closed form.
 
 #ifndef heliosTestWaveform_h
 #define heliosTestWaveform_h
@@ -27,7 +27,7 @@ struct Gaussian
   double Sigma = PulseSigma;
 };
 
-/// Gaussians in bins, over a background and under white noise.
+/// Gaussians in bins, over a background and with white noise.
 inline std::vector<float> MakeSamples(const std::vector<Gaussian>& echoes, double bin,
   double length = 60.0, double noise = 0.0, std::uint64_t item = 0, double background = 0.0)
 {
@@ -79,7 +79,7 @@ struct ErrorSums
   double GetRms() const { return std::sqrt(this->Second / this->Count); }
 };
 
-/// The bound of Cramer and Rao for the time of a Gaussian of the pulse's width, SNR = A / noise [ns].
+/// The Cramer-Rao bound for the time of a Gaussian of the pulse's width, SNR = A / noise [ns].
 inline double GetTimeBound(double snr, double bin)
 {
   return std::sqrt(2.0 * PulseSigma * bin / std::sqrt(std::acos(-1.0))) / snr;

@@ -24,7 +24,8 @@
 namespace
 {
 
-/// What a user writes: pulse i leaves at i times 1e-8 rad from the y axis, odd ones not at all.
+/// A user-defined deflector: pulse i is at i times 1e-8 rad from the y axis, odd ones are not
+/// emitted.
 class TinySteps : public vtkHeliosBeamDeflector
 {
 public:
@@ -42,7 +43,7 @@ public:
 };
 vtkStandardNewMacro(TinySteps);
 
-/// One of each, set up so that it moves.
+/// One of each, with nonzero motion.
 std::vector<vtkSmartPointer<vtkHeliosBeamDeflector>> MakeAll()
 {
   auto prisms = vtkSmartPointer<vtkHeliosRisleyPrisms>::New();
@@ -100,7 +101,7 @@ TEST_CASE("BeamDeflector: optics that are warm are where they are later", "[Beam
   for (const auto& deflector : MakeAll())
   {
     INFO(deflector->GetClassName());
-    deflector->SetPulseFrequency(1048576.0); // so that a time can be said exactly
+    deflector->SetPulseFrequency(1048576.0); // for exact times
     bool moves = false;
     for (const vtkIdType pulse : { 0LL, 1LL, 4711LL, 86400000000LL })
     {
@@ -126,7 +127,7 @@ TEST_CASE("BeamDeflector: optics that are warm are where they are later", "[Beam
 
 TEST_CASE("BeamDeflector: a warm-up of any time, to the last ulps", "[BeamDeflector]")
 {
-  // 100 000.5 pulses: what moves on is half a pulse further than the pulse before.
+  // 100 000.5 pulses: moving optics are half a pulse further than the pulse before.
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(1e6);
   mirror->SetScanFrequency(100.0);

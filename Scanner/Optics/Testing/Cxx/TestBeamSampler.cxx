@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Truths and tables: w is the radius of the beam at 1/e^2, K the truncation, weights are shares of
-// the energy in the cone.
+// Expected values and tables: w is the radius of the beam at 1/e^2, K the truncation, weights are
+// fractions of the energy in the cone.
 #include "vtkHeliosBeamSampler.h"
 
 #include "heliosErrorObserver.h"
@@ -20,7 +20,7 @@
 namespace
 {
 
-/// Where a sub-ray is across the axis, in units of w.
+/// The position of a sub-ray across the axis, in units of w.
 struct Place
 {
   double X;
@@ -56,7 +56,7 @@ double MeanSquare(vtkHeliosBeamSampler* sampler)
   return static_cast<double>(sum);
 }
 
-/// Its truth: (1/2 - e (K^2 + 1/2)) / (1 - e), e = exp(-2 K^2).
+/// Its exact value: (1/2 - e (K^2 + 1/2)) / (1 - e), e = exp(-2 K^2).
 double MeanSquareTruth(double k)
 {
   const double e = std::exp(-2.0 * k * k);
@@ -113,7 +113,7 @@ double EdgeTruth(double s, double k)
   return sum * end / (3 * steps) / (-std::expm1(-2.0 * k * k) * vtkMath::Pi());
 }
 
-/// The root mean square error of the energy beyond half-planes, offset and turned at random.
+/// The root mean square error of the energy beyond half-planes, randomly offset and rotated.
 double EdgeError(vtkHeliosBeamSampler* sampler)
 {
   const double k = sampler->GetTruncation();
@@ -338,7 +338,7 @@ TEST_CASE(
   CHECK(MeanSquareTruth(1.5) == Approx(0.4747239664194075).epsilon(1e-14));
   for (const double k : { 1.0, 1.5 })
   {
-    // The integrand -ln(1 - p E) / 2 is analytic but for p >= 1 / E: the error is O(rho^(-2 q)).
+    // The integrand -ln(1 - p E) / 2 is analytic except for p >= 1 / E: the error is O(rho^(-2 q)).
     const double x = -2.0 / std::expm1(-2.0 * k * k) - 1.0;
     const double rho = x + std::sqrt(x * x - 1.0);
     sampler->SetTruncation(k);
@@ -486,7 +486,7 @@ TEST_CASE("BeamSampler: no direction is preferred", "[BeamSampler]")
     CHECK(right == Approx(0.0).margin(1e-14)); // the half-planes x > 0 and x < 0 have equal energy
     if (quarters)
     {
-      CHECK(up == Approx(0.0).margin(1e-14)); // so have z > 0 and z < 0
+      CHECK(up == Approx(0.0).margin(1e-14)); // as have z > 0 and z < 0
     }
   };
   for (const int q : { 2, 3, 4, 5, 8 })

@@ -22,7 +22,7 @@ void SetUp(vtkHeliosConicMirror* mirror)
   mirror->SetScanAngle(20.0);
 }
 
-/// Where a pulse meets the ground: the point, from the point below; returns the range.
+/// The ground hit of a pulse, relative to the point below; returns the range.
 double Hit(vtkHeliosConicMirror* mirror, vtkIdType pulse, double point[2])
 {
   double d[3];
@@ -48,7 +48,7 @@ TEST_CASE("ConicMirror: circle, range and spacing by accuracy A5", "[ConicMirror
     const double radius = std::hypot(p[0], p[1]);
     const double turn = std::atan2(q[0] * p[1] - q[1] * p[0], p[0] * q[0] + p[1] * q[1]);
     REQUIRE(radius == Approx(363.970234266).epsilon(1e-9));
-    REQUIRE(radius * turn == Approx(1.143446214).epsilon(1e-9)); // turns one way, from z to x
+    REQUIRE(radius * turn == Approx(1.143446214).epsilon(1e-9)); // rotates from z to x
   }
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("ConicMirror: mean density at 60 m/s by accuracy A5", "[ConicMirror]")
   SetUp(mirror);
   double least = 0.0;
   double most = 0.0;
-  for (vtkIdType i = 0; i < 2000; ++i) // a turn
+  for (vtkIdType i = 0; i < 2000; ++i) // one revolution
   {
     double p[2];
     Hit(mirror, i, p);
@@ -113,7 +113,7 @@ TEST_CASE("ConicMirror: angles are clamped, never NaN", "[ConicMirror]")
   CHECK(mirror->GetScanAngle() == 180.0);
   const vtkMTimeType before = mirror->GetMTime();
   mirror->SetScanAngle(180.0);
-  CHECK(mirror->GetMTime() == before); // nothing changed
+  CHECK(mirror->GetMTime() == before); // unchanged
   mirror->SetScanAngle(std::numeric_limits<double>::quiet_NaN());
   CHECK(mirror->GetScanAngle() == 0.0);
   CHECK(mirror->GetMTime() > before);

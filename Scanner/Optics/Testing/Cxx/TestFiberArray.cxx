@@ -79,7 +79,7 @@ TEST_CASE("FiberArray: settings stay in their ranges", "[FiberArray]")
   CHECK(array->GetScanAngle() == 180.0);
   const vtkMTimeType before = array->GetMTime();
   array->SetScanAngle(200.0);
-  CHECK(array->GetMTime() == before); // nothing changed
+  CHECK(array->GetMTime() == before); // unchanged
   array->SetScanAngle(std::numeric_limits<double>::quiet_NaN());
   CHECK(array->GetScanAngle() == 0.0);
 }

@@ -17,7 +17,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// The mirror of accuracy A5: 50 Hz, 30 degrees to either side, 4000 pulses to and fro.
+/// The mirror of accuracy A5: 50 Hz, 30 degrees to either side, 4000 pulses per period.
 void SetUp(vtkHeliosOscillatingMirror* mirror)
 {
   mirror->SetPulseFrequency(200000.0);
@@ -25,7 +25,7 @@ void SetUp(vtkHeliosOscillatingMirror* mirror)
   mirror->SetScanAngle(30.0);
 }
 
-/// Where a pulse meets flat ground at y = 1000 m, across the line.
+/// The across-track hit of a pulse on flat ground at y = 1000 m.
 double Across(vtkHeliosOscillatingMirror* mirror, vtkIdType pulse)
 {
   double d[3];
@@ -45,7 +45,8 @@ double Spacing(vtkHeliosOscillatingMirror* mirror, vtkIdType pulse)
   return spacing;
 }
 
-/// The first pulse at 1 GHz with a mirror angle of at least 0.9 A, of 1e12 to and fro: by halving.
+/// The first pulse at 1 GHz with a mirror angle of at least 0.9 A, of 1e12 per period: by
+/// bisection.
 vtkIdType FirstBeyond(vtkHeliosOscillatingMirror* mirror)
 {
   vtkIdType low = 0;
@@ -58,7 +59,7 @@ vtkIdType FirstBeyond(vtkHeliosOscillatingMirror* mirror)
   return high;
 }
 
-/// A period of the dialect (helios-dialect B.8): steps that ramp over 100 pulses around each end.
+/// A period of the dialect (helios-dialect B.8): steps with ramps of 100 pulses around each end.
 std::vector<double> MakeDialectPeriod(int period, double angle)
 {
   const int half = period / 2;
@@ -90,7 +91,7 @@ TEST_CASE("OscillatingMirror: triangular spacing by accuracy A5", "[OscillatingM
   SetUp(mirror);
   CHECK(Spacing(mirror, 1000) == Approx(0.523598776).epsilon(1e-9));
   CHECK(Spacing(mirror, 3000) == Approx(-0.523598776).epsilon(1e-9));
-  // The same speed at 30 degrees, of a mirror that swings on to 60.
+  // The same speed at 30 degrees, of a mirror that oscillates to 60.
   mirror->SetScanFrequency(25.0);
   mirror->SetScanAngle(60.0);
   CHECK(mirror->GetScanAngle(3000) == Approx(30.0).epsilon(1e-14));
@@ -105,7 +106,7 @@ TEST_CASE("OscillatingMirror: along the track a zigzag, by accuracy A5", "[Oscil
   CHECK(mirror->GetScanAngle(1000) == Approx(0.0).margin(1e-13));
   CHECK(mirror->GetScanAngle(3000) == Approx(0.0).margin(1e-13));
   CHECK((3000 - 1000) * step == Approx(0.6).epsilon(1e-12));
-  // At an end the passes come in pairs: 0 apart, then v / f.
+  // At an end the lines come in pairs: 0 apart, then v / f.
   CHECK(mirror->GetScanAngle(0) == -30.0);
   CHECK(mirror->GetScanAngle(2000) == 30.0);
   CHECK(mirror->GetScanAngle(4000) == -30.0);
@@ -137,7 +138,7 @@ TEST_CASE("OscillatingMirror: the pulses near the ends by accuracy A5", "[Oscill
 TEST_CASE("OscillatingMirror: turning like the dialect", "[OscillatingMirror]")
 {
   // The dialect ramps up over 49 pulses and down over 50, and rests at an end for two: no more than
-  // a step from a turn that is even and as long.
+  // a step from a constant deceleration of the same duration.
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   SetUp(mirror);
   mirror->SetTurningPulses(100);
@@ -167,15 +168,15 @@ TEST_CASE("OscillatingMirror: an even turn", "[OscillatingMirror]")
   mirror->SetTurningPulses(400);
   CHECK(mirror->GetScanAngle(0) == -30.0);
   CHECK(mirror->GetScanAngle(2000) == 30.0);
-  const double step = 60.0 / (2000 - 200); // in between
+  const double step = 60.0 / (2000 - 200); // between turns
   for (vtkIdType i = 0; i < 4000; ++i)
   {
     const double last = mirror->GetScanAngle(i + 3999);
     const double here = mirror->GetScanAngle(i);
     const double next = mirror->GetScanAngle(i + 1);
     REQUIRE(std::abs(here) <= 30.0);
-    REQUIRE(here == Approx(mirror->GetScanAngle(8000 - i)).margin(1e-13)); // to as fro
-    // The second difference: none between turns, the same all through a turn.
+    REQUIRE(here == Approx(mirror->GetScanAngle(8000 - i)).margin(1e-13)); // symmetric in time
+    // The second difference: zero between turns, constant in a turn.
     const double bend = next - 2.0 * here + last;
     const vtkIdType fromEnd = std::min(i % 2000, 2000 - i % 2000);
     if (fromEnd != 200)
@@ -185,7 +186,7 @@ TEST_CASE("OscillatingMirror: an even turn", "[OscillatingMirror]")
     }
   }
   CHECK(mirror->GetScanAngle(1001) - mirror->GetScanAngle(1000) == Approx(step).epsilon(1e-11));
-  mirror->SetTurningPulses(1000000); // longer than a line: all of it is turning
+  mirror->SetTurningPulses(1000000); // longer than a line: the whole line is a turn
   CHECK(mirror->GetScanAngle(0) == -30.0);
   CHECK(mirror->GetScanAngle(500) == Approx(-22.5).epsilon(1e-13));
   CHECK(mirror->GetScanAngle(1000) == Approx(0.0).margin(1e-13));

@@ -25,7 +25,7 @@ constexpr double Egg[4][3] = { { 1.0, 0.034920769492, 0.024688950945 },
   { 5.0, 0.176326980708, 0.124203912511 }, { 7.5, 0.267949192431, 0.187819542138 },
   { 10.0, 0.363970234266, 0.253333322866 } };
 
-/// Where a pulse meets flat ground at y = 1.
+/// The hit of a pulse on flat ground at y = 1.
 void Hit(vtkHeliosPalmerMirror* mirror, vtkIdType pulse, double& x, double& z)
 {
   double d[3];
@@ -34,7 +34,7 @@ void Hit(vtkHeliosPalmerMirror* mirror, vtkIdType pulse, double& x, double& z)
   z = d[2] / d[1];
 }
 
-/// What must hold of the mirror's normal, which halves the way from the laser to the pulse.
+/// Checks the mirror's normal, which bisects the directions to the laser and of the pulse.
 void CheckNormal(const double d[3], double wobble, double phi)
 {
   double n[3] = { d[0] + 1.0, d[1], d[2] }; // the laser shines along -x
@@ -53,7 +53,7 @@ void CheckNormal(const double d[3], double wobble, double phi)
 TEST_CASE("PalmerMirror: along axis by accuracy A5", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
-  mirror->SetPulseFrequency(200.0); // four pulses a turn
+  mirror->SetPulseFrequency(200.0); // four pulses per revolution
   for (const auto& egg : Egg)
   {
     mirror->SetWobbleAngle(egg[0]);
@@ -71,7 +71,7 @@ TEST_CASE("PalmerMirror: along axis by accuracy A5", "[PalmerMirror]")
 TEST_CASE("PalmerMirror: cross axis by accuracy A5, an egg", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
-  mirror->SetPulseFrequency(5e8); // 1e7 pulses a turn
+  mirror->SetPulseFrequency(5e8); // 1e7 pulses per revolution
   for (const auto& egg : Egg)
   {
     mirror->SetWobbleAngle(egg[0]);
@@ -94,7 +94,7 @@ TEST_CASE("PalmerMirror: cross axis by accuracy A5, an egg", "[PalmerMirror]")
 
 TEST_CASE("PalmerMirror: no ellipse fits, by accuracy A5", "[PalmerMirror]")
 {
-  // A x^2 + B x z + C z^2 + D x + E z = 1 by least squares leaves up to 3.5e-2.
+  // The least-squares fit of A x^2 + B x z + C z^2 + D x + E z = 1 has residuals up to 3.5e-2.
   vtkNew<vtkHeliosPalmerMirror> mirror;
   mirror->SetPulseFrequency(50.0 * 3600.0);
   std::vector<std::array<double, 5>> rows;

@@ -112,7 +112,7 @@ TEST_CASE("RisleyPrisms: one prism, either way round", "[RisleyPrisms]")
   prisms->SetWedgeAngle(0, -18.0);
   const double second = std::asin(n * std::sin(a)) - a;
   CHECK(prisms->GetScanAngle(0) == Approx(vtkMath::DegreesFromRadians(second)).epsilon(1e-14));
-  // It turns a beam to its thick side: at angle 0 that is -z where the second face is inclined.
+  // It refracts a beam to its thick side: at angle 0 that is -z if the second face is inclined.
   double d[3];
   REQUIRE(prisms->GetDirection(0, d));
   CHECK(d[0] == 0.0);
@@ -128,7 +128,7 @@ TEST_CASE("RisleyPrisms: the sign of a rotor is the sense it turns in", "[Risley
   SetPrism(prisms, 0, -10.0, 1.5, 100.0);
   double d[3];
   double e[3];
-  REQUIRE(prisms->GetDirection(1, d)); // a quarter of a turn
+  REQUIRE(prisms->GetDirection(1, d)); // a quarter revolution
   prisms->SetRotorFrequency(0, -100.0);
   REQUIRE(prisms->GetDirection(1, e));
   CHECK(d[0] < -0.08);
@@ -141,14 +141,14 @@ TEST_CASE("RisleyPrisms: opposite prisms cancel", "[RisleyPrisms]")
   vtkNew<vtkHeliosRisleyPrisms> prisms;
   prisms->SetPulseFrequency(100.0);
   SetPrism(prisms, 0, -25.0, 1.6, 0.0);
-  SetPrism(prisms, 2, 25.0, 1.6, 50.0); // half a turn a pulse
+  SetPrism(prisms, 2, 25.0, 1.6, 50.0); // half a revolution per pulse
   double d[3];
   REQUIRE(prisms->GetDirection(1, d));
   CHECK(d[0] == Approx(0.0).margin(1e-15));
   CHECK(d[1] == Approx(1.0).epsilon(1e-15));
   CHECK(d[2] == Approx(0.0).margin(1e-15));
   REQUIRE(prisms->GetDirection(0, d));
-  CHECK(d[2] < -0.5); // and add up half a turn later
+  CHECK(d[2] < -0.5); // and add up half a revolution later
 }
 
 TEST_CASE("RisleyPrisms: no prism, no bend", "[RisleyPrisms]")
@@ -182,7 +182,7 @@ TEST_CASE("RisleyPrisms: total reflection lets no pulse out", "[RisleyPrisms]")
   CHECK_FALSE(prisms->GetDirection(0, d));
   CHECK(d[0] == 7.0); // not set
   CHECK(prisms->GetScanAngle(0) == 0.0);
-  // A beam that misses a face: one that comes from behind it.
+  // A beam that misses a face, from behind it.
   SetPrism(prisms, 0, 60.0, 1.51, 0.0);
   prisms->SetIncidentBeam(0.0, 1.0, 2.0);
   CHECK_FALSE(prisms->GetDirection(0, d));

@@ -13,7 +13,7 @@
 namespace
 {
 
-/// Where a pulse meets flat ground at y = 1000 m, across the line.
+/// The across-track hit of a pulse on flat ground at y = 1000 m.
 double Across(vtkHeliosRotatingMirror* mirror, vtkIdType pulse)
 {
   double d[3];
@@ -76,8 +76,8 @@ TEST_CASE(
 
 TEST_CASE("RotatingMirror: across spacing by accuracy A5", "[RotatingMirror]")
 {
-  // The same angular speed, six times the pulses over twice the sweep, so that pulses fall on
-  // both sides of 0, 10, 20 and 30 degrees.
+  // The same angular speed, six times the pulses over twice the sweep: pulses on both sides
+  // of 0, 10, 20 and 30 degrees.
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(1200000.0);
   mirror->SetScanFrequency(50.0);
@@ -141,7 +141,7 @@ TEST_CASE("RotatingMirror: a window as wide as the sweep lets every pulse out", 
     mirror->SetVerticalAngleMin(-angle);
     mirror->SetVerticalAngleMax(angle);
     CHECK(CountPulses(mirror, 0, 10000) == 10000);
-    CHECK(mirror->GetScanAngle(1000) == angle); // the end of the sweep, not its begin
+    CHECK(mirror->GetScanAngle(1000) == angle); // the end of the sweep, not its start
   }
 }
 

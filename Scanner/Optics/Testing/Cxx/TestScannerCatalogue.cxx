@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The angles of Data/Assets/scanners.xml, against the rates and steps that data sheets publish.
+// The angles of Data/Assets/scanners.xml, against published rates and steps of data sheets.
 #include "vtkHeliosFiberArray.h"
 #include "vtkHeliosOscillatingMirror.h"
 #include "vtkHeliosRisleyPrisms.h"
@@ -21,7 +21,7 @@
 namespace
 {
 
-/// The text from <scanner id="..." to the next scanner, comments and the name left out.
+/// The text from <scanner id="..." to the next scanner, without comments and the name.
 std::string ReadScanner(const std::string& id)
 {
   const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
@@ -41,7 +41,7 @@ double Number(const std::string& scanner, const std::string& attribute)
   return std::stod(scanner.substr(at + attribute.size() + 2));
 }
 
-/// The mirror of a scanner of the catalogue, its window as wide as the instrument allows.
+/// The mirror of a scanner of the catalogue, with its maximum window.
 vtkSmartPointer<vtkHeliosRotatingMirror> MakeMirror(
   const std::string& id, double pulseFrequency, double scanFrequency)
 {
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkHeliosRotatingMirror> MakeMirror(
   return mirror;
 }
 
-/// The pulses that leave in a second.
+/// The pulses emitted per second.
 int MeasurementRate(const std::string& id, int pulseFrequency, double scanFrequency)
 {
   auto mirror = MakeMirror(id, pulseFrequency, scanFrequency);
@@ -94,7 +94,7 @@ TEST_CASE("Catalogue: the scan product of the ALTM Gemini", "[ScannerCatalogue]"
   REQUIRE(scanner.find("optics=\"oscillating\"") == 0);
   CHECK(Number(scanner, "scanProduct") == 1000.0);
   CHECK(Number(scanner, "scanFreqMax_Hz") == 70.0);
-  // 50 degrees in all at 40 Hz and 167 kHz: 80 lines a second of 2087 pulses, 0.024 degrees apart
+  // 50 degrees in all at 40 Hz and 167 kHz: 80 lines/s of 2087 pulses, 0.024 degrees apart
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   mirror->SetPulseFrequency(167000);
   mirror->SetScanFrequency(Number(scanner, "scanProduct") / 25.0);
@@ -133,13 +133,13 @@ TEST_CASE("Catalogue: the field of view of the Mid-40", "[ScannerCatalogue]")
   }
   double least = 90.0;
   double most = 0.0;
-  for (vtkIdType i = 0; i < 100000; ++i) // a second
+  for (vtkIdType i = 0; i < 100000; ++i) // 1 s
   {
     least = std::min(least, prisms->GetScanAngle(i));
     most = std::max(most, prisms->GetScanAngle(i));
   }
   CHECK(2.0 * most == Approx(38.4).epsilon(1e-3));
-  CHECK(least < 0.5); // the middle is seen, too
+  CHECK(least < 0.5); // the middle is covered, too
 }
 
 TEST_CASE("Catalogue: an instrument is the same under class and product", "[ScannerCatalogue]")

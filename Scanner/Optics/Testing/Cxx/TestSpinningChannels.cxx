@@ -17,7 +17,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// 16 channels from -15 to 15 degrees, 20 turns a second.
+/// 16 channels from -15 to 15 degrees, 20 revolutions/s.
 void SetUp(vtkHeliosSpinningChannels* head)
 {
   head->SetPulseFrequency(320000.0);
@@ -45,7 +45,7 @@ TEST_CASE("SpinningChannels: pulse i is channel i mod n at its own azimuth", "[S
 {
   vtkNew<vtkHeliosSpinningChannels> head;
   SetUp(head);
-  for (vtkIdType i = 0; i < 16000; ++i) // one turn
+  for (vtkIdType i = 0; i < 16000; ++i) // one revolution
   {
     double elevation;
     double azimuth;

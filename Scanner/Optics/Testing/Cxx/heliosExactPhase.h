@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The truth that deflectors are tested against: phases in 128-bit integers.
+// The reference for deflectors: phases in 128-bit integers.
 
 #ifndef heliosExactPhase_h
 #define heliosExactPhase_h
@@ -11,7 +11,7 @@
 namespace helios
 {
 
-/// frac(index * frequency / rate) of the frequency as it is stored (all its bits), for a whole rate.
+/// frac(index * frequency / rate) of the stored frequency (all its bits), for an integer rate.
 inline double ExactPhase(std::int64_t index, double frequency, std::int64_t rate)
 {
   int exponent = 0;

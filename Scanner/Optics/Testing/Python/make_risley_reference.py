@@ -4,9 +4,9 @@
 
     python3 make_risley_reference.py
 
-Needs mpmath. Settings are taken as the doubles they are, phases are fractions of integers, and
-Snell's law is written for the part of a beam that lies in the face, which only shrinks or grows by
-the ratio of the indices: not the formula that the class uses.
+Needs mpmath. Settings are exact doubles, phases are fractions of integers, and Snell's law is
+applied to the component of a beam in the face, which scales with the ratio of the indices: not the
+formula of the class.
 """
 
 from fractions import Fraction
@@ -15,7 +15,7 @@ from mpmath import cos, mp, mpf, nstr, pi, sin, sqrt
 
 mp.dps = 40
 
-# Of each case: pulses a second, air, incident beam, prisms (wedge in degrees, index, turns a second).
+# Per case: pulse frequency, air, incident beam, prisms (wedge in degrees, index, revolutions/s).
 CASES = [
     (100000.0, 1.0, (0, 1, 0), [(18.0, 1.51, -121.5666), (18.0, 1.51, 77.7333)]),
     (1e6, 1.0, (0, 1, 0), [(-29.7, 1.5095, -77.7333), (29.7, 1.5095, 121.5666)]),
@@ -30,7 +30,7 @@ PULSES = [0, 1, 777, 12345678, 86399999999, 86400000000]
 
 
 def exact(number):
-    """A double as it is stored, or a fraction."""
+    """The exact value of a double or a fraction."""
     number = Fraction(number)
     return mpf(number.numerator) / mpf(number.denominator)
 
@@ -40,7 +40,7 @@ def dot(a, b):
 
 
 def bend(beam, onwards, ratio):
-    """The beam behind a face whose unit normal points onwards."""
+    """The beam behind a face whose unit normal points forward."""
     square = dot(beam, onwards)
     within = [ratio * (b - square * n) for b, n in zip(beam, onwards)]
     rest = 1 - dot(within, within)

@@ -16,7 +16,7 @@ TEST_CASE("Drag: a force against linear drag", "[Drag]")
   CHECK(drag.At(0.0, 10.0).Distance == Approx(73.575888234288).epsilon(1e-12));
   CHECK(drag.At(0.0, 60.0).Speed == Approx(19.950424956467).epsilon(1e-12));
   CHECK(drag.At(0.0, 60.0).Distance == Approx(1000.495750435333).epsilon(1e-12));
-  // Energy after 30 s: work = kinetic + what drag took, k integral of v^2.
+  // Energy after 30 s: work = kinetic + loss to drag, k integral of v^2.
   const helios::Travel end = drag.At(0.0, 30.0);
   const double kinetic = 750.0 * end.Speed * end.Speed;
   CHECK(3000.0 * end.Distance == Approx(1229872.241020719).epsilon(1e-12));
@@ -52,7 +52,7 @@ TEST_CASE("Drag: linear drag forward, backward and without drag", "[Drag]")
   }
   CHECK(helios::LinearDrag{ 2.0, 0.0 }.At(3.0, 4.0).Distance == 28.0);
   CHECK(std::isinf(helios::LinearDrag{ 2.0, 0.1 }.FindTime(0.0, 20.0))); // the terminal speed
-  CHECK(std::isinf(helios::LinearDrag{ 2.0, 0.1 }.FindTime(5.0, 4.0)));  // it gets faster
+  CHECK(std::isinf(helios::LinearDrag{ 2.0, 0.1 }.FindTime(5.0, 4.0)));  // it accelerates
 }
 
 TEST_CASE("Drag: a tilted helicopter against quadratic drag", "[Drag]")
@@ -67,7 +67,7 @@ TEST_CASE("Drag: a tilted helicopter against quadratic drag", "[Drag]")
     INFO("tilt " << tilt);
     CHECK(drag.At(0.0, 10.0).Distance == Approx(way).epsilon(1e-11));
     CHECK(drag.At(0.0, 60.0).Speed == Approx(speed).epsilon(1e-11));
-    const helios::Travel late = drag.At(0.0, 5000.0); // beyond where tanh is 1
+    const helios::Travel late = drag.At(0.0, 5000.0); // where tanh is 1
     CHECK(late.Speed == Approx(std::sqrt(drag.Drive / drag.Drag)).epsilon(1e-14));
   }
 }
@@ -91,7 +91,7 @@ TEST_CASE("Drag: quadratic drag solves its equation from any speed", "[Drag]")
         CHECK(
           (b.Speed - a.Speed) / (2.0 * h) == Approx(drive - c * m.Speed * m.Speed).margin(2e-6));
         CHECK((b.Distance - a.Distance) / (2.0 * h) == Approx(m.Speed).epsilon(1e-7).margin(1e-7));
-        // In one go, or in two.
+        // In one step, or in two.
         const helios::Travel first = drag.At(v0, 0.37 * t);
         const helios::Travel rest = drag.At(first.Speed, 0.63 * t);
         CHECK(first.Distance + rest.Distance == Approx(m.Distance).epsilon(1e-12));
@@ -103,7 +103,7 @@ TEST_CASE("Drag: quadratic drag solves its equation from any speed", "[Drag]")
 
 TEST_CASE("Drag: the ramps of the drive are integrated to fourth order", "[Drag]")
 {
-  // Without drag v and x are polynomials that RK4 gives exactly.
+  // Without drag v and x are polynomials for which RK4 is exact.
   const helios::DriveLimits free{ 5.0, -5.0, 2.0, 0.0, 0.01 };
   const auto ramp = helios::DrivePhase::Ramp(free, 3.0, 1.0, 4.0);
   CHECK(ramp.GetDuration() == 1.5);
@@ -111,7 +111,7 @@ TEST_CASE("Drag: the ramps of the drive are integrated to fourth order", "[Drag]
   CHECK(ramp.At(t).Speed == Approx(3.0 + t + t * t).epsilon(1e-14));
   CHECK(ramp.At(t).Distance == Approx(3.0 * t + t * t / 2.0 + t * t * t / 3.0).epsilon(1e-14));
   CHECK(ramp.At(t).Drive == 1.0 + 2.0 * t);
-  // With drag the error falls by 16 where the step is halved.
+  // With drag the error falls by 16 when the step is halved.
   double ends[3];
   for (int i = 0; i < 3; ++i)
   {
@@ -119,7 +119,7 @@ TEST_CASE("Drag: the ramps of the drive are integrated to fourth order", "[Drag]
     ends[i] = helios::DrivePhase::Ramp(limits, 9.0, 0.0, 4.0).GetEnd().Distance;
   }
   CHECK((ends[0] - ends[1]) / (ends[1] - ends[2]) == Approx(16.0).epsilon(0.25));
-  // At the step and the drag of a real one, half the step changes nothing.
+  // For a realistic step and drag, half the step changes nothing.
   helios::DriveLimits limits{ 6.0, -4.0, 15.0, 0.02, 0.01 };
   const double coarse = helios::ChangeSpeed(limits, 0.0, 15.0).Distance;
   limits.Step = 0.005;

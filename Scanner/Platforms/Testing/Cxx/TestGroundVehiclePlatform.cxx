@@ -40,7 +40,7 @@ double GetSpeed(vtkPolyData* path, vtkIdType sample)
     helios::Value(path, names::Velocity, sample, 2));
 }
 
-/// Along the body's forward axis, negative backward.
+/// Along the body's forward axis, negative in reverse.
 double GetForwardSpeed(vtkPolyData* path, vtkIdType sample)
 {
   const helios::Point forward = helios::ForwardAt(path, sample);
@@ -93,8 +93,8 @@ TEST_CASE("GroundVehiclePlatform: Speed is reached and kept", "[GroundVehiclePla
 TEST_CASE("GroundVehiclePlatform: the tightest turn is the circle of the bicycle",
   "[GroundVehiclePlatform]")
 {
-  // A waypoint beside the car: with wheels that turn at once it runs along the circle of radius
-  // Wheelbase / tan(angle). A7: 4.330127018922 m for 2.5 m, 30 degrees.
+  // A waypoint beside the car: with instant steering it follows the circle of radius Wheelbase
+  // / tan(angle). A7: 4.330127018922 m for 2.5 m, 30 degrees.
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
   car->SetSteeringRate(1e4);
   const double radius = 4.330127018922;
@@ -110,7 +110,7 @@ TEST_CASE("GroundVehiclePlatform: the tightest turn is the circle of the bicycle
   }
   CHECK(onCircle > 20);
   CHECK(helios::GetMiss(path, leg[1], { 2.0 * radius, -5.0, 0.0 }) < 1e-9);
-  // Half way round it is opposite, and the turn's speed is that of the lateral acceleration.
+  // Half way round it is opposite, and the turn's speed follows from the lateral acceleration.
   double top = 0.0;
   for (vtkIdType i = leg[0]; i <= leg[1]; ++i)
   {
@@ -171,7 +171,7 @@ TEST_CASE("GroundVehiclePlatform: it never moves sideways", "[GroundVehiclePlatf
     CHECK(std::abs(along) == Approx(GetSpeed(path, i)).margin(1e-9));
     backs = backs || along < -0.1;
   }
-  CHECK(backs); // 1 m to the side takes a three-point manoeuvre
+  CHECK(backs); // 1 m to the side needs a three-point turn
   CHECK(helios::FindFlaw(path, 1e-3).empty());
   CHECK(helios::GetMiss(path, helios::FindLeg(path, 1)[1], { 1.0, 20.0, 0.0 }) < 1e-9);
 }

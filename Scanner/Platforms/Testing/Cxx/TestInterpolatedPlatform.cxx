@@ -28,7 +28,7 @@ namespace
 
 constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-/// t, x, y, z and yaw, counter-clockwise [deg].
+/// t, x, y, z and yaw, anticlockwise [deg].
 using Row = std::array<double, 5>;
 
 vtkSmartPointer<vtkPolyData> MakeRecord(const std::vector<Row>& rows)
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> MakeRecord(const std::vector<Row>& rows)
   return record;
 }
 
-/// A sample each second from 100 s to 110 s at 2 m/s along x, turning by 15 deg/s.
+/// A sample per second from 100 s to 110 s at 2 m/s along x, turning by 15 deg/s.
 vtkSmartPointer<vtkPolyData> MakeFlight()
 {
   std::vector<Row> rows;
@@ -251,7 +251,7 @@ TEST_CASE("InterpolatedPlatform: several records one behind the other", "[Interp
 TEST_CASE(
   "InterpolatedPlatform: cubic pieces have the velocity of parabolas", "[InterpolatedPlatform]")
 {
-  std::vector<Row> rows; // x = t^2, y = 3 t - t^2 at uneven times
+  std::vector<Row> rows; // x = t^2, y = 3 t - t^2 at irregular times
   for (const double t : { 0.0, 1.0, 1.5, 4.0, 5.0 })
   {
     rows.push_back({ t, t * t, 3 * t - t * t, 7, 0 });

@@ -139,7 +139,7 @@ TEST_CASE("LinearPathPlatform: vertical and empty legs keep a heading", "[Linear
 
 TEST_CASE("LinearPathPlatform: the times of many legs do not drift", "[LinearPathPlatform]")
 {
-  // 100000 legs of 0.1 s there and back: a plain sum is 1.9e-8 s off (accuracy A6).
+  // 100000 legs of 0.1 s back and forth: a plain sum is 1.9e-8 s off (accuracy A6).
   const int legs = 100000;
   std::vector<helios::Point> positions;
   for (int i = 0; i <= legs; ++i)

@@ -15,7 +15,7 @@ namespace
 
 const double Pi = std::acos(-1.0);
 
-/// How far samples are from a piece, anywhere between them [m], [rad].
+/// The maximum deviation of samples from a piece, at any time [m], [rad].
 std::pair<double, double> GetErrors(
   const helios::MotionPiece& piece, const std::vector<helios::MotionSample>& samples)
 {
@@ -56,7 +56,7 @@ TEST_CASE("Motion: samples of a circle are as few as it takes", "[Motion]")
   const auto errors = GetErrors(circle, samples);
   CHECK(errors.first < 1e-7);
   CHECK(errors.first > 1e-9);
-  CHECK(errors.second < 1e-12); // it turns at a constant rate
+  CHECK(errors.second < 1e-12); // it rotates at a constant rate
   const double needed = 2.0 * Pi / std::pow(384e-9, 0.25);
   CHECK(static_cast<double>(samples.size()) > needed);
   CHECK(static_cast<double>(samples.size()) < 4.0 * needed);

@@ -64,7 +64,7 @@ double GetTilt(vtkPolyData* path, vtkIdType sample)
   return std::atan2(std::hypot(up[0], up[1]), up[2]) * 180.0 / Pi;
 }
 
-/// Where the nose points, clockwise from north [deg].
+/// The heading of the nose, clockwise from north [deg].
 double GetHeading(vtkPolyData* path, vtkIdType sample)
 {
   const helios::Point forward = helios::ForwardAt(path, sample);
@@ -76,7 +76,7 @@ double GetHeading(vtkPolyData* path, vtkIdType sample)
 TEST_CASE(
   "MulticopterPlatform: tilt, drag and terminal speed of a helicopter", "[MulticopterPlatform]")
 {
-  // accuracy A7: c = 1.225 kg/m, m = 1000 kg; terminal speed and the way of the first 10 s.
+  // accuracy A7: c = 1.225 kg/m, m = 1000 kg; terminal speed and the distance of the first 10 s.
   const double cases[3][3] = { { 2.0, 16.719920030476, 17.004391465585 },
     { 5.0, 26.464773693847, 42.167496731752 }, { 10.0, 37.570906953084, 83.568543218366 } };
   for (const auto& [tilt, terminal, way] : cases)
@@ -89,7 +89,7 @@ TEST_CASE(
     auto path = Run(copter, { { 0.0, 0.0, 50.0 }, { 0.0, 5000.0, 50.0 } }, { 100.0, 0.0 }, Through);
     INFO("tilt " << tilt);
     REQUIRE(path->GetNumberOfPoints() > 2);
-    // It takes a time to tilt: as if it started in the middle of that.
+    // Tilting takes time: equivalent to a start in the middle of it.
     const double late = 0.5 * std::tan(tilt * Pi / 180.0) / (1000.0 * Pi / 180.0);
     CHECK(helios::PositionAt(path, 10.0 + late)[1] == Approx(way).epsilon(1e-6));
     const vtkIdType last = path->GetNumberOfPoints() - 1;
@@ -144,7 +144,7 @@ TEST_CASE("MulticopterPlatform: the thrust is what gravity, drag and acceleratio
       worst = std::max(worst, vtkMath::Norm(cross) / vtkMath::Norm(thrust.data()));
     }
     INFO("mode " << mode);
-    CHECK(worst < 0.02); // where the tilt begins to change the difference is rough
+    CHECK(worst < 0.02); // inaccurate where the tilt begins to change
   }
 }
 
@@ -197,7 +197,7 @@ TEST_CASE("MulticopterPlatform: stop and turn", "[MulticopterPlatform]")
   CHECK(helios::GetMiss(path, second[1], way[2]) < 1e-9);
   CHECK(GetSpeed(path, second[1]) < 1e-12);
   CHECK(GetTilt(path, second[1]) < 1e-9);
-  // 90 degrees at 30 degrees/s: 3 s at the waypoint, upright.
+  // 90 degrees at 30 degrees/s: 3 s at the waypoint, level.
   double hover = 0.0;
   for (vtkIdType i = second[0]; GetHeading(path, i) > 1e-6; ++i)
   {
@@ -248,11 +248,11 @@ TEST_CASE("MulticopterPlatform: smooth turns are banked circles", "[MulticopterP
   const double radius = 30.0 * (GetTime(path, middle) - GetTime(path, i)) / turn;
   CHECK(GetTilt(path, i) == Approx(20.0).epsilon(1e-9));
   CHECK(radius == Approx(252.148254246777).epsilon(1e-9));
-  // It cuts the corner by less than a circle with room for rolling in.
+  // It cuts the corner by less than a circle plus the roll-in.
   const double miss = helios::GetMiss(path, middle, corner);
   CHECK(miss > radius * (std::sqrt(2.0) - 1.0));
   CHECK(miss < radius * (std::sqrt(2.0) - 1.0) + 30.0 * 20.0 / 28.65);
-  // To the right of the turn is down.
+  // The right of the turn is down.
   CHECK(helios::BodyToWorld(path, middle, { 1.0, 0.0, 0.0 })[2] ==
     Approx(-std::sin(20.0 * Pi / 180.0)));
 }
@@ -337,7 +337,7 @@ TEST_CASE("MulticopterPlatform: half the time step changes nothing", "[Multicopt
     copter->SetTimeStep(0.005);
     auto fine = Run(copter, way, { 12.0, 10.0, 20.0, 10.0 }, mode);
     double worst = 0.0;
-    // At 10 kHz and at 1 MHz: the same times, the same places.
+    // At 10 kHz and at 1 MHz: the same times and positions.
     for (int i = 0; i < 100000; ++i)
     {
       const double t = i * 1e-4;
@@ -346,7 +346,7 @@ TEST_CASE("MulticopterPlatform: half the time step changes nothing", "[Multicopt
     }
     INFO("mode " << mode);
     CHECK(GetDuration(coarse) == Approx(GetDuration(fine)).epsilon(1e-9));
-    CHECK(worst < 4e-7); // twice what samples are allowed to miss, and 1e-9 for the step
+    CHECK(worst < 4e-7); // twice the tolerance of samples, and 1e-9 for the step
   }
 }
 
@@ -375,7 +375,7 @@ TEST_CASE("MulticopterPlatform: vertical legs and legs without length", "[Multic
 
 TEST_CASE("MulticopterPlatform: an hour takes few samples", "[MulticopterPlatform]")
 {
-  // 24 lines of a kilometre, 50 m apart, at 8 m/s.
+  // 24 lines of 1 km, 50 m apart, at 8 m/s.
   std::vector<helios::Point> way;
   for (int line = 0; line < 24; ++line)
   {

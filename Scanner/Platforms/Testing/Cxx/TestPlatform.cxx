@@ -26,7 +26,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-/// What a user writes: a second from waypoint to waypoint, always facing east.
+/// A user-defined platform: one second per leg, always facing east.
 class Steps : public vtkHeliosPlatform
 {
 public:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mounts of Data/Assets/platforms.xml, against where the beams must go.
+// The mounts of Data/Assets/platforms.xml, against the expected beam directions.
 #include "heliosTrajectory.h"
 #include "vtkHeliosLinearPathPlatform.h"
 
@@ -19,7 +19,7 @@ namespace
 
 const double Pi = std::acos(-1.0);
 
-/// The text of a <platform> in the catalogue; the comments of the file stand before the elements.
+/// The text of a <platform> in the catalogue; comments precede the elements.
 std::string ReadPlatform(const std::string& id)
 {
   const auto root = std::filesystem::path(__FILE__).parent_path() / "../../../..";
@@ -30,7 +30,7 @@ std::string ReadPlatform(const std::string& id)
   return begin < end ? text.substr(begin, end - begin) : std::string();
 }
 
-/// The rotation of its scannerMount: the <rot> elements one after the other about fixed axes.
+/// The rotation of its scannerMount: the <rot> elements in order about fixed axes.
 vtkQuaterniond ReadMount(const std::string& platform)
 {
   vtkQuaterniond mount;
@@ -48,7 +48,7 @@ vtkQuaterniond ReadMount(const std::string& platform)
   return mount;
 }
 
-/// A direction of the scanner in the world, on a platform of the catalogue that goes (x, y).
+/// A direction of the scanner in the world, on a platform of the catalogue moving along (x, y).
 helios::Point ToWorld(const std::string& id, double x, double y, const helios::Point& beam)
 {
   const std::string text = ReadPlatform(id);

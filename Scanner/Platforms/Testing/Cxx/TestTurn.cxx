@@ -89,7 +89,7 @@ TEST_CASE("Turn: it finds the first turn that leads to a point", "[Turn]")
     {
       const auto arc = helios::FindTurn(x, y, 1.0 / radius, 0.0);
       INFO("to " << x << ", " << y);
-      // With arcs it is exactly the points outside the circle that are reached.
+      // With arcs exactly the points outside the circle are reached.
       CHECK(arc.has_value() == (std::hypot(x, y - radius) >= radius));
       const auto bend = helios::FindTurn(x, y, 1.0 / radius, 2.0);
       for (const auto& turn : { arc, bend })
@@ -131,7 +131,7 @@ TEST_CASE("GroundPath: what can be reached by a turn is, the rest by backing up"
       }
       const double clearance = std::hypot(std::abs(x) - 4.330127018922, y) - 4.330127018922;
       CHECK((backward == 0 || clearance < 1.0 || (y < 0.0 && std::abs(x) < 6.0)));
-      CHECK((backward > 0 || clearance > -0.5)); // turning the wheels takes a way
+      CHECK((backward > 0 || clearance > -0.5)); // steering takes a distance
       CHECK(stops == (backward > 0 ? 2 : 0));
       const auto end = path.back().At(path.back().Length);
       CHECK((end.Position - helios::Vec3(x, y, 1.0)).Norm() < 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Any waypoints: what comes out passes them, in bounded time.
+// Any waypoints: the trajectory passes them, in bounded time.
 #include "heliosErrorObserver.h"
 #include "heliosTrajectory.h"
 #include "vtkHeliosGroundVehiclePlatform.h"
@@ -46,7 +46,7 @@ TEST_CASE("VehicleRoutes: many waypoints", "[VehicleRoutes]")
   {
     vtkNew<vtkHeliosMulticopterPlatform> copter;
     copter->SetDragCoefficient(drag);
-    // As fast as it can, where drag is high.
+    // At maximum speed with high drag.
     auto path = Run(copter, way, std::vector<double>(way.size(), drag > 1.0 ? 100.0 : 15.0), mode);
     CHECK(helios::FindFlaw(path, 0.05) == "");
     CHECK(helios::GetMiss(path, path->GetNumberOfPoints() - 1, way.back()) < 1e-9);
@@ -91,7 +91,7 @@ TEST_CASE("VehicleRoutes: any waypoints are reached", "[VehicleRoutes]")
     {
       const auto ends = helios::FindLeg(path, leg);
       REQUIRE(ends[0] >= 0);
-      // A smooth turn misses its waypoint by less than a leg is long.
+      // A smooth turn misses its waypoint by less than a leg length.
       const double allowed = mode == Smooth && leg + 2 < count
         ? std::sqrt(vtkMath::Distance2BetweenPoints(way[leg].data(), way[leg + 1].data()))
         : 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes waypoints and reads trajectories, for the tests.
+// Creates waypoints and reads trajectories, for the tests.
 
 #ifndef heliosTrajectory_h
 #define heliosTrajectory_h
@@ -27,7 +27,7 @@ namespace helios
 
 using Point = std::array<double, 3>;
 
-/// Waypoints, and their speeds where there are any.
+/// Waypoints, and their speeds if given.
 inline vtkSmartPointer<vtkPolyData> MakeWaypoints(
   const std::vector<Point>& positions, const std::vector<double>& speeds = {})
 {
@@ -52,7 +52,7 @@ inline vtkSmartPointer<vtkPolyData> MakeWaypoints(
   return waypoints;
 }
 
-/// Adds a point array of one number a waypoint.
+/// Adds a point array with one component.
 inline void AddValues(vtkPolyData* waypoints, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
@@ -64,7 +64,7 @@ inline void AddValues(vtkPolyData* waypoints, const char* name, const std::vecto
   waypoints->GetPointData()->AddArray(array);
 }
 
-/// What a multicopter does at its waypoints.
+/// The behaviour of a multicopter at its waypoints.
 enum Mode
 {
   Stop,
@@ -83,7 +83,7 @@ inline vtkSmartPointer<vtkPolyData> MakeFlight(
   return waypoints;
 }
 
-/// A number of a point array.
+/// A value of a point array.
 inline double Value(vtkPolyData* data, const char* name, vtkIdType point, int component = 0)
 {
   return data->GetPointData()->GetArray(name)->GetComponent(point, component);
@@ -107,7 +107,7 @@ inline Point ForwardAt(vtkPolyData* path, vtkIdType sample)
   return BodyToWorld(path, sample, { 0.0, 1.0, 0.0 });
 }
 
-/// The position between samples as the scanner takes it, found from a sample at or before the time.
+/// The position between samples as in the scanner, searched from a sample at or before the time.
 inline Vec3 PositionAt(vtkPolyData* path, double time)
 {
   vtkIdType i = 0;
@@ -149,8 +149,8 @@ inline std::array<vtkIdType, 2> FindLeg(vtkPolyData* path, int leg)
   return ends;
 }
 
-/// What is wrong with a trajectory as such: times that go back, a leg that does not start when the
-/// one before ends, a jump, velocities that are not those of the positions. Empty where it is sound.
+/// Returns an error message, or an empty string for a valid trajectory: times must not decrease, a
+/// leg starts when the one before ends, no jumps, velocities match the positions.
 inline std::string FindFlaw(vtkPolyData* path, double tolerance)
 {
   for (vtkIdType i = 1; i < path->GetNumberOfPoints(); ++i)

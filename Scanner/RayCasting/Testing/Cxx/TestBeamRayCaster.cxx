@@ -12,7 +12,7 @@ using helios::Vec3;
 namespace
 {
 
-/// Hits of beams, and of what is left over in the end, that differ from those of the bvh.
+/// The number of hits of beams, and of a last partial one, that differ from those of the bvh.
 int CountDifferences(
   const helios::Soup& soup, const std::vector<vtkHeliosRay>& rays, int raysPerBeam)
 {
@@ -31,7 +31,7 @@ int CountDifferences(
   return helios::CountDifferences(hits, truth);
 }
 
-/// Beams of 19 rays from one place to places in a box; spread is the tangent of their half angle.
+/// Beams of 19 rays from one point to points in a box; spread is the tangent of their half angle.
 std::vector<vtkHeliosRay> MakeBeams(const Vec3& from, const Vec3& low, const Vec3& high,
   double spread, double skew = 0.0, int count = 300)
 {
@@ -50,7 +50,7 @@ std::vector<vtkHeliosRay> MakeBeams(const Vec3& from, const Vec3& low, const Vec
   return rays;
 }
 
-/// Beams about each axis, with directions exactly along it, and just beside it.
+/// Beams about each axis, with directions exactly along it, and next to it.
 std::vector<vtkHeliosRay> MakeBeamsAlongAxes(const helios::Soup& soup, double distance)
 {
   Dice dice(7);

@@ -80,7 +80,7 @@ struct Flight
   }
 };
 
-/// A point of a triangle, or of a way.
+/// A point of a triangle, or of a segment.
 Vec3 Pick(const Vec3 corners[3], double u, double v)
 {
   return u + v > 1 ? Pick(corners, 1 - u, 1 - v)
@@ -123,7 +123,7 @@ TEST_CASE("TriangleDistance: no point of both is nearer, and one is as near", "[
       ? a + 1e-9 * (corners[1] - corners[0])
       : (i % 5 == 1 ? a + corners[2] - corners[0] : size * dice.Point(-1, 1));
     const double distance = helios::WayToTriangle(a, b, corners);
-    // The nearest of a grid, refined about the best.
+    // The nearest point of a grid, refined about the best.
     double best = None, s0 = 0.5, u0 = 0.5, v0 = 0.5;
     for (double width = 0.5; width > 1e-7; width *= 0.6)
     {
@@ -172,7 +172,7 @@ TEST_CASE("Clearance: above a plane, also between samples", "[Clearance]")
       CHECK(values[0] == Approx(20).epsilon(1e-9));
       CHECK(values[1] == Approx(6).epsilon(1e-9));
       CHECK(values[2] == Approx(6).epsilon(1e-9));
-      // Beyond the radius of 100 m there is nothing.
+      // No surface within the radius of 100 m.
       CHECK(values[3] == (direction == vtkHeliosClearance::DOWN ? Approx(195) : Approx(None)));
       CHECK(flight.Filter->GetSmallestClearance() == Approx(6).epsilon(1e-9));
     }
@@ -220,7 +220,7 @@ TEST_CASE("Clearance: past a sphere it is the distance less the radius", "[Clear
     const Vec3 out = dice.Direction();
     const Vec3 along = out.Cross(dice.Direction()).Normalized();
     const double distance = dice(5, 40);
-    const Vec3 nearest = Vec3(10, 20, 30) + distance * out; // of a way that passes by
+    const Vec3 nearest = Vec3(10, 20, 30) + distance * out; // of a segment that passes by
     samples.push_back(nearest - dice(1, 90) * along);
     samples.push_back(nearest + dice(1, 90) * along);
     truths.push_back(distance - 4);
@@ -276,7 +276,7 @@ TEST_CASE("Clearance: jumps are not flown, single samples are looked at", "[Clea
   flight.SetTimes({ 0, 1, 1, 2 });
   const auto values = flight.Run();
   CHECK(values[0] == Approx(8));
-  CHECK(values[1] == Approx(8)); // does not go through
+  CHECK(values[1] == Approx(8)); // does not intersect
   CHECK(values[2] == Approx(5));
   CHECK(values[3] == Approx(6));
   Flight tripod(scene, { { 0, 0, 2 } });

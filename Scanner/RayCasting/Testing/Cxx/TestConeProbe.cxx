@@ -47,7 +47,7 @@ struct ConeFrame
     };
     return { dot(this->U), dot(this->V), dot(this->W) };
   }
-  /// The direction to a place in the disc of radius 1.
+  /// The direction to a point in the disc of radius 1.
   Vec3 GetDirection(double x, double y) const
   {
     return this->W + this->U * (x * this->Source.Tangent) + this->V * (y * this->Source.Tangent);
@@ -59,7 +59,7 @@ struct ConeFrame
 
 using Point3 = std::array<long double, 3>;
 
-/// The part of a triangle before the apex, as far as it is farther than a little: a polygon.
+/// The part of a triangle before the apex, beyond a minimum distance: a polygon.
 std::vector<Point3> ClipToFront(const Point3 corners[3])
 {
   long double size = 0;
@@ -87,7 +87,7 @@ std::vector<Point3> ClipToFront(const Point3 corners[3])
   return polygon;
 }
 
-/// Points of a triangle within the cone of a tangent, if there are any: among them its extremes.
+/// Points of a triangle within the cone of a tangent, if any, including its extremes.
 std::vector<Point3> ClipToCone(const Point3 corners[3], long double tangent)
 {
   std::vector<Point3> points;
@@ -132,14 +132,14 @@ std::vector<Point3> ClipToCone(const Point3 corners[3], long double tangent)
   return points;
 }
 
-/// What is wrong with an answer; an empty text if nothing is.
+/// Checks a result; returns an error message, or an empty string.
 std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const Cone& cone,
   double tolerance, const vtkHeliosConeHit& found)
 {
   const ConeFrame frame(cone);
   const bool isEmpty = found.Kind == vtkHeliosConeHit::Empty;
   std::vector<vtkHeliosRay> rays = { helios::MakeRay(cone.Apex, cone.Axis) };
-  for (int i = 0; i < 120; ++i) // a spiral, and the rim
+  for (int i = 0; i < 120; ++i) // a spiral, and the edge
   {
     const double radius = i < 80 ? std::sqrt((i + 0.5) / 80) : 1.0 - 1e-7;
     const double turn = i < 80 ? 2.39996322972865 * i : 2 * vtkMath::Pi() * i / 40;
@@ -158,7 +158,7 @@ std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const 
       corners[i] = frame.Get(soup.Points[soup.Triangles[cell][i]]);
     }
   };
-  // The plane's depth where a direction (x, y, 1) meets it: n . p / n . d.
+  // The plane's depth along a direction (x, y, 1): n . p / n . d.
   Point3 normal = {}, plane[3] = {};
   if (!isEmpty)
   {
@@ -218,7 +218,7 @@ std::string FindFault(const vtkHeliosRayCaster& caster, const Soup& soup, const 
   return {};
 }
 
-/// Answers by kind, after each was checked.
+/// Results by kind, after each was checked.
 struct Counts
 {
   int Kinds[3] = { 0, 0, 0 };
@@ -286,7 +286,7 @@ Vec3 GetAim(const Vec3& from, const Vec3& to)
   return (to - from).Normalized();
 }
 
-/// Kind of what a cone from (0.1, 0.2, 5) meets about a place, to a tolerance of 1 um.
+/// Kind of the hit of a cone from (0.1, 0.2, 5) towards a point, with a tolerance of 1 um.
 int ProbeAt(const Soup& soup, const Vec3& place, double tangent, const Vec3& from = { 0.1, 0.2, 5 })
 {
   const Counts counts = Probe(soup, { { from, GetAim(from, place), tangent } }, 1e-6);
@@ -369,7 +369,7 @@ TEST_CASE("ProbeCone: mostly one plane over smooth terrain", "[ConeProbe]")
     const Counts strict = Probe(soup, cones, 0.0);
     CHECK(strict.Fault == "");
     CHECK(
-      strict.Kinds[OnePlane] > 160); // 2 r L / A = 0.04 * 3.4 of the cones from 100 m see an edge
+      strict.Kinds[OnePlane] > 160); // 2 r L / A = 0.04 * 3.4 of the cones at 100 m have an edge
     CHECK(strict.Kinds[Mixed] > 5);
     const Counts tolerant = Probe(soup, cones, 0.01);
     CHECK(tolerant.Fault == "");
@@ -406,7 +406,7 @@ TEST_CASE("ProbeCone: a wall of triangles is one plane, with a hole it is not", 
   CHECK(probeLeaf({ 0.4, 0.2, -1 }, { 0.5, 0.2, 1 }, { 0.5, 0.3, 1 }) == Mixed);
   CHECK(probeLeaf({ 0.4, 0.2, 1 }, { 0.4, 0.2, 2 }, { 0.4, 0.3, 1 }) == Mixed);
   CHECK(probeLeaf({ 0.4, 0.2, 6 }, { 0.5, 0.2, 6 }, { 0.5, 0.3, 7 }) == OnePlane);
-  // From all around, closer than the wall is, and from below through it.
+  // From all sides, closer than the wall, and from below through it.
   CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 4.9 }) == OnePlane);
   CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 5.1 }) == OnePlane);
 }

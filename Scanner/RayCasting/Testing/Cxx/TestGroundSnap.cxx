@@ -70,7 +70,7 @@ TEST_CASE("GroundSnap: onto the highest ground", "[GroundSnap]")
     vtkPolyData* result = snap->GetOutput();
     REQUIRE(result->GetNumberOfPoints() == 3);
     CHECK(result->GetPoints()->GetDataType() == VTK_DOUBLE);
-    // Without a ground material everything is ground, the roof too.
+    // Without a ground material everything is ground, also the roof.
     CHECK(result->GetPoint(0)[2] == Approx(slopeIsGround ? 6.5 : 21.5).epsilon(1e-14));
     CHECK(result->GetPoint(1)[2] == Approx(2.5).epsilon(1e-14));
     CHECK(result->GetPoint(2)[2] == Approx(9.5).epsilon(1e-14));

@@ -25,7 +25,7 @@ vtkSmartPointer<vtkPolyData> MakeWall(double x)
   return soup.GetPolyData();
 }
 
-/// Counts how often it is really built.
+/// Counts the actual builds.
 class CountingCaster : public vtkHeliosBvhRayCaster
 {
 public:
@@ -89,12 +89,12 @@ TEST_CASE("RayCaster: keeps its tree for another scene with the same triangles",
   CHECK(caster->Builds == 1);
   scene->GetPoints()->SetPoint(0, 2, -1, -5);
   scene->GetPoints()->Modified();
-  REQUIRE(caster->Build(other)); // which has these points, too
+  REQUIRE(caster->Build(other)); // has these points, too
   CHECK(caster->Builds == 2);
   vtkNew<vtkPoints> points;
   points->DeepCopy(scene->GetPoints());
   other->SetPoints(points);
-  REQUIRE(caster->Build(scene)); // has still those that the tree is of
+  REQUIRE(caster->Build(scene)); // still has the points of the tree
   CHECK(caster->Builds == 2);
   REQUIRE(caster->Build(other));
   CHECK(caster->Builds == 3);

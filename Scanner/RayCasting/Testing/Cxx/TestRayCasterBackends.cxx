@@ -14,7 +14,7 @@
 namespace
 {
 
-/// Keeps what would be printed.
+/// Captures the output.
 class Texts : public vtkOutputWindow
 {
 public:
@@ -28,7 +28,7 @@ public:
 
 TEST_CASE("RayCaster: backends by their names", "[RayCaster]")
 {
-  // This program is linked with no backend of another library.
+  // This program links no backend of another library.
   REQUIRE(vtkHeliosRayCaster::GetNumberOfBackends() == 2);
   CHECK(vtkHeliosRayCaster::GetBackendName(0) == std::string("beam"));
   CHECK(vtkHeliosRayCaster::GetBackendName(1) == std::string("bvh"));

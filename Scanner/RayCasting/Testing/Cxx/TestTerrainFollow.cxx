@@ -27,7 +27,7 @@ namespace
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
 
-/// A rectangle over [x0, x1] x [-100, 100] whose heights are those at both ends.
+/// A rectangle over [x0, x1] x [-100, 100] with the given heights at both ends.
 void AddSlab(helios::Soup& soup, double x0, double z0, double x1, double z1)
 {
   soup.AddTriangle({ x0, -100, z0 }, { x1, -100, z1 }, { x1, 100, z1 });
@@ -116,7 +116,7 @@ TEST_CASE("TerrainFollow: waypoints between have the settings of their leg", "[T
       CHECK(way->GetPoint(i)[0] == Approx(10 + 400 * s).epsilon(1e-14));
       CHECK(way->GetPoint(i)[1] == Approx(20 + 300 * s).epsilon(1e-14));
     }
-    // The truth: a ray.
+    // The reference: a ray.
     helios::TriangleMesh mesh;
     REQUIRE(mesh.Set(vtkPolyData::SafeDownCast(follow.Filter->GetInputDataObject(1, 0))).empty());
     const Vec3 p(way->GetPoint(i));
@@ -146,7 +146,7 @@ TEST_CASE("TerrainFollow: LegIds that are there are kept", "[TerrainFollow]")
   {
     CHECK(legs->GetTuple1(i) == expected[i]);
   }
-  CHECK(follow.Waypoints->GetPointData()->GetNumberOfArrays() == 2); // the input is left alone
+  CHECK(follow.Waypoints->GetPointData()->GetNumberOfArrays() == 2); // the input is unchanged
 }
 
 TEST_CASE("TerrainFollow: a step is climbed in time and left in time", "[TerrainFollow]")

@@ -86,7 +86,7 @@ Vec3 Draw(vtkIdType item, std::uint32_t draw, double low, double high)
   return Vec3(low, low, low) + (high - low) * Vec3(u[0], u[1], u[2]);
 }
 
-/// What the box [0, size] takes of a ray: the slabs' ranges put together in long double.
+/// The chord of a ray in the box [0, size]: the intersected ranges of the slabs in long double.
 long double Chord(const Vec3& o, const Vec3& d, const Vec3& size)
 {
   long double first = 0.0L;
@@ -217,7 +217,7 @@ TEST_CASE("TurbidGrid: an optical depth lies where densities add up to it", "[Tu
   };
   CHECK(find(0.25).Range == 1.25);
   CHECK(find(0.25).Cell == 0);
-  CHECK(find(1.25).Range == 4.5); // 1 in the first cell, nothing in two, 0.25 of the last
+  CHECK(find(1.25).Range == 4.5); // 1 in the first cell, 0 in two, 0.25 of the last
   CHECK(find(1.25).Cell == 3);
   CHECK(find(1.5).Cell == -1);
   CHECK(find(0.25, 1.2).Cell == -1);
@@ -261,7 +261,7 @@ TEST_CASE("TurbidGrid: a cone that is said to miss does miss", "[TurbidGrid]")
     (mayMeet ? met : missed) += 1;
     for (std::uint32_t k = 2; !mayMeet && k < 10; ++k)
     {
-      // Rays that leave within 0.5 tangent of the origin and open by no more than the tangent.
+      // Rays that start within 0.5 tangent of the origin and diverge by no more than the tangent.
       const Vec3 aside = Draw(i, k, -1.0, 1.0).Cross(axis);
       const Vec3 unit = (1.0 / aside.Norm()) * aside;
       Vec3 direction = axis + tangent * unit;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a ray caster must stand at the ends of the scale: far from the origin, grazing, tiny, thin.
-// The truth is the range of the stored doubles in 113 bits, or a formula. u = 2^-53.
+// Extreme cases for ray casters: far from the origin, grazing, tiny, thin. The reference is the
+// range of the stored doubles in 113 bits, or a formula. u = 2^-53.
 
 #ifndef heliosExtremeChecks_h
 #define heliosExtremeChecks_h
@@ -21,7 +21,7 @@ using LongReal = __float128;
 using LongReal = long double;
 #endif
 
-/// A triangle as a ray sees it, free of rounding.
+/// A triangle seen from a ray, without rounding.
 class ExactTriangle
 {
 public:
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  /// Whether the ray's line passes between the edges.
+  /// Whether the line of the ray passes between the edges.
   bool IsHit() const
   {
     bool positive = true;
@@ -104,12 +104,12 @@ private:
   LongReal Direction[3];
 };
 
-/// What came of rays that were each aimed at one cell, or at one of two.
+/// The results of rays, each aimed at one cell, or at one of two.
 struct Tally
 {
   int Count = 0;
-  int LeftOut = 0; ///< rays that miss their cells but for rounding: the input's, not the caster's
-  int Wrong = 0;   ///< rays that hit nothing, or something else
+  int LeftOut = 0;    ///< rays that miss their cells by rounding of the input, not of the caster
+  int Wrong = 0;      ///< rays that hit nothing, or another cell
   double Worst = 0.0; ///< error in units of u R / cos(incidence)
 
   void Add(const Soup& soup, const vtkHeliosRay& ray, const vtkHeliosHit& hit, vtkIdType first,
@@ -137,7 +137,7 @@ struct Tally
   }
 };
 
-/// 40 triangles of circumradius 0.1 R, 3 R apart, and a ray at each from R away at an angle.
+/// 40 triangles of circumradius 0.1 R, 3 R apart, and a ray at each from distance R at an angle.
 inline void MakeTargets(Dice& dice, const Vec3& offset, double range, double degrees, Soup& soup,
   std::vector<vtkHeliosRay>& rays)
 {
@@ -189,9 +189,9 @@ inline void CheckRangeLaw(vtkHeliosRayCaster& caster)
   }
   INFO("worst " << tally.Worst << " u R / cos, left out " << tally.LeftOut);
   CHECK(tally.Count == 6720);
-  CHECK(tally.LeftOut < 67); // grazing, at small ranges far out; none when this was written
+  CHECK(tally.LeftOut < 67); // grazing, at small ranges far from the origin; measured: none
   CHECK(tally.Wrong == 0);
-  CHECK(tally.Worst > 1.0); // or the truth would be no better than the caster
+  CHECK(tally.Worst > 1.0); // or the reference would be no better than the caster
   CHECK(tally.Worst <= 8.0);
 }
 
@@ -306,7 +306,7 @@ inline std::vector<vtkHeliosRay> MakeRaysAtHeightField(
   return rays;
 }
 
-/// No ray leaks through a corner or an edge of a heightfield, or echoes there twice.
+/// No ray leaks through a corner or an edge of a heightfield, or has a second echo there.
 inline void CheckHeightFieldLeaks(vtkHeliosRayCaster& caster)
 {
   for (const Vec3& offset : Offsets)
@@ -321,7 +321,7 @@ inline void CheckHeightFieldLeaks(vtkHeliosRayCaster& caster)
     const double size = std::max({ offset[0], offset[1], offset[2] });
     const auto hits = Cast(&caster, rays);
     int misses = 0;
-    double worst = 0.0; // in units of what the A1 law and the rounding of the input allow
+    double worst = 0.0; // relative to the A1 law plus the rounding of the input
     for (std::size_t i = 0; i < rays.size(); ++i)
     {
       if (hits[i].CellId < 0)
@@ -332,7 +332,7 @@ inline void CheckHeightFieldLeaks(vtkHeliosRayCaster& caster)
       const double cosine = ExactTriangle(soup, hits[i].CellId, rays[i]).GetCosine();
       const double allowed = 0x1p-53 * (8 * distances[i] + 2 * (size + distances[i])) / cosine;
       worst = std::max(worst, std::abs(hits[i].Range - distances[i]) / allowed);
-      for (int axis = 0; axis < 3; ++axis) // go on from just behind the hit
+      for (int axis = 0; axis < 3; ++axis) // continue just behind the hit
       {
         rays[i].Origin[axis] += (hits[i].Range + 1e-5) * rays[i].Direction[axis];
       }
@@ -346,7 +346,7 @@ inline void CheckHeightFieldLeaks(vtkHeliosRayCaster& caster)
   }
 }
 
-/// Needles 10 m long and down to 1 nm wide, before a wall: hit, and ranged as anything else.
+/// Needles 10 m long and down to 1 nm wide, before a wall: hit at the correct range.
 inline void CheckNeedles(vtkHeliosRayCaster& caster)
 {
   for (double width : { 1e-5, 1e-7, 1e-9 })
@@ -381,7 +381,7 @@ inline void CheckNeedles(vtkHeliosRayCaster& caster)
   }
 }
 
-/// A sphere of triangles, from 10 to 1e5 radii away: farther than the sphere by its facets at most.
+/// A triangulated sphere, from 10 to 1e5 radii away: range error at most that of its facets.
 inline void CheckSphere(vtkHeliosRayCaster& caster)
 {
   const struct
@@ -428,8 +428,8 @@ inline void CheckSphere(vtkHeliosRayCaster& caster)
   }
 }
 
-/// Terrain z = 10 sin(2 pi x / 200) from 1 km above, at angles from nadir; spaced by h it is
-/// h^2 A k^2 / 8 off at most.
+/// Terrain z = 10 sin(2 pi x / 200) from 1 km above, at angles from nadir; with spacing h
+/// its error is at most h^2 A k^2 / 8.
 inline void CheckSineTerrain(vtkHeliosRayCaster& caster)
 {
   const double truths[4][3] = { { 0, 0, 1000 }, { 10, 177.47325884353449, 1022.0277645754562 },

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What every ray caster must stand, whatever its backend.
+// Checks for every ray caster backend.
 
 #ifndef heliosRayCasterChecks_h
 #define heliosRayCasterChecks_h
@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// Equal to brute force bit for bit, hits and occlusion, wherever the scene lies.
+/// Equal to brute force bit for bit, hits and occlusion, at any scene location.
 template <typename CasterT>
 void CheckAgainstBruteForce(int rayCount)
 {
@@ -81,7 +81,7 @@ inline std::vector<vtkHeliosRay> MakeRaysAtEdges(const Soup& soup, const Vec3& o
   return rays;
 }
 
-/// No ray leaves a closed mesh through an edge or a corner; each hits at the range it was aimed at.
+/// No ray leaves a closed mesh through an edge or a corner; each hits at the expected range.
 template <typename CasterT>
 void CheckLeaks(int level)
 {
@@ -117,7 +117,7 @@ void CheckLeaks(int level)
       INFO("offset " << place.Offset[0] << ", radius " << place.Radius << ", " << rays.size()
                      << " rays");
       CHECK(misses == 0);
-      // Points of edges are rounded where the scene lies: an ulp of 5.5e6 m is 2^-30 m.
+      // Points of edges are rounded at the scene's location: an ulp of 5.5e6 m is 2^-30 m.
       CHECK(worst < 1e-14 + (place.Offset[0] > 0 ? 0x1p-27 : 0.0) / place.Radius);
     }
   }
@@ -157,7 +157,7 @@ void CheckTies()
   CHECK(wrong == 0);
 }
 
-/// Triangles without area are never hit, and rays that make no sense hit nothing.
+/// Triangles without area are never hit, and invalid rays hit nothing.
 template <typename CasterT>
 void CheckDegenerate()
 {
@@ -200,7 +200,7 @@ void CheckDegenerate()
   CHECK(Cast(caster, { MakeRay({ 0, 0, 0 }, { 1, 0, 0 }, 2.0) })[0].CellId == 3);
 }
 
-/// Threads that ask at the same time, in batches of any size, get what one gets.
+/// Concurrent threads, with batches of any size, get the same result as one.
 template <typename CasterT>
 void CheckThreads()
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes, rays and the brute-force truth for the tests of ray casters.
+// Scenes, rays and the brute-force reference for the tests of ray casters.
 
 #ifndef heliosRayCastingScenes_h
 #define heliosRayCastingScenes_h
@@ -25,10 +25,10 @@
 namespace helios
 {
 
-/// Places in the world: local, UTM, geocentric.
+/// Locations in the world: local, UTM, geocentric.
 inline const Vec3 Offsets[3] = { { 0, 0, 0 }, { 5e5, 5.5e6, 300 }, { 4e6, 6e5, 4.9e6 } };
 
-/// Random numbers in (0, 1), one after the other.
+/// Random numbers in (0, 1), in sequence.
 class Dice
 {
 public:
@@ -59,7 +59,7 @@ private:
   std::uint64_t Index = 0;
 };
 
-/// A scene as it is made.
+/// A scene under construction.
 struct Soup
 {
   std::vector<Vec3> Points;
@@ -183,7 +183,7 @@ inline Soup MakeTerrain(vtkIdType n, double size)
   return soup;
 }
 
-/// Leaves: quads of a size turned at random, in a box.
+/// Leaves: randomly oriented quads of a size, in a box.
 inline void AddLeaves(Soup& soup, int count, double leaf, const Vec3& low, const Vec3& high)
 {
   Dice dice(2);
@@ -202,7 +202,7 @@ inline void AddLeaves(Soup& soup, int count, double leaf, const Vec3& low, const
   }
 }
 
-/// A mixture of everything within [-1, 1]: large, small, thin, shared, doubled and flat triangles.
+/// A mixture within [-1, 1]: large, small, thin, shared, duplicate and flat triangles.
 inline Soup MakeMixture()
 {
   Soup soup = MakeIcosphere(2);
@@ -215,7 +215,7 @@ inline Soup MakeMixture()
     const Vec3 along = dice.Direction() * dice(0.1, 1);
     const double width = std::pow(10, dice(-12, -1));
     soup.AddTriangle(p, p + along, p + along * dice() + dice.Direction() * width);
-    soup.AddTriangle(p, p + along, p + along * 2.0); // without area, but for rounding
+    soup.AddTriangle(p, p + along, p + along * 2.0); // without area, except rounding
     soup.AddTriangle(dice.Point(-1, 1), dice.Point(-1, 1), dice.Point(-1, 1));
     const double z = dice(-1, 1);
     soup.AddTriangle({ -1, dice(-1, 1), z }, { 1, dice(-1, 1), z }, { dice(-1, 1), 1, z });
@@ -231,7 +231,7 @@ inline vtkHeliosRay MakeRay(const Vec3& origin, const Vec3& direction, double ma
     maximum };
 }
 
-/// Rays of every kind at a soup: at random, to corners and edges, along the axes, from far and near.
+/// Rays of every kind at a soup: random, to corners and edges, along the axes, from far and near.
 inline std::vector<vtkHeliosRay> MakeRays(const Soup& soup, int count, std::uint64_t seed = 4)
 {
   Vec3 low = soup.Points[0];
@@ -263,7 +263,7 @@ inline std::vector<vtkHeliosRay> MakeRays(const Soup& soup, int count, std::uint
       centre + dice.Direction() * (0.5 * s * size) };
     const Vec3& target = targets[i / 3 % 4];
     Vec3 direction = target - origin;
-    if (i % 5 == 0) // along an axis, straight at the target
+    if (i % 5 == 0) // along an axis, directly at the target
     {
       const int axis = static_cast<int>(pick(3));
       direction = Vec3(0, 0, 0);
@@ -289,7 +289,7 @@ inline std::vector<vtkHeliosRay> MakeRays(const Soup& soup, int count, std::uint
   return rays;
 }
 
-/// The truth: every triangle with an area, tested in order.
+/// The reference: every triangle with an area, tested in order.
 inline vtkHeliosHit IntersectBruteForce(const TriangleMesh& mesh, const vtkHeliosRay& ray)
 {
   vtkHeliosHit hit{ NoHit, -1 };
@@ -307,7 +307,7 @@ inline vtkHeliosHit IntersectBruteForce(const TriangleMesh& mesh, const vtkHelio
   return hit;
 }
 
-/// How many of two lists of hits differ in any bit.
+/// The number of hits of two lists that differ in any bit.
 inline int CountDifferences(const std::vector<vtkHeliosHit>& a, const std::vector<vtkHeliosHit>& b)
 {
   int count = a.size() == b.size() ? 0 : -1;

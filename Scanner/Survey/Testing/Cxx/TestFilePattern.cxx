@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of files by regular expressions: which match, which are refused, and none that takes long.
+// File name patterns: matches, rejected expressions, and linear time.
 #include "heliosFilePattern.h"
 
 #include "heliosSurveyFiles.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A run that is resumed with a damaged journal, or damaged parts, ends with the same bytes, or with an error.
+// A run resumed with a damaged journal or damaged parts is byte-identical, or fails with an error.
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosSurveyPlayer.h"
@@ -90,7 +90,7 @@ void WriteAll(const Files& files, const Bytes& bytes)
   }
 }
 
-/// A text in so many brackets that a reader that recurses runs out of stack.
+/// A text in brackets, so deep that a recursive reader overflows the stack.
 std::string Nest(const std::string& text, int depth)
 {
   const auto n = static_cast<std::size_t>(depth);
@@ -143,7 +143,7 @@ TEST_CASE("JournalMutations: damaged journals and parts end in the same bytes, o
     {
       INFO(name);
       REQUIRE(found.count(name) == 1);
-      REQUIRE((found.at(name) == text)); // not printed
+      REQUIRE((found.at(name) == text)); // too long to print
     }
   }
   CHECK(errorCount > 10);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The ray caster of scenes that move against one of the whole scene.
+// Compares the ray caster for moving scenes with that of the whole scene.
 #include "heliosMovingRayCaster.h"
 
 #include "vtkHeliosArrayNames.h"
@@ -23,8 +23,8 @@ using helios::MovingRayCaster;
 namespace
 {
 
-/// Random triangles of three parts in a box, each with a twin of the part after it in the same place;
-/// and one of part 1 aside. Part 1 is lifted.
+/// Random triangles of three parts in a box, each with a duplicate in the next part at the same
+/// place; and a separate one of part 1. Part 1 is raised by lift.
 vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
 {
   std::mt19937 random(5);
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> MakeScene(double lift, bool onlyMoving)
   return scene;
 }
 
-/// Rays from below, four of them a beam.
+/// Rays from below, four per beam.
 std::vector<vtkHeliosRay> MakeRays()
 {
   std::mt19937 random(6);
@@ -85,7 +85,7 @@ std::vector<vtkHeliosRay> MakeRays()
       rays.push_back({ { x, y, -30.0 }, { slope(random), slope(random), 1.0 } });
     }
   }
-  rays.push_back({ { 33.0, 3.0, -50.0 }, { 0.0, 0.0, 1.0 } }); // to what is aside
+  rays.push_back({ { 33.0, 3.0, -50.0 }, { 0.0, 0.0, 1.0 } }); // to the separate triangle
   rays.insert(rays.end(), 3, rays.back());
   return rays;
 }
@@ -148,7 +148,7 @@ TEST_CASE(
   parts->PrepareConeProbe();
   const double up[3] = { 0, 0, 1 };
   int counts[3] = { 0, 0, 0 };
-  int planes[2] = { 0, 0 }; // of resting and moving cells
+  int planes[2] = { 0, 0 }; // of static and moving cells
   for (const vtkHeliosRay& ray : MakeRays())
   {
     const vtkHeliosConeHit whole = kind->ProbeCone(ray.Origin, up, 0.001, 0.01);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged patterns of file names (efilepath) match files, or are refused with their place, in time.
+// Damaged file name patterns (efilepath) match files, or are rejected with their place, within the
+// time limit.
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 
@@ -13,11 +14,11 @@ using namespace helios::test;
 namespace
 {
 
-/// Of files in the folder "trees".
+/// Patterns for files in the folder "trees".
 const char* const Patterns[] = { "oak_.*[.]obj", "(a+)+b[0-9]{1,3}[.]obj", "[a-z_]+_[^x]?\\d*.obj",
   "(oak|ash)_(\\w)+.obj" };
 
-/// As the value of an attribute; controls, which XML cannot hold, become blanks.
+/// Formats an attribute value; control characters, which are invalid in XML, become blanks.
 std::string Quote(const std::string& text)
 {
   std::string quoted;
@@ -61,7 +62,7 @@ TEST_CASE(
     REQUIRE(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
     (reading.Good ? goodCount : errorCount) += 1;
     REQUIRE((reading.Good || reading.Log->HasError("scene.xml:")));
-    CHECK((i >= 4 || reading.Good)); // not damaged
+    CHECK((i >= 4 || reading.Good)); // undamaged
   }
   CHECK(errorCount > 20);
   CHECK(goodCount > 10);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged planner documents give an error that names the file, or settings that can be planned with.
+// Damaged planner documents give an error that names the file, or valid settings.
 #include "heliosMutation.h"
 #include "heliosPlannerFiles.h"
 #include "heliosXmlMutation.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is to be planned, from planner documents, surveys, scenes and meshes.
+// Planning tasks from planner documents, surveys, scenes and meshes.
 #include "vtkHeliosPlannerReader.h"
 
 #include "heliosPlannerFiles.h"
@@ -48,7 +48,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetTestPointStep() == 0.0);
   CHECK(reader->GetMaximumSlope() == 15.0);
   CHECK(reader->GetGroundOnly() == "auto");
-  CHECK(reader->GetScannerHeight() == Approx(1.7)); // the mount, and the beam in the head
+  CHECK(reader->GetScannerHeight() == Approx(1.7)); // the mount, and the beam origin in the head
   CHECK(reader->GetHitTolerance() == 0.05);
   CHECK_FALSE(reader->GetScannerLimits());
   CHECK(reader->GetRangeMin() == 0.0);
@@ -64,7 +64,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK_FALSE(reader->GetUseAreas());
   CHECK(reader->GetMinimumOverlap() == 0.0);
   CHECK(reader->GetTimeLimit() == 300.0);
-  // 0.1 degrees: f r / (2 * 120), and r degrees a line
+  // 0.1 degrees: f r / (2 * 120), and r degrees per line
   CHECK(reader->GetLegPulseFrequency() == 100000.0);
   CHECK(reader->GetLegScanFrequency() == Approx(100000.0 * 0.1 / 240.0));
   CHECK(reader->GetLegHeadRotatePerSecond() == Approx(0.1 * reader->GetLegScanFrequency()));
@@ -114,7 +114,7 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   CHECK(reader->GetEnclosed());
   CHECK_FALSE(reader->GetHitBehind());
   CHECK(reader->GetMinimumPointDensity() == 9.0);
-  CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees a second, 60 lines
+  CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees per second, 60 lines
   CHECK(reader->GetUseAreas());
   CHECK(reader->GetMinimumOverlap() == 0.2);
   CHECK(reader->GetTimeLimit() == 5.0);
@@ -156,7 +156,7 @@ TEST_CASE("PlannerReader: what the caller asks for wins", "[PlannerReader]")
   CHECK(reading.Reader->GetLegPulseFrequency() == 300000.0);
   CHECK(reading.Reader->GetLegScanFrequency() == Approx(50.0));
   CHECK(reading.Reader->GetLegHeadRotatePerSecond() == Approx(2.0));
-  // As near as the scanner can: 120 lines a second at most, and 60 degrees.
+  // The nearest of the scanner: at most 120 lines per second, and 60 degrees.
   reading.Reader->SetResolution(1.0);
   REQUIRE(reading.Reader->Read());
   CHECK(reading.Reader->GetLegScanFrequency() == 120.0);
@@ -177,7 +177,7 @@ TEST_CASE("PlannerReader: limits of the scanner", "[PlannerReader]")
   CHECK(reading.Reader->GetRangeMax() == 90.0);
   CHECK(reading.Reader->GetElevationMin() == -35.0);
   CHECK(reading.Reader->GetElevationMax() == 30.0); // given
-  // A mount that leans has no such window.
+  // A tilted mount has no such window.
   files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>",
     "<scannerMount z=\"1.5\"><rot axis=\"x\" angle_deg=\"10\"/></scannerMount>");
   const PlannerReading leaning(files);
@@ -200,10 +200,10 @@ TEST_CASE("PlannerReader: a survey", "[PlannerReader]")
   CHECK(reading.Reader->GetLegPulseFrequency() == 300000.0);
   CHECK(reading.Reader->GetLegScanFrequency() == 50.0);
   CHECK(reading.Reader->GetLegHeadRotatePerSecond() == 10.0);
-  CHECK(reading.Reader->GetLegHeadRotateStop() == 360.0); // of a plan
+  CHECK(reading.Reader->GetLegHeadRotateStop() == 360.0); // default of a plan
   CHECK(reading.Reader->GetLegVerticalAngleMin() == -30.0);
   CHECK(reading.Reader->GetLegVerticalAngleMax() == 40.0);
-  // Another scanner is not asked for what the leg asks of this one.
+  // Leg settings for this scanner are not applied to another one.
   files.Replace("assets.xml", "<scanner id=\"als\"",
     "<scanner id=\"slow\" optics=\"rotating\" pulseFreqs_Hz=\"1000\" scanAngleMax_deg=\"60\" "
     "headRotatePerSecMax_deg=\"1\"/><scanner id=\"als\"");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys whose files are damaged in structure or values are played: each ends in points, or in a
-// message that says where and why there are none; none hangs.
+// Surveys with files damaged in structure or values are run: each gives points, or a message with
+// the place and the reason; none hangs.
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 #include "heliosXmlMutation.h"
@@ -138,7 +138,7 @@ const char* const Instruments = R"(
 <rot axis="x" angle_deg="-90"/></scannerMount><positionXNoise stdev="0.01"/></platform>
 </document>)";
 
-/// Ends the process, with the case at hand in the report, where one takes this long [s].
+/// Aborts the process after this time for a case [s], with the case in the report.
 constexpr unsigned LongestCase = 300;
 
 void Hang(int)
@@ -146,7 +146,7 @@ void Hang(int)
   std::abort();
 }
 
-/// What became of one survey.
+/// The result of one survey.
 struct Play
 {
   bool Read = false;
@@ -187,7 +187,7 @@ struct Play
     this->Errors += log->Errors;
   }
 
-  /// What was asked for may be long: a user stops it, and so does this.
+  /// Stops long runs, as a user would.
   static void StopWhenLong(vtkObject*, unsigned long, void* self, void*)
   {
     auto* play = static_cast<Play*>(self);
@@ -199,7 +199,7 @@ struct Play
     }
   }
 
-  /// Whether an error says in which file, and where in it.
+  /// Whether an error names the file and the place in it.
   bool NamesPlace() const
   {
     static const std::regex place("[.](xml|obj|xyz|mtl|csv|vox)(:[0-9]+|: )");
@@ -244,7 +244,7 @@ std::string MakeSurvey(const Pair& pair)
   return survey.replace(survey.find("SCANNER"), 7, pair.Scanner);
 }
 
-/// The survey, its scene and its assets, written anew; one of them may be damaged after that.
+/// Writes the survey, its scene and its assets again; one of them may be damaged afterwards.
 void WriteAll(const helios::test::Files& files, const Pair& pair, const std::string& assets)
 {
   files.Write("survey.xml", MakeSurvey(pair));
@@ -287,7 +287,7 @@ TEST_CASE(
 
   helios::XmlMutator mutate(815);
   helios::Mutator mutateBytes(816);
-  std::array<int, 4> count{}; // refused, without points, stopped, with points
+  std::array<int, 4> count{}; // rejected, without points, stopped, with points
   std::signal(SIGALRM, Hang);
   for (int i = 0; i < 2 * helios::GetNumberOfMutations(); ++i)
   {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes changed by hand: the files that they become have the same mesh.
+// Edited scenes: the saved files have the same mesh.
 #include "heliosSceneEdit.h"
 
 #include "heliosMessages.h"
@@ -30,7 +30,7 @@ namespace
 const char* const Box = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\nv 2 0 3\nv 2 1 3\nv 0 1 3\n"
                         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// A floor, a box that is turned, scaled and moved, and two files as parts without names.
+/// A floor, a box that is rotated, scaled and moved, and two files as parts without names.
 struct Scene
 {
   Files Folder;
@@ -72,7 +72,7 @@ struct Scene
   }
 };
 
-/// The box of a part.
+/// The bounds of a part.
 std::array<double, 6> GetBounds(vtkPolyData* scene, int part)
 {
   vtkDataArray* parts = scene->GetCellData()->GetArray(vtkHeliosArrayNames::PartIds);
@@ -101,14 +101,14 @@ void CheckBounds(const std::array<double, 6>& a, const std::array<double, 6>& b)
 TEST_CASE("SceneEdit: a scene that nobody changed is the same elsewhere", "[SceneEdit]")
 {
   Scene scene;
-  CHECK(scene.Edit.GetNumberOfParts() == 4); // two of them were one, of two files
+  CHECK(scene.Edit.GetNumberOfParts() == 4); // two of them were one part of two files
   CHECK(scene.Edit.GetPartName(1) == "box");
   CHECK(scene.Edit.GetPartName(3) == "3");
   CHECK(scene.Edit.FindPart("none") == -1);
   const auto mesh = scene.Read();
   CHECK(mesh->GetNumberOfCells() == 2 + 3 * 12);
   CheckBounds(GetBounds(mesh, 2), { 0.0, 2.0, 0.0, 1.0, 0.0, 3.0 });
-  // scaled, turned about x, moved: by hand
+  // scaled, rotated about x, moved: computed independently
   const double c = 1.5 * std::cos(vtkMath::RadiansFromDegrees(20.0));
   const double s = 1.5 * std::sin(vtkMath::RadiansFromDegrees(20.0));
   CheckBounds(GetBounds(mesh, 1), { 4.0, 7.0, 5.0 - 3.0 * s, 5.0 + c, 0.5, 0.5 + s + 3.0 * c });
@@ -135,7 +135,7 @@ TEST_CASE("SceneEdit: parts move, turn and grow about a place", "[SceneEdit]")
       about[2] + 2.0 * (start[5] - start[4]) });
   REQUIRE(scene.Edit.ScalePart(1, 0.5, about));
 
-  // By twice 45 degrees x and y change places.
+  // Two rotations by 45 degrees exchange x and y.
   REQUIRE(scene.Edit.TurnPart(1, 45.0, about));
   REQUIRE(scene.Edit.TurnPart(1, 45.0, about));
   b = GetBounds(scene.Read(), 1);
@@ -143,7 +143,7 @@ TEST_CASE("SceneEdit: parts move, turn and grow about a place", "[SceneEdit]")
   const double halfY = 0.5 * (start[3] - start[2]);
   CheckBounds(b,
     { about[0] - halfY, about[0] + halfY, about[1] - halfX, about[1] + halfX, start[4], start[5] });
-  CheckBounds(GetBounds(scene.Read(), 2), { 0.0, 2.0, 0.0, 1.0, 0.0, 3.0 }); // others stay
+  CheckBounds(GetBounds(scene.Read(), 2), { 0.0, 2.0, 0.0, 1.0, 0.0, 3.0 }); // others are unchanged
 }
 
 TEST_CASE("SceneEdit: parts come and go, and a text takes them back", "[SceneEdit]")
@@ -165,7 +165,7 @@ TEST_CASE("SceneEdit: parts come and go, and a text takes them back", "[SceneEdi
   {
     REQUIRE(scene.Edit.RemovePart(0));
   }
-  CHECK_FALSE(scene.Edit.RemovePart(0)); // one stays
+  CHECK_FALSE(scene.Edit.RemovePart(0)); // the last one is kept
 }
 
 TEST_CASE("SceneEdit: what is not there cannot be changed", "[SceneEdit]")

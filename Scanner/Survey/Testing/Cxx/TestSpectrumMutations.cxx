@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damaged spectra are warned of, with their file, or reflect between 0 and 1.
+// Damaged spectra cause a warning with their file, or reflectances between 0 and 1.
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosArrayNames.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A run is divided into blocks of pulses: no byte of its files depends on how.
+// The files of a run do not depend on its division into blocks of pulses.
 #include "heliosSurveyPlaying.h"
 
 #include <vtkCallbackCommand.h>
@@ -19,7 +19,7 @@ namespace
 
 using Texts = std::map<std::string, std::string>;
 
-/// Every file of a run but the summary, which has timings.
+/// Every file of a run except the summary, which has timings.
 Texts ReadAll(const std::string& folder)
 {
   Texts texts;
@@ -77,7 +77,7 @@ Texts RunBlocks(const Files& files, const Reading& reading, const Settings& sett
   return ReadAll(files / "out/test");
 }
 
-/// Names the files that differ.
+/// Reports the files that differ.
 void CheckSame(const Texts& found, const Texts& expected)
 {
   REQUIRE(found.size() == expected.size());
@@ -85,7 +85,7 @@ void CheckSame(const Texts& found, const Texts& expected)
   {
     INFO(name);
     REQUIRE(found.count(name) == 1);
-    CHECK((found.at(name) == text)); // not printed
+    CHECK((found.at(name) == text)); // too long to print
   }
 }
 

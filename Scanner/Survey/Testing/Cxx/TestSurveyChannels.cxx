@@ -16,7 +16,7 @@ using namespace helios::test;
 namespace
 {
 
-/// A scanner with a channel to each side; the second sees in another colour.
+/// A scanner with a channel to each side; the second has another wavelength.
 void AddChannels(const Files& files)
 {
   files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
@@ -52,7 +52,7 @@ std::string RunChannels(const Files& files, const std::string& out, vtkIdType pu
     ReadText(files / (out + "/test/leg000_pulse.txt"));
 }
 
-/// Looks, between the blocks of the second leg, whether a file has its final name.
+/// Checks between the blocks of the second leg whether a file has its final name.
 class NameWatch : public vtkCommand
 {
 public:
@@ -80,7 +80,7 @@ TEST_CASE("SurveyChannels: they fire at once, in the order of pulses", "[SurveyC
   const Files files;
   AddChannels(files);
   const std::string whole = RunChannels(files, "whole", 262144);
-  CHECK(whole == RunChannels(files, "blocks", 7777)); // the size of the blocks changes no byte
+  CHECK(whole == RunChannels(files, "blocks", 7777)); // independent of the block size
   const std::vector<Point> points = ReadPoints(files / "whole/test/leg000_points.xyz");
   REQUIRE(points.size() > 10000);
   double x[2] = {};
@@ -95,12 +95,12 @@ TEST_CASE("SurveyChannels: they fire at once, in the order of pulses", "[SurveyC
     x[channel] += p.X;
     strongest[channel] = std::max(strongest[channel], p.Intensity);
   }
-  CHECK(x[0] < x[1]); // turned to the left
-  // Each sees the plane at its own wavelength, from the same height.
+  CHECK(x[0] < x[1]); // the head rotates to the left
+  // Each measures the plane at its own wavelength, from the same height.
   CHECK(strongest[0] / strongest[1] == Approx(60.0 / 20.0).epsilon(0.02));
 
   const std::vector<std::string> pulses = ReadLines(files / "whole/test/leg000_pulse.txt");
-  CHECK(pulses.size() > points.size()); // those into the sky, too
+  CHECK(pulses.size() > points.size()); // including those into the sky
   CHECK(pulses[0].substr(pulses[0].size() - 4) == " 0 0");
   std::istringstream row(pulses[1]);
   double origin[3];
@@ -134,7 +134,7 @@ TEST_CASE("SurveyChannels: the platform shakes once a shot", "[SurveyChannels]")
   {
     REQUIRE(shot.second.size() == 2);
     spread = std::max(spread, std::abs(shot.second.at(1)));
-    // 0.5 m to either side of a head that turns by up to 10 degrees
+    // 0.5 m to either side of a head that rotates by up to 10 degrees
     REQUIRE(shot.second.at(1) - shot.second.at(0) > 0.98);
     REQUIRE(shot.second.at(1) - shot.second.at(0) < 1.0 + 1e-3);
   }
@@ -190,7 +190,7 @@ TEST_CASE("SurveyChannels: legs of a strip write to one file", "[SurveyChannels]
     strip.Player->AddObserver(vtkCommand::ProgressEvent, watch);
     REQUIRE(strip.Player->Run());
     CHECK(watch->NumberOfLooks > 2);
-    CHECK_FALSE(watch->WasThere); // a final name is that of a whole file
+    CHECK_FALSE(watch->WasThere); // only complete files have final names
     CHECK(strip.Player->GetNumberOfEchoes() == alone.Player->GetNumberOfEchoes());
     if (std::string(format) == "xyz")
     {
@@ -228,7 +228,7 @@ TEST_CASE("SurveyChannels: a survey with a tripod and a plane", "[SurveyChannels
   CHECK(playing.Player->GetNumberOfPulses() == 50000 + 40000 + 50000);
   const auto flown = ReadPoints(files / "out/test/leg001_points.xyz");
   REQUIRE(flown.size() == 40000);
-  CHECK(flown.front().Time == Approx(0.5)); // when the tripod is done
+  CHECK(flown.front().Time == Approx(0.5)); // after the tripod's leg
   CHECK(flown.front().Pulse == 50000);
   const auto last = ReadPoints(files / "out/test/leg003_points.xyz");
   REQUIRE(!last.empty());

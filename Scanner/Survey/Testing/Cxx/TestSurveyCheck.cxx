@@ -59,7 +59,7 @@ TEST_CASE("SurveyCheck: legs are checked though the scanner is wrong", "[SurveyC
   INFO(reading.Log->Errors);
   CHECK(reading.Log->HasError("scanAngleMax_deg=\"wide\" is not a number"));
   CHECK(reading.Log->HasError("never gets there"));
-  CHECK(Checking(files).CountErrors() == 2); // nothing that only follows: no angle, no window
+  CHECK(Checking(files).CountErrors() == 2); // no consequential errors: no angle, no window
 }
 
 TEST_CASE("SurveyCheck: what follows from an error is none of its own", "[SurveyCheck]")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that are gone on with after their journal or their files were damaged.
+// Runs resumed with a damaged journal or damaged files.
 #include "heliosBrokenRun.h"
 
 #include "heliosChecksum.h"
@@ -40,7 +40,7 @@ std::string Unseal(const std::string& line)
   return line.substr(0, line.rfind(",\"check\":")) + "}";
 }
 
-/// Gives all lines the checksums that they should have.
+/// Recomputes the checksums of all lines.
 std::string Reseal(const std::vector<std::string>& lines)
 {
   std::string text;
@@ -57,7 +57,7 @@ std::string Reseal(const std::vector<std::string>& lines)
   return text;
 }
 
-/// Changes a byte of a file.
+/// Flips a byte of a file.
 void Flip(const Files& files, const std::string& name, std::size_t place)
 {
   std::string bytes = ReadText(files / name);
@@ -245,7 +245,8 @@ TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
       const std::string path = "out/test/" + name;
       const auto size = static_cast<double>(fs::file_size(files / path));
       const auto at = static_cast<std::size_t>(place * size);
-      // The head of LAS that goes on is checked once it is restored, and that of its .wdp is written anew.
+      // The header of a continued LAS file is checked once restored, and that of its .wdp is
+      // rewritten.
       Flip(files, path, at);
       playing.CheckFails({ path, "the file was changed or is damaged; set Overwrite" });
       Flip(files, path, at);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What surveys may say of channels, platforms, noise, trajectories and legs beyond the plain case.
+// Survey settings of channels, platforms, noise, trajectories and legs beyond the basic case.
 #include "heliosSurveyChanges.h"
 #include "heliosSurveyPlaying.h"
 
@@ -13,7 +13,7 @@ using namespace helios::test;
 namespace
 {
 
-/// Two legs on a tripod, each with its settings.
+/// A leg on a tripod with its settings.
 std::string Leg(const std::string& attributes, const std::string& place)
 {
   return "<leg " + attributes + "><platformSettings " + place +
@@ -60,12 +60,12 @@ TEST_CASE(
   CHECK(second.Receiver.NumberOfCircles == 2);
   const helios::ScannerData& third = first.GetChannel(2);
   CHECK(third.Type == helios::Optics::RisleyPrisms);
-  CHECK(third.ScanAngleMax == 0); // other optics have nothing of the scanner's
+  CHECK(third.ScanAngleMax == 0); // other optics inherit nothing of the scanner's
   CHECK(third.Prisms[0].WedgeAngle == 10);
   CHECK(third.IncidentBeam == helios::Vec3(0, 2, 1));
   for (std::size_t k = 0; k < 3; ++k)
   {
-    CHECK(first.GetChannel(k).RangeMax == 90); // what the survey changes, it changes for all
+    CHECK(first.GetChannel(k).RangeMax == 90); // changes of the survey apply to all channels
     CHECK(first.GetChannel(k).PulseLength == 5);
   }
   const auto& scans = data.Legs.at(0).Scans;
@@ -110,7 +110,7 @@ TEST_CASE("SurveyDialect: legs name their own platform and scanner", "[SurveyDia
   CHECK(data.Legs[3].Platform == 0);
   CHECK(data.Fires(0));
   CHECK(data.Fires(1));
-  CHECK_FALSE(data.Fires(2)); // where the flight ends
+  CHECK_FALSE(data.Fires(2)); // the end of the flight
   CHECK(data.Fires(3));
   CHECK(reading.Reader->GetSurvey()->GetPlatformName() == "tripod, plane");
   CHECK(reading.Reader->GetSurvey()->IsMoving());
@@ -131,8 +131,8 @@ TEST_CASE("SurveyDialect: the scans of the planner of the Java program", "[Surve
   const helios::ScanData& scan = data.Legs[1].Scans.at(0);
   CHECK(scan.HeadRotateStart == 20);
   CHECK(scan.HeadRotateStop == -70);
-  CHECK(scan.HeadRotateSpeed == -60); // as fast as the head can
-  CHECK(scan.ScanFrequency == 120);   // so the mirror
+  CHECK(scan.HeadRotateSpeed == -60); // the maximum of the head
+  CHECK(scan.ScanFrequency == 120);   // and of the mirror
 }
 
 TEST_CASE(
@@ -152,14 +152,14 @@ TEST_CASE(
   CHECK(data.GetPlatform(0).Model.Name == "tripod.obj");
   CHECK(data.GetPlatform(0).Model.File == files / "tripod.obj");
   CHECK(data.GetPlatform(0).Model.Where == files / "assets.xml:2: visModel=\"tripod.obj\"");
-  CHECK(data.GetPlatform(1).Model.Name == "sr22/sr22.obj"); // model wins
+  CHECK(data.GetPlatform(1).Model.Name == "sr22/sr22.obj"); // model has priority
   CHECK(data.GetPlatform(1).Model.File == files / "Models/sr22/sr22.obj");
   CHECK(data.GetScanner(0).Model.Name == "no such.obj");
   CHECK(data.GetScanner(0).Model.File.empty());
   CHECK(data.GetScanner(0).Model.Where.find("assets.xml:5: visModel=\"no such.obj\"") !=
     std::string::npos);
   CHECK(data.GetScanner(1).Model.Name.empty());
-  CHECK_FALSE(reading.Log->HasWarning("odel")); // a simulation does without
+  CHECK_FALSE(reading.Log->HasWarning("odel")); // not needed by a simulation
   Playing playing(files, reading);
   CHECK(playing.Player->Run());
   CHECK_FALSE(playing.Log->HasWarning(".obj"));
@@ -214,7 +214,7 @@ TEST_CASE("SurveyDialect: noise of a platform, and of the survey", "[SurveyDiale
     files, Tripod, OneLeg + std::string(R"(<positionXNoise stdev="0.5" fixedLifespan="0"/>)"));
   const helios::PlatformData& platform = Read(reading).Platforms.at(0);
   CHECK(platform.HasNoise[0]);
-  CHECK(platform.Noise[0].Mean == 0.0); // all of it is the survey's
+  CHECK(platform.Noise[0].Mean == 0.0); // all of it is overridden by the survey
   CHECK(platform.Noise[0].Deviation == 0.5);
   CHECK(platform.Noise[0].Lifespan == 0);
   CHECK_FALSE(platform.Noise[0].IsClipped);
@@ -259,7 +259,7 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
   CHECK(data.GetPlatform(0).HasNoise[2]);
   const helios::TrajectoryFileData& file = data.Legs.at(0).Trajectory;
   CHECK(file.File == files / "way.txt");
-  CHECK(file.Separator == "\t"); // either spelling, the leg's over the template's
+  CHECK(file.Separator == "\t"); // either spelling; the leg overrides the template
   CHECK(file.IsInRadians);
   CHECK_FALSE(file.HasAttitude);
   CHECK(file.SlopeThreshold == 0.1);
@@ -269,7 +269,7 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
   CHECK(file.EndTime == 2.0);
   CHECK(file.KeepsTime);
   CHECK(file.TeleportsToStart);
-  CHECK(data.Fires(0)); // there is no end point to fly to
+  CHECK(data.Fires(0)); // no end point is needed
 
   const std::string leg =
     "<leg><platformSettings trajectory=\"way.txt\" interpolationDomain=\"position\"/></leg>";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys made by hand: where legs come to be, what instruments allow, and that files say the same.
+// Edited surveys: leg positions, limits of instruments, and their saved files.
 #include "heliosSurveyEdit.h"
 
 #include "heliosMessages.h"
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> Run(vtkHeliosSurvey* survey)
   return source->GetOutput();
 }
 
-/// Points and all arrays, byte for byte.
+/// Whether points and all arrays are byte-identical.
 bool IsSame(vtkPolyData* a, vtkPolyData* b)
 {
   const auto same = [](vtkDataArray* x, vtkDataArray* y)
@@ -132,14 +132,14 @@ TEST_CASE("SurveyEdit: legs of a rectangle fire, and turns do not", "[SurveyEdit
     CHECK(hand.Edit.Legs[i].Settings.Leg.Active == (i % 2 == 0));
     CHECK(hand.Edit.Legs[i].Settings.Leg.Position[2] == 40.0);
   }
-  // The lines follow what they were made with.
+  // The lines are updated with their parameters.
   SetSetting(hand.Edit, "overlap", 0.0);
   CHECK(hand.Edit.Legs.size() == 4);
   SetSetting(hand.Edit, "height", 30.0);
   CHECK(hand.Edit.Legs.front().Settings.Leg.Position[2] == 30.0);
   SetSetting(hand.Edit, "speed", 20.0);
   SurveyEdit far = hand.Edit;
-  far.ScannerModel.RangeMin = 100.0; // nothing nearer would be seen
+  far.ScannerModel.RangeMin = 100.0; // nothing nearer gives returns
   CHECK_THAT(SetSetting(far, "height", 50.0), Contains("becomes 100 m"));
   REQUIRE(hand.Save(files).empty());
   const Reading reading(files);
@@ -201,7 +201,7 @@ TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]
   REQUIRE(hand.Save(files).empty());
   const Reading reading(files);
   REQUIRE(reading.Good);
-  CHECK(reading.Log->Warnings.empty()); // nothing is left to clip
+  CHECK(reading.Log->Warnings.empty()); // nothing needs clipping
   const ScanData& scan = reading.Data().Legs[0].Scans[0];
   CHECK(scan.ScanFrequency == 120.0);
   CHECK(scan.PulseFrequency == 100000.0);

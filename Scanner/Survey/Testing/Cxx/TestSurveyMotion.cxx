@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts that move: what is read of them, and flights over them against closed forms.
+// Moving parts: their settings, and flights over them compared with closed forms.
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosMovingScene.h"
@@ -27,13 +27,13 @@ namespace
 constexpr double Radians = 0.017453292519943295;
 constexpr int Pulses = 80000; // of ThreeLegs, at 200 kHz
 
-/// One motion for ever.
+/// One motion, repeated forever.
 std::string Endless(const std::string& motion)
 {
   return "<dmotion id=\"all\" loop=\"0\"><motion " + motion + "/></dmotion>";
 }
 
-/// Makes the floor move, and beams lines.
+/// Makes the floor move, and sets single-ray beams.
 void Move(const Files& files, const std::string& motions, const std::string& scene = "",
   const std::string& part = "")
 {
@@ -43,7 +43,7 @@ void Move(const Files& files, const std::string& motions, const std::string& sce
   files.Replace("assets.xml", "optics=\"conic\"", "optics=\"conic\" beamDivergence_rad=\"0\"");
 }
 
-/// Runs a survey; what the folder then has, but for timings.
+/// Runs a survey; returns the files in the folder, without timings.
 std::map<std::string, std::string> Run(Playing& playing, const std::string& folder)
 {
   const bool isGood = playing.Player->Run();
@@ -80,7 +80,7 @@ std::vector<Point> Fly(const Files& files, const char* legs = ThreeLegs)
   return points;
 }
 
-/// Every pulse has one point, at the height of its step.
+/// Checks that every pulse has one point, at the height of its step.
 void CheckHeights(const std::vector<Point>& points, double (*getHeight)(const Point&))
 {
   REQUIRE(points.size() == Pulses);
@@ -333,7 +333,7 @@ TEST_CASE("SurveyMotion: other parts stay where they are", "[SurveyMotion]")
   files.Replace("scene.xml", "</scene>",
     "<part id=\"low\"><filter type=\"objloader\"><param key=\"filepath\" "
     "value=\"low.obj\"/></filter></part></scene>");
-  // the floor goes away to the side at once; below is a part that rests
+  // the floor moves aside at once; below it is a static part
   Move(files, Endless(R"(type="translation" vec="0;1000;0")"), "dynStep=\"40000\"");
   const auto points = Fly(files);
   REQUIRE(points.size() > 50000);

@@ -19,7 +19,7 @@ using namespace helios::test;
 namespace
 {
 
-/// A survey on a tripod for 0.1 s, whose scanner has these attributes and whose leg has those.
+/// A survey on a tripod for 0.1 s, with these scanner and leg attributes.
 struct Bench
 {
   Files Folder;
@@ -55,7 +55,7 @@ struct Bench
     CHECK(this->Reading.Log->HasWarning(message));
   }
 
-  /// Good, and nothing to say.
+  /// No errors or warnings.
   void CheckQuiet() const
   {
     INFO(this->Reading.Log->Errors << this->Reading.Log->Warnings);
@@ -96,7 +96,7 @@ TEST_CASE("SurveyOptics: an oscillating mirror", "[SurveyOptics]")
   const auto deflector = bench.Deflector();
   REQUIRE(deflector->IsA("vtkHeliosOscillatingMirror"));
   CHECK(deflector->GetPulseFrequency() == 100000.0);
-  CHECK(deflector->GetScanAngle(0) == -20.0); // 2000 pulses to and fro
+  CHECK(deflector->GetScanAngle(0) == -20.0); // 2000 pulses per period
   CHECK(deflector->GetScanAngle(250) == Approx(-10.0).epsilon(1e-13));
   CHECK(deflector->GetScanAngle(1000) == 20.0);
 }
@@ -123,7 +123,7 @@ TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]"
   const Bench clipped(Swinging, R"(scanFreq_hz="50" scanAngle_deg="30")");
   clipped.CheckWarned("scanAngle_deg=\"30\" is clipped to 25, scanAngleMax_deg of scanner own");
   CHECK(clipped.Scan().ScanAngle == 25.0);
-  // Catalogues may leave the limit to the scan product.
+  // Catalogues may give only the scan product as a limit.
   const std::string product = R"(optics="oscillating" scanProduct="1000")";
   const Bench free(product, R"(scanFreq_hz="50" scanAngle_deg="20")");
   free.CheckQuiet();
@@ -182,7 +182,8 @@ TEST_CASE("SurveyOptics: Risley prisms", "[SurveyOptics]")
   {
     widest = std::max(widest, deflector->GetScanAngle(i));
   }
-  CHECK(widest == Approx(deflector->GetScanAngle(0)).epsilon(1e-3)); // both bend the same way
+  CHECK(widest == Approx(deflector->GetScanAngle(0)).epsilon(1e-3)); // both deflect in the same
+                                                                     // direction
   Bench(Prisms, R"(scanFreq_hz="50")").CheckWarned("scanFreq_hz is not used by risley optics");
   Bench(Prisms, R"(scanAngle_deg="50")").CheckWarned("scanAngle_deg is not used by risley optics");
 }
@@ -208,7 +209,7 @@ TEST_CASE("SurveyOptics: a Palmer scanner", "[SurveyOptics]")
   bench.CheckQuiet();
   const auto deflector = bench.Deflector();
   REQUIRE(deflector->IsA("vtkHeliosPalmerMirror"));
-  CHECK(deflector->GetScanAngle(1000) == Approx(15.0).epsilon(1e-13)); // a quarter of a turn
+  CHECK(deflector->GetScanAngle(1000) == Approx(15.0).epsilon(1e-13)); // a quarter of a revolution
 }
 
 TEST_CASE("SurveyOptics: settings of a rotating mirror that others do not use", "[SurveyOptics]")
@@ -234,7 +235,7 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
   CHECK(warm.Scan().HeadRotateStart == Approx(5.0 + 20.0 * 0.503).epsilon(1e-15));
   CHECK(warm.Scan().GetHeadTime() == Approx(1.0 - 0.503).epsilon(1e-14));
   CHECK(cold.Deflector()->GetScanAngle(0) == 0.0);
-  // 0.503 s are 25.15 turns
+  // 0.503 s are 25.15 revolutions
   CHECK(warm.Deflector()->GetScanAngle(0) == Approx(0.15 * 360.0).epsilon(1e-12));
   CHECK(warm.Deflector()->GetScanAngle(7) ==
     Approx(cold.Deflector()->GetScanAngle(50307)).epsilon(1e-12));
@@ -244,7 +245,7 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
       "headRotateStop_deg=\"25\" and beyond", "give less than 1 s" });
   Bench(rotating, leg + R"( opticsWarmupPhase_s="-1")")
     .CheckRefused({ "survey.xml:5", "opticsWarmupPhase_s=\"-1\" is out of range" });
-  // Under way a head turns on and on.
+  // On a moving platform the head rotates continuously.
   const Bench moving(
     rotating, leg + R"( headRotateStop_deg="25" opticsWarmupPhase_s="36")", Flight);
   INFO(moving.Reading.Log->Errors);
@@ -264,7 +265,7 @@ TEST_CASE("SurveyOptics: all of them run", "[SurveyOptics]")
   for (const auto& [scanner, leg] : runs)
   {
     INFO(scanner);
-    const Bench bench(scanner, leg, Flight); // looks down
+    const Bench bench(scanner, leg, Flight); // nadir
     INFO(bench.Reading.Log->Errors);
     REQUIRE(bench.Reading.Good);
     vtkNew<vtkHeliosSurveyPlayer> player;

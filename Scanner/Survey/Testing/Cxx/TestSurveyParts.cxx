@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The loaders and filters of scene parts: what is read of them, and what is wrong with them.
+// The loaders and filters of scene parts: their settings, and their errors.
 #include "vtkHeliosSurveyReader.h"
 
 #include "heliosSurveyFiles.h"

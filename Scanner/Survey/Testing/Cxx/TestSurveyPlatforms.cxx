@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of surveys whose platform drives, flies, follows a file or shakes.
+// Runs of surveys with ground vehicles, multicopters, trajectory files and platform noise.
 #include "heliosSurveyPlaying.h"
 
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ std::vector<Sample> ReadSamples(const std::string& path)
   return samples;
 }
 
-/// A leg of a conic scanner that looks down, with a sample every 0.1 s.
+/// A leg of a conic scanner facing down, with a sample every 0.1 s.
 std::string Leg(const std::string& place)
 {
   return "<leg><platformSettings " + place +
@@ -64,11 +64,11 @@ TEST_CASE("SurveyPlatforms: a car turns on circles and climbs", "[SurveyPlatform
   const auto second = ReadSamples(files / "out/test/leg001_trajectory.txt");
   REQUIRE(first.size() > 20);
   CHECK(first.front().Y == 0.0);
-  CHECK(first.back().Y == 30.0); // to the printed 0.1 mm
-  CHECK(first.back().Z == 21.0); // a waypoint at another height is reached
+  CHECK(first.back().Y == 30.0); // to 0.1 mm as printed
+  CHECK(first.back().Z == 21.0); // waypoints at other heights are reached
   CHECK(second.front().Time == first.back().Time);
   CHECK(second.back().X == 20.0);
-  CHECK(second.back().Yaw > 225.0); // from a circle beside the line it heads to the point
+  CHECK(second.back().Yaw > 225.0); // it leaves a circle beside the line towards the point
   CHECK(second.back().Yaw < 270.0);
   double fastest = 0.0;
   for (std::size_t i = 1; i < first.size(); ++i)
@@ -94,11 +94,11 @@ TEST_CASE("SurveyPlatforms: a copter tilts, and its scanner with it", "[SurveyPl
   double cruise = 0.0;
   for (const Sample& s : first)
   {
-    lowest = std::min(lowest, s.Roll); // of the file: about the right axis, nose up
+    lowest = std::min(lowest, s.Roll); // in the file: about the right axis, nose up
     cruise = std::abs(s.Y - 20.0) < 0.6 ? s.Roll : cruise;
   }
   CHECK(cruise == Approx(-5.0).margin(0.1)); // base_pitch_deg at movePerSec_m
-  CHECK(lowest < -20.0);                     // to go faster
+  CHECK(lowest < -20.0);                     // while accelerating
   CHECK(first.back().Y == 40.0);
   CHECK(first.back().Roll == Approx(0.0).margin(0.1)); // stopAndTurn is the default
 }
@@ -120,7 +120,7 @@ TEST_CASE("SurveyPlatforms: where a copter looks at departure", "[SurveyPlatform
   Run(files, Flight,
     Leg("z=\"50\" movePerSec_m=\"8\" yawAtDeparture_deg=\"40\"") + Leg("y=\"40\" z=\"50\""));
   const auto samples = ReadSamples(files / "out/test/leg000_trajectory.txt");
-  CHECK(samples.front().Yaw == Approx(40.0).margin(1e-3)); // both count to the left
+  CHECK(samples.front().Yaw == Approx(40.0).margin(1e-3)); // both are counterclockwise
 }
 
 TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
@@ -136,15 +136,15 @@ TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
   REQUIRE(first.size() == 11);
   CHECK(first[0].Time == 0.0);
   CHECK(first[5].Y == 5.0);
-  CHECK(first[5].Yaw == Approx(0.0).margin(1e-4)); // the short way from 350 to 10 degrees
+  CHECK(first[5].Yaw == Approx(0.0).margin(1e-4)); // the shorter way from 350 to 10 degrees
   const auto second =
-    ReadSamples(files / "out/test/leg001_trajectory.txt"); // it fires: there is no end point
+    ReadSamples(files / "out/test/leg001_trajectory.txt"); // fires pulses: no end point
   REQUIRE(second.size() == 16);
   CHECK(second[0].Time == 1.0);
   CHECK(second[0].X == 2.5);
   CHECK(second[15].X == 10.0);
   CHECK(second[15].Z == 62.0);
-  CHECK(second[15].Yaw == 270.0); // ARINC counts clockwise, the file counter-clockwise
+  CHECK(second[15].Yaw == 270.0); // ARINC is clockwise, the file counterclockwise
 
   Run(files, R"(platform="interpolated" scanner="assets.xml#tls")",
     "<leg><platformSettings " + file +
@@ -189,7 +189,8 @@ TEST_CASE(
   CHECK(shift < 1.5);
   for (std::size_t i = 0; i < moved.size(); ++i)
   {
-    REQUIRE(moved[i].X - still[i].X == Approx(shift).margin(2e-4)); // one value for ever
-    REQUIRE(std::abs(moved[i].Z) < 1e-3);                           // on the ground, where they are
+    REQUIRE(moved[i].X - still[i].X == Approx(shift).margin(2e-4)); // constant
+    REQUIRE(std::abs(moved[i].Z) < 1e-3);                           // on the ground at their
+                                                                    // positions
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs of small surveys: what they write, and how they end.
+// Runs of small surveys: their output, and their results.
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosSurveyPlaying.h"
@@ -25,7 +25,7 @@ using namespace helios::test;
 namespace
 {
 
-/// Notes what a player says at every progress event, and aborts it after some.
+/// Records a player's messages at progress events, and aborts it after some.
 class ProgressLog : public vtkCommand
 {
 public:
@@ -81,7 +81,7 @@ TEST_CASE("SurveyPlayer: legs share the time, lose and repeat no pulse", "[Surve
   std::string part;
   REQUIRE(points >> x >> y >> z >> intensity >> width >> number >> returns >> pulse >> part >>
     classification >> time);
-  CHECK(pulse == 80000);      // goes on where the first active leg ended
+  CHECK(pulse == 80000);      // continues where the first active leg ended
   CHECK(time == Approx(0.5)); // 0.4 s of leg 0, 0.1 s of leg 1
   CHECK(part == "floor");
   CHECK(std::abs(z) < 1e-3);
@@ -155,7 +155,7 @@ TEST_CASE("SurveyPlayer: parts and legs go onto the ground", "[SurveyPlayer]")
     highest = std::max(highest, z);
   }
   CHECK(lowest > 19.9);
-  CHECK(highest == Approx(30).margin(0.2)); // the wall: 10 m high, put down from z = -3
+  CHECK(highest == Approx(30).margin(0.2)); // the wall: 10 m high, moved down from z = -3
 }
 
 TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[SurveyPlayer]")
@@ -225,7 +225,7 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   CHECK(ReadLines(files / "out/test/leg000_points.xyz").size() == 40000);
   CHECK(ReadLines(files / "out/test/leg000_fullwave.txt").size() == 40000);
 
-  // The other format replaces all files of the first run, the waveforms too.
+  // The other format replaces all files of the first run, including the waveforms.
   playing.Player->SetOverwrite(true);
   playing.Player->SetWriteWaveforms(false);
   playing.Player->SetFormat("vtp");
@@ -320,7 +320,8 @@ TEST_CASE(
   CHECK(std::count_if(log->Messages.begin(), log->Messages.end(), isReading) == 1);
   CHECK(std::is_sorted(log->Progress.begin(), log->Progress.end()));
   CHECK(log->Progress.back() == 1.0);
-  // Seen 5 degrees aslant, cut by the shelf's edge: 1.5 times 0.15 mrad at 100.4 m times tan(5 deg).
+  // At 5 degrees incidence, cut by the shelf's edge: 1.5 times 0.15 mrad at 100.4 m times tan(5
+  // deg).
   const double halfFootprint = 1.5 * 0.15e-3 * 100.4 * 0.0875 + 5e-5;
   for (const Point& point : ReadPoints(files / "out/test/leg000_points.xyz"))
   {
@@ -339,7 +340,7 @@ TEST_CASE("SurveyPlayer: files of one part are one part", "[SurveyPlayer]")
   Playing playing(files, reading);
   REQUIRE(playing.Player->Run());
   const std::vector<Point> points = ReadPoints(files / "out/test/leg000_points.xyz");
-  CHECK(points.size() == 40000); // the halves make the floor
+  CHECK(points.size() == 40000); // the halves cover the floor
   const auto isFloor = [](const Point& point) { return point.Part == "floor"; };
   CHECK(std::all_of(points.begin(), points.end(), isFloor));
 }
@@ -349,7 +350,7 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   const Files files;
   files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\n");
   files.Replace("plane.obj", "v -50", "mtllib plane.mtl\nusemtl m\nv -50");
-  // 1064 nm lies 0.64 of the way from 20 to 30 %
+  // 1064 nm is at 0.64 between 20 and 30 %
   const std::string header =
     "Name: Moss\nX Units: Wavelength (micrometers)\nFirst X Value: 0.5\n\n";
   files.Write("spectra/moss.txt", header + "0.5\t10\t\n1.0\t20\n1.1\t30\r\n2.5\t90\n");
@@ -365,9 +366,9 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
     return ReadPoints(files / "out/test/leg000_points.xyz").front().Intensity;
   };
   const double from = intensity("");
-  files.Write("spectra/moss.txt", header + "0.3 0\n1.0 50\n"); // ends before: its last
+  files.Write("spectra/moss.txt", header + "0.3 0\n1.0 50\n"); // ends before: its last value
   CHECK(intensity("") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
-  files.Write("spectra/moss.txt", header + "1.5 40\n2 0\n"); // starts beyond: its first
+  files.Write("spectra/moss.txt", header + "1.5 40\n2 0\n"); // starts beyond: its first value
   CHECK(intensity("") == Approx(from * 0.4 / 0.264).epsilon(1e-6));
   files.Write("spectra/moss.txt", header);
   CHECK(intensity("has no rows") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
@@ -378,7 +379,7 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   fs::remove(files / "spectra/moss.txt");
   CHECK(intensity("Spectrum moss is in none of") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\nhelios_reflectance 0.1\n");
-  CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // what is given counts
+  CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // a given value has priority
 }
 
 TEST_CASE("SurveyPlayer: output that cannot be", "[SurveyPlayer]")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts that are swapped: what a scene is in each play, and what the plays of a survey write.
+// Swapped parts: the scene of each epoch, and the output of the epochs of a survey.
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosPlays.h"
@@ -34,7 +34,7 @@ std::string Swap(const std::string& filters, const std::string& attributes = "")
   return "<swap " + attributes + ">" + filters + "</swap>\n";
 }
 
-/// A scene of a floor, at z = 0, and of more parts; lid.obj is above all of it, at z = 1.
+/// A scene of a floor, at z = 0, and of more parts; lid.obj is above it, at z = 1.
 void WriteScene(const Files& files, const std::string& parts, const std::string& floor = "")
 {
   files.Write("lid.obj", "v -90 -90 1\nv 90 -90 1\nv 90 90 1\nv -90 90 1\nf 1 2 3 4\n");
@@ -49,7 +49,7 @@ std::string Part(const std::string& inside)
   return "<part id=\"lid\">" + inside + "</part>";
 }
 
-/// The mean height of the points of a play; the swapped surface is level.
+/// The mean height of the points of an epoch; the swapped surface is horizontal.
 double FindHeight(const std::string& folder)
 {
   const std::vector<Point> points = ReadPoints(folder + "/leg000_points.xyz");
@@ -63,7 +63,7 @@ double FindHeight(const std::string& folder)
   return sum / static_cast<double>(points.size());
 }
 
-/// Four plays: the lid at 5 m, at 8 m, twice; and away.
+/// Four epochs: the lid at 5 m, at 8 m twice, and removed.
 const std::string FourPlays =
   Part(Lid + Move(4.0) + Swap(Move(7.0), "swapStep=\"2\"") + Swap("", "force_null=\"true\""));
 
@@ -80,7 +80,7 @@ TEST_CASE("Plays: what a part is in each play", "[SurveyPlays]")
   CHECK(helios::FindPart(part, 2) == &part.Swaps[0].Part);
   CHECK(helios::FindPart(part, 3) == nullptr);
   CHECK(helios::FindPart(part, 4) == &part.Swaps[2].Part);
-  CHECK(helios::FindPart(part, 9) == &part.Swaps[2].Part); // the last one lasts
+  CHECK(helios::FindPart(part, 9) == &part.Swaps[2].Part); // the last swap remains
   CHECK(helios::FindPart(helios::PartData(), 3) != nullptr);
 }
 
@@ -99,12 +99,12 @@ TEST_CASE("Plays: the survey of a play", "[SurveyPlays]")
   second.Swaps.resize(2);
   second.Swaps[0].Plays = 3;
   second.Swaps[1].Part.Scale = 2.0;
-  CHECK(helios::CountPlays(survey.Scene) == 5); // of the part with the largest sum
+  CHECK(helios::CountPlays(survey.Scene) == 5); // the part with the longest total
 
   CHECK(helios::MakePlay(survey, 0).Scene.Parts.size() == 2);
   const helios::SurveyData last = helios::MakePlay(survey, 4);
   CHECK(last.Name == "test");
-  REQUIRE(last.Scene.Parts.size() == 1); // the first one stays away
+  REQUIRE(last.Scene.Parts.size() == 1); // the first part remains removed
   CHECK(last.Scene.Parts[0].Name == "1");
   CHECK(last.Scene.Parts[0].Scale == 2.0);
   CHECK(last.Scene.Parts[0].Swaps.empty());
@@ -135,20 +135,20 @@ TEST_CASE("Plays: filters start from the part as it was loaded", "[SurveyPlays]"
   CHECK(swaps[0].Plays == 2);
   CHECK(moved.Where == (files / "scene.xml") + ":6");
   CHECK(moved.Files == std::vector<std::string>{ files / "lid.obj" });
-  CHECK(moved.Repair); // that is how the mesh is, not where
+  CHECK(moved.Repair); // a property of the mesh, not of its pose
   CHECK(moved.Translation[0] == 0.0);
   CHECK(moved.Translation[2] == 7.0);
   CHECK(moved.Scale == 1.0);
   CHECK(moved.Rotation.GetW() == 1.0);
   CHECK_FALSE(moved.OnGround);
 
-  const helios::PartData& other = swaps[1].Part; // nothing of the part is left
+  const helios::PartData& other = swaps[1].Part; // nothing of the part remains
   CHECK(other.Type == helios::Loader::GeoTiff);
   CHECK(other.Files == std::vector<std::string>{ files / "plane.obj" });
   CHECK_FALSE(other.Repair);
   CHECK(other.Translation[2] == 1.0);
 
-  const helios::PartData& last = swaps[2].Part; // the part again, not the swap before it
+  const helios::PartData& last = swaps[2].Part; // based on the part, not on the swap before
   CHECK(last.Files == std::vector<std::string>{ files / "lid.obj" });
   CHECK(last.Scale == 2.0);
   CHECK(last.Translation[2] == 0.0);
@@ -236,7 +236,7 @@ TEST_CASE("Plays: points of each play lie on its geometry", "[SurveyPlays]")
   CHECK(ReadText(files / "out/test/play001/leg001_points.xyz") ==
     ReadText(files / "out/test/play002/leg001_points.xyz"));
   const std::string summary = ReadText(files / "out/test/play003/run_summary.json");
-  CHECK(summary.find("lid.obj") == std::string::npos); // the play does not read it
+  CHECK(summary.find("lid.obj") == std::string::npos); // not read in this epoch
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
 }
 
@@ -274,7 +274,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
   {
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
-    CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folder of plays
+    CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folders of epochs
     playing.Player->SetPlay(1);
     playing.CheckFails({ "Play is 1, and the survey has 1 play; give 0 to 0" });
   }
@@ -284,7 +284,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
 namespace
 {
 
-/// Ends a run after some pulses.
+/// Stops a run after some pulses.
 void BreakOff(vtkHeliosSurveyPlayer* player)
 {
   const auto abort = [](vtkObject* caller, unsigned long, void*, void*)
@@ -321,7 +321,7 @@ TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
     CHECK(playing.Log->HasError(expected));
     return playing.Player->GetWasFinished();
   };
-  resume(0, "nothing to resume"); // the first one needs a run that was begun
+  resume(0, "nothing to resume"); // the first one needs an earlier run
   for (int play = 0; play < 2; ++play)
   {
     Playing playing(files, reading);
@@ -340,8 +340,8 @@ TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
   SECTION("to what it would have been")
   {
     CHECK(resume(0, ""));       // was finished
-    CHECK_FALSE(resume(1, "")); // goes on
-    CHECK_FALSE(resume(2, "")); // begins
+    CHECK_FALSE(resume(1, "")); // resumed
+    CHECK_FALSE(resume(2, "")); // started
     for (const char* name : { "leg000_points.xyz", "leg001_points.xyz", "leg001_trajectory.txt" })
     {
       CHECK(ReadText((files / "out/test/play001/") + name) ==

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From files in the HELIOS dialect to plain data; what is wrong with a file is said with its line.
+// Reads files in the HELIOS dialect; errors give the line.
 #include "vtkHeliosSurveyReader.h"
 
 #include "heliosSurveyChanges.h"
@@ -45,7 +45,7 @@ TEST_CASE("SurveyReader: scanner, platform and units", "[SurveyReader]")
   CHECK(scanner.PulseFrequencies == std::vector<double>{ 100000, 300000 });
   CHECK(scanner.PulseLength == 5.0);
   CHECK(scanner.Accuracy == 0.005);
-  CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // counted in nanowatts
+  CHECK(scanner.DetectionThreshold == Approx(0.002e-9)); // in nanowatts
   CHECK(scanner.Receiver.NumberOfCircles == 2);
   CHECK(scanner.Beam.Position[2] == 0.2);
   CHECK(reading.Data().Platforms.at(0).Mount.Position[2] == 1.5);
@@ -67,7 +67,7 @@ TEST_CASE("SurveyReader: rotations of a mount, the last outermost", "[SurveyRead
   Reading reading(files, Flight, R"(<leg><platformSettings z="100"/></leg>
 <leg><platformSettings x="10" z="100"/></leg>)");
   REQUIRE(reading.Good);
-  // x -90 turns y down; z 90 leaves it there
+  // x -90 rotates y down; z 90 keeps it there
   const helios::Vec3 down =
     helios::Rotate(reading.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 });
   CHECK(down[2] == Approx(-1));
@@ -104,7 +104,7 @@ TEST_CASE("SurveyReader: templates are inherited by presence", "[SurveyReader]")
 TEST_CASE("SurveyReader: resolution in degrees sets line rate and head speed", "[SurveyReader]")
 {
   const Files files;
-  // f = 100 kHz, 240 degrees a facet: 0.12 deg take 50 lines a second, 0.1 deg a line 5 deg/s
+  // f = 100 kHz, 240 degrees per facet: 0.12 deg need 50 lines per second, 0.1 deg per line 5 deg/s
   Reading reading(files, Tripod, R"(<leg><platformSettings/><scannerSettings
  verticalResolution_deg="0.12" horizontalResolution_deg="0.1" headRotateStop_deg="10"/></leg>)");
   INFO(reading.Log->Errors);
@@ -179,7 +179,7 @@ TEST_CASE("SurveyReader: rotations are global or local", "[SurveyReader]")
   Reading local(files);
   REQUIRE(global.Good);
   REQUIRE(local.Good);
-  // global: x by -90 first, so y ends down; local: z by 90 first, so y goes to -x and stays there
+  // global: x by -90 first, so y ends down; local: z by 90 first, so y goes to -x and remains there
   CHECK(
     helios::Rotate(global.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[2] == Approx(-1));
   CHECK(
@@ -221,14 +221,14 @@ TEST_CASE("SurveyReader: references and numbers as files in the wild write them"
   INFO(log->Warnings);
   CHECK(log->Warnings.empty());
   const helios::SurveyData& data = reader->GetSurvey()->GetData();
-  CHECK(data.Name == "survey"); // of the file
+  CHECK(data.Name == "survey"); // that of the file
   CHECK(data.Scanners.at(0).Id == "tls");
   CHECK(data.Platforms.at(0).Type == helios::PlatformType::Static);
   CHECK(data.Scene.Parts.at(0).Files.at(0) == files / "plane.obj");
   CHECK(data.Legs.at(0).Position == helios::Vec3(15, -0.5, 0));
   CHECK(data.Legs.at(0).MaximumDuration == 4.0);
   CHECK(data.Legs.at(1).MaximumDuration == 2.5);
-  CHECK(data.Legs.at(1).Scans.at(0).BeamDivergence == 0.0); // one ray
+  CHECK(data.Legs.at(1).Scans.at(0).BeamDivergence == 0.0); // a single ray
 }
 
 TEST_CASE("SurveyReader: an expression for file names makes a part a file", "[SurveyReader]")
@@ -600,7 +600,7 @@ TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[S
       clip.Settings + (hasSpeed ? "" : " headRotatePerSec_deg=\"10\"") +
       (hasFrequency ? " scanFreq_hz=\"50\"" : "") + " headRotateStop_deg=\"10\"/></leg>\n";
     const Files files;
-    const Reading reading(files, Tripod, leg + leg); // the second warns no more
+    const Reading reading(files, Tripod, leg + leg); // the second gives no more warnings
     INFO(reading.Log->Errors << reading.Log->Warnings);
     REQUIRE(reading.Good);
     CHECK(reading.Data().Legs.at(1).Scans.at(0).*clip.Value == Approx(clip.Limit).epsilon(1e-12));

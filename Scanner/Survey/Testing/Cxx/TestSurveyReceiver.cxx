@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Sampling, waveforms, detection and noise of the dialect: read, checked, set up, and run.
+// Sampling, waveforms, detection and noise in the dialect: read, checked, set up, and run.
 #include "heliosReceiver.h"
 
 #include "heliosSurveyFiles.h"
@@ -23,7 +23,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A survey on a tripod with texts put into its scanner, into its <survey> and behind its leg.
+/// A survey on a tripod with texts inserted into its scanner, into its <survey> and after its leg.
 struct Bench
 {
   Files Folder;
@@ -56,7 +56,7 @@ struct Bench
     CHECK(this->Reading.Log->HasWarning(message));
   }
 
-  /// Good, and nothing to say.
+  /// No errors or warnings.
   void CheckQuiet() const
   {
     INFO(this->Reading.Log->Errors << this->Reading.Log->Warnings);
@@ -123,18 +123,18 @@ TEST_CASE("SurveyReceiver: beamSampleQuality on any level runs fixed", "[SurveyR
 
 TEST_CASE("SurveyReceiver: of sampling, what the survey says wins", "[SurveyReceiver]")
 {
-  // the survey's tolerance over the scanner's circles
+  // the survey's tolerance overrides the scanner's circles
   const Bench tolerant("beamSampleQuality=\"3\"", "", "", Fwf("rangeTolerance_m=\"0.0002\""));
   CHECK(tolerant.Receiver().NumberOfCircles == 0);
   CHECK(tolerant.Receiver().RangeTolerance == 0.0002);
   CHECK(
     Bench("beamSampleQuality=\"3\"", "", "energyTolerance=\"0.05\"").Receiver().NumberOfCircles ==
     0);
-  // and the other way round
+  // and vice versa
   const Bench fixed("rangeTolerance_m=\"0.0002\"", "", "", Fwf("beamSampleQuality=\"3\""));
   CHECK(fixed.Receiver().NumberOfCircles == 3);
   fixed.CheckQuiet();
-  // the attributes of <survey> over its <FWFSettings>
+  // the attributes of <survey> override its <FWFSettings>
   CHECK(Bench("", "", "rangeTolerance_m=\"0.003\"", Fwf("rangeTolerance_m=\"0.002\""))
           .Receiver()
           .RangeTolerance == 0.003);
@@ -384,7 +384,7 @@ TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyRec
 namespace
 {
 
-/// A run of the bench, which writes into its folder.
+/// A run of the bench, with output in its folder.
 struct Playing
 {
   vtkNew<vtkHeliosSurveyPlayer> Player;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that end early and go on; what a run says about itself; what one would come to.
+// Interrupted and resumed runs; run summaries; estimates.
 #include "heliosBrokenRun.h"
 
 #include <algorithm>
@@ -30,14 +30,14 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
   broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
   REQUIRE(broken.Player->Run());
   CHECK_FALSE(broken.Player->GetWasFinished());
-  // no block is done again
+  // no block is repeated
   CHECK(
     *std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) == pulses + 10000);
   CHECK(broken.Player->GetNumberOfEchoes() == 80000);
   const auto a = ReadAll(files / "whole/test");
   const auto b = ReadAll(files / "out/test");
   CHECK(a.size() >= 6);
-  CHECK((a == b)); // not printed
+  CHECK((a == b)); // too long to print
 }
 
 TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
@@ -251,7 +251,7 @@ TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
 TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
 {
   const Files files;
-  // 120 m of which the plane is 100 wide; a leg of it beside the plane
+  // 120 m across a plane of 100 m; a leg beside the plane
   const Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="20"/>
 <scannerSettings id="c" pulseFreq_hz="200000" scanFreq_hz="50" scanAngle_deg="15"/>
 <leg><platformSettings template="p" x="-60"/><scannerSettings template="c"/></leg>
@@ -273,7 +273,8 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
     return std::stod(report.substr(report.find(':', at) + 1));
   };
   const std::string estimate = playing.Player->GetReport();
-  CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses"));  // it did sample
+  CHECK(number(estimate, "pulsesSampled") < 0.4 * number(estimate, "pulses"));  // not all pulses
+                                                                                // were sampled
   CHECK(number(estimate, "pulsesSampled") > 0.19 * number(estimate, "pulses")); // whole lines
   REQUIRE(playing.Player->Run());
   double bytes = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys in memory: the echoes that a player writes, in any parts.
+// Surveys in memory: the same echoes as those of a player, in any parts.
 #include "vtkHeliosSurveySource.h"
 
 #include "heliosSurveyPlaying.h"
@@ -52,7 +52,7 @@ struct Source
   }
 };
 
-/// A number of each echo, one after the other.
+/// The values of an array component of all echoes.
 std::vector<double> Get(vtkPolyData* echoes, const char* name, int component = 0)
 {
   vtkDataArray* array = echoes->GetPointData()->GetArray(name);
@@ -219,7 +219,7 @@ TEST_CASE("SurveySource: windows hold whole shots of channels", "[SurveySource]"
   const auto whole = source.Run(0, VTK_ID_MAX);
   CHECK(source.Filter->GetNumberOfPulses() == 16000);
   CHECK(source.Filter->FindPulse(source.Filter->GetPulseTime(4001)) == 4000);
-  const auto a = source.Run(0, 4001); // with pulse 4001, which leaves with pulse 4000
+  const auto a = source.Run(0, 4001); // with pulse 4001, of the same shot as pulse 4000
   CHECK(Get(a, names::PulseIds).back() == 4001.0);
   const auto b = source.Run(4001, VTK_ID_MAX);
   CHECK(Get(b, names::PulseIds).front() == 4002.0);
@@ -236,7 +236,7 @@ TEST_CASE("SurveySource: parts have moved by when the window is", "[SurveySource
   REQUIRE(reading.Good);
   Source source(reading);
   source.Filter->NoiseOff();
-  const auto part = source.Run(39950, 40150); // over the end of a leg, and a step
+  const auto part = source.Run(39950, 40150); // across the end of a leg and a step
   REQUIRE(part->GetNumberOfPoints() == 200);
   const std::vector<double> pulses = Get(part, names::PulseIds);
   CHECK(pulses.front() == 39950.0);
@@ -261,7 +261,7 @@ TEST_CASE("SurveySource: what has not changed is not loaded again", "[SurveySour
   source.Filter->GenerateTruthOn();
   source.Run(10, 20);
   CHECK(source.Filter->GetScene() == scene);
-  source.Filter->SetSeed(7); // materials by chance depend on it
+  source.Filter->SetSeed(7); // random materials depend on it
   source.Run(10, 20);
   CHECK(source.Filter->GetScene()->GetNumberOfPolys() == 1);
 }

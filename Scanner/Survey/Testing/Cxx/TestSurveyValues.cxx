@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Every number of the dialect has a range, and what lies outside is an error that names it.
+// Every number of the dialect has a range, and a value outside is an error that names it.
 #include "heliosXmlRules.h"
 
 #include "heliosSurveyFiles.h"
@@ -23,7 +23,7 @@ bool IsNumber(const XmlValueRule& value)
     value.Kind == XmlKind::RealList || value.Kind == XmlKind::Vector;
 }
 
-/// A tripod's survey with attributes in places.
+/// A survey of a tripod with attributes at two places.
 Reading ReadWith(const Files& files, const std::string& scanner, const std::string& leg)
 {
   return Reading(files, Tripod,

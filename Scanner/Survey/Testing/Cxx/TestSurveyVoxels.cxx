@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of vegetation in surveys: what is read of them, and flights over them against closed forms.
+// Vegetation grids in surveys: their settings, and flights over them compared with closed forms.
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosMaterialTable.h"
@@ -45,7 +45,7 @@ constexpr double Pad = 0.4;   // of the slab [m2/m3]
 constexpr double Angle = 5.0; // of the beams from the vertical [deg]
 constexpr int Pulses = 80000;
 
-/// A slab of 2 m from z = 10 m above all of the ground of 100 m, in cells of 2 m.
+/// A slab of 2 m from z = 10 m above the whole ground of 100 m, in cells of 2 m.
 std::string MakeSlab()
 {
   std::ostringstream text;
@@ -109,7 +109,7 @@ std::vector<Point> Fly(const std::string& filters)
   return points;
 }
 
-/// Whether the share of points on the ground is a probability, within four standard deviations.
+/// Checks that the ratio of ground points equals a probability, within four standard deviations.
 void CheckShare(const std::vector<Point>& points, double probability)
 {
   double ground = 0.0;
@@ -224,7 +224,7 @@ TEST_CASE("SurveyPlayer: a flight over turbid voxels", "[SurveyVoxels]")
       squares += depth * depth;
     }
   }
-  // An exponential cut at the length.
+  // An exponential truncated at the length.
   const double stopped = 1.0 - std::exp(-k * length);
   const double mean = 1.0 / k - length * (1.0 - stopped) / stopped;
   const double variance = 1.0 / (k * k) - length * length * (1.0 - stopped) / (stopped * stopped);
@@ -271,7 +271,7 @@ TEST_CASE("SurveyPlayer: fixed and scaled cubes are opaque", "[SurveyVoxels]")
     REQUIRE(p.Part == "trees");
     REQUIRE(p.Z == Approx(12.0).margin(1e-3));
   }
-  // Cubes of (0.4 / 1.6)^0.5 of 2 m hide their tops and what their sides shade.
+  // Cubes of (0.4 / 1.6)^0.5 of 2 m: area of their tops and of the shadows of their sides.
   const auto scaled = Fly(Voxels({ { "intersectionMode", "scaled" } }));
   REQUIRE(scaled.size() == Pulses);
   double hidden = 0.0;
@@ -283,7 +283,7 @@ TEST_CASE("SurveyPlayer: fixed and scaled cubes are opaque", "[SurveyVoxels]")
   const double pi = 3.141592653589793;
   CHECK(hidden ==
     Approx((1.0 + 4.0 / pi * std::tan(Angle * pi / 180.0)) / 4.0)
-      .margin(0.02)); // few cells are met
+      .margin(0.02)); // few cells are hit
 }
 
 TEST_CASE("SurveyPlayer: voxels alone are a scene", "[SurveyVoxels]")
@@ -330,14 +330,14 @@ TEST_CASE("SurveyVoxels: grids are told beside the scene", "[SurveyVoxels]")
   REQUIRE(reading.Good);
   vtkNew<vtkHeliosSurveySource> source;
   source->SetSurvey(reading.Reader->GetSurvey());
-  CHECK_FALSE(source->GetGrid(0)); // nothing is loaded
+  CHECK_FALSE(source->GetGrid(0)); // not loaded
   REQUIRE(source->Load());
   vtkNew<vtkHeliosPlannerReader> planner;
   planner->SetFileName((files / "scene.xml").c_str());
   planner->SetDefaultPlatform("assets.xml#tripod");
   planner->SetDefaultScanner("assets.xml#tls");
   planner->Update();
-  CHECK_FALSE(planner->GetGrid(0)); // nobody asked for it
+  CHECK_FALSE(planner->GetGrid(0)); // not requested
   planner->KeepGridsOn();
   planner->Update();
   for (vtkImageData* grid : { source->GetGrid(0), planner->GetGrid(0) })

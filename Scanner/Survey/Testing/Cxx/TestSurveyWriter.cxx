@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scan positions become surveys that read back to them.
+// Scan positions are written as surveys that read back exactly.
 #include "vtkHeliosSurveyWriter.h"
 
 #include "heliosSceneCrs.h"
@@ -37,7 +37,7 @@ vtkSmartPointer<vtkPolyData> MakePositions(const Positions& positions)
   return data;
 }
 
-/// A writer of survey.xml, and what it says.
+/// A writer of survey.xml, and its messages.
 struct Writing
 {
   vtkNew<vtkHeliosSurveyWriter> Writer;
@@ -54,7 +54,7 @@ struct Writing
   }
 };
 
-/// Where the beam of a leg leaves: the tripod's mount, and the beam's origin on the head's axis.
+/// The beam origin of a leg: the tripod's mount, and the beam origin on the head axis.
 helios::Vec3 FindBeam(const helios::SurveyData& survey, std::size_t leg)
 {
   const helios::PlatformData& platform = survey.GetPlatform(leg);
@@ -133,7 +133,8 @@ TEST_CASE("SurveyWriter: a mount that turns, a beam beside the axis", "[SurveyWr
   REQUIRE(writing.Writer->Write());
   const Reading reading(files);
   REQUIRE(reading.Good);
-  // x by 90 turns the head's axis from up to backward: 0.2 m; what is beside the axis goes round.
+  // x by 90 tilts the head axis from up to backward: 0.2 m; the offset from the axis rotates with
+  // it.
   const helios::Vec3 wanted(9.7, 20.2, 28.5);
   CHECK((reading.Data().Legs[0].Position - wanted).Norm() < 1e-14);
 }

@@ -81,7 +81,7 @@ bool IsPose(const helios::Pose& pose)
 
 bool IsValid(const helios::ScannerData& s)
 {
-  const bool pulses = // none where the legs give theirs
+  const bool pulses = // optional if the legs give theirs
     std::all_of(s.PulseFrequencies.begin(), s.PulseFrequencies.end(),
       [](double f) { return std::isfinite(f) && f > 0.0; });
   return pulses && IsPose(s.Beam) && IsFinite(s.HeadRotateAxis) && s.HeadRotateAxis.Norm() > 0.0 &&

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs for tests, and what they leave.
+// Test runs, and their output files.
 
 #ifndef heliosBrokenRun_h
 #define heliosBrokenRun_h
@@ -22,7 +22,7 @@ namespace helios
 namespace test
 {
 
-/// Does something after every block.
+/// Calls a function after every block.
 class OnBlock : public vtkCommand
 {
 public:
@@ -83,7 +83,7 @@ struct BlockRun
   }
 };
 
-/// Every file of a folder but the summary, which has timings.
+/// Every file of a folder except the summary, which has timings.
 inline std::map<std::string, std::string> ReadAll(const std::string& folder)
 {
   std::map<std::string, std::string> texts;

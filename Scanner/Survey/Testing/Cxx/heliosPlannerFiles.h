@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Planner documents written to a folder of their own, and their readers.
+// Planner documents in a separate folder, and their readers.
 
 #ifndef heliosPlannerFiles_h
 #define heliosPlannerFiles_h
@@ -33,7 +33,7 @@ struct PlannerReading
   }
 };
 
-/// Writes a <surveyPlanner> with more attributes, and children.
+/// Writes a <surveyPlanner> with more attributes and children.
 inline const Files& WritePlanner(
   const Files& files, const std::string& more, const std::string& children = "")
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A survey that is right, one change of it at a time, and what is said of it.
+// Single changes to a valid survey, and the resulting messages.
 
 #ifndef heliosSurveyChanges_h
 #define heliosSurveyChanges_h
@@ -15,7 +15,7 @@ namespace helios
 namespace test
 {
 
-/// A change to a file of a good survey, and what messages must say then.
+/// A change to a file of a valid survey, and the texts expected in messages.
 struct Change
 {
   std::string File;
@@ -37,7 +37,7 @@ inline void CheckRefused(const Files& files, const std::vector<std::string>& mes
   }
 }
 
-/// Each change alone makes the survey an error.
+/// Each change alone makes the survey invalid.
 inline void CheckAllRefused(
   const char* attributes, const char* legs, const std::vector<Change>& changes)
 {
@@ -51,7 +51,7 @@ inline void CheckAllRefused(
   }
 }
 
-/// Each change alone is warned of, and read all the same.
+/// Each change alone causes a warning, and the survey is read.
 inline void CheckAllWarned(
   const char* attributes, const char* legs, const std::vector<Change>& changes)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys written to a folder of their own, and their readers.
+// Surveys in a separate folder, and their readers.
 
 #ifndef heliosSurveyFiles_h
 #define heliosSurveyFiles_h
@@ -75,7 +75,7 @@ public:
     std::ofstream(this->Folder / name, std::ios::binary) << text;
   }
 
-  /// Replaces the first occurrence of a text in a file, which must have it.
+  /// Replaces the first occurrence of a text in a file, which must contain it.
   void Replace(const std::string& name, const std::string& from, const std::string& to) const
   {
     std::string text = ReadText(*this / name);
@@ -91,7 +91,7 @@ private:
   std::filesystem::path Folder;
 };
 
-/// A reader of survey.xml, which is written first where its inside is given.
+/// A reader of survey.xml, which is written first if its content is given.
 struct Reading
 {
   vtkNew<vtkHeliosSurveyReader> Reader;
@@ -112,7 +112,7 @@ struct Reading
   const SurveyData& Data() const { return this->Reader->GetSurvey()->GetData(); }
 
 private:
-  /// What stands before the first leg goes before the survey.
+  /// The content before the first leg goes before the survey.
   static const Files& WriteSurvey(
     const Files& files, const std::string& attributes, const std::string& inside)
   {
@@ -128,11 +128,11 @@ private:
 inline const char* const Tripod = R"(platform="assets.xml#tripod" scanner="assets.xml#tls")";
 inline const char* const Flight = R"(platform="assets.xml#plane" scanner="assets.xml#als")";
 
-/// A tripod that turns by 10 degrees.
+/// A tripod with a head rotation of 10 degrees.
 inline const char* const OneLeg = R"(<leg><platformSettings x="1" y="2" z="3"/>
 <scannerSettings scanFreq_hz="50" headRotatePerSec_deg="10" headRotateStop_deg="10"/></leg>)";
 
-/// A flight of 20 m in two legs of 40,000 pulses, and its end.
+/// A flight of 20 m in two legs of 40,000 pulses, and its end point.
 inline const char* const ThreeLegs =
   R"(<leg><platformSettings x="0" z="100" movePerSec_m="50"/>
 <scannerSettings scanFreq_hz="50" scanAngle_deg="5"/></leg>

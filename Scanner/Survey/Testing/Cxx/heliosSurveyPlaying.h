@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Surveys that are run, and what they have written.
+// Surveys that are run, and their output.
 
 #ifndef heliosSurveyPlaying_h
 #define heliosSurveyPlaying_h
@@ -50,7 +50,7 @@ inline std::vector<std::string> ReadLines(const std::string& path)
   return lines;
 }
 
-/// A player of a survey that has been read, with its output in the folder out.
+/// A player of a survey, with its output in the folder out.
 struct Playing
 {
   vtkNew<vtkHeliosSurveyPlayer> Player;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Damages the structure and the values of an XML file, the same way for the same seed: it stays XML.
+// Damages structure and values of an XML file, reproducibly for a seed: the result is XML.
 
 #ifndef heliosXmlMutation_h
 #define heliosXmlMutation_h
@@ -17,8 +17,8 @@
 namespace helios
 {
 
-/// One to three of: elements taken out, doubled, moved or misspelt; attributes taken out, exchanged,
-/// carried elsewhere, misspelt; values that are traps, or in another unit.
+/// One to three of: elements removed, duplicated, moved or misspelt; attributes removed, exchanged,
+/// moved elsewhere, misspelt; values that are edge cases, or in another unit.
 class XmlMutator
 {
 public:
@@ -73,7 +73,7 @@ private:
         node.parent().insert_copy_after(node, node);
         break;
       case 2:
-        pugi::xml_node(other).append_move(node); // null where it would be its own child
+        pugi::xml_node(other).append_move(node); // null if it would be its own child
         break;
       case 3:
         pugi::xml_node(other).append_copy(node);
@@ -116,7 +116,7 @@ private:
     }
   }
 
-  /// A number in another unit, or with the other sign; a text stays one.
+  /// Changes the unit or the sign of a number; other texts are kept.
   std::string ChangeUnit(const std::string& text)
   {
     static const double factors[] = { 1000.0, 0.001, 57.29577951308232, 0.017453292519943295, 1e6,
@@ -176,7 +176,7 @@ private:
     return attributes.empty() ? pugi::xml_attribute() : attributes[this->Below(attributes.size())];
   }
 
-  std::mt19937 Generator; // the same numbers everywhere
+  std::mt19937 Generator; // the same numbers on all platforms
 };
 
 } // namespace helios

@@ -10,7 +10,7 @@ using helios::Vec3;
 namespace
 {
 
-/// Embree's hits and occlusions, as far as they are not those of the double-precision tree.
+/// The number of Embree's hits and occlusions that differ from the double-precision tree.
 int CountDifferencesFromBvh(const helios::Soup& soup, const std::vector<vtkHeliosRay>& rays)
 {
   const auto scene = soup.GetPolyData();
@@ -29,7 +29,7 @@ int CountDifferencesFromBvh(const helios::Soup& soup, const std::vector<vtkHelio
   return differences;
 }
 
-/// Bundles of 19 rays within 0.3 mrad, as a scanner sends them.
+/// Bundles of 19 rays within 0.3 mrad, as from a scanner.
 std::vector<vtkHeliosRay> MakeBundles(
   const Vec3& from, const Vec3& low, const Vec3& high, int count)
 {
@@ -185,7 +185,7 @@ TEST_CASE(
       helios::MakeRay(from, i % 2 == 0 ? near - from : Vec3(1, 1 + dice(), 1 + dice())));
   }
   CHECK(CountDifferencesFromBvh(soup, rays) == 0);
-  // A scene of nothing but them, in effect: no box to speak of.
+  // A scene of only outliers: effectively no box.
   helios::Soup wide;
   wide.AddTriangle({ -1e30, -1e30, 0 }, { 1e30, -1e30, 0 }, { 0, 2e30, 1 });
   wide.AddTriangle({ 1, 1, 1 }, { 2, 2, 2 }, { 3, 3, 3 });

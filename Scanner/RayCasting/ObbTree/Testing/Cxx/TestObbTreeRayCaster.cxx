@@ -37,9 +37,9 @@ TEST_CASE("ObbTreeRayCaster: generic rays hit what brute force hits", "[ObbTreeR
       REQUIRE(occluded[i] == (hits[i].CellId >= 0 ? 1 : 0));
     }
     INFO("offset " << offset[0]);
-    CHECK(wrong == 0); // the range of a triangle is the common test's
+    CHECK(wrong == 0); // the range of a triangle is that of the common test
     CHECK(lost <= 5);
-    CHECK(invented <= 40); // a quarter of the rays passes along rims, within the tolerance
+    CHECK(invented <= 40); // a quarter of the rays passes along edges, within the tolerance
   }
 }
 
