@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Build options and output directories.
 
 option(VTKHELIOS_WRAP_PYTHON "Wrap the classes for Python" ON)

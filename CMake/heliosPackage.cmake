@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
 # find_package(vtkHelios) for other projects.
 
 include(CMakePackageConfigHelpers)

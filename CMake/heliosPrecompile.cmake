@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
 # Precompiled headers: those that most sources include, parsed once for all modules and once for all
 # programs. Sources still include what they use; the preset "minimal" builds without.
 
