@@ -34,7 +34,7 @@ display=()
   --title "a village, scanned from two positions on its lane and from the air" \
   --azimuth 210 --elevation 30 --zoom 2.0
 
-helios_say "the clouds and the picture are there"
+helios_say "the clouds and the picture are ready"
 for what in "${clouds[@]}"; do
   echo "point cloud  $what"
   echo "trajectory   ${what%_points.xyz}_trajectory.txt"

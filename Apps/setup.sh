@@ -34,7 +34,7 @@ helios_install_packages() {
   local as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-      echo "as root, please: apt-get install --no-install-recommends ${missing[*]}" >&2
+      echo "run as root: apt-get install --no-install-recommends ${missing[*]}" >&2
       return 1
     fi
     as_root=(sudo)
@@ -63,7 +63,7 @@ helios_make_venv() {
 helios_install_laspy() {
   build/venv/bin/python -c 'import laspy, lazrs' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be had here: LAS and LAZ files cannot be read" >&2
+    'laspy>=2.5,<3' 'lazrs<1' || echo "laspy cannot be installed here: LAS and LAZ files cannot be read" >&2
 }
 
 # A PyVista contemporary with VTK 9.1, for the test of its interoperability; newer ones install
@@ -71,7 +71,7 @@ helios_install_laspy() {
 helios_install_pyvista() {
   build/venv/bin/python -c 'import pyvista' 2>/dev/null && return
   build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-    'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be had here: its test is skipped" >&2
+    'pyvista==0.36.1' 'scooby<1' 'appdirs<2' || echo "PyVista cannot be installed here: its test is skipped" >&2
 }
 
 # COPC and E57 files, LAZ with waveforms of several channels, and a reader of PLY files in tests.
@@ -81,7 +81,7 @@ helios_install_formats() {
   local package
   for package in copclib laszip pye57 pyquaternion plyfile; do
     build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
-      "$package" || echo "$package cannot be had here: some formats of vtkhelios convert are missing" >&2
+      "$package" || echo "$package cannot be installed here: some formats of vtkhelios convert are missing" >&2
   done
 }
 

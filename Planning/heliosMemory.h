@@ -13,7 +13,7 @@ namespace helios
 {
 
 /**
- * "3.2e+07 places take 2300 MiB, more than MemoryLimit (2048 MiB)" if n items of a size in bytes
+ * "3.2e+07 places need 2300 MiB, more than MemoryLimit (2048 MiB)" if n items of a size in bytes
  * exceed a limit in MiB; else an empty string.
  */
 inline std::string DescribeExcess(
@@ -23,7 +23,7 @@ inline std::string DescribeExcess(
   std::ostringstream text;
   if (size > limitMiB)
   {
-    text << std::setprecision(4) << count << " " << things << " take " << size
+    text << std::setprecision(4) << count << " " << things << " need " << size
          << " MiB, more than MemoryLimit (" << limitMiB << " MiB)";
   }
   return text.str();

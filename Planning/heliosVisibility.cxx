@@ -34,13 +34,13 @@ std::string Visibility::Set(vtkPolyData* candidates, vtkIdType testPoints)
   if (!array)
   {
     text << "the candidates have no point array " << names::Visibility
-         << "; take them from vtkHeliosViewsheds, or add it";
+         << "; use those of vtkHeliosViewsheds, or add it";
   }
   else if (!HasWords(array) || array->GetNumberOfComponents() != length)
   {
     text << names::Visibility << " of the candidates has " << array->GetNumberOfComponents()
          << " components of type " << array->GetDataTypeAsString() << "; " << testPoints
-         << " test points take " << length << " of unsigned 64-bit integers";
+         << " test points need " << length << " of unsigned 64-bit integers";
   }
   if (!text.str().empty())
   {

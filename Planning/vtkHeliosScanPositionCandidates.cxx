@@ -93,8 +93,8 @@ public:
     }
     if (this->IsGround.empty() && (surface == GROUND || surface == OPEN_GROUND))
     {
-      return "Surface asks for ground, and no material of the scene is one (Material.IsGround, "
-             "helios_isGround); mark the ground, or take the highest surface";
+      return "Surface is set to ground, but no material of the scene is ground (Material.IsGround, "
+             "helios_isGround); mark the ground, or use the highest surface";
     }
     return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
   }
@@ -367,14 +367,14 @@ bool vtkHeliosScanPositionCandidates::Report(const Search& search)
   const vtkIdType excluded = search.GetCount(Place::Excluded);
   std::ostringstream text;
   text << "No candidate is left of " << misses + others + steep + excluded << " places: " << misses
-       << " have no surface below, of " << others << " the highest is no ground, " << steep
+       << " have no surface below, at " << others << " the highest surface is not ground, " << steep
        << " are steeper than MaximumSlope (" << this->MaximumSlope << " deg), " << excluded
        << " lie in excluded areas; ";
   const vtkIdType most = std::max(std::max(misses, others), std::max(steep, excluded));
   text << (most == steep ? "allow a larger slope, or make the steps smaller"
       : most == misses   ? "move the Region onto the scene, or make the steps smaller"
       : most == excluded ? "exclude less"
-                         : "take ground below other things, too (GROUND)");
+                         : "use ground below other surfaces, too (GROUND)");
   vtkErrorMacro(<< text.str() << ".");
   return false;
 }

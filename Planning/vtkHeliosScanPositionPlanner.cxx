@@ -99,7 +99,7 @@ private:
     }
     if (this->Self->Method == OPTIMAL && !helios::HasExactSolver())
     {
-      return "Method Optimal needs COIN-OR CBC, which this build is without; build with "
+      return "Method Optimal needs COIN-OR CBC, which this build does not include; build with "
              "VTKHELIOS_ENABLE_CBC, or use Best";
     }
     helios::Visibility matrix;
@@ -123,7 +123,7 @@ private:
     if (!areas || areas->GetNumberOfComponents() != 1 || areas->GetNumberOfTuples() != count)
     {
       return std::string("UseAreas is on, but the test points have no point array ") + names::Area +
-        " of one component; take them from vtkHeliosVisibilityTestPoints, or switch UseAreas off";
+        " of one component; use those of vtkHeliosVisibilityTestPoints, or switch UseAreas off";
     }
     for (vtkIdType v = 0; v < count; ++v)
     {
@@ -148,7 +148,7 @@ private:
     {
       return std::string(names::Normal) + " of the test points has " +
         std::to_string(normals->GetNumberOfTuples()) + " tuples of " +
-        std::to_string(normals->GetNumberOfComponents()) + " components; it takes " +
+        std::to_string(normals->GetNumberOfComponents()) + " components; expected " +
         std::to_string(count) + " of 3";
     }
     Vectors positions;
@@ -171,7 +171,7 @@ private:
     {
       return std::string("no candidate sees ") +
         (this->Self->UseAreas ? "a test point with an area" : "any test point") +
-        "; widen the limits of the viewsheds, or check that candidates stand outside of solids";
+        "; widen the limits of the viewsheds, or check that candidates lie outside solids";
     }
     this->All = this->Self->UseAreas ? this->GetAllWeight() : this->Rows.Columns;
     const double base = this->Self->CoverageOf == COVERABLE ? coverable : this->All;
@@ -180,7 +180,7 @@ private:
     {
       std::ostringstream text;
       text << "MinimumCoverage " << this->Self->MinimumCoverage
-           << " % of all is out of reach: all candidates together see "
+           << " % of all cannot be reached: all candidates together see "
            << 100.0 * coverable / this->All
            << " %; lower it, add candidates, or set CoverageOf to Coverable";
       return text.str();
@@ -214,7 +214,7 @@ private:
     }
     if (!this->Angles.HasNormals() && this->Self->Method == MEAN_INCIDENCE_ANGLE)
     {
-      return std::string("Method MeanIncidenceAngle takes the point array ") +
+      return std::string("Method MeanIncidenceAngle needs the point array ") +
         names::MeanIncidenceAngle + " of the candidates, or " + names::Normal +
         " of the test points; add one, or use ViewshedSize";
     }

@@ -326,7 +326,7 @@ std::string vtkHeliosViewsheds::FindFault(
   std::ostringstream text;
   if (!this->RayCaster)
   {
-    text << "RayCaster was set to nothing; set one, e.g. a vtkHeliosBvhRayCaster";
+    text << "RayCaster is not set; set one, e.g. a vtkHeliosBvhRayCaster";
   }
   else if (scene->GetNumberOfCells() == 0)
   {
@@ -357,7 +357,7 @@ std::string vtkHeliosViewsheds::FindFault(
     text
       << "MaximumIncidenceAngle and MinimumPointDensity need normals, and the test points have no "
          "point array "
-      << names::Normal << " of 3 components; add it, or leave these limits";
+      << names::Normal << " of 3 components; add it, or do not set these limits";
   }
   else if (this->MinimumPointDensity > 0.0 && this->AngularStep == 0.0)
   {

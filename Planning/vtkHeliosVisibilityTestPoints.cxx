@@ -60,7 +60,7 @@ public:
   {
     if (!this->Self->Vertical && !this->Self->Horizontal)
     {
-      return "Vertical and Horizontal are both off, so that there is no line; switch one on";
+      return "Vertical and Horizontal are both off, so there are no lines; switch one on";
     }
     const std::string fault = this->Scene.Set(scene);
     return fault.empty() ? this->MakeGrid() : fault;

@@ -145,7 +145,7 @@ std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
   std::string fault;
   if (!ReadJson(text, root, fault) || !root.isObject() || !root["legs"].isArray())
   {
-    error = summary.string() + " is no summary of a run; run the survey again";
+    error = summary.string() + " is not the summary of a run; run the survey again";
     return files;
   }
   for (const Json::Value& leg : root["legs"])
@@ -214,7 +214,7 @@ std::string CloudReader::Read(const std::string& path, const BlockFunction& onBl
     error = this->ReadTrajectory(GetTrajectoryName(path));
   }
   const bool isEmpty = error.empty() && !this->Stopped && points == 0;
-  return isEmpty ? path + ": there are no points in it; nothing can be shown" : error;
+  return isEmpty ? path + ": contains no points; nothing can be shown" : error;
 }
 
 //------------------------------------------------------------------------------
@@ -292,7 +292,7 @@ std::string CloudReader::ReadCloud(const std::string& path)
     this->OnBlock(cloud, 1.0);
     return "";
   }
-  return path + ": no cloud that can be read; " + Kinds;
+  return path + ": not a supported cloud format; " + Kinds;
 }
 
 //------------------------------------------------------------------------------

@@ -14,14 +14,14 @@ namespace
 {
 
 const char* const WaysOut =
-  "; log in with a desktop, use ssh -X, or draw without a window: "
+  "; log in to a desktop, use ssh -X, or draw without a window: "
   "xvfb-run -a vtkhelios view ... --offscreen --still picture.png (Debian package xvfb)";
 
 /// Called by Xlib when its server is lost; Xlib exits when this returns.
 int OnLostDisplay(Display*)
 {
   std::cerr
-    << "error: the display is gone, and the viewer with it; nothing that was saved is lost\n";
+    << "error: the connection to the display is lost and the viewer ends; saved files are kept\n";
   return 0;
 }
 

@@ -64,12 +64,12 @@ EditTool::~EditTool() = default;
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> EditTool::GetKeys() const
 {
-  return { { "d", "direct control on, off: then click where the tripod stands" },
-    { "Shift-click, a", "another stand or waypoint; A: flight lines, two corners" },
-    { "Tab, g", "other platform, other instrument" }, { "Delete, z", "take out the last, undo" },
+  return { { "d", "on, off; then click the scan position" },
+    { "Shift-click, a", "add a scan position or waypoint; A: flight lines, two corners" },
+    { "Tab, g", "next platform, next instrument" }, { "Delete, z", "remove the last, undo" },
     { "Return, s", "scan, save the survey" },
-    { "M", "parts of the scene: click chooses, Shift-click puts it there" },
-    { "arrows < > * /", "move, turn, scale the part; g: file of the next, a: add it" } };
+    { "M", "scene parts: click selects, Shift-click moves it there" },
+    { "arrows < > * /", "move, rotate, scale the part; g: next file, a: add it" } };
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +87,7 @@ void EditTool::MakeActions()
     tool.Owner.GetInteractor()->GetEventPosition(at[0], at[1]);
     SceneView* scene = tool.Owner.GetSceneView();
     const auto pick = scene ? scene->Pick(at[0], at[1]) : std::nullopt;
-    pick ? tool.AddPart(*pick) : tool.Owner.Tell("point at the surface that it is to stand on");
+    pick ? tool.AddPart(*pick) : tool.Owner.Tell("point at the surface to place it on");
   };
   this->Actions["a"] = atMouse;
   this->Actions["A"] = [](EditTool& tool) { tool.SetMode(Mode::Area); };
@@ -167,8 +167,8 @@ bool EditTool::Toggle()
   }
   this->SetMode(Mode::Scanner);
   this->HasChanges ? this->ShowGhost() : void();
-  this->Owner.Tell(this->IsOn ? "direct control: click where the scanner stands, Return scans"
-                              : "direct control is off");
+  this->Owner.Tell(
+    this->IsOn ? "direct control: click the scan position, Return scans" : "direct control is off");
   return true;
 }
 
@@ -197,7 +197,7 @@ void EditTool::ClickAt(int x, int y, bool isMore)
   const auto pick = scene ? scene->Pick(x, y) : std::nullopt;
   if (!pick)
   {
-    this->Owner.Tell("nothing of the scene is there: click on a surface");
+    this->Owner.Tell("there is no surface there: click on one of the scene");
     return;
   }
   switch (this->Doing)
@@ -236,7 +236,7 @@ void EditTool::SetCorner(const ScenePick& pick)
   {
     this->HasCorner = true;
     this->Corner = pick.Position;
-    this->Owner.Tell("now click the corner across");
+    this->Owner.Tell("now click the opposite corner");
     return;
   }
   this->Remember();
@@ -251,7 +251,7 @@ void EditTool::SetMode(Mode mode)
 {
   if (mode == Mode::Area && !this->Edit.IsMoving())
   {
-    this->Owner.Tell("flight lines are for a platform that moves: press Tab for one");
+    this->Owner.Tell("flight lines need a moving platform: press Tab for one");
     return;
   }
   if (mode == Mode::Parts && !this->LoadScene())
@@ -264,7 +264,7 @@ void EditTool::SetMode(Mode mode)
   this->ShowPanel();
   if (mode == Mode::Area)
   {
-    this->Owner.Tell("flight lines: click a corner of the rectangle, then the one across");
+    this->Owner.Tell("flight lines: click a corner of the rectangle, then the opposite one");
   }
 }
 

@@ -28,7 +28,7 @@ public:
   explicit EditTool(Viewer& viewer);
   ~EditTool() override;
 
-  std::string GetName() const override { return "A scanner in your hands"; }
+  std::string GetName() const override { return "Direct control"; }
   std::vector<KeyHelp> GetKeys() const override;
   bool OnKey(const std::string& key, bool control) override;
   bool OnClick(int x, int y) override;

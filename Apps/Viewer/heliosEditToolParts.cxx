@@ -176,7 +176,7 @@ void EditTool::AddPart(const ScenePick& pick)
 {
   if (this->Files.empty())
   {
-    this->Owner.Tell("no OBJ file is beside the scene or in a folder of --assets");
+    this->Owner.Tell("no OBJ file was found next to the scene or in --assets");
     return;
   }
   vtkNew<vtkHeliosSurvey> owner;
@@ -202,8 +202,8 @@ void EditTool::ChangeParts(bool isGood)
   {
     this->Befores.pop_back();
     this->Owner.Tell(this->Part.empty()
-        ? "choose a part first: click on it"
-        : this->Part + ": cannot be changed so; a scene keeps a part");
+        ? "select a part first: click on it"
+        : this->Part + ": this change is not possible; a scene keeps at least one part");
     return;
   }
   this->HasNewScene = true;

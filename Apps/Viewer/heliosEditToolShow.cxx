@@ -204,16 +204,16 @@ std::string EditTool::MakeHeading() const
       this->Files.empty() ? "none found" : fs::path(this->Files[this->File]).filename().string();
     return "SCENE  (M: back to the scanner)\npart: " +
       (this->Part.empty() ? "click on one" : this->Part) + "\nto add (a), next (g): " + file +
-      "\nmove: arrows, Shift-click\nturn: < >   scale: * /\ntake out: Delete";
+      "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
   }
   std::string text = "DIRECT CONTROL\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
     this->Edit.ScannerModel.Name + " (g)\n";
-  text += this->Edit.IsMoving() ? "waypoints: " : "stands: ";
+  text += this->Edit.IsMoving() ? "waypoints: " : "positions: ";
   text += std::to_string(this->Edit.Legs.size());
   text += this->Edit.HasArea ? ", flight lines\n" : "\n";
   text += this->Doing == Mode::Area ? "click two corners"
     : this->Edit.IsMoving()         ? "click: waypoint   A: lines\nReturn: scan   s: save"
-                                    : "click: stand   Shift: another\nReturn: scan   s: save";
+                                    : "click: place   Shift: add\nReturn: scan   s: save";
   return text;
 }
 

@@ -46,7 +46,7 @@ std::string Take(std::future<PulseRecord>& answer, PulseRecord& record)
   }
   catch (const std::future_error&)
   {
-    return "the run has ended with an error; its pulses cannot be run again";
+    return "the run has ended with an error; its pulses cannot be simulated again";
   }
   catch (const std::exception& error)
   {
@@ -86,8 +86,8 @@ Inspector::~Inspector() = default;
 std::vector<KeyHelp> Inspector::GetKeys() const
 {
   return { { "click", "the pulse of an echo: waveform, sub-rays" },
-    { "i", "that of the echo in the middle; close" }, { "n, N", "the next echo, the one before" },
-    { "Up, Down", "the next pulse, the one before" }, { "u", "waveforms of the scan line" },
+    { "i", "the pulse of the echo in the middle; close" }, { "n, N", "next, previous echo" },
+    { "Up, Down", "next, previous pulse" }, { "u", "waveforms of the scan line" },
     { "Escape", "close the inspector" } };
 }
 
@@ -200,7 +200,7 @@ void Inspector::Ask(const Echo& echo)
   this->Answer = {};
   if (echo.PulseId < 0)
   {
-    this->Problem = "no waveform: the cloud does not say which pulse its points are of";
+    this->Problem = "no waveform: the points of the cloud have no pulse numbers";
     return;
   }
   this->Answer = this->Find(echo.Leg, echo.PulseId, echo.PulseId + 1, true);
@@ -223,9 +223,10 @@ std::future<PulseRecord> Inspector::Find(int leg, vtkIdType first, vtkIdType las
   const auto files = FindWaveformFiles(this->Owner.GetOptions().Inputs);
   if (files.empty())
   {
-    this->Problem = "no waveform: nothing runs here, and no legNNN_fullwave.txt or .pvtt lies\n"
-                    "beside the points, nor has a LAS file any; show the survey itself, or run it\n"
-                    "with --waveforms";
+    this->Problem =
+      "no waveform: no survey is running, no legNNN_fullwave.txt or .pvtt is next to\n"
+      "the points, and no LAS file has waveforms; show the survey itself, or run it\n"
+      "with --waveforms";
     return {};
   }
   return this->Search.Find(files, leg, first, last);
@@ -285,7 +286,7 @@ void Inspector::ShowLine()
   const Echo echo = row >= 0 ? cloud.GetEcho(row) : Echo();
   if (echo.PulseId < 0)
   {
-    this->Owner.Tell("no waveforms: there is no echo yet that says which pulse it is of");
+    this->Owner.Tell("no waveforms: there is no echo with a pulse number yet");
     return;
   }
   const vtkIdType line = std::min(this->FindLineLength(echo.Leg), MostPulses);

@@ -78,7 +78,7 @@ std::string Inspector::DescribeSurface(const Echo& echo) const
   }
   else if (!this->Reading.Samples.empty() && this->Owner.GetSimulation())
   {
-    text += ", one surface: known without sub-rays";
+    text += ", planar footprint: no sub-rays";
   }
   return text;
 }

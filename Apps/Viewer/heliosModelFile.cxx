@@ -61,7 +61,7 @@ std::string Read(const std::string& file, vtkSmartPointer<vtkPolyData>& model)
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension != ".obj")
   {
-    return file + " is no OBJ file; convert it";
+    return file + " is not an OBJ file; convert it";
   }
   vtkNew<vtkHeliosObjSceneReader> reader;
   const ErrorText errors(reader);

@@ -296,8 +296,8 @@ std::string PlanView::Describe() const
   { return of > 0 ? 100.0 * static_cast<double>(this->NumberCovered) / double(of) : 0.0; };
   char text[320];
   std::snprintf(text, sizeof(text),
-    "%zu scan positions see %lld of %lld test points: %.1f %%, or %.1f %% of what can be seen\n"
-    "yellow: 1 scan, green: 2, blue: 3 or more, red: not covered, grey: cannot be seen",
+    "%zu scan positions see %lld of %lld test points: %.1f %%, or %.1f %% of the visible ones\n"
+    "yellow: 1 scan, green: 2, blue: 3 or more, red: not covered, grey: not visible",
     this->Tripods.size(), static_cast<long long>(this->NumberCovered),
     static_cast<long long>(this->NumberOfTestPoints), percent(this->NumberOfTestPoints),
     percent(this->NumberCoverable));
@@ -319,7 +319,7 @@ PlanTool::~PlanTool() = default;
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> PlanTool::GetKeys() const
 {
-  return { { "j", "scan positions and what they see" } };
+  return { { "j", "scan positions and their coverage" } };
 }
 
 //------------------------------------------------------------------------------

@@ -85,7 +85,7 @@ std::string Header::ReadProperty(std::istringstream& words)
     [&type](const Type& each) { return type == each.Name || type == each.OtherName; });
   if (!words || found == std::end(Types))
   {
-    return "has vertices with a property " + type + ", and plain numbers can be read";
+    return "has vertices with a property " + type + "; only plain numbers are supported";
   }
   const bool isTwice = std::any_of(this->Properties.begin(), this->Properties.end(),
     [&property](const Property& each) { return each.Name == property.Name; });
@@ -105,7 +105,7 @@ std::string Header::Read(std::istream& file)
   std::string problem;
   if (!std::getline(file, line) || line.substr(0, 3) != "ply")
   {
-    return "is no PLY file";
+    return "is not a PLY file";
   }
   while (std::getline(file, line) && problem.empty())
   {
@@ -279,11 +279,11 @@ std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud)
   const bool isText = header.Format == "ascii";
   if (!isText && header.Format != "binary_little_endian" && header.Format != "binary_big_endian")
   {
-    return "has the format \"" + header.Format + "\", and ascii or binary can be read";
+    return "has the format \"" + header.Format + "\"; expected ascii or binary";
   }
   if (!HasRoom(file, header))
   {
-    return "is cut off: it counts " + std::to_string(header.Count) + " vertices";
+    return "is truncated: its header gives " + std::to_string(header.Count) + " vertices";
   }
   Columns columns(header);
   std::vector<double> values(header.Properties.size());
@@ -291,7 +291,7 @@ std::string ReadPlyPoints(const std::string& path, vtkPolyData* cloud)
   {
     if (!(isText ? ReadText(file, values) : ReadBinary(file, header, values)))
     {
-      return "vertex " + std::to_string(row) + " is missing or no numbers";
+      return "vertex " + std::to_string(row) + " is missing or not numeric";
     }
     columns.Set(row, values);
   }

@@ -72,10 +72,10 @@ std::string DescribeFault(int column)
     "number of returns", "pulse", "part", "class", "time" };
   if (column == NumberOfColumns)
   {
-    return "more than the 11 columns that the first row has; take them out";
+    return "more columns than the 11 of the first row; remove them";
   }
   return "column " + std::to_string(column) + " (" + titles[column] +
-    ") is missing or no number; mend the row or take it out";
+    ") is missing or not a number; correct or remove the row";
 }
 
 bool IsEmptyLine(std::string_view line)

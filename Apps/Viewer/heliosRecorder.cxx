@@ -30,7 +30,7 @@ std::string CheckFolder(const std::string& fileName)
   std::error_code error;
   return folder.empty() || fs::is_directory(folder, error)
     ? ""
-    : fileName + ": the folder " + folder.string() + " is not there; make it first";
+    : fileName + ": the folder " + folder.string() + " does not exist; create it first";
 }
 
 bool HasExtension(const std::string& fileName, const char* extension)
@@ -94,7 +94,7 @@ std::string Recorder::Open(
   {
     return fileName +
       ": give a name that ends in .ogv (Ogg Theora), or one with %04d that ends in "
-      ".png for one picture a frame";
+      ".png for one picture per frame";
   }
   const std::string problem = CheckFolder(fileName);
   if (!problem.empty())
@@ -115,7 +115,7 @@ std::string Recorder::Open(
     this->Video->Start();
     if (this->Video->GetError())
     {
-      return fileName + ": cannot be written; see that the folder has room and may be written to";
+      return fileName + ": cannot be written; check the free space and permissions of its folder";
     }
   }
   this->Opened = true;

@@ -108,7 +108,7 @@ std::string SceneView::SetScene(vtkPolyData* scene)
   }
   if (scene->GetNumberOfCells() == 0)
   {
-    return "the scene has no triangles: nothing of it can be shown";
+    return "the scene has no triangles: it cannot be shown";
   }
   const std::string fault = TriangleMesh().Set(scene);
   if (!fault.empty())

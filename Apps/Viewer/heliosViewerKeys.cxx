@@ -115,10 +115,10 @@ void ViewerKeys::AddTime()
       isAtEnd ? clock.Seek(clock.GetStart()) : void();
     } });
   this->Actions.push_back(
-    { "", { "period" }, ".", "on by a line of the scan", [&viewer] { Step(viewer, 1); } });
+    { "", { "period" }, ".", "forward by one scan line", [&viewer] { Step(viewer, 1); } });
   this->Actions.push_back(
-    { "", { "comma" }, ",", "back by a line of the scan", [&viewer] { Step(viewer, -1); } });
-  this->Actions.push_back({ "", { "plus", "equal", "KP_Add" }, "+", "faster, up to all there is",
+    { "", { "comma" }, ",", "back by one scan line", [&viewer] { Step(viewer, -1); } });
+  this->Actions.push_back({ "", { "plus", "equal", "KP_Add" }, "+", "faster, up to the maximum",
     [&clock] { clock.ChangeSpeed(1); } });
   this->Actions.push_back(
     { "", { "minus", "KP_Subtract" }, "-", "slower", [&clock] { clock.ChangeSpeed(-1); } });
@@ -142,11 +142,11 @@ void ViewerKeys::AddCameras()
   add("Camera", "c", "free: drag turns, wheel zooms, middle button moves", CameraMode::Free);
   add("", "y", "fly: left button forward, right button back", CameraMode::Fly);
   add("", "f", "follow the platform", CameraMode::Follow);
-  add("", "v", "the scanner's eye", CameraMode::Scanner);
+  add("", "v", "scanner view", CameraMode::Scanner);
   add("", "t", "from above, north up", CameraMode::Top);
   add("", "x", "from the side, looking north", CameraMode::Side);
-  add("", "o", "round and round", CameraMode::Orbit);
-  this->Actions.push_back({ "", { "r" }, "r", "all of it",
+  add("", "o", "orbit", CameraMode::Orbit);
+  this->Actions.push_back({ "", { "r" }, "r", "show all",
     [&viewer]
     {
       viewer.GetCamera().Reset();
@@ -159,14 +159,14 @@ void ViewerKeys::AddLook()
 {
   Viewer& viewer = this->Owner;
   this->Actions.push_back(
-    { "Look", { "k" }, "k", "other colours", [&viewer] { ChangeColors(viewer, 1); } });
+    { "Display", { "k" }, "k", "next colours", [&viewer] { ChangeColors(viewer, 1); } });
   this->Actions.push_back(
-    { "", { "K" }, "K", "the colours before", [&viewer] { ChangeColors(viewer, -1); } });
+    { "", { "K" }, "K", "previous colours", [&viewer] { ChangeColors(viewer, -1); } });
   this->Actions.push_back(
     { "", { "bracketright" }, "]", "larger points", [&viewer] { ChangePointSize(viewer, 1.0); } });
   this->Actions.push_back(
     { "", { "bracketleft" }, "[", "smaller points", [&viewer] { ChangePointSize(viewer, -1.0); } });
-  this->Actions.push_back({ "", { "e" }, "e", "edges shaded by depth",
+  this->Actions.push_back({ "", { "e" }, "e", "eye-dome lighting (EDL)",
     [&viewer]
     { viewer.GetCloudView().SetEyeDomeLighting(!viewer.GetCloudView().GetEyeDomeLighting()); } });
   this->Actions.push_back(
@@ -183,7 +183,7 @@ void ViewerKeys::AddLook()
       PlatformView* platform = viewer.GetPlatformView();
       platform ? platform->SetFanVisible(!platform->IsFanVisible()) : void();
     } });
-  this->Actions.push_back({ "", { "w" }, "w", "words and time bar",
+  this->Actions.push_back({ "", { "w" }, "w", "text and time bar",
     [&viewer]
     {
       const bool isVisible = !viewer.GetHud().IsVisible();
@@ -197,9 +197,9 @@ void ViewerKeys::AddLook()
 void ViewerKeys::AddFiles()
 {
   Viewer& viewer = this->Owner;
-  this->Actions.push_back({ "Files", { "p" }, "p", "a picture, vtkhelios.png",
+  this->Actions.push_back({ "Files", { "p" }, "p", "save a picture, vtkhelios.png",
     [&viewer] { viewer.SaveStill("vtkhelios.png"); } });
-  this->Actions.push_back({ "", { "R" }, "R", "record vtkhelios.ogv, and end it",
+  this->Actions.push_back({ "", { "R" }, "R", "start, stop recording vtkhelios.ogv",
     [&viewer] { viewer.ToggleRecording(); } });
   this->Actions.push_back({ "", { "h", "question", "F1" }, "h", "this help",
     [&viewer]
@@ -207,7 +207,7 @@ void ViewerKeys::AddFiles()
       viewer.GetHud().SetHelpVisible(!viewer.GetHud().IsHelpVisible());
       viewer.Redraw();
     } });
-  this->Actions.push_back({ "", { "q" }, "q", "leave", [&viewer] { viewer.Close(); } });
+  this->Actions.push_back({ "", { "q" }, "q", "quit", [&viewer] { viewer.Close(); } });
 }
 
 //------------------------------------------------------------------------------

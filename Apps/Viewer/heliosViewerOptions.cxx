@@ -20,19 +20,19 @@ namespace
 {
 
 const char* const Epilog = R"(what can be shown:
-  a survey (XML)          runs, and the cloud grows while it does; nothing is written
-  a run                   its folder, with run_summary.json: played again as it was
+  a survey (XML)          runs while its cloud grows; nothing is written
+  a run                   its folder, with run_summary.json: replayed
   clouds                  .xyz .las .vtp .pvtp .ply, one or several
   a scene                 XML, .obj, .tif
 
 keys and mouse: press h in the window.
 
-without a display: vtkhelios view uses xvfb-run by itself where --offscreen is given.
+without a display: with --offscreen, vtkhelios view starts xvfb-run itself.
 
 examples:
   vtkhelios view survey.xml
   vtkhelios view survey.xml --speed 1 --camera follow      in real time, with the platform
-  vtkhelios view output/my_survey                          a finished run, again
+  vtkhelios view output/my_survey                          replay of a finished run
   vtkhelios view leg000_points.xyz --color-by amplitude
   vtkhelios view survey.xml --offscreen --record out.ogv --seconds 10 --camera follow
   vtkhelios view survey.xml --offscreen --still cloud.png --size 3840x2160
@@ -50,7 +50,7 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
       "a folder to look up scenes, scanners and platforms in; may be repeated")
     ->option_text("DIR")
     ->allow_extra_args(false);
-  app.add_option("--seed", options.Seed, "the key of all random numbers (default: the survey's)")
+  app.add_option("--seed", options.Seed, "seed of the random numbers (default: the survey's)")
     ->check(CLI::Range(0LL, 4611686018427387904LL))
     ->option_text("N");
   app
@@ -58,7 +58,7 @@ void AddInputs(CLI::App& app, ViewerOptions& options)
       "--memory",
       [](const std::uint64_t& bytes)
       { vtkHeliosMemoryLimit::SetLimit(static_cast<double>(bytes) / 1048576.0); },
-      "what may be taken in all, as 8G (default: what the machine has available)")
+      "memory limit, e.g. 8G (default: the available memory)")
     ->transform(CLI::AsSizeValue(true))
     ->option_text("SIZE");
   app.add_flag("!--no-noise", options.Noise, "ranges without the scanner's noise");
@@ -68,33 +68,33 @@ void AddTime(CLI::App& app, ViewerOptions& options, std::string& speed)
 {
   app
     .add_option("--speed", speed,
-      "seconds of the survey a second: 0.01 to 1000, 1 is real time; max: as fast as it computes "
-      "(default: max; of a recording: the whole survey)")
+      "seconds of the survey per second: 0.01 to 1000, 1 is real time; max: as fast as computed "
+      "(default: max; for a recording: the whole survey)")
     ->option_text("X");
-  app.add_option("--time", options.StartTime, "the time that is shown first [s]")
+  app.add_option("--time", options.StartTime, "the time to start at [s]")
     ->check(CLI::NonNegativeNumber)
     ->option_text("S");
-  app.add_flag("--paused", options.Paused, "do not play yet");
+  app.add_flag("--paused", options.Paused, "start paused");
 }
 
 void AddLook(CLI::App& app, ViewerOptions& options, std::string& size)
 {
-  app.add_option("--camera", options.Camera, "where the camera is (default: free)")
+  app.add_option("--camera", options.Camera, "the camera mode (default: free)")
     ->check(CLI::IsMember({ "free", "fly", "follow", "scanner", "top", "side", "orbit" }));
   app
     .add_option("--camera-script", options.CameraScript,
       "key frames: JSON, a list of {\"time\", \"position\", \"focalPoint\", \"viewUp\"}")
     ->option_text("FILE");
-  app.add_option("--color-by", options.ColorBy, "what colours show (default: height)")
+  app.add_option("--color-by", options.ColorBy, "the quantity shown by colours (default: height)")
     ->check(CLI::IsMember(GetColorByNames()));
   app.add_option("--point-size", options.PointSize, "side of a point [pixels] (default: 2)")
     ->check(CLI::Range(1.0, 50.0))
     ->option_text("P");
-  app.add_option("--size", size, "of the window or the picture [pixels] (default: 1280x800)")
+  app.add_option("--size", size, "size of the window or the picture [pixels] (default: 1280x800)")
     ->option_text("WxH");
-  app.add_flag("!--no-eye-dome", options.EyeDome, "do not shade edges by depth");
-  app.add_flag("!--no-fan", options.Fan, "without the beams that have just been measured");
-  app.add_flag("!--no-words", options.Words, "without words over the picture");
+  app.add_flag("!--no-eye-dome", options.EyeDome, "without eye-dome lighting (depth shading)");
+  app.add_flag("!--no-fan", options.Fan, "without the latest beams");
+  app.add_flag("!--no-words", options.Words, "without text over the picture");
 }
 
 void AddOutputs(CLI::App& app, ViewerOptions& options)
@@ -102,25 +102,28 @@ void AddOutputs(CLI::App& app, ViewerOptions& options)
   app.add_flag("--offscreen", options.Offscreen, "no window: for --record and --still");
   app
     .add_option("--record", options.Record,
-      "a video, .ogv (Ogg Theora), or one picture a frame, frame%04d.png")
+      "a video, .ogv (Ogg Theora), or one picture per frame, frame%04d.png")
     ->option_text("FILE");
   app
     .add_option("--seconds", options.Seconds,
-      "how long the recording lasts; the survey then takes that long, unless --speed is given "
+      "duration of the recording; the survey is played in this time, unless --speed is given "
       "(default: 10)")
     ->check(CLI::Range(0.04, 86400.0))
     ->option_text("S");
   app
-    .add_option("--fps", options.FramesPerSecond, "frames a second of the recording (default: 25)")
+    .add_option(
+      "--fps", options.FramesPerSecond, "frames per second of the recording (default: 25)")
     ->check(CLI::Range(1.0, 120.0))
     ->option_text("N");
-  app.add_option("--still", options.Still, "a picture (PNG) of all there is in the end")
+  app.add_option("--still", options.Still, "a picture (PNG) of the final state")
     ->option_text("FILE.png");
-  app.add_option("--state", options.State, "keep what is shown in a JSON file, for scripts")
+  app
+    .add_option(
+      "--state", options.State, "maintain a JSON file that describes the display, for scripts")
     ->option_text("FILE.json");
   app
     .add_option("--save", options.Save,
-      "where s saves a survey made by hand (default: survey.xml of this folder)")
+      "file to which s saves the edited survey (default: survey.xml in this folder)")
     ->option_text("FILE.xml");
 }
 
@@ -180,7 +183,8 @@ OptionsResult Complain(const std::string& text)
 //------------------------------------------------------------------------------
 OptionsResult ReadOptions(int argc, char** argv, ViewerOptions& options)
 {
-  CLI::App app("Shows a survey while it runs, a run again, clouds and scenes.", "vtkhelios view");
+  CLI::App app(
+    "Shows a survey while it runs, the replay of a run, clouds or scenes.", "vtkhelios view");
   std::string speed;
   std::string size;
   app.footer(Epilog);

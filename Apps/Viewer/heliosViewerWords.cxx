@@ -36,7 +36,7 @@ std::string DescribeSpeed(double speed)
 {
   if (std::isinf(speed))
   {
-    return "as fast as it computes";
+    return "maximum speed";
   }
   return speed == 1.0 ? "real time" : Format("%gx", speed);
 }
@@ -104,7 +104,7 @@ std::string Viewer::DescribeTime() const
     std::isfinite(this->Clock.GetSpeed()) &&
     this->Clock.GetTime() + 0.5 * this->Clock.GetSpeed() < this->Clock.GetEnd() &&
     this->Running->GetTakenTime() <= this->Clock.GetTime();
-  text += isBehind ? "slower than that: it computes no faster\n" : "";
+  text += isBehind ? "slower: limited by the computation\n" : "";
   return text;
 }
 

@@ -255,7 +255,7 @@ void WaveformChart::AddPulse(const PulseReading& reading)
   PulseGaussian sent = reading.Gaussians.front();
   sent.Sigma = 0.5 * SpeedOfLight * reading.PulseLength / WidthsPerSigma;
   char label[64];
-  std::snprintf(label, sizeof(label), "a pulse as sent, %.3g ns", reading.PulseLength);
+  std::snprintf(label, sizeof(label), "emitted pulse, %.3g ns", reading.PulseLength);
   vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(sent, this->Unit), label);
   plot->SetColor(0.6, 0.63, 0.68);
   plot->SetWidth(1.0F);
@@ -277,7 +277,7 @@ void WaveformChart::AddEchoes(const PulseReading& reading, int returnNumber)
     }
   }
   this->NumberOfEchoes = static_cast<vtkIdType>(x[0].size());
-  const char* const labels[2] = { "echoes", "the one picked" };
+  const char* const labels[2] = { "echoes", "selected return" };
   for (const int i : { 1, 0 })
   {
     if (!x[i].empty())

@@ -267,7 +267,7 @@ std::future<PulseRecord> WaveformSearch::Find(
         }
       }
       throw std::runtime_error("pulse " + std::to_string(first) +
-        " has no waveform in the files beside the points; were they written by the same run?");
+        " has no waveform in the files next to the points; were they written by the same run?");
     });
   std::future<PulseRecord> answer = task.get_future();
   this->Thread = std::thread(std::move(task));

@@ -73,8 +73,8 @@ std::string MakeLocalSystem(CoordinateSystemData& data)
   if (!ParseOrigin(data.Text, origin) || std::abs(origin[0]) > 90.0 || std::abs(origin[1]) > 360.0)
   {
     return "\"" + Shorten(data.Text) +
-      "\" is no local system; write \"ENU latitude longitude height\" in degrees (latitude -90 to "
-      "90) and metres, e.g. \"ENU 49.4 8.7 110\"";
+      "\" is not a valid local system: expected \"ENU latitude longitude height\" in degrees "
+      "(latitude -90 to 90) and metres, e.g. \"ENU 49.4 8.7 110\"";
   }
   data.IsLocal = true;
   data.Label = data.Name = data.Text;
@@ -260,7 +260,7 @@ std::string MakeProjSystem(CoordinateSystemData& data)
   if (!crs)
   {
     const std::string reason = context.TakeMessage();
-    return "\"" + Shorten(data.Text) + "\" is no coordinate system that PROJ knows" +
+    return "\"" + Shorten(data.Text) + "\" is not a coordinate system known to PROJ" +
       (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms;
   }
   SetName(crs.get(), data);

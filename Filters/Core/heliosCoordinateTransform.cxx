@@ -129,7 +129,7 @@ Grids FindMissingGrids(
 }
 
 const char* const InstallGrids =
-  "install it (Debian: proj-data; others: projsync, cdn.proj.org) where PROJ_DATA looks";
+  "install it (Debian: proj-data; others: projsync, cdn.proj.org) in a folder of PROJ_DATA";
 
 } // namespace
 
@@ -160,7 +160,7 @@ std::string CoordinateTransform::Internals::MakeOperation()
   const ProjObject target = MakeEnd(context, *this->To, *this->From);
   if (!source || !target)
   {
-    return "PROJ's database is not there (" + this->Context->TakeMessage() + "); set PROJ_DATA";
+    return "PROJ's database was not found (" + this->Context->TakeMessage() + "); set PROJ_DATA";
   }
   const char* const options[] = { "ALLOW_BALLPARK=NO", nullptr };
   const ProjObject plain(
@@ -179,7 +179,7 @@ std::string CoordinateTransform::Internals::DescribeNoWay(const PJ* source, cons
     "There is no transformation from " + this->Source.GetName() + " to " + this->Target.GetName();
   return grids.Missing.empty()
     ? start + (reason.empty() ? "" : " (" + reason + ")") +
-      "; name systems whose datums PROJ can relate (of a PROJ string: give +datum or +towgs84)"
+      "; use systems whose datums PROJ can relate (in a PROJ string: add +datum or +towgs84)"
     : start + " without the grid " + grids.Missing + ", which PROJ does not find; " + InstallGrids;
 }
 
@@ -390,9 +390,9 @@ std::string CoordinateTransform::DescribeSeam(const double* points, vtkIdType co
   }
   return operations.size() < 2 ? std::string()
                                : "From " + this->State->Source.GetName() + " to " +
-      this->State->Target.GetName() + " PROJ takes " + std::to_string(operations.size()) +
-      " operations for different places of the data (" + *operations.begin() + "; " +
-      *operations.rbegin() + "): surfaces are torn where they meet; split the data there";
+      this->State->Target.GetName() + " PROJ uses " + std::to_string(operations.size()) +
+      " operations for different parts of the data (" + *operations.begin() + "; " +
+      *operations.rbegin() + "): surfaces tear where these meet; split the data there";
 }
 
 //------------------------------------------------------------------------------
@@ -422,7 +422,7 @@ std::string CoordinateTransform::DescribeMissingGrids(const double point[3])
   text << "From " << state.Source.GetName() << " to " << state.Target.GetName()
        << " is accurate to ";
   accuracy >= 0.0 ? text << accuracy << " m" : text << "an unknown degree";
-  text << " only: to " << grids.Accuracy << " m it needs the grid " << grids.Missing
+  text << " only; for " << grids.Accuracy << " m it needs the grid " << grids.Missing
        << ", which PROJ does not find; " << InstallGrids;
   return text.str();
 }
@@ -438,7 +438,7 @@ std::string CoordinateTransform::DescribeFailure(vtkIdType index, const double p
   const std::string reason =
     this->State->Context ? this->State->Context->TakeMessage() : std::string();
   text << (reason.empty() ? "" : " (" + reason + ")")
-       << "; it must lie in the area of both, in the order "
+       << "; it must lie in the area of use of both, in the order "
        << (this->State->Source.IsGeographic() ? "longitude, latitude [degrees]" : "east, north")
        << ", height";
   return text.str();

@@ -47,10 +47,10 @@ std::string CheckMemory(const std::string& things, double count, double bytesEac
     return {};
   }
   std::ostringstream text;
-  text << std::setprecision(15) << count << ' ' << things << " take about " << ToSize(needed)
+  text << std::setprecision(15) << count << ' ' << things << " need about " << ToSize(needed)
        << " of memory, and " << ToSize(available) << " are available"
-       << (limit > 0.0 ? " of the " + ToSize(limit) + " that may be taken" : std::string())
-       << "; take fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)";
+       << (limit > 0.0 ? " of the " + ToSize(limit) + " that may be used" : std::string())
+       << "; use fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)";
   return text.str();
 }
 

@@ -17,7 +17,7 @@ namespace helios
 constexpr double BytesPerTriangle = 165.0;
 
 /**
- * Returns "10000000000 cells with heights take about 2.3 TB of memory, and 24.3 GB are available; "
+ * Returns "10000000000 cells with heights need about 2.3 TB of memory, and 24.3 GB are available; "
  * and how to raise the limit, if this many items of a size exceed vtkHeliosMemoryLimit; otherwise
  * an empty string.
  */

@@ -206,8 +206,8 @@ std::string LasBlock::AddExtra(vtkDataArray* array)
     (components != 1 && components != 3) || name.size() + (components == 3 ? 1 : 0) > LongestName)
   {
     return "the array " + name +
-      " of a block cannot be Extra Bytes, which have 1 or 3 numbers a point and at most 32 "
-      "characters a name; change it, or switch WriteExtraBytes off";
+      " of a block cannot be Extra Bytes, which have 1 or 3 numbers per point and a name of at "
+      "most 32 characters; change it, or switch WriteExtraBytes off";
   }
   if (!array->HasStandardMemoryLayout())
   {
@@ -243,7 +243,7 @@ std::string LasBlock::TakeExtras(vtkPolyData* echoes)
     if (!array || !name || !*name)
     {
       return std::string("the array ") + (name ? name : "without a name") +
-        " of a block is not one of numbers with a name";
+        " of a block is not numeric or has no name";
     }
     std::string problem = IsField(name) ? std::string() : this->AddExtra(array);
     if (!problem.empty())
@@ -415,24 +415,24 @@ std::string LasBlock::ExplainRow(const LasScaling& scaling, vtkIdType row) const
     if (!std::isfinite(value))
     {
       return "has the coordinate " + name + " = " + Show(value) +
-        ", which is no number; take such points out";
+        ", which is not a number; remove such points";
     }
     if (std::abs(std::nearbyint((value - offset) / scale)) > LargestNumber)
     {
-      return "has the coordinate " + name + " = " + Show(value) + ", beyond the " +
-        Show(LargestNumber * scale) + " about " + Show(offset) + " that 32 bits hold with Scale " +
-        Show(scale) + "; set a larger Scale";
+      return "has the coordinate " + name + " = " + Show(value) + ", more than " +
+        Show(LargestNumber * scale) + " from " + Show(offset) +
+        ", the limit of 32 bits with Scale " + Show(scale) + "; set a larger Scale";
     }
   }
   const double time = this->Time.IsSet() ? this->Time.GetNumber(row) + scaling.TimeShift : 0.0;
   if (!std::isfinite(time))
   {
     return std::string("has ") + names::GpsTime + " = " + Show(time) +
-      ", which is no number; take such points out";
+      ", which is not a number; remove such points";
   }
   const vtkTypeInt64 leg = GetInteger(this->Leg, row, -1);
   return leg < -1 || leg > 65534 ? std::string("has ") + names::LegIds + " = " +
-      std::to_string(leg) + ", beyond the -1 to 65534 of a point source id; split the cloud"
+      std::to_string(leg) + ", outside the range -1 to 65534 of a point source id; split the cloud"
                                  : std::string();
 }
 

@@ -186,7 +186,7 @@ std::string LasFile::CheckExtras() const
   const std::int64_t needed = std::accumulate(this->Extras.begin(), this->Extras.end(),
     std::int64_t(0), [](std::int64_t sum, const LasExtra& extra) { return sum + extra.Size; });
   return needed > room ? "has points with " + std::to_string(room) +
-      " bytes after their format, and names Extra Bytes of " + std::to_string(needed)
+      " bytes after their format, but describes Extra Bytes of " + std::to_string(needed)
                        : std::string();
 }
 

@@ -188,7 +188,7 @@ std::string LasHeader::Decode(std::string_view bytes)
 {
   if (bytes.size() < 4 || bytes.substr(0, 4) != "LASF")
   {
-    return "is no LAS file: it does not start with LASF";
+    return "is not a LAS file: it does not start with LASF";
   }
   if (bytes.size() < HeaderSizes[0])
   {
@@ -214,7 +214,7 @@ std::string LasHeader::Decode(std::string_view bytes)
   const int format = static_cast<unsigned char>(bytes[AtFormat]);
   if (format & CompressedBits)
   {
-    return "is compressed (LAZ); make LAS of it first: vtkhelios convert in.laz out.las";
+    return "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las";
   }
   this->Encoding = Get<std::uint16_t>(bytes, AtEncoding);
   this->System = GetLasText(bytes.substr(AtSystem, TextSize));
@@ -259,7 +259,7 @@ std::string LasHeader::CheckScaling() const
     if (!(step >= SmallestScale) || !(largest <= LargestCoordinate))
     {
       return "has a scale of " + Show(this->Scale[axis]) + " and an offset of " +
-        Show(this->Offset[axis]) + ", with which there are no coordinates: a scale is at least " +
+        Show(this->Offset[axis]) + ", which give no valid coordinates: a scale is at least " +
         Show(SmallestScale) + ", a coordinate at most " + Show(LargestCoordinate);
     }
   }
@@ -280,7 +280,7 @@ std::string LasHeader::DecodeCounts(std::string_view bytes)
   this->Points.Count = Get<std::uint64_t>(bytes, AtCount);
   if (old != 0 && old != this->Points.Count)
   {
-    return "counts its points twice, to " + std::to_string(this->Points.Count) + " and to " +
+    return "states two numbers of points, " + std::to_string(this->Points.Count) + " and " +
       std::to_string(old);
   }
   return {};
@@ -315,7 +315,7 @@ std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras
   if (data.size() % ExtraSize != 0)
   {
     return "has an Extra Bytes record of " + std::to_string(data.size()) +
-      " bytes, which are no multiple of " + std::to_string(ExtraSize);
+      " bytes, which is not a multiple of " + std::to_string(ExtraSize);
   }
   for (; !data.empty(); data.remove_prefix(ExtraSize))
   {
@@ -345,7 +345,7 @@ std::string DecodeLasExtras(std::string_view data, std::vector<LasExtra>& extras
       std::all_of(extra.Offset.begin(), extra.Offset.end(), IsFinite);
     if (!isGood)
     {
-      return "has Extra Bytes \"" + extra.Name + "\" whose scale or offset is no number";
+      return "has Extra Bytes \"" + extra.Name + "\" whose scale or offset is not a number";
     }
     extras.push_back(extra);
   }

@@ -134,16 +134,16 @@ std::string LasPackets::Open(const LasFile& file)
   this->End = this->File ? std::filesystem::file_size(this->Path, error) : 0;
   if (!this->File || error)
   {
-    return this->Path + ": cannot be read, and has the waveforms of " + file.GetPath() +
+    return this->Path + ": cannot be read, but holds the waveforms of " + file.GetPath() +
       "; put it there, or switch ReadWaveforms off";
   }
   if (IsTurned(file))
   {
     this->StepSign = 1.0F;
     this->Warning = file.GetPath() +
-      ": an earlier version of vtkHelios wrote its waveforms, with vectors X(t), Y(t), Z(t) that "
-      "lead away from the scanner; they are read as they were meant, but other programs mirror "
-      "them: vtkhelios convert " +
+      ": an earlier version of vtkHelios wrote its waveforms with vectors X(t), Y(t), Z(t) that "
+      "point away from the scanner; they are read correctly here, but other programs mirror them: "
+      "vtkhelios convert " +
       file.GetPath() + " new.las turns them";
   }
   for (const LasRecord& record : file.GetRecords())
@@ -173,7 +173,7 @@ std::string LasPackets::TakeDescriptor(const LasRecord& record)
   if (!isKnown)
   {
     return "has a waveform descriptor " + std::to_string(index) +
-      " that is not of 8, 16 or 32 bits without compression";
+      " that does not have 8, 16 or 32 bits without compression";
   }
   descriptor.Count = GetLas<std::uint32_t>(data + 2);
   descriptor.Spacing = GetLas<std::uint32_t>(data + 6);
@@ -183,7 +183,7 @@ std::string LasPackets::TakeDescriptor(const LasRecord& record)
   if (!(largest + std::abs(descriptor.Offset) <= VTK_FLOAT_MAX))
   {
     return "has a waveform descriptor " + std::to_string(index) +
-      " whose gain is no number, or too large for samples";
+      " whose gain is not a number, or too large for samples";
   }
   this->Descriptors[index] = descriptor;
   return {};
@@ -217,13 +217,13 @@ std::string LasPackets::CheckPacket(const Packet& packet) const
   const auto found = this->Descriptors.find(packet.Index);
   if (found == this->Descriptors.end())
   {
-    return "names the waveform descriptor " + std::to_string(packet.Index) +
-      ", which the file has not";
+    return "refers to waveform descriptor " + std::to_string(packet.Index) +
+      ", which the file does not have";
   }
   const Descriptor& descriptor = found->second;
   if (descriptor.Count == 0)
   {
-    return "names the waveform descriptor " + std::to_string(packet.Index) +
+    return "refers to waveform descriptor " + std::to_string(packet.Index) +
       ", which has no samples";
   }
   const std::uint64_t size = std::uint64_t(descriptor.Count) * descriptor.Bits / 8;
@@ -240,14 +240,14 @@ std::string LasPackets::CheckPacket(const Packet& packet) const
   }
   if (descriptor.Spacing == 0)
   {
-    return "names the waveform descriptor " + std::to_string(packet.Index) +
-      ", whose samples have no time between them";
+    return "refers to waveform descriptor " + std::to_string(packet.Index) +
+      ", whose sample spacing is 0";
   }
   const double speed = GetSpeed(packet.Step);
   if (!(std::abs(packet.Location) <= LargestLocation) || !(speed >= SmallestSpeed) ||
     !(speed <= LargestSpeed))
   {
-    return "has a waveform without a direction or a place";
+    return "has a waveform without a direction or position";
   }
   return {};
 }
@@ -266,8 +266,8 @@ std::string LasPackets::CheckPackets() const
     }
     total += packet.Size;
   }
-  return total > this->GetRoom() ? "the points of the piece name packets of " +
-      std::to_string(total) + " bytes, and " + this->Path + " has " +
+  return total > this->GetRoom() ? "the points of the piece refer to packets of " +
+      std::to_string(total) + " bytes, but " + this->Path + " has " +
       std::to_string(this->GetRoom()) + ": packets overlap; write the file again"
                                  : std::string();
 }

@@ -106,8 +106,8 @@ std::string LasSheet::Read(
   this->HasWaves = (this->Header.Encoding & LasHeader::ExternalWaves) != 0;
   if (summary.Count != static_cast<std::uint64_t>(records))
   {
-    return path + " has " + std::to_string(summary.Count) + " points and not " +
-      std::to_string(records) + ", and cannot be gone on with";
+    return path + " has " + std::to_string(summary.Count) + " points, not " +
+      std::to_string(records) + ", and cannot be resumed";
   }
   if (this->HasWaves != hasWaves)
   {
@@ -119,8 +119,8 @@ std::string LasSheet::Read(
   if (descriptor && descriptor->Description != LasWaves::Description)
   {
     return path +
-      " was begun by an earlier version, whose waveform vectors lead away from the "
-      "scanner, and cannot be gone on with; write it anew (vtkhelios run --overwrite)";
+      " was started by an earlier version, whose waveform vectors point away from the scanner, and "
+      "cannot be resumed; start again (vtkhelios run --overwrite)";
   }
   this->Header.Points = summary;
   this->Arrays = extras ? extras->Data : std::string();

@@ -117,14 +117,14 @@ std::string LasWaves::CheckSpacing()
     {
       return std::string("the waveforms of a block have a ") + names::BinSize + " of " +
         std::to_string(this->Table.BinSize.GetNumber(row)) +
-        " ns; LAS has whole picoseconds: set another";
+        " ns; LAS stores whole picoseconds: set another";
     }
     const auto spacing = static_cast<std::uint32_t>(whole);
     if (row > 0 && spacing != this->Spacing)
     {
       return std::string("the waveforms of a block have a ") + names::BinSize + " of " +
         std::to_string(spacing) + " ps and one of " + std::to_string(this->Spacing) +
-        " ps; write them to files of their own";
+        " ps; write them to separate files";
     }
     this->Spacing = spacing;
   }

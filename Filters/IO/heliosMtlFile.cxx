@@ -63,7 +63,7 @@ std::string FindFault(const Material& m)
   }
   if (std::any_of(m.Spectrum.begin(), m.Spectrum.end(), TextWords::IsBlank))
   {
-    return "spectrum " + Quote(m.Spectrum) + ", which has a blank that MTL cannot carry";
+    return "spectrum " + Quote(m.Spectrum) + ", which has a blank that MTL cannot store";
   }
   return {};
 }
@@ -163,7 +163,7 @@ bool MtlFile::ReadColor(TextFile& file, std::string_view key, TextWords& words, 
     return this->Report.Fail(file.GetPlace() + std::string(key) + " of material " +
       Quote(this->Current.Name) + " is malformed" +
       (words.HasMore() ? " at " + Quote(words.Next()) : std::string()) +
-      "; it takes three finite numbers >= 0: red green blue");
+      "; expected three finite numbers >= 0: red green blue");
   }
   sum = count == 1 ? color[0] + color[0] + color[0] : color[0] + color[1] + color[2];
   return true;
@@ -203,7 +203,7 @@ bool MtlFile::ReadReflectance(TextFile& file, TextWords& words)
   if (isPercent && this->Percent.Count++ == 0)
   {
     this->Percent.First = file.GetPlace() + "helios_reflectance " + ToText(reflectance) +
-      " is above 1 and taken for percent; write it as the fraction " +
+      " is above 1 and read as percent; write it as the fraction " +
       ToText(this->Current.Reflectance);
   }
   return true;
@@ -279,7 +279,7 @@ void MtlFile::Finish(const std::string& path)
   else if (!(this->Materials[place->second] == this->Current))
   {
     this->Report.Warn(Place(path, this->StartLine) + "material " + Quote(this->Current.Name) +
-      " was defined differently before; this definition counts");
+      " was defined differently before; this definition is used");
     this->Materials[place->second] = this->Current;
   }
 }

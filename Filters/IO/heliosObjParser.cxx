@@ -144,9 +144,9 @@ bool ObjParser::ReadNumbers(std::string_view keyword, TextWords& words, int leas
 
 bool ObjParser::FailNumber(std::string_view keyword, TextWords::Number status, TextWords& words)
 {
-  const std::string cure = keyword == "v" ? "v takes three numbers: v x y z"
-    : keyword == "vn"                     ? "vn takes three numbers: vn x y z"
-                                          : "vt takes one to three numbers: vt u v w";
+  const std::string cure = keyword == "v" ? "v needs three numbers: v x y z"
+    : keyword == "vn"                     ? "vn needs three numbers: vn x y z"
+                                          : "vt needs one to three numbers: vt u v w";
   switch (status)
   {
     case TextWords::Number::None:
@@ -172,7 +172,7 @@ bool ObjParser::ReadFace(TextWords& words)
   if (this->Face.size() < 3)
   {
     return this->Fail("face has " + std::to_string(this->Face.size()) +
-      " corners; it takes three or more: f 1 2 3");
+      " corners; it needs three or more: f 1 2 3");
   }
   return this->AddTriangles();
 }

@@ -87,7 +87,7 @@ std::string MakeFoldersFor(const std::string& path)
     std::filesystem::create_directories(folder, error);
     if (error)
     {
-      return "the folder " + folder.string() + " cannot be made: " + error.message();
+      return "the folder " + folder.string() + " cannot be created: " + error.message();
     }
   }
   return {};
@@ -105,7 +105,7 @@ std::string RenameFile(const std::string& from, const std::string& to)
 std::string SyncFile(const std::string& path)
 {
   const int error = SyncPath(path);
-  return error ? path + " cannot be brought to the disk: " + std::strerror(error) : std::string();
+  return error ? path + " cannot be flushed to disk: " + std::strerror(error) : std::string();
 }
 
 std::string SyncFolderOf(const std::string& path)
@@ -188,7 +188,7 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
   const auto found = std::filesystem::file_size(part, error);
   if (error || found < size)
   {
-    this->Problem = part + " cannot be gone on with: " +
+    this->Problem = part + " cannot be resumed: " +
       (error ? error.message()
              : "it has " + std::to_string(found) + " bytes of " + std::to_string(size));
     return false;
@@ -298,7 +298,7 @@ bool PartFile::Sync()
     this->IsInFolder = this->Problem.empty();
   }
   const int error = SyncDescriptor(this->Descriptor);
-  return this->IsInFolder && (error == 0 || this->Fail("brought to the disk", error));
+  return this->IsInFolder && (error == 0 || this->Fail("flushed to disk", error));
 }
 
 bool PartFile::Close()
@@ -349,7 +349,7 @@ bool LogFile::Open(const std::string& path)
 bool LogFile::Cut(std::uint64_t size)
 {
   return ::ftruncate(this->Descriptor, static_cast<off_t>(size)) == 0 ||
-    this->Fail(std::string("cannot be cut: ") + std::strerror(errno));
+    this->Fail(std::string("cannot be truncated: ") + std::strerror(errno));
 }
 
 bool LogFile::Append(const std::string& text)

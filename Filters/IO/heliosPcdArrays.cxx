@@ -267,7 +267,7 @@ std::string PcdArrays::AddLine(std::string_view line)
         : WriteNumber<double>(word, reinterpret_cast<char*>(point + axis));
       if (!isGood)
       {
-        return Quote(word) + " is no number of type " + field.Type + " and size " +
+        return Quote(word) + " is not a number of type " + field.Type + " and size " +
           std::to_string(field.Size) + ", as the field " + Quote(field.Name) + " has; correct it";
       }
     }
@@ -275,7 +275,7 @@ std::string PcdArrays::AddLine(std::string_view line)
   if (!TakeWord(line).empty())
   {
     return "the point has more than the " + std::to_string(number) +
-      " numbers that FIELDS and COUNT make; take the others out";
+      " numbers that FIELDS and COUNT make; remove the others";
   }
   this->Append(this->Bytes.data(), point);
   return {};

@@ -112,7 +112,8 @@ std::string PcdBlock::Take(vtkPolyData* echoes, bool isFloat)
     {
       return std::string("the point array ") + array->GetName() + " of a block has " +
         std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-        std::to_string(echoes->GetNumberOfPoints()) + " points; give it one a point, or remove it";
+        std::to_string(echoes->GetNumberOfPoints()) +
+        " points; give it one per point, or remove it";
     }
     const std::string name = array->GetName();
     if (name == names::Normals && array->GetNumberOfComponents() == 3)

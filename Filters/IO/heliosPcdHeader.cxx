@@ -94,7 +94,7 @@ public:
     words.erase(words.begin());
     if (std::find(this->Seen.begin(), this->Seen.end(), key) != this->Seen.end())
     {
-      return key + " is given twice; take one out";
+      return key + " is given twice; remove one";
     }
     std::string problem = this->TakeEntry(key, words);
     this->Seen.push_back(key);
@@ -110,19 +110,19 @@ public:
     {
       if (!this->Has(key))
       {
-        return std::string("the header has no line ") + key + "; it must say what a point is";
+        return std::string("the header has no line ") + key + "; it must describe a point";
       }
     }
     if (!this->Has("WIDTH") && !this->Has("POINTS"))
     {
-      return "the header has neither WIDTH nor POINTS; it must say how many points there are";
+      return "the header has neither WIDTH nor POINTS; it must give the number of points";
     }
     PcdHeader& header = this->Header;
     header.Width = this->Has("WIDTH") ? header.Width : this->Points;
     if (header.Height > 0 && header.Width > MostPoints / header.Height)
     {
       return "WIDTH " + std::to_string(header.Width) + " times HEIGHT " +
-        std::to_string(header.Height) + " is more points than can be; correct them";
+        std::to_string(header.Height) + " gives too many points; correct them";
     }
     if (this->Has("POINTS") && this->Points != header.GetNumberOfPoints())
     {
@@ -172,7 +172,7 @@ private:
     {
       const Words words = Split(line.substr(EpochMark.size()));
       header.HasEpoch = words.size() == 1 && this->ToFinite(words, &header.Epoch);
-      return header.HasEpoch ? "" : "the GpsEpoch is not a number; correct it, or take it out";
+      return header.HasEpoch ? "" : "the GpsEpoch is not a number; correct or remove it";
     }
     else if (StartsWith(line, CrsMark))
     {
@@ -314,7 +314,7 @@ private:
     const std::string_view word = words.size() == 1 ? words[0] : std::string_view();
     if (word != "ascii" && word != "binary" && word != "binary_compressed")
     {
-      return "DATA is " + Quote(word) + "; it is one of ascii, binary, binary_compressed";
+      return "DATA is " + Quote(word) + "; expected one of ascii, binary, binary_compressed";
     }
     this->Header.Storage = word == "ascii" ? PcdStorage::Ascii
       : word == "binary"                   ? PcdStorage::Binary
@@ -399,7 +399,7 @@ std::string PcdHeader::Read(const std::string& path, std::istream& file)
   if (!parser.IsAtData())
   {
     return Place(path, number) +
-      "the file ends before the line DATA; it is no PCD file, or is cut off";
+      "the file ends before the line DATA; it is not a PCD file, or is cut off";
   }
   const std::string problem = parser.Finish();
   return problem.empty() ? problem : Place(path, number) + problem;

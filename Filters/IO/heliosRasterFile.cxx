@@ -142,7 +142,7 @@ std::string RasterFile::Internals::FindBand(int number)
   if (GDALDataTypeIsComplex(type))
   {
     return "band " + std::to_string(number) + " has complex numbers (" + GDALGetDataTypeName(type) +
-      "), which are no heights; choose another with Band";
+      "), which are not heights; choose another with Band";
   }
   const char* pixelType = GDALGetMetadataItem(this->Band, "PIXELTYPE", "IMAGE_STRUCTURE");
   this->IsSignedByte = type == GDT_Byte && pixelType && EQUAL(pixelType, "SIGNEDBYTE");
@@ -175,7 +175,7 @@ std::string RasterFile::Internals::CheckSize() const
   {
     return "is damaged: " + std::to_string(this->Columns) + " x " + std::to_string(this->Rows) +
       " pixels in " + std::to_string(blocks) + " blocks do not fit into a file of " +
-      std::to_string(file.st_size) + " bytes; get it anew";
+      std::to_string(file.st_size) + " bytes; get it again";
   }
   return {};
 }
@@ -186,9 +186,9 @@ std::string RasterFile::Internals::FindTransform()
   if (GDALGetGeoTransform(this->Dataset.get(), t) != CE_None)
   {
     return GDALGetGCPCount(this->Dataset.get()) > 0
-      ? "has ground control points only, which place no pixel exactly; make a map of it with "
+      ? "has ground control points only, which do not place its pixels exactly; rectify it with "
         "gdalwarp"
-      : "does not say where on Earth it lies; give it corners with gdal_edit.py -a_ullr";
+      : "is not georeferenced; give it corners with gdal_edit.py -a_ullr";
   }
   const double columns = static_cast<double>(this->Columns);
   const double rows = static_cast<double>(this->Rows);
@@ -208,7 +208,7 @@ std::string RasterFile::Internals::FindTransform()
       numbers += (i ? ", " : "") + ToText(t[i]);
     }
     return "has the geotransform " + numbers +
-      ", which gives pixels no area; correct it with gdal_edit.py -a_ullr";
+      ", in which pixels have no area; correct it with gdal_edit.py -a_ullr";
   }
   return {};
 }
@@ -245,14 +245,14 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   else if (system && !EQUAL(OSRGetName(system), "unnamed")) // else only area or point is stated
   {
     this->Warn("its coordinate system \"" + std::string(OSRGetName(system)) +
-      "\" has no place on Earth and is left out; if it should, give it with gdal_edit.py -a_srs");
+      "\" is not tied to the Earth and is ignored; to replace it, use gdal_edit.py -a_srs");
   }
   const std::string unit = GDALGetRasterUnitType(this->Band);
   this->Unit = heightUnit > 0.0 ? heightUnit : unit.empty() ? 1.0 : GetUnitInMetres(unit);
   if (this->Unit == 0.0)
   {
     return "has heights in \"" + unit +
-      "\", which is no known unit; give its metres with HeightUnit";
+      "\", which is not a known unit; give its length in metres with HeightUnit";
   }
   if (this->Crs.empty())
   {
@@ -261,13 +261,13 @@ std::string RasterFile::Internals::FindCrs(double heightUnit)
   if (heightUnit == 0.0 && unit.empty() && OSRIsProjected(system) &&
     OSRGetLinearUnits(system, nullptr) != 1.0)
   {
-    this->Warn("says nothing of the unit of its heights, which are taken for metres, while its "
-               "map is not in metres; set HeightUnit, to 1 if they are");
+    this->Warn("does not give the unit of its heights, which are read as metres although its map "
+               "is not in metres; set HeightUnit (metres: 1)");
   }
   this->Crs = MakeHeightsMetric(this->Crs);
   if (this->Crs.empty())
   {
-    return "has a coordinate system with heights in feet that cannot be turned into metres; "
+    return "has a coordinate system with heights in feet that cannot be converted to metres; "
            "transform it with gdalwarp -t_srs";
   }
   return {};
@@ -382,7 +382,7 @@ std::string RasterFile::Open(const std::string& path, const RasterOptions& optio
   if (fault.empty())
     fault = self.FindCrs(options.HeightUnit);
   if (fault.empty() && !messages.Error.empty())
-    fault = "is damaged: " + messages.Error + "; make it anew, or repair it with gdal_edit.py";
+    fault = "is damaged: " + messages.Error + "; create it again, or repair it with gdal_edit.py";
   if (!fault.empty())
   {
     return path + ": " + fault;
@@ -405,7 +405,7 @@ std::string RasterFile::Read(std::int64_t firstRow, std::int64_t count, double* 
   {
     return self.Path + ": rows " + std::to_string(firstRow) + " to " +
       std::to_string(firstRow + count - 1) + " (from 0) cannot be read: " + messages.Error +
-      "; the file is damaged, get it anew";
+      "; the file is damaged, get it again";
   }
   self.Note(messages);
   const std::string fault = self.Convert(firstRow, count, heights);

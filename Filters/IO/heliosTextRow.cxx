@@ -131,8 +131,7 @@ std::string TextRow::DescribeFault(const char* kind) const
   }
   if (ParseNumber(at, wordEnd, value) && at == wordEnd)
   {
-    return Quote(text) + " in " + column + " is not finite; correct the " + kind +
-      " or take it out";
+    return Quote(text) + " in " + column + " is not finite; correct the " + kind + " or remove it";
   }
   return Quote(text) + " in " + column +
     " is not a number of double precision; write numbers such as -1.5 or 2e3, set what separates "

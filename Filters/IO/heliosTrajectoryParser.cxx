@@ -209,14 +209,14 @@ bool TrajectoryParser::ReadHeader(std::string_view text)
     if (which < 0)
     {
       return this->Fail("HEADER names the column " + Quote(name) +
-        ", which is none of t, roll, pitch, yaw, x, y, z; correct the name, or set the columns "
-        "(TimeColumn, XColumn ...), then no header is asked");
+        ", which is not one of t, roll, pitch, yaw, x, y, z; correct the name, or set the columns "
+        "(TimeColumn, XColumn ...), then no header is needed");
     }
     int& known = this->Header[static_cast<std::size_t>(which)];
     if (known >= 0)
     {
       return this->Fail("HEADER names " + Quote(name) + " twice, in columns " +
-        std::to_string(known) + " and " + std::to_string(column) + "; take one out");
+        std::to_string(known) + " and " + std::to_string(column) + "; remove one");
     }
     known = column;
   }
@@ -271,7 +271,7 @@ bool TrajectoryParser::SetColumns()
     {
       return this->Fail("HEADER does not name " + Quote(ColumnNames[i]) +
         (i >= RollOf && i <= YawOf
-            ? "; add it, or set Domain to POSITION to take the heading from the flight"
+            ? "; add it, or set Domain to POSITION to derive the heading from the flight direction"
             : "; add it, or set the columns (TimeColumn, XColumn ...)"));
     }
     for (int other = 0; other < i; ++other)
@@ -279,8 +279,8 @@ bool TrajectoryParser::SetColumns()
       if (this->IsNeeded(other) && this->Columns[static_cast<std::size_t>(other)] == column)
       {
         return this->Fail("one column is read twice (" + List(this->Columns, { other, i }) +
-          "); set TimeColumn, RollColumn, PitchColumn, YawColumn, XColumn, YColumn and ZColumn, "
-          "those not set are 0 to 6 in this order");
+          "); set TimeColumn, RollColumn, PitchColumn, YawColumn, XColumn, YColumn and ZColumn, by "
+          "default 0 to 6 in this order");
       }
     }
     this->Row.Need(column);
@@ -315,7 +315,7 @@ bool TrajectoryParser::CheckTimes(const std::vector<TrajectoryRow>& rows)
       std::to_chars(time.data(), time.data() + time.size() - 1, rows[i].Time);
       return this->Report.Fail(this->GetPlaceOf(rows[i]) + "a third row has the time " +
         time.data() +
-        " s; one row a time is a sample, two are a jump: take out the others, or give the times "
+        " s; one row per time is a sample, two are a jump: remove the others, or give the times "
         "with more digits");
     }
     if (rows[i].Position != rows[i - 1].Position)
@@ -328,8 +328,8 @@ bool TrajectoryParser::CheckTimes(const std::vector<TrajectoryRow>& rows)
   {
     this->Report.Warn(this->GetPlaceOf(rows[first]) +
       "the platform jumps: " + std::to_string(jumps) + (jumps == 1 ? " time has" : " times have") +
-      " two rows at different places, the first here; give the times with more digits if it does "
-      "not");
+      " two rows at different positions, the first here; give the times with more digits if it "
+      "does not");
   }
   return true;
 }

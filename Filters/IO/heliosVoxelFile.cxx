@@ -148,7 +148,7 @@ bool VoxelFile::ReadNumbers(
     std::all_of(
       numbers, numbers + 3, [low](double x) { return x >= low && x <= LargestCoordinate; });
   return isGood ||
-    this->Fail("#" + key + ": " + Quote(values) + " is not understood; give " +
+    this->Fail("#" + key + ": " + Quote(values) + " is not valid: expected " +
       (least == 3 ? "three numbers" : "a number") + (isCorner ? " [m]" : " greater than 0") +
       ", such as " +
       (key == "split"  ? "20 20 10"
@@ -249,7 +249,7 @@ bool VoxelFile::CheckCount()
     static_cast<double>(n[0]) * static_cast<double>(n[1]) * static_cast<double>(n[2]);
   return product <= 4e9 ||
     this->Fail("#split makes " + std::to_string(n[0]) + " x " + std::to_string(n[1]) + " x " +
-      std::to_string(n[2]) + " cells; there can be 4e9");
+      std::to_string(n[2]) + " cells; the maximum is 4e9");
 }
 
 //------------------------------------------------------------------------------
@@ -286,7 +286,7 @@ bool VoxelFile::ReadRow(std::string_view line, double* pad, double* transmittanc
   if (this->Seen[cell])
   {
     return this->Fail("cell " + std::to_string(at[0]) + ' ' + std::to_string(at[1]) + ' ' +
-      std::to_string(at[2]) + " comes a second time; take out one of its rows");
+      std::to_string(at[2]) + " comes a second time; remove one of its rows");
   }
   this->Seen[cell] = true;
   pad[cell] = row.Pad;
@@ -342,7 +342,7 @@ bool VoxelFile::TakeIndex(TextWords& words, int axis, std::int64_t& index)
   if (words.Next(number) != TextWords::Number::Good)
   {
     return this->Fail(Quote(words.NextName()) + " in column " + name +
-      " is no whole number; give the cell's number along that axis, from 0");
+      " is not a whole number; give the cell's number along that axis, from 0");
   }
   index = number;
   return (number >= 0 && index < this->Layout.Count[axis]) ||
@@ -403,7 +403,7 @@ bool ReadLeafTable(const std::string& path, TextReport& report, std::vector<doub
     if (!isGood)
     {
       return report.Fail(file.GetPlace() + Quote(line) +
-        " is no row of a leaf-angle table; write x,y,z,G: a direction, and the projection of a "
+        " is not a row of a leaf-angle table; write x,y,z,G: a direction, and the projection of a "
         "unit of leaf area along it, 0 or more");
     }
     rows.insert(rows.end(), row, row + 4);

@@ -331,7 +331,7 @@ private:
     if (form.Type == VTK_STRING && !this->Parser->HasTexts(array, values))
     {
       Fail("the array " + form.Name + " does not have the " +
-        std::to_string(static_cast<long>(values)) + " texts of its counts; write the file again");
+        std::to_string(static_cast<long>(values)) + " strings of its counts; write the file again");
     }
     return form;
   }
@@ -415,7 +415,7 @@ bool VtkXmlFile::Open(const std::string& path, const std::string& type)
     if (!parser->SetCompressorOf(root))
     {
       Fail("has " + Quote("compressor", GetText(root, "compressor")) +
-        ", which is not known; write it with zlib, LZ4, LZMA or without");
+        ", which is not known; write it with zlib, LZ4, LZMA or uncompressed");
     }
     this->NumberOfRecords = Check(parser, size).Run(content);
   }

@@ -80,7 +80,7 @@ void VtkXmlParser::ReportXmlParseError()
 {
   if (this->Problem.empty())
   {
-    this->Problem = "is not whole XML";
+    this->Problem = "is not complete XML";
   }
 }
 
@@ -160,7 +160,7 @@ bool VtkXmlParser::ReadWords(vtkInputStream* stream, std::size_t count, vtkTypeU
 
 std::string VtkXmlParser::CheckHead(vtkInputStream* stream, double bytes, double room, double limit)
 {
-  constexpr const char* CutOff = "is cut off, or says a wrong size";
+  constexpr const char* CutOff = "is cut off, or states a wrong size";
   room = vtkBase64InputStream::SafeDownCast(stream) ? 0.75 * room : room;
   const double wordSize = this->HeaderType == 64 ? 8.0 : 4.0;
   vtkTypeUInt64 head[3] = { 0, 0, 0 };
@@ -197,7 +197,7 @@ std::string VtkXmlParser::CheckHead(vtkInputStream* stream, double bytes, double
     return CutOff;
   }
   this->Total = total;
-  return total < bytes ? "has fewer values than its counts say" : "";
+  return total < bytes ? "has fewer values than its counts state" : "";
 }
 
 std::size_t VtkXmlParser::Read(

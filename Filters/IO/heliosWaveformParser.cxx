@@ -86,8 +86,8 @@ bool WaveformParser::ReadLine(std::string_view line)
   Head head;
   if (this->File->GetLineStart() + static_cast<std::int64_t>(line.size()) >= this->File->GetSize())
   {
-    return this->Fail("the line has no end: the file was cut off here; take the line out, or end "
-                      "it where it is whole");
+    return this->Fail("the line has no end: the file was cut off here; remove the line, or end it "
+                      "if it is complete");
   }
   const vtkIdType first = this->Samples.GetSize();
   vtkIdType count = 0;
@@ -127,7 +127,7 @@ bool WaveformParser::ReadNumber(TextWords& words, int column, double& value)
   if (kind == TextWords::Number::None)
   {
     return this->Fail("the line ends before " + NameColumn(column) +
-      "; complete it, or take it out where a run was cut off");
+      "; complete it, or remove it if the run was interrupted");
   }
   if (kind != TextWords::Number::Good)
   {
@@ -136,7 +136,7 @@ bool WaveformParser::ReadNumber(TextWords& words, int column, double& value)
   }
   return std::isfinite(value) ||
     this->Fail(
-      "the number in " + NameColumn(column) + " is not finite; correct the line or take it out");
+      "the number in " + NameColumn(column) + " is not finite; correct the line or remove it");
 }
 
 //------------------------------------------------------------------------------
@@ -217,8 +217,8 @@ bool WaveformParser::FindBinSize(const Head& head, vtkIdType count, double& binS
     this->Format.TimesPerUnit * TimeRounding / bins)
   {
     return this->Fail("the bins of " + std::to_string(this->Format.TimesPerUnit * given) +
-      " ns (two-way) are not those of BinSize, " + std::to_string(binSize) +
-      " ns; set BinSize to 0, or OneWayTimes as the file has them");
+      " ns (two-way) do not match BinSize, " + std::to_string(binSize) +
+      " ns; set BinSize to 0, or OneWayTimes to match the file");
   }
   return true;
 }

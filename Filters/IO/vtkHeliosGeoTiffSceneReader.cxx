@@ -123,8 +123,9 @@ bool vtkHeliosGeoTiffSceneReader::ReadMesh(helios::RasterFile& file, vtkPolyData
   const auto& [lowest, highest] = mesh.GetHeights();
   if (lowest < -HighestHeight || highest > HighestHeight)
   {
-    vtkWarningMacro(<< place << "heights reach from " << lowest << " to " << highest
-                    << " m; if pixels without height do that, name their value with NoDataValue");
+    vtkWarningMacro(
+      << place << "heights range from " << lowest << " to " << highest
+      << " m; if these include pixels without height, set their value with NoDataValue");
   }
   mesh.MoveTo(scene);
   if (scene->GetNumberOfPolys() == 0)

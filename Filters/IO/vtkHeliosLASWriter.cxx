@@ -194,7 +194,7 @@ bool vtkHeliosLASWriter::MakeHead(const helios::LasBlock& block, vtkPolyData* ec
   if (sheet->Wkt.empty() && !sheet->Crs.empty())
   {
     vtkWarningMacro(<< this->GetOpenName() << ": the CRS " << sheet->Crs
-                    << " cannot be said in WKT: the file has none");
+                    << " cannot be written as WKT; the file has no CRS");
   }
   sheet->Scaling.FullIntensity = this->FullIntensity;
   block.ChooseScaling(sheet->Scaling, this->Scale);
@@ -243,8 +243,8 @@ bool vtkHeliosLASWriter::CheckSame(const helios::LasBlock& block, vtkPolyData* e
   }
   if (next.Wkt != sheet.Wkt)
   {
-    return this->RefusePoints("a block has the CRS \"" + next.Crs +
-      "\", another one than those before; write it to another file");
+    return this->RefusePoints(
+      "a block has the CRS \"" + next.Crs + "\", unlike those before; write it to another file");
   }
   if (next.Header.Encoding != sheet.Header.Encoding ||
     (sheet.HasTime && next.Scaling.TimeShift != sheet.Scaling.TimeShift))

@@ -63,7 +63,7 @@ int vtkHeliosObjSceneReader::RequestData(
   catch (const std::bad_alloc&)
   {
     report.Error =
-      parser.File.GetPlace() + "not enough memory to go on; free some, or split the file";
+      parser.File.GetPlace() + "not enough memory to continue; free some, or split the file";
     isRead = false;
   }
 

@@ -243,7 +243,7 @@ private:
     if (used < this->DataSize)
     {
       this->Warning = this->Path + ": " + std::to_string(this->DataSize - used) +
-        " bytes behind the last point are left out; is POINTS right?";
+        " bytes after the last point are ignored; is POINTS right?";
     }
   }
 

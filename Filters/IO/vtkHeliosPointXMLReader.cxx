@@ -67,7 +67,7 @@ vtkSmartPointer<vtkPolyData> ReadPiece(const std::string& name, std::string& pro
   auto cloud = helios::ReadVtkXml<vtkXMLPolyDataReader, vtkPolyData>(name, "PolyData", problem);
   if (cloud && !HasValidCells(cloud))
   {
-    problem = "has cells of points that there are not; write the file again";
+    problem = "has cells with points that do not exist; write the file again";
     return nullptr;
   }
   return cloud;

@@ -194,7 +194,7 @@ bool vtkHeliosStreamWriter::FailFile(const std::string& problem)
 {
   this->HasFailed = this->IsOpen();
   vtkErrorMacro(<< problem
-                << "; see that the output folder stays as it is and has room, and run again");
+                << "; keep the output folder unchanged and with free space, and run again");
   return false;
 }
 

@@ -97,7 +97,7 @@ bool vtkHeliosVoxelReader::ReadHead(helios::VoxelFile& file, helios::TextReport&
   return cells <= this->MaximumNumberOfCells ||
     report.Fail(std::string(this->FileName) + ": has " + std::to_string(cells) +
       " cells, more than MaximumNumberOfCells (" + std::to_string(this->MaximumNumberOfCells) +
-      "); raise it, a cell takes 16 bytes");
+      "); raise it, a cell needs 16 bytes");
 }
 
 //------------------------------------------------------------------------------
@@ -182,7 +182,7 @@ int vtkHeliosVoxelReader::RequestData(
   catch (const std::bad_alloc&)
   {
     report.Error = std::string(this->FileName) +
-      ": not enough memory for its cells; a cell takes 16 bytes, give a coarser grid";
+      ": not enough memory for its cells; a cell needs 16 bytes, use a coarser grid";
   }
   if (!isRead)
   {

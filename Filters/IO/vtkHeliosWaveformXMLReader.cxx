@@ -108,7 +108,7 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
   std::string fault;
   const auto piece = helios::ReadVtkXml<vtkXMLTableReader, vtkTable>(name, "Table", fault);
   const std::string problem = piece ? helios::WaveformTable().Take(piece)
-                                    : "cannot be read; is it there, and whole? It " + fault;
+                                    : "cannot be read; is it missing or incomplete? It " + fault;
   if (!problem.empty())
   {
     vtkErrorMacro(<< name << ": the piece " << problem << "; run the survey again");

@@ -193,7 +193,7 @@ bool vtkHeliosXMLPieceWriter::Reopen(
     const std::string name = this->GetPieceName(piece);
     if (helios::GetSizeOfWhole(name, PieceEnd) < 0)
     {
-      this->FailFile(name + " is not there whole, and cannot be gone on after");
+      this->FailFile(name + " is missing or incomplete, and the run cannot be resumed after it");
       this->Superclass::Abandon();
       return false;
     }
@@ -235,7 +235,7 @@ bool vtkHeliosXMLPieceWriter::CheckArrays(vtkFieldData* data, vtkIdType records)
     if (!array || !name || array->GetNumberOfTuples() != records)
     {
       vtkErrorMacro(<< this->GetOpenName() << ": the array " << (name ? name : "without a name")
-                    << " of a block is not one tuple of numbers a record");
+                    << " of a block is not one tuple of numbers per record");
       return false;
     }
     if (std::strpbrk(name, "<&\""))

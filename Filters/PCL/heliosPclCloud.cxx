@@ -255,7 +255,7 @@ std::string ToPcl(vtkPolyData* echoes, const double origin[3], pcl::PointCloud<P
   const vtkIdType count = echoes->GetNumberOfPoints();
   if (count > std::numeric_limits<pcl::index_t>::max())
   {
-    return std::to_string(count) + " points are more than PCL can count; work at them in pieces";
+    return std::to_string(count) + " points are more than PCL can count; process them in pieces";
   }
   cloud.clear();
   cloud.resize(static_cast<std::size_t>(count));

@@ -246,16 +246,18 @@ std::string PclIcp::Run()
     this->Measure(*moved, pairs);
     if (pairs.size() < LeastPairs)
     {
-      return "only " + std::to_string(near) + " points of input 1 have one of input 0 within " +
-        "MaximumDistance, and " + std::to_string(pairs.size()) + " of these pairs are of one " +
-        "plane; align the scans better before, or set a larger MaximumDistance or MaximumCurvature";
+      return "only " + std::to_string(near) + " points of input 1 have a point of input 0 within " +
+        "MaximumDistance, and " + std::to_string(pairs.size()) +
+        " of these pairs lie on one plane; align the scans better first, or set a larger "
+        "MaximumDistance or MaximumCurvature";
     }
     const Eigen::Isometry3d step = this->Estimate(*moved, pairs);
     const Eigen::Vector3d centre = GetCentre(*moved);
     const double shift = (step * centre - centre).norm();
     if (!step.matrix().allFinite() || !(shift <= 2.0 * this->MaximumDistance))
     {
-      return "the " + std::to_string(pairs.size()) + " pairs of points do not say how to move; " +
+      return "the " + std::to_string(pairs.size()) +
+        " pairs of points do not determine the motion; " +
         "scans need surfaces in three directions";
     }
     this->Motion = step * this->Motion;

@@ -27,7 +27,7 @@ std::string CheckLengths(vtkPolyData* data)
     {
       return std::string("the point array ") + (array->GetName() ? array->GetName() : "(no name)") +
         " has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-        std::to_string(data->GetNumberOfPoints()) + " points; give it one a point, or remove it";
+        std::to_string(data->GetNumberOfPoints()) + " points; give it one per point, or remove it";
     }
   }
   return {};
@@ -42,7 +42,7 @@ std::string PclInput::Take(vtkPolyData* data, double step)
   const vtkIdType count = data->GetNumberOfPoints();
   if (count > std::numeric_limits<pcl::index_t>::max())
   {
-    return std::to_string(count) + " points are more than PCL can count; work at them in pieces";
+    return std::to_string(count) + " points are more than PCL can count; process them in pieces";
   }
   ChooseOrigin(data, this->Origin, step);
   this->Points->reserve(static_cast<std::size_t>(count));

@@ -31,7 +31,7 @@ bool vtkHeliosPCLFilter::GoOn(double progress)
   if (this->AbortExecute)
   {
     vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
-                  << " %; update again for the whole");
+                  << " %; update again to complete it");
     return false;
   }
   return true;
@@ -56,8 +56,8 @@ bool vtkHeliosPCLFilter::Run(vtkPolyData* data, vtkPolyData* output)
   if (input.GetReach() >= FarAway)
   {
     vtkWarningMacro(<< "Input: points are up to " << input.GetReach()
-                    << " m from the middle along an axis, where PCL's float coordinates are 0.5 mm "
-                    << "off or more; work at them in tiles");
+                    << " m from the centre along an axis, where PCL's float coordinates have "
+                       "errors of 0.5 mm or more; process them in tiles");
   }
   if (input.GetSize() == 0)
   {
@@ -80,11 +80,11 @@ int vtkHeliosPCLFilter::RequestData(
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro(<< "Not enough memory for the points of the input; work at them in pieces");
+    vtkErrorMacro(<< "Not enough memory for the points of the input; process them in pieces");
   }
   catch (const std::exception& error) // thrown by PCL
   {
-    vtkErrorMacro(<< "PCL cannot work at the input: " << error.what());
+    vtkErrorMacro(<< "PCL cannot process the input: " << error.what());
   }
   if (!isGood)
   {

@@ -112,8 +112,7 @@ bool vtkHeliosPCLGroundFilter::CheckCells(const helios::PclInput& input)
   }
   vtkErrorMacro(<< "CellSize is " << this->CellSize << " m, which makes more cells than PCL can "
                 << "count; set " << 2.0 * input.GetReach() / 46000.0
-                << " m or more, or work at the "
-                << "points in tiles");
+                << " m or more, or process the points in tiles");
   return false;
 }
 

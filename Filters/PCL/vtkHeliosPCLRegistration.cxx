@@ -182,7 +182,7 @@ bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vt
   if (icp.IsStopped())
   {
     vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
-                  << " %; update again for the whole");
+                  << " %; update again to complete it");
     return false;
   }
   if (!problem.empty())
@@ -193,7 +193,7 @@ bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vt
   if (!icp.HasSettled())
   {
     vtkWarningMacro(<< "MaximumNumberOfIterations is " << this->MaximumNumberOfIterations
-                    << ", and the scans still move; set a larger one");
+                    << ", and the registration has not converged; set a larger one");
   }
   this->Residual = icp.GetResidual();
   this->NumberOfPairs = static_cast<vtkIdType>(icp.GetNumberOfPairs());
@@ -226,7 +226,7 @@ int vtkHeliosPCLRegistration::RequestData(
   }
   catch (const std::exception& error) // thrown by PCL
   {
-    vtkErrorMacro(<< "PCL cannot work at the inputs: " << error.what());
+    vtkErrorMacro(<< "PCL cannot process the inputs: " << error.what());
   }
   if (!isGood)
   {

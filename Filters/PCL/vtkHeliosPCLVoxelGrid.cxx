@@ -136,8 +136,8 @@ bool vtkHeliosPCLVoxelGrid::CheckSize(const helios::PclInput& input)
     return true;
   }
   vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m, which makes " << cells
-                << " cells in the box of the points; the most is 2147483647: set a larger one, or "
-                << "work at the points in tiles");
+                << " cells in the box of the points; the maximum is 2147483647: set a larger one, "
+                   "or process the points in tiles");
   return false;
 }
 
@@ -161,8 +161,8 @@ bool vtkHeliosPCLVoxelGrid::Process(helios::PclInput& input, vtkPolyData* output
   const CellPoints cells(made->first, *input.GetCloud());
   if (means.size() != cells.GetNumberOfCells())
   {
-    vtkErrorMacro(<< "PCL made " << means.size() << " points of " << cells.GetNumberOfCells()
-                  << " cells; use another VoxelSize than " << this->VoxelSize << " m");
+    vtkErrorMacro(<< "PCL made " << means.size() << " points from " << cells.GetNumberOfCells()
+                  << " cells; use a VoxelSize other than " << this->VoxelSize << " m");
     return false;
   }
   std::vector<vtkIdType> nearest;

@@ -49,8 +49,8 @@ public:
       if (array.IsNeeded && !IsIntegers(found, input->GetNumberOfPoints()))
       {
         return std::string("the point array ") + array.Name +
-          (found ? " is not one integer a point" : " is not there") +
-          "; give it, or do not select by it";
+          (found ? " is not one integer per point" : " does not exist") +
+          "; add it, or do not select by it";
       }
       *array.Array = array.IsNeeded ? found : nullptr;
     }
@@ -186,7 +186,7 @@ int vtkHeliosReturnSelection::RequestData(
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro(<< "Not enough memory for the points of the input; work at them in pieces");
+    vtkErrorMacro(<< "Not enough memory for the points of the input; process them in pieces");
     return 0;
   }
   return 1;

@@ -39,7 +39,7 @@ std::string CheckMotion(int part, const Motion& motion)
   }
   if (needsAxis && !(motion.Vector.Norm() > 0.0))
   {
-    return what + " has an axis or normal without length; give one that is not 0, 0, 0";
+    return what + " has an axis or normal of length 0; give one that is not 0, 0, 0";
   }
   return std::string();
 }
@@ -101,8 +101,8 @@ std::string ShareOutPoints(const TriangleMesh& mesh, vtkDataArray* partIds,
     {
       return "point " + std::to_string(corners[i]) + " belongs to a part that moves, part " +
         std::to_string(parts[static_cast<std::size_t>(std::max(before, owner)) - 1].Id) +
-        ", and to another one; put the parts together with vtkHeliosSceneComposer, which gives "
-        "each its own points";
+        ", and to another one; compose the parts with vtkHeliosSceneComposer, which gives each its "
+        "own points";
     }
     if (before == Nobody && owner > 0)
     {
@@ -150,7 +150,7 @@ std::string FindMovingParts(vtkPolyData* scene,
   if (problem.empty() && (!partIds || partIds->GetNumberOfTuples() < mesh.GetNumberOfTriangles()))
   {
     problem = std::string("the scene has no cell array ") + names::PartIds +
-      " that says which part a triangle is of; put it together with vtkHeliosSceneComposer";
+      " with the part of each triangle; compose it with vtkHeliosSceneComposer";
   }
   if (!problem.empty())
   {
@@ -171,7 +171,8 @@ std::string FindMovingParts(vtkPolyData* scene,
     if (cells[part.first].empty())
     {
       return "part " + std::to_string(part.first) +
-        " moves, but the scene has no triangle of it; parts count from 0 as the composer's inputs";
+        " moves, but the scene has no triangle of it; parts are numbered from 0, like the "
+        "composer's inputs";
     }
     places[part.first] = parts.size();
     const Vec3 centroid = FindCentroid(mesh, cells[part.first]);

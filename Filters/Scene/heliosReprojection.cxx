@@ -162,7 +162,7 @@ std::string Reprojection::TurnVectors(vtkDataArray* places, vtkDataArray* vector
     vectors->SetTuple(i, vector);
     return true;
   };
-  return this->Run(places, work, std::string(vectors->GetName()) + " cannot be turned: ");
+  return this->Run(places, work, std::string(vectors->GetName()) + " cannot be rotated: ");
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +183,7 @@ std::string Reprojection::TurnFrames(vtkDataArray* places, vtkDataArray* quatern
     quaternions->SetTuple(i, frame);
     return true;
   };
-  return this->Run(places, work, std::string(quaternions->GetName()) + " cannot be turned: ");
+  return this->Run(places, work, std::string(quaternions->GetName()) + " cannot be rotated: ");
 }
 
 //------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ std::string FindShortArray(vtkDataSetAttributes* arrays, vtkIdType count, const 
     vtkAbstractArray* array = arrays->GetAbstractArray(i);
     if (array->GetNumberOfTuples() < count)
     {
-      const std::string name = array->GetName() ? array->GetName() : "without name";
+      const std::string name = array->GetName() ? array->GetName() : "(no name)";
       return "The " + kind + " array " + name + " has " +
         std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(count) + " " +
         kind + "s; give each " + kind + " a value";

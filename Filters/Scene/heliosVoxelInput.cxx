@@ -44,7 +44,7 @@ std::string CheckTuples(vtkDataArray* array, vtkIdType count)
   }
   return std::string("the point array ") + (array->GetName() ? array->GetName() : "of normals") +
     " has " + std::to_string(array->GetNumberOfTuples()) + " tuples of " +
-    std::to_string(array->GetNumberOfComponents()) + "; give one of 3 for each of " +
+    std::to_string(array->GetNumberOfComponents()) + "; expected one of 3 for each of " +
     std::to_string(count) + " points";
 }
 
@@ -95,7 +95,7 @@ std::string VoxelInput::SetColors(vtkDataArray* colors)
     if (!(value >= 0.0 && value <= 1.0))
     {
       return std::string("the point array ") + names::RGB + " has " + std::to_string(value) +
-        " of full colour at point " + std::to_string(i / 3) +
+        " of the full colour value at point " + std::to_string(i / 3) +
         "; give bytes, 16-bit whole numbers, or reals within 0 and 1";
     }
     this->OwnColors[static_cast<std::size_t>(i)] =

@@ -155,7 +155,7 @@ bool vtkHeliosMeshRepair::Read(vtkPolyData* input, Mesh& mesh)
     : CopyCorners(polys->GetConnectivityArray32(), numberOfPoints, mesh.Corners);
   if (bad >= 0)
   {
-    vtkErrorMacro(<< "Triangle " << bad << " has a corner that is none of the scene's "
+    vtkErrorMacro(<< "Triangle " << bad << " has a corner that is not one of the scene's "
                   << numberOfPoints << " points; corners are point ids from 0");
     return false;
   }
@@ -322,7 +322,7 @@ int vtkHeliosMeshRepair::RequestData(
     if (this->GetAbortExecute())
     {
       vtkErrorMacro(<< "The work was aborted at " << 100.0 * progress
-                    << " %; update again for the whole");
+                    << " %; update again to complete it");
       return 0;
     }
   }

@@ -135,7 +135,7 @@ bool vtkHeliosPointVoxelizer::IsAborted(double progress)
   if (this->AbortExecute)
   {
     vtkErrorMacro(<< "Voxelizing was aborted at " << static_cast<int>(100.0 * progress)
-                  << " %; update again for the whole");
+                  << " %; update again to complete it");
     return true;
   }
   return false;
@@ -189,7 +189,7 @@ bool vtkHeliosPointVoxelizer::CheckBounds(const helios::VoxelBounds& bounds)
   if (this->VoxelSize < finest)
   {
     vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize
-                  << " m, below what coordinates of this size resolve; set " << finest
+                  << " m, below the resolution of coordinates of this size; set " << finest
                   << " m or more");
     return false;
   }
@@ -200,8 +200,8 @@ bool vtkHeliosPointVoxelizer::CheckBounds(const helios::VoxelBounds& bounds)
     {
       vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m, which makes " << cells
                     << " cells along "
-                    << "xyz"[axis] << "; the most is " << helios::MaximumVoxelsAlongAxis
-                    << ": set a larger one, or take out points that lie far off");
+                    << "xyz"[axis] << "; the maximum is " << helios::MaximumVoxelsAlongAxis
+                    << ": set a larger one, or remove outliers");
       return false;
     }
   }
@@ -245,7 +245,7 @@ bool vtkHeliosPointVoxelizer::Measure(
     {
       const double* p = input.Get().Points + 3 * bad;
       vtkErrorMacro(<< "Input point " << known + bad << " is (" << p[0] << ", " << p[1] << ", "
-                    << p[2] << "), not finite; take it out");
+                    << p[2] << "), which is not finite; remove it");
     }
     return bad < 0;
   };
@@ -260,8 +260,7 @@ bool vtkHeliosPointVoxelizer::Gather(
   helios::VoxelBounds again;
   const auto fails = [&]
   {
-    vtkErrorMacro(<< "Input is not what it was when it was measured, a moment ago; leave its file "
-                     "alone and update again");
+    vtkErrorMacro(<< "Input changed while it was read; leave its file unchanged and update again");
     return false;
   };
   const double available = 1048576.0 * vtkHeliosMemoryLimit::GetAvailable() / BytesPerCell;
@@ -278,7 +277,7 @@ bool vtkHeliosPointVoxelizer::Gather(
       vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m: "
                     << helios::CheckMemory(
                          "cells or more", static_cast<double>(most + 1), BytesPerCell)
-                    << "; a larger VoxelSize makes fewer");
+                    << "; a larger VoxelSize gives fewer");
       return false;
     }
     if (!fits)
@@ -310,7 +309,7 @@ bool vtkHeliosPointVoxelizer::MakeScene(
   if (3 * count > VTK_TYPE_INT32_MAX)
   {
     vtkErrorMacro(<< "VoxelSize is " << this->VoxelSize << " m, which makes " << count
-                  << " triangles; the most is " << VTK_TYPE_INT32_MAX / 3
+                  << " triangles; the maximum is " << VTK_TYPE_INT32_MAX / 3
                   << ": set a larger one, or split the cloud");
     return false;
   }

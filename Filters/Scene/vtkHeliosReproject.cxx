@@ -51,7 +51,7 @@ bool vtkHeliosReproject::FindSystems(
   const std::string wanted = this->TargetCRS ? this->TargetCRS : "";
   if (wanted.empty())
   {
-    vtkErrorMacro(<< "TargetCRS is not set; give the system to go to, e.g. EPSG:32632");
+    vtkErrorMacro(<< "TargetCRS is not set; give the target system, e.g. EPSG:32632");
     return false;
   }
   if (given.empty() && own.empty())
@@ -72,8 +72,8 @@ bool vtkHeliosReproject::FindSystems(
   const bool isWarned = this->Warned > this->GetMTime();
   if (!isWarned && !given.empty() && !own.empty() && !(said.Set(own).empty() && said == source))
   {
-    vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", the input says " << own
-                    << "; SourceCRS counts");
+    vtkWarningMacro(<< "SourceCRS is " << source.GetName() << ", but the input has " << own
+                    << "; SourceCRS is used");
   }
   return true;
 }

@@ -94,12 +94,12 @@ std::string CompareCRS(const std::string& own, const std::string& before)
   {
     if (!problem.empty())
     {
-      return own + ", parts before it " + before + ": " + problem;
+      return own + ", but earlier parts have " + before + ": " + problem;
     }
   }
   return systems[0] == systems[1]
     ? std::string()
-    : systems[0].GetName() + ", parts before it " + systems[1].GetName() +
+    : systems[0].GetName() + ", but earlier parts have " + systems[1].GetName() +
       "; reproject one of them: vtkHeliosReproject, or <filter type=\"crs\"> with target " +
       systems[1].GetLabel();
 }
@@ -111,7 +111,7 @@ void vtkHeliosSceneComposer::SetPartName(int part, const char* name)
 {
   if (part < 0)
   {
-    vtkErrorMacro(<< "Part " << part << " cannot have a name; parts count from 0");
+    vtkErrorMacro(<< "Part " << part << " cannot have a name; parts are numbered from 0");
     return;
   }
   const auto index = static_cast<std::size_t>(part);
@@ -242,8 +242,8 @@ bool vtkHeliosSceneComposer::AddMaterialIds(vtkPolyData* scene, const PartList& 
     if (bad >= 0)
     {
       vtkErrorMacro(<< this->DescribePart(static_cast<int>(i)) << ": triangle " << bad
-                    << " has a material id that its " << rows.size()
-                    << " materials do not have; material ids are rows of the material columns");
+                    << " has a material id that is not one of its " << rows.size()
+                    << " materials; material ids are rows of the material columns");
       return false;
     }
     to += parts[i]->GetNumberOfPolys();

@@ -108,7 +108,7 @@ bool vtkHeliosSceneTransform::CheckProperties()
   if (!std::isfinite(length) || length == 0.0)
   {
     vtkErrorMacro(<< "Rotation is (" << q[0] << ", " << q[1] << ", " << q[2] << ", " << q[3]
-                  << "), no rotation; set a quaternion w, x, y, z, finite and not 0");
+                  << "), which is not a rotation; set a quaternion w, x, y, z, finite and not 0");
     return false;
   }
   if (!std::isfinite(this->Scale) || this->Scale <= 0.0)

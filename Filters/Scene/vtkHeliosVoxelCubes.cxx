@@ -166,12 +166,11 @@ int vtkHeliosVoxelCubes::RequestData(
   if (this->NumberOfCubes > this->MaximumNumberOfCubes ||
     *std::max_element(n, n + 3) > helios::MaximumVoxelsAlongAxis)
   {
-    vtkErrorMacro(<< "the image has " << this->NumberOfCubes << " opaque cells, and "
-                  << *std::max_element(n, n + 3) - 1
-                  << " along its longest axis, more than MaximumNumberOfCubes ("
-                  << this->MaximumNumberOfCubes
-                  << ") or 2097148; give fewer cells, or take them as "
-                     "a turbid medium (input 2 of the scanner)");
+    vtkErrorMacro(
+      << "the image has " << this->NumberOfCubes << " opaque cells, and "
+      << *std::max_element(n, n + 3) - 1
+      << " along its longest axis, more than MaximumNumberOfCubes (" << this->MaximumNumberOfCubes
+      << ") or 2097148; use fewer cells, or use them as a turbid medium (input 2 of the scanner)");
     return 0;
   }
   const std::string excess = helios::CheckMemory("cubes of twelve triangles",

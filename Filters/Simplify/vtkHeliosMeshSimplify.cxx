@@ -289,7 +289,7 @@ void vtkHeliosMeshSimplify::Follow(vtkObject* repair, unsigned long event, void*
 int vtkHeliosMeshSimplify::Abort()
 {
   vtkErrorMacro(<< "The work was aborted at " << 100.0 * this->GetProgress()
-                << " %; update again for the whole");
+                << " %; update again to complete it");
   return 0;
 }
 

@@ -77,7 +77,7 @@ def main(name=None):
         getattr(planner, f"SetMethodTo{method}")()
         columns = vtkhelios.arrays(vtkhelios.update(planner, 2))
         plans[method] = columns["points"].copy()
-        print(f"{method}: {len(plans[method])} positions, best incidence at worst ", end="")
+        print(f"{method}: {len(plans[method])} positions, largest best incidence ", end="")
         print(f"{planner.GetWorstIncidenceAngle():.2f} deg")
         for place, sees in zip(plans[method], columns["ViewshedSize"]):
             print("  ({:g}, {:g}, {:g}) sees {} of 441 test points".format(*place, sees))

@@ -130,11 +130,11 @@ def main():
         points = vtkhelios.arrays(vtkhelios.update(planner, 1))
         positions = vtkhelios.arrays(planner.GetOutputDataObject(2))
         print(
-            f"{planner.GetNumberOfSelected()} scans, at least {planner.GetBestBound()}; they see "
-            f"{planner.GetCoverableCoverage():.1f} % of what any candidate sees"
+            f"{planner.GetNumberOfSelected()} scans, lower bound {planner.GetBestBound()}; they "
+            f"cover {planner.GetCoverableCoverage():.1f} % of the coverable test points"
         )
         for place, adds in zip(positions["points"], positions["NewlyCovered"]):
-            print("  from ({:.1f}, {:.1f}, {:.1f}): {} test points more".format(*place, adds))
+            print("  from ({:.1f}, {:.1f}, {:.1f}): {} more test points".format(*place, adds))
 
         write_survey(planner, folder)
         coverable = points["Coverable"] > 0

@@ -93,11 +93,11 @@ PyObject* heliosObserve(PyObject*, PyObject* args)
   }
   if (vtkCommand::GetEventIdFromString(event) == vtkCommand::NoEvent)
   {
-    return PyErr_Format(PyExc_ValueError, "%s is not an event of VTK", event);
+    return PyErr_Format(PyExc_ValueError, "%s is not a VTK event", event);
   }
   if (!PyCallable_Check(callback))
   {
-    return PyErr_Format(PyExc_TypeError, "the callback cannot be called");
+    return PyErr_Format(PyExc_TypeError, "the callback is not callable");
   }
   auto* observer = TextObserver::New();
   observer->SetCallback(callback);

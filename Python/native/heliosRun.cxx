@@ -211,7 +211,7 @@ vtkObject* GetVtkObject(PyObject* object)
 /// Returns false, with an exception, if the sequence contains anything but VTK objects.
 bool Unpack(PyObject* sequence, Objects& objects)
 {
-  PyObject* items = PySequence_Fast(sequence, "watched is no sequence");
+  PyObject* items = PySequence_Fast(sequence, "watched is not a sequence");
   for (Py_ssize_t i = 0; items && i < PySequence_Fast_GET_SIZE(items); ++i)
   {
     objects.emplace_back(GetVtkObject(PySequence_Fast_GET_ITEM(items, i)));
@@ -272,7 +272,7 @@ PyObject* heliosRun(PyObject*, PyObject* args)
   vtkSmartPointer<vtkObject> target = GetVtkObject(targetObject);
   if (!target || (!target->IsA("vtkAlgorithm") && !target->IsA("vtkHeliosSurveyPlayer")))
   {
-    return PyErr_Format(PyExc_TypeError, "an algorithm or a vtkHeliosSurveyPlayer is run");
+    return PyErr_Format(PyExc_TypeError, "target is not an algorithm or a vtkHeliosSurveyPlayer");
   }
   auto watch = vtkSmartPointer<Watch>::New();
   watch->Begin(watched, onProgress, interval);

@@ -34,7 +34,7 @@ bool Install(long number)
 {
   if (number < 1 || number >= MostSignals)
   {
-    PyErr_Format(PyExc_ValueError, "%ld is not the number of a signal", number);
+    PyErr_Format(PyExc_ValueError, "%ld is not a signal number", number);
     return false;
   }
   struct sigaction action;
@@ -69,7 +69,7 @@ PyObject* heliosEndAtSecond(PyObject*, PyObject* args)
   {
     return nullptr;
   }
-  PyObject* items = PySequence_Fast(sequence, "numbers of signals are a sequence");
+  PyObject* items = PySequence_Fast(sequence, "signals is not a sequence of signal numbers");
   HasCome = 0;
   for (Py_ssize_t i = 0; items && i < PySequence_Fast_GET_SIZE(items) && !PyErr_Occurred(); ++i)
   {

@@ -125,7 +125,7 @@ PyObject* heliosExtend(PyObject*, PyObject* args)
   }
   if (IsPythonClass(type) || type->tp_dealloc != PyVTKObject_Delete)
   {
-    return PyErr_Format(PyExc_TypeError, "%s is no wrapped class of VTK", type->tp_name);
+    return PyErr_Format(PyExc_TypeError, "%s is not a wrapped class of VTK", type->tp_name);
   }
   if (PyDict_Update(type->tp_dict, attributes) != 0)
   {

@@ -160,7 +160,7 @@ def study_false_echoes():
         false = strip["echoes"] > 1
         rows.append(
             dict(
-                sub_rays=sub_rays or "by tolerance",
+                sub_rays=sub_rays or "adaptive",
                 pulses=len(false),
                 with_false_echoes=int(false.sum()),
                 from_q=float(strip["q"][false].min(initial=np.inf)),
@@ -419,12 +419,12 @@ def draw_slopes(slopes, path, height=1000, slope=40):
     for name, against, label in (
         ("sigma_moments", "sigma_theory", "second moment / theory"),
         ("sigma_fit", "sigma_theory", "fit / theory"),
-        ("sigma_fit", "sigma_whole_beam", "fit / theory, beam not cut"),
+        ("sigma_fit", "sigma_whole_beam", "fit / theory, beam not truncated"),
     ):
         percent = 100 * (slopes[name] / slopes[against] - 1)
         error.plot(slopes["q"][few], percent[few], ".", ms=5, label=label)
     error.set(xlabel="q", ylabel="width against theory [%]", xlim=(0, 5), ylim=(-2.4, 1.5))
-    error.set_title("how far theory holds", fontsize=10)
+    error.set_title("validity of the theory", fontsize=10)
     error.legend(fontsize=8, loc="lower right")
     _study.save_figure(figure, path)
 
@@ -448,7 +448,10 @@ def draw_ground_and_steps(roughness, limits, steps, path):
     rough.legend(fontsize=8)
 
     angle = np.linspace(0, 72, 100)
-    for cut, name, colour in ((CUT, "beam cut at 1.5 w", "C0"), (3.0, "beam cut at 3 w", "C1")):
+    for cut, name, colour in (
+        (CUT, "beam truncated at 1.5 w", "C0"),
+        (3.0, "beam truncated at 3 w", "C1"),
+    ):
         sigma = slope_sigma(1000.0, 0.5e-3, np.radians(angle), cut)
         limit.plot(angle, LIGHT * sigma, color=colour, lw=1, label=f"c σ', {name}")
         rows = [row for row in limits if row["cut"] == cut and row["offset"] == 0]
@@ -456,7 +459,7 @@ def draw_ground_and_steps(roughness, limits, steps, path):
         limit.plot(where, [row["found"] for row in rows], "o", ms=5, mfc="none", color=colour)
     limit.set(xlabel="slope [deg]", ylabel="least step with two echoes [m]", ylim=(0, None))
     limit.set_title("a step up a slope, footprint w = 0.5 m", fontsize=10)
-    limit.legend(title="circles: found; lines: theory", fontsize=8, title_fontsize=8)
+    limit.legend(title="circles: simulated; lines: theory", fontsize=8, title_fontsize=8)
 
     for name, look in (("gaussian", "x"), ("peak", ".")):
         rows = [row for row in steps if row["detector"] == name]
@@ -466,8 +469,8 @@ def draw_ground_and_steps(roughness, limits, steps, path):
     found.plot([0.1, 1.2], [0, 0], "k", lw=0.8)
     found.plot([0.1, 1.2], [0.1, 1.2], "k", lw=0.8, label="truth")
     found.axvline(LIGHT * SIGMA, color="0.6", ls="--", lw=1, label="c σ")
-    found.set(xlabel="step [m]", ylabel="range of echoes, behind the first [m]")
-    found.set_title("level steps: where detectors see echoes", fontsize=10)
+    found.set(xlabel="step [m]", ylabel="range of echoes relative to the first [m]")
+    found.set_title("level steps: echoes by detector", fontsize=10)
     found.legend(fontsize=8)
     _study.save_figure(figure, path)
 

@@ -347,7 +347,7 @@ def draw_box(rows, path):
     away = np.linspace(0, max(row["distance"] for row in rows), 50)
     looks = {
         "beam": ("first echoes", "C3", f"widened by {FIRST_RADIUS} w (fitted)", FIRST_RADIUS),
-        "beam, strong": ("strong echoes", "C1", "predicted, nothing fitted", strong_radius()),
+        "beam, strong": ("strong echoes", "C1", "predicted, without fit", strong_radius()),
         "line": ("lines", "C0", None, None),
     }
     for kind, (label, colour, theory, radius) in looks.items():
@@ -358,7 +358,7 @@ def draw_box(rows, path):
             right.plot(away, widen(radius * WAIST * away), color=colour, lw=1, label=theory)
     right.axhline(1, color="black", lw=1)
     right.set(xlabel="distance [m]", ylabel="derived / true leaf area", xlim=(0, None))
-    right.set_title("What the width of the beam does")
+    right.set_title("Effect of the beam width")
     right.legend(fontsize="small")
     _study.save_figure(figure, path)
 
@@ -370,7 +370,7 @@ def draw_tree(numbers, path):
         colour = {"first": "C3", "strong": "C1", "line": "C0"}[kind]
         values = [(row["distance"], row[kind]) for row in numbers["beam"]]
         axes[1].plot(*zip(*values), "o-", color=colour, label=label)
-    axes[1].set(title="Width of the beam, scanner at 1.7 m", xlabel="distance [m]")
+    axes[1].set(title="Beam width, scanner at 1.7 m", xlabel="distance [m]")
     draw_positions(axes[2], numbers["positions"])
     for one in axes[:3]:
         one.axhline(0, color="black", lw=1)
@@ -380,7 +380,7 @@ def draw_tree(numbers, path):
     for name, label in (("one", "one scan"), ("all", "eight scans"), ("true", "true")):
         look = dict(color="black", lw=1) if name == "true" else dict(marker=".", lw=0.7)
         axes[3].plot(layers[name], layers["height"], label=label, **look)
-    axes[3].set(title="Layers, from 10 m", xlabel="leaf area [m2 a metre]", ylabel="height [m]")
+    axes[3].set(title="Layers, from 10 m", xlabel="leaf area [m2/m]", ylabel="height [m]")
     axes[3].legend(fontsize="small")
     _study.save_figure(figure, path)
 
@@ -405,7 +405,7 @@ def draw_positions(axes, rows):
         )
         label = f"{cell:g} m" if cell < 50 else "one voxel"
         axes.errorbar(scans, error, [error - low, high - error], fmt="o-", capsize=3, label=label)
-    axes.set(title="Scans together, from 10 m", xlabel="scans around the tree")
+    axes.set(title="Combined scans, from 10 m", xlabel="scans around the tree")
     axes.set_xscale("log", base=2)
     axes.set_xticks([1, 2, 4, 8], [1, 2, 4, 8])
 

@@ -301,8 +301,8 @@ def study_grids(view, step, clouds, cell=0.005, half=0.3):
     for azimuth in (0.0, 90.0, 270.0):
         stands[azimuth] = view.scan(step, azimuth=azimuth, seed=int(azimuth), **CASES["all"])[0]
     sets = {name: [clouds[name]] for name in CASES}
-    sets["all, 2 stands"] = [stands[180.0], stands[0.0]]
-    sets["all, 4 stands"] = list(stands.values())
+    sets["all, 2 positions"] = [stands[180.0], stands[0.0]]
+    sets["all, 4 positions"] = list(stands.values())
     fine = view.scan(step / 3)[0].points
     hidden = np.isnan(grid_means(fine[:, :2], fine[:, 2], cell, count))
     rows, maps = [], {"truth": truth, "hidden": hidden}
@@ -408,7 +408,7 @@ def draw_errors(results, path):
             spread.semilogy(middle, [row[theory] for row in rows], lw=1, color=colour)
     spread.set(xlabel="incidence [deg]", ylabel="spread of range errors [mm]")
     spread.yaxis.set_major_formatter("{x:g}")
-    spread.set_title("causes (lines: theory)", fontsize=10)
+    spread.set_title("contributions (lines: theory)", fontsize=10)
     spread.legend(fontsize=8)
 
     rows = results["mixed"]
@@ -418,7 +418,7 @@ def draw_errors(results, path):
     expected = 2 * strip_width() * fine / 6000 * results["edge_density"]
     mixed.plot(fine, 100 * expected, "C0--", lw=1, label="strips along edges")
     mixed.plot(fine, 100 * (1 - np.exp(-expected)), "C0", lw=1, label="strips that overlap")
-    mixed.set(xlabel="footprint at 3 m [mm]", ylabel="share of echoes [%]", ylim=(0, None))
+    mixed.set(xlabel="footprint at 3 m [mm]", ylabel="fraction of echoes [%]", ylim=(0, None))
     mixed.set_title("echoes from two pebbles", fontsize=10)
     mixed.legend(fontsize=8)
     _study.save_figure(figure, path)
@@ -430,8 +430,8 @@ def draw_grids(results, path):
     maps = results["maps"]
     shown = (
         ("truth", "true heights", "viridis", (None, None)),
-        ("footprint", "one stand, footprint only: error", "RdBu_r", (-10, 10)),
-        ("all, 4 stands", "four stands, all errors: error", "RdBu_r", (-10, 10)),
+        ("footprint", "one position, footprint only: error", "RdBu_r", (-10, 10)),
+        ("all, 4 positions", "four positions, all errors: error", "RdBu_r", (-10, 10)),
     )
     for axis, (name, title, colours, (low, high)) in zip(axes, shown):
         half = 2.5 * len(maps[name]) / 10  # cm

@@ -266,7 +266,7 @@ def lost_at_random(villages, density):
 LABELS = {
     "density": "density [1/m2]",
     "noise": "noise of ranges [m]",
-    "height": "height of flight [m]",
+    "height": "flying height [m]",
     "tilt": "error of the normal, RMS [deg]",
     "offset": "error of the offset, RMS [mm]",
 }
@@ -307,7 +307,7 @@ def draw_areas(axes, rows):
         axes.plot(density, [row[name] for row in rows], "o-", label=name)
     random = [1 - lost_at_random([make_village()], value) for value in density]
     axes.plot(density, random, "k--", lw=1, label="hull of random points")
-    axes.set(xlabel=LABELS["density"], ylabel="share of the area of roofs", ylim=(None, 1.01))
+    axes.set(xlabel=LABELS["density"], ylabel="fraction of the roof area", ylim=(None, 1.01))
     axes.set_xscale("log")
     axes.minorticks_off()
     axes.set_xticks(density, [f"{value:g}" for value in density])

@@ -29,7 +29,7 @@ from _command_line import PULSES, expect_failure, start
     [
         (["run", "s.xml", "--sed", "3"], "unknown option --sed: did you mean --seed?"),
         (["run", "s.xml", "--asset=x"], "unknown option --asset: did you mean --assets?"),
-        (["run", "--xyzzy"], "unknown option --xyzzy: vtkhelios run --help lists the known ones"),
+        (["run", "--xyzzy"], "unknown option --xyzzy: vtkhelios run --help lists all options"),
         (["--versoin"], "unknown option --versoin: did you mean --version?"),
         (["rnu", "s.xml"], "unknown 'rnu': did you mean run?"),
         (["s.xml"], "a command is missing: vtkhelios run s.xml"),
@@ -67,12 +67,12 @@ def test_wrong_usage(arguments, message, capsys):
 
 def test_check_all_is_for_resume(capsys):
     assert main(["run", "s.xml", "--check-all"]) == 2
-    assert "error: --check-all is for --resume: give both of them" in capsys.readouterr().err
+    assert "error: --check-all needs --resume: give both" in capsys.readouterr().err
 
 
 def test_sub_rays_or_a_tolerance(capsys):
     assert main(["run", "s.xml", "--sub-rays", "7", "--range-tolerance", "0.01"]) == 2
-    assert "--sub-rays is always that many" in capsys.readouterr().err
+    assert "--sub-rays is a fixed number" in capsys.readouterr().err
 
 
 def test_no_command_shows_help(capsys):
@@ -94,9 +94,9 @@ def test_help_teaches(command_line):
         "[nW]",
         "--assets DIR",
         "default: 0",
-        "how the beam",
-        "how a run survives",
-        "how long it will take",
+        "beam sampling:",
+        "interrupted runs:",
+        "--dry-run loads",
         "run_summary.json",
     ):
         assert word in done.stdout
@@ -282,10 +282,10 @@ def test_sampling(command_line, make_survey, tmp_path):
         return done.stdout
 
     tolerant = run("--range-tolerance", "0.001")
-    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ on one plane", tolerant)
+    assert re.search(rf"pulses   {PULSES:,}: [\d,]+ planar", tolerant)
     fixed = run("--sub-rays", "7")
-    assert "sub-rays 7 sub-rays a pulse, always" in fixed
-    assert re.search(r"[\d,]+ binned.*; 7\.0 rays a pulse", fixed)
+    assert "sampling fixed, 7 sub-rays per pulse" in fixed
+    assert re.search(r"[\d,]+ binned.*; 7\.0 rays per pulse", fixed)
 
 
 def test_vtp(command_line, make_survey, tmp_path):

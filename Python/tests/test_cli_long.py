@@ -136,7 +136,7 @@ def test_plays(command_line, make_plays, tmp_path):
     done = command_line(*arguments)
     expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
     assert [path.name for path in folder.iterdir()] == ["play002"]  # reported before the first epoch
-    expect_failure(command_line(*arguments, "--play", 3), "Play is 3, and the survey has 3 plays")
+    expect_failure(command_line(*arguments, "--play", 3), "Play is 3, but the survey has 3 epochs")
 
     done = command_line(*arguments, "--overwrite")
     assert done.returncode == 0, done.stderr
@@ -144,7 +144,7 @@ def test_plays(command_line, make_plays, tmp_path):
         assert f"play     {play}, of 3 from 0\n" in done.stdout
         assert height(folder / f"play00{play}") == pytest.approx(HEIGHTS[play], abs=1e-3)
     assert (folder / "play002/leg000_points.xyz").read_bytes() == only
-    assert f"plays    3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
+    assert f"epochs   3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout
 
     done = command_line(*arguments, "--resume", "--json")  # nothing is left to do
     report = json.loads(done.stdout)
@@ -160,7 +160,7 @@ def test_dry_run_of_plays(command_line, make_plays, tmp_path):
     done = command_line(*arguments)
     assert done.returncode == 0, done.stderr
     assert re.search(
-        rf"plays    3.*\npulses   {3 * PULSES:,}\npoints .*\nfiles .*\nmemory", done.stdout
+        rf"epochs   3.*\npulses   {3 * PULSES:,}\npoints .*\nfiles .*\nmemory", done.stdout
     )
     report = json.loads(command_line(*arguments, "--json").stdout)
     assert report["totals"]["pulsesFired"] == 3 * PULSES
@@ -202,7 +202,7 @@ def test_interrupt_between_plays(make_plays, capsys):
     with Messages() as messages:
         interrupt = types.SimpleNamespace(signal=signal.SIGINT)
         assert run_play(None, None, 2, messages, interrupt, []) == 130
-    assert "interrupted before play 2: --resume goes on with it" in capsys.readouterr().err
+    assert "interrupted before epoch 2: --resume continues with it" in capsys.readouterr().err
 
 
 # Signals before anything is written.

@@ -98,9 +98,9 @@ def test_filter(cloud):
     ]
     assert cloud[[4, 0]]["Range"].tolist() == [4, 0] and len(cloud[1:3]) == 2
     assert len(cloud.filter(np.zeros(5, bool))) == 0
-    with pytest.raises(ValueError, match="the mask has 4 rows; give one a point: 5"):
+    with pytest.raises(ValueError, match="the mask has 4 rows; give one per point: 5"):
         cloud.filter(np.ones(4, bool))
-    with pytest.raises(TypeError, match="filtered by true and false or by indices, not float64"):
+    with pytest.raises(TypeError, match="indexed by a boolean mask or by indices, not by float64"):
         cloud.filter(np.ones(5))
 
 

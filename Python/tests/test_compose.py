@@ -128,7 +128,7 @@ def test_an_output_is_selected(scanner):
             TypeError,
             "vtkHeliosScanner takes 3 inputs, not 4",
         ),
-        (lambda: select_ports(transform(1), 1), ValueError, "no output port 1; its last one is 0"),
+        (lambda: select_ports(transform(1), 1), ValueError, "no output port 1; the last one is 0"),
         (lambda: select_ports(1, blocks()), ValueError, "no input port 1; it has none"),
         (lambda: select_ports(blocks()), TypeError, "select_ports() takes"),
     ],
@@ -233,7 +233,7 @@ def test_what_a_function_raises_is_the_cause():
         ),
         (
             lambda: nothing_to_mask >> transform(1),
-            "returns an array, but its first input is no cloud",
+            "returns an array, but its first input is not a cloud",
         ),
     ],
 )

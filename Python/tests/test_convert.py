@@ -171,7 +171,7 @@ def test_waveform_vectors_of_earlier_versions_in_laz(las, convert, tmp_path):
     laspy.read(las).write(tmp_path / "b.laz")
     shutil.copy(las.with_suffix(".wdp"), tmp_path / "b.wdp")
     code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
-    assert code == 0 and "vtkhelios convert turns them" in err
+    assert code == 0 and "vtkhelios convert inverts them" in err
     begin = struct.unpack_from("<I", expected, 96)[0]
     assert (tmp_path / "c.las").read_bytes()[begin:] == expected[begin:]
 
@@ -242,8 +242,8 @@ def test_files_of_other_forms_in_one(las, convert, tmp_path):
         with formats.open_writer(tmp_path / "b.las", reader.header) as writer:
             writer.write(cloud)
     code, out, err = convert(las, tmp_path / "b.las", tmp_path / "c.laz", "--merge")
-    assert code == 0 and "b.las: has other point formats or Extra Bytes than" in err
-    assert "lost     waveforms: they pass from LAS and LAZ to LAS and LAZ only" in out
+    assert code == 0 and "b.las: has another point format or other Extra Bytes than" in err
+    assert "dropped  waveforms: only copied from LAS or LAZ to LAS or LAZ" in out
     both = read(tmp_path / "c.laz")
     for name, values in cloud.items():
         assert np.allclose(both[name], np.concatenate([values, values]), rtol=0, atol=1e-9), name
@@ -433,26 +433,26 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
     "arguments, message",
     [
         (["none.las", "b.laz"], "none.las: no such file or folder; check its name"),
-        (["a.las", "b.shp"], "b.shp: its ending is of no format that is known"),
-        (["notes.txt", "b.las"], "notes.txt: its ending is of no format that is known"),
-        (["a.las", "a.las"], "a.las: is an input, too; give another name"),
-        (["a.las", "there.laz"], "there.laz: is there already; give --overwrite to replace it"),
+        (["a.las", "b.shp"], "b.shp: its ending is not of a known format"),
+        (["notes.txt", "b.las"], "notes.txt: its ending is not of a known format"),
+        (["a.las", "a.las"], "a.las: is also an input; give another name"),
+        (["a.las", "there.laz"], "there.laz: already exists; give --overwrite to replace it"),
         (["a.las", "there.laz", "b.laz"], "b.laz: is one file for 2 inputs; give --merge"),
         (["a.las", "folder"], "folder: is a folder; give --format for files in it"),
         (["a.las", "there.laz", "--format", "ply"], "there.laz: is a file; with --format"),
         (["a.las", "out", "--format", "ply", "--merge"], "leave --merge or --format out"),
-        (["a.las", "folder/a.las", "out", "--format", "ply"], "would be of .*a.las and of"),
+        (["a.las", "folder/a.las", "out", "--format", "ply"], "would be the output of both .*a.las and"),
         (["folder", "b.las"], "folder: is a folder without run_summary.json; give the folder of"),
-        (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume goes on"),
-        (["plays", "b.las"], "plays: holds several plays; give the folder of one: play000"),
+        (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume continues it"),
+        (["plays", "b.las"], "plays: holds several epochs; give the folder of one: play000"),
         (["other", "b.las"], "run_summary.json: the file is a list: expected an object; run the survey"),
-        (["bare", "b.las"], "bare: its run_summary.json names no files of points; run the"),
+        (["bare", "b.las"], "bare: its run_summary.json lists no point files; run the"),
         (
             ["early.ply", "late.ply", "b.las", "--merge"],
             "late.ply: its times count from 2000000000 s",
         ),
         (["broken", "b.las"], "broken/run_summary.json: is not valid JSON: .*; run the survey again"),
-        (["a.las", "b.ply", "--waveforms", "internal"], "waveforms go from LAS or LAZ to LAS or"),
+        (["a.las", "b.ply", "--waveforms", "internal"], "waveforms are copied only from LAS or LAZ to LAS or"),
         (["bare.las", "b.las", "--waveforms", "internal"], "bare.las: has no waveforms; leave"),
         (["three.xyz", "b.las", "--returns", "last"], "three.xyz: has no ReturnNumber; leave --r"),
         (["nan.ply", "b.las"], r"nan.ply: point 1 is \(nan, 0, 0\), not finite; correct it, or"),
@@ -486,7 +486,7 @@ def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
 def test_packets_that_are_missing(las, convert, tmp_path):
     las.with_suffix(".wdp").unlink()
     code, _, err = convert(las, tmp_path / "b.laz")
-    assert code == 1 and "a.wdp, which is missing; keep it beside" in err
+    assert code == 1 and "a.wdp, which is missing; keep the two files together" in err
 
 
 def test_laz_that_is_cut_off(las, convert, tmp_path, monkeypatch):

@@ -33,8 +33,8 @@ def test_plan_scans(capsys):
     predicted, simulated = load("plan_scans").main()
     said = capsys.readouterr().out
     assert 0.95 <= predicted < 1 and abs(predicted - simulated) < 0.02
-    scans, least = (int(n) for n in re.search(r"(\d+) scans, at least (\d+);", said).groups())
-    assert least <= scans == said.count("test points more")
+    scans, least = (int(n) for n in re.search(r"(\d+) scans, lower bound (\d+);", said).groups())
+    assert least <= scans == said.count("more test points")
 
 
 def test_paper_pyramid():

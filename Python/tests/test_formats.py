@@ -94,7 +94,7 @@ def test_other_text(tmp_path):
     path.write_text("# a comment\n1 2 3 4\n\n5 6 7 8 // another\n")
     reader, back = read(path)
     assert back["points"].tolist() == [[1, 2, 3], [5, 6, 7]] and set(back) == {"points"}
-    assert "has 4 columns and not the 11" in reader.notes[0]
+    assert "has 4 columns instead of the 11" in reader.notes[0]
 
 
 def test_ply_of_others(tmp_path):

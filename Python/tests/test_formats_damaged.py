@@ -49,15 +49,15 @@ def laz(tmp_path):
 @pytest.mark.parametrize(
     "place, form, value, message",
     [
-        (24, "B", 7, r"its version is 7.4, and 1.0 to 1.4 can be read; write it again"),
+        (24, "B", 7, r"its version is 7.4; only 1.0 to 1.4 can be read; write it again"),
         (94, "<H", 9, "its header has 9 bytes, and its points begin at byte"),
-        (100, "<I", 2**32 - 1, "it counts 4294967295 header records, for which it has no room"),
-        (131, "<d", 0.0, "it has a scale of 0 and an offset of .*, with which there are no coord"),
+        (100, "<I", 2**32 - 1, "it counts 4294967295 header records, more than fit into it"),
+        (131, "<d", 0.0, "it has a scale of 0 and an offset of .*, which give no valid coord"),
         (139, "<d", np.nan, "it has a scale of nan and an offset"),
         (147, "<d", 1e300, r"it has a scale of 1e\+300 and an offset"),
         (243, "<I", 2**32 - 1, "is cut off: (an extended record|it has)"),
         (247, "<Q", 2**40, r"bytes are too few for 1099511627776 points"),
-        (247, "<Q", 10, r"a chunk of 10 points in \d+ bytes says that it has 5000 points"),
+        (247, "<Q", 10, r"a chunk of 10 points in \d+ bytes states that it has 5000 points"),
     ],
 )
 def test_laz_headers_that_are_wrong(laz, place, form, value, message):
@@ -71,7 +71,7 @@ def test_laz_chunk_tables_that_are_wrong(laz):
     for place, form, value, message in (
         (begin, "<q", 2**62, "points 0 to 5000 of 5000 cannot be read: its chunk table should be at "),
         (begin, "<q", -1, "its chunk table "),
-        (table, "<I", 7, "its chunk table has the version 7, which is not known"),
+        (table, "<I", 7, "its chunk table has the unknown version 7"),
         (table + 4, "<I", 2**32 - 1, "its chunk table counts 4294967295 chunks in .* 5000 points"),
         (table + 8, "<I", 0xFFFFFF, "cannot be read"),
     ):
@@ -87,7 +87,7 @@ def test_laz_chunks_that_are_wrong(laz):
     path, begin, _ = laz
     width = struct.unpack_from("<H", path.read_bytes(), 105)[0]
     patch(path, begin + 8 + width + 8, "<I", 2**32 - 1)
-    fails(path, r"a chunk of 5000 points in \d+ bytes says that it has 5000 points in 4\d+ bytes")
+    fails(path, r"a chunk of 5000 points in \d+ bytes states that it has 5000 points in 4\d+ bytes")
 
 
 def test_laszip_records_that_are_wrong(laz):
@@ -101,7 +101,7 @@ def test_laszip_records_that_are_wrong(laz):
         (record + 12, "<I", 17, "1 chunks of 17 points are not 5000 points"),
         (record + 36, "<H", 31, "an item of type 10 with 31 bytes, which cannot be read"),
         (record + 32, "<H", 1, r"its items have 30 bytes, and its points \d+"),
-        (record - 52, "B", 0, "there is no header record of LASzip"),
+        (record - 52, "B", 0, "the header record of LASzip is missing"),
     ):
         path.write_bytes(whole)
         patch(path, place, form, value)
@@ -134,12 +134,12 @@ def test_laz_that_laspy_does_not_write(laz):
 @pytest.mark.parametrize(
     "properties, line, message",
     [
-        (XYZ + "property int x\n", "1 2 3 4", 'has a property "x" twice; give each property a name'),
-        (XYZ + "property int points\n", "1 2 3 4", '"points" that is kept for coordinates'),
+        (XYZ + "property int x\n", "1 2 3 4", 'has a property "x" twice; give each property a unique name'),
+        (XYZ + "property int points\n", "1 2 3 4", '"points" that is reserved for coordinates'),
         (
             XYZ + "property float red\nproperty float green\nproperty float blue\nproperty int RGB\n",
             "1 2 3 0 0 0 1",
-            'has a property "RGB" beside those that are RGB; leave one out',
+            'has a property "RGB" in addition to RGB; leave one out',
         ),
         (
             XYZ + "property int a\nproperty int aX\nproperty int aY\nproperty int aZ\n",
@@ -149,11 +149,11 @@ def test_laz_that_laspy_does_not_write(laz):
         (XYZ + "property uchar n\n", "1 2 3 300", "n of vertex 0 is 300, no uint8; correct it"),
         (XYZ + "property int n\n", "1 2 3 nan", "n of vertex 0 is nan, no int32; correct it"),
         (XYZ + "element vertex 1\n", "1 2 3", "has vertices twice; write them as one element"),
-        (XYZ + "comment vtkhelios epoch x\n", "1 2 3", 'its times count from "x", which is no num'),
+        (XYZ + "comment vtkhelios epoch x\n", "1 2 3", 'gives "x" as the origin of its times, which is not a num'),
         (
             XYZ + "property double n\ncomment vtkhelios type:n int64\n",
             "1 2 3 1.5",
-            r"has values of n that are no whole numbers to 2\^53; correct them",
+            r"has values of n that are not whole numbers to 2\^53; correct them",
         ),
         ("comment\n" * 10_000 + XYZ, "1 2 3", "has more than 10000 lines of header"),
     ],
@@ -167,9 +167,9 @@ def test_ply_properties_that_are_wrong(tmp_path, properties, line, message):
 def test_ply_of_too_many_points(tmp_path):
     path = tmp_path / "a.ply"
     path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex 999999999999"))
-    fails(path, "has 999999999999 points, for which its 6 bytes after the header are too few")
+    fails(path, "has 999999999999 points, but only 6 bytes after the header")
     path.write_text(PLY.format(XYZ, "1 2 3").replace("vertex 1", "vertex " + "9" * 5000))
-    fails(path, "elements, which is no number; write it again")
+    fails(path, "elements, which is not a number; write it again")
     path.write_text(PLY.format(XYZ + "comment vtkhelios\n", "1 2 3"))
     assert read(path)[1]["points"].tolist() == [[1, 2, 3]]
 
@@ -188,7 +188,7 @@ def test_points_that_are_not_finite(tmp_path, ending):
     assert np.array_equal(back["points"], np.delete(chunk["points"], [3, 4], axis=0))
     assert np.array_equal(back["Range"], np.delete(chunk["Range"], [3, 4]))
     assert sorted(reader.notes) == [
-        f"{path}: 2 of 10 points are not finite, and left out",
+        f"{path}: 2 of 10 points are not finite; they are dropped",
         f"{path}: Amplitude is not finite at 1 of 10 points, and is kept so",
     ]
     with formats.open_reader(path) as reader:
@@ -211,15 +211,15 @@ def test_arrays_of_one_value_a_point(tmp_path, ending):
     path = tmp_path / f"a.{ending}"
     with formats.open_writer(path) as writer:
         writer.write(chunk)
-    fails(path, "ReturnNumber has 3 values a point, and one is meant")
+    fails(path, "ReturnNumber has 3 values per point, expected one")
 
 
 @pytest.mark.parametrize(
     "error, message",
     [
-        (MemoryError(), "a.laz: needs more memory than there is; split it"),
+        (MemoryError(), "a.laz: not enough memory; split it"),
         (OSError(5, "Input/output error"), "a.laz: cannot be read: Input/output error; check"),
-        (OverflowError("too\n large"), "a.laz: cannot be read: too large; it is damaged, or of a form"),
+        (OverflowError("too\n large"), "a.laz: cannot be read: too large; it is damaged, or of an unknown form"),
         (AssertionError(), "a.laz: cannot be read: AssertionError; it is damaged"),
         (struct.error("unpack requires"), "a.laz: cannot be read: unpack requires; it is damaged"),
         (PanicException("index out of bounds"), "a.laz: cannot be read: index out of bounds; it is"),

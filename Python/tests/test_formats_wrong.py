@@ -27,7 +27,7 @@ def cut(path, share):
         ("laz", "is cut off or damaged, copy it again"),
         ("ply", "is cut off: it has .* whole points of the 5000 that its header counts"),
         ("vtp", "a.vtp"),
-        ("e57", "is no E57 file, or is damaged"),
+        ("e57", "is not an E57 file, or is damaged"),
     ],
 )
 def test_files_that_are_cut_off(tmp_path, ending, message):
@@ -65,14 +65,14 @@ def test_laz_with_wrong_counts(tmp_path):
 @pytest.mark.parametrize(
     "text, message",
     [
-        ("1 2 3\n4 5 \0 6\n", "a.xyz:2: has zero bytes, which text has not: it is damaged"),
-        ("1 2 3\n4 5\n", "a.xyz:2: has 2 columns and the first line 3; correct it"),
-        ("1 2 3\n4 x 6\n", 'a.xyz:2: "x" in column 2 is no number; correct it'),
+        ("1 2 3\n4 5 \0 6\n", "a.xyz:2: has zero bytes, so it is not valid text: it is damaged"),
+        ("1 2 3\n4 5\n", "a.xyz:2: has 2 columns, but the first line has 3; correct it"),
+        ("1 2 3\n4 x 6\n", 'a.xyz:2: "x" in column 2 is not a number; correct it'),
         ("1 2\n", "a.xyz: has 2 columns; give x y z"),
         ("\n# nothing\n", "a.xyz: has no points"),
         (
             "1 2 3 4 5 1 1 7 wall 2 0.5\n1 2 3 4 5 1.5 1 7 wall 2 0.5\n",
-            "a.xyz:2: 1.5 in column 6 is no whole number of 0 to 255; correct it",
+            "a.xyz:2: 1.5 in column 6 is not a whole number from 0 to 255; correct it",
         ),
         ("1 2 3 4 5 1 1 7 0 2 0.5\n1 2 3 4 5 1 1 7 0 2\n", "a.xyz:2: has 10 columns"),
     ],
@@ -116,7 +116,7 @@ def test_ply_that_is_wrong(tmp_path, head, message):
 @pytest.mark.parametrize(
     "content, message",
     [
-        ("solid x", "is no PLY file: it does not start with ply; check its name"),
+        ("solid x", "is not a PLY file: it does not start with ply; check its name"),
         ("ply\nformat ascii 1.0\n", "ends within its header; copy it again"),
         ("ply\nformat ascii 1.0\nelement face 2\n", 'has "face" before its vertices'),
         (PLY.format(form="ascii", count=1, properties=XYZ) + "1 x 3\n", "0 to 1 cannot be read"),
@@ -134,16 +134,16 @@ INDEX = '<VTKFile type="{kind}"><PPolyData>{pieces}</PPolyData></VTKFile>'
 @pytest.mark.parametrize(
     "content, message",
     [
-        ("<VTKFile>", "is no XML: .*; write it again"),
-        (INDEX.format(kind="PImageData", pieces=""), r"in pieces \(PPolyData\); name that one"),
-        (INDEX.format(kind="PPolyData", pieces=""), "names no pieces, so it has no points"),
+        ("<VTKFile>", "is not XML: .*; write it again"),
+        (INDEX.format(kind="PImageData", pieces=""), r"in pieces \(PPolyData\); give that file"),
+        (INDEX.format(kind="PPolyData", pieces=""), "lists no pieces, so it has no points"),
         (
             INDEX.format(kind="PPolyData", pieces='<Piece Source="b.vtp"/>'),
             "b.vtp is missing; keep",
         ),
         (
             INDEX.format(kind="PPolyData", pieces='<Piece Source="c.vtp"/>'),
-            "c.vtp is no VTK XML fi",
+            "c.vtp is not a VTK XML fi",
         ),
     ],
 )
@@ -203,7 +203,7 @@ def test_e57_without_scans(tmp_path):
 
 def test_ply_of_large_numbers(tmp_path):
     chunk = {"points": np.zeros((1, 3)), "PulseIds": np.array([2**60])}
-    with pytest.raises(FormatError, match=r"whole numbers to 2\^53, and PulseIds has larger ones"):
+    with pytest.raises(FormatError, match=r"whole numbers to 2\^53, but PulseIds has larger ones"):
         write(tmp_path / "a.ply", chunk)
     assert list(tmp_path.iterdir()) == []
 
@@ -226,13 +226,16 @@ def test_chunks_of_other_arrays(tmp_path, ending):
         ({"points": np.zeros((2, 2))}, r"points has the shape \(2, 2\); give an array of \(n, 3\)"),
         ({"points": np.zeros(3)}, r"points has the shape \(3,\)"),
         ({}, r"points has the shape \(\); give"),
-        ({"points": np.array([["a", "b", "c"]])}, "points is of the type <U1; give whole or real"),
+        (
+            {"points": np.array([["a", "b", "c"]])},
+            "points is of the type <U1; give integers or floats",
+        ),
         (
             {"Range": np.zeros(3)},
-            r"Range has the shape \(3,\), and there are 2 points; give one row",
+            r"Range has the shape \(3,\), but there are 2 points; give one row",
         ),
         ({"Range": np.zeros((2, 1, 1))}, r"Range has the shape \(2, 1, 1\)"),
-        ({"Range": [1.0, 2.0]}, "Range is of the type list; give whole or real numbers"),
+        ({"Range": [1.0, 2.0]}, "Range is of the type list; give integers or floats"),
         ({"Range": np.zeros(2, complex)}, "Range is of the type complex128"),
         ({"Range": np.zeros(2, np.float16)}, "Range is of the type float16"),
         ({"Range": np.zeros(2, ">f8")}, "Range is of the type >f8"),
@@ -263,7 +266,7 @@ def test_points_that_are_not_finite(tmp_path):
 
 
 def test_names(tmp_path):
-    with pytest.raises(FormatError, match="cloud.txt: its ending is of no format that is known; "):
+    with pytest.raises(FormatError, match="cloud.txt: its ending is not of a known format; "):
         formats.open_reader(tmp_path / "cloud.txt")
     with pytest.raises(FormatError, match="none.las: no such file; check its name"):
         formats.open_reader(tmp_path / "none.las")

@@ -144,7 +144,7 @@ def test_waveforms_of_an_earlier_version(small_runs, tmp_path, info):
     path.write_bytes(path.read_bytes().replace(said, before.ljust(len(said), b"\0")))
     (warning,) = info(path)[1]["warnings"]
     assert warning.startswith(f"{path}: an earlier version of vtkHelios wrote its waveforms")
-    assert warning.endswith("vtkhelios convert turns them")
+    assert warning.endswith("vtkhelios convert inverts them")
 
 
 def test_sizes_that_are_wrong(broken, info):
@@ -166,11 +166,10 @@ def test_points_that_are_odd(tmp_path, info):
         )
     _, facts, _ = info(tmp_path / "a.ply")
     assert facts["warnings"] == [
-        "1 points are not finite; vtkhelios convert --skip-invalid leaves them out",
+        "1 points are not finite; vtkhelios convert --skip-invalid drops them",
         "1 points have a return number above their number of returns",
         "1 points have the return number 0",
-        "GPS times go back 1 times from point to point: points are not in the order they were "
-        "measured",
+        "GPS times decrease 1 times from point to point: points are not in order of measurement",
     ]
 
 
@@ -181,7 +180,7 @@ def test_points_that_are_far(tmp_path, info):
     code, facts, err = info(tmp_path / "a.ply")
     assert code == 0 and facts["bounds"]["maximum"] == [1e300, 4.0, 5.0]
     assert facts["warnings"] == [
-        "2 points are more than 1e+12 m from the origin; the spacing is without them"
+        "2 points are more than 1e+12 m from the origin; the spacing excludes them"
     ]
     with formats.open_writer(tmp_path / "b.ply") as writer:
         writer.write({"points": points[1:2]})
@@ -231,7 +230,7 @@ def test_points_that_the_summary_does_not_name(tmp_path, info):
     _, facts, _ = info(tmp_path)
     assert facts["points"] == 5
     assert len(facts["warnings"]) == 1
-    assert "leg001_points.xyz: is not read: run_summary.json does not name it" in facts["warnings"][0]
+    assert "leg001_points.xyz: is not read: run_summary.json does not list it" in facts["warnings"][0]
 
 
 def test_strips_with_names(tmp_path, info):
@@ -261,4 +260,4 @@ def test_names_that_are_wrong(tmp_path, info):
     assert code == 1 and "none.las: no such file or folder; check its name" in err
     (tmp_path / "a.txt").write_text("")
     code, _, err = info(tmp_path / "a.txt")
-    assert code == 1 and "a.txt: its ending is of no format that is known" in err
+    assert code == 1 and "a.txt: its ending is not of a known format" in err

@@ -118,8 +118,8 @@ def test_a_scene_that_is_too_large(make_survey, tmp_path, capsys, no_limit, comm
     arguments = [*command, str(survey), "--output", str(tmp_path / "out")]
     assert cli.main([*arguments, "--memory", "1kB"]) == 1
     err = capsys.readouterr().err
-    assert "plane.obj: 2 triangles with their vertices take about" in err
-    assert "and 0 MB are available of the 0.001 MB that may be taken; take fewer, or allow" in err
+    assert "plane.obj: 2 triangles with their vertices need about" in err
+    assert "and 0 MB are available of the 0.001 MB that may be used; use fewer, or allow" in err
     assert not list(tmp_path.rglob("*points*"))
     assert cli.main([*arguments, "--memory", "1T", "--quiet"]) == 0
 
@@ -140,7 +140,7 @@ def test_copies_of_a_part(make_survey, capsys, no_limit):
     own = 1e6 + vtkhelios_memory()
     assert cli.main(["run", str(survey), "--dry-run", "--memory", f"{own + 5e7:.0f}"]) == 1
     err = capsys.readouterr().err
-    assert "899400 triangles of all parts take about 148 MB of memory, and" in err
+    assert "899400 triangles of all parts need about 148 MB of memory, and" in err
 
 
 def vtkhelios_memory():
@@ -153,7 +153,7 @@ def vtkhelios_memory():
 def test_sizes_that_are_wrong(capsys, text):
     with pytest.raises(SystemExit):
         cli.main(["run", "survey.xml", f"--memory={text}"])
-    assert f"{text!r} is not a size; give one as 8G or 512M" in capsys.readouterr().err
+    assert f"{text!r} is not a size; expected a number of bytes such as 8G or 512M" in capsys.readouterr().err
 
 
 def test_sizes():

@@ -132,9 +132,7 @@ def test_no_tripod_inside_of_a_block(plan, tmp_path, capsys):
     assert anywhere["coverable"] > outside["coverable"]
     assert any(abs(row["x"]) < 1.4 and abs(row["y"]) < 1.4 for row in anywhere["positions"])
     assert main(["plan", "yard.obj", "--grid", "1", "--overwrite", "--no-picture"]) == 0
-    assert "without 4 places closed all around (--enclosed takes them, too)" in (
-        capsys.readouterr().out
-    )
+    assert "without 4 enclosed places (--enclosed includes them)" in (capsys.readouterr().out)
 
 
 def test_the_survey_runs_from_the_positions(plan, tmp_path, command_line):
@@ -339,19 +337,20 @@ def test_the_table_without_rich(monkeypatch, capsys):
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split()[:3] == ["scan", "x", "[m]"]
     assert lines[1].split() == ["0", "1.000", "2.000", "3.000", "1,000", "900", "8", "-"]
-    assert lines[-1] == "and 10 more; positions.vtp has all"
+    assert lines[-1] == "and 10 more; all are in positions.vtp"
 
 
 def test_proofs_in_words():
     result = dict(scans=4, lowerBound=2.13, bestBound=3, gap_percent=25.0, isProvedOptimal=False)
     assert _plan_report.describe_proof(result) == (
-        "4 scans; no plan has fewer than 3 (lower bound 2.13, gap 25 %); --method optimal searches on"
+        "4 scans; lower bound: 3 scans (linear bound 2.13, gap 25 %); --method optimal searches "
+        "further"
     )
     proved = {**result, "scans": 1, "isProvedOptimal": True}
     assert _plan_report.describe_proof(result, 300.0).endswith(
-        "gap 25 %); the proof was not finished in 300 s: a longer --time-limit searches on"
+        "gap 25 %); the proof was not finished in 300 s; give a longer --time-limit"
     )
-    assert _plan_report.describe_proof(proved).startswith("1 scan, proved: no plan on these")
+    assert _plan_report.describe_proof(proved).startswith("1 scan, proved to be the minimum")
 
 
 def test_help(command_line):
@@ -419,23 +418,26 @@ def test_wrong_usage(options, message, capsys):
         (["--grid", 0.001], "more than --memory (2048 MiB)"),
         (["--test-grid", 0.0005], "more than --memory (2048 MiB)"),
         (["--grid", 0.1, "--test-grid", 0.1, "--memory", 1], "more than --memory (1 MiB)"),
-        (["--range-min", 5, "--range-max", 5], "from 5 to 5 nothing is seen: give a larger range"),
+        (["--range-min", 5, "--range-max", 5], "the range from 5 to 5 is empty: give a larger one"),
         (["--elevation-min", 50, "--elevation-max", 40], "--elevation-min, --elevation-max"),
         (["--range-max", 0.01], "no candidate sees any test point"),
-        (["--coverage-of", "all"], "--coverage 100 % of all is out of reach"),
+        (["--coverage-of", "all"], "--coverage 100 % of all cannot be reached"),
         (["--overlap", 99.9, "--grid", 1], "--overlap"),
-        (["--ground", "true"], "--ground asks for ground, and no material of the scene is one"),
+        (["--ground", "true"], "--ground is set to ground, but no material of the scene is ground"),
         (
             ["--exclude", "none.vtp"],
-            "--exclude none.vtp: is no VTK XML file of polygons; give a .vtp",
+            "--exclude none.vtp: is not a VTK XML file of polygons; give a .vtp",
         ),
-        (["--exclude", "room.obj"], "--exclude room.obj: is no VTK XML file"),
+        (["--exclude", "room.obj"], "--exclude room.obj: is not a VTK XML file"),
         (["--assets", "nowhere"], "--assets nowhere: no such folder"),
         (
             ["--output", "room.obj"],
             "room.obj/room: cannot be written: Not a directory; give another",
         ),
-        (["--scanner", "scanners.xml#conic_als"], "scanner conic_als does not turn"),
+        (
+            ["--scanner", "scanners.xml#conic_als"],
+            "scanner conic_als has a head that does not rotate",
+        ),
         (["--platform", "platforms.xml#tripot"], "did you mean tripod?"),
         (["--platform", "platforms.xml#copter"], "platform Multicopter moves"),
     ],
@@ -470,7 +472,7 @@ def test_files_that_are_wrong(plan, tmp_path):
     (tmp_path / "a.xml").write_text(PLANNER.format(more='method="beast" maxSlope_deg="-2"'))
     code, _, said = plan("a.xml")
     assert code == 1
-    assert 'a.xml:2: method="beast" is none; did you mean best?' in said
+    assert 'a.xml:2: method="beast" is not valid; did you mean best?' in said
     assert 'a.xml:2: maxSlope_deg="-2"' in said
 
 
@@ -583,7 +585,7 @@ def test_interrupted_while_it_is_checked(tmp_path):
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=120)
     assert process.returncode == 130, said
-    assert "interrupted while the survey was simulated; the plan itself is written" in said
+    assert "interrupted during the simulation of the survey; the plan itself is written" in said
     summary = json.loads((tmp_path / "output/room/plan_summary.json").read_text())
     assert "check" not in summary and summary["result"]["scans"] > 0
 

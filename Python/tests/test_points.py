@@ -96,7 +96,7 @@ def test_normals_colours_and_crs():
         (([1, 2, 3],), r"xyz has the shape \(3,\); give an array of \(n, 3\)"),
         (([[1, 2]],), r"xyz has the shape \(1, 2\)"),
         (([[1, 2, 3]], [[0, 0, 1]] * 2), r"normals has the shape \(2, 3\); .* \(1, 3\)"),
-        (([[1, 2, 3]], None, [[1, 2, 3]]), "rgb is int64; give uint8, uint16, or reals"),
+        (([[1, 2, 3]], None, [[1, 2, 3]]), "rgb is int64; give uint8, uint16, or floats"),
     ],
 )
 def test_arrays_that_are_wrong(arguments, message):
@@ -105,7 +105,8 @@ def test_arrays_that_are_wrong(arguments, message):
 
 
 def test_points_that_are_not_finite():
-    with pytest.raises(vtkhelios.PipelineError, match=r"point 1 is \(1, nan, 0\), not finite"):
+    message = r"point 1 is \(1, nan, 0\), which is not finite"
+    with pytest.raises(vtkhelios.PipelineError, match=message):
         voxelize(points.points_from_arrays([[0, 0, 0], [1, np.nan, 0]]))
 
 

@@ -137,7 +137,9 @@ def test_range_that_only_the_documentation_tells():
 
 def test_what_another_property_decides():
     """The ring patterns fix the number of sub-rays; the spiral takes any number."""
-    with pytest.raises(ValueError, match=r"is 256; others decide that it is 16 .*; 16 is kept"):
+    with pytest.raises(
+        ValueError, match=r"is 256; other properties determine it, 16 .*; 16 is kept"
+    ):
         vtkhelios.vtkHeliosBeamSampler(number_of_sub_rays=256)
     sampler = vtkhelios.vtkHeliosBeamSampler(pattern="vogel", number_of_sub_rays=256)
     assert sampler.number_of_sub_rays == 256

@@ -219,8 +219,8 @@ def test_text_has_no_incidence(small_runs, tmp_path, report):
     code, numbers, _ = report(small_runs["xyz"], "--output", tmp_path / "r.html")
     assert code == 0
     text = (tmp_path / "r.html").read_text()
-    assert "Not in this run's files: angle of incidence." in text
-    assert "from the platform: text has no ranges" in text
+    assert "Not in the files of this run: angle of incidence." in text
+    assert "distance to the platform: text files have no ranges" in text
     _, others, _ = report(small_runs["las"], "--output", tmp_path / "s.html")
     assert "incidence" in others["medians"] and "incidence" not in numbers["medians"]
     assert numbers["medians"]["range"] == pytest.approx(others["medians"]["range"], rel=0.1)
@@ -329,11 +329,11 @@ def test_runs_that_are_none(tmp_path, report, name, message):
 def test_other_errors(tmp_path, report, capsys):
     run = make_run(tmp_path / "run", [strip(0, 50)])
     code, _, err = report(run, "--cell", 0.001)
-    assert code == 1 and "with cells of 0.001 m the maps would be too large; give a larger" in err
+    assert code == 1 and "the maps would be too large with cells of 0.001 m; give a larger" in err
     assert not list(run.glob("report*"))
     (run / "report.html").write_text("mine")
     code, _, err = report(run)
-    assert code == 1 and "report.html: is there already; give --overwrite" in err
+    assert code == 1 and "report.html: already exists; give --overwrite" in err
     assert report(run, "--overwrite")[0] == 0
     (run / "leg000_points.xyz").write_text("nan 0 0 1 4 1 1 0 0 0 0\n")
     code, _, err = report(run, "--overwrite")

@@ -53,7 +53,7 @@ def test_no_standard_output(shell, make_survey, tmp_path, redirection, reason, j
     done = shell(redirection, "run", make_survey(), "--output", out, *more)
     assert done.returncode == 1
     assert done.stderr == (
-        f"error: standard output: {reason}: what it should hold is lost; "
+        f"error: standard output: {reason}: the output is lost; "
         "the files that the command wrote are complete\n"
     )
     expect_run(out)

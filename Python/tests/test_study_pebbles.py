@@ -85,7 +85,7 @@ def test_grids(run):
     truth = run[0]["maps"]["truth"]
     assert np.isfinite(truth).all() and 0 <= truth.min() and 0.02 < truth.max() < 0.05
     assert grids["no error"]["rms"] < grids["footprint"]["rms"] < grids["all"]["rms"]
-    assert grids["all, 4 stands"]["empty_cells"] < 0.1 < 0.4 < grids["all"]["empty_cells"]
+    assert grids["all, 4 positions"]["empty_cells"] < 0.1 < 0.4 < grids["all"]["empty_cells"]
     # A cell on a large pebble has the noise of the mean of its points.
     exact = run[0]["maps"]["no error"]
     assert np.nanmedian(np.abs(exact)) < 5e-4

@@ -376,12 +376,12 @@ def test_limits_of_the_scanner_clip_with_a_warning():
         ),
         (lambda: _scan(position=(1,)), ValueError, "give x, y, or x, y, z"),
         (lambda: _scan(scanner="laser"), vtkhelios.PipelineError, "laser"),
-        (lambda: _scan(position=None), TypeError, "a position to stand at, or a path"),
+        (lambda: _scan(position=None), TypeError, "needs a position .on a tripod., or a path"),
         (lambda: _make([{}]), TypeError, "a leg has no position"),
         (
             lambda: _make([dict(position=(0, 0), colour=1)]),
             TypeError,
-            "a leg has no setting colour",
+            "colour is not a setting of a leg",
         ),
     ],
 )

@@ -92,8 +92,8 @@ def test_failure_that_only_the_executive_tells_is_an_error(capsys):
     "arguments, error, message",
     [
         ((None, "ErrorEvent", print), TypeError, "None cannot be watched"),
-        ((vtkObject(), "FooEvent", print), ValueError, "FooEvent is not an event of VTK"),
-        ((vtkObject(), "ErrorEvent", 3), TypeError, "the callback cannot be called"),
+        ((vtkObject(), "FooEvent", print), ValueError, "FooEvent is not a VTK event"),
+        ((vtkObject(), "ErrorEvent", 3), TypeError, "the callback is not callable"),
     ],
 )
 def test_observe_wrongly(arguments, error, message):

@@ -49,7 +49,7 @@ def expect_refusal(done, folder, version, verb):
         f"ImportError: vtkHelios was built with VTK {VTK_VERSION} ({VTK_LIBRARY}), but this Python "
         f"{verb} VTK {version} ({folder}/vtkmodules), and two VTKs in one process crash it. "
         f"Remove it ({sys.executable} -m pip uninstall vtk), or use vtkHelios in an environment "
-        "without it; Docs/python.md says which PyVista brings no VTK of its own"
+        "without it; Docs/python.md names the PyVista versions without a VTK of their own"
     )
 
 

@@ -64,7 +64,7 @@ def test_everything_is_told_at_once(validate):
         ('a.xml:12: error: template="fats"', "did you mean fast?"),
         ('a.xml:12: error: pulseFreq_hz="-1" is out of range', "from 0.001 to 1000000000 [Hz]"),
         ('a.xml:15: error: scanAngleMax_deg="1000" is out of range', "from 0 to 360 [deg]"),
-        ('a.xml:16: error: platform tripod: type="statc" is none', "linearpath"),
+        ('a.xml:16: error: platform tripod: type="statc" is not valid', "linearpath"),
         ('a.xml:17: error: crs="EPSG:99999999"', ""),
         ('a.xml:18: error: filepath="missing.obj": no such file', "missing.obj"),
         ('a.xml:19: error: scale="-2" is out of range', "from 1e-09"),
@@ -80,7 +80,7 @@ def test_everything_is_told_at_once(validate):
 def test_a_leg_is_checked_where_only_the_scanner_is_wrong(validate):
     text = WRONG.replace("statc", "static")
     _, lines = validate(text)
-    turned = [line for line in lines if "never gets there" in line]
+    turned = [line for line in lines if "never reaches it" in line]
     assert len(turned) == 1 and turned[0].startswith("a.xml:9: error: ")
     assert not [line for line in lines if "a.xml:6" in line]  # the template's error is not its own
 
@@ -111,7 +111,7 @@ def test_a_ray_caster_that_is_not_built(validate):
 
 
 def test_files_without_anything(validate):
-    assert "the file holds nothing" in validate("<document/>")[1][0]
+    assert "<document> is empty" in validate("<document/>")[1][0]
     assert "this is not XML" in validate("<document>")[1][0]
     code, lines = validate("<document/>", "nowhere.xml")
     assert code == 1
@@ -135,8 +135,11 @@ def test_a_planner(validate):
     code, lines = validate(planner.format("bst") + '<platform id="p"/></document>')
     text = "\n".join(lines)
     assert code == 1
-    assert 'a.xml:2: error: method="bst" is none; did you mean best? Give one of reduce' in text
-    assert 'a.xml:2: error: scene="#s": a.xml has no <scene> of the id "s"' in text
+    assert (
+        'a.xml:2: error: method="bst" is not valid; did you mean best? Expected one of reduce'
+        in text
+    )
+    assert 'a.xml:2: error: scene="#s": a.xml has no <scene> with the id "s"' in text
     assert "a.xml:2: error: <surveyPlanner> has no attribute scanner" in text
     assert "attribute scaner of <surveyPlanner> is unknown; did you mean scanner?" in text
 

@@ -215,7 +215,7 @@ def test_pictures_offscreen(make_survey, tmp_path, read_pixels):
         (["SURVEY", "--camera", "moon"], 2, "moon not in {free,fly"),
         (["SURVEY", "OTHER"], 1, "is shown by itself; leave out"),
         (["SURVEY", "--offscreen", "--still", "a.jpg"], 1, "stills are PNG"),
-        (["SURVEY", "--offscreen", "--still", "no/a.png"], 1, "the folder no is not there"),
+        (["SURVEY", "--offscreen", "--still", "no/a.png"], 1, "the folder no does not exist"),
         (["SURVEY", "--offscreen", "--record", "a.mp4"], 1, "give a name that ends in .ogv"),
     ],
 )

@@ -181,7 +181,7 @@ def test_flight_lines_over_a_rectangle(take, command_line, tmp_path):
     hands.key("shift+a")
     hands.edit(lambda e: e["mode"] == "area")
     hands.click((-15, -15, 0))
-    hands.wait(lambda s: "across" in s["message"])
+    hands.wait(lambda s: "opposite" in s["message"])
     hands.click((10, 15, 0))
     editor = hands.edit(lambda e: e["mode"] == "scanner" and len(e["legs"]) >= 2)
     assert [leg["active"] for leg in editor["legs"]] == [True, False] * (len(editor["legs"]) // 2)

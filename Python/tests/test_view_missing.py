@@ -49,7 +49,7 @@ def test_left_out_of_the_build(explain, tmp_path):
 
 def test_not_installed(explain, tmp_path):
     assert explain(True, False) == (
-        f"error: vtkhelios-viewer is not installed in {tmp_path / 'bin'}; install it, too: "
+        f"error: vtkhelios-viewer is not installed in {tmp_path / 'bin'}; install it: "
         "cmake --install BUILD\n"
     )
 

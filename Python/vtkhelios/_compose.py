@@ -90,7 +90,7 @@ def select_ports(*arguments):
 
 def _check_port(algorithm, kind, port, count):
     if port and not 0 <= port < count:
-        last = f"its last one is {count - 1}" if count else "it has none"
+        last = f"the last one is {count - 1}" if count else "it has none"
         raise ValueError(f"{algorithm.GetClassName()} has no {kind} port {port}; {last}")
 
 

@@ -91,7 +91,7 @@ class FunctionAlgorithm(VTKPythonAlgorithmBase):
             result = given[0]
         if isinstance(result, np.ndarray):
             if not (given and isinstance(given[0], Cloud)):
-                raise TypeError(f"{name}() returns an array, but its first input is no cloud")
+                raise TypeError(f"{name}() returns an array, but its first input is not a cloud")
             result = given[0].filter(result)
         result = data_of(result)
         if not isinstance(result, vtkDataObject) or not result.IsA(target.GetClassName()):

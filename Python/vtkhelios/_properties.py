@@ -132,7 +132,7 @@ class Property:
             setter(_plain(before, before))
             problem = self.valid_range(vtk_object)
             if is_valid and _INTERVAL.search(self.__doc__ or "") and not self.choices:
-                problem = f"others decide that it is {now!r} (see its documentation); set them first"
+                problem = f"other properties determine it, {now!r} (see its documentation); set them first"
             raise ValueError(
                 f"{self._where(vtk_object)} is {value!r}; {problem}; {before!r} is kept"
             )
@@ -232,7 +232,7 @@ def _plain(value, before):
     if isinstance(value, Choice):
         return int(value)
     if isinstance(before, bool) and not isinstance(value, int):
-        raise TypeError("a truth value is wanted")
+        raise TypeError("expected True or False")
     if hasattr(value, "__fspath__"):
         return value.__fspath__()
     return data_of(value)  # a Cloud or a Scene

@@ -16,7 +16,7 @@ from ._built_with import VTK_LIBRARY, VTK_SONAME, VTK_VERSION
 
 _CURE = (
     f"Remove it ({sys.executable} -m pip uninstall vtk), or use vtkHelios in an environment without "
-    "it; Docs/python.md says which PyVista brings no VTK of its own"
+    "it; Docs/python.md names the PyVista versions without a VTK of their own"
 )
 
 
@@ -25,7 +25,7 @@ def check_vtk():
     folder = _find_folder()
     if folder is None:
         raise ImportError(
-            f"vtkHelios needs the Python modules of VTK {VTK_VERSION}, which it was built with, and "
+            f"vtkHelios needs the Python modules of VTK {VTK_VERSION}, which it was built with; "
             "this Python finds no vtkmodules; install them (Debian: apt-get install python3-vtk9, "
             "and a virtual environment with --system-site-packages)"
         )

@@ -52,7 +52,7 @@ class Progress:
     def __init__(self, progress):
         if not (progress in (None, True, False) or callable(progress)):
             raise TypeError(
-                f"progress is {progress!r}; give True, False or a function of the share done"
+                f"progress is {progress!r}; give True, False or a function of the fraction done"
             )
         self._line = ProgressLine() if progress is True else None
         self._tell = self._line or progress or None

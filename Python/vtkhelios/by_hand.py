@@ -116,7 +116,7 @@ def scan(
     progress, waveforms, noise, seed ...
     """
     if (position is None) == (path is None):
-        raise TypeError("scan() takes a position to stand at, or a path to move along")
+        raise TypeError("scan() needs a position (on a tripod), or a path to move along")
     known = {"position", *_PLATFORM, *_SCANNER}
     settings = {name: more.pop(name) for name in list(more) if name in known}
     check_options(more, f"neither a setting of a leg ({', '.join(sorted(known))}) nor of a run")
@@ -155,7 +155,7 @@ def _pick(leg, known, rest=None):
             found.update(zip(target, (low, high)))
     if rest:
         names = ", ".join(["position", *_PLATFORM, *_SCANNER])
-        raise TypeError(f"a leg has no setting {next(iter(rest))}; there are: {names}")
+        raise TypeError(f"{next(iter(rest))} is not a setting of a leg; known: {names}")
     return found
 
 

@@ -142,10 +142,10 @@ class Cloud:
         if isinstance(keep, np.ndarray):
             if keep.dtype.kind not in "biu" or keep.ndim != 1:
                 raise TypeError(
-                    f"a cloud is filtered by true and false or by indices, not {keep.dtype}"
+                    f"a cloud is indexed by a boolean mask or by indices, not by {keep.dtype}"
                 )
             if keep.dtype.kind == "b" and len(keep) != len(self):
-                raise ValueError(f"the mask has {len(keep)} rows; give one a point: {len(self)}")
+                raise ValueError(f"the mask has {len(keep)} rows; give one per point: {len(self)}")
         columns = arrays(self.data)
         kept = Cloud.from_arrays(self.points[keep])
         for name, values in columns.items():
@@ -172,7 +172,9 @@ class Cloud:
         _write.write(self, os.fspath(path))
 
     def __iter__(self):
-        raise TypeError("a cloud is no sequence of points; use points, records or arrays by name")
+        raise TypeError(
+            "a cloud is not a sequence of points; use points, records or arrays by name"
+        )
 
     def __repr__(self):
         if not len(self):
@@ -241,7 +243,7 @@ class Records:
         """One structured array of all, or some, columns; a copy."""
         for name in names or ():
             if name not in self._columns:
-                raise KeyError(f"there is no field {name}; there are: {', '.join(self._columns)}")
+                raise KeyError(f"there is no field {name}; it has: {', '.join(self._columns)}")
         chosen = {name: self._columns[name] for name in names or self._columns}
         return self._fill(chosen, slice(None))
 

@@ -362,9 +362,9 @@ def main(argv=None):
     parser.add_argument("--output", metavar="PNG", default="picture.png")
     parser.add_argument("--title", default="")
     parser.add_argument(
-        "--azimuth", type=float, default=215.0, help="compass direction to look from [deg]"
+        "--azimuth", type=float, default=215.0, help="azimuth of the camera, clockwise from north [deg]"
     )
-    parser.add_argument("--elevation", type=float, default=28.0, help="height to look from [deg]")
+    parser.add_argument("--elevation", type=float, default=28.0, help="elevation of the camera [deg]")
     parser.add_argument("--zoom", type=float, default=1.6)
     parser.add_argument("--point-size", type=float, default=2.5, help="[pixels]")
     given = parser.parse_args(argv)

@@ -267,7 +267,7 @@ def write_texts(image, title, scans):
         return x + (10.5 * len(words) + 16) * OVERSAMPLING / width
 
     write(f"{title}: {scans} scan{'s'[: scans != 1]}", 0.01, 0.955, size=20)
-    x = write("seen by scans:", 0.01)
+    x = write("number of scans:", 0.01)
     for colour, name in SCANS:
         x = write(name, x, colour=colour)
     write("not coverable", x, colour=NOT_COVERABLE)

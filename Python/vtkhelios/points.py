@@ -69,7 +69,7 @@ def _triples(name, values, types, rows=None):
         raise ValueError(f"{name} has the shape {array.shape}; give an array of ({wanted}, 3)")
     if not array.dtype.isnative or array.dtype.type not in types:
         if name == "rgb" and array.dtype.kind not in "f":
-            raise ValueError(f"rgb is {array.dtype}; give uint8, uint16, or reals within 0 and 1")
+            raise ValueError(f"rgb is {array.dtype}; give uint8, uint16, or floats in [0, 1]")
         array = array.astype(types[0] if name != "rgb" else np.float64)
     return np.ascontiguousarray(array)
 

@@ -330,7 +330,8 @@ def _translate(options, known, wrong="no option"):
     given = {name: value for name, value in options.items() if value is not None}
     if given.get("sub_rays") and (given.get("tolerance") or given.get("energy_tolerance")):
         raise ValueError(
-            "sub_rays is always that many, and a tolerance chooses how many: give one of them"
+            "sub_rays is a fixed number, and a tolerance makes the number adaptive: give one of "
+            "them"
         )
     return {known[name]: value for name, value in given.items()}
 

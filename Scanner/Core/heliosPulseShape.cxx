@@ -343,7 +343,7 @@ std::string PulseShape::Read(const std::string& fileName, PulseShape& shape)
     if (words.Next(time) != TextWords::Number::Good ||
       words.Next(power) != TextWords::Number::Good || words.HasMore())
     {
-      return file.GetPlace() + "a line of a pulse has two numbers, a time [ns] and a power";
+      return file.GetPlace() + "expected two numbers per line, a time [ns] and a power";
     }
     if (!std::isfinite(time) || !(power >= 0.0) || !std::isfinite(power))
     {
@@ -351,7 +351,7 @@ std::string PulseShape::Read(const std::string& fileName, PulseShape& shape)
     }
     if (!times.empty() && !(time > times.back()))
     {
-      return file.GetPlace() + "its time is not after that of the line before; sort the lines";
+      return file.GetPlace() + "its time is not after that of the previous line; sort the lines";
     }
     times.push_back(time);
     powers.push_back(power);

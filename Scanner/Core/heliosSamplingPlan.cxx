@@ -67,17 +67,18 @@ int SamplingPlan::GetStep(double spread) const
 std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
+  text << "adaptive, ";
   if (this->LooksFirst())
   {
-    text << this->GetNumberOfProbes() << " sub-rays where a beam meets one surface, "
-         << this->NumberOfSubRays << " more where it meets edges";
+    text << this->GetNumberOfProbes() << " sub-rays on one surface, " << this->NumberOfSubRays
+         << " more at edges";
   }
   else
   {
     text << this->NumberOfSubRays << " sub-rays";
   }
   text << " (up to " << (1 << 2 * this->FinerSteps)
-       << " times as many along steep surfaces), and none where one plane is proved; bins of "
+       << " times as many on steep surfaces), none for planar footprints; waveform bin "
        << this->DetectionBin << " ns where the returns of a pulse spread over more than c sigma";
   return text.str();
 }

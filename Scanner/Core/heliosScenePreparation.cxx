@@ -25,7 +25,7 @@ std::string Build(vtkHeliosRayCaster* caster, vtkPolyData* scene)
   const unsigned long tag = caster->AddObserver(vtkCommand::ErrorEvent, listener);
   const bool built = caster->Build(scene);
   caster->RemoveObserver(tag);
-  return built ? std::string() : "the scene cannot be searched: " + reason;
+  return built ? std::string() : "no ray caster can be built for the scene: " + reason;
 }
 
 } // namespace

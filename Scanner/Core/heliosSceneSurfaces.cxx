@@ -35,7 +35,7 @@ vtkSmartPointer<ArrayT> Take(
       std::to_string(given->GetNumberOfTuples()) + " tuples of " +
       std::to_string(given->GetNumberOfComponents()) + " for " +
       std::to_string(data->GetNumberOfCells()) + (what == "the scene" ? " triangles" : " cells") +
-      "; it needs one of " + std::to_string(components) + " each";
+      "; expected one tuple of " + std::to_string(components) + " each";
   }
   vtkSmartPointer<ArrayT> array = ArrayT::FastDownCast(given);
   if (fits && !array)
@@ -197,7 +197,7 @@ std::string SceneSurfaces::CheckMaterialIds(
   {
     return {};
   }
-  return std::string("cell array ") + names::MaterialIds + " of " + what + " goes from " +
+  return std::string("cell array ") + names::MaterialIds + " of " + what + " ranges from " +
     std::to_string(range[0]) + " to " + std::to_string(range[1]) + ", but its field data has " +
     std::to_string(count) + " materials";
 }

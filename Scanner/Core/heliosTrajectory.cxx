@@ -105,11 +105,11 @@ std::string Trajectory::Append(vtkPolyData* trajectory, vtkIdType sample)
     !(std::abs(norm - 1.0) < 1e-6))
   {
     return "sample " + std::to_string(sample) +
-      " of the trajectory is not finite, or its orientation no unit quaternion";
+      " of the trajectory is not finite, or its orientation is not a unit quaternion";
   }
   if (!this->Times.empty() && time < this->Times.back())
   {
-    return "the times of the trajectory go back at sample " + std::to_string(sample);
+    return "the times of the trajectory decrease at sample " + std::to_string(sample);
   }
   this->Times.push_back(time);
   this->Positions.emplace_back(p);

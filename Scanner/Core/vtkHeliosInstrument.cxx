@@ -81,8 +81,9 @@ std::string vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
   }
   else if (window < shape.GetLength())
   {
-    text << "the waveform may last " << window << " ns (MaximumWaveformLength, NumberOfBins), less "
-         << "than the pulse (" << shape.GetLength() << " ns); give it more, or 0 for no limit";
+    text << "the waveform is limited to " << window
+         << " ns (MaximumWaveformLength, NumberOfBins), less than the pulse (" << shape.GetLength()
+         << " ns); raise the limit, or set 0 for none";
   }
   return text.str();
 }
@@ -99,29 +100,29 @@ bool vtkHeliosInstrument::CheckInstrument()
     const char* Cure;
   } properties[] = {
     { "PulseLength", this->PulseLength, 1e-3, 1e6, " ns", "give the full width at half maximum" },
-    { "BinSize", this->BinSize, 1e-4, 1e3, " ns", "a sixteenth of the pulse is fine" },
-    { "MaximumWaveformLength", this->MaximumWaveformLength, 0.0, 1e12, " ns", "0 is no limit" },
-    { "NumberOfBins", static_cast<double>(this->NumberOfBins), 0.0, 1e8, "", "0 is no limit" },
+    { "BinSize", this->BinSize, 1e-4, 1e3, " ns", "use a sixteenth of the pulse length" },
+    { "MaximumWaveformLength", this->MaximumWaveformLength, 0.0, 1e12, " ns", "0 for no limit" },
+    { "NumberOfBins", static_cast<double>(this->NumberOfBins), 0.0, 1e8, "", "0 for no limit" },
     { "AveragePower", this->AveragePower, 0.0, 1e12, " W", "give the power of the pulse" },
     { "Wavelength", this->Wavelength, 200.0, 20000.0, " nm", "give it in nanometres" },
     { "OpticalEfficiency", this->OpticalEfficiency, tiny, 1.0, "",
-      "give the share of the light that passes the optics, above 0" },
+      "give the fraction of the light that passes the optics, above 0" },
     { "ReceiverDiameter", this->ReceiverDiameter, tiny, 100.0, " m",
       "give the aperture in metres, above 0" },
     { "AtmosphericVisibility", this->AtmosphericVisibility, 1e-3, VTK_DOUBLE_MAX, " km",
       "give kilometres, or VTK_DOUBLE_MAX for no extinction" },
     { "AtmosphericExtinction", this->AtmosphericExtinction, -1.0, 1e3, " 1/m",
-      "-1 takes it from AtmosphericVisibility" },
-    { "DetectorNoise", this->DetectorNoise, 0.0, 1e6, " W", "0 is none" },
-    { "SolarIrradiance", this->SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 is none" },
+      "-1 derives it from AtmosphericVisibility" },
+    { "DetectorNoise", this->DetectorNoise, 0.0, 1e6, " W", "0 for none" },
+    { "SolarIrradiance", this->SolarIrradiance, 0.0, 1e6, " W/m^2/nm", "0 for none" },
     { "FilterBandwidth", this->FilterBandwidth, 0.0, 1e6, " nm", "1 nm is usual" },
     { "FieldOfView", this->FieldOfView, 0.0, 1.0, " rad", "give the full angle" },
-    { "RangeAccuracy", this->RangeAccuracy, 0.0, 1e3, " m", "0 is none" },
-    { "RangeAccuracyPerMeter", this->RangeAccuracyPerMeter, 0.0, 1.0, " m/m", "0 is none" },
-    { "RangeAccuracyAtThreshold", this->RangeAccuracyAtThreshold, 0.0, 1e3, " m", "0 is none" },
-    { "AngleAccuracy", this->AngleAccuracy, 0.0, 0.1, " rad", "0 is none" },
-    { "RangeMin", this->RangeMin, 0.0, VTK_DOUBLE_MAX, " m", "0 is no limit" },
-    { "RangeMax", this->RangeMax, 0.0, VTK_DOUBLE_MAX, " m", "VTK_DOUBLE_MAX is no limit" },
+    { "RangeAccuracy", this->RangeAccuracy, 0.0, 1e3, " m", "0 for none" },
+    { "RangeAccuracyPerMeter", this->RangeAccuracyPerMeter, 0.0, 1.0, " m/m", "0 for none" },
+    { "RangeAccuracyAtThreshold", this->RangeAccuracyAtThreshold, 0.0, 1e3, " m", "0 for none" },
+    { "AngleAccuracy", this->AngleAccuracy, 0.0, 0.1, " rad", "0 for none" },
+    { "RangeMin", this->RangeMin, 0.0, VTK_DOUBLE_MAX, " m", "0 for no limit" },
+    { "RangeMax", this->RangeMax, 0.0, VTK_DOUBLE_MAX, " m", "VTK_DOUBLE_MAX for no limit" },
   };
   for (const auto& p : properties)
   {
@@ -135,14 +136,14 @@ bool vtkHeliosInstrument::CheckInstrument()
   }
   if (this->RangeMax <= this->RangeMin)
   {
-    vtkErrorMacro(<< "RangeMax (" << this->RangeMax << " m) is not beyond RangeMin ("
+    vtkErrorMacro(<< "RangeMax (" << this->RangeMax << " m) is not greater than RangeMin ("
                   << this->RangeMin << " m)");
     return false;
   }
   if (this->PulseShape == SAMPLED && (!this->PulseFileName || !*this->PulseFileName))
   {
     vtkErrorMacro(<< "PulseShape is SAMPLED and PulseFileName is not set; give a file with a time "
-                     "[ns] and a power a line");
+                     "[ns] and a power per line");
     return false;
   }
   return true;

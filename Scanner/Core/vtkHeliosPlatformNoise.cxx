@@ -69,7 +69,7 @@ void vtkHeliosPlatformNoise::SetUniform(int component, double minimum, double ma
   }
   if (!std::isfinite(maximum - minimum) || minimum > maximum)
   {
-    vtkErrorMacro(<< ComponentNames[component] << " is uniform within " << minimum << " and "
+    vtkErrorMacro(<< ComponentNames[component] << " is uniform between " << minimum << " and "
                   << maximum << "; give finite numbers, the smaller first.");
     return;
   }
@@ -119,7 +119,7 @@ void vtkHeliosPlatformNoise::SetLifespan(int component, vtkIdType pulses)
   if (pulses < 0 || pulses > 1000000000000000)
   {
     vtkErrorMacro(<< ComponentNames[component] << " has a lifespan of " << pulses
-                  << " pulses; give 0 (for ever) to 1e15.");
+                  << " pulses; give 0 (unlimited) to 1e15.");
     return;
   }
   this->All[component].Lifespan = pulses;
@@ -175,7 +175,7 @@ void vtkHeliosPlatformNoise::PrintSelf(ostream& os, vtkIndent indent)
         os << "normal, mean " << c.A << ", stdev " << c.B;
         break;
       case UNIFORM:
-        os << "uniform within " << c.A << " and " << c.B;
+        os << "uniform between " << c.A << " and " << c.B;
         break;
       default:
         os << "none";

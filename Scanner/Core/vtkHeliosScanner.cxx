@@ -210,7 +210,7 @@ bool vtkHeliosScanner::CheckSettings()
   }
   if (!this->RayCaster || !this->BeamSampler || !this->EchoDetector)
   {
-    vtkErrorMacro(<< "RayCaster, BeamSampler or EchoDetector was set to nothing");
+    vtkErrorMacro(<< "RayCaster, BeamSampler or EchoDetector is not set");
     return false;
   }
   if (!(this->BeamDeflector->GetPulseFrequency() > 0.0))
@@ -290,14 +290,14 @@ bool vtkHeliosScanner::PreparePulses(Scan& scan)
   {
     if (this->HeadRotateSpeed == 0.0)
     {
-      vtkErrorMacro(<< "the scan never ends: the platform stands and HeadRotateSpeed is 0; set "
+      vtkErrorMacro(<< "the scan never ends: the platform is static and HeadRotateSpeed is 0; set "
                        "HeadRotateSpeed and HeadRotateStop, or Duration");
       return false;
     }
     duration = turn / this->HeadRotateSpeed;
     if (duration < 0.0)
     {
-      vtkErrorMacro(<< "the head never arrives: it turns from HeadRotateStart "
+      vtkErrorMacro(<< "the head never reaches its stop: it rotates from HeadRotateStart "
                     << this->HeadRotateStart << " deg at HeadRotateSpeed " << this->HeadRotateSpeed
                     << " deg/s away from HeadRotateStop " << this->HeadRotateStop << " deg");
       return false;
@@ -351,7 +351,7 @@ bool vtkHeliosScanner::PrepareSearch(vtkInformationVector** inputs, Scan& scan)
   this->RayCaster->SetShouldStop(nullptr);
   if (this->GetAbortExecute())
   {
-    vtkErrorMacro(<< "The scan was aborted at 0 %; update again for the whole");
+    vtkErrorMacro(<< "The scan was aborted at 0 %; update again to complete it");
     return false;
   }
   return isReady;
@@ -469,7 +469,7 @@ bool vtkHeliosScanner::RunPulses(
   if (isAborted)
   {
     vtkErrorMacro(<< "The scan was aborted at " << 100.0 * this->GetProgress()
-                  << " %; update again for the whole");
+                  << " %; update again to complete it");
     ClearOutputs(outputs);
     return false;
   }
@@ -515,13 +515,13 @@ void vtkHeliosScanner::TakeCounts(const helios::ScanCounts& counts, bool isWhole
   if (counts.CutWaveforms > 0)
   {
     vtkWarningMacro(<< counts.CutWaveforms
-                    << " waveforms were cut: they are longer than NumberOfBins or "
-                       "MaximumWaveformLength allow, or than what can be stored");
+                    << " waveforms were truncated: they exceed NumberOfBins, MaximumWaveformLength "
+                       "or the longest that can be stored");
   }
   if (isWholeScan && counts.PulsesHit > 0 && counts.Echoes == 0)
   {
-    vtkWarningMacro(<< "no echo: the largest amplitude of " << counts.PulsesHit << " pulses is "
-                    << counts.LargestAmplitude << " W, below DetectionThreshold ("
+    vtkWarningMacro(<< "no echo was detected: the largest amplitude of " << counts.PulsesHit
+                    << " pulses is " << counts.LargestAmplitude << " W, below DetectionThreshold ("
                     << this->EchoDetector->GetDetectionThreshold() << " W); lower the threshold");
   }
 }
@@ -532,7 +532,7 @@ std::string vtkHeliosScanner::DescribeSampling()
   if (this->Sampling == FIXED || !(this->BeamSampler->GetBeamDivergence() > 0.0))
   {
     const int count = this->Sampling == FIXED ? this->BeamSampler->GetNumberOfSubRays() : 1;
-    return std::to_string(count) + " sub-rays a pulse, always";
+    return "fixed, " + std::to_string(count) + " sub-rays per pulse";
   }
   helios::PulseShape shape;
   const std::string fault = this->MakePulseShape(shape);

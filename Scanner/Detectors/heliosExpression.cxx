@@ -53,8 +53,8 @@ public:
     std::string fault;
     if (this->Text.find_first_not_of(" \t\r\n") == std::string::npos)
     {
-      fault =
-        "it is blank; write one such as 0.001 * sin(t), or nothing"; // VTK's parser would crash
+      // VTK's parser would crash
+      fault = "it is blank; write for example 0.001 * sin(t), or leave it empty";
     }
     while (fault.empty() && this->Position < this->Text.size())
     {
@@ -104,7 +104,7 @@ private:
     this->Position += static_cast<std::size_t>(end - begin);
     return status == std::errc() && std::isfinite(value)
       ? std::string()
-      : "a number that cannot be read; write one such as 0.001" + this->At(start);
+      : "a number is not valid; write it like 0.001" + this->At(start);
   }
 
   std::string ReadName()
@@ -126,7 +126,7 @@ private:
     }
     if (Variables.count(name) > 0)
     {
-      return isCalled ? name + " is no function; write an operator behind it" + this->At(start)
+      return isCalled ? name + " is not a function; write an operator after it" + this->At(start)
                       : std::string();
     }
     return name +
@@ -141,7 +141,7 @@ private:
     if (c == '(' && this->Brackets.size() == Expression::DeepestBracket)
     {
       return "more than " + std::to_string(Expression::DeepestBracket) +
-        " brackets within one another; write it with fewer" + this->At(start);
+        " nested brackets; use fewer" + this->At(start);
     }
     if (c == '(')
     {
@@ -166,7 +166,7 @@ private:
     }
     return std::string("+-*/^").find(c) != std::string::npos
       ? std::string()
-      : std::string("'") + c + "' is not expected; take it out" + this->At(start);
+      : std::string("'") + c + "' is not expected; remove it" + this->At(start);
   }
 };
 

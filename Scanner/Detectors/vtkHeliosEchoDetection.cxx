@@ -88,7 +88,7 @@ std::string FindFault(const helios::WaveformTable& table, vtkIdType row)
   const double length = GetVector(table.Direction, row).Norm();
   if (!(std::abs(length - 1.0) < 1e-3))
   {
-    return tell(names::Direction, "no unit vector");
+    return tell(names::Direction, "not a unit vector");
   }
   return {};
 }
@@ -321,7 +321,7 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
 {
   if (!this->EchoDetector)
   {
-    vtkErrorMacro(<< "EchoDetector was set to nothing; give one, e.g. a vtkHeliosPeakDetector");
+    vtkErrorMacro(<< "EchoDetector is not set; give one, e.g. a vtkHeliosPeakDetector");
     return false;
   }
   run.Detector = this->EchoDetector;
@@ -331,13 +331,13 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   for (vtkIdType row = 0; fault.empty() && row < run.Table.NumberOfRows; ++row)
   {
     fault = FindFault(run.Table, row);
-    fault = fault.empty() ? fault : "is wrong: " + fault;
+    fault = fault.empty() ? fault : "is not valid: " + fault;
   }
   const vtkIdType bad = fault.empty() ? FindBadSamples(run.Table) : -1;
   if (bad >= 0)
   {
-    fault = "is wrong: " + std::string(names::Samples) + " of row " + std::to_string(bad) +
-      " hold what is no finite number";
+    fault = "is not valid: " + std::string(names::Samples) + " of row " + std::to_string(bad) +
+      " are not all finite";
   }
   if (!fault.empty())
   {
@@ -354,7 +354,7 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   if (run.Table.NumberOfRows > 0 && !(run.PulseLength > 0.0 && std::isfinite(run.PulseLength)))
   {
     vtkErrorMacro(<< "the input has no " << names::PulseLength
-                  << " in its field data, or one that is no positive number of ns; set the "
+                  << " in its field data, or one that is not a positive number of ns; set the "
                      "property PulseLength");
     return false;
   }
@@ -383,7 +383,7 @@ int vtkHeliosEchoDetection::RequestData(
     if (this->GetAbortExecute())
     {
       vtkErrorMacro(<< "The work was aborted at " << 100.0 * this->GetProgress()
-                    << " %; update again for the whole");
+                    << " %; update again to complete it");
       return 0;
     }
     const vtkIdType end = std::min(chunks, chunk + batch);

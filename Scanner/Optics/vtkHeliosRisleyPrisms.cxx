@@ -107,7 +107,7 @@ void vtkHeliosRisleyPrisms::SetIncidentBeam(double x, double y, double z)
   if (!(y > 0.0 && std::isfinite(norm)))
   {
     vtkErrorMacro(<< "IncidentBeam (" << x << ", " << y << ", " << z
-                  << ") does not go to the prisms; give a direction with y > 0");
+                  << ") does not point at the prisms; give a direction with y > 0");
     return;
   }
   if (!std::equal(beam, beam + 3, this->IncidentBeam))

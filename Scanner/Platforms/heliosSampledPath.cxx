@@ -70,15 +70,16 @@ std::string SampledPath::CheckSamples() const
     const std::string sample = "sample " + std::to_string(i);
     if (!std::isfinite(state.Time) || !IsFinite(state.Position))
     {
-      return sample + " is not finite; correct it or take it out";
+      return sample + " is not finite; correct or remove it";
     }
     if (!(std::abs(q.SquaredNorm() - 1.0) < 1e-6))
     {
-      return sample + " has no unit quaternion as its " + names::Orientation + "; normalize it";
+      return sample + " has an " + names::Orientation +
+        " that is not a unit quaternion; normalize it";
     }
     if (i > 0 && state.Time < this->GetTime(i - 1))
     {
-      return sample + " is earlier than the one before; sort the samples by " + names::GpsTime;
+      return sample + " is earlier than the previous one; sort the samples by " + names::GpsTime;
     }
     if (this->IsCubic && !IsFinite(state.Velocity))
     {

@@ -190,8 +190,7 @@ bool vtkHeliosGroundVehiclePlatform::CheckWay(vtkPolyData* waypoints)
   }
   if (length == 0.0)
   {
-    vtkErrorMacro(<< "All waypoints are at one place; a vehicle needs somewhere to drive, or use a "
-                  << "static platform.");
+    vtkErrorMacro(<< "All waypoints are at one place; move one, or use a static platform.");
     return false;
   }
   return true;
@@ -205,14 +204,14 @@ bool vtkHeliosGroundVehiclePlatform::CheckClimb(vtkIdType waypoint, double grade
   if (!(force < this->EngineForce))
   {
     vtkErrorMacro(<< "Waypoint " << waypoint + 1 << " cannot be reached: the slope of " << degrees
-                  << " degrees takes more than " << force << " N, EngineForce is "
+                  << " degrees needs more than " << force << " N, EngineForce is "
                   << this->EngineForce << " N; raise it, lower Mass or the waypoint.");
     return false;
   }
   if (!(-force < this->BrakeForce))
   {
     vtkErrorMacro(<< "Waypoint " << waypoint + 1 << " cannot be reached safely: the slope of "
-                  << degrees << " degrees takes more than " << -force
+                  << degrees << " degrees needs more than " << -force
                   << " N to brake, BrakeForce is " << this->BrakeForce
                   << " N; raise it, lower Mass or raise the waypoint.");
     return false;

@@ -182,7 +182,7 @@ vtkSmartPointer<vtkPolyData> vtkHeliosInterpolatedPlatform::JoinInputs(vtkInform
       vtkErrorMacro(<< "Trajectory " << order[i].Number << " starts at " << Seconds(order[i].Start)
                     << ", before trajectory " << order[i - 1].Number << " ends, at "
                     << Seconds(order[i - 1].End)
-                    << "; connect each once, and cut off where they overlap.");
+                    << "; connect each once, and cut them where they overlap.");
       return nullptr;
     }
     append->AddInputData(vtkPolyData::GetData(inputs, order[i].Number));
@@ -214,7 +214,7 @@ bool vtkHeliosInterpolatedPlatform::FindLegs(
       vtkWarningMacro(<< "Leg " << i << " starts at " << Seconds(legs[i].Start)
                       << " of the recorded times, before leg " << i - 1 << " ends, at "
                       << Seconds(legs[i - 1].End)
-                      << ": the platform jumps back as if it teleported.");
+                      << ": the platform jumps back to an earlier position.");
     }
   }
   if (legs.empty())
@@ -236,7 +236,7 @@ bool vtkHeliosInterpolatedPlatform::CheckLeg(
   }
   if (leg.Start < path.GetStartTime() || leg.End > path.GetEndTime())
   {
-    vtkErrorMacro(<< "Leg " << index << " flies from " << Seconds(leg.Start) << " to "
+    vtkErrorMacro(<< "Leg " << index << " covers " << Seconds(leg.Start) << " to "
                   << Seconds(leg.End) << ", but the recorded times are "
                   << Seconds(path.GetStartTime()) << " to " << Seconds(path.GetEndTime())
                   << "; give times within them.");
@@ -252,16 +252,16 @@ bool vtkHeliosInterpolatedPlatform::CheckFileTimes(const std::vector<Leg>& legs)
   {
     if (legs[i].Start < 0.0 || legs[i].End > 1e12)
     {
-      vtkErrorMacro(<< "Leg " << i << " flies from " << Seconds(legs[i].Start) << " to "
+      vtkErrorMacro(<< "Leg " << i << " covers " << Seconds(legs[i].Start) << " to "
                     << Seconds(legs[i].End)
-                    << "; times that are kept lie within 0 and 1e12 s, switch KeepFileTimes off.");
+                    << "; kept times must lie between 0 and 1e12 s; switch KeepFileTimes off.");
       return false;
     }
     if (i > 0 && legs[i].Start < legs[i - 1].End)
     {
       vtkErrorMacro(<< "Leg " << i << " starts at " << Seconds(legs[i].Start) << ", before leg "
                     << i - 1 << " ends, at " << Seconds(legs[i - 1].End)
-                    << "; time cannot go back, switch KeepFileTimes off or sort the legs.");
+                    << "; times must increase; switch KeepFileTimes off or sort the legs.");
       return false;
     }
   }

@@ -88,7 +88,7 @@ bool vtkHeliosMulticopterPlatform::CheckWaypointArrays(vtkPolyData* waypoints)
     if (waypoints->GetPointData()->HasArray(name) && !FindValues(waypoints, name))
     {
       vtkErrorMacro(<< "The point array " << name
-                    << " of the waypoints must hold one number a waypoint.");
+                    << " of the waypoints must hold one number per waypoint.");
       return false;
     }
   }
@@ -102,15 +102,15 @@ bool vtkHeliosMulticopterPlatform::CheckWay(vtkPolyData* waypoints)
   if (this->MaximumThrust > 0.0 && !(this->MaximumThrust > 1.01 * weight))
   {
     vtkErrorMacro(<< "Waypoint 1 cannot be reached: MaximumThrust is " << this->MaximumThrust
-                  << " N, " << this->Mass << " kg take more than " << 1.01 * weight
+                  << " N, " << this->Mass << " kg need more than " << 1.01 * weight
                   << " N to fly; raise it or lower Mass.");
     return false;
   }
   if (this->DragCoefficient > this->Mass)
   {
     vtkErrorMacro(<< "Waypoint 1 cannot be reached: DragCoefficient is " << this->DragCoefficient
-                  << " kg/m, against which " << this->Mass
-                  << " kg do not fly; lower it to less than Mass a metre.");
+                  << " kg/m, too high for " << this->Mass
+                  << " kg to fly; lower it to less than Mass per metre.");
     return false;
   }
   for (vtkIdType i = 1; i < waypoints->GetNumberOfPoints(); ++i)

@@ -109,7 +109,7 @@ bool vtkHeliosPlatform::CheckWaypoints(vtkPolyData* waypoints)
   if (waypoints->GetPointData()->HasArray(names::LegIds) && !FindValues(waypoints, names::LegIds))
   {
     vtkErrorMacro(<< "The point array " << names::LegIds
-                  << " of the waypoints must hold one number a waypoint.");
+                  << " of the waypoints must hold one number per waypoint.");
     return false;
   }
   return true;
@@ -129,7 +129,7 @@ bool vtkHeliosPlatform::CheckSpeeds(vtkPolyData* waypoints, const char* kind)
   if (!speeds)
   {
     vtkErrorMacro(<< "The waypoints need the point array " << names::Speed
-                  << ", one number a waypoint; add it, in m/s.");
+                  << ", one number per waypoint; add it, in m/s.");
     return false;
   }
   for (vtkIdType i = 0; i + 1 < count; ++i)

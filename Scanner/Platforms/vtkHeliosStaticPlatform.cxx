@@ -15,8 +15,8 @@ bool vtkHeliosStaticPlatform::Move(vtkPolyData* waypoints, std::vector<State>& p
 {
   if (waypoints->GetNumberOfPoints() != 1)
   {
-    vtkErrorMacro(<< "A static platform stands at one waypoint, the input has "
-                  << waypoints->GetNumberOfPoints() << "; run it once for each position.");
+    vtkErrorMacro(<< "A static platform needs exactly one waypoint, the input has "
+                  << waypoints->GetNumberOfPoints() << "; run it once per position.");
     return false;
   }
   const double heading = vtkMath::RadiansFromDegrees(this->Heading);

@@ -161,12 +161,13 @@ std::string GetGroundHeights(
 {
   if (!scene || scene->GetNumberOfCells() == 0)
   {
-    return "The scene on port 1 is empty: it has no ground to put points onto.";
+    return "The scene on port 1 is empty: it has no ground for the points.";
   }
   const vtkIdType notFinite = FindPlaceNotFinite(points);
   if (notFinite >= 0)
   {
-    return "No ground for " + DescribePlace(points, notFinite) + "; it must be finite.";
+    return "No ground for " + DescribePlace(points, notFinite) +
+      "; its coordinates must be finite.";
   }
   vtkNew<vtkHeliosBvhRayCaster> caster;
   const auto surfaces = ExtractSurfaces(scene, Places(points), groundOnly);

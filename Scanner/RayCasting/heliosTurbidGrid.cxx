@@ -24,10 +24,8 @@ std::string TurbidGrid::Set(vtkImageData* grid)
   if (!given || given->GetNumberOfComponents() != 1 || *std::min_element(points, points + 3) < 2 ||
     given->GetNumberOfTuples() != grid->GetNumberOfCells())
   {
-    return std::string(
-             "the image of voxels needs cells along three axes and one number of the cell "
-             "array ") +
-      names::PAD + " for each [m2/m3]";
+    return std::string("the voxel image needs cells along three axes and a cell array ") +
+      names::PAD + " with one value per cell [m2/m3]";
   }
   this->Pad = vtkDoubleArray::FastDownCast(given);
   if (!this->Pad)
@@ -55,8 +53,7 @@ std::string TurbidGrid::Set(vtkImageData* grid)
     }
     if (!(size > 0.0) || !std::isfinite(size) || !std::isfinite(this->Corner[axis]))
     {
-      return "the image of voxels has a spacing or an origin that is not finite, or no spacing; "
-             "give "
+      return "the voxel image has no spacing, or a spacing or origin that is not finite; give "
              "cells with a size";
     }
   }
@@ -73,7 +70,7 @@ std::string TurbidGrid::CheckDensities() const
     if (pad[i] < 0.0 || std::isinf(pad[i]))
     {
       return std::string(names::PAD) + " of cell " + std::to_string(i) + " of the voxels is " +
-        std::to_string(pad[i]) + "; give 0 or more [m2/m3], and NaN for what is not known";
+        std::to_string(pad[i]) + "; give 0 or more [m2/m3], or NaN if unknown";
     }
   }
   return {};

@@ -31,7 +31,7 @@ bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
   if (count > helios::BeamTree::MaximumTriangles)
   {
     vtkErrorMacro(<< "Build: the scene has " << count << " triangles and the ray caster \"beam\" "
-                  << "takes " << helios::BeamTree::MaximumTriangles
+                  << "supports at most " << helios::BeamTree::MaximumTriangles
                   << "; use \"embree\" or \"bvh\", or a part of the scene.");
     return false;
   }

@@ -149,15 +149,14 @@ bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubl
 {
   if (scene->GetNumberOfCells() == 0)
   {
-    vtkErrorMacro(
-      << "The scene on port 1 is empty; connect what the trajectory is to keep clear of.");
+    vtkErrorMacro(<< "The scene on port 1 is empty; connect the surfaces to keep clear of.");
     return false;
   }
   Surroundings surroundings;
   const std::string fault = surroundings.Build(scene);
   if (!fault.empty())
   {
-    vtkErrorMacro(<< "The scene on port 1 cannot be searched: " << fault << ".");
+    vtkErrorMacro(<< "The scene on port 1 is not valid: " << fault << ".");
     return false;
   }
   const vtkIdType count = path->GetNumberOfPoints();
@@ -180,7 +179,7 @@ bool vtkHeliosClearance::Measure(vtkPolyData* path, vtkPolyData* scene, vtkDoubl
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(count));
     if (this->GetAbortExecute())
     {
-      vtkErrorMacro(<< "Aborted at sample " << i << "; update again for the whole trajectory.");
+      vtkErrorMacro(<< "Aborted at sample " << i << "; update again to complete the trajectory.");
       return false;
     }
   }
@@ -209,10 +208,10 @@ bool vtkHeliosClearance::Judge(vtkPolyData* path, vtkDoubleArray* clearances)
   }
   std::ostringstream text;
   text << this->NumberBelowMinimum << " of " << clearances->GetNumberOfValues()
-       << " samples come nearer to the scene than MinimumClearance (" << this->MinimumClearance
+       << " samples are closer to the scene than MinimumClearance (" << this->MinimumClearance
        << " m): the first is " << Describe(path, clearances, this->FirstBelowMinimum)
        << ", the nearest " << Describe(path, clearances, nearest)
-       << "; move the trajectory away, or allow less.";
+       << "; move the trajectory away, or lower MinimumClearance.";
   if (this->FailBelowMinimum)
   {
     vtkErrorMacro(<< text.str());

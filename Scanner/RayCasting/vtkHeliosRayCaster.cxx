@@ -180,7 +180,7 @@ bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins, vtkDoubleArray* dire
     vtkErrorMacro(<< "Intersect: origins (" << count << " x " << origins->GetNumberOfComponents()
                   << ") and directions (" << directions->GetNumberOfTuples() << " x "
                   << directions->GetNumberOfComponents()
-                  << ") must be arrays of 3 components with as many tuples.");
+                  << ") must be arrays of 3 components with the same number of tuples.");
     return false;
   }
 

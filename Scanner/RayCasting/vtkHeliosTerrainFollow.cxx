@@ -91,7 +91,7 @@ int vtkHeliosTerrainFollow::RequestData(
   if (input->GetPointData()->HasArray(names::GpsTime))
   {
     vtkErrorMacro(<< "The input on port 0 is a trajectory, it has " << names::GpsTime
-                  << "; connect waypoints, and a platform behind this filter.");
+                  << "; connect waypoints, and the platform after this filter.");
     return 0;
   }
   output->GetFieldData()->PassData(input->GetFieldData());
@@ -122,8 +122,8 @@ bool vtkHeliosTerrainFollow::Insert(vtkPolyData* waypoints, vtkPolyData* output)
   }
   if (sum > MostWaypoints)
   {
-    vtkErrorMacro(<< "Spacing " << this->Spacing << " m makes " << sum
-                  << " waypoints; give one that makes fewer than " << MostWaypoints << ".");
+    vtkErrorMacro(<< "Spacing " << this->Spacing << " m results in " << sum
+                  << " waypoints; give one that results in fewer than " << MostWaypoints << ".");
     return false;
   }
 
@@ -169,7 +169,7 @@ bool vtkHeliosTerrainFollow::SetHeights(vtkPolyData* scene, vtkPolyData* output)
   {
     vtkErrorMacro(<< "The scene has no ground above or below "
                   << helios::DescribePlace(output, none - heights.begin())
-                  << ", on the way from waypoint to waypoint; keep the way over the scene.");
+                  << ", between two waypoints; keep the path over the scene.");
     return false;
   }
   std::vector<double> distances;

@@ -150,7 +150,7 @@ std::vector<std::string> Assets::FindFiles(const XmlValue& pattern, const XmlDoc
   const FilePattern expression(pattern.Text);
   if (!expression.GetFault().empty())
   {
-    this->Log.Error(where + " is no regular expression: " + expression.GetFault() +
+    this->Log.Error(where + " is not a valid regular expression: " + expression.GetFault() +
       "; give a folder and an expression for the file name, as in trees/oak_.*[.]obj");
     return {};
   }
@@ -217,9 +217,10 @@ XmlElement Assets::FindElementById(
     }
   }
   const std::string nearest = FindNearestName(id, ids);
-  this->Log.Error(where + ": " + document.GetPath() + " has no <" + tag + "> of the id \"" + id +
+  this->Log.Error(where + ": " + document.GetPath() + " has no <" + tag + "> with the id \"" + id +
     "\"; " + (nearest.empty() ? "" : "did you mean " + nearest + "? ") +
-    (ids.empty() ? "It has none at all; write file.xml#id" : "Its ids are " + Join(ids)));
+    (ids.empty() ? "It has none; refer to another file with file.xml#id"
+                 : "Its ids are " + Join(ids)));
   return {};
 }
 

@@ -134,7 +134,8 @@ void Planner::ExplainFailure(std::size_t first)
   if (file.empty() || this->Log.GetLastError().find(file) == std::string::npos)
   {
     this->Log.Error("platform " + this->Survey.GetPlatform(first).Name +
-      " cannot go this way; its waypoint 0 is the leg at " + this->Survey.Legs[first].Where);
+      " cannot follow this trajectory; its waypoint 0 is the leg at " +
+      this->Survey.Legs[first].Where);
   }
 }
 

@@ -195,9 +195,8 @@ bool LegRunner::Open(vtkHeliosStreamWriter* writer, const RunJournal& journal)
   if (!writer->RestoreHead(file->Head))
   {
     this->Log.Error(writer->GetFileName() +
-      std::string(".part: its head is not the one that was written, by its checksum in ") +
-      RunJournal::GetName() +
-      "; the file was changed or is damaged; set Overwrite (--overwrite) to run anew");
+      std::string(".part: its header does not match its checksum in ") + RunJournal::GetName() +
+      "; the file was changed or is damaged; set Overwrite (--overwrite) to start again");
     writer->Abandon();
     return false;
   }
@@ -355,8 +354,8 @@ bool LegRunner::Check(const std::string& problem)
   if (!problem.empty())
   {
     this->Log.Error(problem +
-      "; see that the output folder stays and has room, and go on with Resume (--resume), or run "
-      "again");
+      "; check that the output folder exists and has free space, and continue with Resume "
+      "(--resume), or run again");
   }
   return problem.empty();
 }
@@ -395,8 +394,8 @@ std::string LegRunner::ExplainNoEchoes() const
   text << where << (where.empty() ? "" : ": ") << "No points: ";
   if (this->NumberOfPulses == 0)
   {
-    text << "no leg fires a pulse, since none is active or lasts any time; set active=\"true\" for "
-            "one";
+    text << "no leg fires a pulse, since no leg is active and has a duration above 0; set "
+            "active=\"true\" for one";
   }
   else if (this->Counts.PulsesFired == 0 && scanner.Type == Optics::RisleyPrisms)
   {
@@ -406,8 +405,9 @@ std::string LegRunner::ExplainNoEchoes() const
   }
   else if (this->Counts.PulsesFired == 0)
   {
-    text << "no pulse left the scanner, since its mirror never is between verticalAngleMin_deg and "
-            "verticalAngleMax_deg; check these and the scan angles";
+    text
+      << "no pulse left the scanner, since its mirror angle is never between verticalAngleMin_deg "
+         "and verticalAngleMax_deg; check these and the scan angles";
   }
   else if (this->Counts.PulsesHit == 0 && this->Counts.HitsOutOfRange == 0)
   {

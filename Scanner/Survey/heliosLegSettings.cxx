@@ -182,7 +182,7 @@ void ScanResolver::ResolveWindow()
   text << "verticalAngleMin_deg=\"" << low << "\" to verticalAngleMax_deg=\"" << high << "\"";
   if (this->Has(Optics::RotatingMirror) && !(low < high))
   {
-    text << " is no window; give a smaller one first";
+    text << " is not a valid window: the first must be smaller";
     this->Error(text);
   }
   const double width = 2.0 * effective;
@@ -212,7 +212,7 @@ void ScanResolver::ResolveFrequencies()
     {
       Sentence text;
       text << "horizontalResolution_deg=\"" << this->Given.HorizontalResolution
-           << "\" needs verticalResolution_deg beside it; add it";
+           << "\" also needs verticalResolution_deg; add it";
       this->Error(text);
     }
   }
@@ -250,14 +250,14 @@ void ScanResolver::ClipScanFrequency()
   Sentence text;
   if (this->Has(Optics::OscillatingMirror) && frequency == 0.0)
   {
-    text << "scanFreq_hz is missing or 0, so that the mirror of scanner " << this->Scanner.Id
-         << " stands still; give how often it swings to and fro a second [Hz]";
+    text << "scanFreq_hz is missing or 0, so the mirror of scanner " << this->Scanner.Id
+         << " does not move; give its scan frequency [Hz]";
     this->Error(text);
     return;
   }
   const double most = this->Scanner.ScanFrequencyMax > 0.0 ? this->Scanner.ScanFrequencyMax
                                                            : std::max(frequency, 0.0);
-  text << (this->HasResolution() ? "the scan frequency that the resolution asks for, "
+  text << (this->HasResolution() ? "the scan frequency that the resolution requires, "
                                  : "scanFreq_hz=\"")
        << frequency << (this->HasResolution() ? " Hz," : "\"");
   this->Scan.ScanFrequency = this->Clip(text, frequency,
@@ -283,22 +283,22 @@ void ScanResolver::CheckHead()
   const bool turns = this->Scan.HeadRotateSpeed != 0.0;
   const bool isEndless = !turns || std::abs(time) > LongestLeg;
   Sentence text;
-  text << "the head turns from headRotateStart_deg=\"" << this->Scan.HeadRotateStart
+  text << "the head rotates from headRotateStart_deg=\"" << this->Scan.HeadRotateStart
        << "\" to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
        << "\" with headRotatePerSec_deg=\"" << this->Scan.HeadRotateSpeed << "\" ";
   if (turns && time < 0.0)
   {
-    text << "and never gets there; exchange start and stop, or the sign of the speed";
+    text << "and never reaches it; exchange start and stop, or change the sign of the speed";
     this->Error(text);
   }
   else if (!this->IsMoving && isEndless && this->Given.Leg.MaximumDuration < 0.0)
   {
-    text << "on a platform that stands: the leg never ends; give a speed, or maxDuration_s";
+    text << "on a static platform: the leg never ends; give a speed, or maxDuration_s";
     this->Error(text);
   }
   else if (!this->IsMoving && turns && time == 0.0)
   {
-    text << "and is there at once: the leg lasts no time; give another stop";
+    text << "and starts at its stop: the leg has no duration; give another stop";
     this->Error(text);
   }
 }
@@ -311,9 +311,9 @@ void ScanResolver::ResolveWarmUp()
   if (!this->IsMoving && before > 0.0 && this->Scan.WarmUpTime >= before)
   {
     Sentence text;
-    text << "opticsWarmupPhase_s=\"" << this->Scan.WarmUpTime << "\" turns the head by " << turn
+    text << "opticsWarmupPhase_s=\"" << this->Scan.WarmUpTime << "\" rotates the head by " << turn
          << " deg, to headRotateStop_deg=\"" << this->Scan.HeadRotateStop
-         << "\" and beyond, before a pulse leaves; give less than " << before << " s";
+         << "\" or beyond, before the first pulse; give less than " << before << " s";
     this->Error(text);
   }
   // On a moving platform, only the direction of the head matters.
@@ -393,7 +393,7 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
   {
     leg.TrajectoryTimeInterval = least;
     Sentence text;
-    text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than from pulse to pulse; "
+    text << "trajectoryTimeInterval_s=\"" << asked << "\" is shorter than the time between pulses; "
          << least << " s is used";
     log.WarnOnce(text.str(), leg.Where + ": " + text.str());
   }

@@ -96,7 +96,7 @@ bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
   if ((hasResting && !this->Resting.Caster->Build(this->Resting.Scene)) || !this->BuildMoving(mesh))
   {
     vtkErrorMacro(<< "Build: the ray caster \"" << this->GetName()
-                  << "\" does not take a part of the scene; use another one.");
+                  << "\" does not support a part of the scene; use another one.");
     return false;
   }
   return true;

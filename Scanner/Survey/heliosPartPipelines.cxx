@@ -168,7 +168,7 @@ bool PartPipelines::ReadFiles(const StepCallback& onStep)
     }
     reader.second->Update();
   }
-  this->Step = "putting the scene together";
+  this->Step = "assembling the scene";
   return !this->IsStopped && !this->Log.HasError();
 }
 
@@ -339,7 +339,7 @@ PartPipelines::Filter PartPipelines::AddMeshCare(const PartData& part, Filter be
   if (part.SimplifyDistance > 0.0)
   {
     this->Log.Error(part.Where + ": filter simplify is not in this build; build it with CGAL, or " +
-      "take the filter out");
+      "remove the filter");
   }
 #endif
   return before;

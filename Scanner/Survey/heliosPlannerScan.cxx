@@ -115,8 +115,8 @@ bool ResolveScan(
   if (scanner.HeadRotateSpeedMax <= 0.0)
   {
     log.Error(scanner.Where + ": scanner " + scanner.Id +
-      " does not turn (headRotatePerSecMax_deg is 0), so that it sees no whole circle; give "
-      "another scanner");
+      " has a head that does not rotate (headRotatePerSecMax_deg is 0), so it does not cover a "
+      "full circle; give another scanner");
     return false;
   }
   CompleteSettings(scanner, request, settings);
@@ -144,8 +144,8 @@ void ResolveLimits(PlannerData& data, Messages& log)
     else if (std::isnan(data.ElevationMin) || std::isnan(data.ElevationMax))
     {
       log.Warning(scanner.Where + ": scanner " + scanner.Id +
-        " is no upright polygon mirror of one channel: its field of view does not limit what it "
-        "sees; give elevationMin_deg and elevationMax_deg");
+        " is not a vertical polygon mirror with one channel: its field of view does not limit the "
+        "visibility; give elevationMin_deg and elevationMax_deg");
     }
   }
   SetIfNotGiven(data.RangeMin, 0.0);

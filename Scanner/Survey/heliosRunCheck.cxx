@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr const char* Cure = "; set Overwrite (--overwrite) to run anew";
+constexpr const char* Cure = "; set Overwrite (--overwrite) to start again";
 
 /// The size of a file [bytes]; -1 if missing, with the reason.
 vtkIdType GetSize(const std::string& path, std::string& why)
@@ -88,14 +88,14 @@ std::string RunCheck::CheckSize(const FileProgress& file) const
   if (file.IsWhole)
   {
     return size == file.Size ? std::string()
-                             : path + ": was finished with " + std::to_string(file.Size) +
+                             : path + ": was complete with " + std::to_string(file.Size) +
         " bytes and " + Describe(size, why) + Cure;
   }
   if (size >= file.Size)
   {
     return {}; // the rest is truncated
   }
-  return path + " cannot be gone on with: " +
+  return path + " cannot be resumed: " +
     (size < 0 ? why : "it has " + std::to_string(size) + " bytes of " + std::to_string(file.Size)) +
     Cure;
 }
@@ -128,8 +128,7 @@ std::string RunCheck::CheckBlock(const FileBlock& block) const
     "bytes " + std::to_string(block.Begin) + " to " + std::to_string(block.End);
   return path + ": " + place +
     (checksum.empty() ? " cannot be read"
-                      : " are not those that were written, by their checksum in " +
-          std::string(RunJournal::GetName())) +
+                      : " do not match their checksum in " + std::string(RunJournal::GetName())) +
     "; the file was changed or is damaged" + Cure;
 }
 
@@ -152,7 +151,7 @@ std::string RunCheck::CheckSummary(const Json::Value& summary) const
     const vtkIdType size = GetSize(path, why) < 0 ? -1 : this->GetSizeWithPieces(file.first);
     if (size != file.second)
     {
-      return path + ": was finished with " + std::to_string(file.second) + " bytes and " +
+      return path + ": was complete with " + std::to_string(file.second) + " bytes and " +
         Describe(size, why) + Cure;
     }
   }

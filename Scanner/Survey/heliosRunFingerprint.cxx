@@ -196,7 +196,7 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   {
     if (after.count(input.first) == 0 && after.size() < before.size())
     {
-      differences.push_back(input.second + " is read no more");
+      differences.push_back(input.second + " is no longer read");
     }
   }
   CompareMembers(then["versions"], now["versions"], differences);
@@ -205,7 +205,7 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)
   {
     differences.emplace_back(
-      "the scene has changed, by a file that its files name (materials, spectra)");
+      "the scene has changed: a file that its files refer to (materials, spectra)");
   }
   return Enumerate(differences);
 }

@@ -46,9 +46,8 @@ std::string RunFolder::Prepare(bool overwrite, bool resume) const
 {
   if (overwrite && resume)
   {
-    return "Resume and Overwrite are both on (--resume, --overwrite), and one goes on with what "
-           "the "
-           "other removes; set one of them";
+    return "Resume and Overwrite are both on (--resume, --overwrite), but Overwrite removes the "
+           "run that Resume continues; set one of them";
   }
   const std::string problem = this->Make();
   return problem.empty() ? this->CheckEarlierRun(overwrite, resume) : problem;
@@ -59,10 +58,10 @@ std::string RunFolder::Make() const
 {
   std::error_code problem;
   fs::create_directories(this->Path, problem);
-  return problem || !this->Exists() ? this->Path.string() + ": the output folder cannot be made: " +
-      (problem ? problem.message() : "there is a file of that name") +
-      "; give another OutputDirectory"
-                                    : std::string();
+  return problem || !this->Exists()
+    ? this->Path.string() + ": the output folder cannot be created: " +
+      (problem ? problem.message() : "a file has this name") + "; give another OutputDirectory"
+    : std::string();
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +77,7 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
       return {};
     }
     return hasFiles ? folder + ": has no " + RunJournal::GetName() +
-        ", and what it holds cannot be gone on with; set Overwrite (--overwrite) to replace it, or "
+        ", so its contents cannot be resumed; set Overwrite (--overwrite) to replace it, or "
         "give another OutputDirectory"
                     : folder + ": has no " + RunJournal::GetName() +
         ", so there is nothing to resume; run it without Resume (--resume)";
@@ -88,7 +87,7 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
     return {};
   }
   return folder + ": holds the files of an earlier run, which are kept; " +
-    (isUnfinished ? "it is not finished: set Resume (--resume) to go on, " : "") +
+    (isUnfinished ? "the run is not finished: set Resume (--resume) to continue it, " : "") +
     "set Overwrite (--overwrite) to replace them, or give another OutputDirectory";
 }
 
@@ -116,7 +115,7 @@ std::string RunFolder::Clear() const
   LogFile lock;
   if (fs::exists(journal) && !lock.Open(journal.string()))
   {
-    return lock.GetProblem() + "; let it end, or give another OutputDirectory";
+    return lock.GetProblem() + "; wait for it to end, or give another OutputDirectory";
   }
   // Summary and journal, which state that files are complete, are removed before the files.
   std::vector<fs::path> files = { this->Path / RunFolder::GetSummaryName(), journal };
@@ -152,7 +151,7 @@ std::string RunFolder::ReadSummary(Json::Value& summary) const
   }
   return summary["checksum"].asString() == ComputeChecksum(summary)
     ? std::string()
-    : path.string() + " is damaged: it is not what its checksum says";
+    : path.string() + " is damaged: it does not match its checksum";
 }
 
 //------------------------------------------------------------------------------

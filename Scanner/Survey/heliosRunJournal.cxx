@@ -72,8 +72,8 @@ std::string RunJournal::Read()
   if (this->IsWithoutChecksums())
   {
     return this->Path +
-      " was written by an earlier version of vtkHelios: it has no checksums, and what it says "
-      "cannot be relied on";
+      " was written by an earlier version of vtkHelios: it has no checksums, so its contents "
+      "cannot be verified";
   }
   std::ifstream file(this->Path, std::ios::binary);
   bool isBroken = false;
@@ -82,8 +82,8 @@ std::string RunJournal::Read()
   {
     if (isBroken)
     {
-      return this->Path + " has a line that is damaged (line " + std::to_string(number) +
-        ", and there are lines after it)";
+      return this->Path + " has a damaged line (line " + std::to_string(number) +
+        ", which is not the last one)";
     }
     ++number;
     std::string body;
@@ -100,7 +100,7 @@ std::string RunJournal::Read()
     this->Size += line.size() + 1;
   }
   return this->Fingerprint.isObject() ? std::string()
-                                      : this->Path + " does not say which run it is of";
+                                      : this->Path + " does not state which run it belongs to";
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +188,7 @@ std::string RunJournal::CheckFollows(std::size_t leg, const LegProgress& progres
   if (!isNext || before.IsDone || progress.Blocks != before.Blocks + (progress.IsDone ? 0 : 1))
   {
     return "\"leg\" " + std::to_string(leg) + " with \"blocks\" " +
-      std::to_string(progress.Blocks) + " does not follow what the lines before say";
+      std::to_string(progress.Blocks) + " does not follow from the lines before";
   }
   if (!HasGrown(this->Counts, progress.Counts))
   {

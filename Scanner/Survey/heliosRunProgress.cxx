@@ -69,7 +69,7 @@ const Json::Value& Get(
 
 std::string GetText(const Json::Value& value, const char* name)
 {
-  return Get(value, name, &Json::Value::isString, "a text").asString();
+  return Get(value, name, &Json::Value::isString, "a string").asString();
 }
 
 bool GetFlag(const Json::Value& value, const char* name)
@@ -88,7 +88,7 @@ double GetNumber(const Json::Value& value, const char* name)
   if (!(number >= 0.0 && number < VTK_DOUBLE_MAX))
   {
     throw BadJson(
-      std::string("\"") + name + "\" is " + ToLine(value[name]) + ", not a number from 0 upwards");
+      std::string("\"") + name + "\" is " + ToLine(value[name]) + ", not a number of at least 0");
   }
   return number;
 }

@@ -42,18 +42,18 @@ std::string TakeReceiver(Runner* runner, ReceiverChoice& choice)
   if (!IsToleranceOrZero(choice.RangeTolerance, 1e-6))
   {
     fault << "RangeTolerance is " << choice.RangeTolerance
-          << "; give 0.000001 to 1 m, or 0: as the survey says";
+          << "; give 0.000001 to 1 m, or 0 for the survey's value";
   }
   else if (!IsToleranceOrZero(choice.EnergyTolerance, 1e-4))
   {
     fault << "EnergyTolerance is " << choice.EnergyTolerance
-          << "; give 0.0001 to 1, or 0: as the survey says";
+          << "; give 0.0001 to 1, or 0 for the survey's value";
   }
   else if (choice.NumberOfSubRays > 0 &&
     (choice.RangeTolerance > 0.0 || choice.EnergyTolerance > 0.0))
   {
     fault << "NumberOfSubRays is " << choice.NumberOfSubRays
-          << " beside a tolerance, which would choose it; set one of them to 0";
+          << ", but a tolerance selects adaptive sampling; set one of them to 0";
   }
   const std::vector<std::string> known = GetEchoDetectorNames();
   if (!choice.EchoDetector.empty() &&
@@ -99,8 +99,8 @@ std::string TakeCommon(Runner* runner, RunSettings& settings)
   if (runner->GetPlay() >= plays)
   {
     Sentence fault;
-    fault << "Play is " << runner->GetPlay() << ", and the survey has " << plays
-          << (plays > 1 ? " plays" : " play") << "; give 0 to " << plays - 1;
+    fault << "Play is " << runner->GetPlay() << ", but the survey has " << plays
+          << (plays > 1 ? " epochs" : " epoch") << "; give 0 to " << plays - 1;
     return fault.str();
   }
   settings.Play = plays > 1 ? runner->GetPlay() : -1;

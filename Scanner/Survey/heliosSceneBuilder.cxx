@@ -62,8 +62,8 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
     this->Parts.push_back(this->Pipelines.Make(part));
   }
   this->Pipelines.SetOnProgress(&onStep);
-  const bool isReady = this->Pipelines.ReadFiles(onStep) && onStep("putting the scene together") &&
-    this->PutOnGround();
+  const bool isReady =
+    this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PutOnGround();
   auto scene = isReady ? this->Compose(true) : nullptr;
   this->Pipelines.SetOnProgress(nullptr);
   this->Log.Mute(false);
@@ -129,8 +129,8 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::MakeGround()
   {
     return this->Compose(false);
   }
-  this->Log.Error(
-    this->Scene.Where + ": every part is onGround, and none is the ground; clear onGround of one");
+  this->Log.Error(this->Scene.Where +
+    ": every part has onGround, so no part is the ground; remove onGround from one");
   return nullptr;
 }
 

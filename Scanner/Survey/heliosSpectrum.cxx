@@ -69,7 +69,8 @@ double LookUp(const std::string& name, const std::vector<std::string>& folders, 
 {
   const std::string path = FindSpectrum(name, folders);
   Spectrum spectrum;
-  std::string problem = path.empty() ? "is in none of the spectra folders:" : spectrum.Read(path);
+  std::string problem =
+    path.empty() ? "was not found in the spectra folders:" : spectrum.Read(path);
   if (problem.empty())
   {
     return spectrum.GetReflectance(wavelength);

@@ -51,8 +51,8 @@ bool SetSceneCrs(vtkPolyData* scene, const SceneData& data, Messages& log)
   }
   if (crs.IsSet() && wanted.IsSet() && crs != wanted)
   {
-    log.Error(data.Where + ": the scene is said to be in " + wanted.GetName() +
-      ", its parts are in " + crs.GetName() +
+    log.Error(data.Where + ": the coordinate system of the scene is " + wanted.GetName() +
+      ", but its parts are in " + crs.GetName() +
       "; add <filter type=\"crs\"> with the scene's system as target to the parts");
     return false;
   }
@@ -87,7 +87,7 @@ bool TransformPosition(const LegData& leg, vtkPolyData* scene, Messages& log, Ve
   if (!target.IsSet())
   {
     log.Error(leg.Where + ": crs=\"" + leg.Crs +
-      "\", but the scene has no coordinate system that the position could come into; give <scene> "
+      "\", but the scene has no coordinate system to reproject the position into; give <scene> "
       "one, crs=\"EPSG:...\"");
     return false;
   }

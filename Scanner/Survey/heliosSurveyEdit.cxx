@@ -102,7 +102,7 @@ void Note(const EditRange& range, double asked, double given, Sentence& text)
     text << (text.str().empty() ? "" : "; ") << range.Label << " " << asked << " " << range.Unit
          << " becomes " << given << " " << range.Unit;
     range.Choices.empty() ? text << " (" << range.Low << " to " << range.High << ")"
-                          : text << ", which the instrument offers";
+                          : text << ", which the instrument supports";
   }
 }
 
@@ -127,7 +127,7 @@ void LimitHead(LegSettings& settings, Sentence& text)
   {
     scan.HeadRotateStart = std::min(scan.HeadRotateStart, 359.0);
     scan.HeadRotateStop = scan.HeadRotateStart + 1.0;
-    text << (text.str().empty() ? "" : "; ") << "the head turns by 1 deg at least, to "
+    text << (text.str().empty() ? "" : "; ") << "the head rotates by at least 1 deg, to "
          << scan.HeadRotateStop << " deg";
   }
 }
@@ -291,8 +291,8 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   std::vector<EditRange> ranges;
   if (HasWindow(edit))
   {
-    ranges.push_back({ "verticalMin", "lowest angle", "deg", -90.0, 89.0, {} });
-    ranges.push_back({ "verticalMax", "highest angle", "deg", -89.0, 90.0, {} });
+    ranges.push_back({ "verticalMin", "vertical FOV min", "deg", -90.0, 89.0, {} });
+    ranges.push_back({ "verticalMax", "vertical FOV max", "deg", -89.0, 90.0, {} });
   }
   if (HasScanAngle(edit))
   {
@@ -300,10 +300,10 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   }
   if (!edit.IsMoving())
   {
-    ranges.push_back({ "headStart", "head from", "deg", 0.0, 359.0, {} });
-    ranges.push_back({ "headStop", "head to", "deg", 1.0, 360.0, {} });
+    ranges.push_back({ "headStart", "horizontal FOV start", "deg", 0.0, 359.0, {} });
+    ranges.push_back({ "headStop", "horizontal FOV end", "deg", 1.0, 360.0, {} });
     const double most = scanner.HeadRotateSpeedMax;
-    ranges.push_back({ "headSpeed", "head speed", "deg/s", std::min(0.1, most), most, {} });
+    ranges.push_back({ "headSpeed", "rotation speed", "deg/s", std::min(0.1, most), most, {} });
   }
   if (scanner.PulseFrequencies.size() > 1)
   {
@@ -344,8 +344,8 @@ std::string SetSetting(SurveyEdit& edit, const std::string& name, double value)
     ranges.begin(), ranges.end(), [&name](const EditRange& one) { return one.Name == name; });
   if (range == ranges.end() || !std::isfinite(value))
   {
-    return name + " is nothing that " + edit.ScannerModel.Name + " on " + edit.PlatformModel.Name +
-      " has to set";
+    return name + " is not a setting of " + edit.ScannerModel.Name + " on " +
+      edit.PlatformModel.Name;
   }
   Sentence text;
   const double given = Limit(*range, value);

@@ -228,8 +228,9 @@ std::string EditSurvey(const SurveyData& survey, const Catalogue& catalogue,
   }
   if (count < survey.Legs.size())
   {
-    left << survey.Legs.size() - count << " of " << survey.Legs.size()
-         << " legs are left out: those of other platforms, scanners, journeys or trajectory files";
+    left
+      << survey.Legs.size() - count << " of " << survey.Legs.size()
+      << " legs are left out: those of other platforms, scanners, trajectories or trajectory files";
   }
   if (!edit.Legs.empty())
   {

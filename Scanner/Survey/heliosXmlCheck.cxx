@@ -110,8 +110,8 @@ void CheckAssets(const XmlElement& root, Assets& assets, Messages& log)
     !root.GetChild("FWFSettings");
   if (holdsNothing)
   {
-    log.Error(root.Where() +
-      ": the file holds nothing; give <document> a <survey>, <scene>, <scanner> or <platform>");
+    log.Error(
+      root.Where() + ": <document> is empty; add a <survey>, <scene>, <scanner> or <platform>");
   }
 }
 

@@ -165,7 +165,7 @@ Quaternion XmlElement::ReadRotation() const
     if (!axis)
     {
       this->GetMessages().Error(rot.Where() + ": axis=\"" + name +
-        "\" is no axis of <rot>; give x, y or z (or pitch, roll or yaw)");
+        "\" is not valid: expected x, y or z (or pitch, roll or yaw)");
     }
     else if (rot.Read("angle_deg", angle))
     {

@@ -82,7 +82,7 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
     if (domain != "position" && domain != "position_and_attitude")
     {
       element.GetMessages().Error(element.Where() + ": interpolationDomain=\"" + domain +
-        "\" is none; give position or position_and_attitude");
+        "\" is not valid: expected position or position_and_attitude");
     }
   }
   element.Read("syncGPSTime", trajectory.KeepsTime);
@@ -132,7 +132,7 @@ XmlElement LegReader::FindTemplate(const XmlElement& element, int depth)
     return this->Files.FindElement(element.GetTag().c_str(), element, "template");
   }
   element.GetMessages().Error(element.Where() + ": template=\"" + element.GetText("template") +
-    "\" goes round in circles; let the last template have none");
+    "\" refers back to itself; remove the template of the last one");
   return {};
 }
 
@@ -143,7 +143,7 @@ std::string ReadStrip(const XmlElement& leg)
   if (strip.find_first_of("/\\") != std::string::npos)
   {
     leg.GetMessages().Error(leg.Where() + ": stripId=\"" + strip +
-      "\" is a part of a file's name; give one without / and \\");
+      "\" is not valid in a file name; give one without / and \\");
   }
   return strip;
 }

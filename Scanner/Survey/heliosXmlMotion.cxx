@@ -83,8 +83,8 @@ void ReadShift(const XmlElement& element, Motion& motion)
       PlaneTolerance * motion.Shift.Norm() * motion.Vector.Norm())
   {
     element.GetMessages().Error(element.Where() + ": shift=\"" + element.GetText("shift") +
-      "\" is not in the plane with ortho=\"" + element.GetText("ortho") +
-      "\"; give one at right angles to ortho");
+      "\" is not in the plane normal to ortho=\"" + element.GetText("ortho") +
+      "\"; give one perpendicular to ortho");
   }
 }
 
@@ -121,7 +121,7 @@ MotionSequence ReadSequence(const XmlElement& element)
   if (!element.Has("loop"))
   {
     element.GetMessages().Error(
-      what + "has no loop; give the number of steps that it lasts, 0: for ever");
+      what + "has no loop; give the number of steps that it lasts, 0: without end");
   }
   element.Read("loop", loop);
   sequence.Loop = loop;
@@ -136,12 +136,12 @@ MotionSequence ReadSequence(const XmlElement& element)
   if (!element.GetChild("motion"))
   {
     element.GetMessages().Error(
-      what + "has no <motion>; add one, for a rest <motion type=\"identity\"/>");
+      what + "has no <motion>; add one, <motion type=\"identity\"/> for no motion");
   }
   if (loop == 0 && !element.GetText("next").empty())
   {
-    element.GetMessages().Warning(what + "lasts for ever (loop=\"0\"), so next=\"" +
-      element.GetText("next") + "\" never comes; give a loop");
+    element.GetMessages().Warning(what + "never ends (loop=\"0\"), so next=\"" +
+      element.GetText("next") + "\" is never reached; give a loop above 0");
   }
   return sequence;
 }
@@ -177,7 +177,7 @@ std::size_t FindNext(const XmlElement& element, const std::map<std::string, std:
     names.push_back("\"" + place.first + "\"");
   }
   element.GetMessages().Error(element.Where() + ": next=\"" + next +
-    "\" is no <dmotion> of this <part>; its ids are " + Enumerate(names));
+    "\" is not a <dmotion> of this <part>; its ids are " + Enumerate(names));
   return MotionSequence::None;
 }
 
@@ -240,8 +240,8 @@ MotionData ReadMotion(const XmlElement& part, const XmlElement& scene)
   if (!elements.empty() && !part.GetMessages().HasError() && !motion.IsMoving())
   {
     part.GetMessages().Warning(elements.front().Where() +
-      ": the <dmotion> of this <part> never move it; give other motions than identity, or take "
-      "them out");
+      ": the <dmotion> of this <part> never move it; give other motions than identity, or "
+      "remove them");
   }
   return motion;
 }

@@ -30,7 +30,7 @@ void ReadType(const XmlElement& element, ScannerData& scanner)
     }
   }
   element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": optics=\"" + optics +
-    "\" are none; give rotating, oscillating, line, conic, palmer or risley");
+    "\" is not valid: expected rotating, oscillating, line, conic, palmer or risley");
 }
 
 void ReadPattern(const XmlElement& element, ScannerData& scanner)
@@ -44,7 +44,7 @@ void ReadPattern(const XmlElement& element, ScannerData& scanner)
   if (pattern != "triangular" && !scanner.IsSinusoidal)
   {
     element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": scanPattern=\"" +
-      pattern + "\" is none; give triangular or sinusoidal");
+      pattern + "\" is not valid: expected triangular or sinusoidal");
   }
 }
 
@@ -78,8 +78,8 @@ void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
   beam.ReadVector(direction);
   if (!(direction[1] > 0.0))
   {
-    beam.GetMessages().Error(beam.Where() + ": <incidentBeam> does not go to the prisms; give a " +
-      "direction with y above 0");
+    beam.GetMessages().Error(beam.Where() +
+      ": <incidentBeam> does not point at the prisms; give a direction with y above 0");
     return;
   }
   scanner.IncidentBeam = direction;
@@ -154,7 +154,7 @@ void CheckOptics(const ScannerData& scanner, Messages& log)
   else if (!hasAngle)
   {
     log.Error(scanner.Where + ": scanner " + scanner.Id +
-      ": scanAngleMax_deg is missing or 0, so that no beam is deflected; give half the angle that "
+      ": scanAngleMax_deg is missing or 0, so no beam is deflected; give half the angle that "
       "its mirror sweeps [deg]");
   }
 }

@@ -103,8 +103,8 @@ void PartReader::ReadSwaps()
   if (!this->Part.Swaps.empty() && this->Part.Name.empty() && this->Part.Files.size() > 1)
   {
     this->Element.GetMessages().Error(this->Part.Swaps.front().Part.Where +
-      ": <swap> in a <part> without id and of several files, each of which is a part; give <part> "
-      "an id=\"...\", and they are one");
+      ": <swap> needs one part, but this <part> has several files and no id, so each file is a "
+      "part; give <part> an id=\"...\" to make them one");
   }
 }
 
@@ -129,19 +129,19 @@ SwapData PartReader::ReadSwap(const PartData& part)
   if (!keepsCrs)
   {
     log.Warning(this->Part.Where +
-      ": keepCRS=\"false\" is not used; scenes are not shifted here, and geometry stays where its "
-      "coordinates are");
+      ": keepCRS=\"false\" is not used: scenes are not shifted, and geometry keeps its "
+      "coordinates");
   }
   if (swap.IsRemoved && this->HasFilter)
   {
     log.Warning(
-      this->Part.Where + ": force_null=\"true\" takes the part out; the filters are not used");
+      this->Part.Where + ": force_null=\"true\" removes the part; the filters are not used");
   }
   if (!swap.IsRemoved && !this->HasFilter)
   {
     log.Error(this->Part.Where +
       ": <swap> has no filter; add a loader, or filters that turn, scale or move the part, or "
-      "force_null=\"true\" to take it out");
+      "force_null=\"true\" to remove it");
   }
   if (!swap.IsRemoved)
   {
@@ -177,7 +177,7 @@ bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
   if (this->HasLoader)
   {
     log.Error(filter.Where() + ": a second loader in one <" + this->Element.GetTag() +
-      (this->IsSwap ? ">; take one out" : ">; make a <part> of each"));
+      (this->IsSwap ? ">; remove one" : ">; make a <part> of each"));
     return false;
   }
   if (this->IsSwap && this->HasFilter)
@@ -224,7 +224,7 @@ void PartReader::ReadObjLoader(const XmlFilter& filter)
   if (up != "y" && up != "z")
   {
     filter.GetMessages().Error(
-      filter.GetValue("up").Where + ": up=\"" + up + "\" is no axis that points up; give y or z");
+      filter.GetValue("up").Where + ": up=\"" + up + "\" is not valid: expected y or z");
   }
 }
 
@@ -304,13 +304,13 @@ void PartReader::CheckTurbid()
   if (this->Part.IsTurbid() && !this->Part.Crs.empty())
   {
     log.Error(this->Part.Crs.front().Where +
-      ": filter crs does not bend transmittive voxels; give the grid in the scene's system, or "
+      ": filter crs cannot reproject transmittive voxels; give the grid in the scene's system, or "
       "intersectionMode=\"scaled\" or \"fixed\"");
   }
   if (this->Part.IsTurbid() && (this->Part.Repair || this->Part.SimplifyDistance > 0.0))
   {
     log.Warning(
-      this->Part.Where + ": filters repair and simplify do nothing for transmittive voxels");
+      this->Part.Where + ": filters repair and simplify have no effect on transmittive voxels");
   }
 }
 
@@ -419,7 +419,7 @@ void PartReader::ReportFilter(const XmlFilter& filter)
   std::string text = filter.Where() + ": filter type=\"" + type + "\" ";
   if (std::find(later.begin(), later.end(), type) != later.end())
   {
-    text += "comes with a later version; those that exist now are ";
+    text += "is not supported by this version; supported are ";
   }
   else
   {
@@ -440,7 +440,7 @@ void SetMotion(const XmlElement& element, const MotionData& motion, PartData& pa
   {
     element.GetMessages().Error(element.GetChild("dmotion").Where() +
       ": <dmotion> does not move transmittive voxels; give intersectionMode=\"scaled\" or "
-      "\"fixed\", or take it out");
+      "\"fixed\", or remove it");
   }
 }
 

@@ -47,8 +47,9 @@ bool ReadWord(const XmlElement& element, const char* name, std::string& target)
     return true;
   }
   const std::string nearest = FindNearestName(word, words);
-  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + word + "\" is none; " +
-    (nearest.empty() ? "" : "did you mean " + nearest + "? ") + "Give one of " + Enumerate(words));
+  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + word + "\" is not valid" +
+    (nearest.empty() ? ": expected" : "; did you mean " + nearest + "? Expected") + " one of " +
+    Enumerate(words));
   return false;
 }
 
@@ -159,7 +160,7 @@ void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
   {
     Sentence text;
     text << planner.Where() << ": " << lowName << "=\"" << low << "\" is not below " << highName
-         << "=\"" << high << "\", so that nothing is seen; give a smaller one";
+         << "=\"" << high << "\", so nothing is visible; give a smaller one";
     if (low >= high) // false for NaN: not given
     {
       this->Log.Error(text.str());
@@ -235,7 +236,7 @@ XmlElement PlannerReader::FindAsset(
     return this->Files.FindElement(tag, from, tag);
   }
   this->Log.Error(from.Where() + ": " +
-    (isScene ? std::string("a scene names no ") + tag + ", and none was asked for; give one, "
+    (isScene ? std::string("a scene has no ") + tag + ", and none was given; give one, "
              : "<" + from.GetTag() + "> has no attribute " + tag + "; add " + tag + "=") +
     "\"file.xml#id\"");
   return {};
@@ -290,21 +291,21 @@ void PlannerReader::WarnOfScene(const SceneData& scene)
   const int plays = CountPlays(scene);
   if (plays > 1)
   {
-    this->Log.Warning(scene.Where + ": the scene swaps parts: the plan is of the first of its " +
-      std::to_string(plays) + " plays");
+    this->Log.Warning(scene.Where + ": the scene swaps parts: the plan uses the first of its " +
+      std::to_string(plays) + " epochs");
   }
   for (const PartData& part : scene.Parts)
   {
     if (part.IsTurbid())
     {
       this->Log.Warning(part.Where + ": part " + part.Name +
-        " is turbid, and a plan sees through it; to have it hide what is behind it, give "
-        "intersectionMode fixed or scaled");
+        " is turbid and hides nothing in a plan; for an opaque part, give intersectionMode fixed "
+        "or scaled");
     }
     if (part.Motion.IsMoving())
     {
       this->Log.Warning(
-        part.Where + ": part " + part.Name + " moves, and a plan sees it where it starts");
+        part.Where + ": part " + part.Name + " moves; the plan uses its initial position");
     }
   }
 }
@@ -315,7 +316,7 @@ void PlannerReader::CheckPlatform(const PlatformData& platform)
   if (platform.Type != PlatformType::Static)
   {
     this->Log.Error(platform.Where + ": platform " + platform.Name +
-      " moves, and positions are planned for one that stands; give a platform of "
+      " moves, but positions are planned for a static one; give a platform of "
       "type=\"static\", such as platforms.xml#tripod");
   }
 }
@@ -333,8 +334,8 @@ void PlannerReader::CheckHeight(PlannerData& data)
     Sentence text;
     text << data.Survey.Platforms.front().Where << ": platform "
          << data.Survey.Platforms.front().Name << " carries the scanner " << data.ScannerHeight
-         << " m above the place, which is not above it; give it a <scannerMount> with a larger z, "
-            "or give scannerHeight_m";
+         << " m above the scan position, but the height must be above 0; give it a <scannerMount> "
+            "with a larger z, or give scannerHeight_m";
     this->Log.Error(text.str());
   }
 }
@@ -374,7 +375,7 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
     std::error_code ignored;
     if (!fs::is_regular_file(request.FileName, ignored))
     {
-      log.Error(request.FileName + ": no such file; give the name of a mesh that there is");
+      log.Error(request.FileName + ": no such file; give the name of an existing mesh");
       return data;
     }
     const std::string text =

@@ -35,7 +35,7 @@ void ReadType(const XmlElement& element, PlatformData& platform)
   if (found == std::end(PlatformNames))
   {
     element.GetMessages().Error(element.Where() + ": platform " + platform.Id + ": type=\"" + type +
-      "\" is none; give static, linearpath, groundvehicle or multicopter");
+      "\" is not valid: expected static, linearpath, groundvehicle or multicopter");
     return;
   }
   platform.Type = found->Type;
@@ -75,7 +75,7 @@ NoiseData ReadNoiseElement(const XmlElement& element)
   if (!type.empty() && type != "normal" && !noise.IsUniform)
   {
     element.GetMessages().Error(element.Where() + ": type=\"" + element.GetText("type") +
-      "\" is no noise; give NORMAL or UNIFORM");
+      "\" is not valid: expected NORMAL or UNIFORM");
   }
   element.Read("mean", noise.Mean);
   element.Read("stdev", noise.Deviation);

@@ -38,8 +38,9 @@ void ReadChoice(const XmlElement& element, const char* name,
     return;
   }
   const std::string nearest = FindNearestName(given, choices);
-  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + given + "\" is none; " +
-    (nearest.empty() ? "give one of " + Enumerate(choices) : "did you mean " + nearest + "?"));
+  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + given + "\" is not valid" +
+    (nearest.empty() ? ": expected one of " + Enumerate(choices)
+                     : "; did you mean " + nearest + "?"));
 }
 
 /// Reads gaussian, helios, or the name of a file: beside the XML, else as given.
@@ -69,7 +70,8 @@ void ReadPulseShape(const XmlElement& element, ReceiverData& receiver)
     }
   }
   element.GetMessages().Error(element.Where() + ": pulseShape=\"" + shape +
-    "\" is no pulse and no file; give gaussian, helios, or a text file of times [ns] and powers");
+    "\" is neither a pulse shape nor a file: expected gaussian, helios, or a text file of times "
+    "[ns] and powers");
 }
 
 /// Reads a number of circles, or tolerances, which override earlier values.
@@ -85,8 +87,8 @@ void ReadSampling(const XmlElement& element, ReceiverData& receiver)
     {
       element.GetMessages().Warning(element.Where() + ": " +
         (hasRange ? "rangeTolerance_m" : "energyTolerance") +
-        " is not used beside beamSampleQuality, which always samples the same sub-rays; leave one "
-        "of them");
+        " is not used together with beamSampleQuality, which sets a fixed number of sub-rays; "
+        "leave one of them");
     }
   }
   else if (hasRange || hasEnergy)

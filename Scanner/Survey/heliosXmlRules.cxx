@@ -431,7 +431,7 @@ const std::vector<XmlElementRule> Rules = {
     {} },
 
   { "swap",
-    { { "swapStep", Integer, Used, "plays", { 1.0, 9999.0, false } },
+    { { "swapStep", Integer, Used, "epochs", { 1.0, 9999.0, false } },
       { "keepCRS", Boolean },
       { "force_null", Boolean },
       { "swapIndices", Text, Later } },

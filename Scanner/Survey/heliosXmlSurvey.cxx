@@ -111,7 +111,7 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
   if (!given.empty() && data.Name != given)
   {
     this->Log.Warning(survey.Where() + ": name=\"" + given +
-      "\" is no name for a folder; the survey is called \"" + data.Name + "\"");
+      "\" is not a valid folder name; the survey is called \"" + data.Name + "\"");
   }
 }
 
@@ -127,7 +127,7 @@ void SurveyReader::ReadSeed(const XmlElement& survey, SurveyData& data)
   if (data.Seed < 0)
   {
     this->Log.Error(survey.Where() + ": seed=\"" + text +
-      "\" is none; give a whole number from 0 to 2^62, YYYY-MM-DD hh:mm:ss, or AUTO");
+      "\" is not valid: expected an integer from 0 to 2^62, YYYY-MM-DD hh:mm:ss, or AUTO");
   }
 }
 
@@ -140,7 +140,7 @@ void SurveyReader::ReadAttitude(const XmlElement& survey, SurveyData& data)
   if (!data.IsCanonical && convention != "ARINC 705")
   {
     this->Log.Error(survey.Where() + ": rotationSpec=\"" + convention +
-      "\" is none; give ARINC 705 or CANONICAL");
+      "\" is not valid: expected ARINC 705 or CANONICAL");
   }
 }
 
@@ -332,7 +332,7 @@ void SurveyReader::CheckJourneys(const SurveyData& data)
     if (isAlone && data.IsMoving(leg) && !isFlown)
     {
       this->Log.Error(data.Legs[leg].Where + ": platform " + data.GetPlatform(leg).Id +
-        " has 1 <leg>; a moving platform needs two, from where to where");
+        " has 1 <leg>; a moving platform needs two, a start and an end");
     }
     if (isFlown && data.Legs[leg].StartsJourney && data.Legs[leg].Trajectory.File.empty())
     {
@@ -403,7 +403,8 @@ SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log
   {
     const bool isPlanner = static_cast<bool>(document->GetRoot().GetChild("surveyPlanner"));
     log.Error(document->GetRoot().Where() + ": the file has no <survey>; " +
-      (isPlanner ? "vtkhelios plan makes one of its <surveyPlanner>" : "give a file that has one"));
+      (isPlanner ? "vtkhelios plan creates one from its <surveyPlanner>"
+                 : "give a file that has one"));
     return data;
   }
   if (surveys.size() > 1)

@@ -157,7 +157,7 @@ bool ParseRealList(
     if (!FiniteFromText(part, number))
     {
       log.Error(Quote(value) + " is not a list of numbers: \"" + Shorten(part) +
-        "\" is none; give numbers" + UnitOf(rule) + " with commas between them");
+        "\" is not one; give numbers" + UnitOf(rule) + " with commas between them");
       return false;
     }
     if (!CheckRange(value, rule, log, number))

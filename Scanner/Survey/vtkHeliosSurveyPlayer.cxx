@@ -149,7 +149,7 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   if (!problem.empty())
   {
     return this->Fail(
-      problem + "; let another run end, or set Overwrite (--overwrite) to run anew");
+      problem + "; wait for the other run to end, or set Overwrite (--overwrite) to start again");
   }
   if (!player->WasFinished)
   {
@@ -169,8 +169,8 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierRun(const Json::Value& then)
 {
   const std::string difference = helios::CompareFingerprints(then, this->Fingerprint);
   return difference.empty() ||
-    this->Fail(this->Settings.Folder + ": the run there cannot be gone on with, since " +
-      difference + "; run it with what it had, or set Overwrite (--overwrite) to run anew");
+    this->Fail(this->Settings.Folder + ": the run there cannot be resumed, since " + difference +
+      "; use the same inputs and options, or set Overwrite (--overwrite) to start again");
 }
 
 //------------------------------------------------------------------------------
@@ -272,12 +272,12 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
   if (!this->Folder->Exists() || !this->Journal->Check().empty())
   {
     text << "nothing is kept, since the folder " << this->Settings.Folder << " is gone"
-         << (this->Folder->Exists() ? ", or another has taken its place." : ".");
+         << (this->Folder->Exists() ? ", or was replaced by another one." : ".");
     return text.str();
   }
   text << "the " << this->Player->NumberOfEchoes << " points so far are kept in "
-       << this->Settings.Folder << ", those of the leg at work in files that end in .part; "
-       << "Resume (--resume) goes on from there.";
+       << this->Settings.Folder << ", those of the current leg in files that end in .part; "
+       << "Resume (--resume) continues from there.";
   return text.str();
 }
 
@@ -296,13 +296,13 @@ bool vtkHeliosSurveyPlayer::Internals::Conclude()
   if (!problem.empty())
   {
     return this->Fail(problem +
-      "; all points are written: make room, and end it with Resume "
+      "; all points are written: free disk space, and complete the run with Resume "
       "(--resume)");
   }
   this->Journal->Remove();
   this->Player->Report = helios::ToText(summary);
   helios::Sentence text;
-  text << counts.Echoes << " points of " << counts.Pulses << " pulses are in "
+  text << counts.Echoes << " points from " << counts.Pulses << " pulses are in "
        << this->Settings.Folder << ".";
   this->Player->Message = text.str();
   return true;
@@ -319,7 +319,7 @@ bool vtkHeliosSurveyPlayer::Internals::ConcludeFinished()
   this->TakeCounts(counts);
   helios::Sentence text;
   text << "Nothing is left to do: the run in " << this->Settings.Folder << " is finished, with "
-       << counts.Echoes << " points of " << counts.Pulses << " pulses.";
+       << counts.Echoes << " points from " << counts.Pulses << " pulses.";
   this->Player->Message = text.str();
   return true;
 }

@@ -139,12 +139,12 @@ bool vtkHeliosSurveyWriter::Internals::CheckSurvey(const helios::SurveyData& sur
   {
     return this->Fail(file +
       ": not written: the survey could not be run; correct the properties "
-      "that the messages before this name");
+      "named in the preceding messages");
   }
   if (survey.IsMoving(0))
   {
     return this->Fail(file + ": not written: Platform " + this->Writer->Platform +
-      " moves, and positions are for one that stands; give a platform of type=\"static\"");
+      " moves, but scan positions need a static one; give a platform of type=\"static\"");
   }
   return true;
 }

@@ -195,7 +195,7 @@ bool Compare(const Layout& layout, const std::string& path, std::int64_t side, i
   }
   const double bare = GetMedian(reads) + GetMedian(allocations);
   std::printf("%-16s %lld x %lld: vtkHelios %.3f s, GDAL %.3f s + allocation %.3f s, ratio %.2f; "
-              "%.1f bytes a triangle (median of %d)\n",
+              "%.1f bytes per triangle (median of %d)\n",
     layout.Name, static_cast<long long>(side), static_cast<long long>(side), GetMedian(ours),
     GetMedian(reads), GetMedian(allocations), GetMedian(ours) / bare, bytes, repetitions);
   return true;

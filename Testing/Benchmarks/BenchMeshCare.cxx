@@ -95,7 +95,7 @@ bool Repair(const char* name, vtkPolyData* scene)
   const auto count = static_cast<double>(scene->GetNumberOfCells());
   const vtkIdType dropped =
     repair->GetNumberOfDuplicateTriangles() + repair->GetNumberOfDegenerateTriangles();
-  std::printf("%-8s repair   %9lld triangles in %6.2f s, %5.2f million a second\n", name,
+  std::printf("%-8s repair   %9lld triangles in %6.2f s, %5.2f million/s\n", name,
     static_cast<long long>(scene->GetNumberOfCells()), seconds, 1e-6 * count / seconds);
   return repair->GetOutput()->GetNumberOfCells() + dropped == scene->GetNumberOfCells() &&
     repair->GetNumberOfNonFiniteTriangles() == 0;
@@ -115,7 +115,7 @@ bool Simplify(const char* name, vtkPolyData* scene, double distance, bool compar
     std::fprintf(stderr, "%s: %g m is exceeded\n", name, distance);
     return false;
   }
-  std::printf("%-8s %5.3f m: %9lld triangles left, %5.1f %%; proven %7.5f m; %6.1f s", name,
+  std::printf("%-8s %5.3f m: %9lld triangles left, %5.1f %%; proved %7.5f m; %6.1f s", name,
     distance, static_cast<long long>(left),
     100.0 * left / static_cast<double>(scene->GetNumberOfCells()), simplify->GetVerifiedDistance(),
     seconds);

@@ -123,7 +123,7 @@ bool RunOurs(const Terrain& terrain, const std::string& path, std::vector<double
   times.push_back(Seconds(start));
   if (times.size() == 1)
   {
-    std::printf("%-6s scene in memory: %.1f bytes a triangle\n", terrain.Name,
+    std::printf("%-6s scene in memory: %.1f bytes per triangle\n", terrain.Name,
       1024.0 * reader->GetOutput()->GetActualMemorySize() / NumberOfTriangles);
   }
   return IsRight(terrain, reader->GetOutput());

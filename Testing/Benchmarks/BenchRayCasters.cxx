@@ -193,8 +193,7 @@ bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
     }
     rates.push_back(1e-6 * cones / (GetThreadTime() - start));
   }
-  std::printf(
-    "          ProbeCone %.2f M/s: %.1f %% empty, %.1f %% one plane to %g mm, %zu wrong\n",
+  std::printf("          ProbeCone %.2f M/s: %.1f %% empty, %.1f %% planar to %g mm, %zu wrong\n",
     GetMedian(rates), 100 * counts[vtkHeliosConeHit::Empty] / cones,
     100 * counts[vtkHeliosConeHit::OnePlane] / cones, 1e3 * tolerance, wrong);
   return wrong == 0;
@@ -207,7 +206,7 @@ void PrintSizes(const char* name, const helios::TriangleMesh& mesh, std::size_t 
   const double triangles = static_cast<double>(mesh.GetNumberOfTriangles());
   const double points = static_cast<double>(mesh.GetNumberOfPoints());
   std::printf(
-    "%s: %.0f triangles; bytes a triangle: scene %.0f, our beam %.0f, ours on Embree %.0f, "
+    "%s: %.0f triangles; bytes per triangle: scene %.0f, our beam %.0f, ours on Embree %.0f, "
     "our bvh %.0f, bare Embree %.0f\n",
     name, triangles, 12 + 24 * points / triangles, static_cast<double>(beam) / triangles,
     static_cast<double>(embree) / triangles, static_cast<double>(bvh) / triangles,
@@ -281,10 +280,9 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "usage: BenchRayCasters [repeats >= 1 [pulses >= 100]]\n");
     return EXIT_FAILURE;
   }
-  std::printf(
-    "Mray/s of one thread, medians of %d repeats; (x...): how much faster our beams are.\n"
-    "Goals: bundles x1.4 bare Embree and x6 bare CGAL, single rays x0.9 bare Embree, "
-    "2 threads x1.9.\n",
+  std::printf("Mray/s of one thread, medians of %d repeats; (x...): speed-up of our beams.\n"
+              "Goals: bundles x1.4 bare Embree and x6 bare CGAL, single rays x0.9 bare Embree, "
+              "2 threads x1.9.\n",
     repeats);
   bool isRight = Run("canopy", helios::MakeBenchCanopy(), 200.0, 600.0, repeats, pulses);
   isRight &= Run("terrain", helios::MakeBenchTerrain(), 1000.0, 800.0, repeats, pulses);

@@ -249,7 +249,7 @@ int main(int argc, char* argv[])
   SetUpAircraft(b, 35);
   SetUpAircraft(d, 6);
 
-  std::printf("19 sub-rays a pulse, echoes in memory; medians of %d\n", repetitions);
+  std::printf("19 sub-rays per pulse, echoes in memory; medians of %d\n", repetitions);
   const char* head = "%-18s %7s %9s %12s %10s %13s %10s %10s %10s\n";
   std::printf(head, "", "bare", "scanner", "scanner", "scanner /", "2 threads /", "2 threads",
     "1 mm, 1 %", "1 cm, 10 %");

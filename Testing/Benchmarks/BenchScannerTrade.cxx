@@ -384,7 +384,7 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
     std::for_each(rows.begin(), rows.end(), [&bench](Row& row) { bench.Time(row); });
   }
   std::for_each(rows.begin(), rows.end(), [&](const Row& row) { table.Add(scene.Name, row); });
-  std::printf("%s: fixed / by tolerance, time at no worse error; the same, errors below a tenth of "
+  std::printf("%s: fixed / adaptive, time at no worse error; the same, errors below a tenth of "
               "the noise left out\n",
     scene.Name.c_str());
   for (const Row& row : rows)

@@ -118,7 +118,7 @@ int main(int argc, char* argv[])
   testPoints->SetStep(3.16);
   testPoints->HorizontalOff();
   testPoints->Update();
-  std::printf("%lld candidates, of which %lld look; %lld test points\n",
+  std::printf("%lld candidates, %lld of them used; %lld test points\n",
     static_cast<long long>(candidates->GetOutput()->GetNumberOfPoints()),
     static_cast<long long>(count),
     static_cast<long long>(testPoints->GetOutput()->GetNumberOfPoints()));
@@ -157,7 +157,7 @@ int main(int argc, char* argv[])
     wallRates.push_back(cast / (WallSeconds() - wall));
     ratios.push_back(rates.back() / bareRates.back());
   }
-  std::printf("%s: bare %.2f Mray/s, viewsheds %.2f Mray/s a core (%.0f %%), %.2f Mray/s in all\n",
+  std::printf("%s: bare %.2f Mray/s, viewsheds %.2f Mray/s/core (%.0f %%), %.2f Mray/s in all\n",
     caster.GetName(), Median(bareRates), Median(rates), 100.0 * Median(ratios), Median(wallRates));
   return EXIT_SUCCESS;
 }

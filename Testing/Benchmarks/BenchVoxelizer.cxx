@@ -254,7 +254,7 @@ bool RunFromFile(vtkIdType rows, const std::string& path)
   }
   const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / 1e6;
   std::printf(
-    "file      0.25 m: %lld rows, %.0f MB, %lld cells: %.1f s (twice through: %.0f MB/s); "
+    "file      0.25 m: %lld rows, %.0f MB, %lld cells: %.1f s (two passes: %.0f MB/s); "
     "bare from_chars %.1f s, ratio %.2f to twice that; peak memory %.0f MiB, %.0f before\n",
     static_cast<long long>(rows), megabytes, static_cast<long long>(cells), seconds,
     2.0 * megabytes / seconds, bare, seconds / (2.0 * bare), peak, before);

@@ -37,7 +37,7 @@ def main(table, picture):
     handles = [plt.Line2D([], [], color=colours[c], marker="o", ls="", label=c) for c in casters]
     handles += [plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=p) for p, m in MARKERS.items()]
     figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=8)
-    figure.suptitle("Ray casters: to the right is faster, below is better; numbers: wrong hits in 1000 rays")
+    figure.suptitle("Ray casters: right is faster, lower is better; numbers: wrong hits in 1000 rays")
     figure.tight_layout(rect=(0, 0.09, 1, 1))
     figure.savefig(picture, dpi=80)
 

@@ -33,7 +33,7 @@ def main(table, picture):
         for axis, error in zip(column, ERRORS):
             draw(axis, own, error)
         column[0].set_title(scene)
-        column[1].set_xlabel("time [us a pulse, one thread]")
+        column[1].set_xlabel("time [us/pulse, one thread]")
         for height, text in ((SHIFT, "largest bin of 0.25 ns"), (NOISE, "noise, SNR 50")):
             column[0].axhline(height, color="k", ls=":", lw=0.7)
             column[0].annotate(text, (0.02, height), xycoords=("axes fraction", "data"), fontsize=6, va="bottom")
@@ -42,7 +42,7 @@ def main(table, picture):
     handles = [plt.Line2D([], [], color=c, marker="o", ls="", label=p) for p, c in COLOURS.items()]
     handles += [plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=d) for d, m in MARKERS.items()]
     figure.legend(handles=handles, loc="lower center", ncol=6, fontsize=8)
-    figure.suptitle("To the left is faster, below is better; joined: what nothing beats; dashed: the reference itself; "
+    figure.suptitle("Left is faster, lower is better; joined: Pareto front; dashed: the reference itself; "
                     "numbers: missed + extra echoes [%]")
     figure.tight_layout(rect=(0, 0.04, 1, 0.98))
     figure.savefig(picture, dpi=80)

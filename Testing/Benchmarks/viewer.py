@@ -40,7 +40,7 @@ def run(survey, scene, folder, draws):
         time.sleep(0.1)
         state = json.loads(state_file.read_text()) if state_file.exists() else None
         if viewer.poll() is not None and not state:
-            sys.exit("the viewer has ended by itself")
+            sys.exit("the viewer ended unexpectedly")
     viewer.terminate()
     viewer.wait()
     return state

@@ -21,19 +21,19 @@ what a case is:
   elements, integers of binary headers), the same way for the same --seed and number, and read. Files
   in seeds/TARGET, which failed once, are read as they are, too, and damaged further.
 
-what may come of it:
-  accepted     the data is finite, in range, and as many records as the file has, by another count
+valid outcomes:
+  accepted     the data is finite, in range, and as many records as the file has, by an independent count
   refused      an error with a message (PipelineError, or the command's own, exit code 1 or 2)
-what is a failure:
+failures:
   crash        a signal ended the process
-  hang         not done after --hang seconds (once more to be sure)
+  hang         not done after --hang seconds (in two runs)
   traceback    any other exception
   silent       accepted, and a record lost or a number not finite or out of range, without a warning;
                or refused without a reason; or a good file refused
   memory       more than 1 GB and 20 times the file
 
 Each failing input is saved to --failures as TARGET/SEED~NUMBER, with the command that runs it again.
-Once its cause is cured it is moved to seeds/TARGET (small files of our own making only).
+Once fixed it is moved to seeds/TARGET (small files of our own making only).
 
 examples:
   build/venv/bin/python Testing/Fuzz/fuzz.py --cases 5000            all targets, in about two minutes
@@ -59,16 +59,16 @@ def parse(argv):
     parser.add_argument("--target", metavar="NAME", action="append",
                         help="this target only, or those that match a*; may be repeated")  # fmt: skip
     parser.add_argument("--seed", metavar="N", type=int, default=1,
-                        help="of the random numbers (default: %(default)s)")  # fmt: skip
+                        help="seed of the random numbers (default: %(default)s)")  # fmt: skip
     parser.add_argument("--jobs", metavar="N", type=int, default=2,
-                        help="processes at a time (default: %(default)s)")  # fmt: skip
+                        help="number of parallel processes (default: %(default)s)")  # fmt: skip
     parser.add_argument("--hang", metavar="S", type=float, default=harness.HANG,
-                        help="the longest a case may take [s] (default: %(default)s)")  # fmt: skip
+                        help="time limit of a case [s] (default: %(default)s)")  # fmt: skip
     parser.add_argument("--case", metavar="N", help="this case of a target only, by its number")
     parser.add_argument("--input", metavar="FILE", type=pathlib.Path,
                         help="a saved file, SEED~WHAT, in place of damaged ones")  # fmt: skip
     parser.add_argument("--failures", metavar="DIR", type=pathlib.Path, default=pathlib.Path("fuzz-failures"),
-                        help="where failing inputs go (default: %(default)s)")  # fmt: skip
+                        help="folder for failing inputs (default: %(default)s)")  # fmt: skip
     parser.add_argument("--markdown", action="store_true", help="print the table as Markdown")
     parser.add_argument("--list", action="store_true", help="list the targets and exit")
     parser.add_argument("--quiet", action="store_true", help="no progress")
@@ -222,7 +222,7 @@ def main(argv=None):
 def run(targets, arguments):
     missing = {name: target.missing() for name, target in targets.items()}
     for name in [name for name in targets if missing[name]]:
-        print(f"{name} is left out: {missing[name]} is not installed", file=sys.stderr)
+        print(f"{name} is skipped: {missing[name]} is not installed", file=sys.stderr)
         del targets[name]
     warm_up(targets.values())
     folder = tempfile.mkdtemp(prefix="vtkhelios-fuzz-")

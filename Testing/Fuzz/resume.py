@@ -223,7 +223,7 @@ def judge(code, said, folder, truth):
     if code == 0:
         now = contents(folder)
         wrong = sorted(name for name in now.keys() | truth.keys() if now.get(name) != truth.get(name))
-        return f"a wrong success: {', '.join(wrong)} differ" if wrong else ""
+        return f"exit code 0, but {', '.join(wrong)} differ" if wrong else ""
     if code != 1:
         return f"exit code {code}: {said}"
     lines = said.strip().splitlines()
@@ -327,7 +327,7 @@ class Campaign:
             jobs = jobs[len(told) :]
             if status != 0:
                 folder, seed = jobs.pop(0)
-                self.fail(f"{name} {folder} seed {seed}: ended with {status} (a signal, or no answer)")
+                self.fail(f"{name} {folder} seed {seed}: ended with {status} (a signal, or no response)")
 
     def resume_some(self, name, jobs, others, tell):
         for folder, seed in jobs:
@@ -371,19 +371,19 @@ class Campaign:
 
     def report(self, verbose):
         kept = sum(map(len, self.left.values()))
-        print(f"{self.counts.pop('killed')} runs killed, {kept} of them while they wrote")
+        print(f"{self.counts.pop('killed')} runs killed, {kept} of them while writing")
         for key, count in sorted(self.counts.items(), key=str):
             if key[0] != "kind" or verbose:
                 print(f"{count:6d}  {' '.join(key)}")
-        print(f"{len(self.failures)} wrong ends (seed {self.seed})")
+        print(f"{len(self.failures)} wrong outcomes (seed {self.seed})")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--kills", type=int, default=100, help="runs that are killed while they write")
-    parser.add_argument("--cases", type=int, default=2500, help="damaged folders")
+    parser.add_argument("--kills", type=int, default=100, help="number of runs killed while writing")
+    parser.add_argument("--cases", type=int, default=2500, help="number of damaged folders")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--verbose", action="store_true", help="figures of every kind of damage")
+    parser.add_argument("--verbose", action="store_true", help="print the counts of every kind of damage")
     arguments = parser.parse_args()
     fast = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where fsync takes no time
     with tempfile.TemporaryDirectory(dir=fast) as folder:

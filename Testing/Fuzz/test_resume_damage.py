@@ -28,4 +28,4 @@ def test_damaged_runs_are_resumed_right_or_refused():
     for kind in ("journal", "part", "whole", "finished"):
         assert figures[f"{kind} damaged error"] > 10
     assert figures["journal damaged right"] > 10
-    assert "0 wrong ends" in done.stdout
+    assert "0 wrong outcomes" in done.stdout

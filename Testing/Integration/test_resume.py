@@ -164,7 +164,7 @@ def test_a_file_that_may_not_grow(name, survey):
     assert not (folder / "run_summary.json").exists() and (folder / "run.journal").exists()
     # neither restarted nor with other settings
     done = run(survey, *BLOCK, *FORMATS[name])
-    assert done.returncode == 1 and "not finished: set Resume (--resume) to go on" in done.stderr
+    assert done.returncode == 1 and "not finished: set Resume (--resume) to continue it" in done.stderr
     done = run(survey, *BLOCK, *FORMATS[name], "--seed", "4", "--resume")
     assert done.returncode == 1 and "seed was 3 and is 4" in done.stderr
     done = run(survey, *BLOCK, *FORMATS[name], "--resume")
@@ -177,7 +177,7 @@ def test_an_input_that_has_changed(survey):
     break_off(survey)
     (survey / "yard.mtl").write_text("newmtl paving\nhelios_reflectance 0.5\n")
     done = run(survey, *BLOCK, "--resume")
-    assert done.returncode == 1 and "the scene has changed, by a file that its files name" in done.stderr
+    assert done.returncode == 1 and "the scene has changed: a file that its files refer to" in done.stderr
     (survey / "yard.obj").write_text(YARD.replace("-60", "-61"))
     done = run(survey, *BLOCK, "--resume")
     assert done.returncode == 1
@@ -216,7 +216,7 @@ def test_nothing_to_resume(survey):
     assert done.returncode == 1 and "seed was 0 and is 5" in done.stderr
     (survey / "output/yard/run_summary.json").unlink()
     done = run(survey, "--resume")
-    assert done.returncode == 1 and "what it holds cannot be gone on with" in done.stderr
+    assert done.returncode == 1 and "its contents cannot be resumed" in done.stderr
     done = run(survey, "--resume", "--overwrite")
     assert done.returncode == 2 and "not allowed with argument" in done.stderr
 
@@ -246,7 +246,7 @@ def test_a_folder_that_is_read_only(survey):
     try:
         done = run(survey, "--output", "disk")
         assert done.returncode == 1
-        assert "cannot be made: Read-only file system" in done.stderr
+        assert "cannot be created: Read-only file system" in done.stderr
         assert "give another OutputDirectory" in done.stderr
     finally:
         subprocess.run(["umount", disk], check=True)

@@ -243,7 +243,11 @@ def test_detect_keeps_the_returns_asked_for(run, tmp_path):
 WRONG_DETECTIONS = {
     "no file": (["nowhere.pvtt", "-o", "a.xyz"], 1, "nowhere.pvtt: there is no such file"),
     "no text": (["nowhere.txt", "-o", "a.xyz"], 1, "nowhere.txt: cannot be read"),
-    "no form": (["a.pvtt", "-o", "a.las"], 2, "'a.las' ends neither in .xyz (text) nor in .pvtp"),
+    "no form": (
+        ["a.pvtt", "-o", "a.las"],
+        2,
+        "'a.las' is not valid: expected a name that ends in .xyz (text) or .pvtp",
+    ),
     "no output": (["a.pvtt"], 2, "required: -o/--output"),
     "no detector": (["a.pvtt", "-o", "a.xyz", "--detector", "pek"], 2, "did you mean peak?"),
 }

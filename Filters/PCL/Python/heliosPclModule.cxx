@@ -58,7 +58,7 @@ vtkPolyData* GetPolyData(const py::object& object)
   if (!data)
   {
     PyErr_Clear();
-    throw py::type_error("a cloud is made of a vtkPolyData, not of " +
+    throw py::type_error("a cloud needs a vtkPolyData, not " +
       std::string(py::str(py::type::of(object).attr("__name__"))));
   }
   return data;
@@ -161,8 +161,8 @@ void Define(py::module_& module, const char* name, const char* doc)
   py::class_<CloudT>(module, name, doc)
     .def_static("from_polydata", &CloudT::FromPolyData, py::arg("polydata"),
       py::arg("origin") = py::none(),
-      "The points of a vtkPolyData, relative to an origin [m]: the middle of them unless given.\n\n"
-      "Raises ValueError where an array has not the shape it must have.")
+      "The points of a vtkPolyData, relative to an origin [m]: their centre by default.\n\n"
+      "Raises ValueError if an array has the wrong shape.")
     .def("to_polydata", &CloudT::ToPolyData,
       "A vtkPolyData with double points (the origin added) and the arrays this type has.")
     .def_property_readonly("points", &CloudT::GetPoints,
@@ -170,7 +170,7 @@ void Define(py::module_& module, const char* name, const char* doc)
     .def_property_readonly(
       "array", &CloudT::GetArray, "All fields as a structured array: a view, no copy.")
     .def_property("origin", &CloudT::GetOrigin, &CloudT::SetOrigin,
-      "What x y z are relative to [m]; float64, a copy.")
+      "The point that x y z are relative to [m]; float64, a copy.")
     .def(
       "__getitem__",
       [](const CloudT& cloud, const py::str& field)
@@ -190,7 +190,7 @@ void Define(py::module_& module, const char* name, const char* doc)
 PYBIND11_MODULE(_pcl, module)
 {
   py::module_::import("vtkmodules.vtkCommonDataModel"); // registers vtkPolyData
-  module.doc() = "Clouds of the Point Cloud Library, as numpy sees them without a copy.";
+  module.doc() = "Clouds of the Point Cloud Library, accessible to numpy without a copy.";
   Define<pcl::PointXYZ>(module, "CloudXYZ", "A pcl::PointCloud<pcl::PointXYZ>: x y z.");
   Define<pcl::PointXYZI>(module, "CloudXYZI",
     "A pcl::PointCloud<pcl::PointXYZI>: x y z and intensity, the Amplitude [W].");
@@ -198,8 +198,7 @@ PYBIND11_MODULE(_pcl, module)
     "A pcl::PointCloud<pcl::PointXYZINormal>: x y z, intensity, normal_x normal_y normal_z, "
     "curvature.");
   Define<helios::PointEcho>(module, "CloudEcho",
-    "A pcl::PointCloud<helios::PointEcho>: x y z, intensity and what else an echo has, by the "
-    "names "
-    "of its arrays: EchoWidth [ns], GpsTime [s], PulseIds, ClassificationIds, ReturnNumber, "
-    "NumberOfReturns.");
+    "A pcl::PointCloud<helios::PointEcho>: x y z, intensity and the other values of an echo, under "
+    "the names of its arrays: EchoWidth [ns], GpsTime [s], PulseIds, ClassificationIds, "
+    "ReturnNumber, NumberOfReturns.");
 }

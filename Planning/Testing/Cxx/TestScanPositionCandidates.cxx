@@ -137,9 +137,9 @@ TEST_CASE("a surface as steep as the limit is one to stand on", "[ScanPositionCa
   }
   candidates.Filter->SetMaximumSlope(29.9);
   CHECK(
-    candidates.Fails("No candidate is left of 100 places: 0 have no surface below, of 0 the "
-                     "highest is no ground, 100 are steeper than MaximumSlope (29.9 deg), 0 lie "
-                     "in excluded areas; allow a larger slope, or make the steps smaller."));
+    candidates.Fails("No candidate is left of 100 places: 0 have no surface below, at 0 the "
+                     "highest surface is not ground, 100 are steeper than MaximumSlope (29.9 deg), "
+                     "0 lie in excluded areas; allow a larger slope, or make the steps smaller."));
 }
 
 TEST_CASE("the pyramid's steep sides are no places to stand", "[ScanPositionCandidates]")
@@ -163,15 +163,15 @@ TEST_CASE("candidates stand on the ground where there is one", "[ScanPositionCan
   CHECK(CountAbove(marked.Update(), 2.0) == 0);
   marked.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0);
   CHECK(
-    marked.Fails("of 4 the highest is no ground, 0 are steeper than MaximumSlope (15 deg), 0 lie "
-                 "in excluded areas; take ground below other things, too (GROUND)."));
+    marked.Fails("at 4 the highest surface is not ground, 0 are steeper than MaximumSlope (15 "
+                 "deg), 0 lie in excluded areas; use ground below other surfaces, too (GROUND)."));
 
   Candidates unmarked(MakeCarport(false));
   CHECK(CountAbove(unmarked.Update(), 2.0) == 4);
   unmarked.Filter->SetSurfaceToGround();
-  CHECK(unmarked.Fails("Surface asks for ground, and no material of the scene is one "
-                       "(Material.IsGround, helios_isGround); mark the ground, or take the highest "
-                       "surface."));
+  CHECK(unmarked.Fails(
+    "Surface is set to ground, but no material of the scene is ground (Material.IsGround, "
+    "helios_isGround); mark the ground, or use the highest surface."));
 }
 
 TEST_CASE(
@@ -274,7 +274,7 @@ TEST_CASE("what no candidates can be found on is told", "[ScanPositionCandidates
   SECTION("a grid too fine")
   {
     candidates.Filter->SetStep(1e-5);
-    CHECK(candidates.Fails("1e+12 places take "));
+    CHECK(candidates.Fails("1e+12 places need "));
     CHECK(candidates.Fails(" MiB, more than MemoryLimit (2048 MiB); make XStep and YStep larger."));
   }
   SECTION("abortion")

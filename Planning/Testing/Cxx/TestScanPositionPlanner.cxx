@@ -279,7 +279,7 @@ TEST_CASE("coverage may be less, of all or of what can be seen", "[vtkHeliosScan
     }
   }
   site.Filter->SetMinimumCoverage(100.0);
-  CHECK(site.Fails("MinimumCoverage 100 % of all is out of reach: all candidates together see "
+  CHECK(site.Fails("MinimumCoverage 100 % of all cannot be reached: all candidates together see "
                    "85.7143 %; lower it, add candidates, or set CoverageOf to Coverable"));
 }
 
@@ -374,7 +374,7 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
   SECTION("a matrix that does not fit")
   {
     site.AddPoints(site.TestPoints, 65, 0.0);
-    CHECK(site.Fails("65 test points take 2 of unsigned 64-bit integers"));
+    CHECK(site.Fails("65 test points need 2 of unsigned 64-bit integers"));
     site.Candidates->GetPointData()->RemoveArray(names::Visibility);
     CHECK(site.Fails("the candidates have no point array Visibility"));
   }
@@ -386,13 +386,13 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
   SECTION("no angles")
   {
     site.Filter->SetMethodToMeanIncidenceAngle();
-    CHECK(site.Fails("Method MeanIncidenceAngle takes the point array MeanIncidenceAngle"));
+    CHECK(site.Fails("Method MeanIncidenceAngle needs the point array MeanIncidenceAngle"));
   }
   SECTION("normals that do not fit")
   {
     site.AddNormals();
     site.AddPoints(site.TestPoints, 8, 0.0);
-    CHECK(site.Fails("Normal of the test points has 7 tuples of 3 components; it takes 8 of 3"));
+    CHECK(site.Fails("Normal of the test points has 7 tuples of 3 components; expected 8 of 3"));
   }
   SECTION("points that are not finite")
   {
@@ -406,8 +406,8 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
     site.Filter->SetMethodToOptimal();
     if (!Planner::HasOptimal())
     {
-      CHECK(site.Fails("Method Optimal needs COIN-OR CBC, which this build is without; build with "
-                       "VTKHELIOS_ENABLE_CBC, or use Best"));
+      CHECK(site.Fails("Method Optimal needs COIN-OR CBC, which this build does not include; build "
+                       "with VTKHELIOS_ENABLE_CBC, or use Best"));
     }
   }
   SECTION("abortion")

@@ -298,7 +298,7 @@ TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
     views.Viewsheds->SetInputData(2, MakePoints({ { 0, 0, 1 } }));
     views.Viewsheds->SetMaximumIncidenceAngle(80.0);
     CHECK(fails("MaximumIncidenceAngle and MinimumPointDensity need normals, and the test points "
-                "have no point array Normal of 3 components; add it, or leave these limits."));
+                "have no point array Normal of 3 components; add it, or do not set these limits."));
   }
   SECTION("angular step")
   {
@@ -309,7 +309,7 @@ TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
   SECTION("ray caster")
   {
     views.Viewsheds->SetRayCaster(nullptr);
-    CHECK(fails("RayCaster was set to nothing; set one, e.g. a vtkHeliosBvhRayCaster."));
+    CHECK(fails("RayCaster is not set; set one, e.g. a vtkHeliosBvhRayCaster."));
   }
   SECTION("memory")
   {
@@ -321,7 +321,7 @@ TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
     }
     views.Viewsheds->SetInputData(1, many);
     views.Viewsheds->SetInputData(2, many);
-    CHECK(fails("3000 candidates' views take 1.076 MiB, more than MemoryLimit (1 MiB); make the "
+    CHECK(fails("3000 candidates' views need 1.076 MiB, more than MemoryLimit (1 MiB); make the "
                 "grids coarser, ask for the matrix in pieces, or allow more."));
     views.Viewsheds->UpdatePiece(1, 2, 0); // half of it is allowed
     CHECK(views.Viewsheds->GetOutput()->GetNumberOfPoints() == 1500);

@@ -71,8 +71,8 @@ TEST_CASE("a visibility matrix that does not fit is told", "[Visibility]")
   helios::Visibility matrix;
   const auto candidates = MakeCandidates(2, 2);
   CHECK(matrix.Set(vtkNew<vtkPolyData>(), 100) ==
-    "the candidates have no point array Visibility; take them from vtkHeliosViewsheds, or add it");
-  CHECK(matrix.Set(candidates, 129).find("129 test points take 3 of unsigned 64-bit integers") !=
+    "the candidates have no point array Visibility; use those of vtkHeliosViewsheds, or add it");
+  CHECK(matrix.Set(candidates, 129).find("129 test points need 3 of unsigned 64-bit integers") !=
     std::string::npos);
   SetBit(candidates, 1, 100);
   CHECK(matrix.Set(candidates, 101).empty());

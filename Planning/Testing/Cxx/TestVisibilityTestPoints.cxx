@@ -244,8 +244,8 @@ TEST_CASE("what has no test points is told", "[VisibilityTestPoints]")
   {
     points.Filter->VerticalOff();
     points.Filter->HorizontalOff();
-    CHECK(points.Fails(
-      "Vertical and Horizontal are both off, so that there is no line; switch one on."));
+    CHECK(
+      points.Fails("Vertical and Horizontal are both off, so there are no lines; switch one on."));
   }
   SECTION("lines that meet nothing")
   {

@@ -26,22 +26,22 @@ from ._parser import Parser
 from ._streams import standard_streams
 
 DESCRIPTION = (
-    "Simulates LiDAR surveys: a survey file in, the echoes the scanner would have recorded out. "
-    "Plans them, too: a scene in, the positions to scan it from out."
+    "Simulates LiDAR surveys: reads a survey file and writes the echoes that the scanner would "
+    "record. Also plans surveys: finds the positions to scan a scene from."
 )
 
 EPILOG = """\
 examples:
-  vtkhelios run survey.xml                          run a survey, files go to ./output
-  vtkhelios run survey.xml --assets my_scenes       its scenes and scanners are looked up there, too
-  vtkhelios run --help                              all about running surveys
-  vtkhelios plan scene.xml                          where to scan a scene from, as a survey
-  vtkhelios validate survey.xml                     all that is wrong with it, at once
+  vtkhelios run survey.xml                          run a survey; files go to ./output
+  vtkhelios run survey.xml --assets my_scenes       also search my_scenes for scenes and scanners
+  vtkhelios run --help                              all options and outputs of a run
+  vtkhelios plan scene.xml                          find scan positions, write them as a survey
+  vtkhelios validate survey.xml                     list all its errors and warnings
   vtkhelios view survey.xml                         watch it run
-  vtkhelios detect leg000_fullwave.pvtt -o a.xyz    the echoes of stored waveforms anew
+  vtkhelios detect leg000_fullwave.pvtt -o a.xyz    re-run echo detection on stored waveforms
   vtkhelios convert output/village village.laz      points to LAS, LAZ, COPC, E57, PLY, PCD, VTK, text
-  vtkhelios info village.laz                        what a file, a run or a survey holds
-  vtkhelios report output/village                   one page on a run: maps, histograms, timings
+  vtkhelios info village.laz                        contents of a file, a run or a survey
+  vtkhelios report output/village                   a report page of a run: maps, histograms, timings
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted
 """
@@ -105,5 +105,5 @@ def written(results, code):
         return code
     if not isinstance(failure, BrokenPipeError):  # closed by the reader: vtkhelios ... | head
         done = "" if code else "; the files that the command wrote are complete"
-        say_error(f"standard output: {failure.strerror}: what it should hold is lost{done}")
+        say_error(f"standard output: {failure.strerror}: the output is lost{done}")
     return code or 1

@@ -64,7 +64,7 @@ def density_map(raster, paths=()):
     west, east, south, north = raster.box
     axes.set_xlim(west, east)
     axes.set_ylim(south, north)
-    _add_scale(figure, axes, image, "points a square metre")
+    _add_scale(figure, axes, image, "points/m²")
     return _finish_map(figure, axes)
 
 
@@ -87,7 +87,7 @@ def strips_map(raster):
     if scans.max() > most:
         names[-1] += " or more"
     bar.ax.set_yticklabels(names)
-    bar.set_label("legs or strips that saw a cell")
+    bar.set_label("legs or strips per cell")
     bar.outline.set_visible(False)
     return _finish_map(figure, axes)
 
@@ -143,7 +143,7 @@ def histogram(edges, counts, label, median=None, unit="", log=False):
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         axes.yaxis.get_minor_locator().set_params(subs=[])
     axes.set_xlabel(label)
-    axes.set_ylabel("share of points [%]")
+    axes.set_ylabel("fraction of points [%]")
     axes.set_xlim(edges[0], edges[-1])
     axes.grid(axis="x", visible=False)
     if median is not None and np.isfinite(median):

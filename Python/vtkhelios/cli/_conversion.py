@@ -44,8 +44,9 @@ class Conversion:
             return
         if self.waveforms:
             raise formats.FormatError(
-                f"{self.output}: waveforms go from LAS or LAZ to LAS or LAZ only, of one form where "
-                "there are several; leave --waveforms out"
+                f"{self.output}: waveforms are copied only from LAS or LAZ to LAS or LAZ, of one "
+                "form if "
+                "there are several inputs; leave --waveforms out"
             )
         self._convert(task)
 
@@ -67,7 +68,7 @@ class Conversion:
         for reader in readers[1:]:
             if why := same_form(readers[0], reader):
                 self.notes.append(
-                    f"{reader.path}: has {why} than {paths[0]}: points are converted as arrays, "
+                    f"{reader.path}: has {why} than {paths[0]}: points are converted as arrays; "
                     "header records of other programs are not kept"
                 )
                 return False
@@ -209,20 +210,20 @@ class Conversion:
     def _check_count(self):
         if self.count == 0:
             raise formats.FormatError(
-                f"{self.output}: none of the {self.selection.seen:,} points is wanted; choose other "
-                "--returns, --class or --every"
+                f"{self.output}: none of the {self.selection.seen:,} points is selected; choose "
+                "other --returns, --class or --every"
             )
 
     def _note_lost(self, readers):
         if any(reader.has_waveforms for reader in readers):
-            self.lost["waveforms"] = "they pass from LAS and LAZ to LAS and LAZ only, as records"
+            self.lost["waveforms"] = "only copied from LAS or LAZ to LAS or LAZ, as records"
         kind = formats.ending(self.output)
         fields = {reader.header.fields.GetArrayName(i) for reader in readers
                   for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
         if kind not in (".vtp", ".pvtp"):
             kept = {"Part.Name"} if kind == ".xyz" else set()
             for name in sorted((NAMES & fields) - kept):
-                self.lost[name] = "points keep the numbers, the names are in VTK files only"
+                self.lost[name] = "points keep the numbers; only VTK files store the names"
         if kind == ".xyz" and fields & {"CRS", "GpsEpoch"}:
             self.lost |= {
                 name: "text has no header" for name in ("CRS", "GpsEpoch") if name in fields

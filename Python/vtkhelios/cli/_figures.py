@@ -56,7 +56,7 @@ class Figures:
             )
         if not self.raster.add(points[:, :2], reader.scan):
             raise FormatError(
-                f"{reader.path}: with cells of {self.raster.cell:g} m the maps would be too large; "
+                f"{reader.path}: the maps would be too large with cells of {self.raster.cell:g} m; "
                 "give a larger --cell"
             )
         self.count += rows_of(chunk)

@@ -163,29 +163,29 @@ class Inspection:
             ):  # fmt: skip
                 if (np.abs(np.asarray(told) - found) > 0.75 * steps).any():
                     self.warnings.append(
-                        f"the {name} in the header is {_triple(told)}, that of the points "
-                        f"{_triple(found)}; vtkhelios convert writes it anew"
+                        f"the {name} in the header is {_triple(told)}, but that of the points "
+                        f"{_triple(found)}; vtkhelios convert corrects it"
                     )
         told = np.asarray(header.number_of_points_by_return)
         found = self._returns[1 : len(told) + 1]
         if not np.array_equal(told, found) and self._returns.sum():
             self.warnings.append(
-                f"the header counts {told.tolist()} points by return, and there are "
-                f"{found.tolist()}; vtkhelios convert writes it anew"
+                f"the header counts {told.tolist()} points by return, but there are "
+                f"{found.tolist()}; vtkhelios convert corrects it"
             )
 
     def _check(self, reader):
         if reader.count is not None and reader.count != self._count and "E57" not in reader.kind:
-            self.warnings.append(f"{reader.count:,} points are promised, and {self._count:,} there")
+            self.warnings.append(f"the header counts {reader.count:,} points, but there are {self._count:,}")
         if self._invalid:
             self.warnings.append(
-                f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid leaves "
+                f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid drops "
                 "them out"
             )
         if self._far:
             self.warnings.append(
-                f"{self._far:,} points are more than {FARTHEST:g} m from the origin; the spacing is "
-                "without them"
+                f"{self._far:,} points are more than {FARTHEST:g} m from the origin; the spacing "
+                "excludes them"
             )
         if self._impossible:
             self.warnings.append(
@@ -195,8 +195,8 @@ class Inspection:
             self.warnings.append(f"{self._returns[0]:,} points have the return number 0")
         if self._backward and "COPC" not in reader.kind:
             self.warnings.append(
-                f"GPS times go back {self._backward:,} times from point to point: points are not in "
-                "the order they were measured"
+                f"GPS times decrease {self._backward:,} times from point to point: points are not "
+                "in order of measurement"
             )
         self.warnings += reader.notes
 

@@ -35,4 +35,4 @@ class Interrupt:
         self.player.Abort()
         for again in self._previous:
             signal.signal(again, signal.SIG_DFL)
-        self.messages.warning("stopping after this block; once more to stop at once")
+        self.messages.warning("stopping after this block; press Ctrl-C again to stop immediately")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command line says: results on standard output, errors and warnings on standard error."""
+"""Output of the command line: results on standard output, errors and warnings on standard error."""
 
 import sys
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page of a report: one HTML file that needs no other."""
+"""The page of a report: a single HTML file."""
 
 import base64
 
@@ -15,16 +15,18 @@ from ._report import describe_paths, readable
 
 MOST_ECHOES = 6  # larger counts share one bar
 OUTER = 0.003  # fraction of points at either end excluded from histograms
-LEG_HEADS = ("leg", "start [s]", "lasts [s]", "pulses", "with echo [%]", "points", "computed in [s]")
+LEG_HEADS = (
+    "leg", "start [s]", "duration [s]", "pulses", "with echo [%]", "points", "computing time [s]"
+)  # fmt: skip
 HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
     "range": ("Range", "range [m]", "m", ""),
     "incidence": (
-        "Angle of incidence", "angle from the normal of the surface [deg]", "deg",
-        "0: straight onto the surface",
+        "Angle of incidence", "angle from the surface normal [deg]", "deg",
+        "0: normal incidence",
     ),
-    "amplitude": ("Amplitude", "amplitude [dB above 1 nW]", "dB", "10 dB are ten times the power"),
+    "amplitude": ("Amplitude", "amplitude [dB above 1 nW]", "dB", "10 dB: ten times the power"),
     "width": ("Echo width", "full width at half maximum [ns]", "ns",
-              "wider than the pulse: slopes, and leaves in one beam; shares on a logarithmic scale"),
+              "wider than the pulse: slopes, leaves within one beam; logarithmic frequency scale"),
 }  # fmt: skip
 
 
@@ -62,16 +64,16 @@ def _tiles(summary, figures):
     seconds = timings["run_s"]
     tiles = [
         (f"{figures.count:,}", "points"),
-        (f"{fired:,}", "pulses that left the scanner"),
-        (f"{100 * hit / max(1, fired):.1f} %", "of the pulses have an echo"),
-        (f"{figures.count / max(1, hit):.3f}", "echoes a pulse that has any"),
-        (f"{figures.mean_density():.4g} /m²", "points, where there are any"),
+        (f"{fired:,}", "pulses fired"),
+        (f"{100 * hit / max(1, fired):.1f} %", "of the pulses with an echo"),
+        (f"{figures.count / max(1, hit):.3f}", "echoes per pulse with an echo"),
+        (f"{figures.mean_density():.4g} /m²", "point density of non-empty cells"),
         (f"{100 * figures.raster.coverage():.1f} %", f"coverage of {_cell(figures)} cells"),
     ]
     if figures.overlap() is not None:
-        tiles.append((f"{100 * figures.overlap():.1f} %", "of it seen by two legs or more"))
+        tiles.append((f"{100 * figures.overlap():.1f} %", "overlap: covered by two legs or more"))
     tiles.append((duration(seconds) if seconds >= 60 else f"{seconds:.2f} s",
-                  f"to run, {fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"))  # fmt: skip
+                  f"run time, {fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"))  # fmt: skip
     return tiles
 
 
@@ -92,13 +94,13 @@ def _maps(figures, reader):
         _figure(
             "Density", f"cells of {_cell(figures)}; white: no point; orange: the platform",
             _charts.density_map(raster, paths),
-            f"map of the density, on average {figures.mean_density():.3g} points a square metre",
+            f"map of the density, {figures.mean_density():.3g} points/m² on average",
         )
     ]  # fmt: skip
     if figures.overlap() is not None:
         share = 100 * figures.overlap()
         figures_of.append(
-            _figure("Overlap", f"{share:.1f} % of the cells with a point were seen twice or more",
+            _figure("Overlap", f"{share:.1f} % of the non-empty cells are covered twice or more",
                     _charts.strips_map(raster), f"map of the overlap, {share:.1f} %")
         )  # fmt: skip
     return figures_of
@@ -112,7 +114,7 @@ def _histograms(figures):
             missing.append(title.lower())
             continue
         if key == "range" and figures.range_is_reckoned:
-            note = "from the platform: text has no ranges"
+            note = "distance to the platform: text files have no ranges"
         median = histogram.quantile(0.5)
         png = _charts.histogram(*_focus(histogram), axis, median, unit, log=key == "width")
         shown.append(_figure(title, note, png, f"{title}: histogram, median {median:.4g} {unit}"))
@@ -137,14 +139,14 @@ def _bars(figures):
         counts = [int(count) for count in figures.echoes[1:MOST_ECHOES]]
         rest = int(figures.echoes[MOST_ECHOES:].sum())
         png = _charts.bars([*names, f"{MOST_ECHOES} or more"], [*counts, rest], "echoes",
-                           "share of the pulses with an echo [%]")  # fmt: skip
-        found.append(_figure("Echoes a pulse", "", png, "pulses by their number of echoes"))
+                           "fraction of the pulses with an echo [%]")  # fmt: skip
+        found.append(_figure("Echoes per pulse", "", png, "pulses by their number of echoes"))
     if figures.classes.any():
         numbers = sorted(range(256), key=lambda i: -figures.classes[i])[:12]
         numbers = [i for i in numbers if figures.classes[i]]
         names = [f"{i} {CLASSES.get(i, '')}".strip() for i in numbers]
         png = _charts.bars(names, [int(figures.classes[i]) for i in numbers], "class",
-                           "share of the points [%]")  # fmt: skip
+                           "fraction of the points [%]")  # fmt: skip
         found.append(_figure("Classes", "", png, "points by their class"))
     return found
 
@@ -171,7 +173,7 @@ def _files(figures, reader):
 def _settings(summary):
     timings, options = summary["timings"], summary["options"]
     return [
-        ("sampling of the beam", summary["sampling"]),
+        ("beam sampling", summary["sampling"]),
         ("pulses", describe_paths(summary["totals"])),
         ("ray caster", summary["rayCaster"]),
         ("time", f"{timings['load_s']:.2f} s to load, {timings['run_s']:.2f} s to run, "

@@ -55,24 +55,24 @@ PAGE = """\
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{{ summary.survey }}: report of a run</title><style>{{ style | safe }}</style></head><body>
 <h1>{{ summary.survey }}</h1>
-<p class="lead">A simulated survey: {{ summary.legs | length }} legs that fired pulses, by vtkHelios \
+<p class="lead">Simulated survey of {{ summary.legs | length }} legs with pulses, by vtkHelios \
 {{ summary.versions.vtkHelios }} (this page: {{ version }}), VTK {{ summary.versions.VTK }}.</p>
 <div class="tiles">
 {%- for value, name in tiles -%}
 <div class="tile"><b>{{ value }}</b><span>{{ name }}</span></div>
 {%- endfor -%}
 </div>
-<h2>From above</h2>
-{{ charts(maps) }}<p class="note">Coverage is the share of cells with a point, of all cells that lie \
-between the first and the last such cell of their row and of their column.</p>
+<h2>Plan view</h2>
+{{ charts(maps) }}<p class="note">Coverage is the fraction of non-empty cells among all cells \
+between the first and the last non-empty cell of their row and of their column.</p>
 <h2>Points</h2>
-{{ charts(histograms) }}<p class="note">Histograms leave out the outer {{ outer }} % at either end.</p>
-{%- if missing %}<p class="note">Not in this run's files: {{ missing | join(", ") }}. With \
-<code>--format las</code> or <code>vtp</code> it is.</p>{% endif %}
+{{ charts(histograms) }}<p class="note">Histograms exclude the outermost {{ outer }} % at either end.</p>
+{%- if missing %}<p class="note">Not in the files of this run: {{ missing | join(", ") }}. Use \
+<code>--format las</code> or <code>vtp</code> to store it.</p>{% endif %}
 <h2>Legs</h2>
 {{ table(leg_heads, legs) }}
 {{ table(("file", "points"), files) if files }}
-<h2>How it was run</h2>
+<h2>Run</h2>
 {{ table(("", ""), settings, text=(0, 1), hidden=True) }}
 <h2>Inputs</h2>
 {{ table(("file", "size", "SHA-256"), inputs, text=(0, 2)) }}

@@ -37,7 +37,7 @@ class Parser(argparse.ArgumentParser):
     def explain_unknown(self, word):
         """The message for an option that does not exist."""
         best = nearest(word, list(self._option_string_actions))
-        hint = f"did you mean {best}?" if best else f"{self.prog} --help lists the known ones"
+        hint = f"did you mean {best}?" if best else f"{self.prog} --help lists all options"
         return f"unknown option {word}: {hint}"
 
     def _check_value(self, action, value):

@@ -38,7 +38,9 @@ def simulate(survey, arguments, folder, messages):
         with make_progress(player, messages, quiet=arguments.quiet):
             succeeded = player.Run()
     if interrupt.signal and not succeeded:
-        messages.error("interrupted while the survey was simulated; the plan itself is written")
+        messages.error(
+            "interrupted during the simulation of the survey; the plan itself is written"
+        )
         return 128 + interrupt.signal, None
     if not succeeded:
         messages.error_unless_told(player.GetMessage())
@@ -183,14 +185,14 @@ def check_lines(check, tolerance):
     yield (
         f"check    predicted {check['predicted_percent']:.2f} %, simulated "
         f"{check['simulated_percent']:.2f} % of the coverable test points, by {check['echoes']:,} "
-        f"echoes; {check['predictedNotMet']:,} predicted and not met, {check['metNotPredicted']:,} "
-        "the other way"
+        f"echoes; {check['predictedNotMet']:,} false positives, {check['metNotPredicted']:,} "
+        "false negatives"
     )
     if check["coarse_percent"] > 1:
         yield (
             f"         the scans are coarser than --tolerance ({tolerance:g} m) at "
-            f"{check['coarse_percent']:.0f} % of them, where a pulse that passes near counts; "
-            "--resolution makes them finer"
+            f"{check['coarse_percent']:.0f} % of them, where the nearest pulse counts instead; "
+            "give a finer --resolution"
         )
 
 
@@ -201,5 +203,5 @@ def explain_difference(check, settings):
         return None
     text = f"simulated coverage is {abs(difference):.1f} % {'below' if difference > 0 else 'above'} predicted"
     if difference > 0 and not settings["scannerLimits"]:
-        return f"{text}: ranges and field of view of the scanner were not asked for; give --scanner-limits"
-    return f"{text}; a finer --resolution or a smaller --test-grid tells more"
+        return f"{text}: range gate and field of view of the scanner were ignored; give --scanner-limits"
+    return f"{text}; try a finer --resolution or a smaller --test-grid"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a plan came to: as JSON, as a table, in words."""
+"""The result of a plan: as JSON, as a table, as text."""
 
 import math
 import sys
@@ -115,7 +115,7 @@ def print_table(rows):
         for row in [titles, *cells]:
             print("  ".join(f"{cell:>{width}}" for cell, width in zip(row, widths)))
     if left:
-        print(f"and {left} more; positions.vtp has all")
+        print(f"and {left} more; all are in positions.vtp")
 
 
 def result_lines(report):
@@ -123,14 +123,14 @@ def result_lines(report):
     result = report["result"]
     points = report["testPoints"]
     yield (
-        f"seen     {result['covered']:,} test points: "
-        f"{result['coverableCoverage_percent']:.2f} % of the {report['coverable']:,} that any position "
-        f"sees, {result['coverage_percent']:.2f} % of all {points:,}"
+        f"covered  {result['covered']:,} test points: "
+        f"{result['coverableCoverage_percent']:.2f} % of the {report['coverable']:,} coverable "
+        f"ones, {result['coverage_percent']:.2f} % of all {points:,}"
     )
     if result["worstIncidence_deg"] is not None:
         yield (
-            f"angles   best incidence of a point: {result['worstIncidence_deg']:.1f} deg at worst, "
-            f"{result['meanBestIncidence_deg']:.1f} deg on average"
+            f"angles   best incidence of a test point: at most {result['worstIncidence_deg']:.1f} "
+            f"deg, {result['meanBestIncidence_deg']:.1f} deg on average"
         )
     yield f"scans    {describe_proof(result, report['settings'].get('timeLimit_s'))}"
 
@@ -138,14 +138,14 @@ def result_lines(report):
 def describe_proof(result, limit=None):
     """The count and its proof; limit is the search time of the exact method [s]."""
     scans = counted(result["scans"], "scan")
-    bound = f"lower bound {result['lowerBound']:.2f}"
+    bound = f"linear bound {result['lowerBound']:.2f}"
     if result["isProvedOptimal"]:
-        return f"{scans}, proved: no plan on these candidates has fewer ({bound})"
-    cure = "--method optimal searches on"
+        return f"{scans}, proved to be the minimum for these candidates ({bound})"
+    cure = "--method optimal searches further"
     if limit is not None:
-        cure = f"the proof was not finished in {limit:g} s: a longer --time-limit searches on"
+        cure = f"the proof was not finished in {limit:g} s; give a longer --time-limit"
     return (
-        f"{scans}; no plan has fewer than {result['bestBound']} ({bound}, gap "
+        f"{scans}; lower bound: {counted(result['bestBound'], 'scan')} ({bound}, gap "
         f"{result['gap_percent']:.0f} %); {cure}"
     )
 

@@ -132,8 +132,8 @@ class Plan:
         """Runs all filters; returns False after an error or if stopped."""
         return (
             steps.run("loading the scene", self.document)
-            and steps.run("looking for positions", self.candidates)
-            and steps.run("looking for test points", self.test_points)
+            and steps.run("finding candidates", self.candidates)
+            and steps.run("finding test points", self.test_points)
             and steps.run(self.describe_viewsheds(), self.viewsheds)
             and steps.run(self.describe_choice(), self.planner, even=False)
         )
@@ -141,11 +141,11 @@ class Plan:
     def describe_viewsheds(self):
         positions = self.candidates.GetOutput().GetNumberOfPoints()
         points = self.test_points.GetOutput().GetNumberOfPoints()
-        return f"{positions:,} positions looking at {points:,} points"
+        return f"viewsheds of {positions:,} candidates, {points:,} test points"
 
     def describe_choice(self):
         limit = self.settings.get("timeLimit_s")
-        return "choosing positions" + (f", proofs for {limit:g} s at most" if limit else "")
+        return "selecting positions" + (f", search limited to {limit:g} s" if limit else "")
 
     def choose_settings(self):
         """All settings of the plan, as JSON: options override the document."""

@@ -64,8 +64,8 @@ class Selection:
             row = int(np.flatnonzero(~finite)[0])
             place = ", ".join(f"{value:g}" for value in points[row])
             raise FormatError(
-                f"{path}: point {self.seen + row} is ({place}), not finite; correct it, or leave "
-                "such points out with --skip-invalid"
+                f"{path}: point {self.seen + row} is ({place}), not finite; correct it, or drop "
+                "such points with --skip-invalid"
             )
         self.invalid += int(np.count_nonzero(~finite))
         return finite

@@ -21,7 +21,7 @@ def add_assets_argument(parser):
         metavar="DIR",
         action="append",
         default=[],
-        help="a folder to look up scenes, scanners and platforms in; may be repeated",
+        help="a folder to search for scenes, scanners and platforms; may be repeated",
     )
 
 
@@ -29,7 +29,9 @@ def size(text):
     """An argparse type: a number of bytes, as 8G or 512MiB."""
     found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?((?:[kmgt]i?)?)b?", text.lower())
     if not found or float(found[1]) == 0.0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a size; give one as 8G or 512M")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a size; expected a number of bytes such as 8G or 512M"
+        )
     return float(found[1]) * SIZES[found[2]]
 
 
@@ -39,8 +41,8 @@ def add_memory_argument(parser):
         metavar="SIZE",
         type=size,
         default=0.0,
-        help="what the run may take in all, as 8G: a scene that would take more is refused before "
-        "it is made (default: what the machine has available)",
+        help="memory limit of the whole run, such as 8G: a scene that needs more is refused before "
+        "it is loaded (default: the available memory)",
     )
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run has done, or would do, as text: of the report that the player makes."""
+"""A run, or its estimate, as text: from the report of the player."""
 
 from ._progress import duration
 
@@ -27,7 +27,7 @@ def summary_lines(report, folder):
         f"with     vtkHelios {versions['vtkHelios']}, VTK {versions['VTK']}, "
         f"ray caster {report['rayCaster']}"
     )
-    yield f"sub-rays {report['sampling']}"
+    yield f"sampling {report['sampling']}"
     if len(report["legs"]) > 1:
         yield from table_lines(report["legs"], [("time [s]", 10, timings["legs_s"])])
     yield f"pulses   {totals['pulsesFired']:,}: {describe_paths(totals)}"
@@ -55,12 +55,12 @@ def file_lines(legs, folder):
 def estimate_lines(report):
     """An estimated run."""
     totals = report["totals"]
-    yield f"sub-rays {report['sampling']}"
+    yield f"sampling {report['sampling']}"
     sizes = [readable(leg["bytes"]) for leg in report["legs"]]
     yield from table_lines(report["legs"], [("bytes", 12, sizes)])
     share = totals["pulsesSampled"] / max(1, totals["pulses"])
     yield f"legs     {len(report['legs'])}, {totals['duration_s']:.3f} s"
-    yield f"pulses   {totals['pulses']:,}, of which {totals['pulsesFired']:,} leave the scanner"
+    yield f"pulses   {totals['pulses']:,}, {totals['pulsesFired']:,} of them fired"
     yield f"points   {totals['points']:,}"
     yield f"files    {readable(totals['bytes'])}"
     yield f"memory   {readable(report['memory_bytes'])}"
@@ -69,7 +69,7 @@ def estimate_lines(report):
         f"({(report['load_s'] + report['run_s']) / 60:.2f} minutes) "
         f"with {counted(report['threads'], 'thread')}"
     )
-    yield f"         reckoned from {100 * share:.0f} % of the pulses; nothing was written"
+    yield f"         estimated from {100 * share:.0f} % of the pulses; nothing was written"
 
 
 def join_reports(plays, reports):
@@ -88,7 +88,7 @@ def plays_lines(joined):
     """All epochs of a survey together."""
     totals, timings = joined["totals"], joined["timings"]
     seconds = timings["load_s"] + timings["run_s"]
-    yield f"plays    {len(joined['plays'])}, of the same legs"
+    yield f"epochs   {len(joined['plays'])}, of the same legs"
     yield f"pulses   {totals['pulsesFired']:,}"
     yield f"points   {totals['points']:,}"
     if "memory_bytes" in joined:
@@ -121,13 +121,13 @@ def describe_paths(totals):
     """How pulses were sampled, and their cost."""
     pulses = max(1, totals["pulsesFired"])
     ways = {
-        "on one plane": totals["pulsesOnPlane"],
+        "planar": totals["pulsesOnPlane"],
         "without bins": totals["pulsesWithoutBins"],
         "binned": totals["pulsesBinned"],
     }
-    ways["met nothing"] = pulses - sum(ways.values())
+    ways["without hits"] = pulses - sum(ways.values())
     said = ", ".join(f"{count:,} {way}" for way, count in ways.items() if count > 0)
-    return f"{said}; {totals['subRays'] / pulses:.1f} rays a pulse"
+    return f"{said}; {totals['subRays'] / pulses:.1f} rays per pulse"
 
 
 def counted(number, what):

@@ -21,26 +21,26 @@ SUMMARY = "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole r
 
 EPILOG = """\
 formats, by the end of a name, in and out:
-  .xyz        text, the eleven columns of vtkhelios run (in: any text that begins with x y z)
-  .las .laz   LAS, and compressed; LAZ needs laspy and lazrs
-  .copc.laz   COPC, LAZ in an octree for viewers; needs copclib, too
-  .pvtp .vtp  VTK XML, in pieces, and in one (which is in memory as a whole)
+  .xyz        text, the eleven columns of vtkhelios run (input: any text that begins with x y z)
+  .las .laz   LAS and LAZ (compressed); LAZ needs laspy and lazrs
+  .copc.laz   COPC, LAZ in an octree for viewers; also needs copclib
+  .pvtp .vtp  VTK XML, in pieces, or in one file (held in memory as a whole)
   .ply        PLY, binary; every array is a property
-  .pcd        PCD of the Point Cloud Library: floats about an origin; in, as a whole
-  .e57        E57, a scan a leg or input, with its pose; needs pye57
-  in, too: the folder of a run, with all its legs; every point knows its leg.
+  .pcd        PCD of the Point Cloud Library: floats relative to an origin; read as a whole
+  .e57        E57, one scan per leg or input, with its pose; needs pye57
+  input only: the folder of a run, with all its legs; every point has its leg id.
 
-From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost.
-Everything else goes through arrays; what the output has no room for is said. Points pass in
-chunks: memory does not grow with files, but for .vtp, .pcd that is read, and for .copc.laz (about 70 bytes a point).
+From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost. All
+other conversions use arrays; data that the output format cannot store is reported. Points are
+converted in chunks: memory does not grow with the files, except for .vtp, for input of .pcd, and for
+.copc.laz (about 70 bytes per point).
 
-The output has the name's .part until it is whole; Ctrl-C and errors remove it. Docs/files.md has the
-whole of it.
+The output is named .part until it is complete; Ctrl-C and errors remove it. See Docs/files.md.
 
 examples:
   vtkhelios convert output/village leg.laz             all legs of a run in one file
-  vtkhelios convert output/village scans.e57           one scan a setup
-  vtkhelios convert output/village clouds --format laz a file a leg
+  vtkhelios convert output/village scans.e57           one scan per scan position
+  vtkhelios convert output/village clouds --format laz one file per leg
   vtkhelios convert a.las b.las both.copc.laz --merge
   vtkhelios convert a.las ground.ply --class 2 --returns last
   vtkhelios convert a.las internal.las --waveforms internal
@@ -56,7 +56,9 @@ def class_list(text):
     except ValueError:
         classes = [-1]
     if not all(0 <= each <= 255 for each in classes):
-        raise argparse.ArgumentTypeError(f"{text!r} is no list of classes 0 to 255, as 2 or 2,6")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a list of classes 0 to 255, such as 2 or 2,6"
+        )
     return classes
 
 
@@ -67,39 +69,44 @@ def add_arguments(parser):
     parser.add_argument(
         "--format",
         choices=[kind[1:] for kind in formats.FORMATS],
-        help="OUTPUT is a folder: a file of this format for every input, or leg of a run",
+        help="OUTPUT is a folder: one file of this format per input, or per leg of a run",
     )
-    parser.add_argument("--merge", action="store_true", help="several inputs go into one file")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that are there")
+    parser.add_argument("--merge", action="store_true", help="merge several inputs into one file")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing files")
     parser.add_argument(
         "--crs",
         metavar="CRS",
-        help="the coordinate system of the output (EPSG:n ...): points of another one are brought "
-        "there; where an input says none, it is what its points are in",
+        help="the coordinate system of the output (EPSG:n ...): points in another one are "
+        "transformed; an input without one is assumed to be in this one",
     )
     parser.add_argument(
         "--returns",
         choices=RETURNS,
         default="all",
-        help="of the returns of a pulse: all, first, last, or single ones (default: %(default)s)",
+        help="returns to keep: all, first, last, or single ones (default: %(default)s)",
     )
     parser.add_argument(
-        "--class", dest="classes", metavar="N,N", type=class_list, help="points of these classes"
+        "--class",
+        dest="classes",
+        metavar="N,N",
+        type=class_list,
+        help="keep only points of these classes",
     )
     parser.add_argument(
         "--every",
         metavar="N",
         type=whole_number(10**9, lowest=1),
         default=1,
-        help="every Nth point, before other choices (default: %(default)s)",
+        help="keep every Nth point, before other selections (default: %(default)s)",
     )
     parser.add_argument(
-        "--skip-invalid", action="store_true", help="leave out points that are not finite"
+        "--skip-invalid", action="store_true", help="drop points that are not finite"
     )
     parser.add_argument(
         "--waveforms",
         choices=["internal", "external"],
-        help="of LAS and LAZ: packets in the file itself, or beside it as .wdp (default: as they are)",
+        help="LAS and LAZ: store waveform packets in the file, or beside it as .wdp (default: "
+        "unchanged)",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
@@ -115,10 +122,10 @@ def run(arguments):
         except OSError as error:
             messages.error(
                 f"{error.filename or arguments.output}: cannot be read or written: "
-                f"{error.strerror or error}; see that it may be, and that the disk has room"
+                f"{error.strerror or error}; check permissions and free disk space"
             )
         except MemoryError:
-            messages.error("the memory does not suffice; give --every, or fewer inputs")
+            messages.error("not enough memory; give --every, or fewer inputs")
         return 1
 
 
@@ -149,7 +156,8 @@ def plan_folder(arguments):
         raise formats.FormatError(f"{arguments.output}: is a file; with --format give a folder")
     if arguments.merge:
         raise formats.FormatError(
-            f"{arguments.output}: is a folder, for a file an input; leave --merge or --format out"
+            f"{arguments.output}: is a folder, for one file per input; leave --merge or --format "
+            "out"
         )
     conversions, names = [], {}
     for path in arguments.inputs:
@@ -160,7 +168,8 @@ def plan_folder(arguments):
             target = pathlib.Path(arguments.output) / f"{stem}.{arguments.format}"
             if target in names:
                 raise formats.FormatError(
-                    f"{target}: would be of {names[target]} and of {path}; convert these one by one"
+                    f"{target}: would be the output of both {names[target]} and {path}; convert "
+                    "these one by one"
                 )
             names[target] = path
             source = RunReader(path, leg) if leg else path
@@ -186,10 +195,10 @@ def refuse(conversions, overwrite):
         inputs |= {path.with_suffix(".wdp") for path in inputs}
         for path in conversion.files():
             if path.resolve() in inputs and (path.exists() or path == conversion.files()[0]):
-                raise formats.FormatError(f"{path}: is an input, too; give another name")
+                raise formats.FormatError(f"{path}: is also an input; give another name")
         path = conversion.files()[0]
         if path.exists() and not overwrite:
-            raise formats.FormatError(f"{path}: is there already; give --overwrite to replace it")
+            raise formats.FormatError(f"{path}: already exists; give --overwrite to replace it")
 
 
 def convert_all(conversions, arguments, messages):
@@ -217,7 +226,7 @@ def conclude(conversion, seconds, messages):
     for name, reason in conversion.lost.items():
         reasons.setdefault(reason, []).append(name)
     for reason, names in reasons.items():
-        messages.info(f"lost     {', '.join(names)}: {reason}")
+        messages.info(f"dropped  {', '.join(names)}: {reason}")
     if conversion.selection.invalid:
         messages.info(f"skipped  {conversion.selection.invalid:,} points that are not finite")
     size = sum(path.stat().st_size for path in conversion.files() if path.exists())

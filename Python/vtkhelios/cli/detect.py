@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios detect: finds the echoes in stored waveforms anew."""
+"""vtkhelios detect: re-runs echo detection on stored waveforms."""
 
 import argparse
 import os
@@ -16,17 +16,17 @@ from .._paths import to_vtk
 from ._messages import Messages
 from .run import DETECTORS, number, whole_number
 
-SUMMARY = "find the echoes in stored waveforms, with another detector or threshold"
+SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
 
 EPILOG = """\
 what it reads: legNNN_fullwave.pvtt or .txt as vtkhelios run --waveforms writes them, or with
---one-way the legNNN_fullwave.txt of HELIOS++, whose times are those of the way out alone.
+--one-way the legNNN_fullwave.txt of HELIOS++, whose times are one-way.
 
-what it writes: the same columns as a run. Waveforms do not know what the light came from: in
-text the object is -1 and the class 0.
+what it writes: the same columns as a run. Waveforms do not identify the surface: in text the
+object is -1 and the class 0.
 
-A run always with the same sub-rays (beamSampleQuality, --sub-rays) gives the same echoes again
-with the same detector; a run by tolerance the same within its tolerances.
+For a run with a fixed number of sub-rays (beamSampleQuality, --sub-rays) the same detector gives
+the same echoes again; for a run with adaptive sampling, the same within its tolerances.
 
 examples:
   vtkhelios detect leg000_fullwave.pvtt --detector gaussian -o leg000_gaussian.xyz
@@ -42,7 +42,9 @@ SELECTIONS = ["all", "first", "last", "strongest", "firstAndLast"]
 def output_name(text):
     """An argparse type: a file whose ending selects its format."""
     if pathlib.Path(text).suffix not in (".xyz", ".pvtp"):
-        raise argparse.ArgumentTypeError(f"{text!r} ends neither in .xyz (text) nor in .pvtp (VTK)")
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not valid: expected a name that ends in .xyz (text) or .pvtp (VTK)"
+        )
     return text
 
 
@@ -55,7 +57,7 @@ def add_arguments(parser):
         metavar="FILE",
         type=output_name,
         required=True,
-        help="where the echoes go: .xyz, text columns, or .pvtp, VTK XML; an older one is replaced",
+        help="the echoes: .xyz, text columns, or .pvtp, VTK XML; an existing file is replaced",
     )
     parser.add_argument(
         "--detector",
@@ -69,41 +71,42 @@ def add_arguments(parser):
         metavar="NS",
         type=number(1e-3, 1e6),
         default=0.0,
-        help="of the transmitted pulse, full width at half maximum [ns] "
-        "(default: as a .pvtt says; text does not say it)",
+        help="emitted pulse, full width at half maximum [ns] "
+        "(default: that of the .pvtt; text does not store it)",
     )
     parser.add_argument(
         "--threshold",
         metavar="NW",
         type=number(0, 1e15),
         default=1e-4,
-        help="the smallest amplitude of an echo [nW] (default: %(default)s)",
+        help="the minimum amplitude of an echo [nW] (default: %(default)s)",
     )
     parser.add_argument(
         "--returns",
         metavar="WHICH",
         choices=SELECTIONS,
         default="all",
-        help="all, first, last, strongest or firstAndLast of a pulse (default: %(default)s)",
+        help="returns to keep per pulse: all, first, last, strongest or firstAndLast (default: "
+        "%(default)s)",
     )
     parser.add_argument(
         "--max-returns",
         metavar="N",
         type=whole_number(255),
         default=0,
-        help="how many of these are kept, the nearest first; 0: all (default: %(default)s)",
+        help="maximum number of these, the nearest first; 0: all (default: %(default)s)",
     )
     parser.add_argument(
         "--one-way",
         action="store_true",
-        help="the times of a text file are those of the way out alone (HELIOS++)",
+        help="the times of a text file are one-way (HELIOS++)",
     )
     parser.add_argument(
         "--threads",
         metavar="N",
         type=whole_number(4096),
         default=0,
-        help="how many processor cores to use; 0: all (default: %(default)s)",
+        help="number of threads; 0: one per processor core (default: %(default)s)",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 

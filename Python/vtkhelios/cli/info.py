@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios info: what a file of points, a run or a survey holds."""
+"""vtkhelios info: describes and checks a file of points, a run or a survey."""
 
 import json
 import pathlib
@@ -14,15 +14,15 @@ from ._raster import FARTHEST
 from ._reading import add_assets_argument
 from ._task import Interrupted, Task
 
-SUMMARY = "say what a file of points, a run or a survey holds, and check it"
+SUMMARY = "describe and check a file of points, a run or a survey"
 
 EPILOG = """\
-Of points, in any format of vtkhelios convert, and of the folder of a run: format, bounds, spacing,
-coordinate system, times, returns, classes, arrays; of LAS and LAZ also scale and offset, Extra Bytes,
-waveforms and header records. All points are read, in chunks, and checked: counts and box of the
-header, return numbers, times that go back, points that are not finite. What is wrong is a warning.
+Points, in any format of vtkhelios convert, and the folder of a run: format, bounds, spacing,
+coordinate system, times, returns, classes, arrays; for LAS and LAZ also scale and offset, Extra Bytes,
+waveforms and header records. All points are read, in chunks, and checked: counts and bounding box of
+the header, return numbers, decreasing times, points that are not finite. Problems are warnings.
 
-Of a survey (.xml): legs, scanner, platform, scene; vtkhelios validate says what is wrong with it.
+Surveys (.xml): legs, scanner, platform, scene; vtkhelios validate lists their errors.
 
 examples:
   vtkhelios info leg000_points.laz
@@ -84,14 +84,12 @@ def point_lines(facts):
         for axis, low, high in zip("xyz", *facts["bounds"].values()):
             yield f"{axis:10} {_metres(low)} to {_metres(high)} m"
         if facts["spacing_m"] is not None:
-            yield f"spacing    about {facts['spacing_m']:.3g} m, from above"
+            yield f"spacing    about {facts['spacing_m']:.3g} m, in plan view"
     crs = facts["crs"]
     yield f"crs        {'not known' if not crs else ' '.join(crs.split())[:100]}"
     if "gpsTime_s" in facts:
         first, last = facts["gpsTime_s"].values()
-        epoch = (
-            f", from {facts['gpsEpoch_s']:.0f} s of GPS time on" if "gpsEpoch_s" in facts else ""
-        )
+        epoch = f", since {facts['gpsEpoch_s']:.0f} s of GPS time" if "gpsEpoch_s" in facts else ""
         yield f"time       {first:.6f} to {last:.6f} s{epoch}"
     for name in ("returns", "classes"):
         if facts[name]:
@@ -135,10 +133,10 @@ def array_lines(arrays):
 def survey_lines(facts):
     yield f"survey     {facts['name']} ({facts['file']})"
     yield f"scanner    {facts['scanner']}"
-    yield f"platform   {facts['platform']}, {'moving' if facts['moving'] else 'standing'}"
+    yield f"platform   {facts['platform']}, {'moving' if facts['moving'] else 'static'}"
     yield f"scene      {facts['scene']}"
     if facts["plays"] > 1:
-        yield f"plays      {facts['plays']}"
+        yield f"epochs     {facts['plays']}"
     yield f"legs       {len(facts['legs'])}, {sum(leg['active'] for leg in facts['legs'])} active"
     for leg in facts["legs"][:MOST]:
         x, y, z = leg["position_m"]

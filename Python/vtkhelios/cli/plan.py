@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios plan: where to put the scanner, and a survey that scans from there."""
+"""vtkhelios plan: finds scan positions, and writes the survey of them."""
 
 import errno
 import json
@@ -26,40 +26,39 @@ from ._progress import make_progress
 from ._reading import look_up, missing_folder
 from ._report import counted
 
-SUMMARY = "plan where to scan a scene from, and write the survey that does so"
+SUMMARY = "find scan positions for a scene, and write the survey that scans from them"
 
 EPILOG = """\
-what it plans from: a file in HELIOS XML with a <surveyPlanner>, else with a <survey> (its scene,
-tripod, scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif). Scenes and
-meshes are scanned from a tripod with a VZ-400 class scanner, unless --platform and --scanner say
-otherwise. Options win over what the file says.
+input: a file in HELIOS XML with a <surveyPlanner>, else with a <survey> (its scene, tripod,
+scanner and scanner settings), else with a <scene>; or a mesh (.obj, .tif). The default platform and
+scanner for scenes and meshes are a tripod and a VZ-400 class scanner; see --platform and
+--scanner. Options override the file.
 
 how it plans:
-  1 candidates: places on a grid (--grid) where a tripod can stand: not too steep (--max-slope),
-    on the ground (--ground), not in an area to keep out of (--exclude), in a --region
+  1 candidates: places on a grid (--grid) where a tripod can be set up: not too steep (--max-slope),
+    on the ground (--ground), outside excluded areas (--exclude), in a --region
   2 test points: where vertical and horizontal lines of a grid (--test-grid) meet a surface
-  3 viewsheds: which candidate sees which test point, with nothing nearer than --tolerance before
-    it, and within the limits that are asked for (--scanner-limits, --range-max ...)
-  4 positions: as few candidates as see all that any candidate sees, or --coverage percent of it
-  Grids are a twentieth of the scene's diagonal unless given. Halve them until nothing changes.
+  3 viewsheds: the test points that each candidate sees, unoccluded up to --tolerance before the
+    point, and within the given limits (--scanner-limits, --range-max ...)
+  4 positions: the fewest candidates that see all that any candidate sees, or --coverage percent of it
+  The default grid spacing is a twentieth of the scene's diagonal. Halve it until the plan stays the
+  same.
 
 methods, for step 4:
-  reduce    takes candidates away that others replace, those with the smallest viewshed or mean
-            incidence first (--remove-order): Bechtold and Hoefle 2016; of a <surveyPlanner> the
-            default
-  greedy    takes what adds most, then removes what is not needed (bestcoverage is the same)
-  best      leaves out what others dominate, weighs points by how few see them, then searches on;
-            of scenes and surveys the default
-  optimal   proves the fewest, within --time-limit; where that ends it, says how many fewer there
-            might be
-  All say a lower bound of the number of scans. Docs/planning.md has the whole of it.
+  reduce    removes redundant candidates, those with the smallest viewshed or mean incidence first
+            (--remove-order): Bechtold and Hoefle 2016; the default for a <surveyPlanner>
+  greedy    adds the candidate that gains most, then removes redundant ones (bestcoverage is the same)
+  best      removes dominated candidates, weights test points by how few candidates see them, then
+            searches further; the default for scenes and surveys
+  optimal   proves the minimum, within --time-limit; otherwise it prints the gap to the lower bound
+  All print a lower bound of the number of scans. See Docs/planning.md.
 
 what it writes, below OUTPUT/<name>/:
-  survey.xml         one leg a position, those first that add most; vtkhelios run takes it
+  survey.xml         one leg per position, largest gain first; for vtkhelios run
   positions.vtp      the positions: ViewshedSize (test points seen), NewlyCovered, Exclusivity (seen
-                     from no other one), MeanIncidenceAngle [deg]
-  candidates.vtp     all candidates, with Selected and the same
-  test_points.vtp    Coverable, NumberOfScans that see it, BestIncidenceAngle [deg]
+                     from this one only), MeanIncidenceAngle [deg]
+  candidates.vtp     all candidates, with the same arrays and Selected
+  test_points.vtp    Coverable, NumberOfScans (that see it), BestIncidenceAngle [deg]
   plan.png           the test points by number of scans and by best incidence (needs an X display:
                      xvfb-run -a vtkhelios plan ... makes one)
   plan_summary.json  settings, bounds, positions, timings; --json prints it
@@ -70,8 +69,8 @@ examples:
   vtkhelios plan scene.xml --method optimal --coverage 98 --range-max 60
   vtkhelios plan planner.xml --output plans          a <surveyPlanner>
   vtkhelios plan scene.xml --scanner-limits --overlap 20 --max-incidence 75
-  vtkhelios plan scene.xml --check --resolution 0.05      is it true?
-  vtkhelios run output/yard/survey.xml               scan from there
+  vtkhelios plan scene.xml --check --resolution 0.05      also simulate the survey
+  vtkhelios run output/yard/survey.xml               run the planned survey
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
 130 interrupted (Ctrl-C: nothing is written before the plan is made).
@@ -124,7 +123,7 @@ def run(arguments):
             messages.error("interrupted before the plan was made; nothing was written")
             return 128 + interrupt.signal
         if not succeeded:
-            messages.error_unless_told("no plan came of it")
+            messages.error_unless_told("no plan was found")
             return 1
         return conclude(arguments, plan, steps, folder, messages)
 
@@ -163,7 +162,7 @@ def find_earlier_plan(folder, overwrite):
 def find_unusable(arguments, folder):
     """The error in the named files, or None."""
     if arguments.exclude and not vtkXMLPolyDataReader().CanReadFile(arguments.exclude):
-        return f"--exclude {arguments.exclude}: is no VTK XML file of polygons; give a .vtp"
+        return f"--exclude {arguments.exclude}: is not a VTK XML file of polygons; give a .vtp"
     try:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "survey.xml.part").touch()
@@ -184,7 +183,7 @@ def find_contradiction(settings):
         ),
     ):
         if low >= high:
-            return f"from {low:g} to {high:g} nothing is seen: give a larger range ({options})"
+            return f"the range from {low:g} to {high:g} is empty: give a larger one ({options})"
     return None
 
 
@@ -193,12 +192,12 @@ def conclude(arguments, plan, steps, folder, messages):
     report = make_report(plan, arguments.input)
     messages.info(
         f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
-        f"{report['coverable']:,} of them seen from any"
+        f"{report['coverable']:,} of them coverable"
     )
     if report["enclosed"]:
         messages.info(
-            f"         without {counted(report['enclosed'], 'place')} closed all around (--enclosed "
-            "takes them, too)"
+            f"         without {counted(report['enclosed'], 'enclosed place')} (--enclosed "
+            "includes them)"
         )
     if messages.results:
         print_table(report["positions"])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios report: a run as a page of maps, histograms and numbers."""
+"""vtkhelios report: a page of maps, histograms and numbers of a run."""
 
 import json
 import pathlib
@@ -20,15 +20,15 @@ from ._report import readable
 from ._task import Interrupted, Task
 from .run import number
 
-SUMMARY = "write one HTML page on a run: maps, histograms, timings, inputs"
+SUMMARY = "write a report page of a run in HTML: maps, histograms, timings, inputs"
 
 EPILOG = """\
-what the page shows: a map of the density and one of the overlap, coverage, range, angle of incidence,
-amplitude, echo width, echoes a pulse, classes, a table of the legs, timings, options, and the inputs
-with their SHA-256. It is one file that needs no other, and no network.
+what the page shows: maps of the density and of the overlap, coverage, range, angle of incidence,
+amplitude, echo width, echoes per pulse, classes, a table of the legs, timings, options, and the inputs
+with their SHA-256. It is a single file and needs no network.
 
-Of text runs (.xyz) ranges are reckoned from the trajectory, and incidence is not known: run with
---format las or vtp for all of it. Points are read once, in chunks: memory does not grow with the run.
+For text runs (.xyz) ranges are computed from the trajectory, and incidence is not known: run with
+--format las or vtp to store both. Points are read once, in chunks: memory does not grow with the run.
 
 Needs matplotlib and Jinja2: apt-get install python3-matplotlib python3-jinja2.
 
@@ -50,11 +50,11 @@ def add_arguments(parser):
         "--cell",
         metavar="M",
         type=number(1e-3, 1e5),
-        help="the side of the cells of maps, coverage and overlap [m] (default: a power of two, for "
-        "at most 512 cells a side)",
+        help="cell size of maps, coverage and overlap [m] (default: a power of two, with at most "
+        "512 cells per side)",
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace a page that is there")
-    parser.add_argument("--json", action="store_true", help="print the numbers as JSON, too")
+    parser.add_argument("--overwrite", action="store_true", help="replace an existing page")
+    parser.add_argument("--json", action="store_true", help="also print the numbers as JSON")
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
 
@@ -84,7 +84,7 @@ def make_report(arguments, messages):
         raise formats.FormatError(f"{folder}: {problem}; give the folder of a run")
     page = pathlib.Path(arguments.output or folder / "report.html")
     if page.exists() and not arguments.overwrite:
-        raise formats.FormatError(f"{page}: is there already; give --overwrite to replace it")
+        raise formats.FormatError(f"{page}: already exists; give --overwrite to replace it")
     _charts.load()  # before all points are read
     load_template()
     figures = Figures(arguments.cell)

@@ -26,48 +26,46 @@ SUMMARY = "run a survey: write the point cloud and the trajectory of every leg"
 
 EPILOG = """\
 what it writes, below OUTPUT/<name of the survey>/, for every active leg:
-  legNNN_points.xyz       one echo a line: x y z [m], intensity [nW], echo width [ns],
+  legNNN_points.xyz       one echo per line: x y z [m], intensity [nW], echo width [ns],
                           return number, number of returns, pulse, object, class, GPS time [s]
   legNNN_trajectory.txt   x y z [m], GPS time [s], roll pitch yaw [deg]
-  legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse a line, pulse, origin x y z,
+  legNNN_fullwave.txt     the waveforms, with --waveforms: one pulse per line, pulse, origin x y z,
                           direction x y z, first and last time [ns, two-way], GPS time [s],
                           samples [nW]
-  legNNN_pulse.txt        the pulses, with --pulses: one a line, origin x y z, direction x y z,
+  legNNN_pulse.txt        the pulses, with --pulses: one per line, origin x y z, direction x y z,
                           time [ns], pulse, channel
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
-With --format las: legNNN_points.las, LAS 1.4 with all that is known of an echo (Docs/files.md), and
-with --waveforms legNNN_points.wdp beside it; the rest as text.
+With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), and
+with --waveforms legNNN_points.wdp beside it; other files are text.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
                           leg, timings
-While a run writes, files end in .part; they hold whole lines at any moment.
-A survey whose scene swaps parts is played several times, one play after the other, each into a
-folder of its own below that: play000, play001 and so on. Docs/scenes.md has the whole of it.
+During a run file names end in .part; the files hold whole lines at any time.
+A survey whose scene swaps parts has several epochs, called plays. They run one after the other, each
+into its own folder below that: play000, play001 and so on. See Docs/scenes.md.
 
-how a run survives:
-  run.journal, beside the files, says what is safe on the disk. A run that was killed, stopped by
-  Ctrl-C, or ended by a full disk goes on after its last block with the same command and --resume;
-  its files are then the same, byte for byte, as those of a run that was never broken. What it
-  read and was told (files, seed, format, sampling) must be the same, too; an error says what is
-  not. The journal and the last blocks of the files have checksums: what is damaged is an error;
-  --check-all compares the whole of the files. A run that is finished stays as it is.
-  Docs/running.md has the whole of it.
+interrupted runs:
+  run.journal, beside the files, records what is flushed to disk. The same command with --resume
+  continues a run that was killed, stopped by Ctrl-C, or ended by a full disk after its last block;
+  the files are then byte-identical to those of an uninterrupted run. Inputs and options (files,
+  seed, format, sampling) must be the same; an error names those that differ. The journal and the
+  last blocks of the files have checksums: damage is an error; --check-all verifies the whole
+  files. A finished run is not changed. See Docs/running.md.
 
-how long it will take:
-  --dry-run loads the scene, runs a tenth of the pulses or less, here and there on every leg, and
-  says what the whole would take and give. It writes nothing. --json prints it as JSON.
+run time, points and bytes beforehand:
+  --dry-run loads the scene, runs at most a tenth of the pulses, sampled over every leg, and
+  estimates the whole run. It writes nothing. --json prints the estimate as JSON.
 
-how the beam is sampled:
-  A survey that gives beamSampleQuality has that many circles of sub-rays, always. Without it
-  the run takes as few rays as the tolerances allow (1 mm in range, 1 % in amplitude, as root
-  mean squares): few where a beam meets one surface, more where it meets edges, and bins only
-  where echoes overlap. Leaves between all rays of a beam are not seen. --range-tolerance and
-  --energy-tolerance, or --sub-rays, win over the survey. The end of a run says what it came to.
-  Docs/instrument.md has the whole of it.
+beam sampling:
+  A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
+  adaptive, with as few rays as the tolerances allow (1 mm in range, 1 % in amplitude, both RMS):
+  few where a beam meets one surface, more at edges, and bins only where echoes overlap. Leaves
+  between all rays of a beam are missed. --range-tolerance and --energy-tolerance, or --sub-rays,
+  override the survey. The end of a run prints the statistics. See Docs/instrument.md.
 
-where files are looked up: absolute names as they are; then every --assets folder in
-order, the folder of the survey, the working directory, what comes with vtkHelios.
+where files are searched: absolute names are used unchanged; others in every --assets folder in
+order, the folder of the survey, the working directory, and the data shipped with vtkHelios.
 
 examples:
   vtkhelios run survey.xml
@@ -77,12 +75,12 @@ examples:
   vtkhelios run survey.xml --format las                  for LAS tools
   vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian
-  vtkhelios run survey.xml --dry-run                     minutes, points and bytes beforehand
-  vtkhelios run survey.xml --resume                      go on with a run that was broken off
-  vtkhelios run survey.xml --play 2                      the third play alone, of a scene with swaps
+  vtkhelios run survey.xml --dry-run                     estimate time, points and bytes
+  vtkhelios run survey.xml --resume                      continue an interrupted run
+  vtkhelios run survey.xml --play 2                      only the third epoch, of a scene with swaps
 
 exit codes: 0 done, 1 failed or no points at all (the reason is on standard error),
-2 wrong usage, 130 interrupted (Ctrl-C: what was written stays and is valid; --resume goes on).
+2 wrong usage, 130 interrupted (Ctrl-C: the files written so far are valid; --resume continues).
 """
 
 
@@ -139,13 +137,14 @@ def add_arguments(parser):
     parser.add_argument(
         "--dry-run",
         action="store_true",
-        help="say what the run would take and give, from samples of it, and write nothing",
+        help="estimate time, memory, points and bytes of the run from samples; write nothing",
     )
     parser.add_argument(
         "--play",
         metavar="N",
         type=whole_number(2**31 - 1),
-        help="of a survey whose scene swaps parts, this play alone; 0 is the first (default: all)",
+        help="run only this epoch of a survey whose scene swaps parts; 0 is the first (default: "
+        "all)",
     )
     parser.add_argument(
         "--format",
@@ -154,24 +153,24 @@ def add_arguments(parser):
         help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
     parser.add_argument(
-        "--waveforms", action="store_true", help="write the waveforms, too (as text, or as VTK XML)"
+        "--waveforms", action="store_true", help="also write the waveforms (as text, or as VTK XML)"
     )
     parser.add_argument(
         "--pulses",
         action="store_true",
-        help="write the pulses, too, those that hit nothing as well",
+        help="also write the pulses, including those without a hit",
     )
     parser.add_argument(
         "--split-by-channel",
         action="store_true",
-        help="a file for every channel of a scanner: legNNN_points_dev<channel>.xyz",
+        help="one file per scanner channel: legNNN_points_dev<channel>.xyz",
     )
     add_sampling_arguments(parser)
     parser.add_argument(
         "--seed",
         metavar="N",
         type=whole_number(2**62),
-        help="the key of all random numbers: the same seed gives the same bytes, "
+        help="seed of all random numbers: the same seed gives byte-identical files, "
         "for any number of threads (default: the survey's, else 0)",
     )
     parser.add_argument(
@@ -182,27 +181,29 @@ def add_arguments(parser):
         metavar="N",
         type=whole_number(4096),
         default=0,
-        help="how many processor cores to use; 0: all (default: %(default)s)",
+        help="number of threads; 0: one per processor core (default: %(default)s)",
     )
     add_memory_argument(parser)
     parser.add_argument(
         "--ray-caster",
         metavar="NAME",
         choices=ray_casters(),
-        help="how rays are cast: %(choices)s (default: the survey's rayCaster, else the first); "
-        "the points are the same (obbtree: nearly); Docs/ray-casters.md says what each costs",
+        help="ray caster: %(choices)s (default: the survey's rayCaster, else the first); "
+        "the points are the same (obbtree: nearly); Docs/ray-casters.md compares their cost",
     )
     parser.add_argument(
         "--pulses-per-block",
         metavar="N",
         type=whole_number(2**24, lowest=1),
         default=262144,
-        help="how many pulses are computed and written at a time: fewer take less memory and are "
-        "lost where a run is killed, more are faster; text and LAS are byte-identical, of vtp each "
-        "block is a file (default: %(default)s)",
+        help="pulses computed and written at a time: small blocks need less memory, and less is "
+        "lost if a run is killed; large ones are faster; text and LAS are byte-identical, in vtp "
+        "each block is a file (default: %(default)s)",
     )
     parser.add_argument(
-        "--json", action="store_true", help="print what a run did, or --dry-run found, as JSON"
+        "--json",
+        action="store_true",
+        help="print the summary of the run, or the estimate of --dry-run, as JSON",
     )
     parser.add_argument("--quiet", action="store_true", help="print errors only")
 
@@ -212,18 +213,18 @@ def add_earlier_run_arguments(parser):
     group.add_argument(
         "--overwrite",
         action="store_true",
-        help="replace the files of an earlier run; without it they are kept and the run refused",
+        help="replace the files of an earlier run (default: keep them and refuse to run)",
     )
     group.add_argument(
         "--resume",
         action="store_true",
-        help="go on with an earlier run that was killed, interrupted or has failed",
+        help="continue an earlier run that was killed, interrupted or failed",
     )
     parser.add_argument(
         "--check-all",
         action="store_true",
-        help="with --resume: compare all bytes that were written with their checksums before it "
-        "goes on, not those of the last blocks alone (1 GiB)",
+        help="with --resume: first compare all written bytes with their checksums, not only the "
+        "last blocks (1 GiB)",
     )
 
 
@@ -233,29 +234,29 @@ def add_sampling_arguments(parser):
         metavar="M",
         type=number(1e-6, 1),
         default=0.0,
-        help="sample the beam so that ranges are within this many metres "
-        "(default: the survey's, else 0.001)",
+        help="adaptive beam sampling: range error, RMS [m] " "(default: the survey's, else 0.001)",
     )
     parser.add_argument(
         "--energy-tolerance",
         metavar="F",
         type=number(1e-4, 1),
         default=0.0,
-        help="and amplitudes within this share (default: the survey's, else 0.01)",
+        help="adaptive beam sampling: relative amplitude error, RMS (default: the survey's, else "
+        "0.01)",
     )
     parser.add_argument(
         "--sub-rays",
         metavar="N",
         type=whole_number(65536),
         default=0,
-        help="or always with this many sub-rays: 1, 7, 19, 37, 62 ... on circles, "
-        "as beamSampleQuality has them, other numbers on a spiral",
+        help="a fixed number of sub-rays instead: 1, 7, 19, 37, 62 ... on circles, "
+        "as with beamSampleQuality, other numbers on a spiral",
     )
     parser.add_argument(
         "--detector",
         metavar="NAME",
         choices=DETECTORS,
-        help="what makes echoes of waveforms: peak (log-parabola), gaussian (decomposition), "
+        help="echo detector: peak (log-parabola), gaussian (decomposition), "
         "cfd (constant fraction), leadingEdge (default: the survey's, else peak)",
     )
 
@@ -263,13 +264,13 @@ def add_sampling_arguments(parser):
 def run(arguments):
     if arguments.sub_rays and (arguments.range_tolerance or arguments.energy_tolerance):
         print(
-            "error: --sub-rays is always that many, and a tolerance chooses how many: "
+            "error: --sub-rays is a fixed number, and a tolerance makes the number adaptive: "
             "give one of them",
             file=sys.stderr,
         )
         return 2
     if arguments.check_all and not arguments.resume:
-        print("error: --check-all is for --resume: give both of them", file=sys.stderr)
+        print("error: --check-all needs --resume: give both", file=sys.stderr)
         return 2
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
@@ -344,7 +345,7 @@ def plays_to_run(arguments, player, messages):
             if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
                 messages.error(
                     f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
-                    "go on with the plays, --overwrite to replace them, or another --output"
+                    "continue it, --overwrite to replace them, or another --output"
                 )
                 return []
     return range(count)
@@ -353,18 +354,18 @@ def plays_to_run(arguments, player, messages):
 def run_play(arguments, player, play, messages, interrupt, reports):
     """Runs an epoch and adds its report to the others; returns an exit code."""
     if interrupt.signal:
-        messages.error(f"interrupted before play {play}: --resume goes on with it")
+        messages.error(f"interrupted before epoch {play}: --resume continues with it")
         return 128 + interrupt.signal
     player.SetPlay(play)
     if player.GetSurvey().GetNumberOfPlays() > 1:
-        messages.info(f"play     {play}, of {player.GetSurvey().GetNumberOfPlays()} from 0")
+        messages.info(f"epoch    {play} of {player.GetSurvey().GetNumberOfPlays()}, counted from 0")
     with make_progress(player, messages, quiet=arguments.quiet):
         succeeded = player.Estimate() if arguments.dry_run else player.Run()
     folder = pathlib.Path(from_vtk(player.GetRunFolder()))
     if interrupt.signal and not succeeded:
         points = player.GetNumberOfEchoes()
         kept = (
-            f"the {points:,} points so far are kept in {folder}; --resume goes on from there"
+            f"the {points:,} points so far are kept in {folder}; --resume continues the run"
             if points
             else "no points yet"
         )

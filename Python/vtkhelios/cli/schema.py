@@ -9,18 +9,18 @@ import vtkhelios
 from ._files import cannot_be_written, write_whole
 from ._messages import Messages
 
-SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or its tables"
+SUMMARY = "write the XML schema of surveys, scenes, scanners and platforms, or tables of it"
 
 EPILOG = """\
-The schema is made from the table that vtkhelios reads files by. Editors that know it complete
-names and show what they mean; name it on the root element of a file:
+The schema is made from the table that vtkhelios validates files with. Editors use it to complete
+names and show their documentation; name it on the root element of a file:
 
   <document xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
             xsi:noNamespaceSchemaLocation="helios.xsd">
 
 examples:
   vtkhelios schema > helios.xsd
-  vtkhelios schema --output Data/Schemas    all files: one schema, under the names HELIOS uses
+  vtkhelios schema --output Data/Schemas    all files: one schema, under the HELIOS file names
   vtkhelios schema --tables                 every element and attribute as Markdown
 
 exit codes: 0 done, 1 failed, 2 wrong usage.
@@ -44,7 +44,9 @@ def add_arguments(parser):
     parser.epilog = EPILOG
     what = parser.add_mutually_exclusive_group()
     what.add_argument(
-        "--output", metavar="DIR", help="write helios.xsd and the files that include it there"
+        "--output",
+        metavar="DIR",
+        help="write helios.xsd and the files that include it to this folder",
     )
     what.add_argument("--tables", action="store_true", help="print the tables of Docs/dialect.md")
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkhelios validate: everything that is wrong with surveys, scenes, scanners and platforms."""
+"""vtkhelios validate: lists the errors in surveys, scenes, scanners and platforms."""
 
 import dataclasses
 import json
@@ -10,18 +10,18 @@ from ._messages import Messages, say_error
 from ._reading import add_assets_argument, make_reader, missing_folder
 from ._streams import visible
 
-SUMMARY = "say everything that is wrong with surveys, scenes, scanners or platforms (XML)"
+SUMMARY = "list all errors in surveys, scenes, scanners or platforms (XML)"
 
 EPILOG = """\
-what it checks: every element and attribute, its kind, unit and range; names that are nearly
-right; that all that is referred to is there: scanners, platforms, scenes, files of geometry and
-materials; what a leg asks of its scanner. Geometry is not read. Everything in a file is
-checked, whether a survey uses it or not, and so is all that a survey refers to.
+what it checks: every element and attribute, its type, unit and range; misspelt names; that all
+references exist: scanners, platforms, scenes, files of geometry and materials; that the scanner
+supports the settings of a leg. Geometry is not read. Everything in a file is checked, whether a
+survey uses it or not, and so is everything that a survey refers to.
 
-An error stops a run; a warning is about what a run does otherwise than the file may mean, such
+An error stops a run; a warning is about a difference between a run and what the file may mean, such
 as an attribute that is unknown, or not modelled.
 
-what it prints: file:line: error: what is wrong, the value, and the cure; one line each.
+what it prints: file:line: error: the problem, the value, and the remedy; one line each.
 
 examples:
   vtkhelios validate survey.xml --assets my_scenes

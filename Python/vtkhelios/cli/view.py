@@ -12,7 +12,7 @@ import vtkhelios
 from .._built_with import HAS_VIEWER
 from ._messages import say_error
 
-SUMMARY = "watch a survey while it runs, a run again, clouds and scenes"
+SUMMARY = "view a survey while it runs, replay a run, view clouds and scenes"
 
 PROGRAM = "vtkhelios-viewer"
 SCREEN = "-screen 0 1280x1024x24 -noreset"
@@ -46,7 +46,7 @@ def explain_missing():
         left_out = (
             "was left out when vtkHelios was built; build it with -DVTKHELIOS_BUILD_VIEWER=ON"
         )
-        missing = f"is not installed in {tree / 'bin'}; install it, too: cmake --install BUILD"
+        missing = f"is not installed in {tree / 'bin'}; install it: cmake --install BUILD"
         return f"{PROGRAM} {missing if HAS_VIEWER else left_out}"
     if HAS_VIEWER:
         return f"{PROGRAM} is not built yet; build it: {build}"

@@ -49,9 +49,7 @@ def ending(path):
     for known in FORMATS:
         if name.endswith(known):
             return known
-    raise FormatError(
-        f"{path}: its ending is of no format that is known; known are {', '.join(FORMATS)}"
-    )
+    raise FormatError(f"{path}: its ending is not of a known format; known: {', '.join(FORMATS)}")
 
 
 def _find(path, index):

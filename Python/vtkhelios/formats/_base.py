@@ -86,9 +86,7 @@ def guarded(path):
     except FormatError:
         raise
     except MemoryError as error:
-        raise FormatError(
-            f"{path}: needs more memory than there is; split it, or use another machine"
-        ) from error
+        raise FormatError(f"{path}: not enough memory; split it, or use another machine") from error
     except OSError as error:
         raise FormatError(
             f"{path}: cannot be read: {error.strerror or error}; check the file and its folder"
@@ -98,7 +96,7 @@ def guarded(path):
             raise
         words = " ".join(str(error).split())[:200] or type(error).__name__
         raise FormatError(
-            f"{path}: cannot be read: {words}; it is damaged, or of a form that is not known: copy "
+            f"{path}: cannot be read: {words}; it is damaged, or of an unknown form: copy "
             "or write it again"
         ) from error
 
@@ -213,7 +211,7 @@ class Reader(_Closing):
         for name in SCALARS.intersection(chunk):
             if chunk[name].ndim != 1:
                 self.fail(
-                    f"{name} has {chunk[name].shape[1]} values a point, and one is meant; give the "
+                    f"{name} has {chunk[name].shape[1]} values per point, expected one; give the "
                     "array another name, or write the file again"
                 )
 
@@ -232,7 +230,7 @@ class Reader(_Closing):
     def _note_invalid(self, invalid, seen):
         for name, count in invalid.items():
             if name == "points":
-                note = f"{count:,} of {seen:,} points are not finite, and left out"
+                note = f"{count:,} of {seen:,} points are not finite; they are dropped"
             else:
                 note = f"{name} is not finite at {count:,} of {seen:,} points, and is kept so"
             if count and f"{self.path}: {note}" not in self.notes:
@@ -343,7 +341,7 @@ class StreamWriter(Writer):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         call(self, self.stream, self.stream.Close)
 
     def abandon(self):
@@ -363,11 +361,11 @@ def find_problem(chunk):
         known = isinstance(values, np.ndarray) and values.dtype.str[1:] in NUMBERS
         if not known or not values.dtype.isnative:
             kind = getattr(values, "dtype", type(values).__name__)
-            return f"{name} is of the type {kind}; give whole or real numbers of 8 to 64 bits"
+            return f"{name} is of the type {kind}; give integers or floats of 8 to 64 bits"
         if values.ndim not in (1, 2) or len(values) != shape[0]:
             return (
-                f"{name} has the shape {values.shape}, and there are {shape[0]} points; give one "
-                "row a point"
+                f"{name} has the shape {values.shape}, but there are {shape[0]} points; give one "
+                "row per point"
             )
     return None
 

@@ -36,8 +36,8 @@ class CopcReader(LazReader):
         self.kind = self.kind.replace("LAZ", "COPC, LAZ")
         if problem := self._find_wrong_octree():
             self.notes.append(
-                f"{path}: its octree is damaged: {problem}; all points are read without it, convert "
-                "the file to make a new one"
+                f"{path}: its octree is damaged: {problem}; all points are read without it; "
+                "convert the file to make a new one"
             )
 
     def _find_wrong_octree(self):
@@ -132,7 +132,7 @@ class CopcWriter(FileWriter):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         model = self._encoder.model
         records = np.memmap(self._scratch, model.header.point_format.dtype(), "r")
         low = np.array([records[axis].min() for axis in "XYZ"], np.int64)
@@ -148,7 +148,7 @@ class CopcWriter(FileWriter):
                 writer.AddNode(self._copc.VoxelKey(*key), self._copc.VectorChar(data.view(np.int8)))
             writer.Close()
         except RuntimeError as error:  # of copclib
-            self.fail(f"cannot be written: {error}; see that the disk has room")
+            self.fail(f"cannot be written: {error}; free space on its disk")
         self._encoder.close()
         self._scratch.close()
         self.keep_part()

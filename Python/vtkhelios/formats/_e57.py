@@ -47,7 +47,7 @@ class E57Reader(Reader):
             headers = [self._file.get_header(i) for i in range(self._file.scan_count)]
             self.header.crs = self._text(self._file.root, "coordinateMetadata")
         except Exception as error:  # of libE57Format, whose type varies between releases
-            self.fail(f"is no E57 file, or is damaged: {_first_line(error)}; copy it again")
+            self.fail(f"is not an E57 file, or is damaged: {_first_line(error)}; copy it again")
         self.count = sum(header.point_count for header in headers)
         self.kind = f"E57, {len(headers)} scan{'s'[: len(headers) != 1]}"
         if self.count == 0:
@@ -78,7 +78,7 @@ class E57Reader(Reader):
         if self.skipped:
             self.notes.append(
                 f"{self.path}: {self.skipped:,} points are marked as invalid (pulses without an "
-                "echo), and left out"
+                "echo); they are dropped"
             )
 
     def _chunks_of(self, header, rows):
@@ -184,7 +184,7 @@ class E57Writer(FileWriter):
             action()
         except self._libe57.E57Exception as error:
             words = str(error).strip().splitlines()[0]
-            self.fail(f"cannot be written: {words}; see that the disk has room")
+            self.fail(f"cannot be written: {words}; free space on its disk")
 
     def _write(self, chunk):
         if self._image is None:
@@ -353,7 +353,7 @@ class E57Writer(FileWriter):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         self._try(self._end_scan)
         self._try(self._image.close)
         self.keep_part()

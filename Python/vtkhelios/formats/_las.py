@@ -157,7 +157,7 @@ class LazWriter(FileWriter):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         self._records.close(bare=True)
         self.file.close()
         self._encoder.close()

@@ -33,15 +33,15 @@ class Damage(Exception):
 def check_header(start, size):
     """The error in the first 375 bytes of a file of a size, or None."""
     if len(start) < 227 or start[:4] != b"LASF":
-        return "it does not start with a header of LASF"
+        return "it does not start with LASF"
     if start[24] != 1 or start[25] > 4:
-        return f"its version is {start[24]}.{start[25]}, and 1.0 to 1.4 can be read"
+        return f"its version is {start[24]}.{start[25]}; only 1.0 to 1.4 can be read"
     header_size, begin, records = struct.unpack_from("<HII", start, 94)
     least = {3: 235, 4: 375}.get(start[25], 227)
     if header_size < least or len(start) < least or not header_size <= begin <= size:
         return f"its header has {header_size} bytes, and its points begin at byte {begin} of {size}"
     if records * 54 > begin - header_size:
-        return f"it counts {records} header records, for which it has no room"
+        return f"it counts {records} header records, more than fit into it"
     return _find_wrong_scale(start)
 
 
@@ -50,7 +50,7 @@ def _find_wrong_scale(start):
     for scale, offset in zip(numbers[:3], numbers[3:]):
         if scale == 0 or not np.isfinite(2.0**31 * abs(scale) + abs(offset)):
             return (
-                f"it has a scale of {scale:g} and an offset of {offset:g}, with which there are no "
+                f"it has a scale of {scale:g} and an offset of {offset:g}, which give no valid "
                 "coordinates"
             )
     return None
@@ -62,7 +62,7 @@ def check_points(path, header, size):
 
     zipped = header.vlrs.get("LasZipVlr")
     if not zipped:
-        raise Damage("there is no header record of LASzip")
+        raise Damage("the header record of LASzip is missing")
     layers = _check_items(zipped[0].record_data, header.point_format.size)
     vlr = lazrs.LazVlr(zipped[0].record_data)
     count, width = header.point_count, header.point_format.size
@@ -103,7 +103,7 @@ def _check_items(data, width):
         total += size
         layers += size if own is None else own
     if total != width:
-        raise Damage(f"its items have {total} bytes, and its points {width}")
+        raise Damage(f"its items have {total} bytes, but its points {width}")
     return layers
 
 
@@ -115,11 +115,11 @@ def _find_table(file, begin, size):
         file.seek(size - 8)
         place = _unpack(file, "<q")
     if not begin + 8 <= place <= size - 8:
-        raise Damage(f"its chunk table should be at byte {place}, and it has {size} bytes")
+        raise Damage(f"its chunk table should be at byte {place}, but it has {size} bytes")
     file.seek(place)
     version, chunks = struct.unpack("<II", file.read(8))
     if version != 0:
-        raise Damage(f"its chunk table has the version {version}, which is not known")
+        raise Damage(f"its chunk table has the unknown version {version}")
     return place, chunks
 
 
@@ -143,9 +143,9 @@ def _read_table(lazrs, file, vlr, count):
 
 def _check_chunks(sizes, count, width, room, size):
     if sum(points for points, _ in sizes) != count:
-        raise Damage(f"its chunks have {sum(p for p, _ in sizes)} points, and its header {count}")
+        raise Damage(f"its chunks have {sum(p for p, _ in sizes)} points, but its header {count}")
     if sum(length for _, length in sizes) > room:
-        raise Damage(f"its chunks have {sum(b for _, b in sizes)} bytes, and there are {room}")
+        raise Damage(f"its chunks have {sum(b for _, b in sizes)} bytes, but there are {room}")
     if any(points < 1 or length < width for points, length in sizes):
         raise Damage("it has a chunk without points")
     _check_memory(max(points for points, _ in sizes), width, size)
@@ -171,7 +171,7 @@ def _check_layers(file, begin, sizes, width, layers):
         found, *parts = head.unpack(data)
         if found != points or width + head.size + sum(parts) > length:
             raise Damage(
-                f"a chunk of {points} points in {length} bytes says that it has {found} points in "
-                f"{width + head.size + sum(parts)} bytes"
+                f"a chunk of {points} points in {length} bytes states that it has {found} points "
+                f"in {width + head.size + sum(parts)} bytes"
             )
         begin += length

@@ -34,4 +34,4 @@ class PcdReader(Reader):
 class PcdWriter(StreamWriter):
     def __init__(self, path, header):
         super().__init__(path, header, vtkhelios.vtkHeliosPCDWriter())
-        self.notes.append("coordinates are floats about an origin, as the Point Cloud Library has them")
+        self.notes.append("coordinates are stored as floats relative to an origin")

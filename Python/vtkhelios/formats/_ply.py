@@ -49,8 +49,7 @@ class PlyReader(Reader):
         too_few = size + 1 < 2 * len(self._properties) * self.count
         if self._form == "ascii" and self.count > ROWS and too_few:
             self.fail(
-                f"has {self.count} points, for which its {size} bytes after the header are too few; "
-                "copy it again"
+                f"has {self.count} points, but only {size} bytes after the header; " "copy it again"
             )
         self.kind = f"PLY {self._form}"
         self.header.crs = self._marks.get("crs", "")
@@ -58,7 +57,7 @@ class PlyReader(Reader):
 
     def _read_head(self, file):
         if file.readline().split() != [b"ply"]:
-            self.fail("is no PLY file: it does not start with ply; check its name")
+            self.fail("is not a PLY file: it does not start with ply; check its name")
         self._form, element = None, None
         for _ in range(10_000):
             line = file.readline(100_000)
@@ -88,15 +87,15 @@ class PlyReader(Reader):
 
     def _whole(self, word):
         if not (word.isascii() and word.isdigit() and len(word) < 19):
-            self.fail(f'counts "{word}" elements, which is no number; write it again')
+            self.fail(f'counts "{word}" elements, which is not a number; write it again')
         return int(word)
 
     def _take_property(self, words):
         if len(words) != 3 or words[1] not in TYPES:
             self.fail(f'has a vertex with "{" ".join(words)}"; only plain numbers can be read')
         if words[2] == "points" or words[2] in dict(self._properties):
-            why = "that is kept for coordinates" if words[2] == "points" else "twice"
-            self.fail(f'has a property "{words[2]}" {why}; give each property a name of its own')
+            why = "that is reserved for coordinates" if words[2] == "points" else "twice"
+            self.fail(f'has a property "{words[2]}" {why}; give each property a unique name')
         self._properties.append((words[2], TYPES[words[1]]))
 
     def _read_epoch(self):
@@ -107,7 +106,9 @@ class PlyReader(Reader):
         except ValueError:
             epoch = np.nan
         if not np.isfinite(epoch):
-            self.fail(f'says that its times count from "{word}", which is no number; correct it')
+            self.fail(
+                f'gives "{word}" as the origin of its times, which is not a number; correct it'
+            )
         return epoch
 
     def read_chunks(self, rows):
@@ -144,8 +145,8 @@ class PlyReader(Reader):
         if vertices.dtype[name].kind != "f" and wrong.any():
             row = int(np.flatnonzero(wrong)[0])
             self.fail(
-                f"{name} of vertex {done + row} is {values[row]:g}, no {vertices.dtype[name].name}; "
-                "correct it"
+                f"{name} of vertex {done + row} is {values[row]:g}, not a "
+                f"{vertices.dtype[name].name}; correct it"
             )
 
     def _to_chunk(self, vertices):
@@ -173,14 +174,14 @@ class PlyReader(Reader):
             return
         values = fields.pop(name)
         if name in chunk:
-            self.fail(f'has a property "{name}" beside those that are {name}; leave one out')
+            self.fail(f'has a property "{name}" in addition to {name}; leave one out')
         wide = self._marks.get(f"type:{name}")
         chunk[name] = self._widen(name, values, wide) if wide in ("int64", "uint64") else values
 
     def _widen(self, name, values, kind):
         """Integers stored as doubles by the writer."""
         if not ((np.abs(values) <= LARGEST) & (np.rint(values) == values)).all():
-            self.fail(f"has values of {name} that are no whole numbers to 2^53; correct them")
+            self.fail(f"has values of {name} that are not whole numbers to 2^53; correct them")
         return values.astype(kind)
 
 
@@ -203,7 +204,7 @@ class PlyWriter(FileWriter):
             self.file.write(self._head(0))
         elif np.dtype(kinds) != self._type:
             self.fail(
-                f"points have the properties {', '.join(fields)} and those before "
+                f"points have the properties {', '.join(fields)}, but those before "
                 f"{', '.join(self._type.names)}; convert the files one by one"
             )
         vertices = np.empty(rows_of(chunk), self._type)
@@ -233,7 +234,7 @@ class PlyWriter(FileWriter):
     def _colours(self, values):
         bytes_of = np.rint(np.clip(values, 0, 1) * 255).astype(np.uint8)
         if np.abs(bytes_of / 255.0 - values).max(initial=0) > 1e-6:
-            self.lost["RGB"] = "8 bits of each colour are kept"
+            self.lost["RGB"] = "only 8 bits per colour are stored"
         return bytes_of
 
     def _fit(self, name, values):
@@ -241,7 +242,7 @@ class PlyWriter(FileWriter):
         if values.dtype.itemsize < 8 or values.dtype.kind == "f":
             return values
         if len(values) and max(abs(int(values.min())), abs(int(values.max()))) > LARGEST:
-            self.fail(f"PLY holds whole numbers to 2^53, and {name} has larger ones; leave it out")
+            self.fail(f"PLY stores whole numbers to 2^53, but {name} has larger ones; leave it out")
         if values.ndim == 1:
             self._wide[name] = values.dtype.name
         return values.astype(np.float64)
@@ -264,7 +265,7 @@ class PlyWriter(FileWriter):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         self.file.seek(0)
         self.file.write(self._head(self.count))
         self.file.close()

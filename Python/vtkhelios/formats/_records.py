@@ -45,7 +45,9 @@ class RecordReader:
         except FormatError:
             raise
         except Exception as error:  # any exception of laspy for invalid bytes
-            self.fail(f"is no LAS or LAZ file, or its header is damaged: {error}; write it again")
+            self.fail(
+                f"is not a LAS or LAZ file, or its header is damaged: {error}; write it again"
+            )
         if self.header.are_points_compressed:
             need("lazrs", "LAZ files")
             self._check_points()
@@ -101,7 +103,7 @@ class RecordReader:
         ]
         self.notes.append(
             f"{self.path}: an earlier version of vtkHelios wrote its waveforms, with vectors that "
-            "lead away from the scanner; vtkhelios convert turns them"
+            "point away from the scanner; vtkhelios convert inverts them"
         )
 
     def _find_extended(self, file, start):
@@ -161,7 +163,10 @@ class RecordReader:
             return self.path, self._waves_begin, self._size - self._waves_begin
         beside = pathlib.Path(self.path).with_suffix(".wdp")
         if not beside.is_file():
-            self.fail(f"its waveforms should be in {beside}, which is missing; keep it beside")
+            self.fail(
+                f"its waveforms should be in {beside}, which is missing; keep the two files "
+                "together"
+            )
         return str(beside), 0, beside.stat().st_size
 
     def chunks(self, rows=ROWS):
@@ -256,8 +261,8 @@ class RecordWriter:
         channels = np.unique(records["classification_flags"] >> 4 & 3)
         if len(channels) > 1 or (len(channels) and self._channel not in (-1, channels[0])):
             raise FormatError(
-                f"{self._model.path}: has waveforms of several scanner channels, which lazrs does "
-                "not compress without loss; pip install --no-deps laszip, which does"
+                f"{self._model.path}: has waveforms of several scanner channels, which lazrs "
+                "compresses with loss; pip install --no-deps laszip, which is lossless"
             )
         self._channel = channels[0] if len(channels) else self._channel
 
@@ -275,8 +280,8 @@ class RecordWriter:
             raise
         except Exception as error:
             raise FormatError(
-                f"{self.file.name.removesuffix('.part')}: cannot be written: {error}; see that the "
-                "disk has room"
+                f"{self.file.name.removesuffix('.part')}: cannot be written: {error}; free space "
+                "on its disk"
             ) from error
 
     def shift(self, records, reader):
@@ -377,7 +382,7 @@ def same_form(one, other):
     """Why the records of two files do not fit into one, or an empty string."""
     ours, theirs = one.header, other.header
     if ours.point_format != theirs.point_format or ours.version != theirs.version:
-        return "other point formats or Extra Bytes"
+        return "another point format or other Extra Bytes"
     if not np.array_equal(ours.scales, theirs.scales):
         return "other scales"
     if (one.encoding ^ other.encoding) & ~(INTERNAL | EXTERNAL):

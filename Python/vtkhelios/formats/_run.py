@@ -39,7 +39,7 @@ class RunReader(Reader):
             name for name in dict.fromkeys(names) if POINTS.fullmatch(name) and only in (None, name)
         ]
         if not self.files:
-            self.fail("its run_summary.json names no files of points; run the survey again")
+            self.fail("its run_summary.json lists no point files; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
         self._names = {}  # of objects in text
         self.notes = [] if only else self._find_unnamed()
@@ -57,8 +57,8 @@ class RunReader(Reader):
         """Notes on point files in the folder that the summary does not list."""
         beside = {path.name for path in self.folder.iterdir() if POINTS.fullmatch(path.name)}
         return [
-            f"{self.folder / name}: is not read: run_summary.json does not name it; run the survey "
-            "again, or take the file away"
+            f"{self.folder / name}: is not read: run_summary.json does not list it; run the survey "
+            "again, or remove the file"
             for name in sorted(beside - set(self.files))
         ]
 
@@ -73,9 +73,9 @@ class RunReader(Reader):
         if os.path.lexists(path):
             return read_summary(path)
         if (self.folder / "run.journal").is_file():
-            self.fail("the run is not finished; vtkhelios run --resume goes on with it")
+            self.fail("the run is not finished; vtkhelios run --resume continues it")
         if any(self.folder.glob("play[0-9]*/run_summary.json")):
-            self.fail("holds several plays; give the folder of one: play000, play001 ...")
+            self.fail("holds several epochs; give the folder of one: play000, play001 ...")
         self.fail("is a folder without run_summary.json; give the folder of a run, or files")
 
     def _open(self, name):

@@ -162,7 +162,7 @@ def _check_lengths(summary):
     times = summary.get("timings", {}).get("legs_s")
     if times is not None and len(times) != len(summary.get("legs", [])):
         raise _Wrong(
-            f"timings.legs_s has {len(times)} entries, and there are "
+            f"timings.legs_s has {len(times)} entries, but there are "
             f"{len(summary.get('legs', []))} legs"
         )
 
@@ -177,7 +177,7 @@ def _unique(pairs):
 
 
 def _refuse(word):
-    raise ValueError(f"{word} is not a number of JSON")
+    raise ValueError(f"{word} is not a valid JSON number")
 
 
 def _quote(value):

@@ -51,8 +51,8 @@ class TextReader(Reader):
         self.kind = f"text, {self.columns} columns"
         if self.columns not in (3, COLUMNS):
             self.notes.append(
-                f"{self.path}: has {self.columns} columns and not the {COLUMNS} of vtkhelios run: "
-                "the first three are read as x y z, and no others"
+                f"{self.path}: has {self.columns} columns instead of the {COLUMNS} of vtkhelios "
+                "run: only the first three are read, as x y z"
             )
 
     def read_chunks(self, rows):
@@ -66,7 +66,9 @@ class TextReader(Reader):
         data = b"".join(lines)
         if b"\0" in data:
             place = next(number for number, line in enumerate(lines, first) if b"\0" in line)
-            self.fail_at(place, "has zero bytes, which text has not: it is damaged, copy it again")
+            self.fail_at(
+                place, "has zero bytes, so it is not valid text: it is damaged, copy it again"
+            )
         if b"#" in data or b"//" in data:
             lines = [b" ".join(_words(line)) + b"\n" for line in lines]
         table = self._table(lines, first)
@@ -109,7 +111,7 @@ class TextReader(Reader):
             place = [i for i, line in enumerate(lines) if line.strip()][row]
             self.fail_at(
                 first + place,
-                f"{values[row]:g} in column {column + 1} is no whole number of "
+                f"{values[row]:g} in column {column + 1} is not a whole number from "
                 f"{np.iinfo(kind).min} to {np.iinfo(kind).max}; correct it",
             )
         return whole
@@ -121,7 +123,7 @@ class TextReader(Reader):
             if words and len(words) != self.columns:
                 self.fail_at(
                     number,
-                    f"has {len(words)} columns and the first line {self.columns}; correct it",
+                    f"has {len(words)} columns, but the first line has {self.columns}; correct it",
                 )
             for column, word in enumerate(words, 1):
                 if column == 9 or (column > 3 and self.columns != COLUMNS):
@@ -130,7 +132,7 @@ class TextReader(Reader):
                     float(word)
                 except ValueError:
                     text = word.decode(errors="replace")
-                    self.fail_at(number, f'"{text}" in column {column} is no number; correct it')
+                    self.fail_at(number, f'"{text}" in column {column} is not a number; correct it')
         self.fail("cannot be read; correct it")
 
     def fail_at(self, line, problem):
@@ -177,7 +179,7 @@ class TextWriter(Writer):
                 columns[name] = chunk[name]
             elif name == "Amplitude" and "Intensity" in chunk:
                 columns[name] = 1e-9 * chunk["Intensity"]
-                self.lost["Intensity"] = "it is the intensity column, as it is, and not in nW"
+                self.lost["Intensity"] = "it is the intensity column, unscaled, and not in nW"
             else:
                 columns[name] = np.full(rows_of(chunk), value, kind)
         return columns
@@ -185,7 +187,7 @@ class TextWriter(Writer):
     def close(self):
         if not self.count:
             self.abandon()
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         call(self, self._writer, self._writer.Close)
 
     def abandon(self):

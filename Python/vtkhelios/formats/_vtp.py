@@ -34,7 +34,7 @@ class VtpReader(Reader):
 
     def _open(self, name):
         if not vtkXMLPolyDataReader().CanReadFile(name):
-            self.fail(f"{name} is no VTK XML file of points (vtkPolyData); convert that one first")
+            self.fail(f"{name} is not a VTK XML file of points (vtkPolyData); convert it first")
         reader = vtkhelios.vtkHeliosPointXMLReader()
         reader.SetFileName(name)
         call(self, reader, reader.UpdateInformation)
@@ -58,16 +58,16 @@ class PiecesReader(VtpReader):
         try:
             root = ElementTree.parse(self.path).getroot()
         except ElementTree.ParseError as error:
-            self.fail(f"is no XML: {error}; write it again")
+            self.fail(f"is not XML: {error}; write it again")
         if root.get("type") != "PPolyData":
-            self.fail("is no VTK XML file of points in pieces (PPolyData); name that one")
+            self.fail("is not a VTK XML file of points in pieces (PPolyData); give that file")
         folder = pathlib.Path(self.path).parent
         files = [str(folder / piece.get("Source", "")) for piece in root.iter("Piece")]
         if not files:
-            self.fail("names no pieces, so it has no points; give a file with points")
+            self.fail("lists no pieces, so it has no points; give a file with points")
         for name in files:
             if not pathlib.Path(name).exists():
-                self.fail(f"its piece {name} is missing; keep the pieces beside it")
+                self.fail(f"its piece {name} is missing; keep the pieces in the same folder")
             check_file(name)
         return files
 
@@ -106,7 +106,7 @@ class VtpWriter(Writer):
 
     def close(self):
         if not self.count:
-            self.fail("would have no points; choose points that there are")
+            self.fail("would have no points; change the selection")
         names = self._chunks[0]
         cloud = to_cloud(
             {n: np.concatenate([c[n] for c in self._chunks]) for n in names}, self.header
@@ -123,7 +123,7 @@ class VtpWriter(Writer):
             writer.Write()
         if log.errors or writer.GetErrorCode():
             problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
-            self.fail(f"cannot be written: {problem}; see that the disk has room")
+            self.fail(f"cannot be written: {problem}; free space on its disk")
         os.replace(f"{self.path}.part", self.path)
 
     def _add_vertices(self, cloud):

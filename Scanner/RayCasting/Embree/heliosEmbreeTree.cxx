@@ -221,7 +221,7 @@ std::string EmbreeTree::Commit(StopCheck& check)
   this->Device = rtcNewDevice(("threads=" + threads).c_str());
   if (!this->Device)
   {
-    return "Embree cannot make its device (error " + std::to_string(rtcGetDeviceError(nullptr)) +
+    return "Embree cannot create its device (error " + std::to_string(rtcGetDeviceError(nullptr)) +
       "); use vtkHeliosBvhRayCaster";
   }
   rtcSetDeviceErrorFunction(this->Device, OnError, this);

@@ -67,7 +67,7 @@ def read_points(path, rows=37):
         if invalid and not any("finite" in note for note in notes):
             raise Silent(f"{invalid}, and no note")
         if reader.count is not None and "E57" not in reader.kind:
-            check_count(count, reader.count, notes, "points that the reader promised")
+            check_count(count, reader.count, notes, "points of the reader's count")
     return count, notes
 
 
@@ -226,7 +226,7 @@ def parse_strict(text):
     try:
         return json.loads(text, parse_constant=fail)
     except ValueError as error:
-        raise Silent(f"no JSON: {error}") from error
+        raise Silent(f"not valid JSON: {error}") from error
 
 
 # E57: every page of 1024 bytes ends in a checksum; without repair no damage passes the first check.

@@ -61,7 +61,7 @@ class Journal(Target):
                 check(name in found, f"{name} is missing after a resume that succeeded")
                 check(found[name] == right, f"{name} has other bytes after a resume that succeeded")
         told, right = (files["stand/run_summary.json"] for files in (found, whole))
-        check(counts_of(told) == counts_of(right), "the summary counts otherwise")
+        check(counts_of(told) == counts_of(right), "the summary has other counts")
 
 
 def counts_of(summary):
@@ -107,7 +107,7 @@ def resume(folder, form, resume, blocks=None, output="out"):
     if log.errors:
         raise PipelineError(log.root_errors())
     if not good and not blocks:
-        check(player.GetMessage().strip(), "no run and no reason")
+        check(player.GetMessage().strip(), "no run, and no reason given")
         raise PipelineError([player.GetMessage()])
     check(not (good and blocks), "the run of seeds was not interrupted")
 
@@ -160,8 +160,11 @@ class Summary(Target):
 
 def check_page(text):
     """A page without script from the summary."""
-    check("</html>" in text, "the page is not whole")
-    check("<script>alert" not in text and "onerror=alert" not in text, "a live script in the page")
+    check("</html>" in text, "the page is incomplete")
+    check(
+        "<script>alert" not in text and "onerror=alert" not in text,
+        "a script in the page is not escaped",
+    )
 
 
 class ReportPoints(Target):

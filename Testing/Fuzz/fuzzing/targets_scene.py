@@ -211,10 +211,10 @@ class Trajectory(Target):
         way, warned = update(reader)
         check_polydata(way)
         times = vtk_to_numpy(way.GetPointData().GetArray("GpsTime"))
-        check((np.diff(times) >= 0).all(), "times go back")
+        check((np.diff(times) >= 0).all(), "times decrease")
         turns = vtk_to_numpy(way.GetPointData().GetArray("Orientation"))
         check(
-            np.allclose(np.linalg.norm(turns, axis=1), 1.0), "orientations are no unit quaternions"
+            np.allclose(np.linalg.norm(turns, axis=1), 1.0), "orientations are not unit quaternions"
         )
         lines = plain_lines(data)
         check_count(len(times), None if lines is None else len(lines), warned, "rows")
@@ -278,7 +278,7 @@ def check_waveforms(table):
         last = (offsets + counts).max()
         check(last <= samples.GetNumberOfTuples(), "samples beyond the end")
         bins = vtk_to_numpy(table.GetRowData().GetArray("BinSize"))
-        check((bins > 0).all(), "bins of no width")
+        check((bins > 0).all(), "bins of width 0")
     return rows
 
 

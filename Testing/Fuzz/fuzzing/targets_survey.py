@@ -82,8 +82,8 @@ class Validate(Target):
         try:
             findings = json.loads(out)
         except ValueError as error:
-            raise AssertionError(f"validate --json is no JSON: {error}") from error
-        check(all(found["message"].strip() for found in findings), "a finding without a message")
+            raise AssertionError(f"validate --json is not valid JSON: {error}") from error
+        check(all(found["message"].strip() for found in findings), "an error without a message")
 
 
 class Survey(Target):
@@ -157,7 +157,7 @@ class DryRun(Survey):
         if good:
             parse_strict(player.GetReport())
         else:
-            check(player.GetMessage().strip(), "no estimate and no reason")
+            check(player.GetMessage().strip(), "no estimate, and no reason given")
 
 
 class Planner(Target):

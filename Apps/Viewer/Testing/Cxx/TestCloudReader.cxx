@@ -216,18 +216,18 @@ TEST_CASE("CloudReader: errors name the file and the cure")
     CHECK(error.find(wanted) != std::string::npos);
   };
   check("none.xyz", nullptr, ": no such file or folder; check the name");
-  check("a.foo", "1 2 3", ": no cloud that can be read; give .xyz, .txt, .asc, .las, .vtp");
-  check("empty.xyz", "", ": there are no points in it; nothing can be shown");
+  check("a.foo", "1 2 3", ": not a supported cloud format; give .xyz, .txt, .asc, .las, .vtp");
+  check("empty.xyz", "", ": contains no points; nothing can be shown");
   check("blank.xyz", "\n\n", ": has no points; give a file with rows x y z");
   check("words.xyz", "1 2 3\n4 five 6\n", ":2: ");
   check("bad.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 x tree 2 0.5\n",
-    ":2: column 7 (pulse) is missing or no number; mend the row or take it out");
+    ":2: column 7 (pulse) is missing or not a number; correct or remove the row");
   check("long.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7 tree 2 0.5 9\n",
-    ":2: more than the 11 columns");
+    ":2: more columns than the 11");
   check(
     "short.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7\n", ":2: column 8 (part) is missing");
-  check("a.las", "no LAS at all", ": is no LAS file: it does not start with LASF");
-  check("a.vtp", "<VTKFile", "a.vtp: is not whole XML; copy or write the file again");
+  check("a.las", "no LAS at all", ": is not a LAS file: it does not start with LASF");
+  check("a.vtp", "<VTKFile", "a.vtp: is not complete XML; copy or write the file again");
   check("a.ply", "no PLY", "; the file may be damaged: write it again");
   const std::string head = "ply\nformat ascii 1.0\nelement vertex 2\n";
   const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
@@ -236,7 +236,7 @@ TEST_CASE("CloudReader: errors name the file and the cure")
   checkPly(head, ": ends within its header");
   checkPly(head + xyz + "property int x\nend_header\n", ": has the property x twice");
   checkPly(head + "property list uchar int n\nend_header\n",
-    "a property list, and plain numbers can be read");
+    "a property list; only plain numbers are supported");
   checkPly(head + "element vertex 1\nend_header\n", ": has vertices twice");
   checkPly(head + "element face\nend_header\n", ": an element of its header has no count");
   checkPly(
@@ -247,11 +247,11 @@ TEST_CASE("CloudReader: errors name the file and the cure")
   checkPly(head + "end_header\n", ": has no vertices with x, y and z");
   checkPly(head + xyz.substr(17) + "end_header\n1 2\n3 4\n", ": has no vertices with x, y and z");
   checkPly("ply\nformat text 1.0\nelement vertex 0\nproperty int x\nend_header\n",
-    ": has the format \"text\", and ascii or binary can be read");
-  checkPly(head + xyz + "end_header\n1 2 3\n", ": is cut off: it counts 2 vertices");
-  checkPly(head + xyz + "end_header\n1 2 3\n4 five 6\n", ": vertex 1 is missing or no numbers");
+    ": has the format \"text\"; expected ascii or binary");
+  checkPly(head + xyz + "end_header\n1 2 3\n", ": is truncated: its header gives 2 vertices");
+  checkPly(head + xyz + "end_header\n1 2 3\n4 five 6\n", ": vertex 1 is missing or not numeric");
   checkPly("ply\nformat ascii 1.0\nelement vertex 9223372036854775807\n" + xyz + "end_header\n1",
-    ": is cut off: it counts 9223372036854775807 vertices");
+    ": is truncated: its header gives 9223372036854775807 vertices");
   check(".", nullptr, ": no run_summary.json in this folder; give the folder of a finished run");
   CHECK_FALSE(CloudReader::CanRead(folder / "."));
   CHECK_FALSE(CloudReader::CanRead(folder / "a.foo"));
@@ -259,8 +259,8 @@ TEST_CASE("CloudReader: errors name the file and the cure")
 
   Cloud cloud;
   WriteText(folder / "run_summary.json", "{\"legs\": 3}");
-  CHECK(
-    CloudReader().Read(folder / ".", cloud).find("is no summary of a run") != std::string::npos);
+  CHECK(CloudReader().Read(folder / ".", cloud).find("is not the summary of a run") !=
+    std::string::npos);
   WriteText(folder / "run_summary.json",
     R"({"legs": [{"files": [{"name": "leg000_points.xyz", "records": 5}]}]})");
   CHECK(CloudReader().Read(folder / ".", cloud).find("leg000_points.xyz: missing") !=

@@ -266,7 +266,7 @@ TEST_CASE("Inspector: a cloud that was made, and its files")
 
   auto none = search.Find(found, 0, 1000000, 1000001);
   CHECK_THROWS_WITH(none.get(),
-    "pulse 1000000 has no waveform in the files beside the points; were they written by the same "
+    "pulse 1000000 has no waveform in the files next to the points; were they written by the same "
     "run?");
 }
 
@@ -312,7 +312,7 @@ TEST_CASE("Inspector: a cloud in LAS, and its packets")
   CHECK((reading.Samples.size() > 0) == hasWaveforms);
   if (!hasWaveforms)
   {
-    CHECK(ofFile.GetChart().GetTitle().find("nor has a LAS file any") != std::string::npos);
+    CHECK(ofFile.GetChart().GetTitle().find("no LAS file has waveforms") != std::string::npos);
     return;
   }
   CHECK(fs::file_size(points) > 400000); // two pieces
@@ -359,8 +359,7 @@ TEST_CASE("Inspector: where no waveform can be, it says why")
   CHECK_FALSE(inspector.IsWaiting());
   CHECK(inspector.GetChart().IsVisible());
   CHECK(inspector.GetChart().GetNumberOfSamples() == 0);
-  const std::string wanted =
-    hasPulses ? "or run it\nwith --waveforms" : "which pulse its points are of";
+  const std::string wanted = hasPulses ? "or run it\nwith --waveforms" : "have no pulse numbers";
   CHECK(inspector.GetChart().GetTitle().find(wanted) != std::string::npos);
 }
 

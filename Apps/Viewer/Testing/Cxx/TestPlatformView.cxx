@@ -123,7 +123,7 @@ TEST_CASE("PlatformView: what cannot be shown is said, and a simple model is the
   };
   const Case cases[] = { { "bad.obj", "bad.obj:1" }, { "empty.obj", "empty.obj has no faces" },
     { "none.obj", "no such file; correct the name, or give its folder with --assets" },
-    { "plane.j3o", "plane.j3o is no OBJ file; convert it" } };
+    { "plane.j3o", "plane.j3o is not an OBJ file; convert it" } };
   for (const Case& one : cases)
   {
     INFO(one.File);

@@ -238,8 +238,7 @@ TEST_CASE("SceneView: what cannot be shown is said, and nothing is shown")
   Stage stage;
   SceneView view(stage.Renderer);
   REQUIRE(view.SetScene(MakeScene({ 0, 0, 0 })).empty());
-  CHECK(view.SetScene(vtkNew<vtkPolyData>()) ==
-    "the scene has no triangles: nothing of it can be shown");
+  CHECK(view.SetScene(vtkNew<vtkPolyData>()) == "the scene has no triangles: it cannot be shown");
   CHECK_FALSE(view.IsVisible());
   auto quad = MakeEchoes({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
   vtkNew<vtkCellArray> cells;

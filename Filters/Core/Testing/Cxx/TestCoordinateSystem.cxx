@@ -117,23 +117,24 @@ TEST_CASE("CoordinateSystem: says what is wrong with a text", "[CoordinateSystem
     "give \"EPSG:n\", WKT, a PROJ string, or \"ENU latitude longitude height\"";
   CHECK(GetProblem(" ") == "The name of the coordinate system is empty; " + forms);
   CHECK(GetProblem("EPSG:99999") ==
-    "\"EPSG:99999\" is no coordinate system that PROJ knows (crs not found); " + forms);
-  CHECK(Has(GetProblem("EPSG:1149"), "\"EPSG:1149\" is no coordinate system")); // an operation
-  CHECK(Has(GetProblem("foo"), "\"foo\" is no coordinate system"));
-  CHECK(Has(GetProblem("Amersfoor"), "\"Amersfoor\" is no coordinate system"));
-  CHECK(Has(GetProblem("UTM32"), "\"UTM32\" is no coordinate system"));
-  CHECK(Has(GetProblem("EPSG:32632 x"), "\"EPSG:32632 x\" is no coordinate system"));
-  CHECK(Has(GetProblem("ETRS89 + foo"), "\"ETRS89 + foo\" is no coordinate system"));
-  CHECK(Has(GetProblem("32632"), "\"32632\" is no coordinate system"));
-  CHECK(Has(GetProblem("+proj=nonsense"), "\"+proj=nonsense\" is no coordinate system"));
-  CHECK(Has(GetProblem("PROJCS[\"broken\",GEOGCS["), "is no coordinate system that PROJ knows"));
+    "\"EPSG:99999\" is not a coordinate system known to PROJ (crs not found); " + forms);
+  CHECK(Has(GetProblem("EPSG:1149"), "\"EPSG:1149\" is not a coordinate system")); // an operation
+  CHECK(Has(GetProblem("foo"), "\"foo\" is not a coordinate system"));
+  CHECK(Has(GetProblem("Amersfoor"), "\"Amersfoor\" is not a coordinate system"));
+  CHECK(Has(GetProblem("UTM32"), "\"UTM32\" is not a coordinate system"));
+  CHECK(Has(GetProblem("EPSG:32632 x"), "\"EPSG:32632 x\" is not a coordinate system"));
+  CHECK(Has(GetProblem("ETRS89 + foo"), "\"ETRS89 + foo\" is not a coordinate system"));
+  CHECK(Has(GetProblem("32632"), "\"32632\" is not a coordinate system"));
+  CHECK(Has(GetProblem("+proj=nonsense"), "\"+proj=nonsense\" is not a coordinate system"));
+  CHECK(Has(GetProblem("PROJCS[\"broken\",GEOGCS["), "is not a coordinate system known to PROJ"));
   CHECK(Has(GetProblem(std::string(500, 'x')), "\"" + std::string(60, 'x') + "...\" is no"));
   CHECK(GetProblem("EPSG:5783") == "EPSG:5783 (DHHN92 height) has no horizontal part; " + forms);
   for (const char* text : { "ENU", "ENU 49.4 8.7", "ENU 49.4 8.7 110 1", "ENU 91 0 0",
          "ENU 49,4 8.7 110", "ENU nan 0 0", "ENU 0 inf 0", "ENU 0 361 0" })
   {
     CAPTURE(text);
-    CHECK(Has(GetProblem(text), std::string("\"") + text + "\" is no local system; write \"ENU"));
+    CHECK(Has(GetProblem(text),
+      std::string("\"") + text + "\" is not a valid local system: expected \"ENU"));
   }
 }
 

@@ -353,9 +353,9 @@ TEST_CASE("CoordinateTransform: warns of a seam", "[CoordinateTransform]")
   helios::CoordinateTransform transform = MakeTransform("EPSG:4267", "EPSG:4326");
   const double places[] = { -105.0, 39.7, 0.0, -80.0, 35.0, 0.0, -150.0, 65.0, 0.0 };
   const std::string warning = transform.GetWarning(places, 3);
-  CHECK(Has(warning, "From EPSG:4267 (NAD27) to EPSG:4326 (WGS 84) PROJ takes "));
-  CHECK(Has(warning, " operations for different places of the data ("));
-  CHECK(Has(warning, "): surfaces are torn where they meet; split the data there. From EPSG:4267"));
+  CHECK(Has(warning, "From EPSG:4267 (NAD27) to EPSG:4326 (WGS 84) PROJ uses "));
+  CHECK(Has(warning, " operations for different parts of the data ("));
+  CHECK(Has(warning, "): surfaces tear where these meet; split the data there. From EPSG:4267"));
   CHECK_FALSE(Has(transform.GetWarning(places, 1), "torn"));
 }
 
@@ -365,7 +365,7 @@ TEST_CASE("CoordinateTransform: says when there is no way", "[CoordinateTransfor
   CHECK(Has(problem,
     "There is no transformation from +proj=utm +zone=32 +ellps=GRS80 to EPSG:32632 (WGS 84 / UTM "
     "zone 32N)"));
-  CHECK(Has(problem, "name systems whose datums PROJ can relate (of a PROJ string: give +datum"));
+  CHECK(Has(problem, "use systems whose datums PROJ can relate (in a PROJ string: add +datum"));
   CHECK(Has(GetProblem("EPSG:4326", "IAU_2015:30100"), "celestial body"));
 }
 
@@ -373,8 +373,8 @@ TEST_CASE("CoordinateTransform: names the point outside the domain", "[Coordinat
 {
   CHECK(GetFailure("EPSG:4326", "EPSG:32632", { 8.7, 95, 1 }) ==
     "Point 0 (8.7, 95, 1) cannot be transformed from EPSG:4326 (WGS 84) to EPSG:32632 (WGS 84 / "
-    "UTM zone 32N); it must lie in the area of both, in the order longitude, latitude [degrees], "
-    "height");
+    "UTM zone 32N); it must lie in the area of use of both, in the order longitude, latitude "
+    "[degrees], height");
   CHECK(Has(GetFailure("EPSG:4258", "EPSG:25832", { 8.7, 95, 1 }), "(utm: Invalid latitude)"));
   CHECK(Has(GetFailure("EPSG:32632", "EPSG:4326", { 1e9, 5e6, 1 }), "in the order east, north"));
   const double nan = std::nan("");

@@ -28,9 +28,9 @@ TEST_CASE("MemoryLimit: what the machine has", "[MemoryLimit]")
   CHECK(available > 1.0);
   CHECK(CheckMemory("cells", 1000.0, 8.0).empty());
   const std::string text = CheckMemory("cells", 1e10, 2e6);
-  CHECK(text.find("10000000000 cells take about 20 PB of memory, and ") == 0);
-  CHECK(text.find(" are available; take fewer, or allow more with vtkhelios run "
-                  "--memory (vtkHeliosMemoryLimit)") != std::string::npos);
+  CHECK(text.find("10000000000 cells need about 20 PB of memory, and ") == 0);
+  CHECK(text.find(" are available; use fewer, or allow more with vtkhelios run --memory "
+                  "(vtkHeliosMemoryLimit)") != std::string::npos);
 }
 
 TEST_CASE("MemoryLimit: what is allowed, without what there is already", "[MemoryLimit]")
@@ -42,7 +42,7 @@ TEST_CASE("MemoryLimit: what is allowed, without what there is already", "[Memor
   CHECK(available > 1e6 - 10000.0);
   CHECK(CheckMemory("cells", available - 100.0, 1048576.0).empty()); // the machine may have less
   CHECK(
-    CheckMemory("cells", available + 100.0, 1048576.0).find(" of the 1.05 TB that may be taken") !=
+    CheckMemory("cells", available + 100.0, 1048576.0).find(" of the 1.05 TB that may be used") !=
     std::string::npos);
 }
 
@@ -52,9 +52,8 @@ TEST_CASE("MemoryLimit: nothing is left", "[MemoryLimit]")
   CHECK(vtkHeliosMemoryLimit::GetAvailable() == 0.0);
   CHECK(CheckMemory("cells", 0.0, 8.0).empty());
   CHECK(CheckMemory("cells", 1.0, 1e6) ==
-    "1 cells take about 1 MB of memory, and 0 MB are available of the 0.00105 MB that may be "
-    "taken; "
-    "take fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)");
+    "1 cells need about 1 MB of memory, and 0 MB are available of the 0.00105 MB that may be used; "
+    "use fewer, or allow more with vtkhelios run --memory (vtkHeliosMemoryLimit)");
   vtkHeliosMemoryLimit::SetLimit(-1.0);
   CHECK(vtkHeliosMemoryLimit::GetLimit() == 0.0);
 }

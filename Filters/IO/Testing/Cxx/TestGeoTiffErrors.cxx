@@ -135,7 +135,7 @@ TEST_CASE("GeoTiffErrors: files cut off anywhere", "[GeoTiffErrors]")
     CHECK(reading.PointCount() == 0);
   }
   CheckBytes(whole.substr(0, whole.size() - 4), ": rows 0 to 1 (from 0) cannot be read: ");
-  CheckBytes(whole.substr(0, whole.size() - 4), "; the file is damaged, get it anew");
+  CheckBytes(whole.substr(0, whole.size() - 4), "; the file is damaged, get it again");
 }
 
 TEST_CASE("GeoTiffErrors: more pixels than the file has room for", "[GeoTiffErrors]")
@@ -143,13 +143,13 @@ TEST_CASE("GeoTiffErrors: more pixels than the file has room for", "[GeoTiffErro
   std::string bytes = MakeGoodBytes();
   bytes[33] = '\x7f'; // of the number of rows
   CheckBytes(bytes,
-    ": is damaged: 3 x 2130706434 pixels in 1065353217 blocks do not fit into a file "
-    "of 326 bytes; get it anew");
+    ": is damaged: 3 x 2130706434 pixels in 1065353217 blocks do not fit into a file of 326 bytes; "
+    "get it again");
   bytes = MakeGoodBytes();
   bytes[21] = '\x7f'; // of the number of columns
   CheckBytes(bytes,
-    ": is damaged: 2130706435 x 2 pixels in 2 blocks do not fit into a file of 326 "
-    "bytes; get it anew");
+    ": is damaged: 2130706435 x 2 pixels in 2 blocks do not fit into a file of 326 bytes; get it "
+    "again");
 }
 
 TEST_CASE("GeoTiffErrors: nothing is written to the console", "[GeoTiffErrors]")
@@ -179,21 +179,20 @@ TEST_CASE("GeoTiffErrors: bands", "[GeoTiffErrors]")
   raster.Bands = 1;
   raster.Type = GDT_CFloat32;
   CheckError(raster,
-    ": band 1 has complex numbers (CFloat32), which are no heights; choose another with Band");
+    ": band 1 has complex numbers (CFloat32), which are not heights; choose another with Band");
 }
 
 TEST_CASE("GeoTiffErrors: geotransforms", "[GeoTiffErrors]")
 {
   TestRaster raster(4, 3);
   raster.Transform.clear();
-  CheckError(
-    raster, ": does not say where on Earth it lies; give it corners with gdal_edit.py -a_ullr");
+  CheckError(raster, ": is not georeferenced; give it corners with gdal_edit.py -a_ullr");
   raster.NumberOfGroundPoints = 4;
   raster.Crs = "EPSG:4326";
   CheckError(raster,
-    ": has ground control points only, which place no pixel exactly; make a map of "
-    "it with gdalwarp");
-  const std::string cure = ", which gives pixels no area; correct it with gdal_edit.py -a_ullr";
+    ": has ground control points only, which do not place its pixels exactly; rectify it with "
+    "gdalwarp");
+  const std::string cure = ", in which pixels have no area; correct it with gdal_edit.py -a_ullr";
   const std::vector<std::vector<double>> bad = { { 0, 1, 2, 0, 2, 4 }, // columns parallel to rows
     { 0, 1, 0, 0, 1, 0 }, { 5e5, 1e-12, 0, 5.5e6, 0, -1e-12 }, { 0, 1, 0, NaN, 0, -1 },
     { 0, 1, 0, 0, 0, -Infinity }, { 1e308, 1e308, 0, 0, 0, -1 } };
@@ -240,8 +239,9 @@ TEST_CASE("GeoTiffErrors: scale, offset and units", "[GeoTiffErrors]")
   CheckError(raster, ": has heights with scale 1 and offset inf; correct them");
   raster.Offset = 0.0;
   raster.Unit = "kelvin";
-  CheckError(
-    raster, ": has heights in \"kelvin\", which is no known unit; give its metres with HeightUnit");
+  CheckError(raster,
+    ": has heights in \"kelvin\", which is not a known unit; give its length in metres with "
+    "HeightUnit");
 
   TempFolder folder;
   GeoTiffReading reading(folder, raster);
@@ -267,8 +267,8 @@ TEST_CASE("GeoTiffErrors: heights in feet of a system of three dimensions", "[Ge
   helios::WriteBytes(folder / "a.tif.aux.xml", "<PAMDataset><SRS>" + wkt + "</SRS></PAMDataset>\n");
   CheckError(reading,
     folder / "a.tif" +
-      ": has a coordinate system with heights in feet that cannot be turned into metres; transform "
-      "it with gdalwarp -t_srs");
+      ": has a coordinate system with heights in feet that cannot be converted to metres; "
+      "transform it with gdalwarp -t_srs");
 }
 
 TEST_CASE("GeoTiffErrors: what GDAL warns of is passed on", "[GeoTiffErrors]")
@@ -290,9 +290,8 @@ TEST_CASE(
   TempFolder folder;
   TestRaster raster(4, 3);
   raster.Crs = "LOCAL_CS[\"site\",UNIT[\"metre\",1]]";
-  const std::string warning =
-    ": its coordinate system \"site\" has no place on Earth and is left out; if it should, give it "
-    "with gdal_edit.py -a_srs";
+  const std::string warning = ": its coordinate system \"site\" is not tied to the Earth and is "
+                              "ignored; to replace it, use gdal_edit.py -a_srs";
   {
     GeoTiffReading reading(folder, raster);
     REQUIRE(reading.Read());
@@ -310,7 +309,7 @@ TEST_CASE(
   GeoTiffReading reading(folder / "a.tif");
   REQUIRE(reading.Read());
   INFO(reading.Log->Warnings);
-  CHECK(reading.Log->HasWarning("\"ETRS89 / UTM zone 32N\" has no place on Earth"));
+  CHECK(reading.Log->HasWarning("\"ETRS89 / UTM zone 32N\" is not tied to the Earth"));
   CHECK(helios::GetCRS(reading.Scene()).empty());
 }
 

@@ -270,8 +270,8 @@ TEST_CASE("GeoTiffSceneReader: NoDataValue replaces the file's", "[GeoTiffSceneR
     REQUIRE(reading.Read());
     CHECK(reading.TriangleCount() == 12);
     CHECK(reading.Log->HasWarning(folder / "a.tif" +
-      ": heights reach from -9999.9 to 77 m; if pixels without height do that, name their value "
-      "with NoDataValue"));
+      ": heights range from -9999.9 to 77 m; if these include pixels without height, set their "
+      "value with NoDataValue"));
     reading.Log->Clear();
     reading.Reader->SetNoDataValue(-9999.9); // not a float; compared as one
     REQUIRE(reading.Read());
@@ -449,8 +449,8 @@ TEST_CASE(
   CHECK(reading.Height(7) == 7.0);
   CHECK(reading.Scene()->GetPoint(0)[0] == 100.25);
   CHECK(reading.Log->HasWarning(folder / "a.tif" +
-    ": says nothing of the unit of its heights, which are taken for metres, while its map is not "
-    "in metres; set HeightUnit, to 1 if they are"));
+    ": does not give the unit of its heights, which are read as metres although its map is not in "
+    "metres; set HeightUnit (metres: 1)"));
   reading.Log->Clear();
   reading.Reader->SetHeightUnit(1.0);
   REQUIRE(reading.Read());

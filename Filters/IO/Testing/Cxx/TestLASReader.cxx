@@ -357,8 +357,8 @@ TEST_CASE("LASReader: files that are wrong", "[LASReader]")
   const auto u8 = [](int value) { return static_cast<std::uint8_t>(value); };
   const auto u16 = [](int value) { return static_cast<std::uint16_t>(value); };
   const std::size_t length = GetNumber<std::uint16_t>(good, 105);
-  CHECK(FailsWith("", "is no LAS file: it does not start with LASF"));
-  CHECK(FailsWith("PK" + good, "is no LAS file"));
+  CHECK(FailsWith("", "is not a LAS file: it does not start with LASF"));
+  CHECK(FailsWith("PK" + good, "is not a LAS file"));
   CHECK(FailsWith(good.substr(0, 100), "ends within its header, after 100 bytes"));
   CHECK(FailsWith(good.substr(0, 300), "ends within its header, after 300 bytes"));
   CHECK(FailsWith(good.substr(0, 375), "has 375 bytes, and its points begin at byte"));
@@ -370,28 +370,29 @@ TEST_CASE("LASReader: files that are wrong", "[LASReader]")
   CHECK(FailsWith(with(94, u16(227)), "has a header of 227 bytes; LAS 1.4 has 375"));
   CHECK(FailsWith(with(96, std::uint32_t(374)), "has points from byte 374 on, within its header"));
   CHECK(FailsWith(with(104, u8(11)), "has points of format 11; 0 to 10 can be read"));
-  CHECK(
-    FailsWith(with(104, u8(0x86)), "is compressed (LAZ); make LAS of it first: vtkhelios convert"));
+  CHECK(FailsWith(
+    with(104, u8(0x86)), "is compressed (LAZ); convert it to LAS first: vtkhelios convert"));
   CHECK(FailsWith(with(105, u16(29)), "has points of 29 bytes; format 6 needs 30"));
-  CHECK(FailsWith(with(105, u16(30)), "has points with 0 bytes after their format, and names "));
-  CHECK(FailsWith(with(107, std::uint32_t(9)), "counts its points twice, to 10 and to 9"));
+  CHECK(
+    FailsWith(with(105, u16(30)), "has points with 0 bytes after their format, but describes "));
+  CHECK(FailsWith(with(107, std::uint32_t(9)), "states two numbers of points, 10 and 9"));
   CHECK(FailsWith(with(247, ~std::uint64_t(0)), "has 10 whole points of the 18446744073709551615"));
-  CHECK(FailsWith(with(131, 0.0), "has a scale of 0 and an offset of 500000, with which"));
-  CHECK(FailsWith(with(131, 1e-320), "has a scale of 9.99989e-321 and an offset of 500000, with"));
-  CHECK(FailsWith(with(131, std::nan("")), "has a scale of nan and an offset of 500000, with"));
+  CHECK(FailsWith(with(131, 0.0), "has a scale of 0 and an offset of 500000, which give"));
+  CHECK(FailsWith(with(131, 1e-320), "has a scale of 9.99989e-321 and an offset of 500000, which"));
+  CHECK(FailsWith(with(131, std::nan("")), "has a scale of nan and an offset of 500000, which"));
   CHECK(FailsWith(with(155, 1e20),
-    "has a scale of 0.0001 and an offset of 1e+20, with which there are no coordinates: a scale is "
-    "at least 1e-15, a coordinate at most 1e+15"));
-  CHECK(FailsWith(with(139, 1e308), "has a scale of 1e+308 and an offset of 5.5e+06, with"));
+    "has a scale of 0.0001 and an offset of 1e+20, which give no valid coordinates: a scale is at "
+    "least 1e-15, a coordinate at most 1e+15"));
+  CHECK(FailsWith(with(139, 1e308), "has a scale of 1e+308 and an offset of 5.5e+06, which"));
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(FailsWith(with(171, nan), "has a scale of 0.0001 and an offset of nan, with which"));
+  CHECK(FailsWith(with(171, nan), "has a scale of 0.0001 and an offset of nan, which give"));
   CHECK(FailsWith(with(100, std::uint32_t(9)), "has a variable length record at byte"));
   CHECK(FailsWith(with(375 + 20, u16(65535)), "has a variable length record of 65535 bytes at"));
   CHECK(FailsWith(with(375 + 20, u16(191)), "has an Extra Bytes record of 191 bytes"));
   CHECK(FailsWith(with(375 + 54 + 2, u8(31)), "has Extra Bytes \"PulseIds\" of type 31; types"));
   std::string scaled = with(375 + 54 + 3, u8(8)); // Extra Bytes with a scale
   SetNumber(scaled, 375 + 54 + 112, std::nan(""));
-  CHECK(FailsWith(scaled, "has Extra Bytes \"PulseIds\" whose scale or offset is no number"));
+  CHECK(FailsWith(scaled, "has Extra Bytes \"PulseIds\" whose scale or offset is not a number"));
   CHECK(FailsWith(with(243, std::uint32_t(1)), "has an extended record of"));
   std::string extended = with(243, std::uint32_t(1));
   SetNumber(extended, 235, ~std::uint64_t(0));

@@ -79,8 +79,8 @@ TEST_CASE("LASVectors: a file of an earlier version does not go on", "[LASVector
   std::ofstream(part, std::ios::binary) << TurnVectors(las);
   CHECK_FALSE(writing.Writer->Reopen(size, 18, size));
   CHECK(writing.Log->HasError(
-    "points.las.part was begun by an earlier version, whose waveform vectors lead away from the "
-    "scanner, and cannot be gone on with; write it anew (vtkhelios run --overwrite)"));
+    "points.las.part was started by an earlier version, whose waveform vectors point away from the "
+    "scanner, and cannot be resumed; start again (vtkhelios run --overwrite)"));
   std::ofstream(part, std::ios::binary) << las;
   CHECK(writing.Writer->Reopen(size, 18, size));
 }

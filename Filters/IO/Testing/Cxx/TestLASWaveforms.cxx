@@ -114,7 +114,7 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
     fs::remove(writing.Folder / "broken.wdp");
     fs::remove(writing.Folder / "broken.wdp.part");
     CHECK_FALSE(writer->Reopen(size, 30, bytes));
-    CHECK(writing.Log->HasError("broken.wdp.part cannot be gone on with: No such file"));
+    CHECK(writing.Log->HasError("broken.wdp.part cannot be resumed: No such file"));
     CHECK_FALSE(writer->IsOpen());
     return;
   }
@@ -251,20 +251,20 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(fails(with(at, std::uint8_t(253)),
-    "point 0 of the piece names the waveform descriptor 253, which the file has not"));
+    "point 0 of the piece refers to waveform descriptor 253, which the file does not have"));
   CHECK(fails(with(at + 1, std::uint64_t(packets.size() - 63)),
     "point 0 of the piece has a packet of 64 bytes at " + std::to_string(packets.size() - 63) +
       ", beyond the end of " + writing.Packets));
   CHECK(fails(with(at + 1, ~std::uint64_t(0)), "beyond the end of"));
   CHECK(fails(with(at + 9, std::uint32_t(63)), "has a packet of 63 bytes; its descriptor has 64"));
-  CHECK(fails(with(at + 13, nan), "has a waveform without a direction or a place"));
-  CHECK(fails(with(at + 17, nan), "has a waveform without a direction or a place"));
-  CHECK(fails(with(at + 13, 1e30F), "has a waveform without a direction or a place"));
-  CHECK(fails(with(at + 17, 1e30F), "has a waveform without a direction or a place"));
+  CHECK(fails(with(at + 13, nan), "has a waveform without a direction or position"));
+  CHECK(fails(with(at + 17, nan), "has a waveform without a direction or position"));
+  CHECK(fails(with(at + 13, 1e30F), "has a waveform without a direction or position"));
+  CHECK(fails(with(at + 17, 1e30F), "has a waveform without a direction or position"));
   std::size_t record = 375; // the first descriptor, after the Extra Bytes
   record += 54 + GetNumber<std::uint16_t>(good, record + 20) + 54;
-  CHECK(
-    fails(with(record, std::uint8_t(12)), "has a waveform descriptor 1 that is not of 8, 16 or"));
+  CHECK(fails(
+    with(record, std::uint8_t(12)), "has a waveform descriptor 1 that does not have 8, 16 or"));
   CHECK(fails(with(record + 1, std::uint8_t(1)), "bits without compression"));
   std::string empty = good; // an empty descriptor is valid unless a point refers to it
   empty.replace(record + 80, 26, 26, '\0'); // the second
@@ -275,7 +275,7 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   INFO(reading.Log->Errors);
   CHECK(isRead);
   helios::SetNumber(empty, at, std::uint8_t(2));
-  CHECK(fails(empty, "point 0 of the piece names the waveform descriptor 2, which has no samples"));
+  CHECK(fails(empty, "point 0 of the piece refers to waveform descriptor 2, which has no samples"));
   std::string overlapping = good; // 12 points, each with its own packet from byte 60 on
   for (std::uint64_t i = 0; i < 12; ++i)
   {
@@ -284,14 +284,15 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
     helios::SetNumber(overlapping, place + 1, 60 + i);
   }
   CHECK(fails(overlapping,
-    "the points of the piece name packets of 768 bytes, and " + writing.Packets +
+    "the points of the piece refer to packets of 768 bytes, but " + writing.Packets +
       " has 316: packets overlap"));
-  CHECK(fails(with(record + 10, std::nan("")), "a waveform descriptor 1 whose gain is no number"));
-  CHECK(fails(with(record + 10, 1e300), "whose gain is no number, or too large for samples"));
+  CHECK(
+    fails(with(record + 10, std::nan("")), "a waveform descriptor 1 whose gain is not a number"));
+  CHECK(fails(with(record + 10, 1e300), "whose gain is not a number, or too large for samples"));
   CHECK(fails(with(record + 6, std::uint32_t(0)),
-    "names the waveform descriptor 1, whose samples have no time between them"));
+    "refers to waveform descriptor 1, whose sample spacing is 0"));
   fs::remove(writing.Packets);
-  CHECK(fails(good, writing.Packets + ": cannot be read, and has the waveforms of"));
+  CHECK(fails(good, writing.Packets + ": cannot be read, but holds the waveforms of"));
   REQUIRE(::mkfifo(writing.Packets.c_str(), 0600) == 0);
   CHECK(fails(good, writing.Packets + ": cannot be read: it is a FIFO, not a regular file"));
 }
@@ -403,7 +404,7 @@ TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
   SECTION("half a picosecond")
   {
     setBins(0.2505, 0.2505);
-    CHECK(writing.Fails(echoes, waveforms, "have a BinSize of 0.250500 ns; LAS has whole pico"));
+    CHECK(writing.Fails(echoes, waveforms, "have a BinSize of 0.250500 ns; LAS stores whole pico"));
   }
   SECTION("several bins")
   {

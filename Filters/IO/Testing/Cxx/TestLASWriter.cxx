@@ -289,7 +289,7 @@ TEST_CASE("LASWriter: scale and offset", "[LASWriter]")
   CHECK(scaleOf(1e10) == 100.0);
   CHECK_FALSE(writing.WriteAll(MakePoints({ { 1e16, 0, 0 } })));
   CHECK(writing.Log->HasError(
-    "a block has a scale of 1e-06 and an offset of 1e+16, with which there are no coordinates"));
+    "a block has a scale of 1e-06 and an offset of 1e+16, which give no valid coordinates"));
 }
 
 TEST_CASE("LASWriter: colours make format 7", "[LASWriter]")
@@ -450,7 +450,7 @@ TEST_CASE("LASWriter: it does not go on with what is no file of its own", "[LASW
   REQUIRE((writer->Open() && writer->Write(MakeLasEchoes(3)) && writer->Abandon()));
   const vtkIdType size = static_cast<vtkIdType>(fs::file_size(writing.Path + ".part"));
   CHECK_FALSE(writer->Reopen(size, 2, size));
-  CHECK(writing.Log->HasError("points.las.part has 3 points and not 2, and cannot be gone on"));
+  CHECK(writing.Log->HasError("points.las.part has 3 points, not 2, and cannot be resumed"));
   CHECK_FALSE(writer->IsOpen());
   CHECK_FALSE(writer->Reopen(300, 2, 300)); // truncated within the header
   CHECK(writing.Log->HasError("points.las.part: ends within its header, after 300 bytes"));
@@ -489,8 +489,8 @@ TEST_CASE("LASWriter: what does not fit is warned of once", "[LASWriter]")
 
   helios::SetCrs(echoes, "ENU 49.4 8.7 110");
   REQUIRE(writing.WriteAll(echoes));
-  CHECK(
-    writing.Log->HasWarning("the CRS ENU 49.4 8.7 110 cannot be said in WKT: the file has none"));
+  CHECK(writing.Log->HasWarning(
+    "the CRS ENU 49.4 8.7 110 cannot be written as WKT; the file has no CRS"));
 }
 
 TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
@@ -510,32 +510,32 @@ TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
   SECTION("not a number")
   {
     block->GetPoints()->SetPoint(1, 0, nan, 0);
-    expected = "point 1 of a block has the coordinate y = nan, which is no number";
+    expected = "point 1 of a block has the coordinate y = nan, which is not a number";
   }
   SECTION("infinite")
   {
     block->GetPoints()->SetPoint(2, 0, 0, -1.0 / 0.0);
-    expected = "point 2 of a block has the coordinate z = -inf, which is no number";
+    expected = "point 2 of a block has the coordinate z = -inf, which is not a number";
   }
   SECTION("too far away")
   {
     block->GetPoints()->SetPoint(0, isFirst ? 1e6 : 214760, 0, 0);
     expected = isFirst
-      ? "point 1 of a block has the coordinate x = 11, beyond the 214748.3647 about 1000000 "
-        "that 32 bits hold with Scale 0.0001; set a larger Scale"
-      : "point 0 of a block has the coordinate x = 214760, beyond the 214748.3647 about 10 that";
+      ? "point 1 of a block has the coordinate x = 11, more than 214748.3647 from 1000000, the "
+        "limit of 32 bits with Scale 0.0001; set a larger Scale"
+      : "point 0 of a block has the coordinate x = 214760, more than 214748.3647 from 10,";
   }
   SECTION("a time")
   {
     helios::AddColumn<vtkDoubleArray>(
       block->GetPointData(), names::GpsTime, 3, [nan](vtkIdType i) { return i == 1 ? nan : 0.0; });
-    expected = "point 1 of a block has GpsTime = nan, which is no number";
+    expected = "point 1 of a block has GpsTime = nan, which is not a number";
   }
   SECTION("a leg")
   {
     helios::AddColumn<vtkIntArray>(
       block->GetPointData(), names::LegIds, 3, [](vtkIdType i) { return 65533 + i; });
-    expected = "point 2 of a block has LegIds = 65535, beyond the -1 to 65534";
+    expected = "point 2 of a block has LegIds = 65535, outside the range -1 to 65534";
   }
   CHECK_FALSE(writer->Write(block));
   CHECK(writing.Log->HasError(writing.Path + ": " + expected));
@@ -599,12 +599,12 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
   SECTION("another system")
   {
     helios::SetCrs(block, "EPSG:25832");
-    CHECK(fails("a block has the CRS \"EPSG:25832\", another one than those before"));
+    CHECK(fails("a block has the CRS \"EPSG:25832\", unlike those before"));
   }
   SECTION("no system")
   {
     helios::SetCrs(block, "EPSG:1");
-    CHECK(fails("the field array CRS of a block: \"EPSG:1\" is no coordinate system"));
+    CHECK(fails("the field array CRS of a block: \"EPSG:1\" is not a coordinate system"));
   }
   SECTION("a system whose WKT fills more than a record")
   {
@@ -641,7 +641,7 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
     words->SetName("Words");
     words->SetNumberOfValues(4);
     data->AddArray(words);
-    CHECK(fails("the array Words of a block is not one of numbers with a name"));
+    CHECK(fails("the array Words of a block is not numeric or has no name"));
   }
   SECTION("a name that is too long")
   {

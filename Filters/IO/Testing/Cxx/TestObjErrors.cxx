@@ -76,16 +76,16 @@ void ReplaceByFolder(const std::string& path)
 TEST_CASE("ObjErrors: numbers", "[ObjErrors]")
 {
   const BadText cases[] = {
-    { "v 0 abc 0\n", ":1: \"abc\" is not a number; v takes three numbers: v x y z" },
-    { "v 0 1,5 0\n", ":1: \"1,5\" is not a number; v takes three numbers" },
+    { "v 0 abc 0\n", ":1: \"abc\" is not a number; v needs three numbers: v x y z" },
+    { "v 0 1,5 0\n", ":1: \"1,5\" is not a number; v needs three numbers" },
     { "\n\nv 0 0 1.0.0\n", ":3: \"1.0.0\" is not a number" },
     { "v 0 0 0x10\n", ":1: \"0x10\" is not a number" },
     { "v 0 0 --1\n", ":1: \"--1\" is not a number" },
     { "v 0 0 +-1\n", ":1: \"+-1\" is not a number" },
     { "v 0 0 1.#QNAN\n", ":1: \"1.#QNAN\" is not a number" },
-    { "v 0 0 0 red\n", ":1: \"red\" is not a number; v takes three numbers" },
-    { "v 0 0\n", ":1: too few numbers; v takes three numbers: v x y z" },
-    { "v\n", ":1: too few numbers; v takes three numbers" },
+    { "v 0 0 0 red\n", ":1: \"red\" is not a number; v needs three numbers" },
+    { "v 0 0\n", ":1: too few numbers; v needs three numbers: v x y z" },
+    { "v\n", ":1: too few numbers; v needs three numbers" },
     { "v 0 0 # 0\n", ":1: too few numbers" },
     { "v 0 1e400 0\n", ":1: \"1e400\" is beyond the range of double precision; correct it" },
     { "v 0 0 nan\n", ":1: vertex coordinate z is NaN; correct the vertex, or remove it" },
@@ -93,10 +93,10 @@ TEST_CASE("ObjErrors: numbers", "[ObjErrors]")
     { "v 0 0 0\r\nv 0 -inf 0\r\n", ":2: vertex coordinate y is infinite; correct the vertex" },
     { "v 0 0 \\\n nan\n", ":1: vertex coordinate z is NaN" },
     { "# a \\\nv 0 \\\n 0 0\nv x 0 0\n", ":4: \"x\" is not a number" },
-    { "vn 0 0\n", ":1: too few numbers; vn takes three numbers: vn x y z" },
-    { "vn 0 0 up\n", ":1: \"up\" is not a number; vn takes three numbers" },
-    { "vt\n", ":1: too few numbers; vt takes one to three numbers: vt u v w" },
-    { "vt 0 ?\n", ":1: \"?\" is not a number; vt takes one to three numbers" },
+    { "vn 0 0\n", ":1: too few numbers; vn needs three numbers: vn x y z" },
+    { "vn 0 0 up\n", ":1: \"up\" is not a number; vn needs three numbers" },
+    { "vt\n", ":1: too few numbers; vt needs one to three numbers: vt u v w" },
+    { "vt 0 ?\n", ":1: \"?\" is not a number; vt needs one to three numbers" },
   };
   for (const BadText& bad : cases)
   {
@@ -122,7 +122,7 @@ TEST_CASE("ObjErrors: faces", "[ObjErrors]")
     { "f 1/0 2/0 3/0\n", ":5: face refers to texture coordinate 0; indices count from 1" },
     { "vn 0 0 1\nf 1//1 2//2 3//1\n", ":6: face refers to normal 2, but the file has 1" },
     { "vn 0 0 1\nf 1//1 2//-2 3//1\n", ":6: face refers to normal -2, but only 1 come before it" },
-    { "f 1 2\n", ":5: face has 2 corners; it takes three or more: f 1 2 3" },
+    { "f 1 2\n", ":5: face has 2 corners; it needs three or more: f 1 2 3" },
     { "f\n", ":5: face has 0 corners" },
     { "f 1 2 x\n",
       ":5: \"x\" is not the corner of a face; write it v, v/t, v//n or v/t/n, such as 1//3" },
@@ -258,7 +258,7 @@ TEST_CASE("ObjErrors: memory that runs out", "[ObjErrors]")
   CHECK_FALSE(good);
   INFO(reading.Log->Errors);
   CHECK(reading.Log->HasError(path + ":"));
-  CHECK(reading.Log->HasError(": not enough memory to go on; free some, or split the file"));
+  CHECK(reading.Log->HasError(": not enough memory to continue; free some, or split the file"));
 }
 #endif
 #endif

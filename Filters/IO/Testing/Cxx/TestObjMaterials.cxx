@@ -159,8 +159,8 @@ TEST_CASE("ObjMaterials: a reflectance above 1 is percent, and warned of", "[Obj
   CHECK(table.at(3).Reflectance == 0.0);
   INFO(reading.Log->Warnings);
   CHECK(reading.Log->HasWarning(path +
-    ":4: helios_reflectance 1.5 is above 1 and taken for percent; write it as the fraction 0.015 "
-    "(2 such lines in this file)"));
+    ":4: helios_reflectance 1.5 is above 1 and read as percent; write it as the fraction 0.015 (2 "
+    "such lines in this file)"));
 }
 
 TEST_CASE(
@@ -210,7 +210,7 @@ TEST_CASE("ObjMaterials: errors name the file, the line and the cure", "[ObjMate
     ":2: Ns \"shiny\" is not a finite number >= 0; it is the specular exponent");
   CheckError("newmtl m\nNs -1\n", ":2: Ns \"-1\" is not a finite number >= 0");
   CheckError("newmtl m\nNs inf\n", ":2: Ns \"inf\" is not a finite number >= 0");
-  const std::string cure = "; it takes three finite numbers >= 0: red green blue";
+  const std::string cure = "; expected three finite numbers >= 0: red green blue";
   CheckError("newmtl m\nKd 1 1 x\n", ":2: Kd of material \"m\" is malformed at \"x\"" + cure);
   CheckError("newmtl m\nKs 1 1\n", ":2: Ks of material \"m\" is malformed" + cure);
   CheckError("newmtl m\nKa -1 1 1\n", ":2: Ka of material \"m\" is malformed at \"-1\"" + cure);
@@ -236,7 +236,7 @@ TEST_CASE("ObjMaterials: unknown keys and second definitions are warned of", "[O
   CHECK(reading.Log->HasWarning(
     first + ":2: unknown keyword \"helios_reflectence\", ignored (2 such lines in this file)"));
   CHECK(reading.Log->HasWarning(
-    second + ":4: material \"m\" was defined differently before; this definition counts"));
+    second + ":4: material \"m\" was defined differently before; this definition is used"));
   CHECK_FALSE(reading.Log->HasWarning("\"same\""));
   CHECK(reading.MaterialOf(0).Reflectance == 0.75);
   CHECK(helios::GetMaterials(reading.Scene()).size() == 2);

@@ -213,7 +213,7 @@ TEST_CASE("ObjSceneWriter: errors say what cannot be written", "[ObjSceneWriter]
   checkMaterial(m, "specular exponent nan, not a finite number >= 0; correct it");
   m = {};
   m.Spectrum = "dry grass";
-  checkMaterial(m, "spectrum \"dry grass\", which has a blank that MTL cannot carry; correct it");
+  checkMaterial(m, "spectrum \"dry grass\", which has a blank that MTL cannot store; correct it");
 
   vtkNew<vtkHeliosObjSceneWriter> writer;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());

@@ -141,7 +141,7 @@ TEST_CASE("PCDReader: binary and compressed", "[PCDReader]")
   CHECK(reading.Log->Warnings.empty());
   REQUIRE(reading.ReadText(MakeHeader("binary") + MakeRows() + "more"));
   CheckThree(reading);
-  CHECK(reading.Log->HasWarning("4 bytes behind the last point are left out; is POINTS right?"));
+  CHECK(reading.Log->HasWarning("4 bytes after the last point are ignored; is POINTS right?"));
   const std::string none =
     Replace(Replace(MakeHeader("binary"), "WIDTH 3", "WIDTH 0"), "POINTS 3", "POINTS 0");
   REQUIRE(reading.ReadText(none));
@@ -178,7 +178,7 @@ TEST_CASE("PCDReader: the comments of the writer", "[PCDReader]")
   CHECK(reading.FailsWith(Replace(marks, "476000", "east") + AsciiPcd, ":1",
     "the origin is not three numbers; correct it: points are relative to it"));
   CHECK(reading.FailsWith(Replace(marks, "1e9", "") + AsciiPcd, ":2",
-    "the GpsEpoch is not a number; correct it, or take it out"));
+    "the GpsEpoch is not a number; correct or remove it"));
 }
 
 TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
@@ -201,7 +201,7 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     { "SIZE 4 4 4 4 2", "SIZE 4 4 4 2 2", ":5", "the field \"intensity\" is of type F and size 2" },
     { "SIZE 4 4 4 4 2", "SIZE 4 4 4 4 x", ":4",
       "SIZE of the field \"label\" is \"x\"; give a whole" },
-    { "SIZE 4 4 4 4 2\n", "", ":10", "the header has no line SIZE; it must say what a point is" },
+    { "SIZE 4 4 4 4 2\n", "", ":10", "the header has no line SIZE; it must describe a point" },
     { "TYPE F F F F U", "TYPE F F F F D", ":5", "TYPE of the field \"label\" is \"D\"; types are" },
     { "TYPE F F F F U", "TYPE I F F F U", ":11", "x has TYPE I and COUNT 1; x, y and z are one" },
     { "COUNT 1 1 1 1 2", "COUNT 2 1 1 1 1", ":11", "x has TYPE F and COUNT 2; x, y and z are one" },
@@ -209,11 +209,12 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     { "WIDTH 2", "WIDTH 3", ":11",
       "POINTS is 4, but WIDTH times HEIGHT is 6; correct one of them" },
     { "WIDTH 2", "WIDTH -2", ":7", "WIDTH is not one whole number of at most 2^40; correct it" },
-    { "WIDTH 2\n", "WIDTH 2\nWIDTH 2\n", ":8", "WIDTH is given twice; take one out" },
-    { "HEIGHT 2", "HEIGHT 1099511627776", ":11", "WIDTH 2 times HEIGHT 1099511627776 is more" },
+    { "WIDTH 2\n", "WIDTH 2\nWIDTH 2\n", ":8", "WIDTH is given twice; remove one" },
+    { "HEIGHT 2", "HEIGHT 1099511627776", ":11",
+      "WIDTH 2 times HEIGHT 1099511627776 gives too many" },
     { "VIEWPOINT 0", "VIEWPOINT", ":9", "VIEWPOINT is not seven numbers" },
     { "VIEWPOINT 0", "VIEWPONT 0", ":9", "unknown entry \"VIEWPONT\"; a PCD header has VERSION" },
-    { "DATA ascii", "DATA utf8", ":11", "DATA is \"utf8\"; it is one of ascii, binary," },
+    { "DATA ascii", "DATA utf8", ":11", "DATA is \"utf8\"; expected one of ascii, binary," },
     { "DATA ascii", "", ":12", "unknown entry \"1\"" },
   };
   FileReading reading;
@@ -222,11 +223,11 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     INFO(fault.To);
     CHECK(reading.FailsWith(Replace(AsciiPcd, fault.From, fault.To), fault.Place, fault.Part));
   }
-  CHECK(
-    reading.FailsWith("VERSION 0.7\n", ":1", "the file ends before the line DATA; it is no PCD"));
+  CHECK(reading.FailsWith(
+    "VERSION 0.7\n", ":1", "the file ends before the line DATA; it is not a PCD"));
   CHECK(reading.FailsWith("", ":0", "the file ends before the line DATA"));
   CHECK(reading.FailsWith("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nDATA ascii\n1 2 3\n", ":4",
-    "the header has neither WIDTH nor POINTS; it must say how many points there are"));
+    "the header has neither WIDTH nor POINTS; it must give the number of points"));
 }
 
 TEST_CASE("PCDReader: lines that are wrong", "[PCDReader]")
@@ -237,9 +238,9 @@ TEST_CASE("PCDReader: lines that are wrong", "[PCDReader]")
   CHECK(reading.FailsWith(Replace(AsciiPcd, "0.5 7 8", "0.5 7 8 9"), ":12",
     "the point has more than the 6 numbers that FIELDS and COUNT make"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "0.5 7 8", "0,5 7 8"), ":12",
-    "\"0,5\" is no number of type F and size 4, as the field \"intensity\" has; correct it"));
+    "\"0,5\" is not a number of type F and size 4, as the field \"intensity\" has; correct it"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "65535", "65536"), ":13",
-    "\"65536\" is no number of type U and size 2, as the field \"label\" has"));
+    "\"65536\" is not a number of type U and size 2, as the field \"label\" has"));
   CHECK(reading.FailsWith(Replace(AsciiPcd, "\n4 5 6 1 2 3", "\n"), ":15",
     "the file ends after 3 of 4 points; it is cut off, or POINTS is wrong"));
   CHECK(reading.FailsWith(

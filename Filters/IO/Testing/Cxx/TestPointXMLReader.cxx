@@ -126,7 +126,7 @@ TEST_CASE("PointXMLReader: what is wrong is said", "[PointXMLReader]")
     nested += deep;
   }
   CHECK(file.FailsWith("<Piece", nested + "<Piece", "has elements nested deeper than 32"));
-  CHECK(file.FailsWith("</VTKFile>", "", "is not whole XML; copy or write the file again"));
+  CHECK(file.FailsWith("</VTKFile>", "", "is not complete XML; copy or write the file again"));
   CHECK(file.FailsWith("type=\"PolyData\"", "type=\"Table\"", "has type=\"Table\", not PolyData"));
   CHECK(file.FailsWith("NumberOfPoints=\"20", "NumberOfPoints=\"2x",
     "NumberOfPoints=\"2x\" of Piece is not valid: expected 0 to "));
@@ -141,7 +141,7 @@ TEST_CASE("PointXMLReader: what is wrong is said", "[PointXMLReader]")
     "has an array of PointData named twice: GpsTime; write the file again"));
   CHECK(file.FailsWith("Name=\"PulseIds\"", "", "has an array of PointData without a name"));
   CHECK(file.FailsWith("type=\"Float64\" Name=\"GpsTime\"", "type=\"String\" Name=\"GpsTime\"",
-    "the array GpsTime does not have the 20 texts of its counts; write the file again"));
+    "the array GpsTime does not have the 20 strings of its counts; write the file again"));
   CHECK(file.FailsWith("type=\"Float64\" Name=\"GpsTime\"", "type=\"Real\" Name=\"GpsTime\"",
     "the array GpsTime is a DataArray with type=\"Real\", which is not known"));
   CHECK(file.FailsWith("NumberOfComponents=\"3\"", "NumberOfComponents=\"0\"", "the array "));
@@ -172,7 +172,7 @@ TEST_CASE("PointXMLReader: cells of points that there are not", "[PointXMLReader
   writer->Write();
   PointReading reading(path);
   CHECK_FALSE(reading.Read());
-  CHECK(reading.Log->HasError(path + ": has cells of points that there are not"));
+  CHECK(reading.Log->HasError(path + ": has cells with points that do not exist"));
 }
 
 TEST_CASE("PointXMLReader: damaged files give an error or points", "[PointXMLReader][mutation]")

@@ -198,7 +198,8 @@ TEST_CASE("PointXMLWriter: it goes on where it was", "[PointXMLWriter]")
     REQUIRE(writer->Abandon());
     fs::remove(folder / "broken/points_0001.vtp");
     CHECK_FALSE(writer->Reopen(size, 50, bytes));
-    CHECK(log->HasError("points_0001.vtp is not there whole, and cannot be gone on after"));
+    CHECK(log->HasError(
+      "points_0001.vtp is missing or incomplete, and the run cannot be resumed after it"));
     CHECK_FALSE(writer->IsOpen());
     return;
   }
@@ -293,7 +294,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     words->SetNumberOfValues(4);
     echoes->GetPointData()->AddArray(words);
     CHECK_FALSE(writer->Write(echoes));
-    CHECK(log->HasError("the array Words of a block is not one tuple of numbers a record"));
+    CHECK(log->HasError("the array Words of a block is not one tuple of numbers per record"));
   }
   SECTION("a name that VTK writes and cannot read")
   {
@@ -306,7 +307,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     helios::AddColumn<vtkIntArray>(
       echoes->GetPointData(), names::PartIds, 2, [](vtkIdType) { return 0; });
     CHECK_FALSE(writer->Write(echoes));
-    CHECK(log->HasError("the array PartIds of a block is not one tuple of numbers a record"));
+    CHECK(log->HasError("the array PartIds of a block is not one tuple of numbers per record"));
   }
   SECTION("other arrays than before")
   {

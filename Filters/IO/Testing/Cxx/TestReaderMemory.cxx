@@ -53,7 +53,7 @@ TEST_CASE("ReaderMemory: GeoTIFF: pixels of blocks that are there count", "[Read
   helios::GeoTiffReading reading(folder / "sparse.tif");
   CHECK_FALSE(reading.Read());
   CHECK(
-    reading.Log->HasError(folder / "sparse.tif: 65536 pixels of two triangles take about 21.6 MB"));
+    reading.Log->HasError(folder / "sparse.tif: 65536 pixels of two triangles need about 21.6 MB"));
   CHECK(reading.Log->HasError("; gdal_translate -srcwin cuts out a part"));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("ReaderMemory: OBJ: lines are counted where the size leaves it open", 
   const Limit limit(0.001);
   helios::ObjReading reading(path);
   CHECK_FALSE(reading.Read());
-  CHECK(reading.Log->HasError(path + ": 3 triangles with their vertices take about 0.000591 MB"));
+  CHECK(reading.Log->HasError(path + ": 3 triangles with their vertices need about 0.000591 MB"));
 }
 
 TEST_CASE("ReaderMemory: voxels by the count in the header", "[ReaderMemory]")
@@ -87,5 +87,5 @@ TEST_CASE("ReaderMemory: voxels by the count in the header", "[ReaderMemory]")
   helios::vox::Reading reading(helios::vox::Head + helios::vox::Columns + helios::vox::Rows);
   const Limit limit(0.001);
   CHECK_FALSE(reading.Read());
-  CHECK(reading.Log->HasError("a.vox: 24 cells take about 0.000384 MB of memory, and 0 MB are"));
+  CHECK(reading.Log->HasError("a.vox: 24 cells need about 0.000384 MB of memory, and 0 MB are"));
 }

@@ -196,8 +196,8 @@ TEST_CASE("StreamWriter: files that cannot be", "[StreamWriter]")
     const std::string path = folder / "plain/run/points.xyz";
     writer->SetFileName(path.c_str());
     CHECK_FALSE(writer->Open());
-    CHECK(
-      log->HasError("the folder " + (folder / "plain/run") + " cannot be made: Not a directory"));
+    CHECK(log->HasError(
+      "the folder " + (folder / "plain/run") + " cannot be created: Not a directory"));
     CHECK(log->HasError("choose another output folder"));
   }
   SECTION("a folder where the file should be")
@@ -360,7 +360,7 @@ TEST_CASE("StreamWriter: it goes on where it was", "[StreamWriter]")
   {
     REQUIRE(writer->Abandon());
     CHECK_FALSE(writer->Reopen(1000000, 10, 1000000));
-    CHECK(log->HasError(path + ".part cannot be gone on with: it has"));
+    CHECK(log->HasError(path + ".part cannot be resumed: it has"));
     CHECK(log->HasError("bytes of 1000000"));
     CHECK_FALSE(writer->IsOpen());
     fs::remove(path + ".part");
@@ -392,7 +392,7 @@ TEST_CASE("StreamWriter: a file that is removed meanwhile", "[StreamWriter]")
   SECTION("found by Flush()")
   {
     CHECK_FALSE(writer->Flush());
-    CHECK(log->HasError(path + ".part was removed while it was written; see that"));
+    CHECK(log->HasError(path + ".part was removed while it was written; keep the"));
     CHECK_FALSE(writer->Write(helios::MakeEchoes(10)));
   }
   SECTION("found by Close()")

@@ -162,7 +162,7 @@ TEST_CASE(
     CHECK(reading.GetPosition(i)[0] == x[i]);
   }
   CHECK(reading.Log->HasWarning(
-    "a.trj:4: the platform jumps: 1 time has two rows at different places, the first here; give "
+    "a.trj:4: the platform jumps: 1 time has two rows at different positions, the first here; give "
     "the times with more digits if it does not"));
   // A sudden turn gives no warning.
   REQUIRE(reading.Read("1,0,0,0,1,0,0\n1,0,0,90,1,0,0\n2,0,0,0,2,0,0\n2,0,0,9,2,0,0\n"));
@@ -328,7 +328,7 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
       "pitch in 2, yaw in 3, x in 4, y in 5, z in 6); complete the row"));
     CHECK(reading.FailsWith("5\n", "a.trj:1: the row has 1 column,"));
     CHECK(reading.FailsWith(good + "2,0,0,0,1,2,nan\n",
-      "a.trj:2: \"nan\" in column 6 is not finite; correct the row or take it out"));
+      "a.trj:2: \"nan\" in column 6 is not finite; correct the row or remove it"));
     CHECK(
       reading.FailsWith(good + "inf,0,0,0,1,2,3\n", "a.trj:2: \"inf\" in column 0 is not finite"));
     CHECK(reading.FailsWith("1,0,0,0,1;2,2,3\n",
@@ -341,8 +341,8 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
   SECTION("times")
   {
     CHECK(reading.FailsWith("2.5,0,0,0,1,2,3\n" + good + "2.5,0,0,0,1,2,3\n\n2.5,0,0,0,1,2,4\n",
-      "a.trj:5: a third row has the time 2.5 s; one row a time is a sample, two are a jump: take "
-      "out the others, or give the times with more digits"));
+      "a.trj:5: a third row has the time 2.5 s; one row per time is a sample, two are a jump: "
+      "remove the others, or give the times with more digits"));
   }
   SECTION("nothing there")
   {
@@ -358,10 +358,10 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
   SECTION("headers")
   {
     CHECK(reading.FailsWith("#HEADER: t, roll, pitch, heading\n" + good,
-      "a.trj:1: HEADER names the column \"heading\", which is none of t, roll, pitch, yaw, x, y, "
-      "z; correct the name, or set the columns"));
+      "a.trj:1: HEADER names the column \"heading\", which is not one of t, roll, pitch, yaw, x, "
+      "y, z; correct the name, or set the columns"));
     CHECK(reading.FailsWith("#HEADER: t, roll, t\n" + good,
-      "a.trj:1: HEADER names \"t\" twice, in columns 0 and 2; take one out"));
+      "a.trj:1: HEADER names \"t\" twice, in columns 0 and 2; remove one"));
     CHECK(reading.FailsWith("#HEADER: t, x, y, z\n1,1,2,3\n",
       "a.trj:2: HEADER does not name \"roll\"; add it, or set Domain to POSITION"));
     CHECK(reading.FailsWith("#HEADER: t, roll, pitch, yaw, x, y\n" + good,

@@ -83,7 +83,7 @@ TEST_CASE("VoxelReader: a table of leaf angles", "[VoxelReader]")
     reading.Log->Clear();
     CHECK_FALSE(reading.Read());
     CHECK(reading.Log->HasError("lad.txt:1: "));
-    CHECK(reading.Log->HasError("is no row of a leaf-angle table; write x,y,z,G"));
+    CHECK(reading.Log->HasError("is not a row of a leaf-angle table; write x,y,z,G"));
   }
   reading.Write("lad.txt", "# nothing\n");
   reading.Reader->Modified();
@@ -106,16 +106,15 @@ TEST_CASE("VoxelReader: files that are wrong", "[VoxelReader]")
     { "#split: 2 2 2\n#res: 1\n0 0 0 1\n", "a.vox:3: the cells come before #min_corner" },
     { "#min_corner: 0 0 0\n#res: 1\n0 0 0 1\n", "a.vox:3: the cells come before #split" },
     { "#min_corner: 0 0 0\n#split: 2 2 2\n0 0 0 1\n", "a.vox:3: cells have no size" },
-    { "#min_corner: 0 0\n",
-      "a.vox:1: #min_corner: \" 0 0\" is not understood; give three numbers" },
-    { "#min_corner: 0 0 x\n", "is not understood" },
-    { "#min_corner: 0 0 0 0\n", "is not understood" },
-    { "#min_corner: 0 0 nan\n", "is not understood" },
-    { "#split: 2 2 0\n", "#split: \" 2 2 0\" is not understood" },
+    { "#min_corner: 0 0\n", "a.vox:1: #min_corner: \" 0 0\" is not valid: expected three numbers" },
+    { "#min_corner: 0 0 x\n", "is not valid" },
+    { "#min_corner: 0 0 0 0\n", "is not valid" },
+    { "#min_corner: 0 0 nan\n", "is not valid" },
+    { "#split: 2 2 0\n", "#split: \" 2 2 0\" is not valid" },
     { "#split: 2 2 1.5\n", "a.vox:1: #split has a number that is not whole" },
-    { "#res: 0,5\n", "#res: \" 0,5\" is not understood; give a number greater than 0" },
-    { "#res: -1\n", "is not understood" },
-    { "#max_pad: much\n", "#max_pad: \" much\" is not understood" },
+    { "#res: 0,5\n", "#res: \" 0,5\" is not valid: expected a number greater than 0" },
+    { "#res: -1\n", "is not valid" },
+    { "#max_pad: much\n", "#max_pad: \" much\" is not valid" },
     { "#min_corner: 0 0 0\n#split: 99999 99999 99999\n#res: 1\n0 0 0 1\n",
       "a.vox:4: #split makes 99999 x 99999 x 99999 cells" },
     { "#min_corner: 0 0 0\n#max_corner: 1 2 2\n#split: 2 2 2\n#res: 1\n0 0 0 1\n",
@@ -124,7 +123,7 @@ TEST_CASE("VoxelReader: files that are wrong", "[VoxelReader]")
       "a.vox:4: no column is called PadBVTotal" },
     { small + "0 0 0 1 1\n0 0 2 1 1\n", "a.vox:6: k is 2, but #split has 2 cells" },
     { small + "0 -1 0 1 1\n", "j is -1" },
-    { small + "0.5 0 0 1 1\n", "\"0.5\" in column i is no whole number" },
+    { small + "0.5 0 0 1 1\n", "\"0.5\" in column i is not a whole number" },
     { small + "0 0 0 1,5 1\n", "\"1,5\" in column PadBVTotal is not a number" },
     { small + "0 0 0 -1 1\n", "a.vox:5: PadBVTotal is -1.000000; give 0 or more" },
     { small + "0 0 0 inf 1\n", "PadBVTotal is inf" },

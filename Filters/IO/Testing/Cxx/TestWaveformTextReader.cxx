@@ -140,7 +140,7 @@ TEST_CASE("WaveformTextReader: a bin size that is given", "[WaveformTextReader]"
   CHECK(reading.Get(names::BinSize, 0) == 0.25);
   CHECK(reading.Get(names::BinSize, 1) == 0.25);
   CHECK(reading.FailsWith(
-    Head + "5 5.3 0 1 2\n", "a.txt:1: the bins of 0.300000 ns (two-way) are not those of BinSize"));
+    Head + "5 5.3 0 1 2\n", "a.txt:1: the bins of 0.300000 ns (two-way) do not match BinSize"));
 }
 
 TEST_CASE("WaveformTextReader: what is wrong is said with its line", "[WaveformTextReader]")

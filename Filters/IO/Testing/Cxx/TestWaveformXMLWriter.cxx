@@ -265,12 +265,14 @@ TEST_CASE("WaveformXMLReader: what is wrong is said", "[WaveformXMLReader]")
   SECTION("a piece is gone")
   {
     fs::remove(run / "leg000_fullwave_0001.vtt");
-    CHECK(failsWith("leg000_fullwave_0001.vtt: the piece cannot be read; is it there, and whole?"));
+    CHECK(failsWith(
+      "leg000_fullwave_0001.vtt: the piece cannot be read; is it missing or incomplete?"));
   }
   SECTION("a piece is cut off")
   {
     fs::resize_file(run / "leg000_fullwave_0000.vtt", 5000);
-    CHECK(failsWith("leg000_fullwave_0000.vtt: the piece cannot be read; is it there, and whole?"));
+    CHECK(failsWith(
+      "leg000_fullwave_0000.vtt: the piece cannot be read; is it missing or incomplete?"));
   }
   SECTION("a piece of something else")
   {

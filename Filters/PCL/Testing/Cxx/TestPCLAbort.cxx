@@ -74,7 +74,7 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
     Aborter aborter(run.Filter);
     aborter.Last = last;
     CHECK(run.FailsWith("The work was aborted at "));
-    CHECK(run.Log->HasError(" %; update again for the whole"));
+    CHECK(run.Log->HasError(" %; update again to complete it"));
     CHECK(aborter.Reports <= last + 1); // the final one by the executive
     CHECK(run.Output()->GetPointData()->GetNumberOfArrays() == 0);
     run.Filter->RemoveObserver(aborter.Command);

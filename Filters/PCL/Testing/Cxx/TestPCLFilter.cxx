@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
     const auto cloud = helios::MakeCloud(MakePoints(100));
     helios::AddColumn<vtkFloatArray>(cloud->GetPointData(), "Own", 99, [](vtkIdType) { return 0; });
     Filtering run(cloud);
-    CHECK(run.FailsWith("Input: the point array Own has 99 tuples for 100 points; give it one a "
+    CHECK(run.FailsWith("Input: the point array Own has 99 tuples for 100 points; give it one per "
                         "point, or remove it"));
   }
   SECTION("an abort is an error")
@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
     abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
       { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
     run.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
-    CHECK(run.FailsWith("The work was aborted at 10 %; update again for the whole"));
+    CHECK(run.FailsWith("The work was aborted at 10 %; update again to complete it"));
   }
   SECTION("it says its properties")
   {
@@ -128,5 +128,5 @@ TEST_CASE("PCLFilter: far from the middle there is a warning", "[PCLFilter]")
   points.push_back(helios::Utm + helios::Triple{ 20000.0, 0.0, 0.0 });
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(points);
   REQUIRE(run.Run());
-  CHECK(run.Log->HasWarning("0.5 mm off or more; work at them in tiles"));
+  CHECK(run.Log->HasWarning("0.5 mm or more; process them in tiles"));
 }

@@ -196,9 +196,8 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
   SECTION("too far apart")
   {
     Registering run(cloud, Move(room, MakeMotion(0.0, { 100.0, 0.0, 0.0 })));
-    CHECK(
-      run.FailsWith("only 0 points of input 1 have one of input 0 within MaximumDistance, and 0 of "
-                    "these pairs are of one plane; align the scans better before"));
+    CHECK(run.FailsWith("only 0 points of input 1 have a point of input 0 within MaximumDistance, "
+                        "and 0 of these pairs lie on one plane; align the scans better first"));
   }
   SECTION("no planes")
   {
@@ -210,9 +209,8 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     }
     Registering run(helios::MakeCloud(leaves), helios::MakeCloud(leaves));
     run.Filter->SetMaximumCurvature(0.0);
-    CHECK(
-      run.FailsWith("only 500 points of input 1 have one of input 0 within MaximumDistance, and 0 "
-                    "of these pairs are of one plane"));
+    CHECK(run.FailsWith("only 500 points of input 1 have a point of input 0 within "
+                        "MaximumDistance, and 0 of these pairs lie on one plane"));
   }
   SECTION("planes of one direction only")
   {
@@ -222,7 +220,8 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
       floor.push_back(helios::Utm + helios::Triple{ 0.1 * (i % 50), 0.1 * (i / 50), 0.0 });
     }
     Registering run(helios::MakeCloud(floor), Move(floor, MakeMotion(0.0, { 0.03, 0.02, 0.1 })));
-    CHECK(run.FailsWith("pairs of points do not say how to move; scans need surfaces in three"));
+    CHECK(
+      run.FailsWith("pairs of points do not determine the motion; scans need surfaces in three"));
   }
   SECTION("too few iterations")
   {
@@ -230,7 +229,7 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     run.Filter->SetMaximumNumberOfIterations(2);
     REQUIRE(run.Run());
     CHECK(run.Log->HasWarning(
-      "MaximumNumberOfIterations is 2, and the scans still move; set a larger one"));
+      "MaximumNumberOfIterations is 2, and the registration has not converged; set a larger one"));
   }
   SECTION("points that are not finite")
   {
@@ -248,6 +247,6 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
       { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
     run.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
-    CHECK(run.FailsWith("The work was aborted at 0 %; update again for the whole"));
+    CHECK(run.FailsWith("The work was aborted at 0 %; update again to complete it"));
   }
 }

@@ -124,7 +124,7 @@ TEST_CASE("PCLVoxelGrid: more cells than PCL can count", "[PCLVoxelGrid]")
     { helios::Utm, helios::Utm + helios::Triple{ 1000.0, 1000.0, 100.0 } });
   run.Filter->SetVoxelSize(0.01);
   CHECK(run.FailsWith("VoxelSize is 0.01 m, which makes 1.0"));
-  CHECK(run.Log->HasError("the most is 2147483647: set a larger one"));
+  CHECK(run.Log->HasError("the maximum is 2147483647: set a larger one"));
   run.Filter->SetVoxelSize(-1.0);
   CHECK(run.Filter->GetVoxelSize() == 1e-4);
 }

@@ -90,11 +90,11 @@ TEST_CASE("ReturnSelection: only arrays that are needed", "[ReturnSelection]")
   run.Filter->SetReturnsToFirst();
   CHECK(Select(run) == Ids{ 0, 1, 3 });
   run.Filter->SetReturnsToLast();
-  CHECK(run.FailsWith("Input: the point array NumberOfReturns is not there; give it, or do not "
-                      "select by it"));
+  CHECK(run.FailsWith(
+    "Input: the point array NumberOfReturns does not exist; add it, or do not select by it"));
   helios::AddColumn<vtkFloatArray>(
     cloud->GetPointData(), names::NumberOfReturns, 6, [](vtkIdType) { return 1; });
-  CHECK(run.FailsWith("NumberOfReturns is not one integer a point"));
+  CHECK(run.FailsWith("NumberOfReturns is not one integer per point"));
   run.Filter->SetReturnRange(3, 2);
   CHECK(run.FailsWith("ReturnRange is 3 to 2; set the smaller number first"));
   Selecting none{ helios::Triples() };

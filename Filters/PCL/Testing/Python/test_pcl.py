@@ -105,9 +105,9 @@ def test_every_type(name):
 
 
 def test_bad_input():
-    with pytest.raises(TypeError, match="a cloud is made of a vtkPolyData, not of vtkImageData"):
+    with pytest.raises(TypeError, match="a cloud needs a vtkPolyData, not vtkImageData"):
         pcl.CloudXYZ.from_polydata(vtkImageData())
-    with pytest.raises(TypeError, match="not of list"):
+    with pytest.raises(TypeError, match="not list"):
         pcl.CloudXYZ.from_polydata([1, 2, 3])
     with pytest.raises(ValueError, match="an origin is three numbers, x y z"):
         pcl.CloudXYZ.from_polydata(make_echoes(3), origin=[1, 2])

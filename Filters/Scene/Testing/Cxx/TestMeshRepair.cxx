@@ -379,8 +379,8 @@ TEST_CASE("MeshRepair: says what is wrong", "[MeshRepair]")
   wild.AddCell({ 0, 0, 5 });
   repair->SetInputData(wild.Finish());
   repair->Update();
-  CHECK(log->HasError(
-    "Triangle 0 has a corner that is none of the scene's 1 points; corners are point ids from 0"));
+  CHECK(log->HasError("Triangle 0 has a corner that is not one of the scene's 1 points; corners "
+                      "are point ids from 0"));
 
   log->Clear();
   Hand shortHand;
@@ -419,5 +419,5 @@ TEST_CASE("MeshRepair: stops when told to", "[MeshRepair]")
   log->Watch(repair->GetExecutive());
   repair->Update();
   CHECK(repair->GetOutput()->GetNumberOfCells() == 0);
-  CHECK(log->HasError("The work was aborted at 25 %; update again for the whole"));
+  CHECK(log->HasError("The work was aborted at 25 %; update again to complete it"));
 }

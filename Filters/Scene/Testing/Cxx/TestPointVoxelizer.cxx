@@ -394,10 +394,10 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
       CHECK(cloud.FailsWith("VoxelSize is "));
     }
     cloud.Filter->SetVoxelSize(1e-6);
-    CHECK(cloud.FailsWith("5e+06 cells along x; the most is 2097149"));
+    CHECK(cloud.FailsWith("5e+06 cells along x; the maximum is 2097149"));
     cloud.Filter->SetInputData(MakeCloud({ { 0, 0, 5.4e6 }, { 1e-8, 0, 5.4e6 } }));
     cloud.Filter->SetVoxelSize(1e-9);
-    CHECK(cloud.FailsWith("below what coordinates of this size resolve"));
+    CHECK(cloud.FailsWith("below the resolution of coordinates of this size"));
     cloud.Filter->SetInputData(MakeCloud({ { -1e308, 0, 0 }, { 1e308, 0, 0 } }));
     cloud.Filter->SetVoxelSize(1e300);
     CHECK(cloud.FailsWith("cells along x"));
@@ -413,16 +413,16 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
   SECTION("more memory than may be taken")
   {
     vtkHeliosMemoryLimit::SetLimit(0.001);
-    const bool fails = cloud.FailsWith("m: 1 cells or more take about 0.0005 MB of memory");
+    const bool fails = cloud.FailsWith("m: 1 cells or more need about 0.0005 MB of memory");
     vtkHeliosMemoryLimit::SetLimit(0.0);
     CHECK(fails);
   }
   SECTION("points that are not finite")
   {
     cloud.Filter->SetInputData(MakeCloud({ { 0, 0, 0 }, { 0, std::nan(""), 1 } }));
-    CHECK(cloud.FailsWith("Input point 1 is (0, nan, 1), not finite"));
+    CHECK(cloud.FailsWith("Input point 1 is (0, nan, 1), which is not finite"));
     cloud.Filter->SetInputData(MakeCloud({ { 0, 0, -std::numeric_limits<double>::infinity() } }));
-    CHECK(cloud.FailsWith("Input point 0 is (0, 0, -inf), not finite"));
+    CHECK(cloud.FailsWith("Input point 0 is (0, 0, -inf), which is not finite"));
   }
   SECTION("attributes")
   {
@@ -433,11 +433,11 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     CHECK(cloud.FailsWith("DefaultNormal is (0, nan, 0)"));
     cloud.Filter->SetDefaultNormal(0.0, 0.0, 0.0);
     cloud.Filter->SetInputData(MakeCloud({ { 0, 0, 0 } }, {}, { { 0.5, 2.0, 0.0 } }));
-    CHECK(cloud.FailsWith("RGB has 2.000000 of full colour at point 0"));
+    CHECK(cloud.FailsWith("RGB has 2.000000 of the full colour value at point 0"));
     auto bare = MakeCloud({ { 0, 0, 0 } });
     bare->GetPointData()->AddArray(helios::MakeTriples(names::RGB, { { 0, 0, 0 }, { 0, 0, 0 } }));
     cloud.Filter->SetInputData(bare);
-    CHECK(cloud.FailsWith("RGB has 2 tuples of 3; give one of 3 for each of 1 points"));
+    CHECK(cloud.FailsWith("RGB has 2 tuples of 3; expected one of 3 for each of 1 points"));
   }
   SECTION("a source that is not the same twice")
   {
@@ -457,7 +457,7 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
       source->OnRequest = change;
       cloud.Filter->SetInputConnection(source->GetOutputPort());
       cloud.Filter->SetNumberOfPieces(2);
-      CHECK(cloud.FailsWith("Input is not what it was when it was measured"));
+      CHECK(cloud.FailsWith("Input changed while it was read"));
     }
   }
   SECTION("pieces")

@@ -328,12 +328,12 @@ TEST_CASE("Reproject: says what is wrong", "[Reproject]")
     CAPTURE(error, part);
     CHECK(error.find(part) != std::string::npos);
   };
-  has("EPSG:4326", nullptr, "TargetCRS is not set; give the system to go to, e.g. EPSG:32632");
+  has("EPSG:4326", nullptr, "TargetCRS is not set; give the target system, e.g. EPSG:32632");
   has("EPSG:4326", "", "TargetCRS is not set");
   has(nullptr, "EPSG:32632",
     "The input has no CRS in its field data; set SourceCRS, the system it is in");
-  has("EPSG:1", "EPSG:32632", "SourceCRS: \"EPSG:1\" is no coordinate system");
-  has("EPSG:4326", "EPSG:1", "TargetCRS: \"EPSG:1\" is no coordinate system");
+  has("EPSG:1", "EPSG:32632", "SourceCRS: \"EPSG:1\" is not a coordinate system");
+  has("EPSG:4326", "EPSG:1", "TargetCRS: \"EPSG:1\" is not a coordinate system");
   has("EPSG:4326", "IAU_2015:30100", "There is no transformation from EPSG:4326 (WGS 84) to IAU");
   has("EPSG:4326", "EPSG:32632", "Point 1 (8.7, 95, 1) cannot be transformed from EPSG:4326");
   has("EPSG:4258", "EPSG:25832", "Point 1 (8.7, 95, 1) cannot be transformed");
@@ -341,11 +341,11 @@ TEST_CASE("Reproject: says what is wrong", "[Reproject]")
 
   place->GetPointData()->AddArray(MakeArray(names::Velocity, { 1, 0, 0 }));
   place->GetPointData()->GetArray(names::Velocity)->SetNumberOfTuples(3);
-  has("EPSG:4326", "EPSG:32632", "Velocity cannot be turned: Point 1 (8.7, 95, 1) cannot be");
+  has("EPSG:4326", "EPSG:32632", "Velocity cannot be rotated: Point 1 (8.7, 95, 1) cannot be");
   place->GetPointData()->RemoveArray(names::Velocity);
   place->GetPointData()->AddArray(MakeArray(names::Orientation, { 1, 0, 0, 0 }));
   place->GetPointData()->GetArray(names::Orientation)->SetNumberOfTuples(3);
-  has("EPSG:4326", "EPSG:32632", "Orientation cannot be turned: Point 1");
+  has("EPSG:4326", "EPSG:32632", "Orientation cannot be rotated: Point 1");
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(3);
@@ -354,7 +354,7 @@ TEST_CASE("Reproject: says what is wrong", "[Reproject]")
   has("EPSG:4326", "EPSG:32632", "Normals of points: Point 1 (8.7, 95, 1) cannot be");
 
   helios::SetCRS(place, "nonsense");
-  has(nullptr, "EPSG:32632", "CRS of the input: \"nonsense\" is no coordinate system");
+  has(nullptr, "EPSG:32632", "CRS of the input: \"nonsense\" is not a coordinate system");
 }
 
 TEST_CASE("Reproject: warns of a source that is not the input's, once", "[Reproject]")
@@ -364,8 +364,8 @@ TEST_CASE("Reproject: warns of a source that is not the input's, once", "[Reproj
   const auto reproject = MakeFilter(place, "EPSG:25832", "EPSG:32632");
   const auto log = Watch(reproject);
   reproject->Update();
-  CHECK(log->HasWarning("SourceCRS is EPSG:25832 (ETRS89 / UTM zone 32N), the input says "
-                        "EPSG:25833; SourceCRS counts"));
+  CHECK(log->HasWarning("SourceCRS is EPSG:25832 (ETRS89 / UTM zone 32N), but the input has "
+                        "EPSG:25833; SourceCRS is used"));
   CHECK(reproject->GetOutput()->GetPoint(0)[0] == Approx(478000).margin(0.01));
   log->Clear();
   place->Modified();

@@ -154,8 +154,8 @@ TEST_CASE("SceneComposer: keeps the CRS", "[SceneComposer]")
   composer->AddInputData(other);
   const auto log = Watch(composer);
   composer->Update();
-  CHECK(log->HasError("Part 2 has the CRS EPSG:32632 (WGS 84 / UTM zone 32N), parts before it "
-                      "EPSG:25832 (ETRS89 / UTM zone 32N); reproject one of them: "
+  CHECK(log->HasError("Part 2 has the CRS EPSG:32632 (WGS 84 / UTM zone 32N), but earlier parts "
+                      "have EPSG:25832 (ETRS89 / UTM zone 32N); reproject one of them: "
                       "vtkHeliosReproject, or <filter type=\"crs\"> with target EPSG:25832"));
   CHECK(composer->GetOutput()->GetNumberOfCells() == 0);
 }
@@ -179,8 +179,8 @@ TEST_CASE("SceneComposer: one CRS in several spellings", "[SceneComposer]")
   SetCRS(part, "nonsense");
   composer->AddInputData(part);
   composer->Update();
-  CHECK(log->HasError("Part 4 has the CRS nonsense, parts before it EPSG:32632: \"nonsense\" is no "
-                      "coordinate system that PROJ knows"));
+  CHECK(log->HasError("Part 4 has the CRS nonsense, but earlier parts have EPSG:32632: "
+                      "\"nonsense\" is not a coordinate system known to PROJ"));
 }
 
 TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
@@ -212,7 +212,7 @@ TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
     helios::GetIds(part, names::MaterialIds)->SetValue(0, id);
     composer->SetInputData(part);
     composer->Update();
-    CHECK(log->HasError("Part 0: triangle 0 has a material id that its 1 materials do not have"));
+    CHECK(log->HasError("Part 0: triangle 0 has a material id that is not one of its 1 materials"));
     log->Clear();
   }
 

@@ -164,12 +164,13 @@ TEST_CASE("SceneMotion: what cannot be", "[SceneMotion]")
   SECTION("no such part")
   {
     rising.Filter->AddTranslation(3, finite);
-    rising.CheckFails("part 3 moves, but the scene has no triangle of it; parts count from 0");
+    rising.CheckFails(
+      "part 3 moves, but the scene has no triangle of it; parts are numbered from 0");
   }
   SECTION("no axis")
   {
     rising.Filter->AddRotation(1, axis, 5, finite);
-    rising.CheckFails("a motion of part 1 has an axis or normal without length; give one");
+    rising.CheckFails("a motion of part 1 has an axis or normal of length 0; give one");
   }
   SECTION("not finite")
   {
@@ -187,7 +188,7 @@ TEST_CASE("SceneMotion: what cannot be", "[SceneMotion]")
     rising.Scene->GetPolys()->ReplaceCellAtId(2, { 6, 7, 4 });
     helios::GetIds(rising.Scene, "PartIds")->SetValue(2, 1);
     rising.Scene->Modified();
-    rising.CheckFails("point 4 belongs to a part that moves, part 1, and to another one; put");
+    rising.CheckFails("point 4 belongs to a part that moves, part 1, and to another one; compose");
   }
   SECTION("backwards")
   {

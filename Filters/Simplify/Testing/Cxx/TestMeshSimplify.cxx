@@ -557,7 +557,7 @@ TEST_CASE("MeshSimplify: tells its progress and stops when told to", "[MeshSimpl
   log->Watch(simplify->GetExecutive());
   simplify->Update();
   CHECK(simplify->GetOutput()->GetNumberOfCells() == 0);
-  CHECK(log->HasError("The work was aborted at 20 %; update again for the whole"));
+  CHECK(log->HasError("The work was aborted at 20 %; update again to complete it"));
 }
 
 TEST_CASE("MeshSimplify: stops while the scene is repaired, too", "[MeshSimplify]")
@@ -577,7 +577,7 @@ TEST_CASE("MeshSimplify: stops while the scene is repaired, too", "[MeshSimplify
   log->Watch(simplify->GetExecutive());
   simplify->Update();
   CHECK(simplify->GetOutput()->GetNumberOfCells() == 0);
-  CHECK(log->HasError("The work was aborted at 2.5 %; update again for the whole"));
+  CHECK(log->HasError("The work was aborted at 2.5 %; update again to complete it"));
 }
 
 namespace
@@ -628,6 +628,6 @@ TEST_CASE("MeshSimplify: stops at any time within one large patch", "[MeshSimpli
     CAPTURE(last, all);
     const auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
     CHECK(run(last, log) == last);
-    CHECK(log->HasError("The work was aborted at 20 %; update again for the whole"));
+    CHECK(log->HasError("The work was aborted at 20 %; update again to complete it"));
   }
 }

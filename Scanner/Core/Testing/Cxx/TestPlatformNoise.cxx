@@ -338,11 +338,11 @@ TEST_CASE("PlatformNoise: what is wrong is said and changes nothing", "[Platform
   CHECK(log->HasError("AttitudeY has mean nan and stdev 1;"));
   noise->SetUniform(Noise::POSITION_Z, 3.0, 2.0);
   CHECK(
-    log->HasError("PositionZ is uniform within 3 and 2; give finite numbers, the smaller first."));
+    log->HasError("PositionZ is uniform between 3 and 2; give finite numbers, the smaller first."));
   noise->SetClip(Noise::POSITION_Y, 1.0, nan);
   CHECK(log->HasError("PositionY is clipped to 1 and nan; give numbers, the smaller first."));
   noise->SetLifespan(Noise::ATTITUDE_X, -1);
-  CHECK(log->HasError("AttitudeX has a lifespan of -1 pulses; give 0 (for ever) to 1e15."));
+  CHECK(log->HasError("AttitudeX has a lifespan of -1 pulses; give 0 (unlimited) to 1e15."));
   CHECK_FALSE(noise->IsOn());
   CHECK(noise->GetLifespan(Noise::ATTITUDE_X) == 1);
 }

@@ -140,13 +140,13 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
   SECTION("no ray caster")
   {
     bench.Scanner->SetRayCaster(nullptr);
-    expect("RayCaster, BeamSampler or EchoDetector was set to nothing");
+    expect("RayCaster, BeamSampler or EchoDetector is not set");
   }
   SECTION("ranges the wrong way round")
   {
     bench.Scanner->SetRangeMin(10);
     bench.Scanner->SetRangeMax(5);
-    expect("is not beyond RangeMin");
+    expect("is not greater than RangeMin");
   }
   SECTION("a head axis without direction")
   {
@@ -163,7 +163,7 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     bench.Scanner->SetDuration(-1);
     bench.Scanner->SetHeadRotateStop(90);
     bench.Scanner->SetHeadRotateSpeed(-10);
-    expect("the head never arrives");
+    expect("the head never reaches its stop");
   }
   SECTION("an empty scene")
   {
@@ -187,8 +187,8 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     normals->SetNumberOfComponents(3);
     normals->InsertNextTuple3(0, 0, 1);
     scene->GetCellData()->AddArray(normals);
-    expect(
-      "cell array Normals of the scene has 1 tuples of 3 for 2 triangles; it needs one of 3 each");
+    expect("cell array Normals of the scene has 1 tuples of 3 for 2 triangles; expected one tuple "
+           "of 3 each");
   }
   SECTION("a trajectory without points")
   {
@@ -206,7 +206,7 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     times->InsertNextValue(4);
     path->GetPointData()->AddArray(times);
     bench.Scanner->SetInputData(1, path);
-    expect("go back at sample 1");
+    expect("decrease at sample 1");
   }
 }
 
@@ -231,7 +231,7 @@ TEST_CASE("Scanner: aborted it says so and gives nothing, then all again", "[Sca
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
   CHECK(count == 1); // no batch after that
   CHECK(bench.Log->HasError("The scan was aborted at "));
-  CHECK(bench.Log->HasError(" %; update again for the whole"));
+  CHECK(bench.Log->HasError(" %; update again to complete it"));
   for (int port = 0; port < bench.Scanner->GetNumberOfOutputPorts(); ++port)
   {
     vtkDataObject* output = bench.Scanner->GetOutputDataObject(port);
@@ -316,7 +316,7 @@ TEST_CASE("Scanner: stops at any time while the scene is made ready", "[Scanner]
       events = { 0, last };
       bench.Log->Clear();
       CHECK(bench.Run()->GetNumberOfPoints() == 0);
-      CHECK(bench.Log->HasError("The scan was aborted at 0 %; update again for the whole"));
+      CHECK(bench.Log->HasError("The scan was aborted at 0 %; update again to complete it"));
     }
     events = { 0, VTK_INT_MAX };
     bench.Log->Clear();

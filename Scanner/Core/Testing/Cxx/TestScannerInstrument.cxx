@@ -47,8 +47,9 @@ TEST_CASE(
     { [](auto* s) { s->SetBinSize(NaN); }, "BinSize is nan ns" },
     { [](auto* s) { s->SetBinSize(3); }, "BinSize is 3 ns, more than half of the pulse (4 ns)" },
     { [](auto* s) { s->SetMaximumWaveformLength(2); },
-      "the waveform may last 2 ns (MaximumWaveformLength, NumberOfBins), less than the pulse" },
-    { [](auto* s) { s->SetNumberOfBins(5); }, "the waveform may last 1 ns" },
+      "the waveform is limited to 2 ns (MaximumWaveformLength, NumberOfBins), less than the "
+      "pulse" },
+    { [](auto* s) { s->SetNumberOfBins(5); }, "the waveform is limited to 1 ns" },
     { [](auto* s) { s->SetNumberOfBins(-5); }, "NumberOfBins is -5, outside" },
     { [](auto* s) { s->SetAveragePower(-1); }, "AveragePower is -1 W, outside" },
     { [](auto* s) { s->SetWavelength(0); }, "Wavelength is 0 nm, outside [200" },
@@ -102,9 +103,9 @@ TEST_CASE(
   };
   expect("0 0\n1 nan\n2 0\n", "pulse.txt:2: times must be finite and powers finite");
   expect("0 0\n1 -3\n2 0\n", "pulse.txt:2: ");
-  expect("0 0\n1 1,5\n2 0\n", "pulse.txt:2: a line of a pulse has two numbers");
-  expect("0 0\n1 1 1\n2 0\n", "pulse.txt:2: a line of a pulse has two numbers");
-  expect("0 0\n2 1\n1 0\n", "pulse.txt:3: its time is not after that of the line before");
+  expect("0 0\n1 1,5\n2 0\n", "pulse.txt:2: expected two numbers per line");
+  expect("0 0\n1 1 1\n2 0\n", "pulse.txt:2: expected two numbers per line");
+  expect("0 0\n2 1\n1 0\n", "pulse.txt:3: its time is not after that of the previous line");
   expect("0 0\n1 1\n", "pulse.txt: a pulse needs at least three samples");
   expect("0 0\n1 0\n2 0\n", "and one above zero");
   expect("0 0\n0.1 1\n0.2 0\n", "BinSize is 0.25 ns, more than half of the pulse (0.1 ns)");
@@ -150,7 +151,8 @@ TEST_CASE(
   Bench bench(scene);
   bench.Scanner->GetEchoDetector()->SetDetectionThreshold(1);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
-  CHECK(bench.Log->HasWarning("no echo: the largest amplitude of 1000 pulses is 1.09"));
+  CHECK(
+    bench.Log->HasWarning("no echo was detected: the largest amplitude of 1000 pulses is 1.09"));
   CHECK(bench.Log->HasWarning("below DetectionThreshold (1 W)"));
 }
 
@@ -163,7 +165,7 @@ TEST_CASE("Instrument: a window that is too short cuts, and says how often", "[I
   CHECK(bench.Log->Warnings.empty());
   bench.Scanner->SetNumberOfBins(500); // the paper's: 18.7 m in bins of 0.25 ns
   CHECK(bench.Run()->GetNumberOfPoints() == 1000);
-  CHECK(bench.Log->HasWarning("1000 waveforms were cut"));
+  CHECK(bench.Log->HasWarning("1000 waveforms were truncated"));
   auto* table = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
   CHECK(table->GetValueByName(0, names::Count).ToInt() == 500);
   bench.Scanner->SetNumberOfBins(0);

@@ -370,14 +370,14 @@ TEST_CASE("Tolerance: a beam with a waist has its footprint near by", "[Toleranc
 TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
 {
   Bench bench(MakeScene({ Wall(100) }));
-  CHECK(bench.Scanner->DescribeSampling() == "19 sub-rays a pulse, always");
+  CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");
   bench.Scanner->SetSamplingToTolerance();
   CHECK(bench.Scanner->DescribeSampling().find("21 sub-rays") != std::string::npos);
-  CHECK(
-    bench.Scanner->DescribeSampling().find("336 more where it meets edges") != std::string::npos);
+  CHECK(bench.Scanner->DescribeSampling().find("336 more at edges") != std::string::npos);
   bench.Scanner->SetRangeTolerance(1e-2);
   bench.Scanner->SetEnergyTolerance(0.1);
-  CHECK(bench.Scanner->DescribeSampling().find("16 sub-rays (up to 1024 times as many") == 0);
+  CHECK(
+    bench.Scanner->DescribeSampling().find("adaptive, 16 sub-rays (up to 1024 times as many") == 0);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
-  CHECK(bench.Scanner->DescribeSampling() == "1 sub-rays a pulse, always");
+  CHECK(bench.Scanner->DescribeSampling() == "fixed, 1 sub-rays per pulse");
 }

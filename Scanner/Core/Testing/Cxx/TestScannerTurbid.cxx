@@ -362,7 +362,7 @@ TEST_CASE("Scanner: voxels that are wrong are errors", "[ScannerTurbid]")
   ids->FillValue(3);
   slab->GetCellData()->AddArray(ids);
   CHECK_THAT(error(slab),
-    Catch::Contains("MaterialIds of voxel grid 0 goes from 3 to 3, but its field data has 1"));
+    Catch::Contains("MaterialIds of voxel grid 0 ranges from 3 to 3, but its field data has 1"));
   ids->SetNumberOfValues(2);
   CHECK_THAT(error(slab), Catch::Contains("of voxel grid 0 has 2 tuples"));
 }

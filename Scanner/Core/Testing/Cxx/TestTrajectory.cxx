@@ -160,7 +160,7 @@ TEST_CASE("Trajectory: bad velocities are errors", "[Trajectory]")
       ->GetArray(names::Velocity)
       ->SetComponent(1, 2, std::numeric_limits<double>::quiet_NaN());
     CHECK(trajectory.Set(path) ==
-      "sample 1 of the trajectory is not finite, or its orientation no unit quaternion");
+      "sample 1 of the trajectory is not finite, or its orientation is not a unit quaternion");
   }
   SECTION("two components")
   {

@@ -395,10 +395,10 @@ TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
     { set(names::GpsTime, 0, nan), "GpsTime of row 1 is not a finite number" },
     { set(names::Origin, 2, nan), "Origin of row 1 is not a finite vector" },
     { set(names::Direction, 0, nan), "Direction of row 1 is not a finite vector" },
-    { set(names::Direction, 0, 2), "Direction of row 1 is no unit vector" },
+    { set(names::Direction, 0, 2), "Direction of row 1 is not a unit vector" },
     { [nan](vtkTable* t)
       { t->GetFieldData()->GetArray(names::Samples)->SetComponent(130, 0, nan); },
-      "Samples of row 1 hold what is no finite number" },
+      "Samples of row 1 are not all finite" },
   };
   for (const auto& [damage, message] : bad)
   {
@@ -412,7 +412,7 @@ TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
   Detection detection(MakeTable());
   detection.Filter->SetEchoDetector(nullptr);
   CHECK(detection.Run()->GetNumberOfPoints() == 0);
-  CHECK(detection.Log->HasError("EchoDetector was set to nothing"));
+  CHECK(detection.Log->HasError("EchoDetector is not set"));
 }
 
 TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetection]")
@@ -448,6 +448,6 @@ TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetec
   detection.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
   CHECK(detection.Run()->GetNumberOfPoints() == 0);
   CHECK(detection.Log->HasError("The work was aborted at "));
-  CHECK(detection.Log->HasError(" %; update again for the whole"));
+  CHECK(detection.Log->HasError(" %; update again to complete it"));
   CHECK(reports == 1);
 }

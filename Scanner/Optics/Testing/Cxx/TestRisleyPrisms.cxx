@@ -217,7 +217,7 @@ TEST_CASE("RisleyPrisms: what is out of range", "[RisleyPrisms]")
   {
     log->Errors.clear();
     prisms->SetIncidentBeam(beam);
-    CHECK(log->HasError("does not go to the prisms; give a direction with y > 0"));
+    CHECK(log->HasError("does not point at the prisms; give a direction with y > 0"));
     CHECK(prisms->GetIncidentBeam()[1] == 1.0);
   }
 }

@@ -260,7 +260,7 @@ TEST_CASE("GroundVehiclePlatform: bad input is an error", "[GroundVehiclePlatfor
   SECTION("nowhere to go")
   {
     Run(car, { origin, origin }, { 1.0, 1.0 });
-    CHECK(log->HasError("All waypoints are at one place; a vehicle needs somewhere to drive"));
+    CHECK(log->HasError("All waypoints are at one place; move one, or use a static platform"));
   }
   SECTION("out of the world")
   {
@@ -271,20 +271,20 @@ TEST_CASE("GroundVehiclePlatform: bad input is an error", "[GroundVehiclePlatfor
   SECTION("too steep for the engine")
   {
     Run(car, { origin, { 100.0, 0.0, 0.0 }, { 200.0, 0.0, 100.0 } }, { 10.0, 10.0, 1.0 });
-    CHECK(log->HasError("Waypoint 2 cannot be reached: the slope of 45 degrees takes more than "
+    CHECK(log->HasError("Waypoint 2 cannot be reached: the slope of 45 degrees needs more than "
                         "10401.5 N, EngineForce is 6000 N; raise it, lower Mass or the waypoint."));
   }
   SECTION("too steep for the brakes")
   {
     Run(car, { origin, { 100.0, 0.0, -100.0 } }, { 10.0, 10.0 });
-    CHECK(log->HasError("Waypoint 1 cannot be reached safely: the slope of -45 degrees takes more "
+    CHECK(log->HasError("Waypoint 1 cannot be reached safely: the slope of -45 degrees needs more "
                         "than 10401.5 N to brake, BrakeForce is 6000 N; raise it, lower Mass"));
   }
   SECTION("no engine")
   {
     car->SetEngineForce(0.0);
     Run(car, { origin, { 100.0, 0.0, 0.0 } }, { 10.0, 10.0 });
-    CHECK(log->HasError("Waypoint 1 cannot be reached: the slope of 0 degrees takes more than 0 N, "
+    CHECK(log->HasError("Waypoint 1 cannot be reached: the slope of 0 degrees needs more than 0 N, "
                         "EngineForce is 0 N; raise it"));
   }
   SECTION("hardly any engine")

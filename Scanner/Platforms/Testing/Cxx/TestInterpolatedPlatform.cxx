@@ -217,7 +217,7 @@ TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
     flight.Platform->AddLeg(101, 102, false);
     CHECK(Describe(flight.Run()) == "0:8(0) 1:10(0) 1:2(1) 2:4(1)");
     CHECK(flight.Log->HasWarning("Leg 1 starts at 101 s of the recorded times, before leg 0 ends, "
-                                 "at 105 s: the platform jumps back as if it teleported."));
+                                 "at 105 s: the platform jumps back to an earlier position."));
   }
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("InterpolatedPlatform: several records one behind the other", "[Interp
   flight.Platform->AddInputData(0, MakeRecord({ { 22.5, 7, 0, 0, 0 }, { 24, 9, 0, 0, 0 } }));
   flight.Run();
   CHECK(flight.Log->HasError("Trajectory 3 starts at 22.5 s, before trajectory 2 ends, at 23 s; "
-                             "connect each once, and cut off where they overlap."));
+                             "connect each once, and cut them where they overlap."));
 }
 
 TEST_CASE(
@@ -334,33 +334,34 @@ TEST_CASE("InterpolatedPlatform: what is wrong is said", "[InterpolatedPlatform]
     flight.Platform->RemoveAllLegs();
     flight.Platform->AddLeg(100, 101, false);
     flight.Platform->AddLeg(105, 110.25, false);
-    CHECK(fails("Leg 1 flies from 105 s to 110.25 s, but the recorded times are 100 s to 110 s; "
+    CHECK(fails("Leg 1 covers 105 s to 110.25 s, but the recorded times are 100 s to 110 s; "
                 "give times within them."));
     flight.Platform->RemoveAllLegs();
     flight.Platform->AddLeg(99, 101, false);
-    CHECK(fails("Leg 0 flies from 99 s to 101 s, but"));
+    CHECK(fails("Leg 0 covers 99 s to 101 s, but"));
   }
   SECTION("times that cannot be kept")
   {
     flight.Platform->KeepFileTimesOn();
     flight.Platform->AddLeg(104, 105, true);
     flight.Platform->AddLeg(101, 102, true);
-    CHECK(fails("Leg 1 starts at 101 s, before leg 0 ends, at 105 s; time cannot go back, switch "
+    CHECK(fails("Leg 1 starts at 101 s, before leg 0 ends, at 105 s; times must increase; switch "
                 "KeepFileTimes off or sort the legs."));
     flight.Platform->RemoveAllLegs();
     record = MakeRecord({ { -1, 0, 0, 0, 0 }, { 1, 1, 0, 0, 0 } });
     flight.Platform->SetInputData(record);
-    CHECK(fails("Leg 0 flies from -1 s to 1 s; times that are kept lie within 0 and 1e12 s"));
+    CHECK(fails("Leg 0 covers -1 s to 1 s; kept times must lie between 0 and 1e12 s"));
   }
   SECTION("samples")
   {
     vtkPointData* data = record->GetPointData();
     data->GetArray(names::GpsTime)->SetTuple1(4, 90);
-    CHECK(fails("Trajectory 0 sample 4 is earlier than the one before; sort the samples by "));
+    CHECK(fails("Trajectory 0 sample 4 is earlier than the previous one; sort the samples by "));
     data->GetArray(names::GpsTime)->SetTuple1(4, NotGiven);
-    CHECK(fails("Trajectory 0 sample 4 is not finite; correct it or take it out."));
+    CHECK(fails("Trajectory 0 sample 4 is not finite; correct or remove it."));
     data->GetArray(names::Orientation)->SetTuple4(3, 1, 1, 0, 0);
-    CHECK(fails("Trajectory 0 sample 3 has no unit quaternion as its Orientation; normalize it."));
+    CHECK(fails(
+      "Trajectory 0 sample 3 has an Orientation that is not a unit quaternion; normalize it."));
     data->RemoveArray(names::Orientation);
     CHECK(fails("Trajectory 0 needs the point arrays GpsTime (1 component) and Orientation (4)"));
     record->Initialize();

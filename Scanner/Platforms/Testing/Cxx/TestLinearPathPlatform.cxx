@@ -173,7 +173,8 @@ TEST_CASE("LinearPathPlatform: bad input is an error", "[LinearPathPlatform]")
   {
     platform->SetInputData(helios::MakeWaypoints(two));
     platform->Update();
-    CHECK(log->HasError("The waypoints need the point array Speed, one number a waypoint; add it"));
+    CHECK(
+      log->HasError("The waypoints need the point array Speed, one number per waypoint; add it"));
   }
   SECTION("a speed that is no speed")
   {

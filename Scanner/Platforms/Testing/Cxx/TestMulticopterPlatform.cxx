@@ -412,7 +412,7 @@ TEST_CASE("MulticopterPlatform: bad input is an error", "[MulticopterPlatform]")
   {
     copter->SetMaximumThrust(90.0);
     Run(copter, { origin, { 1.0, 0.0, 0.0 } }, { 1.0, 1.0 }, Stop);
-    CHECK(log->HasError("Waypoint 1 cannot be reached: MaximumThrust is 90 N, 10 kg take more than "
+    CHECK(log->HasError("Waypoint 1 cannot be reached: MaximumThrust is 90 N, 10 kg need more than "
                         "99.0472 N to fly; raise it or lower Mass."));
   }
   SECTION("too far")
@@ -432,9 +432,8 @@ TEST_CASE("MulticopterPlatform: bad input is an error", "[MulticopterPlatform]")
   {
     copter->SetDragCoefficient(11.0);
     Run(copter, { origin, { 0.0, 1.0, 0.0 } }, { 1.0, 1.0 }, Stop);
-    CHECK(
-      log->HasError("Waypoint 1 cannot be reached: DragCoefficient is 11 kg/m, against which 10 "
-                    "kg do not fly; lower it to less than Mass a metre."));
+    CHECK(log->HasError("Waypoint 1 cannot be reached: DragCoefficient is 11 kg/m, too high for 10 "
+                        "kg to fly; lower it to less than Mass per metre."));
   }
   SECTION("two numbers a waypoint")
   {

@@ -177,7 +177,7 @@ TEST_CASE("Platform: bad waypoints are errors", "[Platform]")
     platform->SetInputData(waypoints);
     platform->Update();
     CHECK(
-      log->HasError("The point array LegIds of the waypoints must hold one number a waypoint."));
+      log->HasError("The point array LegIds of the waypoints must hold one number per waypoint."));
   }
   CHECK(platform->GetOutput()->GetNumberOfPoints() == 0);
 }

@@ -53,5 +53,6 @@ TEST_CASE("StaticPlatform: more than one waypoint is an error", "[StaticPlatform
   log->Watch(platform);
   platform->SetInputData(helios::MakeWaypoints({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }));
   platform->Update();
-  CHECK(log->HasError("A static platform stands at one waypoint, the input has 2; run it once"));
+  CHECK(
+    log->HasError("A static platform needs exactly one waypoint, the input has 2; run it once"));
 }

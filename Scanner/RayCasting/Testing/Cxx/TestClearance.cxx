@@ -202,7 +202,7 @@ TEST_CASE("Clearance: a step is met from the side", "[Clearance]")
   CHECK(through.Run()[0] == 0.0);
   through.Filter->SetDirectionToDown();
   CHECK(through.Run()[1] == Approx(-10)); // under the plateau
-  CHECK(through.Log->HasWarning("2 of 2 samples come nearer to the scene than MinimumClearance (0 "
+  CHECK(through.Log->HasWarning("2 of 2 samples are closer to the scene than MinimumClearance (0 "
                                 "m): the first is sample 0 at x 50, y 0, z 20 with -10 m"));
 }
 
@@ -302,13 +302,12 @@ TEST_CASE(
   CHECK(flight.Filter->GetNumberBelowMinimum() == 4);
   CHECK(flight.Filter->GetFirstBelowMinimum() == 1);
   CHECK(flight.Log->HasWarning(
-    "4 of 5 samples come nearer to the scene than MinimumClearance (5 m): the first is sample 1 at "
+    "4 of 5 samples are closer to the scene than MinimumClearance (5 m): the first is sample 1 at "
     "x 1, y 0, z 9 with 4.5 m, the nearest sample 3 at x 2, y 1, z 9 with 3 m; move the "
-    "trajectory away, or allow less."));
+    "trajectory away, or lower MinimumClearance."));
   flight.Filter->FailBelowMinimumOn();
   CHECK(flight.Run().empty());
-  CHECK(
-    flight.Log->HasError("4 of 5 samples come nearer to the scene than MinimumClearance (5 m)"));
+  CHECK(flight.Log->HasError("4 of 5 samples are closer to the scene than MinimumClearance (5 m)"));
   flight.Filter->SetMinimumClearance(3);
   CHECK(flight.Run().size() == 5);
   CHECK(flight.Filter->GetNumberBelowMinimum() == 0);
@@ -332,7 +331,7 @@ TEST_CASE("Clearance: what is wrong is said", "[Clearance]")
   flight.Filter->SetInputData(1, scene.GetPolyData());
   CHECK(flight.Run().empty());
   CHECK(flight.Log->HasError(
-    "The scene on port 1 cannot be searched: cell 0 of the scene has a corner that is not finite"));
+    "The scene on port 1 is not valid: cell 0 of the scene has a corner that is not finite"));
   scene.Points[0][0] = -10;
   flight.Filter->SetInputData(1, scene.GetPolyData());
   CHECK(flight.Run().size() == 2);
@@ -342,5 +341,5 @@ TEST_CASE("Clearance: what is wrong is said", "[Clearance]")
   flight.Filter->AddObserver(vtkCommand::ProgressEvent, stop);
   flight.Filter->Modified();
   CHECK(flight.Run().empty());
-  CHECK(flight.Log->HasError("Aborted at sample 0; update again for the whole trajectory."));
+  CHECK(flight.Log->HasError("Aborted at sample 0; update again to complete the trajectory."));
 }

@@ -210,19 +210,19 @@ TEST_CASE("TerrainFollow: what is wrong is said", "[TerrainFollow]")
   {
     CHECK(follow.Run()->GetNumberOfPoints() == 2);
     follow.Filter->SetSpacing(5);
-    CHECK(follow.FailsWith("The scene has no ground above or below point 11 at x 105, y 0, on the "
-                           "way from waypoint to waypoint; keep the way over the scene."));
+    CHECK(follow.FailsWith("The scene has no ground above or below point 11 at x 105, y 0, "
+                           "between two waypoints; keep the path over the scene."));
   }
   SECTION("too many")
   {
     follow.Filter->SetSpacing(1e-6);
     CHECK(follow.FailsWith(
-      "Spacing 1e-06 m makes 1e+08 waypoints; give one that makes fewer than 1e+07."));
+      "Spacing 1e-06 m results in 1e+08 waypoints; give one that results in fewer than 1e+07."));
   }
   SECTION("not finite")
   {
     follow.Waypoints->GetPoints()->SetPoint(1, std::nan(""), 0, 0);
-    CHECK(follow.FailsWith("No ground for point 1 at x nan, y 0; it must be finite."));
+    CHECK(follow.FailsWith("No ground for point 1 at x nan, y 0; its coordinates must be finite."));
     follow.Waypoints->GetPoints()->SetPoint(1, std::numeric_limits<double>::infinity(), 0, 0);
     follow.Waypoints->Modified();
     follow.Filter->SetSpacing(10);

@@ -284,7 +284,7 @@ TEST_CASE("TurbidGrid: images that are wrong", "[TurbidGrid]")
   const auto none = [](vtkIdType) { return 1.0; };
   const auto empty = MakeImage(one, 1.0, { 0, 0, 0 }, none);
   empty->GetCellData()->Initialize();
-  CHECK_THAT(fault(empty), Catch::Contains("PAD for each"));
+  CHECK_THAT(fault(empty), Catch::Contains("PAD with one value per cell"));
   vtkNew<vtkImageData> flat;
   flat->SetDimensions(3, 3, 1);
   CHECK_THAT(fault(flat), Catch::Contains("cells along three axes"));

@@ -183,7 +183,7 @@ TEST_CASE("PlannerReader: limits of the scanner", "[PlannerReader]")
   const PlannerReading leaning(files);
   REQUIRE(leaning.Good);
   CHECK(leaning.Reader->GetElevationMin() == -90.0);
-  CHECK(leaning.Log->HasWarning("tls is no upright polygon mirror of one channel"));
+  CHECK(leaning.Log->HasWarning("tls is not a vertical polygon mirror with one channel"));
 }
 
 TEST_CASE("PlannerReader: a survey", "[PlannerReader]")
@@ -249,8 +249,8 @@ TEST_CASE("PlannerReader: scenes and meshes", "[PlannerReader]")
   }
   CHECK_FALSE(PlannerReading(files, "scene.xml").Good);
   CHECK(PlannerReading(files, "scene.xml")
-          .Log->HasError("scene.xml:1: a scene names no platform, "
-                         "and none was asked for; give one"));
+          .Log->HasError("scene.xml:1: a scene has no platform, "
+                         "and none was given; give one"));
 }
 
 TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
@@ -295,7 +295,7 @@ TEST_CASE("PlannerReader: swaps", "[PlannerReader]")
   const PlannerReading reading(WritePlanner(files, ""));
   INFO(reading.Log->Errors);
   REQUIRE(reading.Good);
-  CHECK(reading.Log->HasWarning("the plan is of the first of its 2 plays"));
+  CHECK(reading.Log->HasWarning("the plan uses the first of its 2 epochs"));
   reading.Reader->Update();
   CHECK(reading.Reader->GetOutput()->GetBounds()[0] == -50.0);
 }
@@ -311,8 +311,8 @@ TEST_CASE("PlannerReader: what a plan does not see", "[PlannerReader]")
   const PlannerReading reading(WritePlanner(files, ""));
   INFO(reading.Log->Errors << reading.Log->Warnings);
   REQUIRE(reading.Good);
-  CHECK(reading.Log->HasWarning("part floor moves, and a plan sees it where it starts"));
-  CHECK(reading.Log->HasWarning("part hedge is turbid, and a plan sees through it; to have"));
+  CHECK(reading.Log->HasWarning("part floor moves; the plan uses its initial position"));
+  CHECK(reading.Log->HasWarning("part hedge is turbid and hides nothing in a plan; for"));
 }
 
 TEST_CASE("PlannerReader: beyond a limit of the scanner is clipped to it", "[PlannerReader]")
@@ -337,23 +337,23 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
     CHECK(reading.Log->HasError(message));
   };
   fails(R"(method="optimum")",
-    "plan.xml:2: method=\"optimum\" is none; did you mean optimal? Give "
-    "one of reduce, bestcoverage, greedy, best and optimal");
-  fails(R"(pspRemoveOrder="size")", "pspRemoveOrder=\"size\" is none; ");
+    "plan.xml:2: method=\"optimum\" is not valid; did you mean optimal? "
+    "Expected one of reduce, bestcoverage, greedy, best and optimal");
+  fails(R"(pspRemoveOrder="size")", "pspRemoveOrder=\"size\" is not valid: ");
   fails(R"(pspRemoveFirst="Largest")", "did you mean largest?");
-  fails(R"(coverageOf="every")", "coverageOf=\"every\" is none; ");
-  fails(R"(groundOnly="yes")", "groundOnly=\"yes\" is none; ");
+  fails(R"(coverageOf="every")", "coverageOf=\"every\" is not valid: ");
+  fails(R"(groundOnly="yes")", "groundOnly=\"yes\" is not valid: ");
   fails(R"(minCoverage_percent="101")", "minCoverage_percent=\"101\"");
   fails(R"(gridSizePSP_m="0")", "gridSizePSP_m=\"0\"");
   fails(R"(hitTolerance_m="5 cm")", "hitTolerance_m=\"5 cm\" is not a number");
   fails(R"(rangeMin_m="5" rangeMax_m="4")",
-    "rangeMin_m=\"5\" is not below rangeMax_m=\"4\", so that nothing is seen; give a smaller one");
+    "rangeMin_m=\"5\" is not below rangeMax_m=\"4\", so nothing is visible; give a smaller one");
   fails(R"(elevationMin_deg="5" elevationMax_deg="5")", "elevationMin_deg=\"5\" is not below");
-  fails("", "never gets there", R"(<scannerSettings headRotatePerSec_deg="-5" scanFreq_hz="50"/>)");
+  fails("", "never reaches it", R"(<scannerSettings headRotatePerSec_deg="-5" scanFreq_hz="50"/>)");
 
   WritePlanner(files, "");
   files.Replace("plan.xml", "#tls", "#als");
-  CHECK(PlannerReading(files).Log->HasError("scanner als does not turn"));
+  CHECK(PlannerReading(files).Log->HasError("scanner als has a head that does not rotate"));
   files.Replace("plan.xml", "scanner=\"assets.xml#als\"", "");
   CHECK(PlannerReading(files).Log->HasError(
     "<surveyPlanner> has no attribute scanner; add scanner=\"file.xml#id\""));
@@ -362,12 +362,12 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
   CHECK(PlannerReading(files).Log->HasError("did you mean tripod?"));
   files.Replace("assets.xml", "z=\"1.5\"", "z=\"-1.5\"");
   CHECK(PlannerReading(WritePlanner(files, ""))
-          .Log->HasError(
-            "platform tripod carries the scanner -1.3 m above the place, which is not above it"));
+          .Log->HasError("platform tripod carries the scanner -1.3 m above the scan position, but "
+                         "the height must be above 0"));
   CHECK(PlannerReading(files, "assets.xml").Log->HasError("the file has nothing to plan"));
   CHECK(PlannerReading(files, "none.xml").Log->HasError("none.xml: cannot be read"));
   CHECK(PlannerReading(files, "none.obj", true)
-          .Log->HasError("none.obj: no such file; give the name of a mesh that there is"));
+          .Log->HasError("none.obj: no such file; give the name of an existing mesh"));
 }
 
 TEST_CASE("PlannerReader: what the caller asks for is wrong", "[PlannerReader]")
@@ -394,7 +394,8 @@ TEST_CASE("PlannerReader: near misses, and runs of planners", "[PlannerReader]")
   const auto log = Observe(survey);
   survey->SetFileName((files / "plan.xml").c_str());
   CHECK_FALSE(survey->Read());
-  CHECK(log->HasError("the file has no <survey>; vtkhelios plan makes one of its <surveyPlanner>"));
+  CHECK(
+    log->HasError("the file has no <survey>; vtkhelios plan creates one from its <surveyPlanner>"));
 }
 
 TEST_CASE("PlannerReader: checked with the rest of a file", "[PlannerReader]")
@@ -407,7 +408,7 @@ TEST_CASE("PlannerReader: checked with the rest of a file", "[PlannerReader]")
   CHECK(reader->Check());
   WritePlanner(files, R"(method="beast" maxSlope_deg="91")");
   CHECK_FALSE(reader->Check());
-  CHECK(log->HasError("plan.xml:2: method=\"beast\" is none"));
+  CHECK(log->HasError("plan.xml:2: method=\"beast\" is not valid"));
   CHECK(log->HasError("plan.xml:2: maxSlope_deg=\"91\""));
   WritePlanner(files, "");
   files.Replace("scene.xml", "id=\"s\"", "id=\"s\" crs=\"EPSG:0\"");

@@ -178,7 +178,7 @@ TEST_CASE("SceneEdit: what is not there cannot be changed", "[SceneEdit]")
   CHECK_THAT(scene.Log.GetLastError(), Contains("no.obj"));
   SceneEdit other;
   CHECK_FALSE(other.Load("parts/scene.xml#none", scene.Folder / "", {}, scene.Log));
-  CHECK_THAT(scene.Log.GetLastError(), Contains("has no <scene> of the id \"none\""));
+  CHECK_THAT(scene.Log.GetLastError(), Contains("has no <scene> with the id \"none\""));
   CHECK_FALSE(other.IsLoaded());
 }
 

@@ -58,7 +58,7 @@ TEST_CASE("SurveyCheck: legs are checked though the scanner is wrong", "[SurveyC
   const Reading reading(files, Tripod, NeverThere);
   INFO(reading.Log->Errors);
   CHECK(reading.Log->HasError("scanAngleMax_deg=\"wide\" is not a number"));
-  CHECK(reading.Log->HasError("never gets there"));
+  CHECK(reading.Log->HasError("never reaches it"));
   CHECK(Checking(files).CountErrors() == 2); // no consequential errors: no angle, no window
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("SurveyCheck: what no survey uses, and names that runs look up", "[Sur
   CHECK(reading.Good);
   CHECK(Checking(files).Log->HasError("rayCaster=\"torch\" is not in this build; give one of"));
   files.Write("survey.xml", "<document/>");
-  CHECK(Checking(files).Log->HasError("survey.xml:1: the file holds nothing"));
+  CHECK(Checking(files).Log->HasError("survey.xml:1: <document> is empty"));
 }
 
 TEST_CASE("SurveyCheck: FileName is missing", "[SurveyCheck]")
@@ -116,7 +116,7 @@ TEST_CASE("SurveyCheck: a trajectory has no more samples than pulses", "[SurveyC
   const Reading reading(files, Tripod, leg);
   REQUIRE(reading.Good);
   CHECK(reading.Log->HasWarning(
-    "trajectoryTimeInterval_s=\"1e-09\" is shorter than from pulse to pulse"));
+    "trajectoryTimeInterval_s=\"1e-09\" is shorter than the time between pulses"));
   CHECK(reading.Data().Legs.front().TrajectoryTimeInterval == 1e-5);
 }
 

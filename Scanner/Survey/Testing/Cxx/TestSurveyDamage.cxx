@@ -78,7 +78,7 @@ TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
   CHECK(Reseal(lines) == JoinLines(lines));
   BlockRun playing(files, reading);
   playing.Player->SetResume(true);
-  std::string place = "(line 3, and there are lines after it)";
+  std::string place = "(line 3, which is not the last one)";
   SECTION("deleted")
   {
     lines.erase(lines.begin() + 2);
@@ -98,11 +98,10 @@ TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
   SECTION("the fingerprint changed")
   {
     lines[0].replace(lines[0].find("\"seed\":0"), 8, "\"seed\":1");
-    place = "(line 1, and there are lines after it)";
+    place = "(line 1, which is not the last one)";
   }
   files.Write(Journal, JoinLines(lines));
-  playing.CheckFails(
-    { "run.journal has a line that is damaged " + place, "set Overwrite (--overwrite)" });
+  playing.CheckFails({ "run.journal has a damaged line " + place, "set Overwrite (--overwrite)" });
 }
 
 TEST_CASE("SurveyDamage: the last lines of the journal are gone", "[SurveyDamage]")
@@ -136,7 +135,7 @@ TEST_CASE("SurveyDamage: a journal of an earlier version", "[SurveyDamage]")
   playing.Player->SetResume(true);
   playing.CheckFails({ "run.journal was written by an earlier version of vtkHelios: it has no "
                        "checksums",
-    "set Overwrite (--overwrite) to run anew" });
+    "set Overwrite (--overwrite) to start again" });
 }
 
 TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[SurveyDamage]")
@@ -156,16 +155,16 @@ TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[
     { 2, "\"blocks\":2,", "\"blocks\":\"2\",", "\"blocks\" is \"2\", not a whole number" },
     { 2, "\"blocks\":2,", "\"blocks\":3000000000,", "\"blocks\" is 3000000000, which is too" },
     { 2, "\"blocks\":2,", "\"blocks\":3,",
-      "line 3: \"leg\" 0 with \"blocks\" 3 does not follow what the lines before say" },
+      "line 3: \"leg\" 0 with \"blocks\" 3 does not follow from the lines before" },
     { 2, "\"done\":false,", "", "\"done\" is missing" },
     { 2, "\"done\":false", "\"done\":0", "\"done\" is 0, not true or false" },
-    { 2, "\"done\":false", "\"done\":true", "does not follow what the lines before say" },
+    { 2, "\"done\":false", "\"done\":true", "does not follow from the lines before" },
     { 2, "\"leg\":0", "\"leg\":1", "\"leg\" 1 with \"blocks\" 2 does not follow" },
     { 2, "\"counts\":{", "\"counting\":{", "\"counts\" is missing" },
     { 2, "\"points\":20000,", "", "\"points\" is missing" },
     { 2, "\"points\":20000,", "\"points\":9999,", "a number of \"counts\" is smaller than in" },
     { 2, "\"points\":20000,", "\"points\":9223372036854775808,", "not a whole number" },
-    { 2, "\"largestAmplitude_W\":", "\"largestAmplitude_W\":-", "not a number from 0 upwards" },
+    { 2, "\"largestAmplitude_W\":", "\"largestAmplitude_W\":-", "not a number of at least 0" },
     { 2, "\"files\":[", "\"files\":0,\"f\":[", "\"files\" is 0, not a list" },
     { 2, "\"name\":\"leg000_points.xyz\",\"r", "\"name\":\"../points.xyz\",\"r",
       "\"name\" is \"../points.xyz\", not the name of a file" },
@@ -274,8 +273,8 @@ TEST_CASE("SurveyDamage: the head of LAS that goes on", "[SurveyDamage]")
   BlockRun playing(files, reading);
   playing.Player->SetFormat("las");
   playing.Player->SetResume(true);
-  playing.CheckFails({ "leg001_points.las.part: its head is not the one that was written",
-    "set Overwrite (--overwrite) to run anew" });
+  playing.CheckFails({ "leg001_points.las.part: its header does not match its checksum in",
+    "set Overwrite (--overwrite) to start again" });
 }
 
 TEST_CASE("SurveyDamage: a file beside others that is longer or not there", "[SurveyDamage]")
@@ -294,9 +293,9 @@ TEST_CASE("SurveyDamage: a file beside others that is longer or not there", "[Su
   playing.Player->SetResume(true);
   playing.Player->SetBytesToCheck(0);
   files.Write(name, ReadText(files / name) + "more");
-  playing.CheckFails({ name + ": was finished with", "to run anew" });
+  playing.CheckFails({ name + ": was complete with", "to start again" });
   fs::remove(files / name);
-  playing.CheckFails({ name + ": was finished with", "cannot be read: No such file" });
+  playing.CheckFails({ name + ": was complete with", "cannot be read: No such file" });
 }
 
 TEST_CASE("SurveyDamage: what is compared", "[SurveyDamage]")
@@ -319,12 +318,12 @@ TEST_CASE("SurveyDamage: what is compared", "[SurveyDamage]")
   {
     Flip(files, "out/test/leg001_points.xyz.part", 1000);
     player->SetBytesToCheck(3000000);
-    playing.CheckFails({ "leg001_points.xyz.part: bytes 0 to",
-      " are not those that were written, by their checksum in run.journal;" });
+    playing.CheckFails(
+      { "leg001_points.xyz.part: bytes 0 to", " do not match their checksum in run.journal;" });
   }
   player->SetBytesToCheck(VTK_ID_MAX);
   Flip(files, "out/test/leg000_points.xyz", 1001);
-  playing.CheckFails({ "are not those that were written" });
+  playing.CheckFails({ "do not match their checksum" });
 }
 
 TEST_CASE("SurveyDamage: it can be stopped while files are compared", "[SurveyDamage]")
@@ -370,7 +369,7 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
   SECTION("a number of its summary changed")
   {
     files.Replace(summary, "\"points\" : 40000", "\"points\" : 40001");
-    playing.CheckFails({ "run_summary.json is damaged: it is not what its checksum says" });
+    playing.CheckFails({ "run_summary.json is damaged: it does not match its checksum" });
   }
   SECTION("no checksum in its summary")
   {
@@ -397,7 +396,7 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
                                   : ".xyz");
     files.Write(name, "short");
     playing.CheckFails({ "leg001_points." + std::string(format == "vtp" ? "pvtp" : format),
-      ": was finished with", "to run anew" });
+      ": was complete with", "to start again" });
   }
   CHECK(playing.Player->GetReport().empty());
 }
@@ -425,7 +424,7 @@ TEST_CASE("SurveyDamage: the folder goes away, and another takes its place", "[S
   playing.CheckFails({ "nothing is kept, since the folder", "out/test is gone" });
   CHECK_FALSE(playing.Log->HasError("are kept"));
   CHECK_FALSE(playing.Log->HasError("are safe"));
-  CHECK(playing.Log->HasError("or another has taken its place") == isReplaced);
+  CHECK(playing.Log->HasError("or was replaced by another one") == isReplaced);
   CHECK(fs::exists(files / "out") == isReplaced);
   CHECK((!isReplaced || fs::is_empty(files / "out/test")));
 }

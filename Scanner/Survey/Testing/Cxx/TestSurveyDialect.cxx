@@ -84,9 +84,9 @@ TEST_CASE("SurveyDialect: channels that cannot be", "[SurveyDialect]")
   CheckAllRefused(Tripod, OneLeg,
     {
       { "assets.xml", before, with("<channel optics=\"turning\"/>"),
-        { "assets.xml:9", "scanner tls, channel 0", "optics=\"turning\" are none" } },
+        { "assets.xml:9", "scanner tls, channel 0", "optics=\"turning\" is not valid" } },
       { "assets.xml", before, with("<channel><incidentBeam y=\"-1\"/></channel>"),
-        { "assets.xml:9", "<incidentBeam> does not go to the prisms" } },
+        { "assets.xml:9", "<incidentBeam> does not point at the prisms" } },
       { "assets.xml", before, with("<channel rangeMin_m=\"5\" rangeMax_m=\"4\"/>"),
         { "assets.xml:9", "channel 0", "rangeMin_m=\"5\" is not below" } },
       { "assets.xml", "optics=\"rotating\"", "",
@@ -200,7 +200,7 @@ TEST_CASE("SurveyDialect: seeds", "[SurveyDialect]")
     const Files files;
     const Reading reading(files, std::string(Tripod) + " seed=\"" + text + "\"", OneLeg);
     CHECK_FALSE(reading.Good);
-    CHECK(reading.Log->HasError(std::string("seed=\"") + text + "\" is none"));
+    CHECK(reading.Log->HasError(std::string("seed=\"") + text + "\" is not valid"));
   }
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("SurveyDialect: noise of a platform, and of the survey", "[SurveyDiale
   CheckAllRefused(Tripod, OneLeg,
     {
       { "assets.xml", "<scannerMount", "<positionXNoise type=\"PINK\"/><scannerMount",
-        { "assets.xml:2", "type=\"PINK\" is no noise", "NORMAL or UNIFORM" } },
+        { "assets.xml:2", "type=\"PINK\" is not valid", "NORMAL or UNIFORM" } },
       { "assets.xml", "<scannerMount", "<positionXNoise min=\"2\" max=\"1\"/><scannerMount",
         { "assets.xml:2", "min=\"2\" is above max=\"1\"" } },
       { "assets.xml", "<scannerMount", "<positionXNoise clipMin=\"2\"/><scannerMount",
@@ -278,9 +278,9 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
       { "survey.xml", "x=\"1\"", "trajectory=\"none.txt\"",
         { "survey.xml:4", "trajectory=\"none.txt\": no such file" } },
       { "survey.xml", "x=\"1\"", "interpolationDomain=\"time\"",
-        { "survey.xml:4", "interpolationDomain=\"time\" is none", "position_and_attitude" } },
+        { "survey.xml:4", "interpolationDomain=\"time\" is not valid", "position_and_attitude" } },
       { "survey.xml", Tripod, std::string(Tripod) + " rotationSpec=\"ARINC\"",
-        { "survey.xml:3", "rotationSpec=\"ARINC\" is none", "ARINC 705 or CANONICAL" } } });
+        { "survey.xml:3", "rotationSpec=\"ARINC\" is not valid", "ARINC 705 or CANONICAL" } } });
 }
 
 TEST_CASE("SurveyDialect: what vehicles are like, and how they turn", "[SurveyDialect]")
@@ -305,5 +305,5 @@ TEST_CASE("SurveyDialect: what vehicles are like, and how they turn", "[SurveyDi
   CHECK(data.Legs[1].Strip == "7");
   CheckAllRefused(Tripod, OneLeg,
     { { "survey.xml", "<leg>", "<leg stripId=\"a/b\">",
-      { "survey.xml:4", "stripId=\"a/b\" is a part of a file's name" } } });
+      { "survey.xml:4", "stripId=\"a/b\" is not valid in a file name" } } });
 }

@@ -186,17 +186,18 @@ TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]
   };
   CHECK_THAT(set("scanFrequency", 500.0, 120.0),
     Contains("scan frequency 500 Hz becomes 120 Hz (3 to 120)"));
-  CHECK_THAT(set("headSpeed", 90.0, 60.0), Contains("head speed 90 deg/s becomes 60 deg/s"));
+  CHECK_THAT(set("headSpeed", 90.0, 60.0), Contains("rotation speed 90 deg/s becomes 60 deg/s"));
   CHECK_THAT(set("pulseFrequency", 180000.0, 100000.0),
-    Contains("becomes 100000 Hz, which the instrument offers"));
-  CHECK_THAT(set("headStop", -10.0, 1.0), Contains("head to -10 deg becomes 1 deg"));
+    Contains("becomes 100000 Hz, which the instrument supports"));
+  CHECK_THAT(set("headStop", -10.0, 1.0), Contains("horizontal FOV end -10 deg becomes 1 deg"));
   CHECK_THAT(
-    set("headStart", 200.0, 200.0), Contains("the head turns by 1 deg at least, to 201 deg"));
+    set("headStart", 200.0, 200.0), Contains("the head rotates by at least 1 deg, to 201 deg"));
   CHECK(set("verticalMax", 50.0, 50.0).empty());
   CHECK_THAT(
     set("verticalMin", -80.0, -80.0), Contains("the window of 1 to 100 deg ends at 20 deg"));
-  CHECK_THAT(SetSetting(hand.Edit, "scanAngle", 9.0), Contains("scanAngle is nothing that"));
-  CHECK_THAT(SetSetting(hand.Edit, "speed", 3.0), Contains("speed is nothing that tls on tripod"));
+  CHECK_THAT(SetSetting(hand.Edit, "scanAngle", 9.0), Contains("scanAngle is not a setting of"));
+  CHECK_THAT(
+    SetSetting(hand.Edit, "speed", 3.0), Contains("speed is not a setting of tls on tripod"));
   CHECK(hand.Edit.Legs[0].Settings.Scan.HeadRotateSpeed == 60.0);
   REQUIRE(hand.Save(files).empty());
   const Reading reading(files);
@@ -284,7 +285,7 @@ TEST_CASE("SurveyEdit: what cannot run is not written, and says why", "[SurveyEd
     Contains("not written: the survey could not be run") && Contains("has 0 <leg>"));
   AddLeg(hand.Edit, { 0.0, 0.0, 0.0 }, true);
   hand.Edit.Scanner = "assets.xml#none";
-  CHECK_THAT(hand.Save(files), Contains("has no <scanner> of the id \"none\""));
+  CHECK_THAT(hand.Save(files), Contains("has no <scanner> with the id \"none\""));
   CHECK_FALSE(std::filesystem::exists(files / "survey.xml"));
 }
 

@@ -204,14 +204,14 @@ TEST_CASE("SurveyMotion: what is wrong with motions", "[SurveyMotion]")
       motion(R"(type="translation" vec="1,2,3")", "vec=\"1,2,3\" is not a vector"),
       motion(R"(type="rotation" axis="0;0;1" angle="much")", "angle=\"much\" is not a number"),
       motion(R"(type="glideplane" ortho="0;0;1" shift="1;0;0.1")",
-        "shift=\"1;0;0.1\" is not in the plane with ortho=\"0;0;1\"; give one at right angles"),
+        "shift=\"1;0;0.1\" is not in the plane normal to ortho=\"0;0;1\"; give one perpendicular"),
       add("<dmotion id=\"a\">" + up + "</dmotion>",
         "<dmotion id=\"a\"> has no loop; give the number of steps that it lasts"),
       add("<dmotion id=\"a\" loop=\"-1\">" + up + "</dmotion>", "loop=\"-1\" is out of range"),
       add("<dmotion id=\"a\" loop=\"1\"/>",
-        "<dmotion id=\"a\"> has no <motion>; add one, for a rest <motion type=\"identity\"/>"),
+        "<dmotion id=\"a\"> has no <motion>; add one, <motion type=\"identity\"/> for no motion"),
       add("<dmotion id=\"a\" loop=\"1\" next=\"b\">" + up + "</dmotion>",
-        "next=\"b\" is no <dmotion> of this <part>; its ids are \"a\""),
+        "next=\"b\" is not a <dmotion> of this <part>; its ids are \"a\""),
       add("<dmotion id=\"a\" loop=\"1\">" + up + "</dmotion><dmotion id=\"a\" loop=\"1\">" + up +
           "</dmotion>",
         "a second <dmotion id=\"a\"> in one <part>; give each an id of its own"),
@@ -235,7 +235,7 @@ TEST_CASE("SurveyMotion: turbid voxels do not move", "[SurveyMotion]")
   INFO(reading.Log->Errors);
   CHECK_FALSE(reading.Good);
   CHECK(reading.Log->HasError("scene.xml:4: <dmotion> does not move transmittive voxels; give "
-                              "intersectionMode=\"scaled\" or \"fixed\", or take it out"));
+                              "intersectionMode=\"scaled\" or \"fixed\", or remove it"));
 }
 
 TEST_CASE("SurveyMotion: motions that are warned of", "[SurveyMotion]")
@@ -246,8 +246,8 @@ TEST_CASE("SurveyMotion: motions that are warned of", "[SurveyMotion]")
     { { "scene.xml", end, "\n" + Endless("type=\"identity\"") + end,
         { "scene.xml:4: the <dmotion> of this <part> never move it; give other motions" } },
       { "scene.xml", end, "\n<dmotion id=\"a\" loop=\"0\" next=\"a\">" + up + "</dmotion>" + end,
-        { "scene.xml:4: <dmotion id=\"a\"> lasts for ever (loop=\"0\"), so next=\"a\" never "
-          "comes" } },
+        { "scene.xml:4: <dmotion id=\"a\"> never ends (loop=\"0\"), so next=\"a\" is never "
+          "reached" } },
       { "scene.xml", "<part ", "<part kdtDynTimeStep=\"0.5\" ",
         { "kdtDynTimeStep=\"0.5\" is not used: the part steps by pulses; give it a "
           "dynTimeStep" } } });

@@ -113,8 +113,8 @@ TEST_CASE("SurveyOptics: how an oscillating mirror swings", "[SurveyOptics]")
   CHECK(turning.Deflector()->GetScanAngle(50) ==
     Approx(-25.0 + 50.0 / (1000.0 - 50.0) * 25.0).epsilon(1e-13));
   Bench(swinging + R"( scanPattern="round")", R"(scanFreq_hz="50")")
-    .CheckRefused({ "own.xml:2", "scanner own", "scanPattern=\"round\" is none",
-      "give triangular or sinusoidal" });
+    .CheckRefused({ "own.xml:2", "scanner own", "scanPattern=\"round\" is not valid",
+      "expected triangular or sinusoidal" });
 }
 
 TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]")
@@ -142,7 +142,7 @@ TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]"
 TEST_CASE("SurveyOptics: a mirror that does not swing", "[SurveyOptics]")
 {
   Bench(Swinging, "")
-    .CheckRefused({ "survey.xml:5", "scanFreq_hz is missing or 0", "scanner own stands still" });
+    .CheckRefused({ "survey.xml:5", "scanFreq_hz is missing or 0", "scanner own does not move" });
   Bench(Swinging, R"(scanFreq_hz="80")")
     .CheckWarned(
       "survey.xml:5: scanFreq_hz=\"80\" is clipped to 70, scanFreqMax_Hz of scanner own");
@@ -241,8 +241,8 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
     Approx(cold.Deflector()->GetScanAngle(50307)).epsilon(1e-12));
 
   Bench(rotating, leg + R"( headRotateStop_deg="25" opticsWarmupPhase_s="2")")
-    .CheckRefused({ "survey.xml:5", "opticsWarmupPhase_s=\"2\" turns the head by 40 deg",
-      "headRotateStop_deg=\"25\" and beyond", "give less than 1 s" });
+    .CheckRefused({ "survey.xml:5", "opticsWarmupPhase_s=\"2\" rotates the head by 40 deg",
+      "headRotateStop_deg=\"25\" or beyond", "give less than 1 s" });
   Bench(rotating, leg + R"( opticsWarmupPhase_s="-1")")
     .CheckRefused({ "survey.xml:5", "opticsWarmupPhase_s=\"-1\" is out of range" });
   // On a moving platform the head rotates continuously.

@@ -377,7 +377,7 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   files.Write("spectra/moss.txt", header + "2 101\n");
   CHECK(intensity("outside 0 to 100 %") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   fs::remove(files / "spectra/moss.txt");
-  CHECK(intensity("Spectrum moss is in none of") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
+  CHECK(intensity("Spectrum moss was not found in") == Approx(from * 0.5 / 0.264).epsilon(1e-6));
   files.Write("plane.mtl", "newmtl m\nKd 1 1 1\nhelios_spectra moss\nhelios_reflectance 0.1\n");
   CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // a given value has priority
 }
@@ -388,10 +388,10 @@ TEST_CASE("SurveyPlayer: output that cannot be", "[SurveyPlayer]")
   const Reading reading(files, Flight, ThreeLegs);
   Playing playing(files, reading);
   playing.Player->SetOutputDirectory((files / "plane.obj/below").c_str());
-  playing.CheckFails({ "plane.obj/below", "cannot be made", "OutputDirectory" });
+  playing.CheckFails({ "plane.obj/below", "cannot be created", "OutputDirectory" });
   playing.Player->SetOutputDirectory((files / "out").c_str());
   files.Write("out/test", "a file");
-  playing.CheckFails({ "out/test: the output folder cannot be made" });
+  playing.CheckFails({ "out/test: the output folder cannot be created" });
 }
 
 TEST_CASE(
@@ -467,7 +467,7 @@ TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
     files.Replace("scene.xml", "</part>",
       "<filter type=\"translate\"><param key=\"onGround\" value=\"1\"/></filter></part>");
     const Reading reading(files, Flight, ThreeLegs);
-    Playing(files, reading).CheckFails({ "scene.xml:1", "every part is onGround" });
+    Playing(files, reading).CheckFails({ "scene.xml:1", "every part has onGround" });
   }
   SECTION("a ground without triangles")
   {

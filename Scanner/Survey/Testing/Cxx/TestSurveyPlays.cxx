@@ -163,7 +163,7 @@ TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
   };
   const std::vector<Wrong> cases = {
     { Part(Lid + Swap(Move(1), "swapStep=\"0\"")),
-      "scene.xml:4: swapStep=\"0\" is out of range; give a number from 1 to 9999 [plays]" },
+      "scene.xml:4: swapStep=\"0\" is out of range; give a number from 1 to 9999 [epochs]" },
     { Part(Lid + Swap(Move(1), "swapStep=\"1.5\"")), "swapStep=\"1.5\"" },
     { Part(Lid + Swap(Move(1), "force_null=\"perhaps\"")), "force_null=\"perhaps\"" },
     { Part(Lid + Swap("")), "scene.xml:4: <swap> has no filter; add a loader" },
@@ -174,7 +174,7 @@ TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
     { Part(Lid + Swap(R"(<filter type="mover"/>)")), "filter type=\"mover\" is unknown" },
     { "<part><filter type=\"objloader\"><param key=\"efilepath\" value=\".*obj\"/></filter>" +
         Swap(Move(1)) + "</part>",
-      "scene.xml:4: <swap> in a <part> without id and of several files" },
+      "scene.xml:4: <swap> needs one part, but this <part> has several files and no id" },
   };
   for (const Wrong& wrong : cases)
   {
@@ -195,7 +195,7 @@ TEST_CASE("Plays: a play without a part", "[SurveyPlays]")
   const Reading reading(files, Flight, ThreeLegs);
   INFO(reading.Log->Errors);
   CHECK_FALSE(reading.Good);
-  CHECK(reading.Log->HasError("scene.xml:1: scene s has no part in play 2"));
+  CHECK(reading.Log->HasError("scene.xml:1: scene s has no part in epoch 2"));
 }
 
 TEST_CASE("Plays: what of swaps is not used", "[SurveyPlays]")
@@ -209,7 +209,7 @@ TEST_CASE("Plays: what of swaps is not used", "[SurveyPlays]")
   CHECK(reading.Good);
   CHECK(reading.Log->HasWarning("scene.xml:4: keepCRS=\"false\" is not used"));
   CHECK(reading.Log->HasWarning("swapIndices"));
-  CHECK(reading.Log->HasWarning("scene.xml:5: force_null=\"true\" takes the part out"));
+  CHECK(reading.Log->HasWarning("scene.xml:5: force_null=\"true\" removes the part"));
   CHECK(reading.Log->HasWarning("replaces the one before it in this <swap>"));
 }
 
@@ -267,7 +267,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
     playing.Player->SetPlay(4);
-    playing.CheckFails({ "Play is 4, and the survey has 4 plays; give 0 to 3" });
+    playing.CheckFails({ "Play is 4, but the survey has 4 epochs; give 0 to 3" });
     CHECK_FALSE(playing.Player->Estimate());
   }
   SECTION("of one")
@@ -276,7 +276,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
     Playing playing(files, reading);
     CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folders of epochs
     playing.Player->SetPlay(1);
-    playing.CheckFails({ "Play is 1, and the survey has 1 play; give 0 to 0" });
+    playing.CheckFails({ "Play is 1, but the survey has 1 epoch; give 0 to 0" });
   }
   CHECK_FALSE(fs::exists(files / "out"));
 }

@@ -387,13 +387,13 @@ TEST_CASE("SurveyReader: values that are none of their kind", "[SurveyReader]")
       { "assets.xml", "rangeMin_m", "maxNOR=\"300\" rangeMin_m",
         { "assets.xml:5", "maxNOR=\"300\" is out of range; give a number from 0 to 255" } },
       { "assets.xml", "100000, 300000", "100000; 300000",
-        { "assets.xml:5", "is not a list of numbers", "\"100000; 300000\" is none", "commas" } },
+        { "assets.xml:5", "is not a list of numbers", "\"100000; 300000\" is not one", "commas" } },
       { "assets.xml", "100000, 300000", "100000, -1",
         { "assets.xml:5", "pulseFreqs_Hz=\"100000, -1\" is out of range" } },
       { "assets.xml", "beamSampleQuality=\"2\"", "beamSampleQuality=\"0\"",
         { "assets.xml:8", "beamSampleQuality=\"0\" is out of range; give a number from 1 to 64" } },
       { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\"><rot axis=\"w\" angle_deg=\"1\"/></scannerMount>",
-        { "assets.xml:2", "axis=\"w\" is no axis", "x, y or z" } },
+        { "assets.xml:2", "axis=\"w\" is not valid", "x, y or z" } },
       { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\"><rot axis=\"x\"/></scannerMount>",
         { "assets.xml:2", "<rot> has no angle_deg" } },
       { "assets.xml", "z=\"1.5\"/>", "z=\"1.5\" rotations=\"mine\"/>",
@@ -420,9 +420,10 @@ TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
         { "survey.xml:3", "platform=\"assets.xml#tripot\"", "assets.xml has no <platform>",
           "did you mean tripod?", "Its ids are tripod, plane" } },
       { "survey.xml", "#tls", "#mls", { "survey.xml:3", "Its ids are tls, als" } },
-      { "survey.xml", "#s\"", "#wood\"", { "survey.xml:3", "has no <scene> of the id \"wood\"" } },
+      { "survey.xml", "#s\"", "#wood\"",
+        { "survey.xml:3", "has no <scene> with the id \"wood\"" } },
       { "survey.xml", "assets.xml#tls", "als",
-        { "survey.xml:3", "It has none at all", "file.xml#id" } },
+        { "survey.xml:3", "It has none; refer", "file.xml#id" } },
       { "survey.xml", "assets.xml#tls", "scanners.xml#tls",
         { "survey.xml:3", "scanner=\"scanners.xml\": no such file", "looked for",
           "asset directories" } },
@@ -431,7 +432,7 @@ TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
       { "survey.xml", "assets.xml#tripod", "interpolated",
         { "survey.xml:5", "platform=\"interpolated\" needs a trajectory" } },
       { "survey.xml", "x=\"1\"", "template=\"none\"",
-        { "survey.xml:4", "has no <platformSettings> of the id \"none\"" } },
+        { "survey.xml:4", "has no <platformSettings> with the id \"none\"" } },
       { "assets.xml", "</document>", "</docment>", { "assets.xml:11", "not XML" } },
       { "scene.xml", "plane.obj", "plain.obj",
         { "scene.xml:2", "filepath=\"plain.obj\": no such file", "looked for", "plain.obj" } },
@@ -441,7 +442,7 @@ TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
     R"(<platformSettings id="a" template="b"/><platformSettings id="b" template="a"/>
 <leg><platformSettings template="a"/></leg>)");
   CHECK_FALSE(circle.Good);
-  CHECK(circle.Log->HasError("goes round in circles"));
+  CHECK(circle.Log->HasError("refers back to itself"));
 }
 
 TEST_CASE("SurveyReader: surveys without legs", "[SurveyReader]")
@@ -460,15 +461,15 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
   CheckAllRefused(Tripod, OneLeg,
     {
       { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
-        { "assets.xml:5", "scanner tls", "optics=\"turning\" are none",
-          "give rotating, oscillating, line, conic, palmer or risley" } },
+        { "assets.xml:5", "scanner tls", "optics=\"turning\" is not valid",
+          "expected rotating, oscillating, line, conic, palmer or risley" } },
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
         { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",
-        { "assets.xml:2", "type=\"sttic\" is none",
+        { "assets.xml:2", "type=\"sttic\" is not valid",
           "static, linearpath, groundvehicle or multicopter" } },
       { "scene.xml", "\"objloader\"", "\"assumematerials\"",
-        { "scene.xml:2", "assumematerials", "later version" } },
+        { "scene.xml:2", "assumematerials", "is not supported by this version" } },
       { "scene.xml", "\"objloader\"", "\"objloder\"",
         { "scene.xml:2", "type=\"objloder\" is unknown", "did you mean objloader?" } },
     });
@@ -506,14 +507,14 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"", "key=\"efilepath\" value=\"none.*\"",
         { "scene.xml:2", "efilepath=\"none.*\": no file matches", "looked in" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"", "key=\"efilepath\" value=\"[\"",
-        { "scene.xml:2", "efilepath=\"[\" is no regular expression" } },
+        { "scene.xml:2", "efilepath=\"[\" is not a valid regular expression" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
         "key=\"efilepath\" value=\"d/" + std::string(50000, '(') + "\"",
         { "scene.xml:2",
-          "(50002 characters)\" is no regular expression: it has 50000 characters" } },
+          "(50002 characters)\" is not a valid regular expression: it has 50000 characters" } },
       { "scene.xml", "key=\"filepath\" value=\"plane.obj\"",
         "key=\"efilepath\" value=\"(?!x).*obj\"",
-        { "scene.xml:2", "is no regular expression", "lookahead and back references" } },
+        { "scene.xml:2", "is not a valid regular expression", "lookahead and back references" } },
     });
 }
 
@@ -540,14 +541,14 @@ TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
       { "survey.xml", "scanFreq_hz=\"50\"", "horizontalResolution_deg=\"1\"",
         { "survey.xml:5", "needs verticalResolution_deg" } },
       { "survey.xml", stop, "headRotateStop_deg=\"-10\"",
-        { "survey.xml:5", "headRotateStop_deg=\"-10\"", "never gets there", "exchange" } },
-      { "survey.xml", stop, "", { "survey.xml:5", "lasts no time" } },
+        { "survey.xml:5", "headRotateStop_deg=\"-10\"", "never reaches it", "exchange" } },
+      { "survey.xml", stop, "", { "survey.xml:5", "the leg has no duration" } },
       { "survey.xml", "headRotatePerSec_deg=\"10\"", "",
         { "survey.xml:5", "the leg never ends", "maxDuration_s" } },
       { "survey.xml", "headRotatePerSec_deg=\"10\"", "headRotatePerSec_deg=\"1e-12\"",
         { "survey.xml:5", "the leg never ends" } },
       { "survey.xml", stop, stop + " verticalAngleMin_deg=\"20\" verticalAngleMax_deg=\"10\"",
-        { "survey.xml:5", "verticalAngleMin_deg=\"20\"", "is no window" } },
+        { "survey.xml:5", "verticalAngleMin_deg=\"20\"", "is not a valid window" } },
     });
   CheckAllRefused(Flight, ThreeLegs,
     { { "survey.xml", "movePerSec_m=\"50\"", "movePerSec_m=\"0\"",
@@ -576,7 +577,7 @@ TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[S
     { "scanFreq_hz=\"1\"", &Scan::ScanFrequency, 3, "\"1\" is clipped to 3, scanFreqMin_Hz" },
     { "", &Scan::ScanFrequency, 3, "scanFreq_hz=\"0\" is clipped to 3, scanFreqMin_Hz" },
     { resolution, &Scan::ScanFrequency, 120,
-      "asks for, 833.333333333333 Hz, is clipped to 120, scanFreqMax_Hz" },
+      "requires, 833.333333333333 Hz, is clipped to 120, scanFreqMax_Hz" },
     { resolution, &Scan::HeadRotateSpeed, 60, "" },
     { "headRotatePerSec_deg=\"90\"", &Scan::HeadRotateSpeed, 60,
       "headRotatePerSec_deg=\"90\" is clipped to 60, headRotatePerSecMax_deg" },

@@ -139,7 +139,7 @@ TEST_CASE("SurveyReceiver: of sampling, what the survey says wins", "[SurveyRece
           .Receiver()
           .RangeTolerance == 0.003);
   Bench("beamSampleQuality=\"3\" rangeTolerance_m=\"0.1\"")
-    .CheckWarned("assets.xml:8: rangeTolerance_m is not used beside beamSampleQuality");
+    .CheckWarned("assets.xml:8: rangeTolerance_m is not used together with beamSampleQuality");
 }
 
 TEST_CASE("SurveyReceiver: a run's choice wins over the survey", "[SurveyReceiver]")
@@ -313,7 +313,7 @@ TEST_CASE("SurveyReceiver: expressions that are long, deep or never finite", "[S
     { "1e308*1e308", "its value is never finite" },
     { "1e10", "never finite and within 1e9" },
     { "sqrt(-1-t^2)", "its value is never finite" },
-    { deep, "more than 100 brackets within one another" },
+    { deep, "more than 100 nested brackets" },
     { longText, "it has 100001 characters, and at most 1000 are allowed" },
   };
   for (const auto& [text, message] : bad)
@@ -344,11 +344,12 @@ TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyRec
     { "numFullwaveBins=\"0\"", "numFullwaveBins=\"0\" is out of range" },
     { "maxFullwaveRange_ns=\"1,5\"", "maxFullwaveRange_ns=\"1,5\"" },
     { "scannerEfficiency=\"0\"", "scannerEfficiency=\"0\" is out of range" },
-    { "echoDetector=\"gausian\"", "echoDetector=\"gausian\" is none; did you mean gaussian?" },
+    { "echoDetector=\"gausian\"", "echoDetector=\"gausian\" is not valid; did you mean gaussian?" },
     { "echoDetector=\"xyzzy\"",
-      "echoDetector=\"xyzzy\" is none; give one of peak, gaussian, cfd and leadingEdge" },
-    { "returnSelection=\"frist\"", "returnSelection=\"frist\" is none; did you mean first?" },
-    { "pulseShape=\"nowhere.txt\"", "pulseShape=\"nowhere.txt\" is no pulse and no file; give" },
+      "echoDetector=\"xyzzy\" is not valid: expected one of peak, gaussian, cfd and leadingEdge" },
+    { "returnSelection=\"frist\"", "returnSelection=\"frist\" is not valid; did you mean first?" },
+    { "pulseShape=\"nowhere.txt\"",
+      "pulseShape=\"nowhere.txt\" is neither a pulse shape nor a file: expected" },
     { "binSize_ns=\"3\"", "binSize_ns=\"3\" is wider than half of pulseLength_ns=\"5\"" },
     { "maxFullwaveRange_ns=\"4\"",
       "waveforms of 4 ns (maxFullwaveRange_ns) are shorter than "
@@ -417,11 +418,11 @@ TEST_CASE("SurveyReceiver: a run counts which way its pulses went", "[SurveyRece
   CHECK(player->GetNumberOfPulsesOnPlane() + player->GetNumberOfPulsesWithoutBins() +
       player->GetNumberOfPulsesBinned() <=
     fired);
-  CHECK(player->GetSampling().find("one plane") != std::string::npos);
+  CHECK(player->GetSampling().find("planar footprints") != std::string::npos);
 
   player->SetNumberOfSubRays(7); // always bins
   REQUIRE(player->Run());
-  CHECK(player->GetSampling().find("7 sub-rays a pulse, always") != std::string::npos);
+  CHECK(player->GetSampling().find("fixed, 7 sub-rays per pulse") != std::string::npos);
   CHECK(player->GetNumberOfPulsesOnPlane() == 0);
   CHECK(player->GetNumberOfPulsesWithoutBins() == 0);
   CHECK(player->GetNumberOfPulsesBinned() > 0);
@@ -454,7 +455,7 @@ TEST_CASE("SurveyReceiver: what a run cannot have is said", "[SurveyReceiver]")
   CHECK(playing.FailsWith("EnergyTolerance is -1; give 0.0001 to 1, or 0"));
   playing.Player->SetEnergyTolerance(0.1);
   playing.Player->SetNumberOfSubRays(19);
-  CHECK(playing.FailsWith("NumberOfSubRays is 19 beside a tolerance"));
+  CHECK(playing.FailsWith("NumberOfSubRays is 19, but a tolerance"));
   playing.Player->SetEnergyTolerance(0.0);
   playing.Player->SetEchoDetector("none");
   CHECK(playing.FailsWith("EchoDetector is \"none\"; give peak, gaussian, cfd and leadingEdge"));

@@ -105,21 +105,22 @@ TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
     std::string damaged = text;
     damaged[damaged.find("\"blocks\"")] = ' ';
     files.Write(Journal, damaged);
-    playing.CheckFails({ "run.journal has a line that is damaged", "set Overwrite (--overwrite)" });
+    playing.CheckFails({ "run.journal has a damaged line", "set Overwrite (--overwrite)" });
   }
   SECTION("it is empty")
   {
     files.Write(Journal, "");
-    playing.CheckFails({ "run.journal does not say which run it is of" });
+    playing.CheckFails({ "run.journal does not state which run it belongs to" });
   }
   SECTION("another process writes it")
   {
     const int other = ::open((files / Journal).c_str(), O_RDONLY);
     REQUIRE(::flock(other, LOCK_EX) == 0);
-    playing.CheckFails({ "run.journal is being written by another process; let another run end" });
+    playing.CheckFails(
+      { "run.journal is being written by another process; wait for the other run to end" });
     playing.Player->SetResume(false);
     playing.Player->SetOverwrite(true);
-    playing.CheckFails({ "run.journal is being written by another process; let it end" });
+    playing.CheckFails({ "run.journal is being written by another process; wait for it to end" });
     CHECK(ReadText(files / Journal) == text);
     ::close(other);
   }
@@ -134,7 +135,8 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
   vtkHeliosSurveyPlayer* player = playing.Player;
   SECTION("neither asked for nor replaced")
   {
-    playing.CheckFails({ "it is not finished: set Resume (--resume) to go on, set Overwrite" });
+    playing.CheckFails(
+      { "the run is not finished: set Resume (--resume) to continue it, set Overwrite" });
   }
   SECTION("both")
   {
@@ -149,7 +151,7 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
     player->SetNoise(false);
     player->SetPulsesPerBlock(20000);
     playing.CheckFails({ "seed was 0 and is 7", "noise was true and is false",
-      "pulsesPerBlock was 10000 and is 20000", "run it with what it had" });
+      "pulsesPerBlock was 10000 and is 20000", "use the same inputs and options" });
   }
   SECTION("another input")
   {
@@ -164,14 +166,14 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
   SECTION("a file that is done is not there any more, or not as it was")
   {
     files.Write("out/test/leg000_points.xyz", "short");
-    playing.CheckFails({ "leg000_points.xyz: was finished with", "has 5;", "to run anew" });
+    playing.CheckFails({ "leg000_points.xyz: was complete with", "has 5;", "to start again" });
     fs::remove(files / "out/test/leg000_points.xyz");
-    playing.CheckFails({ "leg000_points.xyz: was finished with", "cannot be read: No such file" });
+    playing.CheckFails({ "leg000_points.xyz: was complete with", "cannot be read: No such file" });
   }
   SECTION("a file that is at work is shorter")
   {
     files.Write("out/test/leg001_points.xyz.part", "short");
-    playing.CheckFails({ "leg001_points.xyz.part cannot be gone on with: it has 5 bytes of" });
+    playing.CheckFails({ "leg001_points.xyz.part cannot be resumed: it has 5 bytes of" });
   }
 }
 
@@ -181,7 +183,7 @@ TEST_CASE("SurveyResume: the folder goes away while a run writes", "[SurveyResum
   const Reading reading(files, Flight, ThreeLegs);
   BlockRun playing(files, reading);
   playing.Blocks->Action = [&files](vtkHeliosSurveyPlayer*) { fs::remove_all(files / "out"); };
-  playing.CheckFails({ "was removed while it was written; see that the output folder stays",
+  playing.CheckFails({ "was removed while it was written; check that the output folder exists",
     "nothing is kept, since the folder", "out/test is gone." });
   CHECK_FALSE(fs::exists(files / "out"));
 }
@@ -243,7 +245,7 @@ TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
   files.Write("out/test/run_summary.json", "{ \"surv");
   playing.CheckFails({ "run_summary.json is damaged" });
   fs::remove(files / "out/test/run_summary.json");
-  playing.CheckFails({ "has no run.journal, and what it holds cannot be gone on with" });
+  playing.CheckFails({ "has no run.journal, so its contents cannot be resumed" });
   fs::remove_all(files / "out");
   playing.CheckFails({ "so there is nothing to resume; run it without Resume (--resume)" });
 }

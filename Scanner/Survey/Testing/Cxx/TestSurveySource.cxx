@@ -327,7 +327,7 @@ TEST_CASE("SurveySource: what is wrong is said", "[SurveySource]")
   source.Filter->SetRayCaster(nullptr);
   source.Filter->SetPlay(3);
   source.Run(0, 6);
-  CHECK(source.Log->HasError("Play is 3, and the survey has 1 play"));
+  CHECK(source.Log->HasError("Play is 3, but the survey has 1 epoch"));
   source.Filter->SetPlay(0);
   files.Write("plane.obj", "no mesh\n");
   CHECK_FALSE(source.Filter->Load());

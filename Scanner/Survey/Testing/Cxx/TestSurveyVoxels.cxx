@@ -183,7 +183,7 @@ TEST_CASE("SurveyReader: grids of vegetation that are wrong", "[SurveyVoxels]")
     { Voxels({ { "randomRange", "2" } }), "randomRange=\"2\" is out of range" },
     { Filter("detailedvoxels"), "filter detailedvoxels has no filepath" },
     { Voxels() + Filter("crs", { { "target", "EPSG:25832" } }),
-      "filter crs does not bend transmittive voxels" },
+      "filter crs cannot reproject transmittive voxels" },
     { Voxels() + Voxels(), "a second loader in one <part>" },
     { Voxels({}, "detailedvoxel"), "did you mean detailedvoxels?" },
   };
@@ -200,7 +200,7 @@ TEST_CASE("SurveyReader: grids of vegetation that are wrong", "[SurveyVoxels]")
     ReadPart(files, Voxels({ { "randomMaterials", "2" } }) + Filter("repair"));
   CHECK(reading.Good);
   CHECK(reading.Log->HasWarning("randomMaterials=\"2\" is not used without a matfile"));
-  CHECK(reading.Log->HasWarning("repair and simplify do nothing for transmittive voxels"));
+  CHECK(reading.Log->HasWarning("repair and simplify have no effect on transmittive voxels"));
 }
 
 TEST_CASE("SurveyPlayer: a flight over turbid voxels", "[SurveyVoxels]")

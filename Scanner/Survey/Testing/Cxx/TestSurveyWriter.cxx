@@ -259,11 +259,11 @@ TEST_CASE("SurveyWriter: what cannot be written", "[SurveyWriter]")
     },
     "not written: position 1 is (0, nan, 1); give finite coordinates");
   fails([](Writer w) { w->SetPlatform("assets.xml#plane"); },
-    "Platform assets.xml#plane moves, and positions are for one that stands");
+    "Platform assets.xml#plane moves, but scan positions need a static one");
   fails([](Writer w) { w->SetScene("nowhere.obj"); }, "\"nowhere.obj\": no such file");
   fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); },
     "not written: the survey could not be run; correct the properties");
-  fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); }, "never gets there");
+  fails([](Writer w) { w->SetHeadRotatePerSecond(-1.0); }, "never reaches it");
   files.Write("plain", "");
   Writing writing(files, Two);
   writing.Writer->AddAssetDirectory((files / ".").c_str());

@@ -103,7 +103,7 @@ inline void BreakOff(const Files& files, const Reading& reading, vtkIdType pulse
   BlockRun broken(files, reading);
   broken.AbortAfter(pulses);
   CHECK_FALSE(broken.Player->Run());
-  CHECK(broken.Player->GetMessage().find("Resume (--resume) goes on") != std::string::npos);
+  CHECK(broken.Player->GetMessage().find("Resume (--resume) continues") != std::string::npos);
   REQUIRE(std::filesystem::exists(files / "out/test/run.journal"));
 }
 
