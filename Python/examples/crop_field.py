@@ -135,7 +135,9 @@ def main(folder="crop_field", rows=20, row_length=15.0, lines=100, speed=7.2, dr
     cloud = survey.run(seed=1)
     seen = find_seen(scene, cloud)
     print(f"{survey.number_of_pulses:,} pulses, {len(cloud):,} echoes")
-    print(f"echoes from {seen[0]:.1%} of the plants; of {seen[1]:.1%} of the leaf area (triangles hit)")
+    print(
+        f"echoes from {seen[0]:.1%} of the plants; of {seen[1]:.1%} of the leaf area (triangles hit)"
+    )
     if draw:
         scanner = survey.trajectory(0).points[0] + [0, 0, 1.7]  # m, above the tripod's foot point
         draw_pictures(folder, scene, cloud, scanner)

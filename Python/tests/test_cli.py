@@ -93,7 +93,7 @@ def test_help_teaches(command_line):
         "exit codes:",
         "[nW]",
         "--assets DIR",
-        "default: 0",
+        "--seed N",
         "beam sampling:",
         "interrupted runs:",
         "--dry-run loads",

@@ -135,13 +135,15 @@ def test_plays(command_line, make_plays, tmp_path):
     only = (folder / "play002/leg000_points.xyz").read_bytes()
     done = command_line(*arguments)
     expect_failure(done, "play002: holds the files of an earlier run.*--resume.*--overwrite")
-    assert [path.name for path in folder.iterdir()] == ["play002"]  # reported before the first epoch
+    assert [path.name for path in folder.iterdir()] == [
+        "play002"
+    ]  # reported before the first epoch
     expect_failure(command_line(*arguments, "--play", 3), "Play is 3, but the survey has 3 epochs")
 
     done = command_line(*arguments, "--overwrite")
     assert done.returncode == 0, done.stderr
     for play in range(3):
-        assert f"play     {play}, of 3 from 0\n" in done.stdout
+        assert f"epoch    {play} of 3, counted from 0\n" in done.stdout
         assert height(folder / f"play00{play}") == pytest.approx(HEIGHTS[play], abs=1e-3)
     assert (folder / "play002/leg000_points.xyz").read_bytes() == only
     assert f"epochs   3, of the same legs\npulses   {3 * PULSES:,}\n" in done.stdout

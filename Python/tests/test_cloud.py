@@ -75,7 +75,7 @@ def test_to_structured(cloud):
     assert cloud.to_structured(["Range", "x"]).dtype.names == ("Range", "x")
     table["Range"] = -1
     assert cloud["Range"][1] == 1  # a copy
-    with pytest.raises(KeyError, match="there is no field Rang; there are: x, y, z, Range"):
+    with pytest.raises(KeyError, match="there is no field Rang; it has: x, y, z, Range"):
         cloud.to_structured(["Rang"])
 
 

@@ -187,7 +187,7 @@ def test_a_function_keeps_points(scanner):
     near.last.distance = 12
     assert vtkhelios.Cloud(near())["Range"].max() < 12
     assert near.last.distance == 12 and repr(near.last) == "within(distance=12)"
-    assert within.__doc__ == "Keeps what is near." and within.function(cloud, 99).all()
+    assert within.__doc__ == "Keeps near points." and within.function(cloud, 99).all()
 
 
 def test_a_function_adds_arrays_and_leaves_its_input_alone(scanner):

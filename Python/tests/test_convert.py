@@ -401,11 +401,11 @@ def check_scan(file, leg, told, folder):
 
 def test_what_is_lost_is_said(small_runs, convert, tmp_path):
     _, out, _ = convert(small_runs["vtp"], tmp_path / "a.xyz")
-    lost = [line for line in out.splitlines() if line.startswith("lost")]
+    lost = [line for line in out.splitlines() if line.startswith("dropped")]
     assert "Range, " in lost[0] and "text has no column for it" in lost[0]
     assert any("CRS" in line and "text has no header" in line for line in lost)
     _, out, _ = convert(small_runs["vtp"], tmp_path / "a.las")
-    assert "lost     Material.Name, Part.Name: points keep the numbers" in out
+    assert "dropped  Material.Name, Part.Name: points keep the numbers" in out
 
 
 def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
@@ -441,18 +441,30 @@ def test_cloudcompare_reads_ply_and_text(small_runs, convert, tmp_path):
         (["a.las", "folder"], "folder: is a folder; give --format for files in it"),
         (["a.las", "there.laz", "--format", "ply"], "there.laz: is a file; with --format"),
         (["a.las", "out", "--format", "ply", "--merge"], "leave --merge or --format out"),
-        (["a.las", "folder/a.las", "out", "--format", "ply"], "would be the output of both .*a.las and"),
+        (
+            ["a.las", "folder/a.las", "out", "--format", "ply"],
+            "would be the output of both .*a.las and",
+        ),
         (["folder", "b.las"], "folder: is a folder without run_summary.json; give the folder of"),
         (["begun", "b.las"], "begun: the run is not finished; vtkhelios run --resume continues it"),
         (["plays", "b.las"], "plays: holds several epochs; give the folder of one: play000"),
-        (["other", "b.las"], "run_summary.json: the file is a list: expected an object; run the survey"),
+        (
+            ["other", "b.las"],
+            "run_summary.json: the file is a list: expected an object; run the survey",
+        ),
         (["bare", "b.las"], "bare: its run_summary.json lists no point files; run the"),
         (
             ["early.ply", "late.ply", "b.las", "--merge"],
             "late.ply: its times count from 2000000000 s",
         ),
-        (["broken", "b.las"], "broken/run_summary.json: is not valid JSON: .*; run the survey again"),
-        (["a.las", "b.ply", "--waveforms", "internal"], "waveforms are copied only from LAS or LAZ to LAS or"),
+        (
+            ["broken", "b.las"],
+            "broken/run_summary.json: is not valid JSON: .*; run the survey again",
+        ),
+        (
+            ["a.las", "b.ply", "--waveforms", "internal"],
+            "waveforms are copied only from LAS or LAZ to LAS or",
+        ),
         (["bare.las", "b.las", "--waveforms", "internal"], "bare.las: has no waveforms; leave"),
         (["three.xyz", "b.las", "--returns", "last"], "three.xyz: has no ReturnNumber; leave --r"),
         (["nan.ply", "b.las"], r"nan.ply: point 1 is \(nan, 0, 0\), not finite; correct it, or"),

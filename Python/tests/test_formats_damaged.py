@@ -69,10 +69,20 @@ def test_laz_chunk_tables_that_are_wrong(laz):
     path, begin, table = laz
     whole = path.read_bytes()
     for place, form, value, message in (
-        (begin, "<q", 2**62, "points 0 to 5000 of 5000 cannot be read: its chunk table should be at "),
+        (
+            begin,
+            "<q",
+            2**62,
+            "points 0 to 5000 of 5000 cannot be read: its chunk table should be at ",
+        ),
         (begin, "<q", -1, "its chunk table "),
         (table, "<I", 7, "its chunk table has the unknown version 7"),
-        (table + 4, "<I", 2**32 - 1, "its chunk table counts 4294967295 chunks in .* 5000 points"),
+        (
+            table + 4,
+            "<I",
+            2**32 - 1,
+            "its chunk table counts 4294967295 chunks in .* 5000 points",
+        ),
         (table + 8, "<I", 0xFFFFFF, "cannot be read"),
     ):
         path.write_bytes(whole)
@@ -97,10 +107,15 @@ def test_laszip_records_that_are_wrong(laz):
     for place, form, value, message in (
         (record, "<H", 9, r"it has compressor 9 of \d items, which cannot be read"),
         (record, "<H", 2, r"it has an item of type 10 with 30 bytes, which cannot be read"),
-        (record + 12, "<I", 2**32 - 2, r"a chunk of 4294967294 points needs \d+ MB, too much for"),
+        (
+            record + 12,
+            "<I",
+            2**32 - 2,
+            r"a chunk of 4294967294 points needs \d+ MB, too much for",
+        ),
         (record + 12, "<I", 17, "1 chunks of 17 points are not 5000 points"),
         (record + 36, "<H", 31, "an item of type 10 with 31 bytes, which cannot be read"),
-        (record + 32, "<H", 1, r"its items have 30 bytes, and its points \d+"),
+        (record + 32, "<H", 1, r"its items have 30 bytes, but its points \d+"),
         (record - 52, "B", 0, "the header record of LASzip is missing"),
     ):
         path.write_bytes(whole)
@@ -115,7 +130,7 @@ def test_laz_texts_that_are_not_ascii(laz):
     patch(path, 58, "<4s", b"\xff\xcb\xfce")
     data = path.read_bytes()
     patch(path, data.find(b"LASF_Projection") + 15 + 1 + 4, "<3s", b"\xe4\xf6\xfc")  # a description
-    patch(path, data.find(b'PROJ') if b"PROJ" in data else 400, "<2s", b"\xff\xfe")
+    patch(path, data.find(b"PROJ") if b"PROJ" in data else 400, "<2s", b"\xff\xfe")
     reader, back = read(path)
     assert len(back["points"]) == 5000
     assert isinstance(reader.header.crs, str)
@@ -125,7 +140,9 @@ def test_laz_that_laspy_does_not_write(laz):
     path, _, _ = laz
     patch(path, 25, "B", 0)
     patch(path, 107, "<I", 5000)
-    fails(path, "its records cannot be copied by laspy: FileVersionNotSupported 1.0; convert it with")
+    fails(
+        path, "its records cannot be copied by laspy: FileVersionNotSupported 1.0; convert it with"
+    )
 
 
 # PLY
@@ -134,10 +151,15 @@ def test_laz_that_laspy_does_not_write(laz):
 @pytest.mark.parametrize(
     "properties, line, message",
     [
-        (XYZ + "property int x\n", "1 2 3 4", 'has a property "x" twice; give each property a unique name'),
+        (
+            XYZ + "property int x\n",
+            "1 2 3 4",
+            'has a property "x" twice; give each property a unique name',
+        ),
         (XYZ + "property int points\n", "1 2 3 4", '"points" that is reserved for coordinates'),
         (
-            XYZ + "property float red\nproperty float green\nproperty float blue\nproperty int RGB\n",
+            XYZ
+            + "property float red\nproperty float green\nproperty float blue\nproperty int RGB\n",
             "1 2 3 0 0 0 1",
             'has a property "RGB" in addition to RGB; leave one out',
         ),
@@ -146,10 +168,22 @@ def test_laz_that_laspy_does_not_write(laz):
             "1 2 3 4 5 6 7",
             'has a property "aX" beside a; leave one out',
         ),
-        (XYZ + "property uchar n\n", "1 2 3 300", "n of vertex 0 is 300, no uint8; correct it"),
-        (XYZ + "property int n\n", "1 2 3 nan", "n of vertex 0 is nan, no int32; correct it"),
+        (
+            XYZ + "property uchar n\n",
+            "1 2 3 300",
+            "n of vertex 0 is 300, not of type uint8; correct it",
+        ),
+        (
+            XYZ + "property int n\n",
+            "1 2 3 nan",
+            "n of vertex 0 is nan, not of type int32; correct it",
+        ),
         (XYZ + "element vertex 1\n", "1 2 3", "has vertices twice; write them as one element"),
-        (XYZ + "comment vtkhelios epoch x\n", "1 2 3", 'gives "x" as the origin of its times, which is not a num'),
+        (
+            XYZ + "comment vtkhelios epoch x\n",
+            "1 2 3",
+            'gives "x" as the origin of its times, which is not a num',
+        ),
         (
             XYZ + "property double n\ncomment vtkhelios type:n int64\n",
             "1 2 3 1.5",
@@ -219,10 +253,16 @@ def test_arrays_of_one_value_a_point(tmp_path, ending):
     [
         (MemoryError(), "a.laz: not enough memory; split it"),
         (OSError(5, "Input/output error"), "a.laz: cannot be read: Input/output error; check"),
-        (OverflowError("too\n large"), "a.laz: cannot be read: too large; it is damaged, or of an unknown form"),
+        (
+            OverflowError("too\n large"),
+            "a.laz: cannot be read: too large; it is damaged, or of an unknown form",
+        ),
         (AssertionError(), "a.laz: cannot be read: AssertionError; it is damaged"),
         (struct.error("unpack requires"), "a.laz: cannot be read: unpack requires; it is damaged"),
-        (PanicException("index out of bounds"), "a.laz: cannot be read: index out of bounds; it is"),
+        (
+            PanicException("index out of bounds"),
+            "a.laz: cannot be read: index out of bounds; it is",
+        ),
     ],
 )
 def test_errors_of_libraries(error, message):

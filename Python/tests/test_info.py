@@ -230,7 +230,9 @@ def test_points_that_the_summary_does_not_name(tmp_path, info):
     _, facts, _ = info(tmp_path)
     assert facts["points"] == 5
     assert len(facts["warnings"]) == 1
-    assert "leg001_points.xyz: is not read: run_summary.json does not list it" in facts["warnings"][0]
+    assert (
+        "leg001_points.xyz: is not read: run_summary.json does not list it" in facts["warnings"][0]
+    )
 
 
 def test_strips_with_names(tmp_path, info):

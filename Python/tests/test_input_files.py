@@ -14,9 +14,7 @@ from vtkhelios.formats._base import check_file
 
 FIFO = "cannot be read: it is a FIFO, not a regular file; copy it to a file"
 DEVICE = "cannot be read: it is a character device, not a regular file; copy what is read to a file"
-KERNEL = (
-    "cannot be read: it is a file of the kernel (/proc, /sys), not a regular file; copy it to a file"
-)
+KERNEL = "cannot be read: it is a file of the kernel (/proc, /sys), not a regular file; copy it to a file"
 SOCKET = "cannot be read: it is a socket, not a regular file; copy what it sends to a file"
 
 
@@ -153,11 +151,20 @@ def vtkhelios_memory():
 def test_sizes_that_are_wrong(capsys, text):
     with pytest.raises(SystemExit):
         cli.main(["run", "survey.xml", f"--memory={text}"])
-    assert f"{text!r} is not a size; expected a number of bytes such as 8G or 512M" in capsys.readouterr().err
+    assert (
+        f"{text!r} is not a size; expected a number of bytes such as 8G or 512M"
+        in capsys.readouterr().err
+    )
 
 
 def test_sizes():
     from vtkhelios.cli._reading import size
 
-    for text, expected in {"8G": 8e9, "512MiB": 512 * 2**20, "1.5 t": 1.5e12, "7": 7, "2kb": 2e3}.items():
+    for text, expected in {
+        "8G": 8e9,
+        "512MiB": 512 * 2**20,
+        "1.5 t": 1.5e12,
+        "7": 7,
+        "2kb": 2e3,
+    }.items():
         assert size(text) == expected

@@ -324,7 +324,7 @@ def test_what_is_printed(plan, tmp_path, command_line):
         r"scan +x \[m\] +y \[m\] +z \[m\] +sees +adds +only it +incidence", done.stdout
     )
     assert re.search(r"\n +0 +[\d.]+ +[\d.]+ +1\.700 +\d+ +\d+ +\d+ +[\d.]+", done.stdout)
-    assert "100.00 % of the " in done.stdout and "lower bound " in done.stdout
+    assert ": 100.00 % of the " in done.stdout and "linear bound " in done.stdout
     assert "run it   vtkhelios run output/room/survey.xml" in done.stdout
     assert (tmp_path / "output/room/positions.vtp").is_file()
     assert not list(tmp_path.rglob("*.part"))

@@ -67,7 +67,9 @@ def test_file(name):
     assert np.all(np.diff(wavelengths) > 0.0)
     assert np.all((values > 0.0) & (values < 100.0))
     header = (ASSETS / "spectra" / f"{name}.txt").read_text().splitlines()[:3]
-    assert "percent" in header[0] and header[1].startswith("Made by") and header[2].startswith("Trust")
+    assert (
+        "percent" in header[0] and header[1].startswith("Made by") and header[2].startswith("Trust")
+    )
 
 
 @pytest.mark.parametrize("name", RANGES)
@@ -83,7 +85,9 @@ def test_metals_reflect():
     assert at("copper", 0.65) - at("copper", 0.5) > 20.0  # red
     wavelengths, values = read("aluminum").T
     near = (wavelengths > 0.7) & (wavelengths < 1.0)
-    assert wavelengths[near][values[near].argmin()] == pytest.approx(0.825, abs=0.03)  # the interband dip
+    assert wavelengths[near][values[near].argmin()] == pytest.approx(
+        0.825, abs=0.03
+    )  # the interband dip
 
 
 @pytest.mark.parametrize("name", ["grass", "deciduous", "conifer"])
@@ -110,7 +114,9 @@ def test_snow_is_bright_where_we_see_and_dark_at_1500_nm():
 
 def test_water_is_dark():
     assert read("water")[:, 1].max() < 4.0
-    assert at("water", 0.589) == pytest.approx(100.0 * ((1.333 - 1.0) / (1.333 + 1.0)) ** 2, rel=0.02)
+    assert at("water", 0.589) == pytest.approx(
+        100.0 * ((1.333 - 1.0) / (1.333 + 1.0)) ** 2, rel=0.02
+    )
 
 
 def test_the_program_makes_what_is_there(tmp_path):

@@ -75,7 +75,9 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(sys, "argv", ["leaf_area.py", str(tmp_path / "out"), "--quick"])
     numbers = study.main()
     assert "true leaf area of the tree: 84.82 m2" in capsys.readouterr().out
-    assert numbers["true"] == pytest.approx(3 * np.pi / 4 * 6**2, rel=1e-3)  # index times ground area
+    assert numbers["true"] == pytest.approx(
+        3 * np.pi / 4 * 6**2, rel=1e-3
+    )  # index times ground area
     check_box(study, numbers["box"])
     check_tree(numbers)
     for name in ("leaf_area_box.png", "leaf_area_tree.png"):

@@ -13,6 +13,7 @@ from vtkhelios.cli import view
 
 pytestmark = needs_window
 
+
 @pytest.fixture
 def open_window(display, tmp_path):
     """Opens viewers, and closes the remaining ones."""
@@ -106,7 +107,9 @@ def test_keys_of_time(window):
     state = window.wait(lambda s: not s["time"]["playing"])
     window.key("comma")
     step = window.wait(lambda s: s["time"]["time"] != state["time"]["time"])
-    assert step["time"]["time"] == pytest.approx(max(0, state["time"]["time"] - 0.01))  # 100 lines/s
+    assert step["time"]["time"] == pytest.approx(
+        max(0, state["time"]["time"] - 0.01)
+    )  # 100 lines/s
 
 
 def test_keys_of_the_look(window):

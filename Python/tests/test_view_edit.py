@@ -8,7 +8,15 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
-from _viewer_window import HEIGHT, WIDTH, Window, close_all, display, needs_window, opened  # noqa: F401
+from _viewer_window import (
+    HEIGHT,
+    WIDTH,
+    Window,
+    close_all,
+    display,
+    needs_window,
+    opened,
+)  # noqa: F401
 
 pytestmark = needs_window
 

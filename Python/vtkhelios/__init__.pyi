@@ -22,17 +22,17 @@ __version__: str
 def data_directory() -> Path: ...
 
 class vtkHeliosBeamDeflector(vtkObject):
-    """vtkHeliosBeamDeflector - where each pulse leaves the scanner"""
+    """vtkHeliosBeamDeflector - the direction of each emitted pulse"""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     pulse_frequency: float
-    """Set/Get the pulses emitted a second [Hz]. Valid range: (0, 1e9].
-    Default: 100000.
+    """Set/Get the pulse frequency [Hz]. Valid range: (0, 1e9]. Default:
+    100000.
     """
     warm_up_time: float
-    """Set/Get how long the optics have been moving when pulse 0 leaves
-    [s]: pulse i is at the phases of the time i / PulseFrequency +
+    """Set/Get how long the optics have been moving at pulse 0 [s]:
+    pulse i is at the phases of the time i / PulseFrequency +
     WarmUpTime. Optics that count pulses start at the nearest whole
     one. Valid range: [0, 1e6]. Default: 0.
     """
@@ -56,7 +56,7 @@ class vtkHeliosBeamDeflector(vtkObject):
     def SetWarmUpTime(self, time: float) -> None: ...
 
 class vtkHeliosBeamRayCaster(vtkHeliosRayCaster):
-    """vtkHeliosBeamRayCaster - the default ray caster: bundles of rays go through the scene once"""
+    """vtkHeliosBeamRayCaster - the default ray caster: traverses the scene once per bundle of rays"""
     def GetAcceleratorSize(self) -> int: ...
     def GetName(self) -> str: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
@@ -71,23 +71,23 @@ class vtkHeliosBeamRayCaster(vtkHeliosRayCaster):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosBeamRayCaster: ...
 
 class vtkHeliosBeamSampler(vtkObject):
-    """vtkHeliosBeamSampler - the sub-rays that stand for a Gaussian beam"""
+    """vtkHeliosBeamSampler - the sub-rays of a Gaussian beam"""
     beam_divergence: float
     """Set/Get the full angle of the beam at 1/e^2 of its intensity
-    [rad], as data sheets give it. Valid range: [0, 1], else refused.
+    [rad], as in data sheets. Valid range: [0, 1], else rejected.
     Default: 0.0003.
     """
     beam_quality_factor: float
-    """Set/Get M2, how many times wider the beam is than diffraction
-    makes it; 0: no waist, all sub-rays leave from one point. Valid
-    range: 0 or [1, 1e4], else refused. Default: 0.
+    """Set/Get M2, the ratio of the beam width to the diffraction limit;
+    0: no waist, all sub-rays start at one point. Valid range: 0 or
+    [1, 1e4], else rejected. Default: 0.
     """
     legacy_weights: bool
-    """Set/Get whether CIRCLES follow the paper to the letter, to
-    compare with it: circles at i K w / q, and sub-rays weighted with
-    the intensity where they are times an equal share of the area.
-    These weights are not normalised: their sum is 1 + C / q, C =
-    0.6259 for K = 1, 31 % too much for 19 sub-rays. Default: off.
+    """Set/Get whether CIRCLES follow the paper exactly, for comparison:
+    circles at i K w / q, and sub-rays weighted with their intensity
+    times an equal share of the area. These weights are not
+    normalised: their sum is 1 + C / q, C = 0.6259 for K = 1, 31 %
+    too much for 19 sub-rays. Default: off.
     """
     @property
     def m_time(self) -> int:
@@ -103,17 +103,17 @@ class vtkHeliosBeamSampler(vtkObject):
     number_of_sub_rays: int
     """Set the number of sub-rays of VOGEL; above 1, it is rounded up to
     a multiple of 4. Valid range: [1, 65536]. Default: 64. Get the
-    number of sub-rays of a pulse, whatever the Pattern.
+    number of sub-rays of a pulse, for any Pattern.
     """
     pattern: Union[Literal["circles", "gauss_legendre", "vogel"], int]
-    """Set/Get where the sub-rays lie. Default: GAUSS_LEGENDRE."""
+    """Set/Get the positions of the sub-rays. Default: GAUSS_LEGENDRE."""
     truncation: float
     """Set/Get the radius of the cone in units of w. Valid range: [0.1,
     3]. Default: 1.5, which holds 98.9 % of the energy.
     """
     wavelength: float
-    """Set/Get the wavelength [nm], which the waist is proportional to.
-    Valid range: [1, 1e6], else refused. Default: 1064.
+    """Set/Get the wavelength [nm]; the waist is proportional to it.
+    Valid range: [1, 1e6], else rejected. Default: 1064.
     """
     def __init__(self, *, beam_divergence: float = ..., beam_quality_factor: float = ..., legacy_weights: bool = ..., number_of_circles: int = ..., number_of_rings: int = ..., number_of_sub_rays: int = ..., pattern: Union[Literal["circles", "gauss_legendre", "vogel"], int] = ..., truncation: float = ..., wavelength: float = ...) -> None: ...
     def GetBeamDivergence(self) -> float: ...
@@ -164,7 +164,7 @@ class vtkHeliosBeamSampler(vtkObject):
     def SetWavelength(self, wavelength: float) -> None: ...
 
 class vtkHeliosBvhRayCaster(vtkHeliosRayCaster):
-    """vtkHeliosBvhRayCaster - the ray caster that others are checked against"""
+    """vtkHeliosBvhRayCaster - the reference ray caster"""
     def GetAcceleratorSize(self) -> int: ...
     def GetName(self) -> str: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
@@ -194,14 +194,14 @@ class vtkHeliosCgalRayCaster(vtkHeliosRayCaster):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosCgalRayCaster: ...
 
 class vtkHeliosClearance(vtkPolyDataAlgorithm):
-    """vtkHeliosClearance - how near a trajectory comes to a scene"""
+    """vtkHeliosClearance - distance from a trajectory to a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     direction: Union[Literal["all_around", "down"], int]
-    """Set/Get where surfaces are looked for. Default: ALL_AROUND."""
+    """Set/Get the search direction. Default: ALL_AROUND."""
     @property
     def error_code(self) -> int:
         """The error code contains a possible error that occurred while
@@ -213,7 +213,7 @@ class vtkHeliosClearance(vtkPolyDataAlgorithm):
     """
     @property
     def first_below_minimum(self) -> int:
-        """Get, of the last update, the number of samples below
+        """Get, for the last update, the number of samples below
         MinimumClearance, the first of them (-1: none), and the smallest
         clearance [m] (infinite: none).
         """
@@ -221,13 +221,13 @@ class vtkHeliosClearance(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     minimum_clearance: float
-    """Set/Get the clearance that is to be kept [m]; all around it is at
-    most Radius. Valid range: [0, 1e6]. Default: 0, only what is
-    below the terrain or, all around, nothing is told.
+    """Set/Get the clearance required [m], for ALL_AROUND at most
+    Radius. Valid range: [0, 1e6]. Default: 0, only samples below the
+    terrain or, for ALL_AROUND, none are reported.
     """
     @property
     def number_below_minimum(self) -> int:
-        """Get, of the last update, the number of samples below
+        """Get, for the last update, the number of samples below
         MinimumClearance, the first of them (-1: none), and the smallest
         clearance [m] (infinite: none).
         """
@@ -250,18 +250,18 @@ class vtkHeliosClearance(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     radius: float
-    """Set/Get how far all around surfaces are looked for [m]. Valid
-    range: [1e-3, 1e6]. Default: 100.
+    """Set/Get the search radius of ALL_AROUND [m]. Valid range: [1e-3,
+    1e6]. Default: 100.
     """
     @property
     def smallest_clearance(self) -> float:
-        """Get, of the last update, the number of samples below
+        """Get, for the last update, the number of samples below
         MinimumClearance, the first of them (-1: none), and the smallest
         clearance [m] (infinite: none).
         """
     spacing: float
-    """Set/Get how far apart places are at most that are looked down
-    from [m]. Valid range: [1e-3, 1e6]. Default: 1.
+    """Set/Get the maximum spacing of the samples of DOWN [m]. Valid
+    range: [1e-3, 1e6]. Default: 1.
     """
     def __init__(self, *, abort_execute: int = ..., direction: Union[Literal["all_around", "down"], int] = ..., fail_below_minimum: bool = ..., minimum_clearance: float = ..., progress_text: Optional[str] = ..., radius: float = ..., spacing: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -312,13 +312,13 @@ class vtkHeliosConeHit:
     """
 
 class vtkHeliosConicMirror(vtkHeliosBeamDeflector):
-    """vtkHeliosConicMirror - the beam runs round a cone"""
+    """vtkHeliosConicMirror - a mirror that scans a cone"""
     scan_angle: float
     """Set/Get the half angle of the cone [deg]. Valid range: [0, 180].
     Default: 20.
     """
     scan_frequency: float
-    """Set/Get the revolutions of the mirror a second [Hz]. Valid range:
+    """Set/Get the rotation frequency of the mirror [Hz]. Valid range:
     [0, 1e6]. Default: 50.
     """
     def __init__(self, *, pulse_frequency: float = ..., scan_angle: float = ..., scan_frequency: float = ..., warm_up_time: float = ...) -> None: ...
@@ -343,11 +343,11 @@ class vtkHeliosConicMirror(vtkHeliosBeamDeflector):
     def SetScanFrequency(self, _arg: float) -> None: ...
 
 class vtkHeliosConstantFractionDetector(vtkHeliosEchoDetector):
-    """vtkHeliosConstantFractionDetector - an echo is where a share of the waveform equals the delayed
-    waveform
+    """vtkHeliosConstantFractionDetector - an echo is where a fraction of the waveform equals the
+    delayed waveform
     """
     dead_time: float
-    """Set/Get how long the receiver is blind after it has triggered
+    """Set/Get the dead time of the receiver after it has triggered
     [ns]. Valid range: [0, 1e6]. Default: 0.
     """
     delay: float
@@ -355,7 +355,7 @@ class vtkHeliosConstantFractionDetector(vtkHeliosEchoDetector):
     Default: 0.
     """
     fraction: float
-    """Set/Get the share of the waveform that is not delayed. Valid
+    """Set/Get the fraction of the waveform that is not delayed. Valid
     range: [0.01, 1]. Default: 0.5.
     """
     def __init__(self, *, dead_time: float = ..., delay: float = ..., detection_threshold: float = ..., fraction: float = ...) -> None: ...
@@ -382,15 +382,15 @@ class vtkHeliosConstantFractionDetector(vtkHeliosEchoDetector):
     def SetFraction(self, _arg: float) -> None: ...
 
 class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
-    """vtkHeliosCropFieldSource - a field of crops with every leaf, and the truth about it"""
+    """vtkHeliosCropFieldSource - a field of crops with individual leaves, and its ground truth"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     emergence: float
-    """Set/Get the share of plants that came up, each by chance. Valid
-    range: [0, 1]. Default: 0.95.
+    """Set/Get the emergence probability of plants. Valid range: [0, 1].
+    Default: 0.95.
     """
     @property
     def error_code(self) -> int:
@@ -398,46 +398,44 @@ class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     ground_margin: float
-    """Set/Get how far the soil reaches beyond the outer plants [m].
-    Valid range: [0.01, 1e5]. Default: 1.
+    """Set/Get the margin of soil beyond the outer plants [m]. Valid
+    range: [0.01, 1e5]. Default: 1.
     """
     ground_roughness: float
-    """Set/Get the bound on the difference between the highest and the
-    lowest place of the soil [m]; 0: flat, two triangles. Valid
-    range: [0, 10]. Default: 0.04.
+    """Set/Get the bound on the height range of the soil [m]; 0: flat,
+    two triangles. Valid range: [0, 10]. Default: 0.04.
     """
     ground_spacing: float
-    """Set/Get the largest side of a cell of rough soil [m]. Valid
-    range: [0.001, 1e5]. Default: 0.1.
+    """Set/Get the maximum cell size of rough soil [m]. Valid range:
+    [0.001, 1e5]. Default: 0.1.
     """
     leaf_angle: float
     """Set/Get the angle of leaves at their base from the vertical
     [deg]. Valid range: [0, 90]; 0: the species' own. Default: 0.
     """
     leaf_droop: float
-    """Set/Get by how much leaves bend down from base to tip [deg].
-    Valid range: [-1, 180]; -1: the species' own. A tip looks
-    straight down at most. Default: -1.
+    """Set/Get the bend of leaves from base to tip [deg]. Valid range:
+    [-1, 180]; -1: the species' own. A tip points straight down at
+    most. Default: -1.
     """
     leaf_length: float
     """Set/Get the length along the largest leaves [m]. Valid range: [0,
     100]; 0: the species' own. Default: 0.
     """
     leaf_segments: int
-    """Set/Get the parts of a leaf along its length; 1 counts as 2.
+    """Set/Get the segments of a leaf along its length; 1 counts as 2.
     Valid range: [0, 100]; 0: the species' own. Default: 0.
     """
     leaf_variation: float
-    """Set/Get by which share length, width, angle and droop of a leaf
-    are more or less, uniformly. Valid range: [0, 0.9]. Default:
-    0.15.
+    """Set/Get the relative variation of length, width, angle and droop
+    of leaves, uniform. Valid range: [0, 0.9]. Default: 0.15.
     """
     leaf_width: float
-    """Set/Get the width of the largest leaves where they are widest
-    [m]. Valid range: [0, 10]; 0: the species' own. Default: 0.
+    """Set/Get the maximum width of the largest leaves [m]. Valid range:
+    [0, 10]; 0: the species' own. Default: 0.
     """
     leaves_per_plant: int
-    """Set/Get the leaves of a plant, on all its stems together. Valid
+    """Set/Get the leaves per plant, on all its stems together. Valid
     range: [-1, 1e6]; -1: the species' own. Default: -1.
     """
     @property
@@ -452,8 +450,8 @@ class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
     number_of_rows: int
     """Set/Get the number of rows. Valid range: [1, 1e6]. Default: 10."""
     origin: Sequence[float]
-    """Set/Get where the middle of the field is [m], added to every
-    point at the end. Default: 0, 0, 0.
+    """Set/Get the centre of the field [m], added to every point at the
+    end. Default: 0, 0, 0.
     """
     plant_height: float
     """Set/Get the mean height of plants [m], from the soil to the top
@@ -470,12 +468,12 @@ class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
     """
     @property
     def plants_per_row(self) -> int:
-        """The places for plants in a row: RowLength over PlantSpacing, and
-        one.
+        """The number of plant positions in a row: RowLength / PlantSpacing,
+        plus one.
         """
     position_jitter: float
-    """Set/Get how far plants are from their place [m], one sigma in x
-    and in y. Valid range: [0, 100]. Default: 0.01.
+    """Set/Get the standard deviation of plant positions [m], in x and
+    in y. Valid range: [0, 100]. Default: 0.01.
     """
     @property
     def progress(self) -> float:
@@ -502,15 +500,15 @@ class vtkHeliosCropFieldSource(vtkPolyDataAlgorithm):
     0.
     """
     species: Union[Literal["broadleaf", "cereal", "maize"], int]
-    """Set/Get what grows there. Valid range: MAIZE to BROADLEAF.
-    Default: MAIZE.
+    """Set/Get the species. Valid range: MAIZE to BROADLEAF. Default:
+    MAIZE.
     """
     stem_radius: float
     """Set/Get the radius of stems at the soil [m]. Valid range: [0, 1];
     0: the species' own. Default: 0.
     """
     stems_per_plant: int
-    """Set/Get the stems of a plant; a cereal's are its tillers. Valid range: [0, 100]; 0: the
+    """Set/Get the stems per plant; a cereal's are its tillers. Valid range: [0, 100]; 0: the
     species' own. Default: 0.
     """
     def __init__(self, *, abort_execute: int = ..., emergence: float = ..., ground_margin: float = ..., ground_roughness: float = ..., ground_spacing: float = ..., leaf_angle: float = ..., leaf_droop: float = ..., leaf_length: float = ..., leaf_segments: int = ..., leaf_variation: float = ..., leaf_width: float = ..., leaves_per_plant: int = ..., number_of_rows: int = ..., origin: Sequence[float] = ..., plant_height: float = ..., plant_height_deviation: float = ..., plant_spacing: float = ..., position_jitter: float = ..., progress_text: Optional[str] = ..., row_length: float = ..., row_spacing: float = ..., seed: int = ..., species: Union[Literal["broadleaf", "cereal", "maize"], int] = ..., stem_radius: float = ..., stems_per_plant: int = ...) -> None: ...
@@ -639,16 +637,16 @@ class vtkHeliosDialect(vtkObject):
         """Return this object's modified time."""
     @property
     def schema(self) -> Any:
-        """An XML schema (XSD 1.0) of every file: surveys, scenes, scanners
-        and platforms. It is as strict as the reader, and refuses unknown
-        names, which the reader warns of. It does not look into
-        references, nor into the parameters of filters, whose kind
-        depends on their key.
+        """Returns an XML schema (XSD 1.0) for all files: surveys, scenes,
+        scanners and platforms. It is as strict as the reader, and
+        rejects unknown names, for which the reader only warns.
+        References are not followed, and filter parameters, whose kind
+        depends on their key, are not checked.
         """
     @property
     def tables(self) -> Any:
-        """Every element with its attributes as Markdown: a heading and a
-        table an element.
+        """Returns all elements and their attributes as Markdown: one
+        heading and table per element.
         """
     @staticmethod
     def FindUndescribed() -> str: ...
@@ -667,16 +665,14 @@ class vtkHeliosDialect(vtkObject):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosDialect: ...
 
 class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
-    """vtkHeliosEchoDetection - the echoes of stored waveforms"""
+    """vtkHeliosEchoDetection - re-runs echo detection on stored waveforms"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     echo_detector: Optional[vtkHeliosEchoDetector]
-    """Set/Get what makes echoes of waveforms. Default: a
-    vtkHeliosPeakDetector.
-    """
+    """Set/Get the echo detector. Default: a vtkHeliosPeakDetector."""
     @property
     def error_code(self) -> int:
         """The error code contains a possible error that occurred while
@@ -684,10 +680,10 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
         """
     @property
     def m_time(self) -> int:
-        """Later than any change of the detector."""
+        """Includes changes of the detector."""
     maximum_number_of_returns: int
-    """Set/Get how many of them are kept, in the order of range; 0: all.
-    Valid range: [0, 255]. Default: 0.
+    """Set/Get the maximum number of echoes kept, in order of range; 0:
+    all. Valid range: [0, 255]. Default: 0.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -708,13 +704,13 @@ class vtkHeliosEchoDetection(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     pulse_length: float
-    """Set/Get the full width of the transmitted pulse at half its
-    maximum [ns]; 0: as the input's field data say. Valid range: [0,
-    1e6]. Default: 0.
+    """Set/Get the full width at half maximum of the transmitted pulse
+    [ns]; 0: from the input's field data. Valid range: [0, 1e6].
+    Default: 0.
     """
     return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int]
-    """Set/Get which echoes of a pulse are kept, as vtkHeliosInstrument
-    has them. Default: ALL.
+    """Set/Get which echoes of a pulse are kept, as in
+    vtkHeliosInstrument. Default: ALL.
     """
     def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., maximum_number_of_returns: int = ..., progress_text: Optional[str] = ..., pulse_length: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -797,7 +793,7 @@ class vtkHeliosEmbreeRayCaster(vtkHeliosRayCaster):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosEmbreeRayCaster: ...
 
 class vtkHeliosErrorModel(vtkObject):
-    """vtkHeliosErrorModel - what an instrument gets wrong in a way that can be written down"""
+    """vtkHeliosErrorModel - systematic errors of an instrument"""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -817,30 +813,30 @@ class vtkHeliosErrorModel(vtkObject):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosErrorModel: ...
 
 class vtkHeliosExpressionErrorModel(vtkHeliosErrorModel):
-    """vtkHeliosExpressionErrorModel - the errors of an instrument as expressions"""
+    """vtkHeliosExpressionErrorModel - systematic errors of an instrument as expressions"""
     deflection_error_expression: Optional[str]
-    """Set/Get what is added to a range [m], to the angle of the
-    deflector and to that of the head [rad]; the variable is the
-    exact angle of the deflector [rad]. Default: empty.
+    """Set/Get the error added to a range [m], to the deflector angle
+    and to the head angle [rad]; the variable is the exact deflector
+    angle [rad]. Default: empty.
     """
     head_error_expression: Optional[str]
-    """Set/Get what is added to a range [m], to the angle of the
-    deflector and to that of the head [rad]; the variable is the
-    exact angle of the deflector [rad]. Default: empty.
+    """Set/Get the error added to a range [m], to the deflector angle
+    and to the head angle [rad]; the variable is the exact deflector
+    angle [rad]. Default: empty.
     """
     range_error_expression: Optional[str]
-    """Set/Get what is added to a range [m], to the angle of the
-    deflector and to that of the head [rad]; the variable is the
-    exact angle of the deflector [rad]. Default: empty.
+    """Set/Get the error added to a range [m], to the deflector angle
+    and to the head angle [rad]; the variable is the exact deflector
+    angle [rad]. Default: empty.
     """
     range_noise_factor_expression: Optional[str]
-    """Set/Get what the range noise is multiplied by; the variable is
-    the range [m]. Default: empty.
+    """Set/Get the factor on the range noise; the variable is the range
+    [m]. Default: empty.
     """
     zero_sin_threshold: float
-    """Set/Get how far the angle in the head's expression is moved from
-    the multiples of pi, where its sine vanishes [deg]. Valid range:
-    [0, 90]. Default: 0.
+    """Set/Get the distance by which the angle in the head's expression
+    is moved from the multiples of pi, where its sine vanishes [deg].
+    Valid range: [0, 90]. Default: 0.
     """
     def __init__(self, *, deflection_error_expression: Optional[str] = ..., head_error_expression: Optional[str] = ..., range_error_expression: Optional[str] = ..., range_noise_factor_expression: Optional[str] = ..., zero_sin_threshold: float = ...) -> None: ...
     @staticmethod
@@ -876,7 +872,7 @@ class vtkHeliosExpressionErrorModel(vtkHeliosErrorModel):
 class vtkHeliosFiberArray(vtkHeliosBeamDeflector):
     """vtkHeliosFiberArray - a row of fibres: lines of fixed directions, one fibre after the other"""
     number_of_fibers: int
-    """Set/Get the fibres N of the row. Valid range: [1, 1000000].
+    """Set/Get the number of fibres N. Valid range: [1, 1000000].
     Default: 128.
     """
     scan_angle: float
@@ -905,22 +901,22 @@ class vtkHeliosFiberArray(vtkHeliosBeamDeflector):
     def SetScanAngle(self, angle: float) -> None: ...
 
 class vtkHeliosGaussianDecomposition(vtkHeliosEchoDetector):
-    """vtkHeliosGaussianDecomposition - the echoes are Gaussians whose sum is the waveform"""
+    """vtkHeliosGaussianDecomposition - the echoes are the Gaussians whose sum is the waveform"""
     fit_background: bool
-    """Set/Get whether a constant under overlapping echoes is fitted
-    with them, such as sunlight. Default: off.
+    """Set/Get whether a constant background under overlapping echoes is
+    fitted with them, such as sunlight. Default: off.
     """
     maximum_number_of_iterations: int
-    """Set/Get how often a fit may evaluate its model. Valid range: [1,
-    10000]. Default: 100.
+    """Set/Get the maximum number of model evaluations per fit. Valid
+    range: [1, 10000]. Default: 100.
     """
     minimum_separation: float
-    """Set/Get how near to a larger maximum one is no start of an echo
-    [ns]; 0: all are. Noise has many maxima: give the length of the
-    pulse then. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the distance within which a smaller maximum is not a
+    start of an echo [ns]; 0: all are. Noise has many maxima: set the
+    length of the pulse then. Valid range: [0, 1e6]. Default: 0.
     """
     resolve_hidden: bool
-    """Set/Get whether an echo wider than the pulse is read as two of
+    """Set/Get whether an echo wider than the pulse is fitted as two of
     the pulse's width, where these fit as well: below the separation
     at which a waveform has two maxima. A slope widens echoes, too.
     Default: off.
@@ -954,15 +950,15 @@ class vtkHeliosGaussianDecomposition(vtkHeliosEchoDetector):
     def SetResolveHidden(self, _arg: bool) -> None: ...
 
 class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
-    """vtkHeliosGeoTiffSceneReader - a height raster as a mesh of triangles"""
+    """vtkHeliosGeoTiffSceneReader - read a height raster as a triangle mesh"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     band: int
-    """Set/Get the band with the heights, counted from 1. Valid range:
-    [1, 65535]. Default: 1.
+    """Set/Get the height band, counted from 1. Valid range: [1, 65535].
+    Default: 1.
     """
     @property
     def error_code(self) -> int:
@@ -972,15 +968,16 @@ class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
     file_name: Optional[str]
     """Set/Get the file to read. Default: none."""
     height_unit: float
-    """Set/Get the unit of the heights, instead of the file's [m]; 0: the
-    file's. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the height unit [m], which overrides that of the file; 0:
+    use the file's. Valid range: [0, 1e6]. Default: 0.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     no_data_value: float
     """Set/Get the value of pixels without height, before scale and
-    offset, instead of the file's; NaN: the file's. Default: NaN.
+    offset, which overrides that of the file; NaN: use the file's.
+    Default: NaN.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -1030,7 +1027,7 @@ class vtkHeliosGeoTiffSceneReader(vtkPolyDataAlgorithm):
     def SetNoDataValue(self, _arg: float) -> None: ...
 
 class vtkHeliosGroundSnap(vtkPolyDataAlgorithm):
-    """vtkHeliosGroundSnap - puts points onto the ground of a scene"""
+    """vtkHeliosGroundSnap - moves points onto the ground of a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -1042,7 +1039,7 @@ class vtkHeliosGroundSnap(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     height_above_ground: float
-    """Set/Get the height above the ground that points get [m]. Valid
+    """Set/Get the height of the points above the ground [m]. Valid
     range: [-1e6, 1e6]. Default: 0.
     """
     @property
@@ -1088,42 +1085,40 @@ class vtkHeliosGroundSnap(vtkPolyDataAlgorithm):
     def SetHeightAboveGround(self, _arg: float) -> None: ...
 
 class vtkHeliosGroundVehiclePlatform(vtkHeliosPlatform):
-    """vtkHeliosGroundVehiclePlatform - a car, steered by its front axle"""
+    """vtkHeliosGroundVehiclePlatform - a car with front-axle steering"""
     brake_force: float
-    """Set/Get the force that the brakes slow down with [N]. Valid
-    range: [0, 1e7]. Default: 6000.
+    """Set/Get the braking force [N]. Valid range: [0, 1e7]. Default:
+    6000.
     """
     drag: float
-    """Set/Get the drag, a force that grows linearly with speed [kg/s].
-    Valid range: [0, 1e6]. Default: 50.
+    """Set/Get the drag, a force proportional to speed [kg/s]. Valid
+    range: [0, 1e6]. Default: 50.
     """
     engine_force: float
-    """Set/Get the largest force of the engine, forward and backward
-    [N]. Valid range: [0, 1e7]. Default: 6000.
+    """Set/Get the maximum engine force, forward and backward [N]. Valid
+    range: [0, 1e7]. Default: 6000.
     """
     lateral_acceleration: float
-    """Set/Get the largest centripetal acceleration in a turn [m/s^2].
-    Valid range: [0.01, 100]. Default: 2.
+    """Set/Get the maximum lateral acceleration in a turn [m/s^2]. Valid
+    range: [0.01, 100]. Default: 2.
     """
     mass: float
     """Set/Get the mass [kg]. Valid range: [1, 1e6]. Default: 1500."""
     maximum_steering_angle: float
-    """Set/Get how far the front wheels turn to either side [deg]. Valid
+    """Set/Get the maximum steering angle to either side [deg]. Valid
     range: [1, 80]. Default: 30.
     """
     steering_rate: float
-    """Set/Get how fast the front wheels turn at most [deg/s]. Valid
-    range: [1, 1e4]. Default: 30.
+    """Set/Get the maximum steering rate [deg/s]. Valid range: [1, 1e4].
+    Default: 30.
     """
     turn_deviation: float
-    """Set/Get how far a turn may leave the straight way between
-    waypoints to be taken faster [m]; the tightest turn may leave it
-    by more. Valid range: [0, 1e4]. Default: 1.
+    """Set/Get how far a turn may depart from the straight line between
+    waypoints for a higher speed [m]; the tightest turn may exceed
+    it. Valid range: [0, 1e4]. Default: 1.
     """
     wheelbase: float
-    """Set/Get the distance of the axles [m]. Valid range: [0.1, 100].
-    Default: 2.5.
-    """
+    """Set/Get the wheelbase [m]. Valid range: [0.1, 100]. Default: 2.5."""
     def __init__(self, *, abort_execute: int = ..., brake_force: float = ..., drag: float = ..., engine_force: float = ..., lateral_acceleration: float = ..., mass: float = ..., maximum_steering_angle: float = ..., progress_text: Optional[str] = ..., start_time: float = ..., steering_rate: float = ..., turn_deviation: float = ..., wheelbase: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
@@ -1183,7 +1178,7 @@ class vtkHeliosHit:
     """
 
 class vtkHeliosInstrument(vtkPolyDataAlgorithm):
-    """vtkHeliosInstrument - what the data sheet of a laser scanner says: pulse, receiver, accuracy"""
+    """vtkHeliosInstrument - the data sheet of a laser scanner: pulse, receiver, accuracy"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -1191,31 +1186,31 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     """
     angle_accuracy: float
     """Set/Get the standard deviation of the direction, on each of two
-    axes across the beam [rad]: the pulse goes along the direction
-    with the error, and its points are placed along the one without.
-    Valid range: [0, 0.1]. Default: 0.
+    axes across the beam [rad]: the pulse is emitted along the
+    direction with the error, and its points are placed along the one
+    without. Valid range: [0, 0.1]. Default: 0.
     """
     atmospheric_extinction: float
     """Set/Get the extinction of the air [1/m], one way; negative: from
     AtmosphericVisibility. Valid range: [-1, 1e3]. Default: -1.
     """
     atmospheric_visibility: float
-    """Set/Get the meteorological visibility [km], from which the
-    extinction follows by Kruse; infinite: none. Valid range: [1e-3,
+    """Set/Get the meteorological visibility [km]; the extinction
+    follows by Kruse; infinite: no extinction. Valid range: [1e-3,
     infinity]. Default: 23.
     """
     average_power: float
-    """Set/Get the transmit power in the lidar equation [W]. Valid
+    """Set/Get the transmitted power in the lidar equation [W]. Valid
     range: [0, 1e12]. Default: 4.
     """
     bin_size: float
-    """Set/Get the bin of the waveform [ns]. Valid range: [1e-4, half
-    the pulse]. Default: 0.25.
+    """Set/Get the bin size of the waveform [ns]. Valid range: [1e-4,
+    half the pulse]. Default: 0.25.
     """
     detector_noise: float
-    """Set/Get the standard deviation of the noise of the detector, one
-    draw a bin [W]. With noise or sunlight every pulse is binned.
-    Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the standard deviation of the detector noise, drawn per
+    bin [W]. With noise or sunlight every pulse is binned. Valid
+    range: [0, 1e6]. Default: 0.
     """
     @property
     def error_code(self) -> int:
@@ -1223,10 +1218,10 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     field_of_view: float
-    """Set/Get the sunlight that falls on the scene [W/m^2/nm] (0.6 at
-    1064 nm on a clear day), the width of the receiver's filter [nm]
+    """Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064
+    nm on a clear day), the bandwidth of the receiver's filter [nm]
     and its field of view, a full angle [rad]. A surface of
-    reflectance rho that fills the view adds
+    reflectance rho that fills the field of view adds
     - E rho / pi (pi FieldOfView^2 / 4) (pi D^2 / 4) FilterBandwidth
       eta exp(-alpha R)
 
@@ -1234,10 +1229,10 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     0.001.
     """
     filter_bandwidth: float
-    """Set/Get the sunlight that falls on the scene [W/m^2/nm] (0.6 at
-    1064 nm on a clear day), the width of the receiver's filter [nm]
+    """Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064
+    nm on a clear day), the bandwidth of the receiver's filter [nm]
     and its field of view, a full angle [rad]. A surface of
-    reflectance rho that fills the view adds
+    reflectance rho that fills the field of view adds
     - E rho / pi (pi FieldOfView^2 / 4) (pi D^2 / 4) FilterBandwidth
       eta exp(-alpha R)
 
@@ -1248,20 +1243,20 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_number_of_returns: int
-    """Set/Get how many of them are kept, in the order of range; 0: all.
-    Valid range: [0, 255]. Default: 0.
+    """Set/Get the maximum number of echoes kept, in order of range; 0:
+    all. Valid range: [0, 255]. Default: 0.
     """
     maximum_waveform_length: float
-    """Set/Get how long a waveform may be [ns], or its number of bins,
-    counted from its first; 0: as long as the target. What comes
-    later is cut off, with a warning that counts the pulses. Valid
-    range: 0 or at least a pulse. Default: 0.
+    """Set/Get the maximum length of a waveform [ns], or its maximum
+    number of bins, from its first bin; 0: as long as the target.
+    Later bins are cut off, with a warning that counts the pulses.
+    Valid range: 0 or at least a pulse. Default: 0.
     """
     number_of_bins: int
-    """Set/Get how long a waveform may be [ns], or its number of bins,
-    counted from its first; 0: as long as the target. What comes
-    later is cut off, with a warning that counts the pulses. Valid
-    range: 0 or at least a pulse. Default: 0.
+    """Set/Get the maximum length of a waveform [ns], or its maximum
+    number of bins, from its first bin; 0: as long as the target.
+    Later bins are cut off, with a warning that counts the pulses.
+    Valid range: 0 or at least a pulse. Default: 0.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -1287,48 +1282,48 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     """
     pulse_file_name: Optional[str]
     """Set/Get the text file of a sampled pulse: a time [ns] and a power
-    of any unit a line, times increasing, # for comments; between the
-    samples it is linear. Default: none.
+    in any unit per line, times increasing, # for comments; linear
+    between samples. Default: not set.
     """
     pulse_length: float
-    """Set/Get the full width of the transmitted pulse at half its
-    maximum [ns]; not used with a sampled pulse. Valid range: [1e-3,
-    1e6]. Default: 4.
+    """Set/Get the full width at half maximum of the transmitted pulse
+    [ns]; not used with a sampled pulse. Valid range: [1e-3, 1e6].
+    Default: 4.
     """
     pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int]
-    """Set/Get how the transmitted pulse runs; its peak is 1 and leaves
-    at the time of the pulse. Default: GAUSSIAN.
+    """Set/Get the shape of the transmitted pulse; its peak is 1, at the
+    time of the pulse. Default: GAUSSIAN.
     """
     range_accuracy: float
-    """Set/Get the standard deviation of the range noise, one draw an
-    echo: constant [m], growing with the range [m/m], and of an echo
-    that only just reaches the detection threshold [m] (it falls with
-    the amplitude, as for every fit: Cramer and Rao); their squares
-    add up. Valid range: [0, 1e3]. Default: 0, none.
+    """Set/Get the standard deviation of the range noise, drawn per
+    echo: constant [m], proportional to the range [m/m], and for an
+    echo at the detection threshold [m] (inversely proportional to
+    the amplitude, the Cramer-Rao bound); contributions add in
+    quadrature. Valid range: [0, 1e3]. Default: 0, no noise.
     """
     range_accuracy_at_threshold: float
-    """Set/Get the standard deviation of the range noise, one draw an
-    echo: constant [m], growing with the range [m/m], and of an echo
-    that only just reaches the detection threshold [m] (it falls with
-    the amplitude, as for every fit: Cramer and Rao); their squares
-    add up. Valid range: [0, 1e3]. Default: 0, none.
+    """Set/Get the standard deviation of the range noise, drawn per
+    echo: constant [m], proportional to the range [m/m], and for an
+    echo at the detection threshold [m] (inversely proportional to
+    the amplitude, the Cramer-Rao bound); contributions add in
+    quadrature. Valid range: [0, 1e3]. Default: 0, no noise.
     """
     range_accuracy_per_meter: float
-    """Set/Get the standard deviation of the range noise, one draw an
-    echo: constant [m], growing with the range [m/m], and of an echo
-    that only just reaches the detection threshold [m] (it falls with
-    the amplitude, as for every fit: Cramer and Rao); their squares
-    add up. Valid range: [0, 1e3]. Default: 0, none.
+    """Set/Get the standard deviation of the range noise, drawn per
+    echo: constant [m], proportional to the range [m/m], and for an
+    echo at the detection threshold [m] (inversely proportional to
+    the amplitude, the Cramer-Rao bound); contributions add in
+    quadrature. Valid range: [0, 1e3]. Default: 0, no noise.
     """
     range_max: float
-    """Set/Get the ranges that the instrument measures [m]. What a
-    sub-ray hits outside them blocks it and returns nothing. Valid
-    range: [0, infinity]. Default: 0 and infinity.
+    """Set/Get the range gate of the instrument [m]. A surface outside
+    it blocks a sub-ray and returns nothing. Valid range: [0,
+    infinity]. Default: 0 and infinity.
     """
     range_min: float
-    """Set/Get the ranges that the instrument measures [m]. What a
-    sub-ray hits outside them blocks it and returns nothing. Valid
-    range: [0, infinity]. Default: 0 and infinity.
+    """Set/Get the range gate of the instrument [m]. A surface outside
+    it blocks a sub-ray and returns nothing. Valid range: [0,
+    infinity]. Default: 0 and infinity.
     """
     receiver_diameter: float
     """Set/Get the diameter of the receiver [m]. Valid range: (0, 100].
@@ -1339,10 +1334,10 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     these. Default: ALL.
     """
     solar_irradiance: float
-    """Set/Get the sunlight that falls on the scene [W/m^2/nm] (0.6 at
-    1064 nm on a clear day), the width of the receiver's filter [nm]
+    """Set/Get the solar irradiance on the scene [W/m^2/nm] (0.6 at 1064
+    nm on a clear day), the bandwidth of the receiver's filter [nm]
     and its field of view, a full angle [rad]. A surface of
-    reflectance rho that fills the view adds
+    reflectance rho that fills the field of view adds
     - E rho / pi (pi FieldOfView^2 / 4) (pi D^2 / 4) FilterBandwidth
       eta exp(-alpha R)
 
@@ -1433,24 +1428,26 @@ class vtkHeliosInstrument(vtkPolyDataAlgorithm):
     def SetWavelength(self, _arg: float) -> None: ...
 
 class vtkHeliosInterpolatedPlatform(vtkHeliosPlatform):
-    """vtkHeliosInterpolatedPlatform - a platform that flies again what was recorded"""
+    """vtkHeliosInterpolatedPlatform - replays a recorded trajectory"""
     first_leg_id: int
     """Set/Get the LegIds of the first leg. Valid range: [0, 1e9].
     Default: 0.
     """
     interpolation: Union[Literal["cubic", "linear"], int]
-    """Set/Get how positions run between samples. Default: LINEAR."""
+    """Set/Get the interpolation of positions between samples. Default:
+    LINEAR.
+    """
     keep_file_times: bool
-    """Set/Get whether GpsTime is the recorded time; else it counts from
-    StartTime. Default: off.
+    """Set/Get whether GpsTime is the recorded time; otherwise it counts
+    from StartTime. Default: off.
     """
     @property
     def number_of_legs(self) -> int:
-        """Add a leg that flies [start, end] of the recorded times [s], NaN:
-        from their first, or to their last; remove all, get their number.
-        A leg that teleports is not flown to from the end of the leg
-        before. Its LegIds are FirstLegId and those after it. Default:
-        none, all is one leg.
+        """Add a leg over [start, end] of the recorded times [s], NaN: from
+        their first, or to their last; remove all, get their number. The
+        platform does not move from the end of the leg before to a leg
+        that teleports. LegIds count from FirstLegId. Default: none, all
+        is one leg.
         """
     def __init__(self, *, abort_execute: int = ..., first_leg_id: int = ..., interpolation: Union[Literal["cubic", "linear"], int] = ..., keep_file_times: bool = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -1487,7 +1484,7 @@ class vtkHeliosInterpolatedPlatform(vtkHeliosPlatform):
     def SetKeepFileTimes(self, _arg: bool) -> None: ...
 
 class vtkHeliosLASReader(vtkPolyDataAlgorithm):
-    """vtkHeliosLASReader - points from a LAS file, piece by piece"""
+    """vtkHeliosLASReader - read points from a LAS file, piece by piece"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -1499,7 +1496,7 @@ class vtkHeliosLASReader(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to read. No default: an error without."""
+    """Set/Get the file to read. Required."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -1547,41 +1544,41 @@ class vtkHeliosLASReader(vtkPolyDataAlgorithm):
     def SetReadWaveforms(self, _arg: bool) -> None: ...
 
 class vtkHeliosLASWriter(vtkHeliosStreamWriter):
-    """vtkHeliosLASWriter - echoes as LAS 1.4"""
+    """vtkHeliosLASWriter - write echoes as LAS 1.4"""
     creation_day: int
     """Set/Get the date in the header: the day of the year and the year.
-    Valid range: [0, 366], [0, 65535]. Default: 0, none: the same run
-    gives the same bytes.
+    Valid range: [0, 366], [0, 65535]. Default: 0, none, for
+    reproducible files.
     """
     creation_year: int
     """Set/Get the date in the header: the day of the year and the year.
-    Valid range: [0, 366], [0, 65535]. Default: 0, none: the same run
-    gives the same bytes.
+    Valid range: [0, 366], [0, 65535]. Default: 0, none, for
+    reproducible files.
     """
     full_intensity: float
-    """Set/Get the amplitude of intensity 65535 [W], with intensity in
-    proportion; 0: intensity is 1000 log10(A / 1 fW). Valid range:
-    [0, 1e6]. Default: 0.
+    """Set/Get the amplitude of intensity 65535 [W], for linear scaling;
+    0: intensity is 1000 log10(A / 1 fW). Valid range: [0, 1e6].
+    Default: 0.
     """
     scale: float
-    """Set/Get the step of coordinates [units of the points], as the
-    first block takes it. 0: the finest power of ten, from 1e-6 on,
-    that has room for eight times the first block, and so depends on
-    its size. For degrees take 1e-8. Valid range: 0, [1e-9, 1000].
-    Default: 0.0001.
+    """Set/Get the step of coordinates [units of the points], applied at
+    the first block. 0: the finest power of ten, from 1e-6 up, that
+    can hold eight times the extent of the first block; it depends on
+    the block size. Use 1e-8 for degrees. Valid range: 0, [1e-9,
+    1000]. Default: 0.0001.
     """
     system_identifier: Optional[str]
-    """Set/Get the system identifier in the header, of which 32
-    characters are kept. Default: "SIMULATION".
+    """Set/Get the system identifier in the header, truncated to 32
+    characters. Default: "SIMULATION".
     """
     write_extra_bytes: bool
-    """Set/Get whether arrays that LAS has no field for are written as
-    Extra Bytes. Default: on.
+    """Set/Get whether arrays without a LAS field are written as Extra
+    Bytes. Default: on.
     """
     write_waveforms: bool
-    """Set/Get whether points have their waveforms (formats 9 and 10),
-    as Open() takes it: packets go to a file beside, named .wdp
-    instead of .las. SetWaveforms() gives those of the next block.
+    """Set/Get whether points have waveforms (formats 9 and 10), applied
+    by Open(). Packets are written to a second file named .wdp
+    instead of .las. SetWaveforms() sets those of the next block.
     Default: off.
     """
     def __init__(self, *, count_only: bool = ..., creation_day: int = ..., creation_year: int = ..., file_name: Optional[str] = ..., full_intensity: float = ..., scale: float = ..., system_identifier: Optional[str] = ..., write_extra_bytes: bool = ..., write_waveforms: bool = ...) -> None: ...
@@ -1631,18 +1628,18 @@ class vtkHeliosLASWriter(vtkHeliosStreamWriter):
 class vtkHeliosLeadingEdgeDetector(vtkHeliosEchoDetector):
     """vtkHeliosLeadingEdgeDetector - an echo is where the waveform rises through a level"""
     dead_time: float
-    """Set/Get how long the receiver is blind after it has triggered
+    """Set/Get the dead time of the receiver after it has triggered
     [ns]. Valid range: [0, 1e6]. Default: 0.
     """
     fraction: float
-    """Set/Get the level as a share of the largest sample of the
+    """Set/Get the level as a fraction of the largest sample of the
     waveform; 0: the level is DetectionThreshold. Valid range: [0,
     0.99]. Default: 0.
     """
     reference_amplitude: float
-    """Set/Get the amplitude without walk [W]; 0: twice the level, or
-    with a Fraction the level over it. One below the level counts as
-    the level. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the amplitude without range walk [W]; 0: twice the level,
+    or with a Fraction the level over it. An amplitude below the
+    level counts as the level. Valid range: [0, 1e6]. Default: 0.
     """
     def __init__(self, *, dead_time: float = ..., detection_threshold: float = ..., fraction: float = ..., reference_amplitude: float = ...) -> None: ...
     def GetDeadTime(self) -> float: ...
@@ -1668,7 +1665,7 @@ class vtkHeliosLeadingEdgeDetector(vtkHeliosEchoDetector):
     def SetReferenceAmplitude(self, _arg: float) -> None: ...
 
 class vtkHeliosLinearPathPlatform(vtkHeliosPlatform):
-    """vtkHeliosLinearPathPlatform - a platform that goes straight from waypoint to waypoint"""
+    """vtkHeliosLinearPathPlatform - a platform that moves in straight lines between waypoints"""
     def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
@@ -1687,7 +1684,7 @@ class vtkHeliosLinearPathPlatform(vtkHeliosPlatform):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosLinearPathPlatform: ...
 
 class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
-    """vtkHeliosMaterialReader - gives a scene one material of an MTL file"""
+    """vtkHeliosMaterialReader - assign one material of an MTL file to a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -1704,15 +1701,15 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     material_name: Optional[str]
-    """Set/Get the name of the material. Default: none, which takes the
-    alphabetically first.
+    """Set/Get the name of the material. Default: none, which selects
+    the alphabetically first.
     """
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
     number_of_materials: int
-    """Set/Get the number of materials that are made of it. Valid range:
-    [1, 1000000]. Default: 1.
+    """Set/Get the number of materials derived from it. Valid range: [1,
+    1000000]. Default: 1.
     """
     @property
     def number_of_output_ports(self) -> int:
@@ -1730,11 +1727,11 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     random_range: float
-    """Set/Get by how much the reflectances of the others may differ.
-    Valid range: [0, 1]. Default: 1.
+    """Set/Get the maximum change of the reflectance. Valid range: [0,
+    1]. Default: 1.
     """
     seed: int
-    """Set/Get the key of the random numbers. Valid range: [0, 2^62].
+    """Set/Get the seed of the random numbers. Valid range: [0, 2^62].
     Default: 0.
     """
     def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., material_name: Optional[str] = ..., number_of_materials: int = ..., progress_text: Optional[str] = ..., random_range: float = ..., seed: int = ...) -> None: ...
@@ -1771,18 +1768,18 @@ class vtkHeliosMaterialReader(vtkPolyDataAlgorithm):
     def SetSeed(self, _arg: int) -> None: ...
 
 class vtkHeliosMemoryLimit(vtkObject):
-    """vtkHeliosMemoryLimit - how much memory this process may take for scenes"""
+    """vtkHeliosMemoryLimit - memory limit of the process for scenes"""
     @property
     def available(self) -> Any:
-        """What can still be taken [MiB]: the limit without what this
-        process has; without a limit what the machine has available
-        (MemAvailable of /proc/meminfo), or less where a control group
-        allows less. Infinite where the system does not say.
+        """Get the memory still available [MiB]: the limit minus the current
+        use of the process. Without a limit: the available memory of the
+        machine (MemAvailable of /proc/meminfo), or that of a control
+        group if it is less. Infinite if the system does not report it.
         """
     limit: Any
-    """What this process may take in all [MiB], 0 or more. 0: what the
-    machine, or the control group this process is in, has available.
-    Default 0.
+    """Total memory limit of this process [MiB], 0 or more. 0: the
+    memory available on the machine or in the control group of this
+    process. Default: 0.
     """
     @property
     def m_time(self) -> int:
@@ -1805,7 +1802,7 @@ class vtkHeliosMemoryLimit(vtkObject):
     def SetLimit(mebibytes: float) -> None: ...
 
 class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
-    """vtkHeliosMeshRepair - takes out the triangles and points that no scene needs, and counts bad
+    """vtkHeliosMeshRepair - removes invalid and duplicate triangles and unused points, and counts bad
     edges
     """
     abort_execute: int
@@ -1826,29 +1823,27 @@ class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     merge_points: bool
-    """Set/Get whether points of one part at the same place become one.
-    Default: off.
+    """Set/Get whether points of one part at the same position are
+    merged. Default: off.
     """
     merge_tolerance: float
-    """Set/Get how far apart two points may be to be at the same place
-    [m], with MergePoints. Each point in turn goes to the lowest one
-    that stays within that distance; triangles move with it. Valid
-    range: [0, 1e3]; 0: equal coordinates only. Default: 0.
+    """Set/Get the maximum distance of merged points [m], with
+    MergePoints. Each point in turn goes to the lowest remaining one
+    within that distance; triangles move with it. Valid range: [0,
+    1e3]; 0: equal coordinates only. Default: 0.
     """
     @property
     def number_of_boundary_edges(self) -> int:
         """The edges of the last result, see above."""
     @property
     def number_of_degenerate_triangles(self) -> int:
-        """What the last run took out: triangles by reason (the first that
-        holds, in this order), points that no triangle uses, points that
-        became one with another.
+        """Removed in the last run: triangles by reason (the first that
+        applies, in this order), unused points, merged points.
         """
     @property
     def number_of_duplicate_triangles(self) -> int:
-        """What the last run took out: triangles by reason (the first that
-        holds, in this order), points that no triangle uses, points that
-        became one with another.
+        """Removed in the last run: triangles by reason (the first that
+        applies, in this order), unused points, merged points.
         """
     @property
     def number_of_inconsistent_edges(self) -> int:
@@ -1858,15 +1853,13 @@ class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
         """Get the number of input ports used by the algorithm."""
     @property
     def number_of_merged_points(self) -> int:
-        """What the last run took out: triangles by reason (the first that
-        holds, in this order), points that no triangle uses, points that
-        became one with another.
+        """Removed in the last run: triangles by reason (the first that
+        applies, in this order), unused points, merged points.
         """
     @property
     def number_of_non_finite_triangles(self) -> int:
-        """What the last run took out: triangles by reason (the first that
-        holds, in this order), points that no triangle uses, points that
-        became one with another.
+        """Removed in the last run: triangles by reason (the first that
+        applies, in this order), unused points, merged points.
         """
     @property
     def number_of_non_manifold_edges(self) -> int:
@@ -1876,9 +1869,8 @@ class vtkHeliosMeshRepair(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_unused_points(self) -> int:
-        """What the last run took out: triangles by reason (the first that
-        holds, in this order), points that no triangle uses, points that
-        became one with another.
+        """Removed in the last run: triangles by reason (the first that
+        applies, in this order), unused points, merged points.
         """
     @property
     def progress(self) -> float:
@@ -1945,16 +1937,15 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_distance: float
-    """Set/Get how far apart the surfaces before and after may be
-    anywhere [m]. Valid range: [0, 1e6]; 0: only what is flat is made
-    of fewer triangles. Default: 0.01.
+    """Set/Get the maximum distance between the surfaces before and
+    after [m]. Valid range: [0, 1e6]; 0: only flat regions get fewer
+    triangles. Default: 0.01.
     """
     @property
     def number_of_dropped_triangles(self) -> int:
-        """Of the last run: triangles without area and duplicates that were
-        dropped; triangles that fit no manifold, which passed untouched;
-        patches that have points inside, and those of them that stayed as
-        they were.
+        """For the last run: dropped triangles of zero area and duplicates;
+        non-manifold triangles, which passed unchanged; patches with
+        interior points, and those of them that stayed unchanged.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -1964,24 +1955,21 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_patches(self) -> int:
-        """Of the last run: triangles without area and duplicates that were
-        dropped; triangles that fit no manifold, which passed untouched;
-        patches that have points inside, and those of them that stayed as
-        they were.
+        """For the last run: dropped triangles of zero area and duplicates;
+        non-manifold triangles, which passed unchanged; patches with
+        interior points, and those of them that stayed unchanged.
         """
     @property
     def number_of_rejected_triangles(self) -> int:
-        """Of the last run: triangles without area and duplicates that were
-        dropped; triangles that fit no manifold, which passed untouched;
-        patches that have points inside, and those of them that stayed as
-        they were.
+        """For the last run: dropped triangles of zero area and duplicates;
+        non-manifold triangles, which passed unchanged; patches with
+        interior points, and those of them that stayed unchanged.
         """
     @property
     def number_of_untouched_patches(self) -> int:
-        """Of the last run: triangles without area and duplicates that were
-        dropped; triangles that fit no manifold, which passed untouched;
-        patches that have points inside, and those of them that stayed as
-        they were.
+        """For the last run: dropped triangles of zero area and duplicates;
+        non-manifold triangles, which passed unchanged; patches with
+        interior points, and those of them that stayed unchanged.
         """
     @property
     def progress(self) -> float:
@@ -1997,8 +1985,8 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
     """
     @property
     def verified_distance(self) -> float:
-        """A bound of the distance of the last input and output [m], proven:
-        see above.
+        """A proven bound on the distance between the last input and output
+        [m], see above.
         """
     def __init__(self, *, abort_execute: int = ..., maximum_distance: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2027,51 +2015,51 @@ class vtkHeliosMeshSimplify(vtkPolyDataAlgorithm):
     def SetMaximumDistance(self, _arg: float) -> None: ...
 
 class vtkHeliosMulticopterPlatform(vtkHeliosPlatform):
-    """vtkHeliosMulticopterPlatform - a multicopter or helicopter: it tilts to move"""
+    """vtkHeliosMulticopterPlatform - a multicopter or helicopter that tilts to accelerate"""
     drag_coefficient: float
-    """Set/Get c of the drag c v^2 [kg/m]. Valid range: [0, 1e4].
-    Default: 0.01, for which the terminal speed is 83 m/s.
+    """Set/Get the coefficient c of the drag c v^2 [kg/m]. Valid range:
+    [0, 1e4]. Default: 0.01, a terminal speed of 83 m/s.
     """
     mass: float
     """Set/Get the mass [kg]. Valid range: [0.01, 1e5]. Default: 10."""
     maximum_pitch: float
-    """Set/Get the largest tilt along the way, forward and back [deg].
-    Valid range: [0.1, 80]. Default: 35.
+    """Set/Get the maximum pitch, forward and back [deg]. Valid range:
+    [0.1, 80]. Default: 35.
     """
     maximum_roll: float
-    """Set/Get the largest bank in turns [deg]. Valid range: [0.1, 80].
+    """Set/Get the maximum bank in turns [deg]. Valid range: [0.1, 80].
     Default: 25.
     """
     maximum_thrust: float
-    """Set/Get the largest thrust [N]; 0 is twice the weight. Valid
+    """Set/Get the maximum thrust [N]; 0 is twice the weight. Valid
     range: [0, 1e7]. Default: 0.
     """
     pitch_rate: float
-    """Set/Get how fast it tilts along the way [deg/s]. Valid range: [1,
-    1000]. Default: 85.94.
+    """Set/Get the pitch rate [deg/s]. Valid range: [1, 1000]. Default:
+    85.94.
     """
     roll_rate: float
-    """Set/Get how fast it banks [deg/s]. Valid range: [1, 1000].
-    Default: 28.65.
+    """Set/Get the roll rate [deg/s]. Valid range: [1, 1000]. Default:
+    28.65.
     """
     slowdown_distance: float
-    """Set/Get how far before a stop or a slower turn it begins to slow
-    down [m], but not before the middle of the leg; what MaximumPitch
-    needs is the least. Valid range: [0, 1e6]. Default: 0, as late as
-    it can.
+    """Set/Get the distance before a stop or a slower turn at which it
+    begins to slow down [m], at most half the leg and at least the
+    distance that MaximumPitch needs. Valid range: [0, 1e6]. Default:
+    0, as late as possible.
     """
     slowdown_enabled: bool
-    """Set/Get whether it is to slow down for turns that do not fit
-    between the waypoints. It does in any case, with a warning where
-    this is off. Default: on.
+    """Set/Get whether to slow down for turns that do not fit between
+    the waypoints. If off, it still slows down, with a warning.
+    Default: on.
     """
     time_step: float
-    """Set/Get the step of the integration while the tilt changes [s]; a
-    change takes 4000 steps at most. Valid range: [1e-4, 0.1].
-    Default: 0.01, with which the error is below 1e-9 m.
+    """Set/Get the integration step while the tilt changes [s]; a change
+    takes 4000 steps at most. Valid range: [1e-4, 0.1]. Default:
+    0.01, with an error below 1e-9 m.
     """
     yaw_rate: float
-    """Set/Get how fast it turns on the spot, and at most in turns
+    """Set/Get the yaw rate on the spot, and its maximum in turns
     [deg/s]. Valid range: [0.1, 1000]. Default: 85.94.
     """
     def __init__(self, *, abort_execute: int = ..., drag_coefficient: float = ..., mass: float = ..., maximum_pitch: float = ..., maximum_roll: float = ..., maximum_thrust: float = ..., pitch_rate: float = ..., progress_text: Optional[str] = ..., roll_rate: float = ..., slowdown_distance: float = ..., slowdown_enabled: bool = ..., start_time: float = ..., time_step: float = ..., yaw_rate: float = ...) -> None: ...
@@ -2151,7 +2139,7 @@ class vtkHeliosObbTreeRayCaster(vtkHeliosRayCaster):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosObbTreeRayCaster: ...
 
 class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
-    """vtkHeliosObjSceneReader - a Wavefront OBJ file as a scene"""
+    """vtkHeliosObjSceneReader - read a Wavefront OBJ file as a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2169,9 +2157,7 @@ class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def number_of_dropped_triangles(self) -> int:
-        """The number of triangles without area that the last reading left
-        out.
-        """
+        """Get the number of degenerate triangles dropped by the last read."""
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
@@ -2191,9 +2177,8 @@ class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     up_axis: Union[Literal["y", "z"], int]
-    """Set/Get the axis of the file that points up. With y the scene's
-    points are (x, -z, y). Valid range: UP_AXIS_Y, UP_AXIS_Z.
-    Default: UP_AXIS_Z.
+    """Set/Get the up axis of the file. With y the scene points are (x,
+    -z, y). Valid range: UP_AXIS_Y, UP_AXIS_Z. Default: UP_AXIS_Z.
     """
     def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., progress_text: Optional[str] = ..., up_axis: Union[Literal["y", "z"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2222,7 +2207,7 @@ class vtkHeliosObjSceneReader(vtkPolyDataAlgorithm):
     def SetUpAxisToZ(self) -> None: ...
 
 class vtkHeliosObjSceneWriter(vtkPolyDataAlgorithm):
-    """vtkHeliosObjSceneWriter - a scene as a Wavefront OBJ file"""
+    """vtkHeliosObjSceneWriter - write a scene as a Wavefront OBJ file"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2277,20 +2262,20 @@ class vtkHeliosObjSceneWriter(vtkPolyDataAlgorithm):
     def Write(self) -> int: ...
 
 class vtkHeliosOscillatingMirror(vtkHeliosBeamDeflector):
-    """vtkHeliosOscillatingMirror - a mirror that swings: lines to and fro"""
+    """vtkHeliosOscillatingMirror - an oscillating mirror: lines in both directions"""
     pattern: Union[Literal["sinusoidal", "triangular"], int]
-    """Set/Get how the mirror swings. Default: TRIANGULAR."""
+    """Set/Get the scan angle over time. Default: TRIANGULAR."""
     scan_angle: float
-    """Set/Get how far it swings to either side [deg]. Valid range: [0,
+    """Set/Get the maximum angle to either side [deg]. Valid range: [0,
     180]. Default: 20.
     """
     scan_frequency: float
-    """Set/Get how often the mirror swings to and fro a second [Hz].
-    Valid range: [0, 1e6]. Default: 50.
+    """Set/Get the oscillation frequency of the mirror [Hz]. Valid
+    range: [0, 1e6]. Default: 50.
     """
     turning_pulses: int
-    """Set/Get how many pulses a triangular mirror takes to turn. Valid
-    range: [0, 1e9]. Default: 0, it turns at once.
+    """Set/Get the number of pulses a triangular mirror takes to
+    reverse. Valid range: [0, 1e9]. Default: 0, instantly.
     """
     def __init__(self, *, pattern: Union[Literal["sinusoidal", "triangular"], int] = ..., pulse_frequency: float = ..., scan_angle: float = ..., scan_frequency: float = ..., turning_pulses: int = ..., warm_up_time: float = ...) -> None: ...
     def GetDirection(self, pulse: int, direction: MutableSequence[float]) -> bool: ...
@@ -2324,7 +2309,7 @@ class vtkHeliosOscillatingMirror(vtkHeliosBeamDeflector):
     def SetTurningPulses(self, _arg: int) -> None: ...
 
 class vtkHeliosPCDReader(vtkPolyDataAlgorithm):
-    """vtkHeliosPCDReader - points from a PCD file of the Point Cloud Library"""
+    """vtkHeliosPCDReader - read points from a PCD file of the Point Cloud Library"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2336,7 +2321,7 @@ class vtkHeliosPCDReader(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to read. No default: an error without."""
+    """Set/Get the file to read. Required."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -2378,28 +2363,28 @@ class vtkHeliosPCDReader(vtkPolyDataAlgorithm):
     def SetFileName(self, _arg: str) -> None: ...
 
 class vtkHeliosPCDWriter(vtkHeliosStreamWriter):
-    """vtkHeliosPCDWriter - echoes as a PCD file of the Point Cloud Library"""
+    """vtkHeliosPCDWriter - write echoes as a PCD file of the Point Cloud Library"""
     origin: Sequence[float]
-    """Set/Get the origin of Precision Float [m], taken where UseOrigin
-    is on; else it is the middle of the first block, to whole 100 m.
-    A coordinate within 1 km of it is 0.06 mm off at most; one of 1
-    mm or more gets a warning. Valid range: finite. Default: 0 0 0;
-    off.
+    """Set/Get the origin of Precision Float [m], used if UseOrigin is
+    on; else it is the centre of the first block, rounded to 100 m.
+    The error of a coordinate within 1 km of it is 0.06 mm at most;
+    an error of 1 mm or more causes a warning. Valid range: finite.
+    Default: 0 0 0; off.
     """
     precision: int
-    """Set/Get what numbers are. Valid range: Float, Double. Default:
-    Float.
+    """Set/Get the precision of numbers. Valid range: Float, Double.
+    Default: Float.
     """
     storage: int
-    """Set/Get how numbers are stored. Valid range: Ascii, Binary.
+    """Set/Get the storage of numbers. Valid range: Ascii, Binary.
     Default: Binary.
     """
     use_origin: bool
-    """Set/Get the origin of Precision Float [m], taken where UseOrigin
-    is on; else it is the middle of the first block, to whole 100 m.
-    A coordinate within 1 km of it is 0.06 mm off at most; one of 1
-    mm or more gets a warning. Valid range: finite. Default: 0 0 0;
-    off.
+    """Set/Get the origin of Precision Float [m], used if UseOrigin is
+    on; else it is the centre of the first block, rounded to 100 m.
+    The error of a coordinate within 1 km of it is 0.06 mm at most;
+    an error of 1 mm or more causes a warning. Valid range: finite.
+    Default: 0 0 0; off.
     """
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ..., origin: Sequence[float] = ..., precision: int = ..., storage: int = ..., use_origin: bool = ...) -> None: ...
     def Close(self) -> bool: ...
@@ -2434,20 +2419,20 @@ class vtkHeliosPCDWriter(vtkHeliosStreamWriter):
     def Write(self, block: vtkDataObject) -> bool: ...
 
 class vtkHeliosPCLClusters(vtkHeliosPCLFilter):
-    """vtkHeliosPCLClusters - groups of points with a gap around them"""
+    """vtkHeliosPCLClusters - clusters of points separated by gaps"""
     maximum_cluster_size: int
-    """Set/Get how many points a cluster has at least, and at most.
+    """Set/Get the minimum and maximum number of points of a cluster.
     Valid range: [1, 2147483647]. Default: 10; 2147483647.
     """
     minimum_cluster_size: int
-    """Set/Get how many points a cluster has at least, and at most.
+    """Set/Get the minimum and maximum number of points of a cluster.
     Valid range: [1, 2147483647]. Default: 10; 2147483647.
     """
     @property
     def number_of_clusters(self) -> int:
-        """Get how many clusters the last update found."""
+        """Get the number of clusters found in the last update."""
     tolerance: float
-    """Set/Get what steps within a cluster are shorter than [m]. Valid
+    """Set/Get the maximum step within a cluster (exclusive) [m]. Valid
     range: [1e-4, 1000]. Default: 0.5.
     """
     def __init__(self, *, abort_execute: int = ..., maximum_cluster_size: int = ..., minimum_cluster_size: int = ..., progress_text: Optional[str] = ..., tolerance: float = ...) -> None: ...
@@ -2481,7 +2466,7 @@ class vtkHeliosPCLClusters(vtkHeliosPCLFilter):
     def SetTolerance(self, _arg: float) -> None: ...
 
 class vtkHeliosPCLFilter(vtkPolyDataAlgorithm):
-    """vtkHeliosPCLFilter - what filters on PCL have in common"""
+    """vtkHeliosPCLFilter - base class of the PCL filters"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2497,7 +2482,7 @@ class vtkHeliosPCLFilter(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def number_of_dropped_points(self) -> int:
-        """Get how many points of the last input were not finite."""
+        """Get the number of points of the last input that were not finite."""
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
@@ -2535,20 +2520,20 @@ class vtkHeliosPCLFilter(vtkPolyDataAlgorithm):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosPCLFilter: ...
 
 class vtkHeliosPCLGroundFilter(vtkHeliosPCLFilter):
-    """vtkHeliosPCLGroundFilter - which points are ground"""
+    """vtkHeliosPCLGroundFilter - classifies ground points"""
     cell_size: float
-    """Set/Get the edge of a cell of the grid [m]: about twice the
-    distance of ground points. Valid range: [0.01, 100]. Default: 1.
+    """Set/Get the cell size of the grid [m]: about twice the spacing of
+    ground points. Valid range: [0.01, 100]. Default: 1.
     """
     initial_distance: float
-    """Set/Get how far above the opened surface ground may be for the
-    first window, and for any [m]. Valid range: [0, 100]. Default:
-    0.25; 2.5.
+    """Set/Get the maximum height of ground above the opened surface for
+    the first window, and for any [m]. Valid range: [0, 100].
+    Default: 0.25; 2.5.
     """
     maximum_distance: float
-    """Set/Get how far above the opened surface ground may be for the
-    first window, and for any [m]. Valid range: [0, 100]. Default:
-    0.25; 2.5.
+    """Set/Get the maximum height of ground above the opened surface for
+    the first window, and for any [m]. Valid range: [0, 100].
+    Default: 0.25; 2.5.
     """
     maximum_window_size: float
     """Set/Get the width of the largest window, more than that of the
@@ -2559,8 +2544,8 @@ class vtkHeliosPCLGroundFilter(vtkHeliosPCLFilter):
     10]. Default: 0.5.
     """
     tolerance: float
-    """Set/Get how far from the ground's surface a point of it may be,
-    up or down [m]. Valid range: [0, 100]. Default: 0.2.
+    """Set/Get the maximum distance of a ground point from the ground
+    surface, up or down [m]. Valid range: [0, 100]. Default: 0.2.
     """
     def __init__(self, *, abort_execute: int = ..., cell_size: float = ..., initial_distance: float = ..., maximum_distance: float = ..., maximum_window_size: float = ..., progress_text: Optional[str] = ..., slope: float = ..., tolerance: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2604,21 +2589,21 @@ class vtkHeliosPCLGroundFilter(vtkHeliosPCLFilter):
     def SetTolerance(self, _arg: float) -> None: ...
 
 class vtkHeliosPCLNormals(vtkHeliosPCLFilter):
-    """vtkHeliosPCLNormals - normals of points by their neighbours"""
+    """vtkHeliosPCLNormals - normals of points from their neighbours"""
     number_of_neighbors: int
-    """Set/Get how many nearest points the plane is fitted to. Valid
-    range: [3, 1000]. Default: 16.
+    """Set/Get the number of nearest points of a plane fit. Valid range:
+    [3, 1000]. Default: 16.
     """
     radius: float
-    """Set/Get the distance within which all points count instead [m];
-    0: the nearest ones. Valid range: [0, 1000]. Default: 0.
+    """Set/Get the radius of the neighbourhood [m]; 0: the nearest
+    points are used instead. Valid range: [0, 1000]. Default: 0.
     """
     side: int
-    """Set/Get which of its two directions a normal has. Valid range:
-    Up, ToViewpoint. Default: Up.
+    """Set/Get the orientation of normals. Valid range: Up, ToViewpoint.
+    Default: Up.
     """
     viewpoint: Sequence[float]
-    """Set/Get the place that normals point to, such as the scanner's
+    """Set/Get the position that normals point to, such as the scanner's
     [m]. Valid range: finite. Default: 0 0 0.
     """
     def __init__(self, *, abort_execute: int = ..., number_of_neighbors: int = ..., progress_text: Optional[str] = ..., radius: float = ..., side: int = ..., viewpoint: Sequence[float] = ...) -> None: ...
@@ -2656,19 +2641,18 @@ class vtkHeliosPCLNormals(vtkHeliosPCLFilter):
     def SetViewpoint(self, _arg: Sequence[float]) -> None: ...
 
 class vtkHeliosPCLOutlierRemoval(vtkHeliosPCLFilter):
-    """vtkHeliosPCLOutlierRemoval - takes out points that lie apart"""
+    """vtkHeliosPCLOutlierRemoval - removes outliers"""
     number_of_neighbors: int
-    """Set/Get how many nearest points the distance is the mean of; all
-    others where there are fewer. Valid range: [1, 1000]. Default:
-    16.
+    """Set/Get the number of nearest points of the mean distance; all
+    others if there are fewer. Valid range: [1, 1000]. Default: 16.
     """
     select_outliers: bool
-    """Set/Get whether the outliers come out, and not the others.
-    Default: off.
+    """Set/Get whether the output is the outliers instead of the
+    inliers. Default: off.
     """
     standard_deviations: float
-    """Set/Get the standard deviations above the mean from which on a
-    point is an outlier. Valid range: [0, 1000]. Default: 2.
+    """Set/Get the threshold in standard deviations above the mean.
+    Valid range: [0, 1000]. Default: 2.
     """
     def __init__(self, *, abort_execute: int = ..., number_of_neighbors: int = ..., progress_text: Optional[str] = ..., select_outliers: bool = ..., standard_deviations: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2702,30 +2686,30 @@ class vtkHeliosPCLOutlierRemoval(vtkHeliosPCLFilter):
 class vtkHeliosPCLPlanes(vtkHeliosPCLFilter):
     """vtkHeliosPCLPlanes - planes in a cloud, the largest first"""
     distance_threshold: float
-    """Set/Get how far from the plane its points may be: three standard
-    deviations of the noise [m]. Valid range: [1e-6, 1000]. Default:
-    0.05.
+    """Set/Get the maximum distance of points from their plane: three
+    standard deviations of the noise [m]. Valid range: [1e-6, 1000].
+    Default: 0.05.
     """
     maximum_number_of_iterations: int
-    """Set/Get how many samples are tried for a plane at most, and the
-    probability at which fewer will do. Valid range: [1, 10000000];
-    [0.5, 0.999999]. Default: 1000; 0.999.
+    """Set/Get the maximum number of samples per plane, and the
+    probability at which fewer are enough. Valid range: [1,
+    10000000]; [0.5, 0.999999]. Default: 1000; 0.999.
     """
     maximum_number_of_planes: int
-    """Set/Get how many planes are looked for. Valid range: [1, 10000].
+    """Set/Get the maximum number of planes. Valid range: [1, 10000].
     Default: 8.
     """
     minimum_number_of_points: int
-    """Set/Get how many points a plane has at least. Valid range: [3,
+    """Set/Get the minimum number of points of a plane. Valid range: [3,
     2147483647]. Default: 100.
     """
     @property
     def number_of_planes(self) -> int:
-        """Get how many planes the last update found."""
+        """Get the number of planes found in the last update."""
     probability: float
-    """Set/Get how many samples are tried for a plane at most, and the
-    probability at which fewer will do. Valid range: [1, 10000000];
-    [0.5, 0.999999]. Default: 1000; 0.999.
+    """Set/Get the maximum number of samples per plane, and the
+    probability at which fewer are enough. Valid range: [1,
+    10000000]; [0.5, 0.999999]. Default: 1000; 0.999.
     """
     def __init__(self, *, abort_execute: int = ..., distance_threshold: float = ..., maximum_number_of_iterations: int = ..., maximum_number_of_planes: int = ..., minimum_number_of_points: int = ..., probability: float = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2766,7 +2750,7 @@ class vtkHeliosPCLPlanes(vtkHeliosPCLFilter):
     def SetProbability(self, _arg: float) -> None: ...
 
 class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
-    """vtkHeliosPCLRegistration - lays one scan onto another"""
+    """vtkHeliosPCLRegistration - registers one scan to another"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2782,28 +2766,28 @@ class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def matrix(self) -> Optional[vtkMatrix4x4]:
-        """Get the motion that the last update found: points of input 1 to
-        their new place.
+        """Get the motion found in the last update: points of input 1 to
+        their new position.
         """
     maximum_curvature: float
-    """Set/Get how many points a plane is fitted to, and how curved its
-    surroundings may be. Valid range: [3, 1000]; [0, 1]. Default: 16;
+    """Set/Get the number of points of a plane fit, and the maximum
+    curvature there. Valid range: [3, 1000]; [0, 1]. Default: 16;
     0.01.
     """
     maximum_distance: float
-    """Set/Get how far apart pairs may be [m]. Valid range: [1e-4, 1e4].
-    Default: 1.
+    """Set/Get the maximum distance of pairs [m]. Valid range: [1e-4,
+    1e4]. Default: 1.
     """
     maximum_number_of_iterations: int
-    """Set/Get how often pairs are looked for. Valid range: [1, 10000].
-    Default: 100.
+    """Set/Get the maximum number of iterations. Valid range: [1,
+    10000]. Default: 100.
     """
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
     number_of_neighbors: int
-    """Set/Get how many points a plane is fitted to, and how curved its
-    surroundings may be. Valid range: [3, 1000]; [0, 1]. Default: 16;
+    """Set/Get the number of points of a plane fit, and the maximum
+    curvature there. Valid range: [3, 1000]; [0, 1]. Default: 16;
     0.01.
     """
     @property
@@ -2812,10 +2796,10 @@ class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
     @property
     def number_of_pairs(self) -> int:
         """Get the root mean square distance of the pairs of the last update
-        [m], from the planes with PointToPlane; and how many there were.
+        [m], from the planes with PointToPlane; and the number of pairs.
         """
     point_to_plane: bool
-    """Set/Get whether distances are from planes, and not from points.
+    """Set/Get whether distances are from planes instead of points.
     Default: on.
     """
     @property
@@ -2833,7 +2817,7 @@ class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
     @property
     def residual(self) -> float:
         """Get the root mean square distance of the pairs of the last update
-        [m], from the planes with PointToPlane; and how many there were.
+        [m], from the planes with PointToPlane; and the number of pairs.
         """
     def __init__(self, *, abort_execute: int = ..., maximum_curvature: float = ..., maximum_distance: float = ..., maximum_number_of_iterations: int = ..., number_of_neighbors: int = ..., point_to_plane: bool = ..., progress_text: Optional[str] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2876,14 +2860,14 @@ class vtkHeliosPCLRegistration(vtkPolyDataAlgorithm):
     def SetPointToPlane(self, _arg: bool) -> None: ...
 
 class vtkHeliosPCLVoxelGrid(vtkHeliosPCLFilter):
-    """vtkHeliosPCLVoxelGrid - one point a cell of a grid"""
+    """vtkHeliosPCLVoxelGrid - one point per cell of a grid"""
     use_mean_points: bool
-    """Set/Get whether a cell gives the mean of its points, and not one
-    of them. Default: off.
+    """Set/Get whether a cell gives the mean of its points instead of
+    one of them. Default: off.
     """
     voxel_size: float
-    """Set/Get the edge of a cell [m]. Valid range: [1e-4, 1e6].
-    Default: 0.1.
+    """Set/Get the cell size [m]. Valid range: [1e-4, 1e6]. Default:
+    0.1.
     """
     def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., use_mean_points: bool = ..., voxel_size: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -2913,12 +2897,13 @@ class vtkHeliosPCLVoxelGrid(vtkHeliosPCLFilter):
 class vtkHeliosPalmerMirror(vtkHeliosBeamDeflector):
     """vtkHeliosPalmerMirror - a Palmer scanner: a wobbling mirror on a shaft at 45 degrees"""
     scan_frequency: float
-    """Set/Get the revolutions of the mirror a second [Hz]. Valid range:
+    """Set/Get the rotation frequency of the mirror [Hz]. Valid range:
     [0, 1e6]. Default: 50.
     """
     wobble_angle: float
     """Set/Get the angle between mirror normal and shaft [deg]; the beam
-    turns by up to twice as much. Valid range: [0, 45]. Default: 7.5.
+    is deflected by up to twice as much. Valid range: [0, 45].
+    Default: 7.5.
     """
     def __init__(self, *, pulse_frequency: float = ..., scan_frequency: float = ..., warm_up_time: float = ..., wobble_angle: float = ...) -> None: ...
     def GetDirection(self, pulse: int, direction: MutableSequence[float]) -> bool: ...
@@ -2941,13 +2926,14 @@ class vtkHeliosPalmerMirror(vtkHeliosBeamDeflector):
 class vtkHeliosPeakDetector(vtkHeliosEchoDetector):
     """vtkHeliosPeakDetector - an echo is a local maximum of the waveform"""
     fit_window: float
-    """Set/Get how far from the maximum samples are fitted, weighted by
-    the square of their amplitude [sigma of the pulse]; 0: the
-    largest and its neighbours. Valid range: [0, 3]. Default: 0.
+    """Set/Get the distance from the maximum within which samples are
+    fitted, weighted by the square of their amplitude [sigma of the
+    pulse]; 0: the largest and its neighbours. Valid range: [0, 3].
+    Default: 0.
     """
     minimum_separation: float
-    """Set/Get how near to a larger maximum one does not count [ns]; 0:
-    all count. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the distance within which a smaller maximum is ignored
+    [ns]; 0: all count. Valid range: [0, 1e6]. Default: 0.
     """
     def __init__(self, *, detection_threshold: float = ..., fit_window: float = ..., minimum_separation: float = ...) -> None: ...
     def FindsMaxima(self) -> bool: ...
@@ -2970,7 +2956,7 @@ class vtkHeliosPeakDetector(vtkHeliosEchoDetector):
     def SetMinimumSeparation(self, _arg: float) -> None: ...
 
 class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
-    """vtkHeliosPlannerReader - what is to be planned, and how, from HELIOS XML or a mesh"""
+    """vtkHeliosPlannerReader - read a planning task from HELIOS XML or a mesh"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -2978,44 +2964,44 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     """
     @property
     def coverage_of_all(self) -> bool:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     default_platform: Optional[str]
-    """Set/Get the platform and the scanner of a scene that is given as
-    such, or as a mesh, file.xml#id. Default: none.
+    """Set/Get the platform and the scanner for a scene or mesh given as
+    input, file.xml#id. Default: none.
     """
     default_scanner: Optional[str]
-    """Set/Get the platform and the scanner of a scene that is given as
-    such, or as a mesh, file.xml#id. Default: none.
+    """Set/Get the platform and the scanner for a scene or mesh given as
+    input, file.xml#id. Default: none.
     """
     @property
     def elevation_max(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def elevation_min(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def enclosed(self) -> bool:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def error_code(self) -> int:
@@ -3026,146 +3012,154 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     """Set/Get the file to read. Default: none."""
     @property
     def ground_only(self) -> Optional[str]:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def hit_behind(self) -> bool:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def hit_tolerance(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     keep_grids: bool
-    """Set/Get whether the grids of turbid voxels beside the scene are
-    kept. Default: off.
+    """Set/Get whether the grids of turbid voxels of the scene are kept.
+    Default: off.
     """
     @property
     def kind(self) -> Optional[str]:
-        """What was read: "planner", "survey" or "scene"; a name that is fit
-        for a folder; where the scene, the platform and the scanner come
-        from, file.xml#id. The scene's is empty where the file is a mesh.
+        """Get the type of file: "planner", "survey" or "scene"; a name
+        valid for a folder; the sources of scene, platform and scanner,
+        file.xml#id. That of the scene is empty if the file is a mesh.
         """
     @property
     def leg_angular_step(self) -> float:
-        """Whether the scanner has a rotating mirror, whose window counts;
-        the larger of the angles between its pulses along and across a
-        line [deg], 0 where they are not regular; from where the platform
-        stands to where the beam leaves [m].
+        """Get whether the scanner has a rotating mirror, which uses the
+        window; the larger of the angles between its pulses along and
+        across a line [deg], 0 if they are irregular; the offset from the
+        platform to the beam origin [m].
         """
     @property
     def leg_head_rotate_per_second(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_head_rotate_start(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_head_rotate_stop(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_pulse_frequency(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_scan_angle(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_scan_frequency(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_vertical_angle_max(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def leg_vertical_angle_min(self) -> float:
-        """How a position is scanned: pulses and lines a second [Hz], half
-        the angle that the mirror sweeps, the window of a rotating one,
-        and the head's angles [deg] and speed [deg/s].
+        """Get how a position is scanned: the pulse and the scan frequency
+        [Hz], half the scan angle of the mirror, the window of a rotating
+        one, and the angles [deg] and the speed [deg/s] of the head
+        rotation.
         """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def maximum_incidence_angle(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def maximum_slope(self) -> float:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def method(self) -> Optional[str]:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     @property
     def minimum_coverage(self) -> float:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     @property
     def minimum_overlap(self) -> float:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     @property
     def minimum_point_density(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -3175,19 +3169,19 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def plan_name(self) -> Optional[str]:
-        """What was read: "planner", "survey" or "scene"; a name that is fit
-        for a folder; where the scene, the platform and the scanner come
-        from, file.xml#id. The scene's is empty where the file is a mesh.
+        """Get the type of file: "planner", "survey" or "scene"; a name
+        valid for a folder; the sources of scene, platform and scanner,
+        file.xml#id. That of the scene is empty if the file is a mesh.
         """
     platform: Optional[str]
-    """Set/Get the platform and the scanner that win over those of the
+    """Set/Get the platform and the scanner that override those of the
     file, file.xml#id. Default: none.
     """
     @property
     def platform_reference(self) -> Optional[str]:
-        """What was read: "planner", "survey" or "scene"; a name that is fit
-        for a folder; where the scene, the platform and the scanner come
-        from, file.xml#id. The scene's is empty where the file is a mesh.
+        """Get the type of file: "planner", "survey" or "scene"; a name
+        valid for a folder; the sources of scene, platform and scanner,
+        file.xml#id. That of the scene is empty if the file is a mesh.
         """
     @property
     def progress(self) -> float:
@@ -3202,136 +3196,136 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     pulse_frequency: float
-    """Set/Get the pulses a second [Hz], which win over what the file
-    says. Valid range: [0, 1e9]. Default: 0, as the file says, else
-    the first that the scanner offers.
+    """Set/Get the pulse frequency [Hz], which overrides the file. Valid
+    range: [0, 1e9]. Default: 0, as in the file, else the first of
+    the scanner.
     """
     @property
     def range_max(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def range_min(self) -> float:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def remove_largest_first(self) -> bool:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     @property
     def remove_order(self) -> Optional[str]:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     resolution: float
     """Set/Get the angle between pulses of a line and between lines
-    [deg], which wins over what the file says. Valid range: [0, 90].
-    Default: 0, as the file says, else 0.1; as near as the scanner
-    can.
+    [deg], which overrides the file. The nearest supported by the
+    scanner is used. Valid range: [0, 90]. Default: 0, as in the
+    file, else 0.1.
     """
     scanner: Optional[str]
-    """Set/Get the platform and the scanner that win over those of the
+    """Set/Get the platform and the scanner that override those of the
     file, file.xml#id. Default: none.
     """
     @property
     def scanner_height(self) -> float:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def scanner_limits(self) -> bool:
-        """What is seen: the hit tolerance [m], whether a ray that ends
-        farther behind sees, whether limits that are not given are those
-        of the scanner, ranges [m], elevations above the horizontal
-        [deg], the largest incidence angle [deg], the points a square
-        metre that one position must give [1/m2].
+        """Get the visibility limits: the hit tolerance [m], whether a ray
+        that ends farther behind counts as a hit, whether limits not
+        given are those of the scanner, ranges [m], elevations above the
+        horizontal [deg], the maximum incidence angle [deg], the minimum
+        point density from one position [1/m2].
         """
     @property
     def scanner_reference(self) -> Optional[str]:
-        """What was read: "planner", "survey" or "scene"; a name that is fit
-        for a folder; where the scene, the platform and the scanner come
-        from, file.xml#id. The scene's is empty where the file is a mesh.
+        """Get the type of file: "planner", "survey" or "scene"; a name
+        valid for a folder; the sources of scene, platform and scanner,
+        file.xml#id. That of the scene is empty if the file is a mesh.
         """
     @property
     def scene_reference(self) -> Optional[str]:
-        """What was read: "planner", "survey" or "scene"; a name that is fit
-        for a folder; where the scene, the platform and the scanner come
-        from, file.xml#id. The scene's is empty where the file is a mesh.
+        """Get the type of file: "planner", "survey" or "scene"; a name
+        valid for a folder; the sources of scene, platform and scanner,
+        file.xml#id. That of the scene is empty if the file is a mesh.
         """
     @property
     def test_lines(self) -> Optional[str]:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def test_point_step(self) -> float:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def time_limit(self) -> float:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     @property
     def use_areas(self) -> bool:
-        """How positions are chosen: the method (reduce, bestcoverage,
-        greedy, best, optimal; empty where no was read), for reduce
-        viewshedSize or meanIncidenceAngle, and whether the largest go
-        first; the coverage that is wanted [%], of coverable or of all
-        points; whether these count by their areas; the overlap of scans
-        [0..1]; how long a search may take [s].
+        """Get how positions are selected: the method (reduce, bestcoverage,
+        greedy, best, optimal; empty without a ); for reduce,
+        viewshedSize or meanIncidenceAngle, and whether the largest are
+        removed first; the required coverage [%], of coverable or of all
+        points; whether points are weighted by area; the scan overlap
+        [0..1]; the time limit of a search [s].
         """
     use_scanner_limits: bool
-    """Set/Get whether limits of range and elevation that the file does
-    not give are those of the scanner, whatever the file says.
-    Default: off, as the file says.
+    """Set/Get whether range and elevation limits that the file does not
+    give are those of the scanner, whatever the file says. Default:
+    off, as in the file.
     """
     @property
     def x_step(self) -> float:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     @property
     def y_step(self) -> float:
-        """Where candidates and test points are: their distances along x and
-        y [m], 0 where they are not given; the lines that test points are
-        on: all, vertical or horizontal; the largest slope [deg]; whether
-        enclosed places count; auto, true, false or open, of the ground;
-        how high the instrument is above the place [m].
+        """Get the layout of candidates and test points: the spacing along x
+        and y [m], 0 if not given; the lines with test points: all,
+        vertical or horizontal; the maximum slope [deg]; whether enclosed
+        places are candidates; ground only: auto, true, false or open;
+        the height of the instrument above the position [m].
         """
     def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., keep_grids: bool = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_scanner_limits: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -3422,7 +3416,7 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     def UseScannerLimitsOn(self) -> None: ...
 
 class vtkHeliosPlatform(vtkPolyDataAlgorithm):
-    """vtkHeliosPlatform - how a platform moves: waypoints in, trajectory out"""
+    """vtkHeliosPlatform - platform motion: waypoints in, trajectory out"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -3480,12 +3474,12 @@ class vtkHeliosPlatform(vtkPolyDataAlgorithm):
     def SetStartTime(self, _arg: float) -> None: ...
 
 class vtkHeliosPlatformNoise(vtkObject):
-    """vtkHeliosPlatformNoise - how a platform shakes about its trajectory"""
+    """vtkHeliosPlatformNoise - position and attitude noise of a platform about its trajectory"""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     mode: Union[Literal["motion", "navigation_error"], int]
-    """Set/Get what the noise is. Default: MOTION, as in HELIOS."""
+    """Set/Get the meaning of the noise. Default: MOTION, as in HELIOS."""
     def __init__(self, *, mode: Union[Literal["motion", "navigation_error"], int] = ...) -> None: ...
     def GetLifespan(self, component: int) -> int: ...
     def GetMode(self) -> int: ...
@@ -3514,7 +3508,7 @@ class vtkHeliosPlatformNoise(vtkObject):
     def SetUniform(self, component: int, minimum: float, maximum: float) -> None: ...
 
 class vtkHeliosPointTextWriter(vtkHeliosStreamWriter):
-    """vtkHeliosPointTextWriter - echoes in HELIOS text columns"""
+    """vtkHeliosPointTextWriter - write echoes in HELIOS text columns"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -3528,14 +3522,14 @@ class vtkHeliosPointTextWriter(vtkHeliosStreamWriter):
     def Write(self, block: vtkDataObject) -> bool: ...
 
 class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
-    """vtkHeliosPointVoxelizer - points to solid cells"""
+    """vtkHeliosPointVoxelizer - converts points to solid voxels"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     default_normal: Sequence[float]
-    """Set/Get the normal of cells that have none; of any length, 0 0 0:
+    """Set/Get the normal of cells without one; of any length, 0 0 0:
     the normal of the faces. Valid range: finite. Default: 0 0 0.
     """
     @property
@@ -3547,54 +3541,56 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     """Set/Get whether the normal of a cell is that of the plane fitted
     to its points (least squares of distances; upwards) instead of
     the points' own. Cells with fewer than three points, or with
-    points on a line, have none. Default: off.
+    collinear points, have none. Default: off.
     """
     generate_voxel_ids: bool
-    """Set/Get whether triangles carry the number of their cell.
-    Default: off.
+    """Set/Get whether triangles carry the id of their cell. Default:
+    off.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_number_of_cells: int
-    """Set/Get how many cells there may be: a guard of memory, of which
-    a cell takes some 250 bytes in a surface and 500 alone. Valid
-    range: [1, 4e9]. Default: 20000000.
+    """Set/Get the maximum number of cells, a memory limit: a cell takes
+    about 250 bytes in a surface and 500 alone. Valid range: [1,
+    4e9]. Default: 20000000.
     """
     minimum_number_of_points: int
-    """Set/Get how many points a solid cell has at least; more than one
-    leaves out lone points, which are often noise. Valid range: [1,
-    1000000]. Default: 1.
+    """Set/Get the minimum number of points of a solid cell; more than
+    one removes isolated points, which are often noise. Valid range:
+    [1, 1000000]. Default: 1.
     """
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
     number_of_materials: int
-    """Set/Get the number of materials that cells take in turn. Valid
+    """Set/Get the number of materials, assigned to cells in turn. Valid
     range: [1, 1000000]. Default: 1.
     """
     @property
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
     number_of_pieces: int
-    """Set/Get how many pieces a source that can is asked for, or how
-    many points a piece has about, if the number of pieces is 0.
-    Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
+    """Set/Get the number of pieces requested from a source that
+    supports pieces, or the approximate number of points per piece if
+    it is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0;
+    1000000.
     """
     @property
     def number_of_points(self) -> int:
-        """Get how many points the last update took in, and how many solid
-        cells came of them.
+        """Get the number of input points and of solid cells of the last
+        update.
         """
     @property
     def number_of_voxels(self) -> int:
-        """Get how many points the last update took in, and how many solid
-        cells came of them.
+        """Get the number of input points and of solid cells of the last
+        update.
         """
     points_per_piece: int
-    """Set/Get how many pieces a source that can is asked for, or how
-    many points a piece has about, if the number of pieces is 0.
-    Valid range: [0, 1000000]; [1000, 1e9]. Default: 0; 1000000.
+    """Set/Get the number of pieces requested from a source that
+    supports pieces, or the approximate number of points per piece if
+    it is 0. Valid range: [0, 1000000]; [1000, 1e9]. Default: 0;
+    1000000.
     """
     @property
     def progress(self) -> float:
@@ -3610,12 +3606,12 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     """
     snap_neighbor_normal: bool
     """Set/Get whether the normal of a cell is that of the point nearest
-    to its centre, not the mean of all. Does not matter with
-    EstimateNormals. Default: off.
+    to its centre, not the mean of all. Ignored with EstimateNormals.
+    Default: off.
     """
     voxel_size: float
-    """Set/Get the edge of a cell [m]. Valid range: greater than 0.
-    Default: 1.
+    """Set/Get the cell size [m]. Valid range: greater than 0. Default:
+    1.
     """
     def __init__(self, *, abort_execute: int = ..., default_normal: Sequence[float] = ..., estimate_normals: bool = ..., generate_voxel_ids: bool = ..., maximum_number_of_cells: int = ..., minimum_number_of_points: int = ..., number_of_materials: int = ..., number_of_pieces: int = ..., points_per_piece: int = ..., progress_text: Optional[str] = ..., snap_neighbor_normal: bool = ..., voxel_size: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -3676,7 +3672,7 @@ class vtkHeliosPointVoxelizer(vtkPolyDataAlgorithm):
     def SnapNeighborNormalOn(self) -> None: ...
 
 class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
-    """vtkHeliosPointXMLReader - points from VTP files, one or pieces, damaged ones among them"""
+    """vtkHeliosPointXMLReader - read points from VTP files with validation, single or as pieces"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -3688,7 +3684,7 @@ class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to read. No default: an error without."""
+    """Set/Get the file to read. Required."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -3700,8 +3696,8 @@ class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pieces(self) -> int:
-        """Get the number of pieces that the file has, after
-        UpdateInformation(): 1 for a .vtp.
+        """Get the number of pieces of the file, after UpdateInformation():
+        1 for a .vtp.
         """
     @property
     def number_of_points(self) -> int:
@@ -3742,7 +3738,7 @@ class vtkHeliosPointXMLReader(vtkPolyDataAlgorithm):
     def SetFileName(self, _arg: str) -> None: ...
 
 class vtkHeliosPointXMLWriter(vtkHeliosXMLPieceWriter):
-    """vtkHeliosPointXMLWriter - echoes as VTP pieces under a PVTP"""
+    """vtkHeliosPointXMLWriter - write echoes as VTP pieces with a PVTP index"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -3755,7 +3751,7 @@ class vtkHeliosPointXMLWriter(vtkHeliosXMLPieceWriter):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosPointXMLWriter: ...
 
 class vtkHeliosPulseTextWriter(vtkHeliosStreamWriter):
-    """vtkHeliosPulseTextWriter - pulses in HELIOS text columns"""
+    """vtkHeliosPulseTextWriter - write pulses in HELIOS text columns"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -3774,10 +3770,10 @@ class vtkHeliosRay:
     """
 
 class vtkHeliosRayCaster(vtkObject):
-    """vtkHeliosRayCaster - rays against the triangles of a scene, in batches"""
+    """vtkHeliosRayCaster - intersects batches of rays with the triangles of a scene"""
     @property
     def accelerator_size(self) -> int:
-        """Bytes of the accelerator beyond the scene itself."""
+        """The size of the accelerator in bytes, without the scene."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -3789,7 +3785,7 @@ class vtkHeliosRayCaster(vtkObject):
     @property
     def number_of_backends(self) -> Any:
         """The names of the backends in this process, the default one first:
-        "beam", "embree", "bvh", "cgal", "obbtree" where all are built.
+        "beam", "embree", "bvh", "cgal", "obbtree" if all are built.
         Valid range of an index: [0, number - 1].
         """
     def Build(self, scene: vtkPolyData) -> bool: ...
@@ -3815,7 +3811,7 @@ class vtkHeliosRayCaster(vtkObject):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosRayCaster: ...
 
 class vtkHeliosReproject(vtkPointSetAlgorithm):
-    """vtkHeliosReproject - points from one coordinate system to another"""
+    """vtkHeliosReproject - reprojects points to another coordinate system"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -3851,15 +3847,15 @@ class vtkHeliosReproject(vtkPointSetAlgorithm):
     themselves from inside RequestData().
     """
     source_crs: Optional[str]
-    """Set/Get the coordinate system of the input. Default: none, which
-    means that of the input's field data CRS.
+    """Set/Get the coordinate system of the input. Default: not set,
+    which uses the CRS of the input's field data.
     """
     @property
     def structured_grid_output(self) -> Optional[vtkStructuredGrid]:
         """Get the output as vtkStructuredGrid."""
     target_crs: Optional[str]
-    """Set/Get the coordinate system of the output. Default: none, which
-    is an error.
+    """Set/Get the coordinate system of the output. Default: not set,
+    which is an error.
     """
     @property
     def unstructured_grid_output(self) -> Optional[vtkUnstructuredGrid]:
@@ -3886,7 +3882,7 @@ class vtkHeliosReproject(vtkPointSetAlgorithm):
     def SetTargetCRS(self, _arg: str) -> None: ...
 
 class vtkHeliosReturnSelection(vtkPolyDataAlgorithm):
-    """vtkHeliosReturnSelection - points by their return and class"""
+    """vtkHeliosReturnSelection - selects points by return and class"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -3902,7 +3898,7 @@ class vtkHeliosReturnSelection(vtkPolyDataAlgorithm):
         """Return this object's modified time."""
     @property
     def number_of_classes(self) -> int:
-        """Add a class (ClassificationIds) that passes, or take all out;
+        """Add a class (ClassificationIds) that passes, or remove all;
         without any, all pass. Valid range: any integer. Default: none.
         """
     @property
@@ -3924,11 +3920,11 @@ class vtkHeliosReturnSelection(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     return_range: Sequence[int]
-    """Set/Get the least and the greatest ReturnNumber that pass. Valid
+    """Set/Get the minimum and maximum ReturnNumber that pass. Valid
     range: the first not above the second. Default: 0 255: all.
     """
     returns: Union[Literal["all", "first", "intermediate", "last", "only"], int]
-    """Set/Get which echoes of a pulse pass. Valid range: ReturnKinds.
+    """Set/Get which returns of a pulse pass. Valid range: ReturnKinds.
     Default: AllReturns.
     """
     def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., return_range: Sequence[int] = ..., returns: Union[Literal["all", "first", "intermediate", "last", "only"], int] = ...) -> None: ...
@@ -3967,14 +3963,15 @@ class vtkHeliosReturnSelection(vtkPolyDataAlgorithm):
     def SetReturnsToOnly(self) -> None: ...
 
 class vtkHeliosRisleyPrisms(vtkHeliosBeamDeflector):
-    """vtkHeliosRisleyPrisms - wedge prisms that turn one behind the other: rosettes"""
+    """vtkHeliosRisleyPrisms - rotating wedge prisms in series: rosettes"""
     air_refractive_index: float
     """Set/Get the index of refraction around the prisms. Valid range:
     [1, 10]. Default: 1.
     """
     incident_beam: Sequence[float]
-    """Set/Get where the beam goes before the first prism; normalised.
-    An error where it does not go forward (y > 0). Default: 0, 1, 0.
+    """Set/Get the beam direction before the first prism; normalised. A
+    direction that does not point forward (y > 0) is an error.
+    Default: 0, 1, 0.
     """
     def __init__(self, *, air_refractive_index: float = ..., incident_beam: Sequence[float] = ..., pulse_frequency: float = ..., warm_up_time: float = ...) -> None: ...
     def GetAirRefractiveIndex(self) -> float: ...
@@ -4004,21 +4001,20 @@ class vtkHeliosRisleyPrisms(vtkHeliosBeamDeflector):
 class vtkHeliosRotatingMirror(vtkHeliosBeamDeflector):
     """vtkHeliosRotatingMirror - a polygon mirror: lines in one direction"""
     mirror_angle: float
-    """Set/Get half the angle that a facet sweeps [deg]: 180 for one
-    facet at 45 degrees to the shaft. Valid range: (0, 360]. Default:
-    180.
+    """Set/Get half the angle swept by a facet [deg]: 180 for one facet
+    at 45 degrees to the shaft. Valid range: (0, 360]. Default: 180.
     """
     scan_frequency: float
-    """Set/Get the lines scanned a second [Hz]. Valid range: [0, 1e6].
-    Default: 100.
+    """Set/Get the number of lines per second [Hz]. Valid range: [0,
+    1e6]. Default: 100.
     """
     vertical_angle_max: float
-    """Set/Get the window that pulses leave through [deg]. Valid range:
-    [-360, 360]. Default: -180 and 180.
+    """Set/Get the window in which pulses are emitted [deg]. Valid
+    range: [-360, 360]. Default: -180 and 180.
     """
     vertical_angle_min: float
-    """Set/Get the window that pulses leave through [deg]. Valid range:
-    [-360, 360]. Default: -180 and 180.
+    """Set/Get the window in which pulses are emitted [deg]. Valid
+    range: [-360, 360]. Default: -180 and 180.
     """
     def __init__(self, *, mirror_angle: float = ..., pulse_frequency: float = ..., scan_frequency: float = ..., vertical_angle_max: float = ..., vertical_angle_min: float = ..., warm_up_time: float = ...) -> None: ...
     def GetDirection(self, pulse: int, direction: MutableSequence[float]) -> bool: ...
@@ -4050,7 +4046,7 @@ class vtkHeliosRotatingMirror(vtkHeliosBeamDeflector):
     def SetVerticalAngleMin(self, _arg: float) -> None: ...
 
 class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
-    """vtkHeliosScanPositionCandidates - places of a scene where a scanner could stand"""
+    """vtkHeliosScanPositionCandidates - candidate scan positions on the surfaces of a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -4065,18 +4061,16 @@ class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_slope: float
-    """Set/Get the largest angle of the surface from the horizontal
-    [deg], which still counts. Valid range: [0, 90]. Default: 15.
+    """Set/Get the largest allowed angle of the surface from the
+    horizontal [deg]. Valid range: [0, 90]. Default: 15.
     """
     memory_limit: float
-    """Set/Get the memory that the places of the grid may take [MiB].
+    """Set/Get the limit for the memory of the grid positions [MiB].
     Valid range: [1, 1e9]. Default: 2048.
     """
     @property
     def number_of_enclosed(self) -> int:
-        """Get how many places the last update left out because they are
-        closed all around.
-        """
+        """Get the number of enclosed positions left out in the last update."""
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
@@ -4096,27 +4090,27 @@ class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     region: Sequence[float]
-    """Set/Get where candidates may be: x from, x to, y from, y to [m].
+    """Set/Get the region of candidates: x min, x max, y min, y max [m].
     The grid starts half a step inside. Default: NaN for each, the
     scene's bounds.
     """
     scanner_height: float
-    """Set/Get how high the instrument stands above the surface [m].
-    Valid range: [1e-6, 1e4]. Default: 1.5.
+    """Set/Get the height of the instrument above the surface [m]. Valid
+    range: [1e-6, 1e4]. Default: 1.5.
     """
     skip_enclosed: bool
-    """Set/Get whether places that are closed all around are left out
-    where there are open ones. Default: on.
+    """Set/Get whether enclosed positions are left out if there are open
+    ones. Default: on.
     """
     surface: Union[Literal["automatic", "ground", "highest", "open_ground"], int]
-    """Set/Get what a scanner may stand on. Default: AUTOMATIC."""
+    """Set/Get the surfaces for scan positions. Default: AUTOMATIC."""
     x_step: float
-    """Set/Get the distance of candidates along x and y [m]. Valid
-    range: [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
+    """Set/Get the spacing of candidates along x and y [m]. Valid range:
+    [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
     y_step: float
-    """Set/Get the distance of candidates along x and y [m]. Valid
-    range: [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
+    """Set/Get the spacing of candidates along x and y [m]. Valid range:
+    [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
     def __init__(self, *, abort_execute: int = ..., maximum_slope: float = ..., memory_limit: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., scanner_height: float = ..., skip_enclosed: bool = ..., surface: Union[Literal["automatic", "ground", "highest", "open_ground"], int] = ..., x_step: float = ..., y_step: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -4175,7 +4169,7 @@ class vtkHeliosScanPositionCandidates(vtkPolyDataAlgorithm):
     def SkipEnclosedOn(self) -> None: ...
 
 class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
-    """vtkHeliosScanPositionPlanner - which candidates to scan from"""
+    """vtkHeliosScanPositionPlanner - selects scan positions among candidates"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -4183,25 +4177,25 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     """
     @property
     def best_bound(self) -> int:
-        """Get, of the last update: a lower bound of the number of scans,
+        """Get, for the last update: a lower bound on the number of scans,
         that of the linear relaxation or a valid one below it; the best
-        bound known in whole scans; by how much the plan is above that [%
-        of the plan]; and whether it is proved to have the fewest scans.
+        known bound in whole scans; the gap of the plan to it [% of the
+        plan]; and whether the plan is proved to have the fewest scans.
         """
     @property
     def coverable_coverage(self) -> float:
-        """Get, of the last update: the candidates selected; the test points
-        these see, and those that some candidate sees; the first as a
-        share of all and of the second [%], by area with UseAreas.
+        """Get, for the last update: the candidates selected; the test
+        points these see, and those that some candidate sees; the first
+        as a share of all and of the second [%], by area with UseAreas.
         """
     @property
     def coverage(self) -> float:
-        """Get, of the last update: the candidates selected; the test points
-        these see, and those that some candidate sees; the first as a
-        share of all and of the second [%], by area with UseAreas.
+        """Get, for the last update: the candidates selected; the test
+        points these see, and those that some candidate sees; the first
+        as a share of all and of the second [%], by area with UseAreas.
         """
     coverage_of: Union[Literal["all", "coverable"], int]
-    """Set/Get what MinimumCoverage is a share of: the test points that
+    """Set/Get the reference of MinimumCoverage: the test points that
     some candidate sees, or all. Default: COVERABLE.
     """
     @property
@@ -4211,73 +4205,73 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
         """
     @property
     def gap(self) -> float:
-        """Get, of the last update: a lower bound of the number of scans,
+        """Get, for the last update: a lower bound on the number of scans,
         that of the linear relaxation or a valid one below it; the best
-        bound known in whole scans; by how much the plan is above that [%
-        of the plan]; and whether it is proved to have the fewest scans.
+        known bound in whole scans; the gap of the plan to it [% of the
+        plan]; and whether the plan is proved to have the fewest scans.
         """
     @property
     def is_mean_proved_optimal(self) -> bool:
-        """Get, of the last update: the largest and the mean of
-        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of so
+        """Get, for the last update: the largest and the mean of
+        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of as
         many scans has a smaller largest one, and none of these a smaller
         mean.
         """
     @property
     def is_proved_optimal(self) -> bool:
-        """Get, of the last update: a lower bound of the number of scans,
+        """Get, for the last update: a lower bound on the number of scans,
         that of the linear relaxation or a valid one below it; the best
-        bound known in whole scans; by how much the plan is above that [%
-        of the plan]; and whether it is proved to have the fewest scans.
+        known bound in whole scans; the gap of the plan to it [% of the
+        plan]; and whether the plan is proved to have the fewest scans.
         """
     @property
     def is_worst_proved_optimal(self) -> bool:
-        """Get, of the last update: the largest and the mean of
-        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of so
+        """Get, for the last update: the largest and the mean of
+        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of as
         many scans has a smaller largest one, and none of these a smaller
         mean.
         """
     @property
     def lower_bound(self) -> float:
-        """Get, of the last update: a lower bound of the number of scans,
+        """Get, for the last update: a lower bound on the number of scans,
         that of the linear relaxation or a valid one below it; the best
-        bound known in whole scans; by how much the plan is above that [%
-        of the plan]; and whether it is proved to have the fewest scans.
+        known bound in whole scans; the gap of the plan to it [% of the
+        plan]; and whether the plan is proved to have the fewest scans.
         """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def mean_best_incidence_angle(self) -> float:
-        """Get, of the last update: the largest and the mean of
-        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of so
+        """Get, for the last update: the largest and the mean of
+        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of as
         many scans has a smaller largest one, and none of these a smaller
         mean.
         """
     method: Union[Literal["best", "greedy", "mean_incidence_angle", "optimal", "viewshed_size"], int]
-    """Set/Get how candidates are chosen. Default: BEST."""
+    """Set/Get the selection method. Default: BEST."""
     minimum_coverage: float
-    """Set/Get the share of CoverageOf that is to be seen [%]. Valid
-    range: [1e-6, 100]. Default: 100.
+    """Set/Get the required share of CoverageOf [%]. Valid range: [1e-6,
+    100]. Default: 100.
     """
     minimum_overlap: float
-    """Set/Get the overlap of neighbouring scans, so that they can be
-    registered: two are neighbours where the test points both see are
-    at least this share of the smaller viewshed, and the selected
-    ones are a connected network of neighbours. Valid range: [0,
-    0.999]. Default: 0, none is asked.
+    """Set/Get the overlap of neighbouring scans for registration: two
+    are neighbours if the test points seen by both are at least this
+    share of the smaller viewshed, and the selected ones are a
+    connected network of neighbours. Valid range: [0, 0.999].
+    Default: 0, not required.
     """
     @property
     def number_coverable(self) -> int:
-        """Get, of the last update: the candidates selected; the test points
-        these see, and those that some candidate sees; the first as a
-        share of all and of the second [%], by area with UseAreas.
+        """Get, for the last update: the candidates selected; the test
+        points these see, and those that some candidate sees; the first
+        as a share of all and of the second [%], by area with UseAreas.
         """
     @property
     def number_covered(self) -> int:
-        """Get, of the last update: the candidates selected; the test points
-        these see, and those that some candidate sees; the first as a
-        share of all and of the second [%], by area with UseAreas.
+        """Get, for the last update: the candidates selected; the test
+        points these see, and those that some candidate sees; the first
+        as a share of all and of the second [%], by area with UseAreas.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -4287,13 +4281,13 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_selected(self) -> int:
-        """Get, of the last update: the candidates selected; the test points
-        these see, and those that some candidate sees; the first as a
-        share of all and of the second [%], by area with UseAreas.
+        """Get, for the last update: the candidates selected; the test
+        points these see, and those that some candidate sees; the first
+        as a share of all and of the second [%], by area with UseAreas.
         """
     number_of_starts: int
-    """Set/Get how many local searches BEST makes. Their random numbers
-    are counter-based: results do not depend on the number of
+    """Set/Get the number of local searches of BEST. Their random
+    numbers are counter-based: results do not depend on the number of
     threads. Valid range: [1, 1000]. Default: 4.
     """
     @property
@@ -4310,22 +4304,22 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     """
     removal_order: Union[Literal["ascending", "descending"], int]
     """Set/Get whether the paper's methods remove the smallest key
-    first, as the paper does, or the largest. Default: ASCENDING.
+    first, as in the paper, or the largest. Default: ASCENDING.
     """
     time_limit: float
-    """Set/Get how long OPTIMAL may take for its proofs [s], on the
-    clock of the wall however busy the machine is; what it takes from
-    BEST is not cut short. Valid range: [0, 1e6]. Default: 300.
+    """Set/Get the wall time limit of the proofs of OPTIMAL [s]; the
+    part taken from BEST is not limited. Valid range: [0, 1e6].
+    Default: 300.
     """
     use_areas: bool
-    """Set/Get whether test points count by the array Area in coverage,
-    the order of viewsheds, gains, overlap and mean angles, instead
-    of one each. Default: off.
+    """Set/Get whether test points are weighted by the array Area in
+    coverage, viewshed order, gains, overlap and mean angles, instead
+    of 1 each. Default: off.
     """
     @property
     def worst_incidence_angle(self) -> float:
-        """Get, of the last update: the largest and the mean of
-        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of so
+        """Get, for the last update: the largest and the mean of
+        BestIncidenceAngle [deg] (NaN: no normals); whether no plan of as
         many scans has a smaller largest one, and none of these a smaller
         mean.
         """
@@ -4403,20 +4397,20 @@ class vtkHeliosScanPositionPlanner(vtkPolyDataAlgorithm):
     def UseAreasOn(self) -> None: ...
 
 class vtkHeliosScanner(vtkHeliosInstrument):
-    """vtkHeliosScanner - fires the pulses of one leg through a scene and detects the echoes"""
+    """vtkHeliosScanner - emits the pulses of one leg into a scene and detects the echoes"""
     beam_deflector: Optional[vtkHeliosBeamDeflector]
-    """Set/Get where pulses leave, and how often. No default: an error
-    without.
+    """Set/Get the deflector: pulse directions and frequency. No
+    default: an error if not set.
     """
     beam_orientation: Sequence[float]
-    """Set/Get where the beam leaves, in the frame of the rotating head:
+    """Set/Get the beam origin, in the frame of the rotating head:
     position [m] and attitude (unit quaternion w, x, y, z). Default:
-    at the origin, upright.
+    at the origin, vertical.
     """
     beam_origin: Sequence[float]
-    """Set/Get where the beam leaves, in the frame of the rotating head:
+    """Set/Get the beam origin, in the frame of the rotating head:
     position [m] and attitude (unit quaternion w, x, y, z). Default:
-    at the origin, upright.
+    at the origin, vertical.
     """
     beam_sampler: Optional[vtkHeliosBeamSampler]
     """Set/Get the sub-rays of a pulse. Default: a vtkHeliosBeamSampler,
@@ -4427,191 +4421,179 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     the outputs carry. Default: 0.
     """
     duration: float
-    """Set/Get how long pulses are fired [s]; negative: on a platform
-    that stands until the head has turned, else until the trajectory
+    """Set/Get the duration of the scan [s]; negative: on a static
+    platform until the head rotation ends, else until the trajectory
     ends. Valid range: [-1, 1e12]. Default: -1.
     """
     echo_detector: Optional[vtkHeliosEchoDetector]
-    """Set/Get what makes echoes of waveforms. Default: a
-    vtkHeliosPeakDetector.
-    """
+    """Set/Get the echo detector. Default: a vtkHeliosPeakDetector."""
     energy_tolerance: float
-    """Set/Get the errors that the sampling may make, as root mean
-    squares over the echoes of a scene: in range [m], and in
-    amplitude as a share of what the pulse returns in all. Valid
-    range: [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
+    """Set/Get the sampling errors allowed, as root mean squares over
+    the echoes of a scene: in range [m], and in amplitude as a
+    fraction of the total signal of the pulse. Valid range: [1e-6, 1]
+    and [1e-4, 1]. Default: 0.001 and 0.01.
     """
     error_model: Optional[vtkHeliosErrorModel]
-    """Set/Get what the instrument gets wrong in a way that can be
-    written down. Default: none, no error.
+    """Set/Get the systematic errors of the instrument. Default: not
+    set, no error.
     """
     first_pulse_id: int
     """Set/Get the id of pulse 0, and the ids of leg and channel that
     the outputs carry. Default: 0.
     """
     generate_pulses: bool
-    """Set/Get which outputs are computed beside the echoes. Default:
+    """Set/Get the outputs computed in addition to the echoes. Default:
     off.
     """
     generate_sub_rays: bool
-    """Set/Get which outputs are computed beside the echoes. Default:
+    """Set/Get the outputs computed in addition to the echoes. Default:
     off.
     """
     generate_truth: bool
-    """Set/Get whether the echoes carry TruePoint, where the light came
-    from without any error of the instrument, and Normal, of the
-    surface there. Default: off.
+    """Set/Get whether the echoes have TruePoint, the point hit, without
+    any instrument error, and Normal, of the surface there. Default:
+    off.
     """
     generate_waveforms: bool
-    """Set/Get which outputs are computed beside the echoes. Default:
+    """Set/Get the outputs computed in addition to the echoes. Default:
     off.
     """
     head_rotate_axis: Sequence[float]
-    """Set/Get the axis that the head turns about, in the frame of the
-    mount. Default: 0, 0, 1.
+    """Set/Get the axis of the head rotation, in the frame of the mount.
+    Default: 0, 0, 1.
     """
     head_rotate_speed: float
-    """Set/Get the turn of the head: from HeadRotateStart to
-    HeadRotateStop [deg] at HeadRotateSpeed [deg/s] (negative: the
-    other way round). On a platform that stands, the scan ends with
-    it. Valid range: [-1e6, 1e6]. Default: 0.
+    """Set/Get the head rotation: from HeadRotateStart to HeadRotateStop
+    [deg] at HeadRotateSpeed [deg/s] (negative: reversed). On a
+    static platform the scan ends with it. Valid range: [-1e6, 1e6].
+    Default: 0.
     """
     head_rotate_start: float
-    """Set/Get the turn of the head: from HeadRotateStart to
-    HeadRotateStop [deg] at HeadRotateSpeed [deg/s] (negative: the
-    other way round). On a platform that stands, the scan ends with
-    it. Valid range: [-1e6, 1e6]. Default: 0.
+    """Set/Get the head rotation: from HeadRotateStart to HeadRotateStop
+    [deg] at HeadRotateSpeed [deg/s] (negative: reversed). On a
+    static platform the scan ends with it. Valid range: [-1e6, 1e6].
+    Default: 0.
     """
     head_rotate_stop: float
-    """Set/Get the turn of the head: from HeadRotateStart to
-    HeadRotateStop [deg] at HeadRotateSpeed [deg/s] (negative: the
-    other way round). On a platform that stands, the scan ends with
-    it. Valid range: [-1e6, 1e6]. Default: 0.
+    """Set/Get the head rotation: from HeadRotateStart to HeadRotateStop
+    [deg] at HeadRotateSpeed [deg/s] (negative: reversed). On a
+    static platform the scan ends with it. Valid range: [-1e6, 1e6].
+    Default: 0.
     """
     @property
     def largest_amplitude(self) -> float:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     leg_id: int
     """Set/Get the id of pulse 0, and the ids of leg and channel that
     the outputs carry. Default: 0.
     """
     mount_orientation: Sequence[float]
-    """Set/Get the scanner on its platform: position [m] and attitude
-    (unit quaternion w, x, y, z) in the body frame. Default: at the
-    origin, upright.
+    """Set/Get the mount of the scanner on its platform: position [m]
+    and attitude (unit quaternion w, x, y, z) in the body frame.
+    Default: at the origin, vertical.
     """
     mount_position: Sequence[float]
-    """Set/Get the scanner on its platform: position [m] and attitude
-    (unit quaternion w, x, y, z) in the body frame. Default: at the
-    origin, upright.
+    """Set/Get the mount of the scanner on its platform: position [m]
+    and attitude (unit quaternion w, x, y, z) in the body frame.
+    Default: at the origin, vertical.
     """
     @property
     def number_of_hits_out_of_range(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_pulses(self) -> int:
-        """The number of pulse indices of the scan (of the windows, where
-        any is set), for the inputs as they are; -1 after an error.
-        Updates the trajectory.
+        """The number of pulse indices of the scan (within the windows, if
+        set), for the current inputs; -1 after an error. Updates the
+        trajectory.
         """
     @property
     def number_of_pulses_binned(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_pulses_fired(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_pulses_hit(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_pulses_on_plane(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_pulses_without_bins(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     @property
     def number_of_sub_rays(self) -> int:
-        """Get the counts of the last update: pulses that left the scanner;
-        pulses with a surface in the measured ranges; of these and others
-        those whose beam met one plane, in closed form, those whose
-        maxima were found by Newton's method, and those that were binned
-        (the rest met nothing); sub-rays traced, and those that met a
-        surface outside the measured ranges; and the largest signal of a
-        pulse [W], detected or not.
+        """Get the counts of the last update: pulses emitted; pulses with a
+        surface in the range gate; pulses with a planar footprint, in
+        closed form, with maxima found by Newton's method, and binned
+        (the others hit nothing); sub-rays traced, and those that hit a
+        surface outside the range gate; and the largest signal of a pulse
+        [W], detected or not.
         """
     platform_noise: Optional[vtkHeliosPlatformNoise]
-    """Set/Get how the platform shakes about its trajectory. Default:
-    none.
+    """Set/Get the noise of the platform about its trajectory. Default:
+    not set.
     """
     pulse_id_stride: int
-    """Set/Get by how much the ids of two pulses in a row differ: the
+    """Set/Get the difference between the ids of consecutive pulses: the
     number of scanners that fire at once and share their ids, each
-    with a FirstPulseId of its own. Valid range: [1, 65536]. Default:
-    1.
+    with its own FirstPulseId. Valid range: [1, 65536]. Default: 1.
     """
     pulse_window: Sequence[int]
-    """Set/Get the part [i0, i1) of the scan's pulse indices that is
-    computed, of those in TimeWindow. Valid range: 0 <= i0 <= i1.
-    Default: all of them.
+    """Set/Get the range [i0, i1) of pulse indices that is computed,
+    within TimeWindow. Valid range: 0 <= i0 <= i1. Default: all.
     """
     range_tolerance: float
-    """Set/Get the errors that the sampling may make, as root mean
-    squares over the echoes of a scene: in range [m], and in
-    amplitude as a share of what the pulse returns in all. Valid
-    range: [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
+    """Set/Get the sampling errors allowed, as root mean squares over
+    the echoes of a scene: in range [m], and in amplitude as a
+    fraction of the total signal of the pulse. Valid range: [1e-6, 1]
+    and [1e-4, 1]. Default: 0.001 and 0.01.
     """
     ray_caster: Optional[vtkHeliosRayCaster]
-    """Set/Get how the scene is searched. Default: Embree where it is
-    built, else the own hierarchy.
+    """Set/Get the ray caster. Default: Embree where it is built, else
+    the built-in hierarchy.
     """
     sampling: Union[Literal["fixed", "tolerance"], int]
     """Set/Get how the beam is sampled. Default: TOLERANCE."""
@@ -4625,7 +4607,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     """
     time_window: Sequence[float]
     """Set/Get the part [t0, t1) of the scan that is computed [s].
-    Default: all of it.
+    Default: all.
     """
     def __init__(self, *, abort_execute: int = ..., angle_accuracy: float = ..., atmospheric_extinction: float = ..., atmospheric_visibility: float = ..., average_power: float = ..., beam_deflector: Optional[vtkHeliosBeamDeflector] = ..., beam_orientation: Sequence[float] = ..., beam_origin: Sequence[float] = ..., beam_sampler: Optional[vtkHeliosBeamSampler] = ..., bin_size: float = ..., channel_id: int = ..., detector_noise: float = ..., duration: float = ..., echo_detector: Optional[vtkHeliosEchoDetector] = ..., energy_tolerance: float = ..., error_model: Optional[vtkHeliosErrorModel] = ..., field_of_view: float = ..., filter_bandwidth: float = ..., first_pulse_id: int = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., head_rotate_axis: Sequence[float] = ..., head_rotate_speed: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., leg_id: int = ..., maximum_number_of_returns: int = ..., maximum_waveform_length: float = ..., mount_orientation: Sequence[float] = ..., mount_position: Sequence[float] = ..., number_of_bins: int = ..., optical_efficiency: float = ..., platform_noise: Optional[vtkHeliosPlatformNoise] = ..., progress_text: Optional[str] = ..., pulse_file_name: Optional[str] = ..., pulse_id_stride: int = ..., pulse_length: float = ..., pulse_shape: Union[Literal["gaussian", "helios", "sampled"], int] = ..., pulse_window: Sequence[int] = ..., range_accuracy: float = ..., range_accuracy_at_threshold: float = ..., range_accuracy_per_meter: float = ..., range_max: float = ..., range_min: float = ..., range_tolerance: float = ..., ray_caster: Optional[vtkHeliosRayCaster] = ..., receiver_diameter: float = ..., return_selection: Union[Literal["all", "first", "first_and_last", "last", "strongest"], int] = ..., sampling: Union[Literal["fixed", "tolerance"], int] = ..., seed: int = ..., solar_irradiance: float = ..., start_time: float = ..., time_window: Sequence[float] = ..., wavelength: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -4763,7 +4745,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     def SetTimeWindow(self, _arg: Sequence[float]) -> None: ...
 
 class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
-    """vtkHeliosSceneComposer - parts into one scene"""
+    """vtkHeliosSceneComposer - composes parts into one scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -4815,7 +4797,7 @@ class vtkHeliosSceneComposer(vtkPolyDataAlgorithm):
     def SetPartName(self, part: int, name: str) -> None: ...
 
 class vtkHeliosSceneMotion(vtkPolyDataAlgorithm):
-    """vtkHeliosSceneMotion - a scene whose parts move, at a step or at a time"""
+    """vtkHeliosSceneMotion - a scene with moving parts, at a step or at a time"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -4911,16 +4893,16 @@ class vtkHeliosSceneTransform(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     rotation: Sequence[float]
-    """Set/Get the rotation, a quaternion w, x, y, z; its length does
-    not matter. Valid range: not 0. Default: 1, 0, 0, 0 (none).
+    """Set/Get the rotation, a quaternion w, x, y, z of any length.
+    Valid range: not 0. Default: 1, 0, 0, 0 (none).
     """
     scale: float
-    """Set/Get the factor by which the rotated part is enlarged. Valid
-    range: greater than 0. Default: 1.
+    """Set/Get the scale factor of the rotated part. Valid range:
+    greater than 0. Default: 1.
     """
     translation: Sequence[float]
-    """Set/Get by how much the part is moved, after all [m]. Valid
-    range: finite. Default: 0, 0, 0.
+    """Set/Get the translation, applied last [m]. Valid range: finite.
+    Default: 0, 0, 0.
     """
     def __init__(self, *, abort_execute: int = ..., progress_text: Optional[str] = ..., rotation: Sequence[float] = ..., scale: float = ..., translation: Sequence[float] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -4952,13 +4934,13 @@ class vtkHeliosSceneTransform(vtkPolyDataAlgorithm):
     def SetTranslation(self, _arg: Sequence[float]) -> None: ...
 
 class vtkHeliosSpinningChannels(vtkHeliosBeamDeflector):
-    """vtkHeliosSpinningChannels - many lasers one above the other in a head that spins"""
+    """vtkHeliosSpinningChannels - a stack of lasers in a spinning head"""
     number_of_channels: int
-    """Set/Get the channels n; new ones look to elevation and azimuth 0
-    and fire evenly. Valid range: [1, 100000]. Default: 1.
+    """Set/Get the number of channels n; new channels have elevation and
+    azimuth 0 and fire evenly. Valid range: [1, 100000]. Default: 1.
     """
     scan_frequency: float
-    """Set/Get the revolutions of the head a second [Hz]; negative:
+    """Set/Get the rotation frequency of the head [Hz]; negative:
     clockwise. Valid range: [-1e6, 1e6]. Default: 10.
     """
     def __init__(self, *, number_of_channels: int = ..., pulse_frequency: float = ..., scan_frequency: float = ..., warm_up_time: float = ...) -> None: ...
@@ -4989,10 +4971,10 @@ class vtkHeliosSpinningChannels(vtkHeliosBeamDeflector):
     def SetScanFrequency(self, _arg: float) -> None: ...
 
 class vtkHeliosStaticPlatform(vtkHeliosPlatform):
-    """vtkHeliosStaticPlatform - a platform that stands: a tripod"""
+    """vtkHeliosStaticPlatform - a static platform: a tripod"""
     heading: float
-    """Set/Get where the platform's y axis points, clockwise from north
-    (world y) [deg]. Valid range: [-360, 360]. Default: 0.
+    """Set/Get the heading of the platform's y axis, clockwise from
+    north (world y) [deg]. Valid range: [-360, 360]. Default: 0.
     """
     def __init__(self, *, abort_execute: int = ..., heading: float = ..., progress_text: Optional[str] = ..., start_time: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -5016,32 +4998,32 @@ class vtkHeliosStaticPlatform(vtkHeliosPlatform):
     def SetHeading(self, _arg: float) -> None: ...
 
 class vtkHeliosStreamWriter(vtkObject):
-    """vtkHeliosStreamWriter - writes a run block by block"""
+    """vtkHeliosStreamWriter - write a run block by block"""
     count_only: bool
-    """Set/Get whether blocks are formatted and counted, and nothing is
-    written: no file, no folder. As Open() takes it. Default: off.
+    """Set/Get whether blocks are only formatted and counted, without
+    creating a file or folder. Applied by Open(). Default: off.
     """
     file_name: Optional[str]
-    """Set/Get the name of the finished file, as Open() takes it. No
-    default: an error without.
+    """Set/Get the name of the finished file, applied by Open().
+    Required.
     """
     @property
     def file_size(self) -> int:
-        """Get what whole blocks were written since Open(): records, bytes
-        in all files, and the size of the file that is open [bytes].
+        """Get the amount of complete blocks written since Open(): records,
+        bytes in all files, and the size of the open file [bytes].
         """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def number_of_bytes(self) -> int:
-        """Get what whole blocks were written since Open(): records, bytes
-        in all files, and the size of the file that is open [bytes].
+        """Get the amount of complete blocks written since Open(): records,
+        bytes in all files, and the size of the open file [bytes].
         """
     @property
     def number_of_records(self) -> int:
-        """Get what whole blocks were written since Open(): records, bytes
-        in all files, and the size of the file that is open [bytes].
+        """Get the amount of complete blocks written since Open(): records,
+        bytes in all files, and the size of the open file [bytes].
         """
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def Abandon(self) -> bool: ...
@@ -5078,40 +5060,32 @@ class vtkHeliosSurvey(vtkObject):
         """Return this object's modified time."""
     @property
     def name(self) -> Optional[str]:
-        """The name of the survey, which its output folder gets, too."""
+        """The name of the survey, also that of its output folder."""
     @property
     def number_of_legs(self) -> int:
-        """The number of legs, the inactive ones included."""
+        """The number of legs, including inactive ones."""
     @property
     def number_of_parts(self) -> int:
-        """The parts of the scene; a part's name is empty where there is no
-        such part.
+        """The parts of the scene; the name is empty if the part does not
+        exist.
         """
     @property
     def number_of_plays(self) -> int:
-        """How often the survey is played: more than once where parts of its
-        scene are swapped. vtkHeliosSurveyPlayer runs one play at a time.
+        """The number of epochs: more than one if parts of the scene are
+        swapped. vtkHeliosSurveyPlayer runs one epoch at a time.
         """
     @property
     def platform_name(self) -> Optional[str]:
-        """The names of what the survey uses; where there are several, with
-        commas between them.
-        """
+        """The names of what the survey uses, separated by commas."""
     @property
     def scanner_name(self) -> Optional[str]:
-        """The names of what the survey uses; where there are several, with
-        commas between them.
-        """
+        """The names of what the survey uses, separated by commas."""
     @property
     def scene_name(self) -> Optional[str]:
-        """The names of what the survey uses; where there are several, with
-        commas between them.
-        """
+        """The names of what the survey uses, separated by commas."""
     @property
     def seed(self) -> int:
-        """The key of random numbers that the survey asks for; -1: it asks
-        for none.
-        """
+        """The seed of the survey; -1: none."""
     def GetLegPosition(self, leg: int, position: MutableSequence[float]) -> None: ...
     def GetLegPulseFrequency(self, leg: int) -> float: ...
     def GetLegScanFrequency(self, leg: int) -> float: ...
@@ -5141,202 +5115,196 @@ class vtkHeliosSurveyPlayer(vtkObject):
     """vtkHeliosSurveyPlayer - runs the legs of a survey and writes what the scanner records"""
     bytes_to_check: int
     """Set/Get how many bytes of the earlier run's newest blocks Resume
-    compares with their checksums in the journal before it goes on;
-    the sizes of all files are always compared. Valid range: [0,
-    VTK_ID_MAX], the latter: all. Default: 2^30.
+    compares with their checksums in the journal; the sizes of all
+    files are always compared. Valid range: [0, VTK_ID_MAX], the
+    latter: all. Default: 2^30.
     """
     @property
     def current_leg(self) -> int:
-        """How far the run is: the share of its pulses, in [0, 1]; the leg
-        at work, and how many legs the survey has; what it does, or how
-        it ended, in words.
+        """Get the fraction of pulses done, in [0, 1]; the current leg and
+        the number of legs; the current step, or the result of the run,
+        as text.
         """
     echo_detector: Optional[str]
-    """Set/Get what makes echoes of waveforms: "peak", "gaussian", "cfd"
-    or "leadingEdge". Default: none, as the survey says.
+    """Set/Get the echo detector for waveforms: "peak", "gaussian",
+    "cfd" or "leadingEdge". Default: none, as in the survey.
     """
     energy_tolerance: float
-    """Set/Get the errors that the sampling of the beam may make, in
-    range [m] and in amplitude (relative): as vtkHeliosScanner has
-    them, instead of what the survey says. Valid range: 0 or [1e-6,
-    1], 0 or [1e-4, 1]. Default: 0, as the survey says.
+    """Set/Get the tolerances of beam sampling, in range [m] and in
+    amplitude (relative), as in vtkHeliosScanner; they override the
+    survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0,
+    as in the survey.
     """
     format: Optional[str]
-    """Set/Get the form of the files: "xyz", text columns; "las", points
-    as LAS 1.4 (vtkHeliosLASWriter) and the rest as text; or "vtp",
-    VTK XML. Default: "xyz".
+    """Set/Get the file format: "xyz", text columns; "las", points as
+    LAS 1.4 (vtkHeliosLASWriter) and the rest as text; or "vtp", VTK
+    XML. Default: "xyz".
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     @property
     def message(self) -> Optional[str]:
-        """How far the run is: the share of its pulses, in [0, 1]; the leg
-        at work, and how many legs the survey has; what it does, or how
-        it ended, in words.
+        """Get the fraction of pulses done, in [0, 1]; the current leg and
+        the number of legs; the current step, or the result of the run,
+        as text.
         """
     noise: bool
-    """Set/Get whether ranges have the noise of the scanner. Default:
-    on.
-    """
+    """Set/Get whether ranges have the scanner's noise. Default: on."""
     @property
     def number_of_echoes(self) -> int:
-        """The pulse indices of the run, known once the scene is loaded; how
-        many of them are done; the pulses among those that left the
-        scanner; the points, and the first returns among them, that are
+        """Get the number of pulse indices of the run, known once the scene
+        is loaded; how many of them are done; how many of these pulses
+        were emitted; the points, and the first returns among them,
         written.
         """
     @property
     def number_of_first_returns(self) -> int:
-        """The pulse indices of the run, known once the scene is loaded; how
-        many of them are done; the pulses among those that left the
-        scanner; the points, and the first returns among them, that are
+        """Get the number of pulse indices of the run, known once the scene
+        is loaded; how many of them are done; how many of these pulses
+        were emitted; the points, and the first returns among them,
         written.
         """
     @property
     def number_of_legs(self) -> int:
-        """How far the run is: the share of its pulses, in [0, 1]; the leg
-        at work, and how many legs the survey has; what it does, or how
-        it ended, in words.
+        """Get the fraction of pulses done, in [0, 1]; the current leg and
+        the number of legs; the current step, or the result of the run,
+        as text.
         """
     @property
     def number_of_pulses(self) -> int:
-        """The pulse indices of the run, known once the scene is loaded; how
-        many of them are done; the pulses among those that left the
-        scanner; the points, and the first returns among them, that are
+        """Get the number of pulse indices of the run, known once the scene
+        is loaded; how many of them are done; how many of these pulses
+        were emitted; the points, and the first returns among them,
         written.
         """
     @property
     def number_of_pulses_binned(self) -> int:
-        """Which way the pulses went that left the scanner: they met one
-        plane, which is written down in closed form; their maxima were
-        found without bins; they were binned; the rest met nothing. The
-        sub-rays traced for all of them. What the sampling came to, in
-        words.
+        """Get how many emitted pulses had a planar footprint, evaluated in
+        closed form; had maxima found without bins; were binned (the rest
+        hit nothing). Get the number of sub-rays traced, and a
+        description of the sampling as text.
         """
     @property
     def number_of_pulses_done(self) -> int:
-        """The pulse indices of the run, known once the scene is loaded; how
-        many of them are done; the pulses among those that left the
-        scanner; the points, and the first returns among them, that are
+        """Get the number of pulse indices of the run, known once the scene
+        is loaded; how many of them are done; how many of these pulses
+        were emitted; the points, and the first returns among them,
         written.
         """
     @property
     def number_of_pulses_fired(self) -> int:
-        """The pulse indices of the run, known once the scene is loaded; how
-        many of them are done; the pulses among those that left the
-        scanner; the points, and the first returns among them, that are
+        """Get the number of pulse indices of the run, known once the scene
+        is loaded; how many of them are done; how many of these pulses
+        were emitted; the points, and the first returns among them,
         written.
         """
     @property
     def number_of_pulses_on_plane(self) -> int:
-        """Which way the pulses went that left the scanner: they met one
-        plane, which is written down in closed form; their maxima were
-        found without bins; they were binned; the rest met nothing. The
-        sub-rays traced for all of them. What the sampling came to, in
-        words.
+        """Get how many emitted pulses had a planar footprint, evaluated in
+        closed form; had maxima found without bins; were binned (the rest
+        hit nothing). Get the number of sub-rays traced, and a
+        description of the sampling as text.
         """
     @property
     def number_of_pulses_without_bins(self) -> int:
-        """Which way the pulses went that left the scanner: they met one
-        plane, which is written down in closed form; their maxima were
-        found without bins; they were binned; the rest met nothing. The
-        sub-rays traced for all of them. What the sampling came to, in
-        words.
+        """Get how many emitted pulses had a planar footprint, evaluated in
+        closed form; had maxima found without bins; were binned (the rest
+        hit nothing). Get the number of sub-rays traced, and a
+        description of the sampling as text.
         """
     number_of_sub_rays: int
-    """Set/Get the number of sub-rays that every pulse has: 1, 7, 19,
-    37, 62 ... on circles as beamSampleQuality has them, any other
-    number (rounded up to a multiple of 4) on a spiral. Valid range:
-    [0, 65536]. Default: 0, as the survey says.
+    """Set/Get the number of sub-rays of every pulse: 1, 7, 19, 37, 62
+    ... on circles as for beamSampleQuality, any other number
+    (rounded up to a multiple of 4) on a spiral. Valid range: [0,
+    65536]. Default: 0, as in the survey.
     """
     @property
     def number_of_sub_rays_traced(self) -> int:
-        """Which way the pulses went that left the scanner: they met one
-        plane, which is written down in closed form; their maxima were
-        found without bins; they were binned; the rest met nothing. The
-        sub-rays traced for all of them. What the sampling came to, in
-        words.
+        """Get how many emitted pulses had a planar footprint, evaluated in
+        closed form; had maxima found without bins; were binned (the rest
+        hit nothing). Get the number of sub-rays traced, and a
+        description of the sampling as text.
         """
     output_directory: Optional[str]
-    """Set/Get the folder that the survey's own folder is made in.
-    Default: "output".
+    """Set/Get the parent of the survey's output folder. Default:
+    "output".
     """
     overwrite: bool
-    """Set/Get whether the files of an earlier run are replaced; without
-    it they are kept, and the run is refused. Default: off.
+    """Set/Get whether the files of an earlier run are replaced; if off,
+    they are kept and Run() fails. Default: off.
     """
     play: int
-    """Set/Get the play to run: which geometry the swapped parts of the
+    """Set/Get the epoch to run: which geometry the swapped parts of the
     scene have. Valid range: [0, the survey's GetNumberOfPlays() -
     1]. Default: 0.
     """
     @property
     def progress(self) -> float:
-        """How far the run is: the share of its pulses, in [0, 1]; the leg
-        at work, and how many legs the survey has; what it does, or how
-        it ended, in words.
+        """Get the fraction of pulses done, in [0, 1]; the current leg and
+        the number of legs; the current step, or the result of the run,
+        as text.
         """
     pulses_per_block: int
-    """Set/Get the pulses between two writes. No byte of "xyz" and "las"
-    depends on it; of "vtp" each block is a file. Valid range: [1,
-    2^24]. Default: 262144.
+    """Set/Get the number of pulses per block. The content of "xyz" and
+    "las" files does not depend on it; with "vtp" each block is a
+    file. Valid range: [1, 2^24]. Default: 262144.
     """
     range_tolerance: float
-    """Set/Get the errors that the sampling of the beam may make, in
-    range [m] and in amplitude (relative): as vtkHeliosScanner has
-    them, instead of what the survey says. Valid range: 0 or [1e-6,
-    1], 0 or [1e-4, 1]. Default: 0, as the survey says.
+    """Set/Get the tolerances of beam sampling, in range [m] and in
+    amplitude (relative), as in vtkHeliosScanner; they override the
+    survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0,
+    as in the survey.
     """
     ray_caster: Optional[str]
     """Set/Get the ray caster by its name,
-    vtkHeliosRayCaster::GetBackendName(). Default: none, which takes
-    that of the survey, or else the default one.
+    vtkHeliosRayCaster::GetBackendName(). Default: none, that of the
+    survey, else the default one.
     """
     @property
     def report(self) -> Optional[str]:
-        """What the last Run() wrote to run_summary.json, or what the last
-        Estimate() came to: JSON. Empty before, and after a failure.
+        """The run_summary.json of the last Run(), or the result of the last
+        Estimate(), as JSON. Empty before, and after a failure.
         """
     resume: bool
-    """Set/Get whether the earlier run in the folder is gone on with
-    after its last block: with the inputs and settings that it had,
-    else it is an error that says what has changed. Where it was
-    finished nothing is done; a Play above 0 that has not begun is
-    begun. Excludes Overwrite. Default: off.
+    """Set/Get whether the earlier run in the folder is continued after
+    its last block. If inputs or settings have changed, it is an
+    error that lists the changes. A finished run is left as it is; a
+    Play above 0 that has not started is started. Excludes Overwrite.
+    Default: off.
     """
     @property
     def run_folder(self) -> Optional[str]:
-        """The folder that Run() writes to: OutputDirectory/<name of the
-        survey>, and below it playNNN where the survey has several plays.
+        """The output folder of Run(): OutputDirectory/<name of the survey>,
+        with the subfolder playNNN if the survey has several epochs.
         Empty without a survey.
         """
     @property
     def sampling(self) -> Optional[str]:
-        """Which way the pulses went that left the scanner: they met one
-        plane, which is written down in closed form; their maxima were
-        found without bins; they were binned; the rest met nothing. The
-        sub-rays traced for all of them. What the sampling came to, in
-        words.
+        """Get how many emitted pulses had a planar footprint, evaluated in
+        closed form; had maxima found without bins; were binned (the rest
+        hit nothing). Get the number of sub-rays traced, and a
+        description of the sampling as text.
         """
     seed: int
-    """Set/Get the key of all random numbers. Valid range: [0, 2^62], or
-    -1: that of the survey, 0 where it has none. Default: -1.
+    """Set/Get the seed of all random numbers. Valid range: [0, 2^62],
+    or -1: that of the survey, else
+    0. Default: -1.
     """
     split_by_channel: bool
-    """Set/Get whether every channel of a scanner has files of its own.
+    """Set/Get whether every channel of a scanner has its own files.
     Default: off.
     """
     survey: Optional[vtkHeliosSurvey]
     """Set/Get the survey to run. Default: none."""
     @property
     def was_finished(self) -> bool:
-        """Whether Run() has found a run that was finished already, and done
+        """Whether Run() found a run that was already finished, and did
         nothing.
         """
     write_pulses: bool
-    """Set/Get whether the pulses are written, those that hit nothing,
-    too. Default: off.
+    """Set/Get whether the pulses are written, including those without a
+    hit. Default: off.
     """
     write_waveforms: bool
     """Set/Get whether the waveforms are written. Default: off."""
@@ -5430,7 +5398,7 @@ class vtkHeliosSurveyPlayer(vtkObject):
     def WriteWaveformsOn(self) -> None: ...
 
 class vtkHeliosSurveyReader(vtkObject):
-    """vtkHeliosSurveyReader - a survey from HELIOS XML"""
+    """vtkHeliosSurveyReader - read a survey from HELIOS XML"""
     file_name: Optional[str]
     """Set/Get the file to read. Default: none."""
     @property
@@ -5458,21 +5426,21 @@ class vtkHeliosSurveyReader(vtkObject):
     def SetFileName(self, _arg: str) -> None: ...
 
 class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
-    """vtkHeliosSurveySource - runs a survey in memory, all of it or any part of its pulses"""
+    """vtkHeliosSurveySource - runs a survey, or part of its pulses, in memory"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     echo_detector: Optional[str]
-    """Set/Get what makes echoes of waveforms: "peak", "gaussian", "cfd"
-    or "leadingEdge". Default: none, as the survey says.
+    """Set/Get the echo detector for waveforms: "peak", "gaussian",
+    "cfd" or "leadingEdge". Default: none, as in the survey.
     """
     energy_tolerance: float
-    """Set/Get the errors that the sampling of the beam may make, in
-    range [m] and in amplitude (relative): as vtkHeliosScanner has
-    them, instead of what the survey says. Valid range: 0 or [1e-6,
-    1], 0 or [1e-4, 1]. Default: 0, as the survey says.
+    """Set/Get the tolerances of beam sampling, in range [m] and in
+    amplitude (relative), as in vtkHeliosScanner; they override the
+    survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0,
+    as in the survey.
     """
     @property
     def error_code(self) -> int:
@@ -5480,32 +5448,30 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     generate_pulses: bool
-    """Set/Get which outputs are computed beside the echoes, and whether
-    the echoes carry TruePoint and Normal, as vtkHeliosScanner has
-    them. Default: off.
+    """Set/Get which outputs are computed besides the echoes, and
+    whether the echoes have TruePoint and Normal, as in
+    vtkHeliosScanner. Default: off.
     """
     generate_sub_rays: bool
-    """Set/Get which outputs are computed beside the echoes, and whether
-    the echoes carry TruePoint and Normal, as vtkHeliosScanner has
-    them. Default: off.
+    """Set/Get which outputs are computed besides the echoes, and
+    whether the echoes have TruePoint and Normal, as in
+    vtkHeliosScanner. Default: off.
     """
     generate_truth: bool
-    """Set/Get which outputs are computed beside the echoes, and whether
-    the echoes carry TruePoint and Normal, as vtkHeliosScanner has
-    them. Default: off.
+    """Set/Get which outputs are computed besides the echoes, and
+    whether the echoes have TruePoint and Normal, as in
+    vtkHeliosScanner. Default: off.
     """
     generate_waveforms: bool
-    """Set/Get which outputs are computed beside the echoes, and whether
-    the echoes carry TruePoint and Normal, as vtkHeliosScanner has
-    them. Default: off.
+    """Set/Get which outputs are computed besides the echoes, and
+    whether the echoes have TruePoint and Normal, as in
+    vtkHeliosScanner. Default: off.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     noise: bool
-    """Set/Get whether ranges have the noise of the scanner. Default:
-    on.
-    """
+    """Set/Get whether ranges have the scanner's noise. Default: on."""
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
@@ -5514,19 +5480,19 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pulses(self) -> int:
-        """What Load() has found; nothing before. The scene as one mesh,
-        where parts move as it is at the start; the pulses of all legs;
+        """Get the results of Load(); empty before. The scene as one mesh,
+        moving parts at their start; the number of pulses of all legs;
         the pulse ids [i0, i1) and the time [t0, t1] of a leg [s], both
-        empty ranges for a leg that fires nothing; when a pulse leaves,
-        and the first pulse that leaves at a time or later [s].
+        empty ranges for a leg that fires no pulses; the time of a pulse,
+        and the first pulse at a time or later [s].
         """
     number_of_sub_rays: int
-    """Set/Get the number of sub-rays that every pulse has, as
-    vtkHeliosSurveyPlayer has it. Valid range: [0, 65536]. Default:
-    0, as the survey says.
+    """Set/Get the number of sub-rays of every pulse, as in
+    vtkHeliosSurveyPlayer. Valid range: [0, 65536]. Default: 0, as in
+    the survey.
     """
     play: int
-    """Set/Get the play to run: which geometry the swapped parts of the
+    """Set/Get the epoch to run: which geometry the swapped parts of the
     scene have. Valid range: [0, the survey's GetNumberOfPlays() -
     1]. Default: 0.
     """
@@ -5543,34 +5509,35 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     pulse_window: Sequence[int]
-    """Set/Get the part [i0, i1) of the run's pulse ids that is
-    computed. Valid range: 0 <= i0 <= i1. Default: all of them.
+    """Set/Get the range [i0, i1) of pulse ids to compute. Valid range:
+    0 <= i0 <= i1. Default: all.
     """
     range_tolerance: float
-    """Set/Get the errors that the sampling of the beam may make, in
-    range [m] and in amplitude (relative): as vtkHeliosScanner has
-    them, instead of what the survey says. Valid range: 0 or [1e-6,
-    1], 0 or [1e-4, 1]. Default: 0, as the survey says.
+    """Set/Get the tolerances of beam sampling, in range [m] and in
+    amplitude (relative), as in vtkHeliosScanner; they override the
+    survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1]. Default: 0,
+    as in the survey.
     """
     ray_caster: Optional[str]
     """Set/Get the ray caster by its name,
-    vtkHeliosRayCaster::GetBackendName(). Default: none, which takes
-    that of the survey, or else the default one.
+    vtkHeliosRayCaster::GetBackendName(). Default: none, that of the
+    survey, else the default one.
     """
     @property
     def scene(self) -> Optional[vtkPolyData]:
-        """What Load() has found; nothing before. The scene as one mesh,
-        where parts move as it is at the start; the pulses of all legs;
+        """Get the results of Load(); empty before. The scene as one mesh,
+        moving parts at their start; the number of pulses of all legs;
         the pulse ids [i0, i1) and the time [t0, t1] of a leg [s], both
-        empty ranges for a leg that fires nothing; when a pulse leaves,
-        and the first pulse that leaves at a time or later [s].
+        empty ranges for a leg that fires no pulses; the time of a pulse,
+        and the first pulse at a time or later [s].
         """
     seed: int
-    """Set/Get the key of all random numbers. Valid range: [0, 2^62], or
-    -1: that of the survey, 0 where it has none. Default: -1.
+    """Set/Get the seed of all random numbers. Valid range: [0, 2^62],
+    or -1: that of the survey, else
+    0. Default: -1.
     """
     survey: Optional[vtkHeliosSurvey]
-    """Set/Get the survey to run. No default: an error without."""
+    """Set/Get the survey to run. Required; no default."""
     def __init__(self, *, abort_execute: int = ..., echo_detector: Optional[str] = ..., energy_tolerance: float = ..., generate_pulses: bool = ..., generate_sub_rays: bool = ..., generate_truth: bool = ..., generate_waveforms: bool = ..., noise: bool = ..., number_of_sub_rays: int = ..., play: int = ..., progress_text: Optional[str] = ..., pulse_window: Sequence[int] = ..., range_tolerance: float = ..., ray_caster: Optional[str] = ..., seed: int = ..., survey: Optional[vtkHeliosSurvey] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
@@ -5648,7 +5615,7 @@ class vtkHeliosSurveySource(vtkPolyDataAlgorithm):
     def SetSurvey(self, survey: vtkHeliosSurvey) -> None: ...
 
 class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
-    """vtkHeliosSurveyWriter - scan positions as a survey in HELIOS XML"""
+    """vtkHeliosSurveyWriter - write scan positions as a survey in HELIOS XML"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -5660,19 +5627,19 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to write, which replaces one of that name.
-    Default: none.
+    """Set/Get the file to write; an existing file is replaced. Default:
+    none.
     """
     head_rotate_per_second: float
-    """Set/Get from where to where the head turns [deg], and how fast
+    """Set/Get start and stop of the head rotation [deg], and its speed
     [deg/s]. Valid range: [-1e6, 1e6]. Default: 0 to 360, with 10.
     """
     head_rotate_start: float
-    """Set/Get from where to where the head turns [deg], and how fast
+    """Set/Get start and stop of the head rotation [deg], and its speed
     [deg/s]. Valid range: [-1e6, 1e6]. Default: 0 to 360, with 10.
     """
     head_rotate_stop: float
-    """Set/Get from where to where the head turns [deg], and how fast
+    """Set/Get start and stop of the head rotation [deg], and its speed
     [deg/s]. Valid range: [-1e6, 1e6]. Default: 0 to 360, with 10.
     """
     @property
@@ -5685,8 +5652,8 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
     platform: Optional[str]
-    """Set/Get what carries the scanner, and the scanner: file.xml#id.
-    The platform must stand. Default: none.
+    """Set/Get the platform and the scanner: file.xml#id. The platform
+    must be static. Default: none.
     """
     @property
     def progress(self) -> float:
@@ -5701,39 +5668,39 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     pulse_frequency: float
-    """Set/Get the pulses a second and the lines, or revolutions, a
-    second [Hz]. Valid range: above 0, as the scanner can. Default:
-    NaN, which is left to the scanner.
+    """Set/Get the pulse frequency and the scan frequency (lines or
+    revolutions per second) [Hz]. Valid range: above 0, within the
+    limits of the scanner. Default: NaN, the scanner's default.
     """
     scan_angle: float
-    """Set/Get half the angle that is swept, and of a rotating mirror
-    the window that pulses leave through [deg]. Valid range: as the
-    scanner can. Default: NaN, which is left to the scanner.
+    """Set/Get half the scan angle and, for a rotating mirror, the
+    window in which pulses are emitted [deg]. Valid range: the limits
+    of the scanner. Default: NaN, the scanner's default.
     """
     scan_frequency: float
-    """Set/Get the pulses a second and the lines, or revolutions, a
-    second [Hz]. Valid range: above 0, as the scanner can. Default:
-    NaN, which is left to the scanner.
+    """Set/Get the pulse frequency and the scan frequency (lines or
+    revolutions per second) [Hz]. Valid range: above 0, within the
+    limits of the scanner. Default: NaN, the scanner's default.
     """
     scanner: Optional[str]
-    """Set/Get what carries the scanner, and the scanner: file.xml#id.
-    The platform must stand. Default: none.
+    """Set/Get the platform and the scanner: file.xml#id. The platform
+    must be static. Default: none.
     """
     scene: Optional[str]
-    """Set/Get what is scanned: file.xml#id, or a mesh. Default: none."""
+    """Set/Get the scene: file.xml#id, or a mesh. Default: none."""
     survey_name: Optional[str]
-    """Set/Get the name of the survey, which names the folder of its
-    output. Default: none, that of the file.
+    """Set/Get the name of the survey, and so of its output folder.
+    Default: none, that of the file.
     """
     vertical_angle_max: float
-    """Set/Get half the angle that is swept, and of a rotating mirror
-    the window that pulses leave through [deg]. Valid range: as the
-    scanner can. Default: NaN, which is left to the scanner.
+    """Set/Get half the scan angle and, for a rotating mirror, the
+    window in which pulses are emitted [deg]. Valid range: the limits
+    of the scanner. Default: NaN, the scanner's default.
     """
     vertical_angle_min: float
-    """Set/Get half the angle that is swept, and of a rotating mirror
-    the window that pulses leave through [deg]. Valid range: as the
-    scanner can. Default: NaN, which is left to the scanner.
+    """Set/Get half the scan angle and, for a rotating mirror, the
+    window in which pulses are emitted [deg]. Valid range: the limits
+    of the scanner. Default: NaN, the scanner's default.
     """
     def __init__(self, *, abort_execute: int = ..., file_name: Optional[str] = ..., head_rotate_per_second: float = ..., head_rotate_start: float = ..., head_rotate_stop: float = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., scan_angle: float = ..., scan_frequency: float = ..., scanner: Optional[str] = ..., scene: Optional[str] = ..., survey_name: Optional[str] = ..., vertical_angle_max: float = ..., vertical_angle_min: float = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -5788,7 +5755,7 @@ class vtkHeliosSurveyWriter(vtkPolyDataAlgorithm):
     def Write(self) -> bool: ...
 
 class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
-    """vtkHeliosSyntheticScene - scenes made in code: shapes in closed form, terrain, trees, a house"""
+    """vtkHeliosSyntheticScene - procedural scenes: closed-form shapes, terrain, trees, a house"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -5804,7 +5771,9 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     kind's own. Default: 0.
     """
     kind: Union[Literal["blocks", "canopy", "house", "plane", "pyramid", "sphere", "step", "terrain", "tree"], int]
-    """Set/Get what is made. Valid range: PLANE to TREE. Default: PLANE."""
+    """Set/Get the kind of scene. Valid range: PLANE to TREE. Default:
+    PLANE.
+    """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -5813,8 +5782,8 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
         """Get the number of input ports used by the algorithm."""
     number_of_leaves: int
     """Set/Get the number of leaves of a Tree, or of each tree of a
-    Canopy; they are the smaller the more there are. Valid range: [0,
-    1e7]; 0: the kind's own. Default: 0.
+    Canopy; more leaves are smaller. Valid range: [0, 1e7]; 0: the
+    kind's own. Default: 0.
     """
     @property
     def number_of_output_ports(self) -> int:
@@ -5824,8 +5793,8 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     Default: 150.
     """
     origin: Sequence[float]
-    """Set/Get where the scene stands [m], added to every point at the
-    end. Default: 0, 0, 0.
+    """Set/Get the position of the scene [m], added to every point at
+    the end. Default: 0, 0, 0.
     """
     @property
     def progress(self) -> float:
@@ -5840,8 +5809,8 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     resolution: int
-    """Set/Get the number of parts of an edge, see above. Valid range:
-    [0, 10000]; 0: the kind's own. Default: 0.
+    """Set/Get the number of segments of an edge, see above. Valid
+    range: [0, 10000]; 0: the kind's own. Default: 0.
     """
     seed: int
     """Set/Get the key of the random numbers, for Terrain, Canopy,
@@ -5922,7 +5891,7 @@ class vtkHeliosSyntheticScene(vtkPolyDataAlgorithm):
     def SetSpeciesToShrub(self) -> None: ...
 
 class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
-    """vtkHeliosTerrainFollow - waypoints at a height above the terrain, with more between where it is
+    """vtkHeliosTerrainFollow - waypoints at a height above the terrain, with more inserted where it is
     uneven
     """
     abort_execute: int
@@ -5943,8 +5912,8 @@ class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_slope: float
-    """Set/Get how steep the way between waypoints is at most [deg]; 90:
-    no limit. Valid range: [0, 90]. Default: 90.
+    """Set/Get the maximum slope between waypoints [deg]; 90: no limit.
+    Valid range: [0, 90]. Default: 90.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -5965,11 +5934,11 @@ class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     spacing: float
-    """Set/Get how far apart waypoints are at most in x, y [m]; 0: none
-    are inserted. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the maximum spacing of waypoints in x, y [m]; 0: none are
+    inserted. Valid range: [0, 1e6]. Default: 0.
     """
     surface: Union[Literal["ground", "top"], int]
-    """Set/Get what is flown over. Default: GROUND."""
+    """Set/Get the surface to follow. Default: GROUND."""
     def __init__(self, *, abort_execute: int = ..., height: float = ..., maximum_slope: float = ..., progress_text: Optional[str] = ..., spacing: float = ..., surface: Union[Literal["ground", "top"], int] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
@@ -6006,18 +5975,18 @@ class vtkHeliosTerrainFollow(vtkPolyDataAlgorithm):
     def SetSurfaceToTop(self) -> None: ...
 
 class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
-    """vtkHeliosTrajectoryReader - a trajectory from a text file, as navigation software writes it"""
+    """vtkHeliosTrajectoryReader - read a trajectory from a text file of navigation software"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     angle_convention: Union[Literal["arinc705", "canonical"], int]
-    """Set/Get what the angles are. Default: ARINC_705."""
+    """Set/Get the angle convention. Default: ARINC_705."""
     angle_unit: Union[Literal["degrees", "radians"], int]
     """Set/Get the unit of the angles. Default: DEGREES."""
     domain: Union[Literal["position", "position_and_attitude"], int]
-    """Set/Get what is read. Default: POSITION_AND_ATTITUDE."""
+    """Set/Get the columns to read. Default: POSITION_AND_ATTITUDE."""
     @property
     def error_code(self) -> int:
         """The error code contains a possible error that occurred while
@@ -6029,9 +5998,9 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     minimum_speed: float
-    """Set/Get the speed in x, y [m/s] below which the flight gives no
-    heading (POSITION only). Valid range: [0, 1e6]. Default: 0, it
-    stands still.
+    """Set/Get the speed in x, y [m/s] below which the motion gives no
+    heading (POSITION only). Valid range: [0, 1e6]. Default: 0, at
+    rest.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -6040,9 +6009,9 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
     pitch_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     @property
     def progress(self) -> float:
@@ -6057,47 +6026,48 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     roll_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     separators: Optional[str]
     """Set/Get the characters that separate columns. A blank or a tab
-    stands for any run of blanks and tabs; between two of any other
-    there is an empty column, and blanks beside it do not count.
-    Valid range: none of digits, letters, + - . # /. Default: comma.
+    stands for any run of blanks and tabs; two adjacent other
+    separators enclose an empty column, and blanks beside them are
+    ignored. Valid range: no digits, letters, + - . # /. Default:
+    comma.
     """
     slope_filter_threshold: float
-    """Set/Get how much the velocity [m/s] or the turning rate [deg/s]
-    in any component must have changed since the last row that was
-    kept for a row to be kept; 0 keeps all. Between rows that are
-    kept the position is off by at most the threshold times the time
-    between them. Valid range: [0, 1e6]. Default: 0.
+    """Set/Get the threshold of the row filter: a row is kept if a
+    component of the velocity [m/s] or turning rate [deg/s] changed
+    by more since the last kept row; 0 keeps all. The position error
+    between kept rows is at most the threshold times the time between
+    them. Valid range: [0, 1e6]. Default: 0.
     """
     time_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     x_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     y_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     yaw_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     z_column: int
-    """Set/Get the columns from 0; -1: not given. Where any is given,
-    those that are not are 0 to 6 in this order, and comments are not
-    asked. Valid range: [-1, 999]. Default: -1.
+    """Set/Get the columns from 0; -1: not set. If any is set, the unset
+    ones are 0 to 6 in this order, and comments are ignored. Valid
+    range: [-1, 999]. Default: -1.
     """
     def __init__(self, *, abort_execute: int = ..., angle_convention: Union[Literal["arinc705", "canonical"], int] = ..., angle_unit: Union[Literal["degrees", "radians"], int] = ..., domain: Union[Literal["position", "position_and_attitude"], int] = ..., file_name: Optional[str] = ..., minimum_speed: float = ..., pitch_column: int = ..., progress_text: Optional[str] = ..., roll_column: int = ..., separators: Optional[str] = ..., slope_filter_threshold: float = ..., time_column: int = ..., x_column: int = ..., y_column: int = ..., yaw_column: int = ..., z_column: int = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
@@ -6176,7 +6146,7 @@ class vtkHeliosTrajectoryReader(vtkPolyDataAlgorithm):
     def UseWriterFormat(self) -> None: ...
 
 class vtkHeliosTrajectoryTextWriter(vtkHeliosStreamWriter):
-    """vtkHeliosTrajectoryTextWriter - a trajectory in HELIOS text columns"""
+    """vtkHeliosTrajectoryTextWriter - write a trajectory in HELIOS text columns"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -6210,22 +6180,22 @@ class vtkHeliosVersion(vtkObject):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosVersion: ...
 
 class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
-    """vtkHeliosViewsheds - which scan position sees which test point"""
+    """vtkHeliosViewsheds - visibility of test points from scan positions"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     angular_step: float
-    """Set/Get how many points a square metre of surface shall have at
-    least from a single position [1/m2], given the angle between
-    neighbouring pulses [deg]: at range R and incidence i that is
-    cos(i) / (R AngularStep)^2. Valid range: [0, 1e12] and [0, 90].
-    Default: 0, any, and 0.
+    """Set/Get the minimum point density on a surface from a single
+    position [1/m2], and the angle between neighbouring pulses [deg]:
+    at range R and incidence i the density is cos(i) / (R
+    AngularStep)^2. Valid range: [0, 1e12] and [0, 90]. Default: 0,
+    any, and 0.
     """
     both_sides: bool
-    """Set/Get whether there must be a surface within HitTolerance of
-    the test point. Default: off, a line of sight that just misses an
+    """Set/Get whether a surface is required within HitTolerance of the
+    test point. Default: off, a line of sight that just misses an
     edge still sees it.
     """
     @property
@@ -6234,15 +6204,15 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     hit_tolerance: float
-    """Set/Get how far before a test point, along the line of sight, a
-    surface may be that does not hide it [m]. Valid range: [1e-6,
-    1e3]. Default: 0.05.
+    """Set/Get how far in front of a test point, along the line of
+    sight, a surface may be without hiding it [m]. Valid range:
+    [1e-6, 1e3]. Default: 0.05.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_elevation: float
-    """Set/Get the field of view of the instrument, upright, as angles
+    """Set/Get the field of view of the vertical instrument, as angles
     above the horizon [deg]. Valid range: [-90, 90]. Default: -90 and
     90.
     """
@@ -6255,20 +6225,20 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     Valid range: [0, 1e9]. Default: 0 and 1e9.
     """
     memory_limit: float
-    """Set/Get the memory that the matrix, or a piece of it, may take
-    [MiB]. Valid range: [1, 1e9]. Default: 2048.
+    """Set/Get the limit for the memory of the matrix, or of a piece of
+    it [MiB]. Valid range: [1, 1e9]. Default: 2048.
     """
     minimum_elevation: float
-    """Set/Get the field of view of the instrument, upright, as angles
+    """Set/Get the field of view of the vertical instrument, as angles
     above the horizon [deg]. Valid range: [-90, 90]. Default: -90 and
     90.
     """
     minimum_point_density: float
-    """Set/Get how many points a square metre of surface shall have at
-    least from a single position [1/m2], given the angle between
-    neighbouring pulses [deg]: at range R and incidence i that is
-    cos(i) / (R AngularStep)^2. Valid range: [0, 1e12] and [0, 90].
-    Default: 0, any, and 0.
+    """Set/Get the minimum point density on a surface from a single
+    position [1/m2], and the angle between neighbouring pulses [deg]:
+    at range R and incidence i the density is cos(i) / (R
+    AngularStep)^2. Valid range: [0, 1e12] and [0, 90]. Default: 0,
+    any, and 0.
     """
     minimum_range: float
     """Set/Get the smallest and largest range of the instrument [m].
@@ -6296,7 +6266,7 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     ray_caster: Optional[vtkHeliosRayCaster]
-    """Set/Get what casts the rays. Default: the default backend."""
+    """Set/Get the ray caster. Default: the default backend."""
     def __init__(self, *, abort_execute: int = ..., angular_step: float = ..., both_sides: bool = ..., hit_tolerance: float = ..., maximum_elevation: float = ..., maximum_incidence_angle: float = ..., maximum_range: float = ..., memory_limit: float = ..., minimum_elevation: float = ..., minimum_point_density: float = ..., minimum_range: float = ..., progress_text: Optional[str] = ..., ray_caster: Optional[vtkHeliosRayCaster] = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
@@ -6358,7 +6328,7 @@ class vtkHeliosViewsheds(vtkPolyDataAlgorithm):
     def SetRayCaster(self, caster: vtkHeliosRayCaster) -> None: ...
 
 class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
-    """vtkHeliosVisibilityTestPoints - points that stand for the surfaces of a scene"""
+    """vtkHeliosVisibilityTestPoints - points that sample the surfaces of a scene"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6370,20 +6340,22 @@ class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     generate_areas: bool
-    """Set/Get whether points get the array Area. Default: off."""
+    """Set/Get whether the output has the point array Area. Default:
+    off.
+    """
     horizontal: bool
-    """Set/Get whether there are vertical lines, and horizontal ones.
-    Default: both.
+    """Set/Get whether vertical and horizontal lines are used. Default:
+    both.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     memory_limit: float
-    """Set/Get the memory that points may take, a hit a line assumed
+    """Set/Get the limit for the memory of points, at one hit per line
     [MiB]. Valid range: [1, 1e9]. Default: 2048.
     """
     merge_tolerance: float
-    """Set/Get how near points are taken as one [m]; never more than a
+    """Set/Get the distance up to which points are merged [m]; at most a
     thousandth of the smallest step. Valid range: [0, 1e3]. Default:
     1e-4.
     """
@@ -6406,24 +6378,24 @@ class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     region: Sequence[float]
-    """Set/Get the box of points that count: x from, x to, y from, y to,
-    z from, z to [m]. The grid starts half a step inside. Default:
-    NaN for each, the scene's bounds.
+    """Set/Get the region of points: x min, x max, y min, y max, z min,
+    z max [m]. The grid starts half a step inside. Default: NaN for
+    each, the scene's bounds.
     """
     vertical: bool
-    """Set/Get whether there are vertical lines, and horizontal ones.
-    Default: both.
+    """Set/Get whether vertical and horizontal lines are used. Default:
+    both.
     """
     x_step: float
-    """Set/Get the distance of lines along x, y and z [m]. Valid range:
+    """Set/Get the spacing of lines along x, y and z [m]. Valid range:
     [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
     y_step: float
-    """Set/Get the distance of lines along x, y and z [m]. Valid range:
+    """Set/Get the spacing of lines along x, y and z [m]. Valid range:
     [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
     z_step: float
-    """Set/Get the distance of lines along x, y and z [m]. Valid range:
+    """Set/Get the spacing of lines along x, y and z [m]. Valid range:
     [0, 1e6]. Default: 0, a twentieth of the scene's diagonal.
     """
     def __init__(self, *, abort_execute: int = ..., generate_areas: bool = ..., horizontal: bool = ..., memory_limit: float = ..., merge_tolerance: float = ..., progress_text: Optional[str] = ..., region: Sequence[float] = ..., vertical: bool = ..., x_step: float = ..., y_step: float = ..., z_step: float = ...) -> None: ...
@@ -6482,7 +6454,7 @@ class vtkHeliosVisibilityTestPoints(vtkPolyDataAlgorithm):
     def VerticalOn(self) -> None: ...
 
 class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
-    """vtkHeliosVoxelCubes - a grid of vegetation as opaque cubes"""
+    """vtkHeliosVoxelCubes - converts a grid of vegetation to opaque cubes"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6494,27 +6466,26 @@ class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     exponent: float
-    """Set/Get the exponent of SCALED; 1/3 makes the volume of a cube go
-    with its PAD. Valid range: [0, 100]. Default: 0.5.
+    """Set/Get the exponent of SCALED; 1/3 makes the volume of a cube
+    proportional to its PAD. Valid range: [0, 100]. Default: 0.5.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_number_of_cubes: int
-    """Set/Get how many cubes there may be: a guard of memory, of which
-    a cube takes up to 500 bytes. Valid range: [1, 5e7]. Default:
-    20000000.
+    """Set/Get the maximum number of cubes, a memory limit: a cube takes
+    up to 500 bytes. Valid range: [1, 5e7]. Default: 20000000.
     """
     mode: Union[Literal["fixed", "scaled"], int]
-    """Set/Get how large cubes are. Default: FIXED."""
+    """Set/Get the size of cubes. Default: FIXED."""
     @property
     def number_of_cubes(self) -> int:
-        """Get how many cubes the last update made."""
+        """Get the number of cubes of the last update."""
     @property
     def number_of_input_ports(self) -> int:
         """Get the number of input ports used by the algorithm."""
     number_of_materials: int
-    """Set/Get the number of materials that cells take in turn. Valid
+    """Set/Get the number of materials, assigned to cells in turn. Valid
     range: [1, 1000000]. Default: 1.
     """
     @property
@@ -6533,8 +6504,8 @@ class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     random_shift: bool
-    """Set/Get whether cubes of SCALED lie anywhere in their cells.
-    Default: off.
+    """Set/Get whether cubes of SCALED are placed randomly in their
+    cells. Default: off.
     """
     seed: int
     """Set/Get the key of the random numbers. Valid range: [0, 2^62].
@@ -6585,7 +6556,7 @@ class vtkHeliosVoxelCubes(vtkPolyDataAlgorithm):
     def SetSeed(self, _arg: int) -> None: ...
 
 class vtkHeliosVoxelReader(vtkImageAlgorithm):
-    """vtkHeliosVoxelReader - a grid of vegetation from a .vox file"""
+    """vtkHeliosVoxelReader - read a vegetation grid from a .vox file"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6600,15 +6571,15 @@ class vtkHeliosVoxelReader(vtkImageAlgorithm):
     """Set/Get the file to read. Default: none."""
     leaf_table_file_name: Optional[str]
     """Set/Get a table of leaf angles: a text file of rows x,y,z,G.
-    Default: none; then the scanner takes leaves of all directions
-    alike.
+    Default: none; the scanner then assumes a spherical leaf angle
+    distribution.
     """
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_number_of_cells: int
-    """Set/Get how many cells the grid may have: a guard of memory.
-    Valid range: [1, 4e9]. Default: 200000000.
+    """Set/Get the maximum number of grid cells, a memory guard. Valid
+    range: [1, 4e9]. Default: 200000000.
     """
     @property
     def number_of_input_ports(self) -> int:
@@ -6617,8 +6588,8 @@ class vtkHeliosVoxelReader(vtkImageAlgorithm):
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
     pad_column: Optional[str]
-    """Set/Get the name of the column that holds the density; upper and
-    lower case are equal. Default: PadBVTotal.
+    """Set/Get the name of the density column, case-insensitive.
+    Default: PadBVTotal.
     """
     @property
     def progress(self) -> float:
@@ -6666,15 +6637,15 @@ class vtkHeliosWaveform:
     """
 
 class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
-    """vtkHeliosWaveformPolylines - waveforms as curves along their beams, for viewing"""
+    """vtkHeliosWaveformPolylines - waveforms as curves along their beams, for display"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
     different ways.
     """
     displacement_direction: Sequence[float]
-    """Set/Get where amplitudes are displaced to; across a beam that has
-    this direction itself, to x, or to y for one along x. Valid
+    """Set/Get the displacement direction of amplitudes; for a beam
+    along this direction x is used, or y for one along x. Valid
     range: not zero. Default: 0, 0, 1, up.
     """
     @property
@@ -6683,12 +6654,12 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
         reading or writing the file.
         """
     every_nth: int
-    """Set/Get which waveforms are shown: the first and every EveryNth
-    after it. Valid range: [1, 2^31 - 1]. Default: 1, all.
+    """Set/Get the stride of waveforms shown: the first and every
+    EveryNth after it. Valid range: [1, 2^31 - 1]. Default: 1, all.
     """
     height: float
-    """Set/Get how far the largest amplitude is displaced where Scale is
-    0 [m]. Valid range: [0, 1e6]. Default: 1.
+    """Set/Get the displacement of the largest amplitude if Scale is 0
+    [m]. Valid range: [0, 1e6]. Default: 1.
     """
     @property
     def m_time(self) -> int:
@@ -6701,8 +6672,8 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pulse_ids(self) -> int:
-        """Shows the waveforms of some pulses only, before EveryNth.
-        Default: none added, which shows all.
+        """Show the waveforms of selected pulses only, applied before
+        EveryNth. Default: none added, which shows all.
         """
     @property
     def progress(self) -> float:
@@ -6717,8 +6688,8 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     scale: float
-    """Set/Get how far an amplitude of 1 W is displaced [m/W]; 0: such
-    that the largest one of the input is displaced by Height. Valid
+    """Set/Get the displacement of an amplitude of 1 W [m/W]; 0: the
+    largest amplitude of the input is displaced by Height. Valid
     range: [0, 1e30]. Default: 0.
     """
     def __init__(self, *, abort_execute: int = ..., displacement_direction: Sequence[float] = ..., every_nth: int = ..., height: float = ..., progress_text: Optional[str] = ..., scale: float = ...) -> None: ...
@@ -6759,7 +6730,7 @@ class vtkHeliosWaveformPolylines(vtkPolyDataAlgorithm):
     def SetScale(self, _arg: float) -> None: ...
 
 class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
-    """vtkHeliosWaveformTextReader - waveforms from HELIOS text columns, piece by piece"""
+    """vtkHeliosWaveformTextReader - read waveforms from HELIOS text columns, piece by piece"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6767,8 +6738,8 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
     """
     bin_size: float
     """Set/Get the bin of the waveforms [ns], two-way, which the times
-    of a line must fit; 0: that of the times. Valid range: [0, 1e3].
-    Default: 0.
+    of a line must fit; 0: derived from the times. Valid range: [0,
+    1e3]. Default: 0.
     """
     @property
     def error_code(self) -> int:
@@ -6776,7 +6747,7 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to read. No default: an error without."""
+    """Set/Get the file to read. Required."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -6787,8 +6758,8 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
     def number_of_output_ports(self) -> int:
         """Get the number of output ports provided by the algorithm."""
     one_way_times: bool
-    """Set/Get whether the times of the file are those of the way out
-    alone, as in files of HELIOS++. Default: off.
+    """Set/Get whether the times in the file are one-way, as in files of
+    HELIOS++. Default: off.
     """
     @property
     def progress(self) -> float:
@@ -6830,7 +6801,7 @@ class vtkHeliosWaveformTextReader(vtkTableAlgorithm):
     def SetOneWayTimes(self, _arg: bool) -> None: ...
 
 class vtkHeliosWaveformTextWriter(vtkHeliosStreamWriter):
-    """vtkHeliosWaveformTextWriter - waveforms in HELIOS text columns"""
+    """vtkHeliosWaveformTextWriter - write waveforms in HELIOS text columns"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -6844,7 +6815,7 @@ class vtkHeliosWaveformTextWriter(vtkHeliosStreamWriter):
     def Write(self, block: vtkDataObject) -> bool: ...
 
 class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
-    """vtkHeliosWaveformXMLReader - waveforms from VTT pieces, some of them or all as one table"""
+    """vtkHeliosWaveformXMLReader - read waveforms from VTT pieces, some or all as one table"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6856,7 +6827,7 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
         reading or writing the file.
         """
     file_name: Optional[str]
-    """Set/Get the file to read. No default: an error without."""
+    """Set/Get the file to read. Required."""
     @property
     def m_time(self) -> int:
         """Return this object's modified time."""
@@ -6868,9 +6839,7 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
         """Get the number of output ports provided by the algorithm."""
     @property
     def number_of_pieces(self) -> int:
-        """Get the number of pieces that the file has, after
-        UpdateInformation().
-        """
+        """Get the number of pieces of the file, after UpdateInformation()."""
     @property
     def progress(self) -> float:
         """`SetProgress` is deprecated. Subclasses should use
@@ -6904,7 +6873,7 @@ class vtkHeliosWaveformXMLReader(vtkTableAlgorithm):
     def SetFileName(self, _arg: str) -> None: ...
 
 class vtkHeliosWaveformXMLWriter(vtkHeliosXMLPieceWriter):
-    """vtkHeliosWaveformXMLWriter - waveforms as VTT pieces under a PVTT"""
+    """vtkHeliosWaveformXMLWriter - write waveforms as VTT pieces with a PVTT index"""
     def __init__(self, *, count_only: bool = ..., file_name: Optional[str] = ...) -> None: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
@@ -6917,7 +6886,7 @@ class vtkHeliosWaveformXMLWriter(vtkHeliosXMLPieceWriter):
     def SafeDownCast(o: vtkObjectBase) -> vtkHeliosWaveformXMLWriter: ...
 
 class vtkHeliosXMLPieceWriter(vtkHeliosStreamWriter):
-    """vtkHeliosXMLPieceWriter - blocks as VTK XML pieces under an index"""
+    """vtkHeliosXMLPieceWriter - write blocks as VTK XML pieces with an index"""
     @property
     def number_of_pieces(self) -> int:
         """Get the number of pieces written since Open()."""
@@ -6940,7 +6909,7 @@ class vtkHeliosXMLPieceWriter(vtkHeliosStreamWriter):
     def Write(self, block: vtkDataObject) -> bool: ...
 
 class vtkHeliosXyzReader(vtkPolyDataAlgorithm):
-    """vtkHeliosXyzReader - points from text files, piece by piece"""
+    """vtkHeliosXyzReader - read points from text files, piece by piece"""
     abort_execute: int
     """Set/Get the AbortExecute flag for the process object. Process
     objects may handle premature termination of execution in
@@ -6955,19 +6924,19 @@ class vtkHeliosXyzReader(vtkPolyDataAlgorithm):
     def m_time(self) -> int:
         """Return this object's modified time."""
     maximum_color_value: float
-    """Set/Get the number that full colour has in the file. Valid range:
+    """Set/Get the value of full colour in the file. Valid range:
     greater than 0. Default: 255.
     """
     normal_x_index: int
-    """Set/Get whether normals are read, of which columns from 0. Valid
+    """Set/Get whether normals are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 3, 4, 5.
     """
     normal_y_index: int
-    """Set/Get whether normals are read, of which columns from 0. Valid
+    """Set/Get whether normals are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 3, 4, 5.
     """
     normal_z_index: int
-    """Set/Get whether normals are read, of which columns from 0. Valid
+    """Set/Get whether normals are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 3, 4, 5.
     """
     @property
@@ -6994,29 +6963,30 @@ class vtkHeliosXyzReader(vtkPolyDataAlgorithm):
     themselves from inside RequestData().
     """
     read_colors: bool
-    """Set/Get whether colours are read, of which columns from 0. Valid
+    """Set/Get whether colours are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 6, 7, 8.
     """
     read_normals: bool
-    """Set/Get whether normals are read, of which columns from 0. Valid
+    """Set/Get whether normals are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 3, 4, 5.
     """
     rgb_b_index: int
-    """Set/Get whether colours are read, of which columns from 0. Valid
+    """Set/Get whether colours are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 6, 7, 8.
     """
     rgb_g_index: int
-    """Set/Get whether colours are read, of which columns from 0. Valid
+    """Set/Get whether colours are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 6, 7, 8.
     """
     rgb_r_index: int
-    """Set/Get whether colours are read, of which columns from 0. Valid
+    """Set/Get whether colours are read, and their columns from 0. Valid
     range of a column: [0, 999]. Default: off; 6, 7, 8.
     """
     separators: Optional[str]
     """Set/Get the characters that separate columns. A blank or a tab
-    stands for any run of blanks and tabs; between two of any other
-    there is an empty column. Valid range: none of digits, letters, +
+    stands for any run of blanks and tabs; two adjacent other
+    separators enclose an empty column. Valid range: no digits,
+    letters, +
     - . # /. Default: blank and tab.
     """
     def __init__(self, *, abort_execute: int = ..., maximum_color_value: float = ..., normal_x_index: int = ..., normal_y_index: int = ..., normal_z_index: int = ..., progress_text: Optional[str] = ..., read_colors: bool = ..., read_normals: bool = ..., rgb_b_index: int = ..., rgb_g_index: int = ..., rgb_r_index: int = ..., separators: Optional[str] = ...) -> None: ...

@@ -241,9 +241,7 @@ def draw_picture(actor, points, classes, marks, output, title, size, look):
     overlay = rendering.vtkRenderer()
     overlay.SetActiveCamera(scene.GetActiveCamera())
     for mark in marks:
-        overlay.AddActor(
-            make_cloud_actor(np.atleast_2d(mark), np.array([MARK]), 9 * OVERSAMPLING)
-        )
+        overlay.AddActor(make_cloud_actor(np.atleast_2d(mark), np.array([MARK]), 9 * OVERSAMPLING))
     picture[: int(BAR * len(picture))] = BACKGROUND_BOTTOM
     overlay.AddActor2D(make_text(title, 0.02, 0.015, 19 * OVERSAMPLING))
     add_legend(overlay, classes, marks)
@@ -362,9 +360,14 @@ def main(argv=None):
     parser.add_argument("--output", metavar="PNG", default="picture.png")
     parser.add_argument("--title", default="")
     parser.add_argument(
-        "--azimuth", type=float, default=215.0, help="azimuth of the camera, clockwise from north [deg]"
+        "--azimuth",
+        type=float,
+        default=215.0,
+        help="azimuth of the camera, clockwise from north [deg]",
     )
-    parser.add_argument("--elevation", type=float, default=28.0, help="elevation of the camera [deg]")
+    parser.add_argument(
+        "--elevation", type=float, default=28.0, help="elevation of the camera [deg]"
+    )
     parser.add_argument("--zoom", type=float, default=1.6)
     parser.add_argument("--point-size", type=float, default=2.5, help="[pixels]")
     given = parser.parse_args(argv)

@@ -213,7 +213,13 @@ class Survey:
         player = _class("vtkHeliosSurveyPlayer")(survey=self.vtk, format=format)
         player.SetOutputDirectory(to_vtk(folder))
         known = {**_OPTIONS, "waveforms": "write_waveforms", "pulses": "write_pulses"}
-        for name in ("split_by_channel", "overwrite", "resume", "bytes_to_check", "pulses_per_block"):
+        for name in (
+            "split_by_channel",
+            "overwrite",
+            "resume",
+            "bytes_to_check",
+            "pulses_per_block",
+        ):
             known[name] = name
         set_properties(player, _translate(options, known))
         with MessageLog() as log, Progress(progress) as watched:

@@ -35,9 +35,14 @@ def main(table, picture):
     for axis in axes[:, 0]:
         axis.set_ylabel("worst range error [m]")
     handles = [plt.Line2D([], [], color=colours[c], marker="o", ls="", label=c) for c in casters]
-    handles += [plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=p) for p, m in MARKERS.items()]
+    handles += [
+        plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=p)
+        for p, m in MARKERS.items()
+    ]
     figure.legend(handles=handles, loc="lower center", ncol=5, fontsize=8)
-    figure.suptitle("Ray casters: right is faster, lower is better; numbers: wrong hits in 1000 rays")
+    figure.suptitle(
+        "Ray casters: right is faster, lower is better; numbers: wrong hits in 1000 rays"
+    )
     figure.tight_layout(rect=(0, 0.09, 1, 1))
     figure.savefig(picture, dpi=80)
 
@@ -51,7 +56,9 @@ def draw(axis, row, colour):
     face = colour if row["kind"] == "ours" else "none"
     axis.plot(speed, error, MARKERS[row["coordinates"]], color=colour, mfc=face, ms=7)
     if wrong:
-        axis.annotate(str(wrong), (speed, error), fontsize=7, xytext=(5, 3), textcoords="offset points")
+        axis.annotate(
+            str(wrong), (speed, error), fontsize=7, xytext=(5, 3), textcoords="offset points"
+        )
 
 
 if __name__ == "__main__":

@@ -27,7 +27,9 @@ def main(table, picture):
     with open(table, newline="") as file:
         rows = list(csv.DictReader(file))
     scenes = list(dict.fromkeys(row["scene"] for row in rows))
-    figure, axes = plt.subplots(2, len(scenes), figsize=(3.2 * len(scenes), 8), squeeze=False, sharex=True)
+    figure, axes = plt.subplots(
+        2, len(scenes), figsize=(3.2 * len(scenes), 8), squeeze=False, sharex=True
+    )
     for column, scene in zip(axes.T, scenes):
         own = [row for row in rows if row["scene"] == scene]
         for axis, error in zip(column, ERRORS):
@@ -36,14 +38,21 @@ def main(table, picture):
         column[1].set_xlabel("time [us/pulse, one thread]")
         for height, text in ((SHIFT, "largest bin of 0.25 ns"), (NOISE, "noise, SNR 50")):
             column[0].axhline(height, color="k", ls=":", lw=0.7)
-            column[0].annotate(text, (0.02, height), xycoords=("axes fraction", "data"), fontsize=6, va="bottom")
+            column[0].annotate(
+                text, (0.02, height), xycoords=("axes fraction", "data"), fontsize=6, va="bottom"
+            )
     for axis, label in zip(axes[:, 0], ERRORS.values()):
         axis.set_ylabel(label)
     handles = [plt.Line2D([], [], color=c, marker="o", ls="", label=p) for p, c in COLOURS.items()]
-    handles += [plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=d) for d, m in MARKERS.items()]
+    handles += [
+        plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=d)
+        for d, m in MARKERS.items()
+    ]
     figure.legend(handles=handles, loc="lower center", ncol=6, fontsize=8)
-    figure.suptitle("Left is faster, lower is better; joined: Pareto front; dashed: the reference itself; "
-                    "numbers: missed + extra echoes [%]")
+    figure.suptitle(
+        "Left is faster, lower is better; joined: Pareto front; dashed: the reference itself; "
+        "numbers: missed + extra echoes [%]"
+    )
     figure.tight_layout(rect=(0, 0.04, 1, 0.98))
     figure.savefig(picture, dpi=80)
 
@@ -61,9 +70,15 @@ def draw(axis, rows, error):
         axis.plot(time, wrong, MARKERS[row["detector"]], color=colour, mfc=face, ms=6)
         lost = float(row["missed_pct"]) + float(row["extra_pct"])
         if lost >= 0.05:
-            axis.annotate(f"{lost:.2g}", (time, wrong), fontsize=6, xytext=(4, 3), textcoords="offset points")
+            axis.annotate(
+                f"{lost:.2g}", (time, wrong), fontsize=6, xytext=(4, 3), textcoords="offset points"
+            )
         points.append((time, wrong))
-    best = [p for p in sorted(points) if not any(q[0] <= p[0] and q[1] <= p[1] and q != p for q in points)]
+    best = [
+        p
+        for p in sorted(points)
+        if not any(q[0] <= p[0] and q[1] <= p[1] and q != p for q in points)
+    ]
     axis.plot(*zip(*best), color="0.6", lw=1, zorder=0)
     axis.set(xscale="log", yscale="log")
     axis.grid(alpha=0.3)

@@ -59,7 +59,9 @@ def main(arguments):
                 sys.exit("the runs differ in their pulses")
             for draws, state in states.items():
                 seconds[draws].append(state["time"]["computingSeconds"])
-                print(f"{'window' if draws else 'alone ':6}  {seconds[draws][-1]:.2f} s", flush=True)
+                print(
+                    f"{'window' if draws else 'alone ':6}  {seconds[draws][-1]:.2f} s", flush=True
+                )
     window, alone = (statistics.median(seconds[draws]) for draws in (True, False))
     print(f"medians: window {window:.2f} s, alone {alone:.2f} s, ratio {window / alone:.3f}")
     return 0

@@ -73,7 +73,16 @@ def run(name, output, *options):
     from vtkhelios.cli import main
 
     said = io.StringIO()
-    words = ["run", *RUNS[name], "--output", str(output), "--pulses-per-block", str(BLOCK), "--seed", "3"]
+    words = [
+        "run",
+        *RUNS[name],
+        "--output",
+        str(output),
+        "--pulses-per-block",
+        str(BLOCK),
+        "--seed",
+        "3",
+    ]
     with contextlib.redirect_stderr(said):
         code = main([*words, "--threads", "1", "--quiet", *options])
     return code, said.getvalue()
@@ -163,7 +172,9 @@ def remove_key(data, chance):
 def change_number(data, chance):
     number = chance.choice(list(re.finditer(rb"(?<=:)\d+", data)))
     value = int(number[0])
-    new = chance.choice([0, -1, value + 1, max(0, value - 1), 10 * value, 2**31, 2**63, value / 2, '"x"'])
+    new = chance.choice(
+        [0, -1, value + 1, max(0, value - 1), 10 * value, 2**31, 2**63, value / 2, '"x"']
+    )
     return data[: number.start()] + str(new).encode() + data[number.end() :]
 
 
@@ -212,7 +223,11 @@ def damage_finished(folder, chance):
     else:
         path = chance.choice(sorted(path for path in folder.iterdir() if path.name != SUMMARY))
         kind = chance.choice([add_bytes, remove_bytes])
-    path.write_bytes(kind(path.read_bytes().replace(b" : ", b":") if kind in LINES else path.read_bytes(), chance))
+    path.write_bytes(
+        kind(
+            path.read_bytes().replace(b" : ", b":") if kind in LINES else path.read_bytes(), chance
+        )
+    )
     return f"finished {kind.__name__}"
 
 
@@ -222,7 +237,9 @@ def judge(code, said, folder, truth):
         return "a traceback: " + said
     if code == 0:
         now = contents(folder)
-        wrong = sorted(name for name in now.keys() | truth.keys() if now.get(name) != truth.get(name))
+        wrong = sorted(
+            name for name in now.keys() | truth.keys() if now.get(name) != truth.get(name)
+        )
         return f"exit code 0, but {', '.join(wrong)} differ" if wrong else ""
     if code != 1:
         return f"exit code {code}: {said}"
@@ -304,7 +321,11 @@ class Campaign:
         time.sleep(self.chance.choice([0.0, 0.001, 0.003, 0.01]) * self.chance.random())
         os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
-        if (folder / SUMMARY).exists() or not journal.exists() or journal.read_bytes().count(b"\n") < 2:
+        if (
+            (folder / SUMMARY).exists()
+            or not journal.exists()
+            or journal.read_bytes().count(b"\n") < 2
+        ):
             shutil.rmtree(output, ignore_errors=True)
         else:
             self.left[name].append(folder)
@@ -320,14 +341,18 @@ class Campaign:
         while jobs:
             told, status = in_child(lambda tell: self.resume_some(name, jobs, others, tell))
             for what, result, problem in told:
-                self.counts[what if what == "undamaged" else what.split()[0] + " damaged", result] += 1
+                self.counts[
+                    what if what == "undamaged" else what.split()[0] + " damaged", result
+                ] += 1
                 self.counts["kind", what, result] += 1
                 if problem:
                     self.fail(problem)
             jobs = jobs[len(told) :]
             if status != 0:
                 folder, seed = jobs.pop(0)
-                self.fail(f"{name} {folder} seed {seed}: ended with {status} (a signal, or no response)")
+                self.fail(
+                    f"{name} {folder} seed {seed}: ended with {status} (a signal, or no response)"
+                )
 
     def resume_some(self, name, jobs, others, tell):
         for folder, seed in jobs:
@@ -342,7 +367,15 @@ class Campaign:
             if what == "undamaged" and code != 0:
                 problem = "is not resumed: " + said
             result = "right" if code == 0 else "error"
-            tell([what, result, f"{name} {folder.parent.name} seed {seed}, {what}: {problem}" if problem else ""])
+            tell(
+                [
+                    what,
+                    result,
+                    f"{name} {folder.parent.name} seed {seed}, {what}: {problem}"
+                    if problem
+                    else "",
+                ]
+            )
 
     @staticmethod
     def damage(folder, chance, others):
@@ -357,6 +390,7 @@ class Campaign:
 
     def go(self, kills, cases):
         import vtkhelios.cli  # noqa: F401: once, and not in every child
+
         for index, name in enumerate(RUNS):
             lines = self.run_whole(name)
             wanted = kills * (index + 1) // len(RUNS) - kills * index // len(RUNS)
@@ -380,10 +414,14 @@ class Campaign:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--kills", type=int, default=100, help="number of runs killed while writing")
+    parser.add_argument(
+        "--kills", type=int, default=100, help="number of runs killed while writing"
+    )
     parser.add_argument("--cases", type=int, default=2500, help="number of damaged folders")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--verbose", action="store_true", help="print the counts of every kind of damage")
+    parser.add_argument(
+        "--verbose", action="store_true", help="print the counts of every kind of damage"
+    )
     arguments = parser.parse_args()
     fast = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None  # where fsync takes no time
     with tempfile.TemporaryDirectory(dir=fast) as folder:

@@ -168,7 +168,7 @@ def test_an_exit_of_python_is_a_traceback(tmp_path):
 
 def test_memory_that_is_held_is_noticed(tmp_path, monkeypatch):
     results = run(
-        tmp_path, at("2", lambda: np.ones(8 << 20)), memory=16 << 20, monkeypatch=monkeypatch
+        tmp_path, at("2", lambda: np.ones(32 << 20)), memory=16 << 20, monkeypatch=monkeypatch
     )
     expect_one(results, "memory", "MB for a file of")
     assert results["2"].peak > 60 << 20 > results["3"].peak

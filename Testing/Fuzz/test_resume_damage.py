@@ -23,7 +23,9 @@ def test_damaged_runs_are_resumed_right_or_refused():
         timeout=900,
     )
     assert done.returncode == 0, done.stdout + done.stderr
-    figures = {what: int(count) for count, what in re.findall(r"^ *(\d+)  (.+)$", done.stdout, re.M)}
+    figures = {
+        what: int(count) for count, what in re.findall(r"^ *(\d+)  (.+)$", done.stdout, re.M)
+    }
     assert figures["undamaged right"] >= 4
     for kind in ("journal", "part", "whole", "finished"):
         assert figures[f"{kind} damaged error"] > 10

@@ -43,7 +43,17 @@ def run(tmp_path):
         if plane is not None:
             (tmp_path / "plane.obj").write_text(plane)
         result = subprocess.run(
-            [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", "--output", output, *options],
+            [
+                sys.executable,
+                "-P",
+                "-m",
+                "vtkhelios",
+                "run",
+                "survey.xml",
+                "--output",
+                output,
+                *options,
+            ],
             capture_output=True,
             text=True,
             cwd=tmp_path,
@@ -60,7 +70,10 @@ REFUSED = {
     "malformed": ([("</leg>", "</lag>")], ["survey.xml:", "not XML"]),
     "two roots": ([("</document>", "</document><document/>")], ["survey.xml:"]),
     "a duplicate attribute": ([('z="2"', 'z="2" z="3"')], ["survey.xml:4", "z"]),
-    "unknown platform": ([("#tripod", "#tripot")], ["survey.xml:3", "tripot", "did you mean tripod"]),
+    "unknown platform": (
+        [("#tripod", "#tripot")],
+        ["survey.xml:3", "tripot", "did you mean tripod"],
+    ),
     "unknown scanner": ([("#vz400", "#vz4000")], ["survey.xml:3", "mobile_mls"]),
     "unknown scene": ([("scene.xml#s", "scene.xml#t")], ["survey.xml:3", "ids are s"]),
     "a missing file": ([("platforms.xml", "nowhere.xml")], ["survey.xml:3", "nowhere.xml"]),
@@ -191,10 +204,12 @@ def test_no_declaration_is_fine(run):
 def test_a_full_disk_keeps_whole_lines(run, tmp_path):
     disk = tmp_path / "disk"
     disk.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], check=False).returncode:
+    if subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], check=False
+    ).returncode:
         pytest.skip("no small disk can be mounted here")
     try:
-        code, text = run(("Stop_deg=\"3\"", "Stop_deg=\"60\""), output=str(disk))
+        code, text = run(('Stop_deg="3"', 'Stop_deg="60"'), output=str(disk))
         assert code == 1
         assert "No space left on device" in text and "records are safe" in text
         kept = (disk / "bad" / "leg000_points.xyz.part").read_bytes()

@@ -37,7 +37,17 @@ FORMATS = {
 
 def run(folder, *options):
     return subprocess.run(
-        [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", "--pulses-per-block", "1000", *options],
+        [
+            sys.executable,
+            "-P",
+            "-m",
+            "vtkhelios",
+            "run",
+            "survey.xml",
+            "--pulses-per-block",
+            "1000",
+            *options,
+        ],
         capture_output=True,
         text=True,
         cwd=folder,
@@ -62,7 +72,9 @@ def disk(tmp_path):
     (tmp_path / "yard.obj").write_text(YARD)
     folder = tmp_path / "disk"
     folder.mkdir()
-    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4k", "tmpfs", folder], check=False).returncode:
+    if subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=4k", "tmpfs", folder], check=False
+    ).returncode:
         pytest.skip("no disk can be mounted here")
 
     def resize(kibibytes):
@@ -82,23 +94,42 @@ def test_at_any_point(name, disk, tmp_path):
     options = [*FORMATS[name], "--output", "disk"]
     for room in (8, 20, 48, total // 3, 2 * total // 3, total):
         disk(room)
-        done = run(tmp_path, *options, *(["--resume"] if (folder / "run.journal").exists() else ["--overwrite"]))
+        done = run(
+            tmp_path,
+            *options,
+            *(["--resume"] if (folder / "run.journal").exists() else ["--overwrite"]),
+        )
         assert done.returncode == 1, (room, done.stderr)
-        assert "No space left on device" in done.stderr and str(folder.relative_to(tmp_path)) in done.stderr
+        assert (
+            "No space left on device" in done.stderr
+            and str(folder.relative_to(tmp_path)) in done.stderr
+        )
         assert "room" in done.stderr or "another" in done.stderr, done.stderr
         assert "No such file" not in done.stderr and "Traceback" not in done.stderr, done.stderr
         assert not (folder / "run_summary.json").exists()
         for file, digest in digests(folder).items():
-            assert file == "run.journal" or file.endswith(".part") or digest == truth[file], (room, file)
+            assert file == "run.journal" or file.endswith(".part") or digest == truth[file], (
+                room,
+                file,
+            )
     disk(4 * total + 1000)
     done = run(tmp_path, *options, "--resume", "--check-all")
     assert done.returncode == 0, done.stderr
     assert digests(folder) == truth
-    summaries = [json.loads((each / "run_summary.json").read_text()) for each in (folder, tmp_path / "whole/yard")]
+    summaries = [
+        json.loads((each / "run_summary.json").read_text())
+        for each in (folder, tmp_path / "whole/yard")
+    ]
     assert all(summary.pop("timings") for summary in summaries)
     assert summaries[0] == summaries[1]
-    for file in summaries[0]["legs"][0]["files"]:  # of LAS with its waveforms, of an index with its pieces
+    for file in summaries[0]["legs"][0][
+        "files"
+    ]:  # of LAS with its waveforms, of an index with its pieces
         path = folder / file["name"]
         stem = path.with_suffix("").name
-        with_it = [each for each in folder.iterdir() if each == path or each.stem == stem or stem + "_0" in each.name]
+        with_it = [
+            each
+            for each in folder.iterdir()
+            if each == path or each.stem == stem or stem + "_0" in each.name
+        ]
         assert file["bytes"] == sum(each.stat().st_size for each in with_it), file

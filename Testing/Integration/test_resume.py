@@ -33,10 +33,13 @@ SCENE = """\
 <document><scene id="s"><part><filter type="objloader">
 <param type="string" key="filepath" value="yard.obj"/></filter></part></scene></document>
 """
-YARD = "mtllib yard.mtl\nusemtl paving\nv -60 -60 0\nv 60 -60 0\nv 60 60 0\nv -60 60 0\nf 1 2 3 4\n" + "".join(
-    f"v {k} {15 + k % 3} 0\nv {k + 0.5} {15 + k % 3} 0\nv {k + 0.5} {15 + k % 3} 9\n"
-    f"f {3 * k + 5} {3 * k + 6} {3 * k + 7}\n"
-    for k in range(30)
+YARD = (
+    "mtllib yard.mtl\nusemtl paving\nv -60 -60 0\nv 60 -60 0\nv 60 60 0\nv -60 60 0\nf 1 2 3 4\n"
+    + "".join(
+        f"v {k} {15 + k % 3} 0\nv {k + 0.5} {15 + k % 3} 0\nv {k + 0.5} {15 + k % 3} 9\n"
+        f"f {3 * k + 5} {3 * k + 6} {3 * k + 7}\n"
+        for k in range(30)
+    )
 )
 
 FORMATS = {
@@ -164,7 +167,9 @@ def test_a_file_that_may_not_grow(name, survey):
     assert not (folder / "run_summary.json").exists() and (folder / "run.journal").exists()
     # neither restarted nor with other settings
     done = run(survey, *BLOCK, *FORMATS[name])
-    assert done.returncode == 1 and "not finished: set Resume (--resume) to continue it" in done.stderr
+    assert (
+        done.returncode == 1 and "not finished: set Resume (--resume) to continue it" in done.stderr
+    )
     done = run(survey, *BLOCK, *FORMATS[name], "--seed", "4", "--resume")
     assert done.returncode == 1 and "seed was 3 and is 4" in done.stderr
     done = run(survey, *BLOCK, *FORMATS[name], "--resume")
@@ -177,7 +182,10 @@ def test_an_input_that_has_changed(survey):
     break_off(survey)
     (survey / "yard.mtl").write_text("newmtl paving\nhelios_reflectance 0.5\n")
     done = run(survey, *BLOCK, "--resume")
-    assert done.returncode == 1 and "the scene has changed: a file that its files refer to" in done.stderr
+    assert (
+        done.returncode == 1
+        and "the scene has changed: a file that its files refer to" in done.stderr
+    )
     (survey / "yard.obj").write_text(YARD.replace("-60", "-61"))
     done = run(survey, *BLOCK, "--resume")
     assert done.returncode == 1
@@ -189,7 +197,12 @@ def test_an_input_that_has_changed(survey):
 def test_ctrl_c_and_on(survey):
     command = [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", *BLOCK]
     broken = subprocess.Popen(
-        command, cwd=survey, env=ENVIRONMENT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        command,
+        cwd=survey,
+        env=ENVIRONMENT,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
     )
     journal = survey / "output/yard/run.journal"
     while not journal.exists() and broken.poll() is None:
@@ -222,8 +235,19 @@ def test_nothing_to_resume(survey):
 
 
 def test_a_folder_that_vanishes(survey):
-    command = [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", "--pulses-per-block", "50"]
-    broken = subprocess.Popen(command, cwd=survey, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True)
+    command = [
+        sys.executable,
+        "-P",
+        "-m",
+        "vtkhelios",
+        "run",
+        "survey.xml",
+        "--pulses-per-block",
+        "50",
+    ]
+    broken = subprocess.Popen(
+        command, cwd=survey, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True
+    )
     journal = survey / "output/yard/run.journal"
     while broken.poll() is None and not (journal.exists() and journal.stat().st_size > 3000):
         time.sleep(0.01)
@@ -235,7 +259,12 @@ def test_a_folder_that_vanishes(survey):
 
 
 def mount(folder, options):
-    return subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], check=False).returncode == 0
+    return (
+        subprocess.run(
+            ["mount", "-t", "tmpfs", "-o", options, "tmpfs", folder], check=False
+        ).returncode
+        == 0
+    )
 
 
 def test_a_folder_that_is_read_only(survey):

@@ -173,7 +173,9 @@ def test_a_leg_in_degrees_comes_into_the_scene(run):
 
 
 def test_the_scene_may_name_its_system(run):
-    plane = "<part><filter type='objloader'><param key='filepath' value='plane.obj'/></filter></part>"
+    plane = (
+        "<part><filter type='objloader'><param key='filepath' value='plane.obj'/></filter></part>"
+    )
     corners = [(-50, -50), (50, -50), (50, 50), (-50, 50)]
     text = "".join(f"v {EAST + x!r} {NORTH + y!r} {GROUND}\n" for x, y in corners) + "f 1 2 3 4\n"
     (run.folder / "plane.obj").write_text(text)
@@ -220,6 +222,8 @@ def test_what_cannot_be_is_refused(run, name):
 @pytest.mark.parametrize("caster", ["bvh"])
 def test_a_survey_may_choose_its_ray_caster(run, caster):
     default = vtkhelios.arrays(run(TERRAIN.format(filters=""), HOUSE))
-    chosen = vtkhelios.arrays(run(TERRAIN.format(filters=""), HOUSE, survey=f'rayCaster="{caster}"'))
+    chosen = vtkhelios.arrays(
+        run(TERRAIN.format(filters=""), HOUSE, survey=f'rayCaster="{caster}"')
+    )
     for name in default:
         assert np.array_equal(default[name], chosen[name])

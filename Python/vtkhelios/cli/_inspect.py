@@ -135,8 +135,11 @@ class Inspection:
             for each in header.vlrs if not 100 <= each.record_id < 355
         ]  # fmt: skip
         facts["extraBytes"] = [
-            {"name": _text(each.name), "type": str(each.dtype),
-             "description": _text(each.description)}
+            {
+                "name": _text(each.name),
+                "type": str(each.dtype),
+                "description": _text(each.description),
+            }
             for each in header.point_format.extra_dimensions
         ]
         self._tell_waveforms(reader)
@@ -176,11 +179,13 @@ class Inspection:
 
     def _check(self, reader):
         if reader.count is not None and reader.count != self._count and "E57" not in reader.kind:
-            self.warnings.append(f"the header counts {reader.count:,} points, but there are {self._count:,}")
+            self.warnings.append(
+                f"the header counts {reader.count:,} points, but there are {self._count:,}"
+            )
         if self._invalid:
             self.warnings.append(
                 f"{self._invalid:,} points are not finite; vtkhelios convert --skip-invalid drops "
-                "them out"
+                "them"
             )
         if self._far:
             self.warnings.append(

@@ -145,7 +145,7 @@ class PlyReader(Reader):
         if vertices.dtype[name].kind != "f" and wrong.any():
             row = int(np.flatnonzero(wrong)[0])
             self.fail(
-                f"{name} of vertex {done + row} is {values[row]:g}, not a "
+                f"{name} of vertex {done + row} is {values[row]:g}, not of type "
                 f"{vertices.dtype[name].name}; correct it"
             )
 

@@ -191,7 +191,10 @@ def test_laz_of_laspy_has_the_same_points(tmp_path):
     laspy.read(path).write(tmp_path / "a.laz")
     packed, plain = laspy.read(tmp_path / "a.laz"), laspy.read(path)
     assert np.array_equal(packed.points.array, plain.points.array)
-    with pytest.raises(RuntimeError, match=r"a.laz: is compressed \(LAZ\); convert it to LAS first: vtkhelios convert"):
+    with pytest.raises(
+        RuntimeError,
+        match=r"a.laz: is compressed \(LAZ\); convert it to LAS first: vtkhelios convert",
+    ):
         read(tmp_path / "a.laz")
 
 

@@ -107,7 +107,9 @@ def test_origins_are_those_of_pulsewaves(riegl):
     _, waves = riegl
     time, anchor, step, first, last = get_pulses()
     after = np.clip(np.searchsorted(time, waves["GpsTime"]), 1, len(time) - 1)
-    pulse = np.where(waves["GpsTime"] - time[after - 1] < time[after] - waves["GpsTime"], after - 1, after)
+    pulse = np.where(
+        waves["GpsTime"] - time[after - 1] < time[after] - waves["GpsTime"], after - 1, after
+    )
     assert np.abs(waves["GpsTime"] - time[pulse]).max() < 1e-6
     speed = np.linalg.norm(step[pulse], axis=1)
     beam = step[pulse] / speed[:, None]

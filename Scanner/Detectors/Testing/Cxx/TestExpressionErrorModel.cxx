@@ -116,7 +116,7 @@ TEST_CASE("ExpressionErrorModel: bad expressions are refused", "[ExpressionError
     { "t t", "write a term between operators" },
     { "2 +", "write a term between operators" },
     { "()", "write a term between operators" },
-    { "1e999", "a number that cannot be read" },
+    { "1e999", "a number is not valid" },
     { " ", "it is blank; write for example" },
     { "while(true){}", "while is not known" },
     { "ln(-1)", "its value is never finite" },

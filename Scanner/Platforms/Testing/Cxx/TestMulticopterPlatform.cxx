@@ -446,7 +446,7 @@ TEST_CASE("MulticopterPlatform: bad input is an error", "[MulticopterPlatform]")
     waypoints->GetPointData()->AddArray(array);
     copter->SetInputData(waypoints);
     copter->Update();
-    CHECK(log->HasError("The point array SmoothTurn of the waypoints must hold one number a"));
+    CHECK(log->HasError("The point array SmoothTurn of the waypoints must hold one number per"));
   }
   CHECK(copter->GetOutput()->GetNumberOfPoints() == 0);
 }

@@ -326,7 +326,7 @@ TEST_CASE("Clearance: what is wrong is said", "[Clearance]")
   vtkNew<vtkPolyData> empty;
   flight.Filter->SetInputData(1, empty);
   CHECK(flight.Run().empty());
-  CHECK(flight.Log->HasError("The scene on port 1 is empty; connect what"));
+  CHECK(flight.Log->HasError("The scene on port 1 is empty; connect the surfaces"));
   scene.Points[0][0] = std::nan("");
   flight.Filter->SetInputData(1, scene.GetPolyData());
   CHECK(flight.Run().empty());

@@ -226,7 +226,7 @@ TEST_CASE("TerrainFollow: what is wrong is said", "[TerrainFollow]")
     follow.Waypoints->GetPoints()->SetPoint(1, std::numeric_limits<double>::infinity(), 0, 0);
     follow.Waypoints->Modified();
     follow.Filter->SetSpacing(10);
-    CHECK(follow.FailsWith("Spacing 10 m makes inf waypoints;"));
+    CHECK(follow.FailsWith("Spacing 10 m results in inf waypoints;"));
   }
   SECTION("an empty scene")
   {

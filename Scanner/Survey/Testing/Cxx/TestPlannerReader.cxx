@@ -220,8 +220,8 @@ TEST_CASE("PlannerReader: a flight is planned from a tripod that is asked for", 
   const Reading survey(files, Flight, ThreeLegs);
   PlannerReading reading(files, "survey.xml");
   CHECK_FALSE(reading.Good);
-  CHECK(reading.Log->HasError("platform plane moves, and positions are planned for one that "
-                              "stands; give a platform of type=\"static\""));
+  CHECK(reading.Log->HasError("platform plane moves, but positions are planned for a static "
+                              "one; give a platform of type=\"static\""));
   reading.Reader->SetPlatform("assets.xml#tripod");
   reading.Reader->SetScanner("assets.xml#tls");
   CHECK(reading.Reader->Read());

@@ -169,7 +169,7 @@ TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
     { Part(Lid + Swap("")), "scene.xml:4: <swap> has no filter; add a loader" },
     { Part(Lid + Swap(Move(1) + "\n" + Lid)),
       "scene.xml:5: filter objloader comes after other filters of a <swap>" },
-    { Part(Lid + Swap(Lid + Lid)), "a second loader in one <swap>; take one out" },
+    { Part(Lid + Swap(Lid + Lid)), "a second loader in one <swap>; remove one" },
     { Part(Lid + Swap(R"(<filter type="objloader"/>)")), "filter objloader has no filepath" },
     { Part(Lid + Swap(R"(<filter type="mover"/>)")), "filter type=\"mover\" is unknown" },
     { "<part><filter type=\"objloader\"><param key=\"efilepath\" value=\".*obj\"/></filter>" +
