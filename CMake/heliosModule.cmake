@@ -4,16 +4,29 @@
 
 set(vtkhelios_warnings -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
 
+# helios_get_folders(<output> <file>...)
+# The subfolders that some of the files are in.
+function(helios_get_folders output)
+  list(FILTER ARGN INCLUDE REGEX "/")
+  list(TRANSFORM ARGN REPLACE "/[^/]*$" "" OUTPUT_VARIABLE folders)
+  list(REMOVE_DUPLICATES folders)
+  set(${output} ${folders} PARENT_SCOPE)
+endfunction()
+
 # helios_add_module(<name> CLASSES ... [SOURCES ...] [HEADERS ...] [LINK ...])
 # A VTK module with the project's warnings; HEADERS are installed and not wrapped, SOURCES are
 # private. Floating-point contraction is off: byte-identical on every machine, no leak between
-# triangles.
+# triangles. Files may be in subfolders; headers are included by their names alone.
 function(helios_add_module name)
   cmake_parse_arguments(arg "" "" "CLASSES;SOURCES;HEADERS;LINK" ${ARGN})
   vtk_module_add_module(vtkHelios::${name}
     CLASSES ${arg_CLASSES}
     SOURCES ${arg_SOURCES}
     NOWRAP_HEADERS ${arg_HEADERS})
+  helios_get_folders(folders ${arg_CLASSES} ${arg_SOURCES} ${arg_HEADERS})
+  foreach(folder IN LISTS folders)
+    vtk_module_include(vtkHelios::${name} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/${folder}>")
+  endforeach()
   vtk_module_compile_options(vtkHelios::${name} PRIVATE ${vtkhelios_warnings} -ffp-contract=off
     -fno-semantic-interposition)
   get_target_property(target vtkHelios::${name} ALIASED_TARGET)

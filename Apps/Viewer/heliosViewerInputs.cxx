@@ -26,7 +26,7 @@
 
 namespace fs = std::filesystem;
 
-namespace helios
+namespace helios::viewer
 {
 
 namespace
@@ -206,4 +206,4 @@ std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer)
   return tools;
 }
 
-} // namespace helios
+} // namespace helios::viewer

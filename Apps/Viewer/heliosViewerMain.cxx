@@ -12,23 +12,23 @@
 
 int main(int argc, char** argv)
 {
-  const helios::VisibleText visible(std::cerr);
-  helios::ViewerOptions options;
-  const helios::OptionsResult result = helios::ReadOptions(argc, argv, options);
-  if (result != helios::OptionsResult::Go)
+  const helios::viewer::VisibleText visible(std::cerr);
+  helios::viewer::ViewerOptions options;
+  const helios::viewer::OptionsResult result = helios::viewer::ReadOptions(argc, argv, options);
+  if (result != helios::viewer::OptionsResult::Go)
   {
-    return result == helios::OptionsResult::Done ? 0 : 2;
+    return result == helios::viewer::OptionsResult::Done ? 0 : 2;
   }
-  const std::string problem = helios::CheckDisplay();
+  const std::string problem = helios::viewer::CheckDisplay();
   if (!problem.empty())
   {
     std::cerr << "error: " << problem << "\n";
     return 1;
   }
-  helios::ExplainLostDisplay();
+  helios::viewer::ExplainLostDisplay();
   try
   {
-    helios::Viewer viewer(options);
+    helios::viewer::Viewer viewer(options);
     return viewer.Run();
   }
   catch (const std::exception& error) // of libraries, out of memory

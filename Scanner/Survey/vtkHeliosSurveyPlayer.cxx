@@ -5,6 +5,7 @@
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
 #include "heliosPlays.h"
+#include "heliosReadSettings.h"
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
@@ -118,7 +119,7 @@ bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
     return this->Fail(
       "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
   }
-  const std::string fault = helios::TakeSettings(player, this->Settings);
+  const std::string fault = helios::ReadSettings(player, this->Settings);
   this->Survey = helios::MakePlay(player->Survey->GetData(), player->Play);
   return fault.empty() || this->Fail(fault);
 }

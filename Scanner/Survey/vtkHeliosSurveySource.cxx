@@ -8,6 +8,7 @@
 #include "heliosPiecePile.h"
 #include "heliosPlays.h"
 #include "heliosPulseCount.h"
+#include "heliosReadSettings.h"
 #include "heliosSceneBuilder.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosScanner.h"
@@ -110,7 +111,7 @@ bool vtkHeliosSurveySource::Internals::CheckSettings()
     return false;
   }
   this->Settings = helios::RunSettings();
-  const std::string fault = helios::TakeSettings(source, this->Settings);
+  const std::string fault = helios::ReadSettings(source, this->Settings);
   if (!fault.empty())
   {
     this->Log.Error(fault);

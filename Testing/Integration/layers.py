@@ -6,6 +6,7 @@ A module may use modules of lower layers only. It declares them in its vtk.modul
 include no header of an undeclared module.
 """
 
+import graphlib
 import pathlib
 import re
 
@@ -93,9 +94,38 @@ def find_edge_faults(modules):
     return faults
 
 
+def folders_of(folder):
+    """The folders of a module: itself and its subfolders, without its tests and submodules."""
+    return [folder] + [
+        path
+        for path in sorted(folder.iterdir())
+        if path.is_dir() and path.name != "Testing" and not (path / "vtk.module").exists()
+    ]
+
+
 def sources_of(folder):
     """The sources of a module, without its tests and submodules."""
-    return [path for path in sorted(folder.glob("*")) if path.suffix in (".h", ".cxx")]
+    return [
+        path
+        for each in folders_of(folder)
+        for path in sorted(each.iterdir())
+        if path.suffix in (".h", ".cxx")
+    ]
+
+
+def find_folder_cycles(folder):
+    """Subfolders of a module that include each other's headers, as lists of names."""
+    home = {path.name: path.parent for path in sources_of(folder)}
+    uses = {each: set() for each in folders_of(folder)}
+    for path in sources_of(folder):
+        for header in _INCLUDE.findall(path.read_text()):
+            uses[path.parent].add(home.get(pathlib.PurePath(header).name, path.parent))
+    order = graphlib.TopologicalSorter({each: used - {each} for each, used in uses.items()})
+    try:
+        order.prepare()
+    except graphlib.CycleError as cycle:
+        return [[path.name for path in cycle.args[1]]]
+    return []
 
 
 def find_include_faults(modules):

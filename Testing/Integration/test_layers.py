@@ -25,6 +25,32 @@ def test_includes_are_declared():
     assert layers.find_include_faults(layers.find_modules(ROOT)) == []
 
 
+MODULES = {name: folder for name, (_, folder) in layers.find_modules(ROOT).items()}
+MODULES["Viewer"] = ROOT / "Apps/Viewer"
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_folders_have_no_cycles(name):
+    assert layers.find_folder_cycles(MODULES[name]) == []
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_folders_are_small(name):
+    sizes = {
+        path: sum(file.is_file() for file in path.iterdir())
+        for path in layers.folders_of(MODULES[name])
+    }
+    assert {path.name: size for path, size in sizes.items() if size >= 40} == {}
+
+
+def test_cycles_are_found(tmp_path):
+    for folder, other in (("A", "B"), ("B", "A")):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / f"helios{folder}.h").write_text(f'#include "helios{other}.h"\n')
+    (cycle,) = layers.find_folder_cycles(tmp_path)
+    assert set(cycle) == {"A", "B"}
+
+
 @pytest.fixture
 def made_up(tmp_path):
     """Makes a module below tmp_path and returns all modules there."""

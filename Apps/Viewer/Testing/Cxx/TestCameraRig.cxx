@@ -14,8 +14,8 @@
 #include <fstream>
 #include <unistd.h>
 
-using helios::CameraMode;
-using helios::CameraRig;
+using helios::viewer::CameraMode;
+using helios::viewer::CameraRig;
 using helios::Vec3;
 
 namespace

@@ -13,6 +13,7 @@
 #include <limits>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 namespace

@@ -20,6 +20,7 @@
 #include <fstream>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 namespace

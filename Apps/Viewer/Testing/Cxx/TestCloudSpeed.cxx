@@ -14,6 +14,7 @@
 #include <iostream>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 namespace

@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 TEST_CASE("CloudView: cameras are reset to the whole cloud, whatever is drawn of it")

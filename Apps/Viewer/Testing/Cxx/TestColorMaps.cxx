@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 using namespace helios;
+using namespace helios::viewer;
 
 TEST_CASE("ColorMaps: the ramp goes through its nodes")
 {

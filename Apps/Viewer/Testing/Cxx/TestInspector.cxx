@@ -27,6 +27,7 @@
 #include <thread>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace fs = std::filesystem;
 
 namespace

@@ -12,6 +12,7 @@
 #include <fstream>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace fs = std::filesystem;
 namespace names = vtkHeliosArrayNames;
 

@@ -15,6 +15,7 @@
 #include <cstdlib>
 
 using namespace helios;
+using namespace helios::viewer;
 
 namespace
 {

@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-using helios::FrameBudget;
-using helios::PlayClock;
+using helios::viewer::FrameBudget;
+using helios::viewer::PlayClock;
 
 TEST_CASE("PlayClock: time goes as fast as asked, and no farther than there is", "[Viewer]")
 {

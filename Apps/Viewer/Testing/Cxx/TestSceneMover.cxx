@@ -17,6 +17,7 @@
 #include <cstdlib>
 
 using namespace helios;
+using namespace helios::viewer;
 
 namespace
 {

@@ -16,6 +16,7 @@
 #include <cstdlib>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 namespace

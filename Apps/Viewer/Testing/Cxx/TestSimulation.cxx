@@ -19,6 +19,7 @@
 #include <thread>
 
 using namespace helios;
+using namespace helios::viewer;
 
 namespace
 {

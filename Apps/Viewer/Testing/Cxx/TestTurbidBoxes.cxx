@@ -24,6 +24,7 @@
 #include <limits>
 
 using namespace helios;
+using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
 namespace

@@ -17,6 +17,7 @@
 #include <fstream>
 
 using namespace helios;
+using namespace helios::viewer;
 
 namespace
 {

@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-namespace helios
+namespace helios::viewer
 {
 
 constexpr double StepHeight = 2.0; // [m]
@@ -62,6 +62,6 @@ public:
   std::filesystem::path Folder;
 };
 
-} // namespace helios
+} // namespace helios::viewer
 
 #endif

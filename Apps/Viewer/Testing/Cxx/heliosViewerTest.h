@@ -23,7 +23,7 @@
 #include <cmath>
 #include <vector>
 
-namespace helios
+namespace helios::viewer
 {
 
 inline vtkSmartPointer<vtkPolyData> MakeEchoes(const std::vector<Vec3>& places)
@@ -123,6 +123,6 @@ public:
 
 constexpr Rgb Black = { 0, 0, 0 };
 
-} // namespace helios
+} // namespace helios::viewer
 
 #endif

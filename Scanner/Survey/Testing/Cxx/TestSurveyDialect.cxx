@@ -159,7 +159,7 @@ TEST_CASE(
   CHECK(data.GetScanner(0).Model.Where.find("assets.xml:5: visModel=\"no such.obj\"") !=
     std::string::npos);
   CHECK(data.GetScanner(1).Model.Name.empty());
-  CHECK_FALSE(reading.Log->HasWarning("odel")); // not needed by a simulation
+  CHECK_FALSE(reading.Log->HasWarning("visModel")); // not needed by a simulation
   Playing playing(files, reading);
   CHECK(playing.Player->Run());
   CHECK_FALSE(playing.Log->HasWarning(".obj"));

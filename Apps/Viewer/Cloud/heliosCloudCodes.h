@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Encodes point values in one or two bytes.
+
+#ifndef heliosCloudCodes_h
+#define heliosCloudCodes_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace helios::viewer
+{
+
+constexpr std::uint8_t NoIncidence = 255;
+
+/// 512 steps per octave, from 2^-96 on; 0: not set.
+inline std::uint16_t EncodeAmplitude(double amplitude)
+{
+  if (!(amplitude > 0.0))
+  {
+    return 0;
+  }
+  const double code = std::round(512.0 * (std::log2(amplitude) + 96.0));
+  return static_cast<std::uint16_t>(std::min(std::max(code, 1.0), 65535.0));
+}
+
+inline double DecodeAmplitude(std::uint16_t code)
+{
+  return code == 0 ? std::numeric_limits<double>::quiet_NaN() : std::exp2(code / 512.0 - 96.0);
+}
+
+/// Steps of 90/254 of a degree.
+inline std::uint8_t EncodeIncidence(double degrees)
+{
+  const double code = std::round(degrees * (254.0 / 90.0));
+  return std::isfinite(code) ? static_cast<std::uint8_t>(std::min(std::max(code, 0.0), 254.0))
+                             : NoIncidence;
+}
+
+inline double DecodeIncidence(std::uint8_t code)
+{
+  return code == NoIncidence ? std::numeric_limits<double>::quiet_NaN() : code * (90.0 / 254.0);
+}
+
+inline std::uint8_t ToByte(double value)
+{
+  return static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
+}
+
+} // namespace helios::viewer
+
+#endif

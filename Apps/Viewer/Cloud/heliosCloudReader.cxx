@@ -1,0 +1,365 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosCloudReader.h"
+
+#include "heliosCloud.h"
+#include "heliosInputFile.h"
+#include "heliosJsonText.h"
+#include "heliosPlyPoints.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosLASReader.h"
+#include "vtkHeliosPointXMLReader.h"
+#include "vtkHeliosTrajectoryReader.h"
+#include "vtkHeliosXyzReader.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+namespace names = vtkHeliosArrayNames;
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+constexpr double PieceBytes = 32.0 * 1024.0 * 1024.0;
+constexpr const char* Kinds =
+  "give .xyz, .txt, .asc, .las, .vtp, .pvtp, .ply or the folder of a finished run";
+
+std::string GetEnding(const std::string& path)
+{
+  std::string ending = fs::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool IsText(const std::string& ending)
+{
+  return ending == ".xyz" || ending == ".txt" || ending == ".asc";
+}
+
+int CountPieces(const std::string& path)
+{
+  std::error_code ignored;
+  return 1 + static_cast<int>(static_cast<double>(fs::file_size(path, ignored)) / PieceBytes);
+}
+
+/// Counts the pieces of a .pvtp.
+int CountListedPieces(const std::string& path)
+{
+  std::ifstream file(path);
+  int count = 0;
+  for (std::string line; std::getline(file, line);)
+  {
+    count += line.find("<Piece ") != std::string::npos;
+  }
+  return std::max(1, count);
+}
+
+/// The leg in a file name (leg012_points.xyz), or -1.
+int GetLeg(const std::string& path)
+{
+  const std::string name = fs::path(path).filename().string();
+  int leg = -1;
+  const bool isLeg = name.size() > 6 && name.compare(0, 3, "leg") == 0 &&
+    std::all_of(
+      name.begin() + 3, name.begin() + 6, [](unsigned char c) { return std::isdigit(c); });
+  if (isLeg)
+  {
+    std::from_chars(name.data() + 3, name.data() + name.size(), leg); // too large: -1
+  }
+  return leg;
+}
+
+/// legNNN_points.xyz: legNNN_trajectory.txt beside it.
+std::string GetTrajectoryName(const std::string& path)
+{
+  const std::string stem = fs::path(path).stem().string();
+  const std::size_t at = stem.rfind("_points");
+  return at == std::string::npos
+    ? std::string()
+    : (fs::path(path).parent_path() / (stem.substr(0, at) + "_trajectory.txt")).string();
+}
+
+/// Keeps the first error of a reader, without its code location.
+void KeepError(vtkObject*, unsigned long, void* kept, void* text)
+{
+  std::string message = text ? static_cast<const char*>(text) : "";
+  const std::size_t at = message.find("): ");
+  message = at == std::string::npos ? message : message.substr(at + 3);
+  message.erase(message.find_last_not_of(" \n") + 1);
+  auto* error = static_cast<std::string*>(kept);
+  *error = error->empty() ? message : *error;
+}
+
+void KeepErrors(vtkAlgorithm* reader, std::string& error)
+{
+  vtkNew<vtkCallbackCommand> keeper;
+  keeper->SetCallback(KeepError);
+  keeper->SetClientData(&error);
+  reader->AddObserver(vtkCommand::ErrorEvent, keeper);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, keeper);
+}
+
+std::string WithPath(const std::string& path, const std::string& message)
+{
+  return message.find(path) != std::string::npos ? message : path + ": " + message;
+}
+
+void AddLeg(vtkPolyData* block, int leg)
+{
+  if (leg >= 0 && !block->GetPointData()->GetArray(names::LegIds))
+  {
+    vtkNew<vtkIntArray> legs;
+    legs->SetName(names::LegIds);
+    legs->SetNumberOfValues(block->GetNumberOfPoints());
+    legs->FillValue(leg);
+    block->GetPointData()->AddArray(legs);
+  }
+}
+
+/// The files listed by a summary; sets error if it is not valid.
+std::vector<std::string> GetFiles(const fs::path& summary, std::string& error)
+{
+  std::vector<std::string> files;
+  if (const std::string problem = CheckInputFile(summary.string()); !problem.empty())
+  {
+    error = summary.string() + ": " + problem;
+    return files;
+  }
+  std::ifstream text(summary);
+  Json::Value root;
+  std::string fault;
+  if (!ReadJson(text, root, fault) || !root.isObject() || !root["legs"].isArray())
+  {
+    error = summary.string() + " is not the summary of a run; run the survey again";
+    return files;
+  }
+  for (const Json::Value& leg : root["legs"])
+  {
+    const Json::Value& entries = leg.isObject() ? leg["files"] : Json::Value::nullSingleton();
+    for (const Json::Value& entry : entries)
+    {
+      if (entry.isObject() && entry["name"].isString())
+      {
+        files.push_back(entry["name"].asString());
+      }
+    }
+  }
+  return files;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool CloudReader::CanRead(const std::string& path)
+{
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+  {
+    return fs::is_regular_file(fs::path(path) / "run_summary.json", ignored);
+  }
+  const std::string ending = GetEnding(path);
+  return IsText(ending) || ending == ".las" || ending == ".laz" || ending == ".vtp" ||
+    ending == ".pvtp" || ending == ".ply";
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::Read(const std::string& path, Cloud& cloud)
+{
+  return this->Read(path,
+    [&cloud](vtkPolyData* block, double)
+    {
+      cloud.Append(block);
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::Read(const std::string& path, const BlockFunction& onBlock)
+{
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+  {
+    return path + ": no such file or folder; check the name";
+  }
+  vtkIdType points = 0;
+  this->Stopped = false;
+  this->OnBlock = [&](vtkPolyData* block, double share)
+  {
+    points += block->GetNumberOfPoints();
+    const double all = this->FirstShare + this->ShareOfFile * share;
+    this->Stopped = this->Stopped || (block->GetNumberOfPoints() > 0 && !onBlock(block, all));
+    return !this->Stopped;
+  };
+  this->FirstShare = 0.0;
+  this->ShareOfFile = 1.0;
+  const bool isFolder = fs::is_directory(path, ignored);
+  std::string error = isFolder ? this->ReadRun(path) : this->ReadCloud(path);
+  if (error.empty() && !isFolder && fs::exists(GetTrajectoryName(path), ignored))
+  {
+    error = this->ReadTrajectory(GetTrajectoryName(path));
+  }
+  const bool isEmpty = error.empty() && !this->Stopped && points == 0;
+  return isEmpty ? path + ": contains no points; nothing can be shown" : error;
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadRun(const std::string& folder)
+{
+  const fs::path summary = fs::path(folder) / "run_summary.json";
+  if (!fs::exists(summary))
+  {
+    return folder + ": no run_summary.json in this folder; give the folder of a finished run " +
+      "(vtkhelios run --resume finishes one), or a file";
+  }
+  std::string error;
+  const std::vector<std::string> files = GetFiles(summary, error);
+  const auto isPoints = [](const std::string& name)
+  { return fs::path(name).stem().string().find("_points") != std::string::npos; };
+  const auto count = static_cast<double>(std::count_if(files.begin(), files.end(), isPoints));
+  this->ShareOfFile = count > 0.0 ? 1.0 / count : 1.0;
+  for (const std::string& name : files)
+  {
+    const std::string path = (fs::path(folder) / name).string();
+    if (!error.empty() || this->Stopped)
+    {
+      break;
+    }
+    if (isPoints(name))
+    {
+      error = fs::exists(path)
+        ? this->ReadCloud(path)
+        : path + ": missing, though run_summary.json lists it; run the survey again";
+      this->FirstShare += this->ShareOfFile;
+    }
+    else if (name.find("_trajectory.txt") != std::string::npos)
+    {
+      error = this->ReadTrajectory(path);
+    }
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadCloud(const std::string& path)
+{
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
+  {
+    return path + ": " + problem;
+  }
+  this->Files.push_back(path);
+  const std::string ending = GetEnding(path);
+  if (IsText(ending))
+  {
+    return this->ReadText(path);
+  }
+  const char* name = path.c_str();
+  if (ending == ".las" || ending == ".laz") // the reader's message covers the latter
+  {
+    vtkNew<vtkHeliosLASReader> reader;
+    reader->SetFileName(name);
+    return this->ReadPieces(reader, path, CountPieces(path), GetLeg(path));
+  }
+  if (ending == ".vtp" || ending == ".pvtp")
+  {
+    vtkNew<vtkHeliosPointXMLReader> reader;
+    reader->SetFileName(name);
+    return this->ReadPieces(
+      reader, path, ending == ".vtp" ? 1 : CountListedPieces(path), GetLeg(path));
+  }
+  if (ending == ".ply")
+  {
+    vtkNew<vtkPolyData> cloud;
+    const std::string problem = ReadPlyPoints(path, cloud);
+    if (!problem.empty())
+    {
+      return path + ": " + problem + "; the file may be damaged: write it again";
+    }
+    this->OnBlock(cloud, 1.0);
+    return "";
+  }
+  return path + ": not a supported cloud format; " + Kinds;
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadText(const std::string& path)
+{
+  if (IsPointText(path))
+  {
+    return ReadPointText(path, GetLeg(path), this->PartNames, this->OnBlock);
+  }
+  std::error_code ignored;
+  if (fs::file_size(path, ignored) == 0)
+  {
+    return ""; // reported as an empty cloud
+  }
+  vtkNew<vtkHeliosXyzReader> reader;
+  reader->SetFileName(path.c_str());
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  if (line.find_first_of(",;") != std::string::npos)
+  {
+    reader->SetSeparators(line.find(';') != std::string::npos ? ";" : ",");
+  }
+  return this->ReadPieces(reader, path, CountPieces(path));
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadPieces(
+  vtkAlgorithm* reader, const std::string& path, int pieces, int leg)
+{
+  std::string error;
+  KeepErrors(reader, error);
+  for (int piece = 0; piece < pieces && error.empty() && !this->Stopped; ++piece)
+  {
+    const bool isRead = reader->UpdatePiece(piece, pieces, 0) != 0;
+    if (!isRead && error.empty())
+    {
+      error = "it cannot be read";
+    }
+    if (error.empty())
+    {
+      auto* block = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+      AddLeg(block, leg);
+      this->OnBlock(block, (piece + 1.0) / pieces);
+    }
+  }
+  return error.empty() ? "" : WithPath(path, error);
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadTrajectory(const std::string& path)
+{
+  vtkNew<vtkHeliosTrajectoryReader> reader;
+  std::string error;
+  KeepErrors(reader, error);
+  reader->UseWriterFormat();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (!error.empty())
+  {
+    return WithPath(path, error);
+  }
+  auto trajectory = vtkSmartPointer<vtkPolyData>::New();
+  trajectory->ShallowCopy(reader->GetOutput());
+  AddLeg(trajectory, GetLeg(path));
+  this->Trajectories.push_back(trajectory);
+  return "";
+}
+
+} // namespace helios::viewer

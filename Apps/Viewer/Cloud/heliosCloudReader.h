@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads runs and clouds from files, block by block.
+
+#ifndef heliosCloudReader_h
+#define heliosCloudReader_h
+
+#include "heliosPointTextFile.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkPolyData;
+
+namespace helios::viewer
+{
+
+class Cloud;
+
+/**
+ * Reads a run folder (run_summary.json lists the files of its legs) or one file:
+ * - .xyz, .txt, .asc: the columns of vtkHeliosPointTextWriter, or any text with x y z first;
+ * - .las (vtkHeliosLASReader), .vtp, .pvtp, .ply.
+ * The trajectories of a run are polylines (of a static platform: a vertex) in world coordinates,
+ * also the one beside a single legNNN_points file.
+ */
+class CloudReader
+{
+public:
+  /// Part names in id order; set those of the scene before reading text files.
+  std::vector<std::string> PartNames;
+
+  /// Files read so far, and the trajectories found.
+  std::vector<std::string> Files;
+  std::vector<vtkSmartPointer<vtkPolyData>> Trajectories;
+
+  /// Whether the file, or the folder's contents, can be read.
+  static bool CanRead(const std::string& path);
+
+  /// Passes on the blocks one by one. Returns an error message, or an empty string.
+  std::string Read(const std::string& path, const BlockFunction& onBlock);
+
+  /// Appends all points to a cloud.
+  std::string Read(const std::string& path, Cloud& cloud);
+
+private:
+  std::string ReadRun(const std::string& folder);
+  std::string ReadCloud(const std::string& path);
+  std::string ReadText(const std::string& path);
+  std::string ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
+  std::string ReadTrajectory(const std::string& path);
+
+  BlockFunction OnBlock;
+  bool Stopped = false;
+  double FirstShare = 0.0; // of the current file, of the total
+  double ShareOfFile = 1.0;
+};
+
+} // namespace helios::viewer
+
+#endif

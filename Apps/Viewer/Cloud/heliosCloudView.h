@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws a cloud: all visible points when still, a sample while the camera moves.
+
+#ifndef heliosCloudView_h
+#define heliosCloudView_h
+
+#include "heliosBoundsProp.h"
+#include "heliosCloud.h"
+#include "heliosCloudColors.h"
+#include "heliosCloudPicker.h"
+
+#include <vtkNew.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class vtkLookupTable;
+class vtkPlaneCollection;
+class vtkRenderer;
+class vtkScalarBarActor;
+
+namespace helios::viewer
+{
+
+class PointActor;
+
+/**
+ * Points without cells; renderer coordinates are the cloud's relative to its origin. Call Update()
+ * after the cloud has grown, before drawing.
+ *
+ * A cloud of up to GetWholeLimit() points is drawn whole, for 4 extra bytes/point. Of a larger one
+ * each frame draws the point closest to the camera at each pixel, found among all points in
+ * parallel: the same picture, and fast with software rendering.
+ */
+class CloudView
+{
+public:
+  /// Maximum number of moving points.
+  static constexpr std::size_t MaximumSample = 120000;
+
+  ///@{
+  /// Clouds of up to this many points are drawn whole. Default: 2 million.
+  void SetWholeLimit(vtkIdType points);
+  vtkIdType GetWholeLimit() const { return this->WholeLimit; }
+  ///@}
+
+  /// The cloud and the renderer must outlive the view.
+  CloudView(const Cloud& cloud, vtkRenderer* renderer);
+  ~CloudView();
+  CloudView(const CloudView&) = delete;
+  void operator=(const CloudView&) = delete;
+
+  /// Updates from the changed cloud.
+  void Update();
+
+  /// Coloured quantity. Default: Height.
+  void SetColorBy(ColorBy by);
+  ColorBy GetColorBy() const { return this->Colors.By; }
+  /// The colour of ColorBy::One.
+  void SetColor(const Rgb& color);
+
+  ///@{
+  /**
+   * Ends of the ramp: set, or from the points with 2 % beyond either end. Default: from the points;
+   * they follow a growing cloud in steps. Returns false and changes nothing if low is not below
+   * high.
+   */
+  bool SetRange(double low, double high);
+  void SetAutomaticRange();
+  double GetLow() const { return this->Colors.Low; }
+  double GetHigh() const { return this->Colors.High; }
+  const CloudColors& GetColors() const { return this->Colors; }
+  ///@}
+
+  /// Size of a point [pixels], in [1, 50]. Default: 2.
+  void SetPointSize(double size);
+  double GetPointSize() const { return this->PointSize; }
+
+  /// Eye-dome lighting (EDL) of all solid props of the renderer. Default: off.
+  void SetEyeDomeLighting(bool on);
+  bool GetEyeDomeLighting() const { return this->EyeDomeLighting; }
+
+  ///@{
+  /**
+   * Draws only the points in a box, x0 x1 y0 y1 z0 z1 [m] in world coordinates. Default: off. A box
+   * with low above high is rejected.
+   */
+  bool SetClipBox(const double bounds[6]);
+  void SetClipping(bool on);
+  bool GetClipping() const { return this->Window.HasBox; }
+  ///@}
+
+  /// Points later than this [s] are not drawn. Default: infinity.
+  void SetTimeLimit(double time);
+  double GetTimeLimit() const { return this->Window.TimeLimit; }
+
+  /// True while the camera moves: draws the sample only.
+  void SetInteracting(bool on);
+  bool IsInteracting() const { return this->Interacting; }
+
+  /**
+   * Reports the duration of the last frame [s], to keep 10 frames/s while moving: above 80 ms the
+   * next one omits eye-dome lighting, then half of the points (down to 20,000); below 25 ms points
+   * are restored.
+   */
+  void ReportFrame(double seconds);
+  void SetVisible(bool on);
+
+  /// The legend; hidden with a single colour or after SetScalarBarVisible(false).
+  vtkScalarBarActor* GetScalarBar() const { return this->Bar; }
+  void SetScalarBarVisible(bool on);
+
+  /// The echo drawn at a window pixel, or within a radius [pixels] of it.
+  std::optional<Echo> Pick(double x, double y, double radius) const;
+
+  /// Points drawn, including those outside the clip box in chunks that intersect it. Of a cloud
+  /// above GetWholeLimit(): in the last frame.
+  vtkIdType GetNumberOfDrawnPoints() const;
+
+  /// Bytes besides the cloud's own.
+  std::size_t GetMemorySize() const;
+
+private:
+  void UpdateSample();
+  bool FitRange();
+  std::vector<double> GetSampleValues() const;
+  void UpdateBar();
+  void Recolor();
+  void Refresh();
+  void Colorize();
+  void ShowChunk(std::size_t c);
+  void ShowSample();
+  void ShowVisible();
+  void ShowRows(const std::vector<std::uint32_t>& rows);
+  bool IsWhole() const { return this->Points.GetNumberOfPoints() <= this->WholeLimit; }
+  void UpdatePass();
+  void UpdateRoom();
+  void SetUpPlanes();
+
+  const Cloud& Points;
+  vtkRenderer* Renderer;
+  CloudColors Colors;
+  CloudWindow Window;
+  double Box[6] = { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 }; // world
+  bool AutomaticRange = true;
+  bool EyeDomeLighting = false;
+  bool Interacting = false;
+  bool Shaded = false;   // eye-dome lighting is active
+  bool Unshaded = false; // EDL is too slow while moving
+  bool Stale = true;     // visible points are out of date
+  vtkIdType WholeLimit = 2000000;
+  std::uint32_t MovingMask = 0; // of the sample's drawn rows
+  std::unique_ptr<PixelMap> VisibleFrom;
+  unsigned long Observer = 0;
+  bool Visible = true;
+  bool BarVisible = true;
+  double PointSize = 2.0;
+  std::vector<std::unique_ptr<PointActor>> Chunks;
+  std::unique_ptr<PointActor> Sample;
+  std::vector<std::uint32_t> SampleRows;
+  std::vector<float> SampleXyz;
+  std::uint32_t SampleMask = 0;
+  vtkIdType Sampled = 0; // points of the cloud considered
+  vtkIdType FittedTo = 0;
+  vtkNew<BoundsProp> Room;
+  vtkNew<vtkPlaneCollection> Planes;
+  vtkNew<vtkScalarBarActor> Bar;
+  vtkNew<vtkLookupTable> Table;
+};
+
+} // namespace helios::viewer
+
+#endif

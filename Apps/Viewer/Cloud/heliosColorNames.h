@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Names of the coloured quantities, used by options and the state file.
+
+#ifndef heliosColorNames_h
+#define heliosColorNames_h
+
+#include "heliosCloudColors.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace helios::viewer
+{
+
+/// In the order of cycling through them.
+inline const std::vector<std::pair<std::string, ColorBy>>& GetColorings()
+{
+  static const std::vector<std::pair<std::string, ColorBy>> colorings{ { "height",
+                                                                         ColorBy::Height },
+    { "amplitude", ColorBy::Amplitude }, { "return", ColorBy::ReturnNumber },
+    { "returns", ColorBy::NumberOfReturns }, { "class", ColorBy::Class }, { "time", ColorBy::Time },
+    { "part", ColorBy::Part }, { "material", ColorBy::Material }, { "leg", ColorBy::Leg },
+    { "incidence", ColorBy::Incidence }, { "range", ColorBy::Range }, { "one", ColorBy::One } };
+  return colorings;
+}
+
+inline std::vector<std::string> GetColorByNames()
+{
+  std::vector<std::string> names;
+  for (const auto& coloring : GetColorings())
+  {
+    names.push_back(coloring.first);
+  }
+  return names;
+}
+
+inline std::string GetColorByName(ColorBy by)
+{
+  for (const auto& coloring : GetColorings())
+  {
+    if (coloring.second == by)
+    {
+      return coloring.first;
+    }
+  }
+  return {};
+}
+
+} // namespace helios::viewer
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosDisplay.h"
+
+#include <X11/Xlib.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+const char* const WaysOut =
+  "; log in to a desktop, use ssh -X, or draw without a window: "
+  "xvfb-run -a vtkhelios view ... --offscreen --still picture.png (Debian package xvfb)";
+
+/// Called by Xlib when its server is lost; Xlib exits when this returns.
+int OnLostDisplay(Display*)
+{
+  std::cerr
+    << "error: the connection to the display is lost and the viewer ends; saved files are kept\n";
+  return 0;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string CheckDisplay()
+{
+  const char* name = std::getenv("DISPLAY");
+  if (!name || !*name)
+  {
+    return std::string("there is no display (DISPLAY is not set)") + WaysOut;
+  }
+  Display* display = XOpenDisplay(nullptr);
+  if (!display)
+  {
+    return "the display " + std::string(name) + " cannot be opened" + WaysOut;
+  }
+  XCloseDisplay(display);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void ExplainLostDisplay()
+{
+  XSetIOErrorHandler(OnLostDisplay);
+}
+
+} // namespace helios::viewer

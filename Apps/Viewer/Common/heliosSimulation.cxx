@@ -1,0 +1,404 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSimulation.h"
+
+#include "heliosErrorText.h"
+#include "heliosSurveyData.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <utility>
+
+namespace helios::viewer
+{
+namespace names = vtkHeliosArrayNames;
+
+namespace
+{
+
+constexpr std::size_t LongestQueue = 8;
+constexpr vtkIdType FewestPulses = 1024; // of a block
+constexpr vtkIdType MostPulses = 262144;
+constexpr double SecondsPerBlock = 0.05; // target duration of a block
+constexpr double SamplesPerLeg = 2000.0; // of the trajectory
+
+Pose GetPose(vtkPolyData* way, vtkIdType sample)
+{
+  double q[4] = { 1.0, 0.0, 0.0, 0.0 };
+  vtkDataArray* orientations = way->GetPointData()->GetArray(names::Orientation);
+  orientations ? orientations->GetTuple(sample, q) : void();
+  return { Vec3(way->GetPoint(sample)), Quaternion(q[0], q[1], q[2], q[3]) };
+}
+
+template <typename Data>
+vtkSmartPointer<Data> Keep(vtkHeliosSurveySource* source, int port)
+{
+  auto kept = vtkSmartPointer<Data>::New();
+  kept->ShallowCopy(source->GetOutputDataObject(port));
+  return kept;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Pose SimulatedLeg::GetPose(double time) const
+{
+  const auto later = std::upper_bound(this->Times.begin(), this->Times.end(), time);
+  if (later == this->Times.begin() || later == this->Times.end())
+  {
+    return later == this->Times.begin() ? this->Poses.front() : this->Poses.back();
+  }
+  const auto b = static_cast<std::size_t>(later - this->Times.begin());
+  const double share = (time - this->Times[b - 1]) / (this->Times[b] - this->Times[b - 1]);
+  const Pose& before = this->Poses[b - 1];
+  const Pose& after = this->Poses[b];
+  return { before.Position + share * (after.Position - before.Position),
+    before.Orientation.Slerp(share, after.Orientation) };
+}
+
+//------------------------------------------------------------------------------
+Pose SimulatedLeg::GetHead(double time) const
+{
+  const double elapsed = std::clamp(time, this->StartTime, this->EndTime) - this->StartTime;
+  const double angle = this->HeadStart + this->HeadSpeed * elapsed;
+  return { this->Mount.Position, this->Mount.Orientation * AxisAngle(this->HeadAxis, angle) };
+}
+
+//------------------------------------------------------------------------------
+const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
+{
+  const SimulatedLeg* found = legs.empty() ? nullptr : &legs.front();
+  for (const SimulatedLeg& leg : legs)
+  {
+    found = leg.StartTime <= time ? &leg : found;
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void SetWay(vtkPolyData* way, SimulatedLeg& leg)
+{
+  vtkDataArray* clock = way->GetPointData()->GetArray(names::GpsTime);
+  for (vtkIdType k = 0; k < way->GetNumberOfPoints(); ++k)
+  {
+    leg.Times.push_back(clock ? clock->GetTuple1(k) : 0.0);
+    leg.Poses.push_back(GetPose(way, k));
+  }
+}
+
+//------------------------------------------------------------------------------
+Simulation::Simulation(vtkHeliosSurvey* survey)
+  : Survey(survey)
+  , PulsesPerBlock(16 * FewestPulses)
+  , Target(-std::numeric_limits<double>::infinity())
+{
+  this->Source->SetSurvey(survey);
+}
+
+//------------------------------------------------------------------------------
+Simulation::~Simulation()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->IsEnding = true;
+  }
+  this->Source->Abort();
+  this->Wake.notify_all();
+  if (this->Thread.joinable())
+  {
+    this->Thread.join();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Simulation::Start()
+{
+  this->Thread = std::thread([this] { this->Work(); });
+}
+
+//------------------------------------------------------------------------------
+Simulation::Phase Simulation::GetPhase() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->State;
+}
+
+//------------------------------------------------------------------------------
+std::string Simulation::GetMessage() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->Message;
+}
+
+//------------------------------------------------------------------------------
+void Simulation::GetBounds(double bounds[6]) const
+{
+  vtkBoundingBox box(this->Scene->GetBounds());
+  for (vtkImageData* grid : this->Grids)
+  {
+    box.AddBounds(grid->GetBounds());
+  }
+  box.GetBounds(bounds);
+}
+
+//------------------------------------------------------------------------------
+double Simulation::GetStartTime() const
+{
+  return this->Legs.empty() ? 0.0 : this->Legs.front().StartTime;
+}
+
+//------------------------------------------------------------------------------
+double Simulation::GetEndTime() const
+{
+  return this->Legs.empty() ? 0.0 : this->Legs.back().EndTime;
+}
+
+//------------------------------------------------------------------------------
+void Simulation::SetTarget(double time)
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Target = std::max(this->Target, time);
+  }
+  this->Wake.notify_all();
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkPolyData>> Simulation::TakeEchoes()
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> echoes;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (const Block& block : this->Blocks)
+    {
+      echoes.push_back(block.Echoes);
+      this->TakenTime = block.EndTime;
+      this->TakenPulses = block.EndPulse;
+    }
+    this->Blocks.clear();
+  }
+  this->Wake.notify_all();
+  return echoes;
+}
+
+//------------------------------------------------------------------------------
+double Simulation::GetTakenTime() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->TakenTime;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType Simulation::GetTakenPulses() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->TakenPulses;
+}
+
+//------------------------------------------------------------------------------
+double Simulation::GetComputingSeconds() const
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->ComputingSeconds;
+}
+
+//------------------------------------------------------------------------------
+std::future<PulseRecord> Simulation::Inspect(vtkIdType pulse)
+{
+  return this->Ask({ pulse, pulse + 1, true, {} });
+}
+
+//------------------------------------------------------------------------------
+std::future<PulseRecord> Simulation::Inspect(vtkIdType first, vtkIdType last)
+{
+  return this->Ask({ first, last, false, {} });
+}
+
+//------------------------------------------------------------------------------
+std::future<PulseRecord> Simulation::Ask(Question question)
+{
+  std::future<PulseRecord> answer = question.Answer.get_future();
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Questions.push_back(std::move(question));
+  }
+  this->Wake.notify_all();
+  return answer;
+}
+
+//------------------------------------------------------------------------------
+/// The thread: loads, then runs blocks and requests until it is stopped.
+void Simulation::Work()
+{
+  const ErrorText errors(this->Source);
+  bool isGood = this->Load();
+  while (isGood)
+  {
+    {
+      std::unique_lock<std::mutex> lock(this->Mutex);
+      this->Wake.wait(lock, [this] { return this->IsEnding || this->HasWork(); });
+      if (this->IsEnding)
+      {
+        break;
+      }
+    }
+    isGood = this->Answer() && this->RunBlock();
+  }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Questions.clear(); // their futures then throw
+  if (!isGood && !this->IsEnding)
+  {
+    this->State = Phase::Failed;
+    this->Message = errors.Get("The survey cannot be run.");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Simulation::Load()
+{
+  if (!this->Source->Load())
+  {
+    return false;
+  }
+  this->Scene = this->Source->GetScene();
+  for (int i = 0; this->Source->GetGrid(i); ++i)
+  {
+    this->Grids.push_back(vtkSmartPointer<vtkImageData>::New()); // the viewer's own
+    this->Grids.back()->ShallowCopy(this->Source->GetGrid(i));
+  }
+  this->NumberOfPulses = this->Source->GetNumberOfPulses();
+  this->ReadLegs();
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->TakenTime = this->GetStartTime();
+  this->State = Phase::Running;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Simulation::ReadLegs()
+{
+  const SurveyData& data = this->Survey->GetData();
+  vtkIdType shots = 0;
+  for (int i = 0; i < this->Survey->GetNumberOfLegs(); ++i)
+  {
+    const auto index = static_cast<std::size_t>(i);
+    SimulatedLeg leg;
+    leg.Leg = i;
+    double times[2];
+    vtkIdType pulses[2];
+    this->Source->GetLegTimes(i, times);
+    this->Source->GetLegPulses(i, pulses);
+    const auto way = this->Source->GetTrajectory(i, (times[1] - times[0]) / SamplesPerLeg);
+    if (!way || way->GetNumberOfPoints() == 0)
+    {
+      continue;
+    }
+    leg.StartTime = times[0];
+    leg.EndTime = times[1];
+    leg.FirstPulse = pulses[0];
+    leg.LastPulse = pulses[1];
+    leg.Mount = data.GetPlatform(index).Mount;
+    leg.IsMoving = data.IsMoving(index);
+    leg.Type = data.GetPlatform(index).Type;
+    const ScanData& scan = data.Legs[index].Scans.front();
+    leg.LineFrequency = scan.ScanFrequency;
+    leg.Clock = { shots, times[0], scan.PulseFrequency };
+    shots += (pulses[1] - pulses[0]) /
+      static_cast<vtkIdType>(data.GetScanner(index).GetNumberOfChannels());
+    leg.Model = data.GetPlatform(index).Model;
+    leg.ScannerModel = data.GetScanner(index).Model;
+    leg.HeadAxis = data.GetScanner(index).HeadRotateAxis;
+    leg.HeadStart = scan.HeadRotateStart;
+    leg.HeadSpeed = scan.HeadRotateSpeed;
+    SetWay(way, leg);
+    this->Legs.push_back(leg);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Under the mutex.
+bool Simulation::HasWork() const
+{
+  const bool isBefore =
+    this->NextPulse<this->NumberOfPulses&& this->Source->FindPulse(this->Target)> this->NextPulse;
+  return !this->Questions.empty() || (isBefore && this->Blocks.size() < LongestQueue);
+}
+
+//------------------------------------------------------------------------------
+/// The next block towards the target, short enough to react to a new target soon.
+bool Simulation::RunBlock()
+{
+  double target = 0.0;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    target = this->Target;
+    if (this->Blocks.size() >= LongestQueue)
+    {
+      return true;
+    }
+  }
+  const vtkIdType end =
+    std::min(this->Source->FindPulse(target), this->NextPulse + this->PulsesPerBlock);
+  if (end <= this->NextPulse)
+  {
+    return true;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  this->Source->SetPulseWindow(this->NextPulse, end);
+  this->Source->Update();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (!this->Source->GetScene()) // stopped after an error
+  {
+    return false;
+  }
+  if (end == this->NextPulse + this->PulsesPerBlock)
+  {
+    const double factor = std::clamp(SecondsPerBlock / seconds.count(), 0.5, 2.0);
+    const auto pulses = static_cast<vtkIdType>(factor * static_cast<double>(this->PulsesPerBlock));
+    this->PulsesPerBlock = std::clamp(pulses, FewestPulses, MostPulses);
+  }
+  this->NextPulse = end;
+  const bool isLast = end == this->NumberOfPulses;
+  const double time = isLast ? this->GetEndTime() : this->Source->GetPulseTime(end);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Blocks.push_back({ Keep<vtkPolyData>(this->Source, 0), time, end });
+  this->State = isLast ? Phase::Finished : this->State;
+  this->ComputingSeconds += seconds.count();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Simulation::Answer()
+{
+  std::deque<Question> questions;
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    questions.swap(this->Questions);
+  }
+  for (Question& question : questions)
+  {
+    this->Source->GenerateWaveformsOn();
+    this->Source->GeneratePulsesOn();
+    this->Source->SetGenerateSubRays(question.HasSubRays);
+    this->Source->SetPulseWindow(question.First, question.Last);
+    this->Source->Update();
+    question.Answer.set_value({ Keep<vtkPolyData>(this->Source, 0), Keep<vtkTable>(this->Source, 1),
+      Keep<vtkPolyData>(this->Source, 2), Keep<vtkPolyData>(this->Source, 3) });
+    this->Source->GenerateWaveformsOff();
+    this->Source->GeneratePulsesOff();
+    this->Source->GenerateSubRaysOff();
+  }
+  return this->Source->GetScene() != nullptr;
+}
+
+} // namespace helios::viewer

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs a survey in its own thread, up to the time the viewer requests.
+
+#ifndef heliosSimulation_h
+#define heliosSimulation_h
+
+#include "heliosMovingScene.h"
+#include "heliosPose.h"
+#include "heliosSurveyData.h"
+#include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveySource.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
+#include <vtkType.h>
+
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace helios::viewer
+{
+
+/// A leg that emits pulses, and its platform trajectory.
+struct SimulatedLeg
+{
+  int Leg = 0;
+  double StartTime = 0.0; ///< [s]
+  double EndTime = 0.0;   ///< [s]
+  vtkIdType FirstPulse = 0;
+  vtkIdType LastPulse = 0; ///< past the end
+  Pose Mount;              ///< of the scanner on its platform
+  std::vector<double> Times;
+  std::vector<Pose> Poses;
+  bool IsMoving = false;
+  PlatformType Type = PlatformType::Static;
+  double LineFrequency = 0.0; ///< of the scan [Hz]; 0: unknown
+  PulseClock Clock;           ///< of one channel
+  ModelData Model;            ///< of the platform
+  ModelData ScannerModel;
+  Vec3 HeadAxis{ 0.0, 0.0, 1.0 };
+  double HeadStart = 0.0; ///< [deg]
+  double HeadSpeed = 0.0; ///< [deg/s]
+
+  /// Platform pose [s]: clamped to the start and end of the leg.
+  Pose GetPose(double time) const;
+
+  /// Pose of the scanner head on the platform [s]: its mount, rotated.
+  Pose GetHead(double time) const;
+};
+
+/// The leg at a time [s], the last one started; null if there is none.
+const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
+
+/// Sets a trajectory: a polyline with GpsTime and Orientation.
+void SetWay(vtkPolyData* way, SimulatedLeg& leg);
+
+/// All data of a pulse.
+struct PulseRecord
+{
+  vtkSmartPointer<vtkPolyData> Echoes;
+  vtkSmartPointer<vtkTable> Waveform;
+  vtkSmartPointer<vtkPolyData> Pulse;
+  vtkSmartPointer<vtkPolyData> SubRays;
+};
+
+/// Blocks of echoes wait in a short queue, so that memory stays bounded if nobody takes them.
+class Simulation
+{
+public:
+  enum class Phase
+  {
+    Loading,
+    Running, ///< or waiting for a later target
+    Finished,
+    Failed
+  };
+
+  explicit Simulation(vtkHeliosSurvey* survey);
+  ~Simulation(); ///< ends the thread
+  Simulation(const Simulation&) = delete;
+  void operator=(const Simulation&) = delete;
+
+  /// Settings of the run, before Start().
+  vtkHeliosSurveySource* GetSource() const { return this->Source; }
+
+  void Start();
+
+  Phase GetPhase() const;
+
+  /// The error; empty without one.
+  std::string GetMessage() const;
+
+  ///@{
+  /// Known once loading has ended; null if that failed.
+  vtkPolyData* GetScene() const { return this->Scene; }
+  const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+  void GetBounds(double bounds[6]) const; ///< of both [m]
+  const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
+  double GetStartTime() const;
+  double GetEndTime() const;
+  vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
+  ///@}
+
+  /// Runs up to a time [s]; infinity: to the end. Never backwards.
+  void SetTarget(double time);
+
+  /// The echoes of the blocks run since the last call.
+  std::vector<vtkSmartPointer<vtkPolyData>> TakeEchoes();
+
+  /// The time up to which all echoes have been taken [s], and the pulses up to it.
+  double GetTakenTime() const;
+  vtkIdType GetTakenPulses() const;
+
+  /// Wall time spent on computing blocks [s].
+  double GetComputingSeconds() const;
+
+  /// Runs one pulse again, between two blocks, with all its data.
+  std::future<PulseRecord> Inspect(vtkIdType pulse);
+
+  /// Runs the pulses [first, last) again, without sub-rays.
+  std::future<PulseRecord> Inspect(vtkIdType first, vtkIdType last);
+
+private:
+  struct Block
+  {
+    vtkSmartPointer<vtkPolyData> Echoes;
+    double EndTime;
+    vtkIdType EndPulse;
+  };
+  struct Question
+  {
+    vtkIdType First;
+    vtkIdType Last; ///< past the end
+    bool HasSubRays;
+    std::promise<PulseRecord> Answer;
+  };
+
+  std::future<PulseRecord> Ask(Question question);
+  void Work();
+  bool Load();
+  void ReadLegs();
+  bool HasWork() const;
+  bool RunBlock();
+  bool Answer();
+
+  vtkSmartPointer<vtkHeliosSurvey> Survey;
+  vtkNew<vtkHeliosSurveySource> Source;
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids; // turbid voxels
+  std::vector<SimulatedLeg> Legs;
+  vtkIdType NumberOfPulses = 0;
+  std::thread Thread;
+
+  // Of the thread only.
+  vtkIdType NextPulse = 0;
+  vtkIdType PulsesPerBlock;
+
+  // Shared, under the mutex.
+  mutable std::mutex Mutex;
+  std::condition_variable Wake;
+  Phase State = Phase::Loading;
+  std::string Message;
+  bool IsEnding = false;
+  double Target;
+  std::deque<Block> Blocks;
+  std::deque<Question> Questions;
+  double TakenTime = 0.0;
+  vtkIdType TakenPulses = 0;
+  double ComputingSeconds = 0.0;
+};
+
+} // namespace helios::viewer
+
+#endif

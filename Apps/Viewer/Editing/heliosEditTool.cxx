@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosEditTool.h"
+
+#include "heliosErrorText.h"
+#include "heliosMessages.h"
+#include "heliosSceneView.h"
+#include "heliosSurveyXml.h"
+#include "heliosViewer.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkNew.h>
+
+#include <json/json.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+constexpr std::size_t MostUndos = 200;
+
+/// An entry, some steps after a given one.
+template <typename T>
+const std::pair<std::string, T>* FindNext(
+  const std::vector<std::pair<std::string, T>>& entries, const std::string& reference, int step)
+{
+  if (entries.empty())
+  {
+    return nullptr;
+  }
+  const auto now = std::find_if(entries.begin(), entries.end(),
+    [&reference](const auto& entry) { return entry.first == reference; });
+  const auto count = static_cast<int>(entries.size());
+  const int at = now == entries.end() ? -1 : static_cast<int>(now - entries.begin());
+  return &entries[static_cast<std::size_t>((at + step + 2 * count) % count)];
+}
+
+/// A static platform covers all directions only with head rotation.
+bool IsFit(const SurveyEdit& edit, const ScannerData& scanner)
+{
+  return edit.IsMoving() || scanner.HeadRotateSpeedMax > 0.0;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+EditTool::EditTool(Viewer& viewer)
+  : Owner(viewer)
+{
+  this->MakeActions();
+}
+
+//------------------------------------------------------------------------------
+EditTool::~EditTool() = default;
+
+//------------------------------------------------------------------------------
+std::vector<KeyHelp> EditTool::GetKeys() const
+{
+  return { { "d", "on, off; then click the scan position" },
+    { "Shift-click, a", "add a scan position or waypoint; A: flight lines, two corners" },
+    { "Tab, g", "next platform, next instrument" }, { "Delete, z", "remove the last, undo" },
+    { "Return, s", "scan, save the survey" },
+    { "M", "scene parts: click selects, Shift-click moves it there" },
+    { "arrows < > * /", "move, rotate, scale the part; g: next file, a: add it" } };
+}
+
+//------------------------------------------------------------------------------
+void EditTool::MakeActions()
+{
+  const auto atMouse = [](EditTool& tool)
+  {
+    int at[2];
+    tool.Owner.GetInteractor()->GetEventPosition(at[0], at[1]);
+    tool.ClickAt(at[0], at[1], true);
+  };
+  this->PartActions["a"] = [](EditTool& tool)
+  {
+    int at[2];
+    tool.Owner.GetInteractor()->GetEventPosition(at[0], at[1]);
+    SceneView* scene = tool.Owner.GetSceneView();
+    const auto pick = scene ? scene->Pick(at[0], at[1]) : std::nullopt;
+    pick ? tool.AddPart(*pick) : tool.Owner.Tell("point at the surface to place it on");
+  };
+  this->Actions["a"] = atMouse;
+  this->Actions["A"] = [](EditTool& tool) { tool.SetMode(Mode::Area); };
+  this->Actions["M"] = [](EditTool& tool)
+  { tool.SetMode(tool.Doing == Mode::Parts ? Mode::Scanner : Mode::Parts); };
+  this->Actions["Escape"] = [](EditTool& tool) { tool.SetMode(Mode::Scanner); };
+  this->Actions["Tab"] = [](EditTool& tool) { tool.ChangePlatform(1); };
+  this->Actions["ISO_Left_Tab"] = [](EditTool& tool) { tool.ChangePlatform(-1); };
+  this->Actions["g"] = [](EditTool& tool) { tool.ChangeScanner(1); };
+  this->Actions["G"] = [](EditTool& tool) { tool.ChangeScanner(-1); };
+  this->Actions["Delete"] = [](EditTool& tool) { tool.Remove(); };
+  this->Actions["BackSpace"] = this->Actions["Delete"];
+  this->Actions["z"] = [](EditTool& tool) { tool.Undo(); };
+  this->Actions["Return"] = [](EditTool& tool) { tool.Scan(); };
+  this->Actions["KP_Enter"] = this->Actions["Return"];
+  this->Actions["s"] = [](EditTool& tool) { tool.Save(); };
+  this->PartActions["Up"] = [](EditTool& tool) { tool.MovePart(0.0, 1.0); };
+  this->PartActions["Down"] = [](EditTool& tool) { tool.MovePart(0.0, -1.0); };
+  this->PartActions["Left"] = [](EditTool& tool) { tool.MovePart(-1.0, 0.0); };
+  this->PartActions["Right"] = [](EditTool& tool) { tool.MovePart(1.0, 0.0); };
+  this->PartActions["less"] = [](EditTool& tool) { tool.TurnPart(15.0); };
+  this->PartActions["greater"] = [](EditTool& tool) { tool.TurnPart(-15.0); };
+  this->PartActions["asterisk"] = [](EditTool& tool) { tool.ScalePart(1.1); };
+  this->PartActions["KP_Multiply"] = this->PartActions["asterisk"];
+  this->PartActions["slash"] = [](EditTool& tool) { tool.ScalePart(1.0 / 1.1); };
+  this->PartActions["KP_Divide"] = this->PartActions["slash"];
+  this->PartActions["g"] = [](EditTool& tool)
+  {
+    tool.File = tool.Files.empty() ? 0 : (tool.File + 1) % tool.Files.size();
+    tool.ShowPanel();
+  };
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::OnKey(const std::string& key, bool)
+{
+  if (key == "d")
+  {
+    return this->Toggle();
+  }
+  if (!this->IsOn)
+  {
+    return false;
+  }
+  const auto part = this->PartActions.find(key);
+  const auto action = this->Actions.find(key);
+  if (this->Doing == Mode::Parts && part != this->PartActions.end())
+  {
+    part->second(*this);
+  }
+  else if (action != this->Actions.end())
+  {
+    action->second(*this);
+  }
+  else
+  {
+    return false;
+  }
+  this->Owner.Redraw();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::Toggle()
+{
+  if (!this->IsOn && !this->HasBegun && !this->Begin())
+  {
+    return true;
+  }
+  this->IsOn = !this->IsOn;
+  if (!this->Panel)
+  {
+    this->Panel =
+      std::make_unique<EditPanel>(this->Owner.GetRenderer(), this->Owner.GetInteractor(),
+        [this](const std::string& name, double value, bool isOver)
+        { this->ChangeSetting(name, value, isOver); });
+  }
+  this->SetMode(Mode::Scanner);
+  this->HasChanges ? this->ShowGhost() : void();
+  this->Owner.Tell(
+    this->IsOn ? "direct control: click the scan position, Return scans" : "direct control is off");
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::OnClick(int x, int y)
+{
+  if (!this->IsOn)
+  {
+    return false;
+  }
+  const int* size = this->Owner.GetWindow()->GetSize();
+  const double shareX = static_cast<double>(x) / std::max(1, size[0]);
+  const double shareY = static_cast<double>(y) / std::max(1, size[1]);
+  if (!this->Panel->Contains(shareX, shareY))
+  {
+    vtkRenderWindowInteractor* keys = this->Owner.GetInteractor();
+    this->ClickAt(x, y, keys && (keys->GetShiftKey() != 0 || keys->GetControlKey() != 0));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void EditTool::ClickAt(int x, int y, bool isMore)
+{
+  SceneView* scene = this->Owner.GetSceneView();
+  const auto pick = scene ? scene->Pick(x, y) : std::nullopt;
+  if (!pick)
+  {
+    this->Owner.Tell("there is no surface there: click on one of the scene");
+    return;
+  }
+  switch (this->Doing)
+  {
+    case Mode::Scanner:
+      this->SetStand(*pick, isMore);
+      break;
+    case Mode::Area:
+      this->SetCorner(*pick);
+      break;
+    case Mode::Parts:
+      this->Select(*pick, isMore);
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditTool::SetStand(const ScenePick& pick, bool isMore)
+{
+  this->Remember();
+  if (this->Edit.HasArea)
+  {
+    this->Edit.Legs.clear(); // strips cannot be extended by hand
+  }
+  const bool isNew = isMore || this->Edit.IsMoving() || this->Edit.Legs.empty();
+  isNew ? AddLeg(this->Edit, pick.Position, pick.IsGround)
+        : MoveLeg(this->Edit, this->Edit.Legs.size() - 1, pick.Position, pick.IsGround);
+  this->ShowGhost();
+  this->ShowPanel();
+}
+
+//------------------------------------------------------------------------------
+void EditTool::SetCorner(const ScenePick& pick)
+{
+  if (!this->HasCorner)
+  {
+    this->HasCorner = true;
+    this->Corner = pick.Position;
+    this->Owner.Tell("now click the opposite corner");
+    return;
+  }
+  this->Remember();
+  SetArea(this->Edit, this->Corner, pick.Position);
+  this->SetMode(Mode::Scanner);
+  this->ShowGhost();
+  this->Owner.Tell("flight lines: " + std::to_string(this->Edit.Legs.size() / 2));
+}
+
+//------------------------------------------------------------------------------
+void EditTool::SetMode(Mode mode)
+{
+  if (mode == Mode::Area && !this->Edit.IsMoving())
+  {
+    this->Owner.Tell("flight lines need a moving platform: press Tab for one");
+    return;
+  }
+  if (mode == Mode::Parts && !this->LoadScene())
+  {
+    return;
+  }
+  this->Doing = mode;
+  this->HasCorner = false;
+  this->Part.clear();
+  this->ShowPanel();
+  if (mode == Mode::Area)
+  {
+    this->Owner.Tell("flight lines: click a corner of the rectangle, then the opposite one");
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditTool::Remove()
+{
+  if (this->Doing == Mode::Parts)
+  {
+    this->Remember();
+    this->ChangeParts(this->Scene.RemovePart(this->Scene.FindPart(this->Part)));
+    return;
+  }
+  if (!this->Edit.Legs.empty())
+  {
+    this->Remember();
+    this->Edit.HasArea ? this->Edit.Legs.clear()
+                       : RemoveLeg(this->Edit, this->Edit.Legs.size() - 1);
+    this->Edit.HasArea = false;
+    this->ShowGhost();
+    this->ShowPanel();
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditTool::ChangePlatform(int step)
+{
+  const auto* next = FindNext(this->Choice.Platforms, this->Edit.Platform, step);
+  if (!next)
+  {
+    this->Owner.Tell("the catalogue has no platform: give its folder with --assets");
+    return;
+  }
+  this->Remember();
+  ChoosePlatform(this->Edit, next->first, next->second);
+  if (!IsFit(this->Edit, this->Edit.ScannerModel))
+  {
+    this->ChangeScanner(1, true);
+  }
+  this->ShowGhost();
+  this->ShowPanel();
+}
+
+//------------------------------------------------------------------------------
+void EditTool::ChangeScanner(int step, bool isRemembered)
+{
+  const auto* next = FindNext(this->Choice.Scanners, this->Edit.Scanner, step);
+  for (std::size_t i = 0; next && !IsFit(this->Edit, next->second); ++i)
+  {
+    next = i < this->Choice.Scanners.size() ? FindNext(this->Choice.Scanners, next->first, step)
+                                            : nullptr;
+  }
+  if (!next)
+  {
+    this->Owner.Tell("the catalogue has no other instrument for it: give a folder with --assets");
+    return;
+  }
+  isRemembered ? void() : this->Remember();
+  ChooseScanner(this->Edit, next->first, next->second);
+  this->ShowGhost();
+  this->ShowPanel();
+}
+
+//------------------------------------------------------------------------------
+/// Called by the panel's sliders, which keep their state.
+void EditTool::ChangeSetting(const std::string& name, double value, bool isOver)
+{
+  if (!this->IsSliding)
+  {
+    this->Remember();
+  }
+  this->IsSliding = !isOver;
+  const std::string said = SetSetting(this->Edit, name, value);
+  if (!said.empty() && isOver)
+  {
+    this->Owner.Tell(said);
+  }
+  this->Panel->ShowValues(this->Edit);
+  this->Panel->SetHeading(this->MakeHeading());
+  this->ShowGhost();
+  this->Owner.Redraw();
+}
+
+//------------------------------------------------------------------------------
+void EditTool::Remember()
+{
+  this->Befores.push_back({ this->Edit, this->HasNewScene ? this->Scene.GetText() : "" });
+  if (this->Befores.size() > MostUndos)
+  {
+    this->Befores.erase(this->Befores.begin());
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditTool::Scan()
+{
+  vtkNew<vtkHeliosSurvey> survey;
+  const ErrorText errors(survey);
+  Messages log(survey);
+  SurveyEdit edit = this->Edit;
+  edit.SceneText = this->HasNewScene ? this->Scene.GetText() : "";
+  survey->GetData() = ReadSurveyText(fs::absolute(this->Owner.GetOptions().Save).string(),
+    MakeSurveyText(edit), this->Owner.GetOptions().Assets, log);
+  if (log.HasError())
+  {
+    this->Owner.Complain("not scanned: " + log.GetLastError());
+    return;
+  }
+  this->Ghost.reset();
+  this->HasChanges = false;
+  ++this->Scans;
+  this->IsMine = true;
+  this->Owner.GetClock().SetPlaying(true);
+  this->Owner.ShowSurvey(survey, true);
+  this->IsMine = false;
+  this->Owner.Tell("scanning; s saves the survey");
+}
+
+//------------------------------------------------------------------------------
+void EditTool::Save()
+{
+  const fs::path file = this->Owner.GetOptions().Save;
+  vtkNew<vtkHeliosSurvey> owner;
+  const ErrorText errors(owner);
+  Messages log(owner);
+  SurveyEdit edit = this->Edit;
+  std::string problem;
+  if (this->HasNewScene)
+  {
+    fs::path scene = file;
+    scene.replace_filename(file.stem().string() + "_scene.xml");
+    problem = this->Scene.Save(scene.string());
+    edit.Scene = scene.filename().string() + "#" + this->Scene.GetId();
+  }
+  problem = problem.empty() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log)
+                            : problem;
+  if (!problem.empty())
+  {
+    this->Owner.Complain(problem);
+    return;
+  }
+  this->Saved = file.string();
+  this->Owner.Tell("saved: vtkhelios run " + this->Saved);
+}
+
+//------------------------------------------------------------------------------
+void EditTool::OnNewSurvey()
+{
+  if (this->IsMine)
+  {
+    return;
+  }
+  this->IsOn = false;
+  this->HasBegun = false;
+  this->HasNewScene = false;
+  this->HasChanges = false;
+  this->Ghost.reset();
+  this->Befores.clear();
+  this->Saved.clear();
+  this->Part.clear();
+  if (this->Panel)
+  {
+    this->Panel->SetVisible(false);
+  }
+}
+
+} // namespace helios::viewer

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The initial state of an edited survey, and its display.
+#include "heliosEditTool.h"
+
+#include "heliosErrorText.h"
+#include "heliosMessages.h"
+#include "heliosSceneView.h"
+#include "heliosSimulation.h"
+#include "heliosSurveyXml.h"
+#include "heliosViewer.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkMath.h>
+#include <vtkNew.h>
+
+#include <json/json.h>
+
+#include <cmath>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+/// The platform of a leg, facing the next one or away from the last.
+Pose FindPose(const SurveyEdit& edit, std::size_t leg)
+{
+  const Vec3 here = edit.Legs[leg].Settings.Leg.Position;
+  const bool isLast = leg + 1 == edit.Legs.size();
+  const std::size_t other = isLast ? (leg > 0 ? leg - 1 : 0) : leg + 1;
+  const Vec3 way = (edit.Legs[other].Settings.Leg.Position - here) * (isLast ? -1.0 : 1.0);
+  const bool isTurned = edit.IsMoving() && std::hypot(way[0], way[1]) > 0.0;
+  const double heading = isTurned ? vtkMath::DegreesFromRadians(std::atan2(-way[0], way[1])) : 0.0;
+  return { here, AxisAngle({ 0.0, 0.0, 1.0 }, heading) };
+}
+
+/// Trajectories and positions for PlatformView.
+std::vector<SimulatedLeg> MakeWays(const SurveyEdit& edit)
+{
+  std::vector<SimulatedLeg> ways;
+  for (std::size_t i = 0; i < edit.Legs.size(); ++i)
+  {
+    SimulatedLeg leg;
+    leg.Leg = static_cast<int>(i);
+    leg.Poses.push_back(FindPose(edit, i));
+    ways.push_back(leg);
+    if (edit.IsMoving() && i + 1 < edit.Legs.size())
+    {
+      leg.IsMoving = true;
+      leg.Poses.push_back(FindPose(edit, i + 1));
+      ways.push_back(leg);
+    }
+  }
+  return ways;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string EditTool::GetFolder() const
+{
+  return fs::absolute(this->Owner.GetOptions().Save).parent_path().string();
+}
+
+//------------------------------------------------------------------------------
+/// The source files of the shown data.
+std::vector<std::string> EditTool::GetDocuments() const
+{
+  std::vector<std::string> files = this->Owner.GetOptions().Inputs;
+  if (vtkHeliosSurvey* survey = this->Owner.GetSurvey())
+  {
+    const SurveyData& data = survey->GetData();
+    files.insert(files.end(), data.Documents.begin(), data.Documents.end());
+    for (const PartData& part : data.Scene.Parts)
+    {
+      files.insert(files.end(), part.Files.begin(), part.Files.end());
+    }
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::Begin()
+{
+  if (!this->Owner.GetSceneView())
+  {
+    this->Owner.Tell("direct control needs a scene: open a survey or a scene, and wait for it");
+    return false;
+  }
+  std::vector<std::string> files;
+  for (const std::string& file : this->GetDocuments())
+  {
+    fs::path(file).extension() == ".xml" ? files.push_back(file) : void();
+  }
+  this->Choice = ReadCatalogue(this->Owner.GetOptions().Assets, files, this->GetFolder());
+  this->Scene = SceneEdit();
+  this->HasBegun = this->Owner.GetSurvey() ? this->BeginWithSurvey() : this->BeginWithScene();
+  this->Edit.Seed = this->Owner.GetOptions().Seed;
+  if (this->HasBegun && this->LoadScene())
+  {
+    this->FirstScene = this->Scene.GetText();
+  }
+  return this->HasBegun;
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::BeginWithSurvey()
+{
+  const std::string left = EditSurvey(this->Owner.GetSurvey()->GetData(), this->Choice,
+    this->GetFolder(), this->Owner.GetOptions().Assets, this->Edit);
+  this->FindGround();
+  if (!left.empty())
+  {
+    this->Owner.Tell(left);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Legs on the ground are placed as in the run.
+void EditTool::FindGround()
+{
+  Simulation* run = this->Owner.GetSimulation();
+  for (std::size_t i = 0; run && !this->Edit.IsMoving() && i < this->Edit.Legs.size(); ++i)
+  {
+    for (const SimulatedLeg& leg : run->GetLegs())
+    {
+      if (leg.Leg == static_cast<int>(i) && !leg.Poses.empty())
+      {
+        this->Edit.Legs[i].Ground = leg.Poses.front().Position[2];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The first tripod of the catalogue, and the first rotating instrument.
+bool EditTool::BeginWithScene()
+{
+  const fs::path input = fs::absolute(this->Owner.GetOptions().Inputs.front());
+  this->Edit = SurveyEdit();
+  this->Edit.Name = fs::path(this->Owner.GetOptions().Save).stem().string();
+  this->Edit.Scene = input.string();
+  for (const auto& entry : this->Choice.Platforms)
+  {
+    if (this->Edit.Platform.empty() && entry.second.Type == PlatformType::Static)
+    {
+      ChoosePlatform(this->Edit, entry.first, entry.second);
+    }
+  }
+  for (const auto& entry : this->Choice.Scanners)
+  {
+    if (this->Edit.Scanner.empty() && entry.second.HeadRotateSpeedMax > 0.0)
+    {
+      ChooseScanner(this->Edit, entry.first, entry.second);
+    }
+  }
+  if (this->Edit.Platform.empty() || this->Edit.Scanner.empty())
+  {
+    this->Owner.Complain(
+      "direct control needs a catalogue of platforms and scanners: give its folder with --assets");
+    return false;
+  }
+  if (!this->LoadScene())
+  {
+    return false;
+  }
+  const std::string file =
+    ReferTo(input.string(), this->GetFolder(), this->Owner.GetOptions().Assets);
+  this->Edit.Scene = input.extension() == ".xml" ? file + "#" + this->Scene.GetId() : file;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void EditTool::ShowPanel()
+{
+  const bool hasSliders = this->Doing != Mode::Parts;
+  this->Panel->SetRanges(hasSliders ? FindRanges(this->Edit) : std::vector<EditRange>());
+  this->Panel->ShowValues(this->Edit);
+  this->Panel->SetHeading(this->MakeHeading());
+  this->Panel->SetVisible(this->IsOn);
+  SceneView* view = this->Owner.GetSceneView();
+  int part = -1;
+  double b[6];
+  if (view)
+  {
+    this->FindMeshPart(part, b);
+    view->SetHighlightedPart(part);
+  }
+  this->Owner.Redraw();
+}
+
+//------------------------------------------------------------------------------
+std::string EditTool::MakeHeading() const
+{
+  if (this->Doing == Mode::Parts)
+  {
+    const std::string file =
+      this->Files.empty() ? "none found" : fs::path(this->Files[this->File]).filename().string();
+    return "SCENE  (M: back to the scanner)\npart: " +
+      (this->Part.empty() ? "click on one" : this->Part) + "\nto add (a), next (g): " + file +
+      "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
+  }
+  std::string text = "DIRECT CONTROL\n" + this->Edit.PlatformModel.Name + " (Tab)\n" +
+    this->Edit.ScannerModel.Name + " (g)\n";
+  text += this->Edit.IsMoving() ? "waypoints: " : "positions: ";
+  text += std::to_string(this->Edit.Legs.size());
+  text += this->Edit.HasArea ? ", flight lines\n" : "\n";
+  text += this->Doing == Mode::Area ? "click two corners"
+    : this->Edit.IsMoving()         ? "click: waypoint   A: lines\nReturn: scan   s: save"
+                                    : "click: place   Shift: add\nReturn: scan   s: save";
+  return text;
+}
+
+//------------------------------------------------------------------------------
+/// The platform where it was placed, until it scans there.
+void EditTool::ShowGhost()
+{
+  this->Ghost.reset();
+  this->HasChanges = true;
+  if (PlatformView* last = this->Owner.GetPlatformView())
+  {
+    last->SetVisible(!this->IsOn);
+    last->SetFanVisible(!this->IsOn && this->Owner.GetOptions().Fan);
+  }
+  if (this->IsOn && !this->Edit.Legs.empty())
+  {
+    this->Models = this->Models ? this->Models : std::make_shared<ModelFiles>();
+    this->Ghost = std::make_unique<PlatformView>(
+      this->Owner.GetRenderer(), this->Owner.GetOrigin(), this->Models);
+    this->Ghost->SetWays(MakeWays(this->Edit));
+    this->PlaceGhost();
+  }
+}
+
+//------------------------------------------------------------------------------
+void EditTool::PlaceGhost()
+{
+  const std::size_t index = this->Edit.HasArea ? 0 : this->Edit.Legs.size() - 1;
+  SimulatedLeg leg;
+  leg.Type = this->Edit.PlatformModel.Type;
+  leg.Mount = this->Edit.PlatformModel.Mount;
+  leg.Model = this->Edit.PlatformModel.Model;
+  leg.ScannerModel = this->Edit.ScannerModel.Model;
+  this->Ghost->Place(leg, FindPose(this->Edit, index), leg.StartTime);
+}
+
+//------------------------------------------------------------------------------
+bool EditTool::OnFrame()
+{
+  if (!this->IsOn)
+  {
+    return false;
+  }
+  const int* size = this->Owner.GetWindow()->GetSize();
+  this->Panel->Resize(size[0], size[1]);
+  SceneView* view = this->Owner.GetSceneView();
+  if (view && !this->Part.empty() && view->GetHighlightedPart() < 0)
+  {
+    this->ShowPanel(); // a new scan has a new view
+  }
+  if (this->Ghost)
+  {
+    this->PlaceGhost(); // scaled to be visible
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void EditTool::Describe(Json::Value& state) const
+{
+  static const char* const modes[] = { "scanner", "area", "parts" };
+  Json::Value& editor = state["editor"];
+  editor["on"] = this->IsOn;
+  if (!this->HasBegun)
+  {
+    return;
+  }
+  editor["mode"] = modes[static_cast<int>(this->Doing)];
+  editor["platform"] = this->Edit.Platform;
+  editor["scanner"] = this->Edit.Scanner;
+  editor["legs"] = Json::Value(Json::arrayValue);
+  for (const EditLeg& leg : this->Edit.Legs)
+  {
+    const LegData& data = leg.Settings.Leg;
+    Json::Value one;
+    for (int i = 0; i < 3; ++i)
+    {
+      one["position"].append(i == 2 && !this->Edit.IsMoving() ? leg.Ground : data.Position[i]);
+    }
+    one["ground"] = leg.Ground;
+    one["onGround"] = data.OnGround;
+    one["active"] = data.Active;
+    editor["legs"].append(one);
+  }
+  editor["sliders"] = this->Panel ? this->Panel->Describe() : Json::Value(Json::objectValue);
+  editor["part"] = this->Part;
+  for (int i = 0; i < this->Scene.GetNumberOfParts(); ++i)
+  {
+    editor["parts"].append(this->Scene.GetPartName(i));
+  }
+  editor["file"] = this->Files.empty() ? "" : this->Files[this->File];
+  editor["undos"] = Json::UInt64(this->Befores.size());
+  editor["saved"] = this->Saved;
+  editor["scans"] = this->Scans;
+}
+
+} // namespace helios::viewer

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A chart of a pulse's waveform over the picture: samples, echoes, Gaussians.
+
+#ifndef heliosWaveformChart_h
+#define heliosWaveformChart_h
+
+#include "heliosPulseReading.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+
+class vtkAxis;
+class vtkChartXY;
+class vtkContextActor;
+class vtkPlot;
+class vtkRenderer;
+
+namespace helios::viewer
+{
+
+class ChartPanel;
+
+/// In the lower left of the window: range [m] below, two-way time [ns] above, power to the left.
+class WaveformChart
+{
+public:
+  /// The renderer must outlive the chart.
+  explicit WaveformChart(vtkRenderer* renderer);
+  ~WaveformChart();
+  WaveformChart(const WaveformChart&) = delete;
+  void operator=(const WaveformChart&) = delete;
+
+  /**
+   * Shows a pulse, with the echo of a return number marked. Without samples: only the title, with
+   * the reason.
+   */
+  void Show(const PulseReading& reading, int returnNumber, const std::string& title);
+  void Hide();
+  bool IsVisible() const { return this->IsShown; }
+
+  /// True: covered by something else, and not drawn.
+  void SetCovered(bool covered);
+
+  /// Fits the chart to the window's size [pixels]; true: the size has changed.
+  bool Resize(int width, int height);
+
+  /// Whether a window pixel belongs to the chart.
+  bool Contains(int x, int y) const;
+
+  ///@{
+  /// The drawn chart.
+  vtkChartXY* GetChart() const { return this->Chart; }
+  vtkIdType GetNumberOfSamples() const { return this->NumberOfSamples; }
+  vtkIdType GetNumberOfEchoes() const { return this->NumberOfEchoes; }
+  vtkIdType GetNumberOfGaussians() const { return this->NumberOfGaussians; }
+  std::string GetTitle() const;
+  ///@}
+
+private:
+  void SetRanges(const PulseReading& reading);
+  void AddSamples(const PulseReading& reading);
+  void AddGaussians(const PulseReading& reading);
+  void AddPulse(const PulseReading& reading);
+  void AddEchoes(const PulseReading& reading, int returnNumber);
+  void AddTimes();
+
+  vtkRenderer* Renderer;
+  vtkNew<vtkContextActor> Actor;
+  vtkNew<vtkChartXY> Chart;
+  vtkSmartPointer<ChartPanel> Panel;
+  bool IsShown = false;
+  bool IsCovered = false;
+  int Size[2] = { 0, 0 };
+  double Unit = 1.0; // of the axis [W]
+  std::string UnitName;
+  vtkIdType NumberOfSamples = 0;
+  vtkIdType NumberOfEchoes = 0;
+  vtkIdType NumberOfGaussians = 0;
+};
+
+/// A power [W] in a suitable unit: "12.3 nW".
+std::string DescribePower(double watts);
+
+} // namespace helios::viewer
+
+#endif

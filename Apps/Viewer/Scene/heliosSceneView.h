@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the mesh of a scene, and picks from it at a pixel.
+
+#ifndef heliosSceneView_h
+#define heliosSceneView_h
+
+#include "heliosMaterialTable.h"
+#include "heliosPose.h"
+#include "heliosSceneLayer.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkImageData;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkProperty;
+class vtkRenderer;
+
+namespace helios::viewer
+{
+
+/// A point on the scene.
+struct ScenePick
+{
+  Vec3 Position; ///< [m], world frame
+  Vec3 Normal;   ///< unit, towards the camera
+  vtkIdType Cell = -1;
+  int Part = -1;         ///< -1: the scene has no parts
+  int Material = -1;     ///< row of the materials
+  bool IsGround = false; ///< of the material
+  std::string PartName;
+  std::string MaterialName;
+};
+
+/**
+ * Triangles with the optional arrays MaterialIds, PartIds and the material columns, see DESIGN.
+ */
+class SceneView
+{
+public:
+  enum class Coloring
+  {
+    ByMaterial,
+    ByPart
+  };
+
+  /// The renderer must outlive the view.
+  explicit SceneView(vtkRenderer* renderer);
+  ~SceneView();
+  SceneView(const SceneView&) = delete;
+  void operator=(const SceneView&) = delete;
+
+  /// Origin of the renderer's coordinates [m]. Default: 0. Scenes may already be shown.
+  void SetOrigin(const Vec3& origin);
+
+  /**
+   * Shows a scene (null: none); call again after changes. Shows nothing on error; returns an error
+   * message, or an empty string.
+   */
+  std::string SetScene(vtkPolyData* scene);
+  vtkPolyData* GetScene() const { return this->Scene; }
+
+  /// Parts of the scene that are drawn and picked where Move() puts them; reset by the next scene.
+  void SetMovingParts(const std::vector<int>& parts);
+
+  /// Their triangles in the current state; null: there are none.
+  vtkPolyData* GetMovingMesh() const { return this->Moving.GetMesh(); }
+
+  /// The same triangles, moved.
+  void Move(vtkPolyData* parts);
+
+  /// The turbid voxels of the scene, as a limited number of translucent boxes with the visibility
+  /// of the mesh. They cannot be picked.
+  void SetGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids);
+  vtkIdType GetNumberOfBoxes() const;
+
+  ///@{
+  /// Maximum, over all grids: when still, and while the camera moves.
+  static constexpr vtkIdType MostBoxes = 20000;
+  static constexpr vtkIdType MostMovingBoxes = 2000;
+  ///@}
+
+  /// While the camera moves, draws fewer and larger boxes, and large triangles for small ones in
+  /// very large meshes. Default: off.
+  void SetInteracting(bool on);
+  bool IsCoarse() const { return this->Resting.IsCoarse(); }
+
+  /// Default: ByMaterial.
+  void SetColoring(Coloring coloring);
+
+  /// Smooth over edges below 40 degrees. Default: off (flat triangles).
+  void SetSmooth(bool on);
+  bool GetSmooth() const { return this->Smooth; }
+
+  /// In [0, 1]. Default: 1.
+  void SetOpacity(double opacity);
+  void SetWireframe(bool on);
+  void SetVisible(bool on);
+  bool IsVisible() const;
+
+  /// Highlights a part in yellow; -1: none (default).
+  void SetHighlightedPart(int part);
+  int GetHighlightedPart() const { return this->HighlightedPart; }
+
+  /// The first hit of the ray through a window pixel, in double precision.
+  std::optional<ScenePick> Pick(double x, double y);
+
+  /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
+  bool GetBounds(double bounds[6]) const;
+
+  /// The name of a part; its number if it has none.
+  std::string GetPartName(int part) const;
+
+  static constexpr unsigned char HighlightColor[3] = { 255, 205, 60 };
+
+private:
+  void DrawMesh();
+  void ColorMesh();
+  void DrawBoxes();
+  int GetCellId(const char* name, vtkIdType cell) const;
+
+  vtkRenderer* Renderer;
+  vtkSmartPointer<vtkPolyData> Scene;
+  MaterialTable Materials;
+  Vec3 Origin{ 0.0, 0.0, 0.0 };
+  Coloring ColorBy = Coloring::ByMaterial;
+  bool Smooth = false;
+  int HighlightedPart = -1;
+  vtkNew<vtkProperty> Look;
+  SceneLayer Resting;
+  SceneLayer Moving;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  vtkSmartPointer<vtkPolyData> BoxSets[2]; // when still, while the camera moves
+  bool Interacting = false;
+  vtkNew<vtkActor> Boxes;
+  vtkNew<vtkPolyDataMapper> BoxMapper;
+};
+
+} // namespace helios::viewer
+
+#endif

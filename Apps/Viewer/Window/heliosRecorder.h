@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Stills and videos of a render window.
+
+#ifndef heliosRecorder_h
+#define heliosRecorder_h
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkOggTheoraWriter;
+class vtkRenderWindow;
+class vtkWindowToImageFilter;
+
+namespace helios::viewer
+{
+
+/// Writes a PNG; returns an error message, or an empty string.
+std::string WriteStill(vtkRenderWindow* window, const std::string& fileName);
+
+/// A video (.ogv), or a folder of frames (a name with one %d such as frame%04d.png).
+class Recorder
+{
+public:
+  Recorder();
+  ~Recorder();
+
+  ///@{
+  /// Returns an error message, or an empty string.
+  std::string Open(vtkRenderWindow* window, const std::string& fileName, double framesPerSecond);
+  std::string AddFrame();
+  std::string Close();
+  ///@}
+
+  bool IsOpen() const { return this->Opened; }
+  int GetNumberOfFrames() const { return this->NumberOfFrames; }
+  const std::string& GetFileName() const { return this->FileName; }
+
+private:
+  bool IsVideo() const;
+
+  std::string FileName;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkNew<vtkWindowToImageFilter> Grabber;
+  vtkSmartPointer<vtkOggTheoraWriter> Video;
+  bool Opened = false;
+  int NumberOfFrames = 0;
+};
+
+} // namespace helios::viewer
+
+#endif

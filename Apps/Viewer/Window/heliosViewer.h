@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The viewer: one window on a running survey, a finished cloud, or a scene.
+
+#ifndef heliosViewer_h
+#define heliosViewer_h
+
+#include "heliosCameraRig.h"
+#include "heliosCloud.h"
+#include "heliosFrameBudget.h"
+#include "heliosPlayClock.h"
+#include "heliosPose.h"
+#include "heliosRecorder.h"
+#include "heliosSimulation.h"
+#include "heliosViewerOptions.h"
+#include "vtkHeliosSurvey.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace helios::viewer
+{
+
+class CloudView;
+class Hud;
+class PlatformView;
+class SceneMover;
+class SceneView;
+class TimeBar;
+class ViewerKeys;
+class ViewerTool;
+
+class Viewer
+{
+public:
+  explicit Viewer(const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  void operator=(const Viewer&) = delete;
+
+  /// Shows the inputs until the user closes the window or the recording ends; returns an exit code.
+  int Run();
+
+  ///@{
+  /// Used by tools and keys.
+  const ViewerOptions& GetOptions() const { return this->Options; }
+  vtkRenderer* GetRenderer() const { return this->Renderer; }
+  vtkRenderWindow* GetWindow() const { return this->Window; }
+  vtkRenderWindowInteractor* GetInteractor() const { return this->Interactor; }
+  const Vec3& GetOrigin() const { return this->Origin; } ///< of everything drawn [m]
+  Cloud& GetCloud() { return *this->Points; }
+  CloudView& GetCloudView() { return *this->PointsView; }
+  SceneView* GetSceneView() { return this->Mesh.get(); } ///< null: no scene (yet)
+  PlatformView* GetPlatformView() { return this->Platform.get(); }
+  Simulation* GetSimulation() { return this->Running.get(); } ///< null: not running
+  vtkHeliosSurvey* GetSurvey() const { return this->Survey; }
+  const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
+  CameraRig& GetCamera() { return this->Camera; }
+  PlayClock& GetClock() { return this->Clock; }
+  Hud& GetHud() { return *this->Words; }
+  TimeBar* GetTimeBar() { return this->Bar.get(); }
+  Recorder& GetRecorder() { return this->Video; }
+  ///@}
+
+  /// Replaces the shown survey with another one, and runs it. keepCamera: keeps the camera.
+  void ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera = false);
+
+  /// Shows a scene and its turbid voxels without a survey [m].
+  void ShowScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
+
+  /// Shows a message for a while; errors also on standard error.
+  void Tell(const std::string& message);
+  void Complain(const std::string& error);
+
+  /// Requests a new frame.
+  void Redraw() { this->IsDirty = true; }
+
+  /// Shows the cloud and its trajectories, relative to the cloud's origin.
+  void ShowCloud(const std::vector<SimulatedLeg>& legs);
+
+  /// Sets the camera mode and its interaction style.
+  void SetCameraMode(CameraMode mode);
+
+  /// Writes a PNG of the view.
+  void SaveStill(const std::string& fileName);
+
+  /// Starts or stops the recording.
+  void ToggleRecording();
+
+  void Close();
+
+  int GetExitCode() const { return this->ExitCode; }
+
+private:
+  friend class ViewerState;
+
+  std::string SetUpCamera();
+  bool LoadInputs();
+  void SetUpWindow();
+  void SetUpEvents();
+  void SetUpView();
+  void Begin(const double bounds[6], bool keepCamera);
+  void ShowMesh(vtkPolyData* scene);
+  void ShowWays();
+  void ShowBox(const double bounds[6], bool hasData);
+  void SetSpan(double start, double end);
+  int RunInteractively();
+  int RunScripted();
+  void Frame(double seconds);
+  void TakeWhatIsNew();
+  void TakeUpPoints();
+  void FinishLoading();
+  void PlacePlatform(double seconds);
+  void WriteWords();
+  void CountRates();
+  std::string DescribeTime() const;
+  std::string DescribeCloud() const;
+  std::string DescribeLegs() const;
+  void Draw();
+  void WaitFor(double time);
+  bool IsComputing() const;
+  void AddVideoFrame(double now);
+  double Now() const;
+
+  static void OnEvent(vtkObject*, unsigned long event, void* self, void*);
+  void OnKey();
+  static void OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*);
+  void OnRelease();
+  void TakeClick();
+  void OnTimer();
+  void OnResize();
+
+  ViewerOptions Options;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkCallbackCommand> Observer;
+  vtkNew<vtkCallbackCommand> Releases; // observes those captured by a drag
+  CameraRig Camera;
+  PlayClock Clock;
+  FrameBudget Budget;
+  Recorder Video;
+  Vec3 Origin{ 0.0, 0.0, 0.0 };
+
+  vtkSmartPointer<vtkHeliosSurvey> Survey;
+  std::unique_ptr<Simulation> Running;
+  std::vector<SimulatedLeg> Legs;
+  std::unique_ptr<Cloud> Points;
+  std::unique_ptr<CloudView> PointsView;
+  std::unique_ptr<SceneView> Mesh;
+  std::unique_ptr<SceneMover> Mover; // of the mesh's parts; null: no survey
+  std::unique_ptr<PlatformView> Platform;
+  std::unique_ptr<Hud> Words;
+  std::unique_ptr<TimeBar> Bar;
+  std::unique_ptr<ViewerKeys> Keys;
+  std::vector<std::unique_ptr<ViewerTool>> Tools;
+  std::vector<Vec3> LastEnds; // of the newest beams
+
+  bool IsLoading = false;
+  bool HasFailed = false;
+  bool HasNewPoints = false;
+  bool IsSketched = false; // a sample of the points, to save time
+  bool KeepsCamera = false;
+  bool IsDirty = true;
+  bool IsClosing = false;
+  bool IsDragging = false;
+  int ExitCode = 0;
+  int PressedAt[2] = { 0, 0 };
+  bool HasClick = false; // not yet passed to the tools
+  int ClickAt[2] = { 0, 0 };
+  int ClickKeys[2] = { 0, 0 }; // shift, control
+  int Size[2] = { 0, 0 };
+  double LastFrame = 0.0;
+  double LastVideoFrame = 0.0;
+  double FramesPerSecond = 0.0;
+  vtkIdType NumberOfFrames = 0;
+  double RateSince = 0.0; // of counts per second
+  vtkIdType RatePulses = 0;
+  vtkIdType RatePoints = 0;
+  double PulsesPerSecond = 0.0;
+  double PointsPerSecond = 0.0;
+  std::string Message;
+  double MessageUntil = 0.0;
+};
+
+} // namespace helios::viewer
+
+#endif

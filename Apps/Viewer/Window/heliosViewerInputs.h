@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens the inputs: surveys, runs, clouds and scenes, identified by their files.
+
+#ifndef heliosViewerInputs_h
+#define heliosViewerInputs_h
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace helios::viewer
+{
+
+class Viewer;
+class ViewerTool;
+
+/// Shows the inputs of a viewer; returns an error message, or an empty string.
+std::string ShowInputs(Viewer& viewer);
+
+/// The tools of a viewer, in order of precedence.
+std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer);
+
+} // namespace helios::viewer
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Non-interactive viewer: videos and stills.
+#include "heliosViewer.h"
+
+#include "heliosCloudView.h"
+#include "heliosSimulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace helios::viewer
+{
+
+//------------------------------------------------------------------------------
+/// Non-interactive: every frame at its time, regardless of computing time.
+int Viewer::RunScripted()
+{
+  const double step = 1.0 / this->Options.FramesPerSecond;
+  const double seconds = this->Options.Seconds > 0.0 ? this->Options.Seconds : 10.0;
+  this->WaitFor(-1.0);
+  if (!this->Options.Record.empty() && this->ExitCode == 0)
+  {
+    if (!this->Options.HasSpeed)
+    {
+      const double span = this->Clock.GetEnd() - this->Clock.GetTime();
+      this->Clock.SetSpeed(std::max(1e-6, span / seconds));
+    }
+    this->Draw();
+    std::string problem =
+      this->Video.Open(this->Window, this->Options.Record, this->Options.FramesPerSecond);
+    const auto frames = static_cast<int>(std::lround(seconds / step));
+    for (int i = 0; i < frames && problem.empty() && this->ExitCode == 0; ++i)
+    {
+      this->WaitFor(
+        std::min(this->Clock.GetEnd(), this->Clock.GetTime() + step * this->Clock.GetSpeed()));
+      this->Frame(step);
+      this->Draw();
+      problem = this->Video.AddFrame();
+    }
+    const std::string end = this->Video.Close();
+    problem = problem.empty() ? end : problem;
+    if (!problem.empty())
+    {
+      this->Complain(problem);
+      this->ExitCode = 1;
+    }
+  }
+  if (!this->Options.Still.empty() && this->ExitCode == 0)
+  {
+    const double time =
+      this->Options.StartTime >= 0.0 ? this->Options.StartTime : this->Clock.GetEnd();
+    this->Clock.Seek(time);
+    this->WaitFor(time);
+    this->Frame(0.0);
+    this->TakeUpPoints();
+    this->PointsView->SetAutomaticRange(); // of the full cloud
+    this->Draw();
+    this->SaveStill(this->Options.Still);
+  }
+  return this->ExitCode;
+}
+
+//------------------------------------------------------------------------------
+/// Waits for the measurements up to a time, or the end of the run.
+void Viewer::WaitFor(double time)
+{
+  const auto isThere = [this, time]
+  {
+    const Simulation::Phase phase = this->Running->GetPhase();
+    return phase == Simulation::Phase::Failed ||
+      (phase != Simulation::Phase::Loading && !this->IsLoading &&
+        (time < 0.0 || this->Running->GetTakenTime() >= time));
+  };
+  while (this->Running && !isThere())
+  {
+    this->FinishLoading();
+    this->TakeWhatIsNew();
+    this->Running->SetTarget(time);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  if (this->Running)
+  {
+    this->FinishLoading();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AddVideoFrame(double now)
+{
+  if (!this->Video.IsOpen() || now - this->LastVideoFrame < 1.0 / this->Options.FramesPerSecond)
+  {
+    return;
+  }
+  this->LastVideoFrame = now;
+  const std::string problem = this->Video.AddFrame();
+  if (!problem.empty())
+  {
+    this->Video.Close();
+    this->Complain(problem);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SaveStill(const std::string& fileName)
+{
+  const std::string problem = WriteStill(this->Window, fileName);
+  if (problem.empty())
+  {
+    this->Tell("saved " + fileName);
+    return;
+  }
+  this->Complain(problem);
+  this->ExitCode = 1;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ToggleRecording()
+{
+  const bool wasOpen = this->Video.IsOpen();
+  const std::string name = "vtkhelios.ogv";
+  const std::string problem = wasOpen
+    ? this->Video.Close()
+    : this->Video.Open(this->Window, name, this->Options.FramesPerSecond);
+  problem.empty() ? this->Tell((wasOpen ? "saved " : "recording ") + name)
+                  : this->Complain(problem);
+}
+
+} // namespace helios::viewer

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosViewerState.h"
+
+#include "heliosCloudView.h"
+#include "heliosColorNames.h"
+#include "heliosHud.h"
+#include "heliosPlatformView.h"
+#include "heliosSceneView.h"
+#include "heliosSimulation.h"
+#include "heliosTimeBar.h"
+#include "heliosViewer.h"
+#include "heliosViewerTool.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <json/json.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace helios::viewer
+{
+
+namespace
+{
+
+Json::Value ToJson(const Vec3& v)
+{
+  Json::Value value(Json::arrayValue);
+  for (int i = 0; i < 3; ++i)
+  {
+    value.append(v[i]);
+  }
+  return value;
+}
+
+const char* GetPhaseName(const Simulation* run)
+{
+  static const char* const names[] = { "loading", "running", "finished", "failed" };
+  return run ? names[static_cast<int>(run->GetPhase())] : "none";
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Json::Value ViewerState::DescribeCamera() const
+{
+  vtkCamera* camera = this->Owner.Renderer->GetActiveCamera();
+  const Vec3 origin = this->Owner.Origin;
+  Json::Value value;
+  value["mode"] = GetCameraModeName(this->Owner.Camera.GetMode());
+  value["position"] = ToJson(Vec3(camera->GetPosition()) + origin);
+  value["focalPoint"] = ToJson(Vec3(camera->GetFocalPoint()) + origin);
+  value["viewUp"] = ToJson(Vec3(camera->GetViewUp()));
+  value["parallel"] = camera->GetParallelProjection() != 0;
+  value["scale"] = camera->GetParallelScale();
+  value["viewAngle"] = camera->GetViewAngle();
+  return value;
+}
+
+//------------------------------------------------------------------------------
+Json::Value ViewerState::DescribeTime() const
+{
+  const PlayClock& clock = this->Owner.Clock;
+  Json::Value value;
+  value["time"] = clock.GetTime();
+  value["start"] = clock.GetStart();
+  value["end"] = clock.GetEnd();
+  value["speed"] = std::isinf(clock.GetSpeed()) ? Json::Value("max") : clock.GetSpeed();
+  value["playing"] = clock.IsPlaying();
+  const Simulation* run = this->Owner.Running.get();
+  value["phase"] = GetPhaseName(run);
+  value["computed"] = run ? run->GetTakenTime() : clock.GetEnd();
+  value["pulses"] = Json::Int64(run ? run->GetTakenPulses() : 0);
+  value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
+  value["pulsesPerSecond"] = this->Owner.PulsesPerSecond;
+  Json::Value bar(Json::arrayValue); // fraction of window width, height from below
+  bar.append(TimeBar::Left);
+  bar.append(TimeBar::Right);
+  bar.append(TimeBar::Height);
+  value["bar"] = bar;
+  return value;
+}
+
+//------------------------------------------------------------------------------
+Json::Value ViewerState::DescribeCloud() const
+{
+  const CloudView& view = *this->Owner.PointsView;
+  Json::Value value;
+  value["points"] = Json::Int64(this->Owner.Points->GetNumberOfPoints());
+  value["drawn"] = Json::Int64(view.GetNumberOfDrawnPoints());
+  value["bytes"] = Json::UInt64(this->Owner.Points->GetMemorySize() + view.GetMemorySize());
+  value["colorBy"] = GetColorByName(view.GetColorBy());
+  value["low"] = view.GetLow();
+  value["high"] = view.GetHigh();
+  value["pointSize"] = view.GetPointSize();
+  value["eyeDome"] = view.GetEyeDomeLighting();
+  value["clipping"] = view.GetClipping();
+  return value;
+}
+
+//------------------------------------------------------------------------------
+Json::Value ViewerState::Describe() const
+{
+  Json::Value state;
+  const int* size = this->Owner.Window->GetSize();
+  state["window"].append(size[0]);
+  state["window"].append(size[1]);
+  state["frames"] = Json::Int64(this->Owner.NumberOfFrames);
+  state["framesPerSecond"] = this->Owner.FramesPerSecond;
+  state["camera"] = this->DescribeCamera();
+  state["time"] = this->DescribeTime();
+  state["cloud"] = this->DescribeCloud();
+  state["scene"] = this->Owner.Mesh && this->Owner.Mesh->IsVisible();
+  state["voxels"] = Json::Int64(this->Owner.Mesh ? this->Owner.Mesh->GetNumberOfBoxes() : 0);
+  state["beams"] = Json::Int64(this->Owner.Platform && this->Owner.Platform->IsFanVisible()
+      ? this->Owner.Platform->GetNumberOfBeams()
+      : 0);
+  state["help"] = this->Owner.Words->IsHelpVisible();
+  state["words"] = this->Owner.Words->GetText();
+  state["message"] = this->Owner.Message;
+  state["recording"] = this->Owner.Video.IsOpen();
+  for (const auto& tool : this->Owner.Tools)
+  {
+    tool->Describe(state);
+  }
+  return state;
+}
+
+//------------------------------------------------------------------------------
+void ViewerState::Write(const std::string& fileName) const
+{
+  if (fileName.empty())
+  {
+    return;
+  }
+  const std::string part = fileName + ".part";
+  {
+    std::ofstream file(part);
+    file << this->Describe();
+  }
+  std::rename(part.c_str(), fileName.c_str());
+}
+
+} // namespace helios::viewer

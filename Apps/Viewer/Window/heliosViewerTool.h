@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A tool of the viewer: a user interaction with the view.
+
+#ifndef heliosViewerTool_h
+#define heliosViewerTool_h
+
+#include <json/forwards.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace helios::viewer
+{
+
+/// A key and its action, a line of the help.
+using KeyHelp = std::pair<std::string, std::string>;
+
+/// The viewer calls its tools in order, until one handles the event.
+class ViewerTool
+{
+public:
+  virtual ~ViewerTool() = default;
+
+  /// The heading of its keys in the help.
+  virtual std::string GetName() const = 0;
+  virtual std::vector<KeyHelp> GetKeys() const = 0;
+
+  /// A key as X names it ("a", "plus", "Escape"); true: handled.
+  virtual bool OnKey(const std::string& key, bool control) = 0;
+
+  /// A click without a drag, at a pixel from the lower left; true: handled.
+  virtual bool OnClick(int x, int y) = 0;
+
+  /// Before every frame; true: a redraw is needed.
+  virtual bool OnFrame() { return false; }
+
+  /// Another survey is shown: discard the data of the last one.
+  virtual void OnNewSurvey() {}
+
+  /// A line for the status; empty: none.
+  virtual std::string GetStatus() const { return {}; }
+
+  /// Adds its contents to the state.
+  virtual void Describe(Json::Value& state) const = 0;
+};
+
+} // namespace helios::viewer
+
+#endif
