@@ -14,9 +14,9 @@
 #include <fstream>
 #include <unistd.h>
 
+using helios::Vec3;
 using helios::viewer::CameraMode;
 using helios::viewer::CameraRig;
-using helios::Vec3;
 
 namespace
 {
