@@ -15,6 +15,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 COLOURS = {"GL": "tab:blue", "circles": "tab:orange", "Vogel": "tab:green", "tolerance": "tab:red"}
+NAMES = {"tolerance": "adaptive"}
 MARKERS = {"peaks": "o", "gaussians": "s"}
 ERRORS = {"range_rms_m": "range RMS [m]", "amplitude_rms": "amplitude RMS"}
 SMALLEST = 1e-6  # lower values are clipped
@@ -43,7 +44,10 @@ def main(table, picture):
             )
     for axis, label in zip(axes[:, 0], ERRORS.values()):
         axis.set_ylabel(label)
-    handles = [plt.Line2D([], [], color=c, marker="o", ls="", label=p) for p, c in COLOURS.items()]
+    handles = [
+        plt.Line2D([], [], color=c, marker="o", ls="", label=NAMES.get(p, p))
+        for p, c in COLOURS.items()
+    ]
     handles += [
         plt.Line2D([], [], color="k", marker=m, ls="", mfc="none", label=d)
         for d, m in MARKERS.items()
