@@ -4592,9 +4592,7 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     and [1e-4, 1]. Default: 0.001 and 0.01.
     """
     ray_caster: Optional[vtkHeliosRayCaster]
-    """Set/Get the ray caster. Default: Embree where it is built, else
-    the built-in hierarchy.
-    """
+    """Set/Get the ray caster. Default: a vtkHeliosBeamRayCaster."""
     sampling: Union[Literal["fixed", "tolerance"], int]
     """Set/Get how the beam is sampled. Default: TOLERANCE."""
     seed: int

@@ -95,8 +95,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the ray caster. Default: Embree where it is built, else the
-   * built-in hierarchy.
+   * Set/Get the ray caster. Default: a vtkHeliosBeamRayCaster.
    */
   void SetRayCaster(vtkHeliosRayCaster* caster);
   vtkHeliosRayCaster* GetRayCaster() const;
