@@ -23,7 +23,7 @@ constexpr double Unlimited = std::numeric_limits<double>::infinity();
 
 std::atomic<double> Limit{ 0.0 }; // [MiB]
 
-/// Reads the first number of a file; infinite if there is none ("max").
+/// Reads the first number of a file; infinite without a number ("max").
 double ReadNumber(const std::string& path)
 {
   std::ifstream file(path);

@@ -73,58 +73,58 @@ void BeamTracer::Cast(const std::vector<Pulse>& pulses, ScanCounts& counts)
 
 //------------------------------------------------------------------------------
 void BeamTracer::Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
-  Volley& volley, ScanCounts& counts)
+  RayBatch& batch, ScanCounts& counts)
 {
-  volley.SubRays = &subRays;
+  batch.SubRays = &subRays;
   const std::size_t size = count * subRays.size();
-  volley.Rays.resize(std::max(volley.Rays.size(), size));
-  volley.Hits.resize(volley.Rays.size());
-  vtkHeliosRay* ray = volley.Rays.data();
+  batch.Rays.resize(std::max(batch.Rays.size(), size));
+  batch.Hits.resize(batch.Rays.size());
+  vtkHeliosRay* ray = batch.Rays.data();
   for (const Pulse* pulse = pulses; pulse != pulses + count; ++pulse)
   {
     ray = Aim(*pulse, subRays, this->Model.HasOffsets, ray);
   }
-  this->Meet(pulses, count, volley);
+  this->Meet(pulses, count, batch);
   counts.SubRays += static_cast<vtkIdType>(size);
 }
 
 //------------------------------------------------------------------------------
 /// The hits of the sub-rays: surfaces, or leaves before them.
-void BeamTracer::Meet(const Pulse* pulses, std::size_t count, Volley& volley)
+void BeamTracer::Meet(const Pulse* pulses, std::size_t count, RayBatch& batch)
 {
-  const std::size_t each = volley.SubRays->size();
+  const std::size_t each = batch.SubRays->size();
   if (this->Model.Caster)
   {
-    this->Model.Caster->IntersectBeams(volley.Rays.data(), volley.Hits.data(),
-      static_cast<int>(each), static_cast<vtkIdType>(count));
+    this->Model.Caster->IntersectBeams(
+      batch.Rays.data(), batch.Hits.data(), static_cast<int>(each), static_cast<vtkIdType>(count));
   }
   else
   {
     const double endless = std::numeric_limits<double>::infinity();
-    std::fill(volley.Hits.begin(), volley.Hits.end(), vtkHeliosHit{ endless, -1 });
+    std::fill(batch.Hits.begin(), batch.Hits.end(), vtkHeliosHit{ endless, -1 });
   }
   for (std::size_t i = 0; !this->Model.Medium.IsEmpty() && i < count; ++i)
   {
-    this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, volley.Rays.data() + i * each,
-      each, volley.Hits.data() + i * each);
+    this->Model.Medium.Intercept(this->Model.Seed, pulses[i].Id, batch.Rays.data() + i * each, each,
+      batch.Hits.data() + i * each);
   }
 }
 
 //------------------------------------------------------------------------------
 /// Selects a pulse's part of a ray batch, and computes the returns of its hits.
-void BeamTracer::Take(const Volley& volley, std::size_t slot)
+void BeamTracer::Select(const RayBatch& batch, std::size_t slot)
 {
-  const std::size_t count = volley.SubRays->size();
-  this->SubRays = volley.SubRays;
-  this->Rays = volley.Rays.data() + slot * count;
-  this->Hits = volley.Hits.data() + slot * count;
+  const std::size_t count = batch.SubRays->size();
+  this->SubRays = batch.SubRays;
+  this->Rays = batch.Rays.data() + slot * count;
+  this->Hits = batch.Hits.data() + slot * count;
   this->Response.GetReplies(this->Rays, this->Hits, count, this->Answers);
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Take(std::size_t slot)
+void BeamTracer::Select(std::size_t slot)
 {
-  this->Take(this->First, slot);
+  this->Select(this->First, slot);
 }
 
 //------------------------------------------------------------------------------
@@ -132,7 +132,7 @@ void BeamTracer::CastMore(
   const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts)
 {
   this->Cast(subRays, &pulse, 1, this->More, counts);
-  this->Take(this->More, 0);
+  this->Select(this->More, 0);
 }
 
 //------------------------------------------------------------------------------
@@ -144,16 +144,16 @@ void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
 //------------------------------------------------------------------------------
 void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts)
 {
-  this->Take(slot);
+  this->Select(slot);
   const ScanModel& m = this->Model;
-  const Glance glance = this->GetGlance();
-  const double spread = glance.Spread;
+  const ProbeSummary summary = this->GetProbeSummary();
+  const double spread = summary.Spread;
   const int step = this->GetStep(spread);
   if (step == 0 && !m.Plan.LooksFirst())
   {
     return; // sufficient for an edge
   }
-  if (this->SeeEdge(glance))
+  if (this->DetectEdge(summary))
   {
     this->CastMore(GetFiner(m.SubRays, m.FinerSubRays, step), pulse, counts);
   }
@@ -164,7 +164,7 @@ void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts
 }
 
 //------------------------------------------------------------------------------
-bool BeamTracer::SeeEdge(const Glance& glance)
+bool BeamTracer::DetectEdge(const ProbeSummary& summary)
 {
   const auto& pairs = this->Model.ProbePairs;
   const vtkHeliosHit* hits = this->Hits;
@@ -172,7 +172,7 @@ bool BeamTracer::SeeEdge(const Glance& glance)
     [&](const auto& pair)
     {
       const bool isOneCell = hits[pair.first].CellId == hits[pair.second].CellId;
-      return !(isOneCell && !glance.IsCut) && this->IsEdgeBetween(pair.first, pair.second);
+      return !(isOneCell && !summary.IsCut) && this->IsEdgeBetween(pair.first, pair.second);
     });
 }
 
@@ -210,7 +210,7 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
 }
 
 //------------------------------------------------------------------------------
-BeamTracer::Glance BeamTracer::GetGlance() const
+BeamTracer::ProbeSummary BeamTracer::GetProbeSummary() const
 {
   double nearest = VTK_DOUBLE_MAX;
   double farthest = -VTK_DOUBLE_MAX;

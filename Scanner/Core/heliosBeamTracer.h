@@ -42,33 +42,33 @@ public:
   void Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts);
 
   /// Accepts the sub-rays cast last for a pulse as they are.
-  void Take(std::size_t slot);
+  void Select(std::size_t slot);
 
   /// Replaces returns, and their sub-rays if requested, by the accepted ones.
   void Collect(std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts);
 
 private:
   /// The same sub-rays of consecutive pulses, and their hits.
-  struct Volley
+  struct RayBatch
   {
     const std::vector<SubRay>* SubRays = nullptr;
     std::vector<vtkHeliosRay> Rays;
     std::vector<vtkHeliosHit> Hits;
   };
   void Cast(const std::vector<SubRay>& subRays, const Pulse* pulses, std::size_t count,
-    Volley& volley, ScanCounts& counts);
-  void Meet(const Pulse* pulses, std::size_t count, Volley& volley);
+    RayBatch& batch, ScanCounts& counts);
+  void Meet(const Pulse* pulses, std::size_t count, RayBatch& batch);
   void CastMore(const std::vector<SubRay>& subRays, const Pulse& pulse, ScanCounts& counts);
-  void Take(const Volley& volley, std::size_t slot);
+  void Select(const RayBatch& batch, std::size_t slot);
 
   /// The result of probe rays.
-  struct Glance
+  struct ProbeSummary
   {
     double Spread; ///< of their ranges, in sigma_R
     bool IsCut;    ///< by the range gate
   };
-  Glance GetGlance() const;
-  bool SeeEdge(const Glance& glance);
+  ProbeSummary GetProbeSummary() const;
+  bool DetectEdge(const ProbeSummary& summary);
   bool IsEdgeBetween(std::size_t a, std::size_t b);
   int GetStep(double spread);
   bool IsSilent(const vtkHeliosHit& hit) const { return this->Model.Gate.IsSilent(hit); }
@@ -76,8 +76,8 @@ private:
   const ScanModel& Model;
   SurfaceResponse& Response;
   double SigmaRange;
-  Volley First; // of all pulses
-  Volley More;  // of one pulse
+  RayBatch First; // of all pulses
+  RayBatch More;  // of one pulse
 
   // Of the current pulse.
   const std::vector<SubRay>* SubRays = nullptr;

@@ -97,7 +97,7 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 //------------------------------------------------------------------------------
 void PulseKernel::RunFixed(std::size_t slot)
 {
-  this->Tracer.Take(slot);
+  this->Tracer.Select(slot);
   this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();
 }

@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  /// Of the first stop or leg with a course; north if there is none.
+  /// Of the first stop or leg with a course; otherwise north.
   double GetFirstCourse(const std::vector<double>& courses) const
   {
     for (std::size_t leg = 0; leg < this->Path.Lines.size(); ++leg)

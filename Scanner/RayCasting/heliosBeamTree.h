@@ -150,7 +150,7 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
 public:
   BeamWalk(const BeamTree& tree, const Frustum& frustum);
 
-  /// The next leaf that the frustum enters at or before a limit; false if there is none.
+  /// The next leaf that the frustum enters at or before a limit; false after the last.
   bool GetNext(float limit, BeamTree::Leaf& leaf);
 
 private:

@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> ExtractSurfaces(
   return ground;
 }
 
-/// The height of the highest surface at each point; NaN if there is none.
+/// The height of the highest surface at each point; otherwise NaN.
 std::vector<double> GetHeights(vtkPolyData* points, const vtkHeliosRayCaster* caster)
 {
   double bounds[6] = {};

@@ -18,7 +18,7 @@ namespace helios
 {
 
 /**
- * The height of the highest surface at the x, y of each point, NaN if there is none; with
+ * The height of the highest surface at the x, y of each point, NaN without a surface; with
  * groundOnly only of surfaces with a ground material, if the scene has any. Returns an error
  * message, or an empty string.
  */

@@ -10,7 +10,7 @@
  * and one that jumps to a sample at the same GpsTime: at the sample).
  *
  * With Direction ALL_AROUND it is the distance to the nearest surface, also exact
- * between samples, 0 where the segment intersects one; infinite if there is none
+ * between samples, 0 where the segment intersects one; infinite without surfaces
  * within Radius. With DOWN it is the height above the first surface vertically
  * below, at samples and every Spacing between; negative where there is a surface
  * above and none below, as below a terrain; infinite where there is neither.

@@ -52,7 +52,7 @@ public:
   /// The surface to follow.
   enum Surfaces
   {
-    GROUND = 0, ///< surfaces with a ground material; all if there is none
+    GROUND = 0, ///< surfaces with a ground material; otherwise all
     TOP = 1     ///< all surfaces: also trees and roofs
   };
 

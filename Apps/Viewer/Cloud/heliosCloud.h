@@ -124,7 +124,7 @@ public:
   /// World bounds x0 x1 y0 y1 z0 z1 [m]; false without points.
   bool GetBounds(double bounds[6]) const;
 
-  /// First and last GPS time [s]; false if there is none.
+  /// First and last GPS time [s]; false without points.
   bool GetTimeRange(double range[2]) const;
 
   /// The point of a row in [0, number of points).

@@ -57,7 +57,7 @@ struct SimulatedLeg
   Pose GetHead(double time) const;
 };
 
-/// The leg at a time [s], the last one started; null if there is none.
+/// The leg at a time [s], the last one started; null before the first.
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);
 
 /// Sets a trajectory: a polyline with GpsTime and Orientation.

@@ -29,7 +29,7 @@ bool IsComment(const char* at, const char* end)
   return at != end && (*at == '#' || (*at == '/' && end - at > 1 && at[1] == '/'));
 }
 
-/// Parses a number and advances past it. False if there is none.
+/// Parses a number and advances past it. False without a number.
 bool ParseNumber(const char*& at, const char* end, double& value)
 {
   const char* begin = at;

@@ -21,7 +21,7 @@ Quaternion FromCanonical(const Vec3& rollPitchYaw);
 /**
  * Level attitudes along the direction of motion in x, y: at a row that of the parabola through it
  * and its neighbours, at ends and jumps that of the adjacent segment. Below a speed [m/s] the
- * previous heading is kept (at the start: the first available one; north if there is none).
+ * previous heading is kept (at the start: the first available one; otherwise north).
  */
 std::vector<Quaternion> HeadingsOfFlight(
   const std::vector<TrajectoryRow>& rows, double minimumSpeed);

@@ -36,7 +36,7 @@ PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<message>.*)", re.S)
 
 @dataclasses.dataclass
 class Finding:
-    """An error; line is None if it has no line."""
+    """An error; line is None for a whole file."""
 
     file: str
     line: int | None

@@ -24,7 +24,7 @@ struct XmlNote
 /// The default of required values.
 constexpr const char* Required = "required";
 
-/// The note of a name of an element, or that of any element; empty if there is none.
+/// The note of a name of an element, or that of any element; empty without a note.
 const XmlNote& FindXmlNote(const std::string& element, const std::string& name);
 
 /// The valid words of a value; empty: any.
