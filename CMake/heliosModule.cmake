@@ -69,12 +69,14 @@ function(helios_add_test_program module folder)
   list(TRANSFORM arg_LINK REPLACE "^([^:]+)$" "vtkHelios::\\1")
   target_link_libraries(${program} PRIVATE heliosTesting vtkHelios::${module} ${arg_LINK})
   helios_precompile(${program} heliosTestHeaders)
-  catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "~[mutation]"
+  # NoTests: a title with ; or an unbalanced [ would be registered wrongly and run nothing.
+  catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "~[mutation]" EXTRA_ARGS --warn NoTests
     PROPERTIES LABELS ${module} TIMEOUT 300)
   set(mutation_tests ${sources})
   list(FILTER mutation_tests INCLUDE REGEX "Mutations?[.]cxx$")
   if(mutation_tests)
     catch_discover_tests(${program} TEST_PREFIX "${module}." TEST_SPEC "[mutation]" TEST_LIST ${program}_MUTATIONS
+      EXTRA_ARGS --warn NoTests
       PROPERTIES LABELS "${module};mutation" TIMEOUT 3000 ENVIRONMENT "HELIOS_MUTATIONS=${VTKHELIOS_MUTATIONS}")
   endif()
 endfunction()

@@ -259,7 +259,7 @@ std::string MakeProjSystem(CoordinateSystemData& data)
   const ProjObject crs = MakeProjCRS(context, data.Text);
   if (!crs)
   {
-    const std::string reason = context.TakeMessage();
+    const std::string reason = context.ReleaseMessage();
     return "\"" + Shorten(data.Text) + "\" is not a coordinate system known to PROJ" +
       (reason.empty() ? "" : " (" + reason + ")") + "; " + Forms;
   }

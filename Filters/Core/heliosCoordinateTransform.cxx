@@ -160,7 +160,7 @@ std::string CoordinateTransform::Internals::MakeOperation()
   const ProjObject target = MakeEnd(context, *this->To, *this->From);
   if (!source || !target)
   {
-    return "PROJ's database was not found (" + this->Context->TakeMessage() + "); set PROJ_DATA";
+    return "PROJ's database was not found (" + this->Context->ReleaseMessage() + "); set PROJ_DATA";
   }
   const char* const options[] = { "ALLOW_BALLPARK=NO", nullptr };
   const ProjObject plain(
@@ -173,7 +173,7 @@ std::string CoordinateTransform::Internals::MakeOperation()
 //------------------------------------------------------------------------------
 std::string CoordinateTransform::Internals::DescribeNoWay(const PJ* source, const PJ* target) const
 {
-  const std::string reason = this->Context->TakeMessage();
+  const std::string reason = this->Context->ReleaseMessage();
   const Grids grids = FindMissingGrids(*this->Context, source, target, nullptr);
   const std::string start =
     "There is no transformation from " + this->Source.GetName() + " to " + this->Target.GetName();
@@ -436,7 +436,7 @@ std::string CoordinateTransform::DescribeFailure(vtkIdType index, const double p
        << ") cannot be transformed from " << this->State->Source.GetName() << " to "
        << this->State->Target.GetName();
   const std::string reason =
-    this->State->Context ? this->State->Context->TakeMessage() : std::string();
+    this->State->Context ? this->State->Context->ReleaseMessage() : std::string();
   text << (reason.empty() ? "" : " (" + reason + ")")
        << "; it must lie in the area of use of both, in the order "
        << (this->State->Source.IsGeographic() ? "longitude, latitude [degrees]" : "east, north")

@@ -65,7 +65,7 @@ ProjContext::~ProjContext()
 }
 
 //------------------------------------------------------------------------------
-std::string ProjContext::TakeMessage()
+std::string ProjContext::ReleaseMessage()
 {
   std::string message;
   std::swap(message, this->Message);

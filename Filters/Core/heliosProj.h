@@ -38,7 +38,7 @@ public:
   PJ_CONTEXT* Get() const { return this->Context; }
 
   /// Returns and clears the last message of PROJ, without the function name; empty: none.
-  std::string TakeMessage();
+  std::string ReleaseMessage();
 
 private:
   PJ_CONTEXT* Context;

@@ -39,6 +39,8 @@ public:
     }
   }
 
+  const std::function<bool()>& GetShouldStop() const { return this->ShouldStop; }
+
   void Ask() const
   {
     if (this->ShouldStop && this->ShouldStop())

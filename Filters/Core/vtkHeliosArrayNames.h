@@ -5,7 +5,10 @@
  * @brief   names of all arrays that vtkHelios reads or writes
  *
  * Echo arrays follow the spelling of LAS and PDAL; the others follow VTK. No
- * other file contains an array name literal.
+ * other file contains an array name literal. A comment begins with the unit
+ * in brackets, if there is one.
+ *
+ * Python: vtkhelios/array_names.py, made from this file by Python/make_stubs.py.
  */
 
 #ifndef vtkHeliosArrayNames_h
@@ -92,7 +95,7 @@ inline constexpr const char* ClassificationIds = "ClassificationIds";
 inline constexpr const char* CellIds = "CellIds";               // cells of the scene
 inline constexpr const char* IncidenceAngle = "IncidenceAngle"; // [deg], from the normal
 inline constexpr const char* WaveformIds = "WaveformIds";       // pulse id, -1: not stored
-inline constexpr const char* TruePoint = "TruePoint";           // without noise
+inline constexpr const char* TruePoint = "TruePoint";           // [m], without noise
 inline constexpr const char* Normal = "Normal";
 inline constexpr const char* Weight = "Weight"; // energy fraction of a sub-ray in the pulse
 ///@}

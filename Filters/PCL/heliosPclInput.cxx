@@ -35,7 +35,7 @@ std::string CheckLengths(vtkPolyData* data)
 
 } // namespace
 
-std::string PclInput::Take(vtkPolyData* data, double step)
+std::string PclInput::Read(vtkPolyData* data, double step)
 {
   this->Data = data;
   this->Points = Cloud::Ptr(new Cloud);

@@ -26,7 +26,7 @@ public:
 
   /// Takes the finite points, relative to an origin that is a multiple of a step [m]. Returns an
   /// error message, or an empty string.
-  std::string Take(vtkPolyData* data, double step);
+  std::string Read(vtkPolyData* data, double step);
 
   vtkPolyData* GetData() const { return this->Data; }
   const double* GetOrigin() const { return this->Origin; }

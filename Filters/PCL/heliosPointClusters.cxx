@@ -144,7 +144,7 @@ private:
   /// up to two away, each with an index that advances with the cell. False: stopped.
   bool Join()
   {
-    std::vector<std::size_t> next(this->Cells.size() > 0 ? 13 : 0);
+    std::vector<std::size_t> next(this->Cells.empty() ? 0 : 13);
     for (std::size_t c = 0; c < this->Cells.size(); ++c)
     {
       std::size_t column = 0;

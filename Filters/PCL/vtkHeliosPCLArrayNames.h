@@ -14,7 +14,7 @@ namespace vtkHeliosPCLArrayNames
 {
 
 ///@{
-/** Point data. */
+/** Clouds of the PCL filters: point data. */
 inline constexpr const char* ClusterIds = "ClusterIds"; // from 0, the largest; -1: no cluster
 inline constexpr const char* PlaneIds = "PlaneIds";     // from 0, in the order found; -1: no plane
 inline constexpr const char* Curvature = "Curvature";   // [0..1/3], see vtkHeliosPCLNormals

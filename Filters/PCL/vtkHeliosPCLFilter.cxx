@@ -41,7 +41,7 @@ bool vtkHeliosPCLFilter::GoOn(double progress)
 bool vtkHeliosPCLFilter::Run(vtkPolyData* data, vtkPolyData* output)
 {
   helios::PclInput input;
-  const std::string problem = input.Take(data, this->GetStep());
+  const std::string problem = input.Read(data, this->GetStep());
   if (!problem.empty())
   {
     vtkErrorMacro(<< "Input: " << problem);

@@ -198,11 +198,11 @@ private:
       this->Report, share, [one] { one->Method.segment(one->Found, one->Plane); });
     if (!this->IsStopped && !one->Found.indices.empty() && one->Plane.values.size() == 4)
     {
-      this->TakeNear(one->Plane.values, found.indices);
+      this->IsolateComponent(one->Plane.values, found.indices);
     }
   }
 
-  void TakeNear(const std::vector<float>& plane, pcl::Indices& near) const
+  void IsolateComponent(const std::vector<float>& plane, pcl::Indices& near) const
   {
     near.clear();
     const auto threshold = static_cast<float>(this->Settings.DistanceThreshold);

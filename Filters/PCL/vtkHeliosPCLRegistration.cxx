@@ -133,9 +133,9 @@ int vtkHeliosPCLRegistration::FillInputPortInformation(int, vtkInformation* info
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosPCLRegistration::TakeInput(int port, vtkPolyData* data, helios::PclInput& input)
+bool vtkHeliosPCLRegistration::ReadInput(int port, vtkPolyData* data, helios::PclInput& input)
 {
-  std::string problem = input.Take(data, 1.0);
+  std::string problem = input.Read(data, 1.0);
   if (problem.empty() && input.GetSize() == 0)
   {
     problem = "there are no finite points; connect a scan";
@@ -157,7 +157,7 @@ bool vtkHeliosPCLRegistration::TakeInput(int port, vtkPolyData* data, helios::Pc
 bool vtkHeliosPCLRegistration::Align(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output)
 {
   helios::PclInput inputs[2];
-  if (!this->TakeInput(0, fixed, inputs[0]) || !this->TakeInput(1, moving, inputs[1]))
+  if (!this->ReadInput(0, fixed, inputs[0]) || !this->ReadInput(1, moving, inputs[1]))
   {
     return false;
   }

@@ -112,7 +112,7 @@ private:
   vtkHeliosPCLRegistration(const vtkHeliosPCLRegistration&) = delete;
   void operator=(const vtkHeliosPCLRegistration&) = delete;
 
-  bool TakeInput(int port, vtkPolyData* data, helios::PclInput& input);
+  bool ReadInput(int port, vtkPolyData* data, helios::PclInput& input);
   bool Align(vtkPolyData* fixed, vtkPolyData* moving, vtkPolyData* output);
 
   double MaximumDistance = 1.0;

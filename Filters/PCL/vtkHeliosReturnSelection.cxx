@@ -30,7 +30,7 @@ public:
   }
 
   /// Reads the arrays needed; returns an error message, or an empty string.
-  std::string Take(vtkPolyData* input)
+  std::string Set(vtkPolyData* input)
   {
     const int* range = this->Selection.ReturnRange;
     const bool isRange = range[0] > 0 || range[1] < 255;
@@ -166,7 +166,7 @@ int vtkHeliosReturnSelection::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   const vtkIdType count = input->GetNumberOfPoints();
   Test test(*this);
-  const std::string problem = count > 0 ? test.Take(input) : std::string();
+  const std::string problem = count > 0 ? test.Set(input) : std::string();
   if (!problem.empty())
   {
     vtkErrorMacro(<< "Input: " << problem);

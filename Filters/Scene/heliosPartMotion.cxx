@@ -21,7 +21,7 @@ vtkIdType AddLengths(vtkIdType a, vtkIdType b)
 } // namespace
 
 //------------------------------------------------------------------------------
-PartMotion::PartMotion(std::vector<MotionSequence> sequences, const Vec3& centroid)
+PartMotion::PartMotion(const std::vector<MotionSequence>& sequences, const Vec3& centroid)
   : Centroid(centroid)
 {
   this->AddLinks(sequences);

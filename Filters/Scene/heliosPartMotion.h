@@ -69,7 +69,7 @@ class VTKHELIOSFILTERSSCENE_EXPORT PartMotion
 {
 public:
   explicit PartMotion(
-    std::vector<MotionSequence> sequences, const Vec3& centroid = Vec3(0.0, 0.0, 0.0));
+    const std::vector<MotionSequence>& sequences, const Vec3& centroid = Vec3(0.0, 0.0, 0.0));
 
   /// The map after a number of steps: powers of whole sequences, so errors do not accumulate.
   MotionMap GetMap(vtkIdType step) const;

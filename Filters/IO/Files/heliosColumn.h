@@ -52,7 +52,7 @@ public:
         return this->Get<unsigned short>(row);
       case VTK_LONG:
         return this->Get<long>(row);
-      case VTK_LONG_LONG:
+      case VTK_LONG_LONG: // NOLINT(bugprone-branch-clone): the type of ids, if they have 64 bits
         return this->Get<long long>(row);
       case VTK_ID_TYPE:
         return this->Get<vtkIdType>(row);

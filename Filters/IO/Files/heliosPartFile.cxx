@@ -262,7 +262,7 @@ bool PartFile::Cut(std::uint64_t size)
     this->BlockSum.AddFile(this->GetPartPath(), this->BlockBegin, size) || this->Fail("read", EIO);
 }
 
-FileBlock PartFile::TakeBlock()
+FileBlock PartFile::CollectBlock()
 {
   const FileBlock block{ std::filesystem::path(this->Path).filename().string(), this->BlockBegin,
     this->Size, this->BlockSum.Finish(), false };

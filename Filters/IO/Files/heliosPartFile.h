@@ -14,6 +14,9 @@
 namespace helios
 {
 
+/// Of the names of files that are not complete.
+inline constexpr const char* PartEnding = ".part";
+
 /// Bytes of a file that were appended together, and their checksum.
 struct FileBlock
 {
@@ -60,7 +63,7 @@ public:
   bool Cut(std::uint64_t size);
 
   /// Gets the bytes appended since the last call, BeginBlock(), or the opening of the file.
-  FileBlock TakeBlock();
+  FileBlock CollectBlock();
 
   /// Marks the start of the next block.
   void BeginBlock();
@@ -82,7 +85,7 @@ public:
 
   /// Path of the last Open().
   const std::string& GetPath() const { return this->Path; }
-  std::string GetPartPath() const { return this->Path + ".part"; }
+  std::string GetPartPath() const { return this->Path + PartEnding; }
 
   /// Error message of the last failure: file and cause.
   const std::string& GetProblem() const { return this->Problem; }

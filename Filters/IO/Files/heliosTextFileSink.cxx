@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosTextFileSink.h"
 
+#include "heliosPartFile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -19,7 +21,7 @@ TextFileSink::~TextFileSink()
   if (this->File)
   {
     std::fclose(this->File);
-    std::remove((this->Path + ".part").c_str());
+    std::remove((this->Path + PartEnding).c_str());
   }
 }
 
@@ -32,7 +34,7 @@ std::string TextFileSink::Explain(int error) const
 std::string TextFileSink::Open(const std::string& path)
 {
   this->Path = path;
-  this->File = std::fopen((path + ".part").c_str(), "wb");
+  this->File = std::fopen((path + PartEnding).c_str(), "wb");
   if (!this->File)
   {
     return this->Explain(errno);
@@ -71,7 +73,7 @@ std::string TextFileSink::Close()
     this->Error = errno;
   }
   this->File = nullptr;
-  const std::string part = this->Path + ".part";
+  const std::string part = this->Path + PartEnding;
   if (!this->Error && std::rename(part.c_str(), this->Path.c_str()) != 0)
   {
     this->Error = errno;

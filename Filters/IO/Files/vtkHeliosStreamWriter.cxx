@@ -144,6 +144,12 @@ bool vtkHeliosStreamWriter::PrepareOpen()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkHeliosStreamWriter::GetPartEnding()
+{
+  return helios::PartEnding;
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::Open()
 {
   if (!this->PrepareOpen())
@@ -217,9 +223,9 @@ vtkIdType vtkHeliosStreamWriter::GetFileSize() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<helios::FileBlock> vtkHeliosStreamWriter::TakeBlocks()
+std::vector<helios::FileBlock> vtkHeliosStreamWriter::CollectBlocks()
 {
-  return { this->File->TakeBlock() };
+  return { this->File->CollectBlock() };
 }
 
 //------------------------------------------------------------------------------
@@ -417,16 +423,16 @@ bool vtkHeliosStreamWriter::OverwriteBytes(vtkIdType place, const std::string& b
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosStreamWriter::TakeBack(vtkIdType size)
+bool vtkHeliosStreamWriter::TruncateTo(vtkIdType size)
 {
   return this->File->Cut(static_cast<std::uint64_t>(size)) ||
     this->FailFile(this->File->GetProblem());
 }
 
 //------------------------------------------------------------------------------
+// NOLINTNEXTLINE(performance-unnecessary-value-param): truncation may replace that of the file
 bool vtkHeliosStreamWriter::FailBlock(std::string problem, vtkIdType size)
 {
-  // problem is a copy: truncation may replace that of the file
   this->HasFailed = true;
   if (this->File->IsRemoved())
   {

@@ -64,6 +64,11 @@ public:
   ///@}
 
   /**
+   * The ending of the names of files that are not complete: ".part".
+   */
+  static const char* GetPartEnding();
+
+  /**
    * Create an empty file. Fails if another file is open.
    */
   virtual bool Open();
@@ -134,7 +139,7 @@ public:
    * Get and clear the blocks written since the last call, Open() or Reopen(): the bytes in every
    * file, and their checksums.
    */
-  virtual std::vector<helios::FileBlock> TakeBlocks();
+  virtual std::vector<helios::FileBlock> CollectBlocks();
 
   ///@{
   /**
@@ -198,7 +203,7 @@ protected:
   bool OverwriteBytes(vtkIdType place, const std::string& bytes);
 
   /// Truncates the file to a size; the next block is accepted.
-  bool TakeBack(vtkIdType size);
+  bool TruncateTo(vtkIdType size);
 
   /// Truncates the file to a size, accepts no more blocks and reports an error. Returns false.
   bool FailBlock(std::string problem, vtkIdType size);

@@ -144,7 +144,7 @@ std::string Show(double value)
 
 } // namespace
 
-std::string LasBlock::TakeColumn(
+std::string LasBlock::ReadColumn(
   vtkPolyData* echoes, const char* name, bool isInteger, Column& column)
 {
   vtkDataArray* array = echoes->GetPointData()->GetArray(name);
@@ -170,7 +170,7 @@ std::string LasBlock::TakeColumn(
   return {};
 }
 
-std::string LasBlock::TakeFields(vtkPolyData* echoes)
+std::string LasBlock::ReadFields(vtkPolyData* echoes)
 {
   const struct
   {
@@ -188,7 +188,7 @@ std::string LasBlock::TakeFields(vtkPolyData* echoes)
     { names::WaveformIds, true, this->WaveformIds } };
   for (const auto& field : fields)
   {
-    std::string problem = this->TakeColumn(echoes, field.Name, field.IsInteger, field.Values);
+    std::string problem = this->ReadColumn(echoes, field.Name, field.IsInteger, field.Values);
     if (!problem.empty())
     {
       return problem;
@@ -233,7 +233,7 @@ std::string LasBlock::AddExtra(vtkDataArray* array)
   return {};
 }
 
-std::string LasBlock::TakeExtras(vtkPolyData* echoes)
+std::string LasBlock::ReadExtras(vtkPolyData* echoes)
 {
   vtkPointData* data = echoes->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -257,11 +257,11 @@ std::string LasBlock::TakeExtras(vtkPolyData* echoes)
     : std::string();
 }
 
-std::string LasBlock::Take(vtkPolyData* echoes, bool hasExtras)
+std::string LasBlock::Set(vtkPolyData* echoes, bool hasExtras)
 {
   this->NumberOfPoints = echoes->GetNumberOfPoints();
   this->Points = Column(echoes->GetPoints()->GetData());
-  std::string problem = this->TakeFields(echoes);
+  std::string problem = this->ReadFields(echoes);
   if (this->Color.HasIntegers() && this->Color.IsSet())
   {
     this->FullColor = echoes->GetPointData()->GetArray(names::RGB)->GetDataTypeMax();
@@ -269,7 +269,7 @@ std::string LasBlock::Take(vtkPolyData* echoes, bool hasExtras)
   const LasPointForm form = GetLasPointForm(this->GetFormat());
   this->Length = form.Length;
   this->WavePlace = form.Wave;
-  return problem.empty() && hasExtras ? this->TakeExtras(echoes) : problem;
+  return problem.empty() && hasExtras ? this->ReadExtras(echoes) : problem;
 }
 
 void LasBlock::ChooseScaling(LasScaling& scaling, double scale) const

@@ -35,9 +35,9 @@ class LasBlock
 {
 public:
   /// Reads the arrays of echoes with double points. Returns an error: "the array ... holds".
-  std::string Take(vtkPolyData* echoes, bool hasExtras);
+  std::string Set(vtkPolyData* echoes, bool hasExtras);
 
-  /// Call before Take() if points have waveforms; their packets are built before Encode().
+  /// Call before Set() if points have waveforms; their packets are built before Encode().
   void SetWaves(const LasWaves* waves) { this->Waves = waves; }
 
   /// Waveform ids of the points; not set if points have none.
@@ -76,9 +76,9 @@ private:
     int Place;  // in the point record
   };
 
-  std::string TakeColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
-  std::string TakeFields(vtkPolyData* echoes);
-  std::string TakeExtras(vtkPolyData* echoes);
+  std::string ReadColumn(vtkPolyData* echoes, const char* name, bool isInteger, Column& column);
+  std::string ReadFields(vtkPolyData* echoes);
+  std::string ReadExtras(vtkPolyData* echoes);
   std::string AddExtra(vtkDataArray* array);
   bool EncodeFields(const LasScaling& scaling, vtkIdType row, char* record);
   void EncodeColor(vtkIdType row, char* record) const;

@@ -61,7 +61,7 @@ public:
           encode(chunk);
         }
       });
-    return this->Take(chunks, count);
+    return this->Claim(chunks, count);
   }
 
 private:
@@ -73,7 +73,7 @@ private:
     bool IsGood = false;
   };
 
-  bool Take(vtkIdType chunks, vtkIdType count)
+  bool Claim(vtkIdType chunks, vtkIdType count)
   {
     const bool isGood = std::all_of(this->Chunks.begin(), this->Chunks.begin() + chunks,
       [](const Chunk& chunk) { return chunk.IsGood; });

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasPackets.h"
 
+#include "heliosConstants.h"
 #include "heliosInputFile.h"
 #include "heliosLasWaves.h"
+#include "heliosPartFile.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkDataSetAttributes.h>
@@ -29,7 +31,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double SpeedOfLight = 0.299792458; // [m/ns]
 constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int LastDescriptorId = 354;
 constexpr double LargestId = 9e18;
@@ -46,7 +47,7 @@ constexpr int InternalWaves = 2; // a bit of the encoding
 /// "a.wdp" for "a.las", "a.wdp.part" for "a.las.part".
 std::string GetPacketsName(const std::string& path)
 {
-  const std::string part = ".part";
+  const std::string part = PartEnding;
   std::filesystem::path name = path;
   const bool isPart = name.extension() == part;
   name = isPart ? name.replace_extension() : name;
@@ -148,7 +149,7 @@ std::string LasPackets::Open(const LasFile& file)
   }
   for (const LasRecord& record : file.GetRecords())
   {
-    const std::string problem = IsDescriptor(record) ? this->TakeDescriptor(record) : std::string();
+    const std::string problem = IsDescriptor(record) ? this->AddDescriptor(record) : std::string();
     if (!problem.empty())
     {
       return file.GetPath() + ": " + problem;
@@ -157,7 +158,7 @@ std::string LasPackets::Open(const LasFile& file)
   return {};
 }
 
-std::string LasPackets::TakeDescriptor(const LasRecord& record)
+std::string LasPackets::AddDescriptor(const LasRecord& record)
 {
   const int index = record.Id - LasWaves::FirstDescriptorId + 1;
   const char* data = record.Data.data();
@@ -189,7 +190,7 @@ std::string LasPackets::TakeDescriptor(const LasRecord& record)
   return {};
 }
 
-void LasPackets::Take(const char* records, vtkIdType first, vtkIdType count)
+void LasPackets::Add(const char* records, vtkIdType first, vtkIdType count)
 {
   for (vtkIdType i = 0; i < count; ++i)
   {

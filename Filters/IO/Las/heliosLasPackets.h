@@ -32,7 +32,7 @@ public:
   const std::string& GetWarning() const { return this->Warning; }
 
   /// Collects the packets of points from their bytes; first is the row of the first one.
-  void Take(const char* records, vtkIdType first, vtkIdType count);
+  void Add(const char* records, vtkIdType first, vtkIdType count);
 
   /// Reads the collected packets into a table; cloud has the points. Returns an error message, or
   /// an empty string.
@@ -59,7 +59,7 @@ private:
     float Step[3] = { 0, 0, 0 }; // [m/ps], away from the scanner
   };
 
-  std::string TakeDescriptor(const LasRecord& record);
+  std::string AddDescriptor(const LasRecord& record);
   std::string CheckPacket(const Packet& packet) const;
   std::string CheckPackets() const;
   std::string ReadSamples(const Packet& packet, std::vector<float>& samples);

@@ -56,7 +56,7 @@ std::string Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packets
 
 } // namespace
 
-bool TakeGpsEpoch(vtkPolyData* echoes, double& epoch)
+bool ReadGpsEpoch(vtkPolyData* echoes, double& epoch)
 {
   vtkAbstractArray* any = echoes->GetFieldData()->GetAbstractArray(vtkHeliosArrayNames::GpsEpoch);
   auto* array = vtkDataArray::SafeDownCast(any);

@@ -36,7 +36,7 @@ struct LasSheet
 };
 
 /// Gets the epoch of GpsTime; 0: unknown. False if the array is not numeric.
-bool TakeGpsEpoch(vtkPolyData* echoes, double& epoch);
+bool ReadGpsEpoch(vtkPolyData* echoes, double& epoch);
 
 } // namespace helios
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosLasWaves.h"
 
+#include "heliosConstants.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkTable.h>
@@ -18,7 +19,6 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double SpeedOfLight = 0.299792458; // [m/ns]
 constexpr double PicosecondsPerNanosecond = 1000.0;
 constexpr int SmallestScale = -46; // exponent of 2 of the finest full scale [W]
 constexpr int ScaleStep = 8;
@@ -87,9 +87,9 @@ std::string LasWaves::EncodeFileHead(std::uint64_t size)
   return head;
 }
 
-std::string LasWaves::Take(vtkTable* waveforms)
+std::string LasWaves::Set(vtkTable* waveforms)
 {
-  const std::string problem = waveforms ? this->Table.Take(waveforms) : std::string();
+  const std::string problem = waveforms ? this->Table.Set(waveforms) : std::string();
   if (!problem.empty())
   {
     return "the table of waveforms of a block " + problem;

@@ -41,7 +41,7 @@ public:
   static std::string EncodeFileHead(std::uint64_t size);
 
   /// Sets the waveforms (null: none). Returns an error message, or an empty string.
-  std::string Take(vtkTable* waveforms);
+  std::string Set(vtkTable* waveforms);
 
   /// Sample spacing [ps]; 0: no waveforms.
   std::uint32_t GetSpacing() const { return this->Spacing; }

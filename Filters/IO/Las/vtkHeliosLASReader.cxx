@@ -117,7 +117,7 @@ std::string vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t 
     arrays.Decode(bytes.data(), row, static_cast<vtkIdType>(count));
     if (hasWaves)
     {
-      packets.Take(bytes.data(), row, static_cast<vtkIdType>(count));
+      packets.Add(bytes.data(), row, static_cast<vtkIdType>(count));
     }
     first += count;
     this->UpdateProgress(static_cast<double>(first - begin) / static_cast<double>(end - begin));

@@ -123,8 +123,8 @@ bool vtkHeliosLASWriter::Reopen(
   if (fileSize > 0)
   {
     this->Sheet = std::make_unique<helios::LasSheet>();
-    problem = this->Sheet->Read(
-      this->GetOpenName() + ".part", numberOfRecords, this->Packets != nullptr, packetsEnd);
+    problem = this->Sheet->Read(this->GetOpenName() + helios::PartEnding, numberOfRecords,
+      this->Packets != nullptr, packetsEnd);
   }
   if (problem.empty() && this->Packets &&
     (!this->Packets->Reopen(this->GetPacketsName(), packetsEnd) || !this->WritePacketsHead()))
@@ -166,7 +166,7 @@ bool vtkHeliosLASWriter::MakeSheet(
     return this->RefusePoints("the CRS of a block is longer than the 65534 characters of a record");
   }
   double epoch = 0.0;
-  if (!helios::TakeGpsEpoch(echoes, epoch))
+  if (!helios::ReadGpsEpoch(echoes, epoch))
   {
     return this->RefusePoints("the field array GpsEpoch of a block is not one number; give seconds "
                               "of GPS time since 6 January 1980");
@@ -272,7 +272,7 @@ bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
   {
     if (!encoder.NextRound(bytes))
     {
-      this->TakeBack(start);
+      this->TruncateTo(start);
       return this->RefusePoints(block.Explain(this->Sheet->Scaling, encoder.GetNext(), count));
     }
     if (!this->WriteBytes(bytes.data(), bytes.size(), start))
@@ -305,12 +305,12 @@ void vtkHeliosLASWriter::Warn(const helios::LasBlock& block)
 
 //------------------------------------------------------------------------------
 /// Reads the arrays of a block and its waveforms.
-bool vtkHeliosLASWriter::TakeBlock(
+bool vtkHeliosLASWriter::SetBlock(
   vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves)
 {
-  std::string problem = this->Packets ? waves.Take(this->Waveforms) : std::string();
+  std::string problem = this->Packets ? waves.Set(this->Waveforms) : std::string();
   points.SetWaves(this->Packets ? &waves : nullptr);
-  problem = problem.empty() ? points.Take(echoes, this->WriteExtraBytes) : problem;
+  problem = problem.empty() ? points.Set(echoes, this->WriteExtraBytes) : problem;
   if (problem.empty() && this->Packets)
   {
     problem = points.GetWaveformIds().IsSet()
@@ -373,7 +373,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
   }
   helios::LasBlock points;
   helios::LasWaves waves;
-  if (!this->TakeBlock(echoes, points, waves))
+  if (!this->SetBlock(echoes, points, waves))
   {
     return false;
   }
@@ -391,7 +391,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     if (isFirst)
     {
       this->Sheet.reset(); // another block may become the first
-      this->TakeBack(0);
+      this->TruncateTo(0);
     }
     return false;
   }
@@ -410,12 +410,12 @@ std::string vtkHeliosLASWriter::Sync()
 }
 
 //------------------------------------------------------------------------------
-std::vector<helios::FileBlock> vtkHeliosLASWriter::TakeBlocks()
+std::vector<helios::FileBlock> vtkHeliosLASWriter::CollectBlocks()
 {
-  std::vector<helios::FileBlock> blocks = this->Superclass::TakeBlocks();
+  std::vector<helios::FileBlock> blocks = this->Superclass::CollectBlocks();
   if (this->Packets)
   {
-    blocks.push_back(this->Packets->TakeBlock());
+    blocks.push_back(this->Packets->CollectBlock());
   }
   if (!this->IsOpen() && this->Sheet) // the heads are final
   {
@@ -434,7 +434,8 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::TakeBlocks()
 std::string vtkHeliosLASWriter::GetHeadChecksum() const
 {
   return this->Sheet && this->IsOpen()
-    ? helios::ComputeChecksum(this->GetOpenName() + ".part", 0, this->Sheet->Header.PointsBegin)
+    ? helios::ComputeChecksum(
+        this->GetOpenName() + helios::PartEnding, 0, this->Sheet->Header.PointsBegin)
     : std::string();
 }
 

@@ -141,7 +141,7 @@ public:
   bool Write(vtkDataObject* block) override;
   std::string Sync() override;
 #ifndef __VTK_WRAP__
-  std::vector<helios::FileBlock> TakeBlocks() override;
+  std::vector<helios::FileBlock> CollectBlocks() override;
   std::string GetHeadChecksum() const override;
   bool RestoreHead(const std::string& checksum) override;
 #endif
@@ -160,7 +160,7 @@ private:
 
   void Start();
   std::string GetPacketsName() const;
-  bool TakeBlock(vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves);
+  bool SetBlock(vtkPolyData* echoes, helios::LasBlock& points, helios::LasWaves& waves);
   bool CheckSpacing(const helios::LasWaves& waves);
   bool WritePacketsHead();
   bool WritePackets(const helios::LasWaves& waves);

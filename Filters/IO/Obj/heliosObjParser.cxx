@@ -185,7 +185,7 @@ bool ObjParser::ReadCorner(TextWords& words)
   {
     const bool isVertex = &element == this->Elements;
     int index = 0;
-    const TextWords::Number status = words.TakeIndex(index);
+    const TextWords::Number status = words.ReadIndex(index);
     if (status == TextWords::Number::Excessive)
     {
       return this->Fail(
@@ -209,7 +209,7 @@ bool ObjParser::ReadCorner(TextWords& words)
     {
       return true;
     }
-    if (!words.TakeSlash())
+    if (!words.ReadSlash())
     {
       break;
     }

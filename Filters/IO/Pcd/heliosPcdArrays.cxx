@@ -69,27 +69,9 @@ bool WriteNumber(const PcdField& field, std::string_view word, char* to)
 {
   switch (GetVtkType(field))
   {
-    case VTK_FLOAT:
-      return WriteNumber<float>(word, to);
-    case VTK_DOUBLE:
-      return WriteNumber<double>(word, to);
-    case VTK_SIGNED_CHAR:
-      return WriteNumber<std::int8_t>(word, to);
-    case VTK_UNSIGNED_CHAR:
-      return WriteNumber<std::uint8_t>(word, to);
-    case VTK_SHORT:
-      return WriteNumber<std::int16_t>(word, to);
-    case VTK_UNSIGNED_SHORT:
-      return WriteNumber<std::uint16_t>(word, to);
-    case VTK_INT:
-      return WriteNumber<std::int32_t>(word, to);
-    case VTK_UNSIGNED_INT:
-      return WriteNumber<std::uint32_t>(word, to);
-    case VTK_TYPE_INT64:
-      return WriteNumber<std::int64_t>(word, to);
-    default:
-      return WriteNumber<std::uint64_t>(word, to);
+    vtkTemplateMacro(return WriteNumber<VTK_TT>(word, to));
   }
+  return false;
 }
 
 double ReadReal(const char* from, int size)
@@ -103,20 +85,6 @@ double ReadReal(const char* from, int size)
   float value = 0.0F;
   std::memcpy(&value, from, sizeof(value));
   return static_cast<double>(value);
-}
-
-std::string_view TakeWord(std::string_view& line)
-{
-  const std::size_t begin = line.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos)
-  {
-    line = {};
-    return {};
-  }
-  const std::size_t end = std::min(line.size(), line.find_first_of(" \t\r", begin));
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
 }
 
 } // namespace
@@ -249,6 +217,7 @@ std::string PcdArrays::AddLine(std::string_view line)
 {
   double point[3];
   std::int64_t number = 0;
+  TextWords words(line);
   for (std::size_t i = 0; i < this->Columns.size(); ++i)
   {
     const PcdField& field = this->Header.Fields[i];
@@ -256,7 +225,7 @@ std::string PcdArrays::AddLine(std::string_view line)
     char* to = this->Bytes.data() + this->Columns[i].From;
     for (int k = 0; k < field.Count; ++k, to += field.Size, ++number)
     {
-      const std::string_view word = TakeWord(line);
+      const std::string_view word = words.NextName();
       if (word.empty())
       {
         return "the point has " + std::to_string(number) + " numbers, but FIELDS and COUNT make " +
@@ -272,7 +241,7 @@ std::string PcdArrays::AddLine(std::string_view line)
       }
     }
   }
-  if (!TakeWord(line).empty())
+  if (!words.NextName().empty())
   {
     return "the point has more than the " + std::to_string(number) +
       " numbers that FIELDS and COUNT make; remove the others";

@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace names = vtkHeliosArrayNames;
 
@@ -51,18 +51,40 @@ bool IsFloatField(const std::string& name)
   return name == "intensity" || name.substr(0, 7) == "normal_" || name == names::EchoWidth;
 }
 
-template <typename T>
-void AppendBytes(T value, std::string& text)
+/// Appends the numbers of points as bytes.
+struct ByteSink
 {
-  text.append(reinterpret_cast<const char*>(&value), sizeof(T));
-}
+  std::string& Text;
 
-template <typename T>
-void AppendNumber(T value, std::string& text)
+  template <typename T>
+  void Add(T value)
+  {
+    this->Text.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+  void EndRow() {}
+};
+
+/// Appends them as text.
+struct WordSink
 {
-  char word[32];
-  text.append(word, std::to_chars(word, word + sizeof(word), value).ptr);
-}
+  std::string& Text;
+  bool IsFirst = true;
+
+  template <typename T>
+  void Add(T value)
+  {
+    using Number = std::conditional_t<sizeof(T) == 1, int, T>; // not a character
+    char word[32];
+    this->Text.append(this->IsFirst ? "" : " ");
+    this->Text.append(word, std::to_chars(word, word + sizeof(word), Number(value)).ptr);
+    this->IsFirst = false;
+  }
+  void EndRow()
+  {
+    this->Text += '\n';
+    this->IsFirst = true;
+  }
+};
 
 /// Calls use(value) with a number of any type.
 template <typename UseT>
@@ -91,7 +113,7 @@ void PcdBlock::AddField(
   this->Sources.push_back({ array, component });
 }
 
-std::string PcdBlock::Take(vtkPolyData* echoes, bool isFloat)
+std::string PcdBlock::Set(vtkPolyData* echoes, bool isFloat)
 {
   this->Echoes = echoes;
   this->IsFloat = isFloat;
@@ -179,6 +201,8 @@ double PcdBlock::RoundCoordinate(double value, double origin)
 void PcdBlock::Append(vtkIdType begin, vtkIdType end, const PcdHeader& header, std::string& text)
 {
   const bool isText = header.Storage == PcdStorage::Ascii;
+  WordSink words{ text };
+  ByteSink bytes{ text };
   for (vtkIdType i = begin; i < end; ++i)
   {
     double p[3];
@@ -194,96 +218,52 @@ void PcdBlock::Append(vtkIdType begin, vtkIdType end, const PcdHeader& header, s
     }
     if (isText)
     {
-      this->AppendText(i, p, text);
+      this->AppendRow(i, p, words);
     }
     else
     {
-      this->AppendBinary(i, p, text);
+      this->AppendRow(i, p, bytes);
     }
     ++this->NumberOfWritten;
   }
 }
 
-void PcdBlock::AppendBinary(vtkIdType point, const double place[3], std::string& text) const
+template <typename SinkT>
+void PcdBlock::AppendRow(vtkIdType point, const double place[3], SinkT& sink) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     if (this->IsFloat)
     {
-      AppendBytes(static_cast<float>(place[axis]), text);
+      sink.Add(static_cast<float>(place[axis]));
     }
     else
     {
-      AppendBytes(place[axis], text);
+      sink.Add(place[axis]);
     }
   }
   for (std::size_t f = 3; f < this->Fields.size(); ++f)
   {
     const Source& source = this->Sources[f];
+    const auto size = static_cast<std::size_t>(this->Fields[f].Size);
     const vtkIdType first = point * source.Array->GetNumberOfComponents() + source.Component;
     for (vtkIdType k = first; k < first + this->Fields[f].Count; ++k)
     {
-      const int size = this->Fields[f].Size;
       Visit(source.Array, k,
-        [size, &text](auto value)
+        [size, &sink](auto value)
         {
-          if (static_cast<std::size_t>(size) == sizeof(value))
+          if (size == sizeof(value))
           {
-            AppendBytes(value, text);
+            sink.Add(value);
           }
           else
           {
-            AppendBytes(static_cast<float>(value), text);
+            sink.Add(static_cast<float>(value));
           }
         });
     }
   }
-}
-
-void PcdBlock::AppendText(vtkIdType point, const double place[3], std::string& text) const
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (axis > 0)
-    {
-      text += ' ';
-    }
-    if (this->IsFloat)
-    {
-      AppendNumber(static_cast<float>(place[axis]), text);
-    }
-    else
-    {
-      AppendNumber(place[axis], text);
-    }
-  }
-  for (std::size_t f = 3; f < this->Fields.size(); ++f)
-  {
-    const Source& source = this->Sources[f];
-    const vtkIdType first = point * source.Array->GetNumberOfComponents() + source.Component;
-    for (vtkIdType k = first; k < first + this->Fields[f].Count; ++k)
-    {
-      text += ' ';
-      const int size = this->Fields[f].Size;
-      Visit(source.Array, k,
-        [size, &text](auto value)
-        {
-          if constexpr (sizeof(value) == 1) // as a number, not a character
-          {
-            AppendNumber(static_cast<int>(value), text);
-          }
-          else if (static_cast<std::size_t>(size) == sizeof(value))
-          {
-            AppendNumber(value, text);
-          }
-          else
-          {
-            AppendNumber(static_cast<float>(value), text);
-          }
-        });
-    }
-  }
-  text += '\n';
+  sink.EndRow();
 }
 
 } // namespace helios

@@ -22,7 +22,7 @@ class PcdBlock
 {
 public:
   /// Reads the arrays to be written. Returns an error message, or an empty string.
-  std::string Take(vtkPolyData* echoes, bool isFloat);
+  std::string Set(vtkPolyData* echoes, bool isFloat);
 
   const std::vector<PcdField>& GetFields() const { return this->Fields; }
   bool HasAmplitude() const { return this->Amplitude; }
@@ -42,8 +42,8 @@ private:
   void AddField(
     const std::string& name, vtkDataArray* array, int component, int count, bool isFloat);
   double RoundCoordinate(double value, double origin);
-  void AppendBinary(vtkIdType point, const double place[3], std::string& text) const;
-  void AppendText(vtkIdType point, const double place[3], std::string& text) const;
+  template <typename SinkT>
+  void AppendRow(vtkIdType point, const double place[3], SinkT& sink) const;
 
   struct Source
   {

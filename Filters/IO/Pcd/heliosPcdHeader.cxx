@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <istream>
 #include <string_view>
 
@@ -30,16 +29,10 @@ using Words = std::vector<std::string_view>;
 Words Split(std::string_view line)
 {
   Words words;
-  std::size_t at = 0;
-  while (at < line.size())
+  TextWords rest(line);
+  for (std::string_view word = rest.NextName(); !word.empty(); word = rest.NextName())
   {
-    const std::size_t begin = line.find_first_not_of(" \t\r", at);
-    if (begin == std::string_view::npos)
-    {
-      break;
-    }
-    at = std::min(line.size(), line.find_first_of(" \t\r", begin));
-    words.push_back(line.substr(begin, at - begin));
+    words.push_back(word);
   }
   return words;
 }
@@ -75,7 +68,7 @@ public:
   }
 
   /// Parses a line. Returns an error message, or an empty string.
-  std::string Take(std::string_view line)
+  std::string ReadLine(std::string_view line)
   {
     if (!line.empty() && line.back() == '\r')
     {
@@ -83,7 +76,7 @@ public:
     }
     if (!line.empty() && line[0] == '#')
     {
-      return this->TakeComment(line);
+      return this->ReadComment(line);
     }
     Words words = Split(line);
     if (words.empty())
@@ -96,7 +89,7 @@ public:
     {
       return key + " is given twice; remove one";
     }
-    std::string problem = this->TakeEntry(key, words);
+    std::string problem = this->ReadEntry(key, words);
     this->Seen.push_back(key);
     return problem;
   }
@@ -157,7 +150,7 @@ private:
     return line.substr(0, mark.size()) == mark;
   }
 
-  std::string TakeComment(std::string_view line)
+  std::string ReadComment(std::string_view line)
   {
     PcdHeader& header = this->Header;
     if (StartsWith(line, OriginMark))
@@ -201,19 +194,19 @@ private:
     return true;
   }
 
-  std::string TakeEntry(const std::string& key, const Words& words)
+  std::string ReadEntry(const std::string& key, const Words& words)
   {
     if (key == "VERSION")
     {
-      return this->TakeVersion(words);
+      return this->ReadVersion(words);
     }
     if (key == "FIELDS")
     {
-      return this->TakeFields(words);
+      return this->ReadFields(words);
     }
     if (key == "SIZE" || key == "TYPE" || key == "COUNT")
     {
-      return this->TakeColumn(key, words);
+      return this->ReadColumn(key, words);
     }
     if (key == "WIDTH" || key == "HEIGHT" || key == "POINTS")
     {
@@ -233,14 +226,14 @@ private:
     }
     if (key == "DATA")
     {
-      return this->TakeStorage(words);
+      return this->ReadStorage(words);
     }
     return "unknown entry " + Quote(key) +
       "; a PCD header has VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, VIEWPOINT, POINTS, "
       "DATA";
   }
 
-  std::string TakeVersion(const Words& words) const
+  std::string ReadVersion(const Words& words) const
   {
     double version = 0.0;
     const bool isKnown = words.size() == 1 && ToNumber(words[0], version) &&
@@ -248,7 +241,7 @@ private:
     return isKnown ? std::string() : "VERSION is not 0.7, 0.6 or 0.5; save the file as PCD 0.7";
   }
 
-  std::string TakeFields(const Words& words)
+  std::string ReadFields(const Words& words)
   {
     for (const std::string_view word : words)
     {
@@ -263,7 +256,7 @@ private:
     return words.empty() ? "FIELDS is empty; points need x, y and z" : std::string();
   }
 
-  std::string TakeColumn(const std::string& key, const Words& words)
+  std::string ReadColumn(const std::string& key, const Words& words)
   {
     std::vector<PcdField>& fields = this->Header.Fields;
     if (words.size() != fields.size())
@@ -309,7 +302,7 @@ private:
     return {};
   }
 
-  std::string TakeStorage(const Words& words)
+  std::string ReadStorage(const Words& words)
   {
     const std::string_view word = words.size() == 1 ? words[0] : std::string_view();
     if (word != "ascii" && word != "binary" && word != "binary_compressed")
@@ -387,7 +380,7 @@ std::string PcdHeader::Read(const std::string& path, std::istream& file)
   std::int64_t number = 0;
   while (!parser.IsAtData() && GetLine(file, line))
   {
-    const std::string problem = parser.Take(line);
+    const std::string problem = parser.ReadLine(line);
     this->DataBegin += line.size() + 1;
     ++number;
     if (!problem.empty())

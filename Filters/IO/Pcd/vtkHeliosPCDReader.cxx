@@ -213,11 +213,11 @@ private:
     {
       return this->Path + ": the compressed data are damaged; get or write the file again";
     }
-    return this->TakeFields(data, count);
+    return this->ReadFields(data, count);
   }
 
   /// Decodes field by field: the numbers of all points one after the other.
-  std::string TakeFields(const std::vector<char>& data, std::uint64_t count)
+  std::string ReadFields(const std::vector<char>& data, std::uint64_t count)
   {
     std::vector<char> row(this->Header.GetRowSize());
     for (std::uint64_t i = 0; i < count; ++i)

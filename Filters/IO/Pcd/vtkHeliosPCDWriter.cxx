@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPCDWriter.h"
 
+#include "heliosPartFile.h"
 #include "heliosPcdBlock.h"
 #include "heliosSceneCrs.h"
 #include "vtkHeliosArrayNames.h"
@@ -88,7 +89,7 @@ bool vtkHeliosPCDWriter::Reopen(
   {
     return true;
   }
-  const std::string path = this->GetOpenName() + ".part";
+  const std::string path = this->GetOpenName() + helios::PartEnding;
   std::ifstream file(path, std::ios::binary);
   this->Header = std::make_unique<helios::PcdHeader>();
   const std::string problem = this->Header->Read(path, file);
@@ -187,7 +188,7 @@ bool vtkHeliosPCDWriter::Write(vtkDataObject* data)
   }
   helios::PcdBlock block;
   const bool isFloat = this->Header ? this->Header->Fields[0].Size == 4 : this->Precision == Float;
-  const std::string problem = block.Take(echoes, isFloat);
+  const std::string problem = block.Set(echoes, isFloat);
   if (!problem.empty())
   {
     return this->Refuse(problem);

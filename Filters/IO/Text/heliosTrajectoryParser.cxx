@@ -38,7 +38,7 @@ int FindName(std::string_view name)
 }
 
 /// Extracts the next name of a header; names are separated by commas or separators.
-std::string_view TakeName(std::string_view& text, const std::string& separators)
+std::string_view ReadName(std::string_view& text, const std::string& separators)
 {
   const std::size_t end = text.find_first_of("," + separators);
   const std::string_view name = Unquote(Trim(text.substr(0, end)));
@@ -204,7 +204,7 @@ bool TrajectoryParser::ReadHeader(std::string_view text)
   this->Header.fill(-1);
   for (int column = 0; !text.empty() && column <= LastColumn; ++column)
   {
-    const std::string_view name = TakeName(text, this->Format.Separators);
+    const std::string_view name = ReadName(text, this->Format.Separators);
     const int which = FindName(name);
     if (which < 0)
     {

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXyzFile.h"
 
-#include "heliosInputFile.h"
-#include "heliosTextFile.h"
-
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 
 namespace helios
 {
@@ -22,54 +18,25 @@ constexpr std::size_t BlockSize = std::size_t(1) << 20;
 /// Counts the line ends in the first bytes of a file.
 std::int64_t CountLineEnds(const std::string& path, std::int64_t bytes)
 {
-  std::FILE* file = std::fopen(path.c_str(), "rb");
+  InputFile file(std::fopen(path.c_str(), "rb"));
   std::vector<char> block(BlockSize);
   std::int64_t count = 0;
   while (file && bytes > 0)
   {
     const std::size_t size = static_cast<std::size_t>(std::min<std::int64_t>(bytes, BlockSize));
-    const std::size_t read = std::fread(block.data(), 1, size, file);
+    const std::size_t read = std::fread(block.data(), 1, size, file.get());
     count += std::count(block.begin(), block.begin() + static_cast<std::ptrdiff_t>(read), '\n');
     bytes = read > 0 ? bytes - static_cast<std::int64_t>(read) : 0;
-  }
-  if (file)
-  {
-    std::fclose(file);
   }
   return count;
 }
 
 } // namespace
 
-XyzFile::~XyzFile()
-{
-  if (this->File)
-  {
-    std::fclose(this->File);
-  }
-}
-
 std::string XyzFile::Open(const std::string& path)
 {
   this->Path = path;
-  if (const std::string problem = CheckInputFile(path); !problem.empty())
-  {
-    return path + ": " + problem;
-  }
-  this->File = std::fopen(path.c_str(), "rb");
-  if (!this->File)
-  {
-    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
-  }
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error)
-  {
-    return path + ": cannot be read in pieces: " + error.message() + "; give a file on a disk";
-  }
-  std::setvbuf(this->File, nullptr, _IONBF, 0);
-  this->Size = static_cast<std::int64_t>(size);
-  return {};
+  return OpenInput(path, this->File, this->Size);
 }
 
 void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
@@ -80,7 +47,7 @@ void XyzFile::SetRange(std::int64_t begin, std::int64_t end)
   this->Stop = std::min(end, this->Size);
   // A line starts at begin if the previous byte is a line end.
   this->Next = std::max<std::int64_t>(begin - 1, 0);
-  if (std::fseek(this->File, static_cast<long>(this->Next), SEEK_SET) != 0)
+  if (std::fseek(this->File.get(), static_cast<long>(this->Next), SEEK_SET) != 0)
   {
     this->Error = this->Path + ": cannot be read: " + std::strerror(errno) + "; check the disk";
   }
@@ -100,8 +67,8 @@ bool XyzFile::ReadBlock()
   }
   this->Begin = this->Buffer.data();
   this->End = this->Begin + left;
-  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File);
-  if (std::ferror(this->File))
+  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File.get());
+  if (std::ferror(this->File.get()))
   {
     this->Error =
       this->Path + ": cannot be read any further: " + std::strerror(errno) + "; check the disk";

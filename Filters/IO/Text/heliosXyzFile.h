@@ -5,8 +5,9 @@
 #ifndef heliosXyzFile_h
 #define heliosXyzFile_h
 
+#include "heliosTextFile.h"
+
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -20,7 +21,6 @@ class XyzFile
 {
 public:
   XyzFile() = default;
-  ~XyzFile();
   XyzFile(const XyzFile&) = delete;
   void operator=(const XyzFile&) = delete;
 
@@ -47,6 +47,8 @@ public:
   const std::string& GetPath() const { return this->Path; }
   /// File position of the start of the last line read.
   std::int64_t GetLineStart() const { return this->LineStart; }
+  /// File position of the next line.
+  std::int64_t GetNextLine() const { return this->Next; }
   /// "path:line: " of the last line read; counts all previous lines, so for messages only.
   std::string GetPlace() const;
   bool IsStopped() const { return this->Stopped; }
@@ -60,7 +62,7 @@ private:
 
   std::string Path;
   std::string Error;
-  std::FILE* File = nullptr;
+  InputFile File;
   std::int64_t Size = 0;
   std::int64_t Stop = 0; // lines that start here or later are not read
   std::int64_t Next = 0; // file position of Begin

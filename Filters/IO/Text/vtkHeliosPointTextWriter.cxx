@@ -3,19 +3,24 @@
 #include "vtkHeliosPointTextWriter.h"
 
 #include "heliosColumn.h"
+#include "heliosPointColumns.h"
 #include "heliosTextFormat.h"
 #include "vtkHeliosArrayNames.h"
 
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosPointTextWriter);
@@ -25,13 +30,14 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double NanowattsPerWatt = 1e9;
 constexpr vtkIdType TypicalRowSize = 96;
+
+using AllColumns = std::make_integer_sequence<int, helios::NumberOfPointColumns>;
 
 /// The columns of a block, and their formatting.
 struct EchoLines
 {
-  helios::Column Points, Amplitude, Width, ReturnNumber, NumberOfReturns, Pulse, Part, Class, Time;
+  helios::Column Columns[helios::NumberOfPointColumns]; // x, y and z: the points
   std::vector<std::string> PartNames;
 
   /// Sets the names, each as one word.
@@ -59,31 +65,51 @@ struct EchoLines
     }
   }
 
-  void AppendLine(vtkIdType row, helios::TextBuffer& text) const
+  template <int Index>
+  void AppendColumn(vtkIdType row, helios::TextBuffer& text) const
   {
-    for (int axis = 0; axis < 3; ++axis)
+    constexpr helios::PointColumn column = helios::PointColumns[Index];
+    constexpr int axis = Index < helios::FirstArrayColumn ? Index : 0;
+    if constexpr (column.Decimals > 0)
     {
-      text.AppendFixed<4>(this->Points.GetNumber(row, axis));
-      text.Append(' ');
+      text.AppendFixed<column.Decimals>(column.Factor * this->Columns[Index].GetNumber(row, axis));
     }
-    text.AppendFixed<4>(NanowattsPerWatt * this->Amplitude.GetNumber(row));
-    text.Append(' ');
-    text.AppendFixed<4>(this->Width.GetNumber(row));
-    for (const helios::Column* column :
-      { &this->ReturnNumber, &this->NumberOfReturns, &this->Pulse })
+    else if constexpr (Index == helios::PartColumn)
     {
-      text.Append(' ');
-      text.AppendInteger(column->GetInteger(row));
+      this->AppendPart(this->Columns[Index].GetInteger(row), text);
     }
-    text.Append(' ');
-    this->AppendPart(this->Part.GetInteger(row), text);
-    text.Append(' ');
-    text.AppendInteger(this->Class.GetInteger(row));
-    text.Append(' ');
-    text.AppendFixed<9>(this->Time.GetNumber(row));
-    text.Append('\n');
+    else
+    {
+      text.AppendInteger(this->Columns[Index].GetInteger(row));
+    }
+    text.Append(Index + 1 < helios::NumberOfPointColumns ? ' ' : '\n');
+  }
+
+  template <int... Indices>
+  void AppendLine(
+    vtkIdType row, helios::TextBuffer& text, std::integer_sequence<int, Indices...>) const
+  {
+    (this->AppendColumn<Indices>(row, text), ...);
   }
 };
+
+/// Adds the arrays without which a block cannot be written.
+void AddMissing(vtkPointData* data, vtkIdType count)
+{
+  for (int i = helios::FirstArrayColumn; i < helios::NumberOfPointColumns; ++i)
+  {
+    const helios::PointColumn& column = helios::PointColumns[i];
+    if (!data->HasArray(column.Array))
+    {
+      const auto array =
+        vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(column.Type));
+      array->SetName(column.Array);
+      array->SetNumberOfTuples(count);
+      array->Fill(column.Default);
+      data->AddArray(array);
+    }
+  }
+}
 
 } // namespace
 
@@ -91,12 +117,26 @@ struct EchoLines
 void vtkHeliosPointTextWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FillMissing: " << this->FillMissing << "\n";
 }
 
 //------------------------------------------------------------------------------
 const char* vtkHeliosPointTextWriter::GetBlockSource() const
 {
   return "the echoes of vtkHeliosScanner (output port 0)";
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosPointTextWriter::GetNumberOfArrays()
+{
+  return helios::NumberOfPointColumns - helios::FirstArrayColumn;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeliosPointTextWriter::GetArrayName(int index)
+{
+  const bool isValid = index >= 0 && index < vtkHeliosPointTextWriter::GetNumberOfArrays();
+  return isValid ? helios::PointColumns[helios::FirstArrayColumn + index].Array : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -113,22 +153,29 @@ bool vtkHeliosPointTextWriter::Write(vtkDataObject* block)
     return true;
   }
   EchoLines lines;
-  lines.Points = helios::Column(echoes->GetPoints()->GetData());
   lines.SetPartNames(
     vtkStringArray::SafeDownCast(echoes->GetFieldData()->GetAbstractArray(names::PartName)));
-  vtkPointData* data = echoes->GetPointData();
-  const bool isComplete = this->GetNumbers(data, names::Amplitude, count, 1, lines.Amplitude) &&
-    this->GetNumbers(data, names::EchoWidth, count, 1, lines.Width) &&
-    this->GetIntegers(data, names::ReturnNumber, count, lines.ReturnNumber) &&
-    this->GetIntegers(data, names::NumberOfReturns, count, lines.NumberOfReturns) &&
-    this->GetIntegers(data, names::PulseIds, count, lines.Pulse) &&
-    this->GetIntegers(data, names::PartIds, count, lines.Part) &&
-    this->GetIntegers(data, names::ClassificationIds, count, lines.Class) &&
-    this->GetNumbers(data, names::GpsTime, count, 1, lines.Time);
-  if (!isComplete)
+  vtkNew<vtkPointData> data;
+  data->ShallowCopy(echoes->GetPointData());
+  if (this->FillMissing)
   {
-    return false;
+    AddMissing(data, count);
+  }
+  for (int i = 0; i < helios::NumberOfPointColumns; ++i)
+  {
+    const helios::PointColumn& column = helios::PointColumns[i];
+    helios::Column& read = lines.Columns[i];
+    if (i < helios::FirstArrayColumn)
+    {
+      read = helios::Column(echoes->GetPoints()->GetData());
+    }
+    else if (!(column.Decimals > 0 ? this->GetNumbers(data, column.Array, count, 1, read)
+                                   : this->GetIntegers(data, column.Array, count, read)))
+    {
+      return false;
+    }
   }
   return this->WriteRows(count, TypicalRowSize,
-    [&lines](vtkIdType row, helios::TextBuffer& text) { lines.AppendLine(row, text); });
+    [&lines](vtkIdType row, helios::TextBuffer& text)
+    { lines.AppendLine(row, text, AllColumns()); });
 }

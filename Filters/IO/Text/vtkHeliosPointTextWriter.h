@@ -40,6 +40,24 @@ public:
   vtkTypeMacro(vtkHeliosPointTextWriter, vtkHeliosStreamWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Set/Get whether arrays that a block lacks are filled in: amplitude, width and time 0, return 1
+   * of 1, pulse and part -1, class 0. Default: off, they are errors.
+   */
+  vtkSetMacro(FillMissing, bool);
+  vtkGetMacro(FillMissing, bool);
+  vtkBooleanMacro(FillMissing, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The names of the arrays that have a column, in the order of the columns after x y z.
+   */
+  static int GetNumberOfArrays();
+  static const char* GetArrayName(int index);
+  ///@}
+
   /**
    * Append the echoes of a block.
    */
@@ -54,6 +72,8 @@ protected:
 private:
   vtkHeliosPointTextWriter(const vtkHeliosPointTextWriter&) = delete;
   void operator=(const vtkHeliosPointTextWriter&) = delete;
+
+  bool FillMissing = false;
 };
 
 #endif

@@ -311,19 +311,19 @@ bool VoxelFile::ReadColumns(TextWords& words, Row& row)
             "; complete it");
         break;
       case Role::I:
-        good = this->TakeIndex(words, 0, row.Index[0]);
+        good = this->ReadIndex(words, 0, row.Index[0]);
         break;
       case Role::J:
-        good = this->TakeIndex(words, 1, row.Index[1]);
+        good = this->ReadIndex(words, 1, row.Index[1]);
         break;
       case Role::K:
-        good = this->TakeIndex(words, 2, row.Index[2]);
+        good = this->ReadIndex(words, 2, row.Index[2]);
         break;
       case Role::Pad:
-        good = this->TakeValue(words, role, row.Pad);
+        good = this->ReadValue(words, role, row.Pad);
         break;
       case Role::Transmittance:
-        good = this->TakeValue(words, role, row.Transmittance);
+        good = this->ReadValue(words, role, row.Transmittance);
         break;
     }
     if (!good)
@@ -335,7 +335,7 @@ bool VoxelFile::ReadColumns(TextWords& words, Row& row)
 }
 
 //------------------------------------------------------------------------------
-bool VoxelFile::TakeIndex(TextWords& words, int axis, std::int64_t& index)
+bool VoxelFile::ReadIndex(TextWords& words, int axis, std::int64_t& index)
 {
   int number = 0;
   const char name[] = { "ijk"[axis], '\0' };
@@ -351,7 +351,7 @@ bool VoxelFile::TakeIndex(TextWords& words, int axis, std::int64_t& index)
 }
 
 //------------------------------------------------------------------------------
-bool VoxelFile::TakeValue(TextWords& words, Role role, double& value)
+bool VoxelFile::ReadValue(TextWords& words, Role role, double& value)
 {
   if (words.Next(value) != TextWords::Number::Good)
   {

@@ -78,8 +78,8 @@ private:
   void SetRole(std::size_t column, Role role);
   bool ReadRow(std::string_view line, double* pad, double* transmittance);
   bool ReadColumns(TextWords& words, Row& row);
-  bool TakeIndex(TextWords& words, int axis, std::int64_t& index);
-  bool TakeValue(TextWords& words, Role role, double& value);
+  bool ReadIndex(TextWords& words, int axis, std::int64_t& index);
+  bool ReadValue(TextWords& words, Role role, double& value);
   std::string GetName(Role role) const;
   bool Fail(const std::string& message)
   {

@@ -107,7 +107,7 @@ bool vtkHeliosWaveformXMLReader::AppendPiece(const std::string& name, vtkTable* 
 {
   std::string fault;
   const auto piece = helios::ReadVtkXml<vtkXMLTableReader, vtkTable>(name, "Table", fault);
-  const std::string problem = piece ? helios::WaveformTable().Take(piece)
+  const std::string problem = piece ? helios::WaveformTable().Set(piece)
                                     : "cannot be read; is it missing or incomplete? It " + fault;
   if (!problem.empty())
   {

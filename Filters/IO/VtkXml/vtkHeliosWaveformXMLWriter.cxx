@@ -44,7 +44,7 @@ vtkFieldData* vtkHeliosWaveformXMLWriter::GetRecords(vtkDataObject* block, vtkId
     this->RefuseBlock(block, "vtkTable");
     return nullptr;
   }
-  const std::string problem = helios::WaveformTable().Take(table);
+  const std::string problem = helios::WaveformTable().Set(table);
   if (!problem.empty())
   {
     vtkErrorMacro(<< this->GetOpenName() << ": the block " << problem << "; write "

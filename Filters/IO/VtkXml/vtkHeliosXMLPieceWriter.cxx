@@ -186,7 +186,7 @@ bool vtkHeliosXMLPieceWriter::Reopen(
   this->Arrays.clear(); // those of the next block
   this->PieceBlocks->clear();
   this->HasHead = fileSize > 0;
-  this->NumberOfPieces = CountPieces(this->GetOpenName() + ".part");
+  this->NumberOfPieces = CountPieces(this->GetOpenName() + helios::PartEnding);
   this->NumberOfPiecesOnDisk = this->NumberOfPieces;
   for (int piece = 0; piece < this->NumberOfPieces; ++piece)
   {
@@ -216,9 +216,9 @@ std::string vtkHeliosXMLPieceWriter::Sync()
 }
 
 //------------------------------------------------------------------------------
-std::vector<helios::FileBlock> vtkHeliosXMLPieceWriter::TakeBlocks()
+std::vector<helios::FileBlock> vtkHeliosXMLPieceWriter::CollectBlocks()
 {
-  std::vector<helios::FileBlock> blocks = this->Superclass::TakeBlocks();
+  std::vector<helios::FileBlock> blocks = this->Superclass::CollectBlocks();
   blocks.insert(blocks.end(), this->PieceBlocks->begin(), this->PieceBlocks->end());
   this->PieceBlocks->clear();
   return blocks;
@@ -300,7 +300,7 @@ std::int64_t vtkHeliosXMLPieceWriter::WritePiece(vtkDataObject* block, const std
   const std::string problem = this->WritePieceFile(bytes, name);
   if (!problem.empty())
   {
-    helios::RemoveFile(name + ".part");
+    helios::RemoveFile(name + helios::PartEnding);
     this->FailBlock(problem, this->GetFileSize());
     return -1;
   }
@@ -322,7 +322,7 @@ std::string vtkHeliosXMLPieceWriter::WritePieceFile(
   {
     return file.GetProblem();
   }
-  this->PieceBlocks->push_back(file.TakeBlock());
+  this->PieceBlocks->push_back(file.CollectBlock());
   this->PieceBlocks->back().IsWhole = true;
   return helios::RenameFile(file.GetPartPath(), name);
 }

@@ -65,7 +65,7 @@ public:
   /**
    * Get and clear the bytes written to the index and the pieces.
    */
-  std::vector<helios::FileBlock> TakeBlocks() override;
+  std::vector<helios::FileBlock> CollectBlocks() override;
 #endif
 
   /**
@@ -117,7 +117,7 @@ private:
   bool HasHead = false; // of the index
   int NumberOfPieces = 0;
   int NumberOfPiecesOnDisk = 0;
-  std::unique_ptr<std::vector<helios::FileBlock>> PieceBlocks; // since TakeBlocks()
+  std::unique_ptr<std::vector<helios::FileBlock>> PieceBlocks; // since CollectBlocks()
 };
 
 #endif

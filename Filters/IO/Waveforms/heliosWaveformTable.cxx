@@ -21,7 +21,7 @@ namespace
 {
 
 /// Gets a numeric array. Returns an error message, or an empty string.
-std::string TakeArray(
+std::string ReadArray(
   vtkFieldData* data, const char* name, vtkIdType rows, int components, Column& column)
 {
   vtkDataArray* array = data->GetArray(name);
@@ -40,9 +40,9 @@ std::string TakeArray(
   return {};
 }
 
-std::string TakeIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column& column)
+std::string ReadIntegers(vtkFieldData* data, const char* name, vtkIdType rows, Column& column)
 {
-  std::string problem = TakeArray(data, name, rows, 1, column);
+  std::string problem = ReadArray(data, name, rows, 1, column);
   if (problem.empty() && !column.HasIntegers())
   {
     problem = std::string("has an array ") + name + " of " +
@@ -78,7 +78,7 @@ std::string CheckFinite(vtkDataArray* array)
 
 } // namespace
 
-std::string WaveformTable::Take(vtkTable* table)
+std::string WaveformTable::Set(vtkTable* table)
 {
   vtkFieldData* data = table->GetRowData();
   const vtkIdType rows = this->NumberOfRows = table->GetNumberOfRows();
@@ -89,15 +89,15 @@ std::string WaveformTable::Take(vtkTable* table)
     return {};
   }
   const std::string problems[] = {
-    TakeIntegers(data, names::PulseIds, rows, this->PulseIds),
-    TakeArray(data, names::Origin, rows, 3, this->Origin),
-    TakeArray(data, names::Direction, rows, 3, this->Direction),
-    TakeArray(data, names::GpsTime, rows, 1, this->GpsTime),
-    TakeArray(data, names::StartTime, rows, 1, this->StartTime),
-    TakeArray(data, names::BinSize, rows, 1, this->BinSize),
-    TakeIntegers(data, names::Offset, rows, this->Offset),
-    TakeIntegers(data, names::Count, rows, this->Count),
-    TakeArray(table->GetFieldData(), names::Samples, this->NumberOfSamples, 1, this->Samples),
+    ReadIntegers(data, names::PulseIds, rows, this->PulseIds),
+    ReadArray(data, names::Origin, rows, 3, this->Origin),
+    ReadArray(data, names::Direction, rows, 3, this->Direction),
+    ReadArray(data, names::GpsTime, rows, 1, this->GpsTime),
+    ReadArray(data, names::StartTime, rows, 1, this->StartTime),
+    ReadArray(data, names::BinSize, rows, 1, this->BinSize),
+    ReadIntegers(data, names::Offset, rows, this->Offset),
+    ReadIntegers(data, names::Count, rows, this->Count),
+    ReadArray(table->GetFieldData(), names::Samples, this->NumberOfSamples, 1, this->Samples),
   };
   for (const std::string& problem : problems)
   {

@@ -26,7 +26,7 @@ struct VTKHELIOSFILTERSIO_EXPORT WaveformTable
 
   /// Reads the columns of a table. Returns an error: "has no array Samples". A table without rows
   /// needs no columns.
-  std::string Take(vtkTable* table);
+  std::string Set(vtkTable* table);
 
 private:
   std::string CheckSamples() const;

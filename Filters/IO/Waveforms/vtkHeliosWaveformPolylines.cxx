@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosWaveformPolylines.h"
 
+#include "heliosConstants.h"
 #include "heliosPose.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
@@ -29,7 +30,7 @@ namespace names = vtkHeliosArrayNames;
 namespace
 {
 
-constexpr double MetresPerNanosecond = 0.5 * 0.299792458; // two-way
+constexpr double MetresPerNanosecond = 0.5 * helios::SpeedOfLight; // two-way
 
 helios::Vec3 GetVector(const helios::Column& column, vtkIdType row)
 {
@@ -188,7 +189,7 @@ int vtkHeliosWaveformPolylines::RequestData(
 {
   vtkTable* table = vtkTable::GetData(inputVector[0]);
   helios::WaveformTable waveforms;
-  const std::string problem = waveforms.Take(table);
+  const std::string problem = waveforms.Set(table);
   if (!problem.empty())
   {
     vtkErrorMacro(<< "the input " << problem

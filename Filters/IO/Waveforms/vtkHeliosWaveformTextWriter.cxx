@@ -75,7 +75,7 @@ bool vtkHeliosWaveformTextWriter::Write(vtkDataObject* block)
     return false;
   }
   helios::WaveformTable waveforms;
-  const std::string problem = waveforms.Take(table);
+  const std::string problem = waveforms.Set(table);
   if (!problem.empty())
   {
     vtkErrorMacro(<< this->GetOpenName() << ": the block " << problem << "; write "

@@ -35,7 +35,7 @@ constexpr int Ground = 2;
 using Cloud = helios::PclInput::Cloud;
 
 /// The lowest points of cells; false if it was stopped.
-bool TakeLowest(
+bool FindLowest(
   const Cloud::Ptr& points, double cellSize, const helios::GoOn& goOn, const Cloud::Ptr& lowest)
 {
   return helios::RunApart(goOn, 0.0,
@@ -130,7 +130,7 @@ bool vtkHeliosPCLGroundFilter::Process(helios::PclInput& input, vtkPolyData* out
   std::vector<char> isGround(static_cast<std::size_t>(input.GetSize()), 0);
   const helios::GoOn goOn = [this](double share) { return this->GoOn(0.1 + 0.85 * share); };
   const Cloud::Ptr lowest(new Cloud);
-  if (!TakeLowest(input.GetCloud(), this->CellSize, goOn, lowest) ||
+  if (!FindLowest(input.GetCloud(), this->CellSize, goOn, lowest) ||
     !helios::FindGround(*lowest, windows, helios::Within(goOn, 0.1, 0.5), kept))
   {
     return false;

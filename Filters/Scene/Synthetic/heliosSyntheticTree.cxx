@@ -307,7 +307,8 @@ private:
   void AddBranch(int index)
   {
     const auto u = this->Random.Uniform(index, BranchDraw);
-    const double level = (index / BranchesPerWhorl + 0.6 * u[0]) / Whorls; // 0 below, 1 above
+    const int whorl = index / BranchesPerWhorl;
+    const double level = (whorl + 0.6 * u[0]) / Whorls; // 0 below, 1 above
     const double azimuth = GoldenAngle * index + 0.5 * u[1];
     Branch branch;
     branch.Start = Vec3(0, 0, this->Shape.Height * (0.12 + 0.86 * level));
@@ -371,7 +372,8 @@ void AddForest(MeshBuilder& mesh, const Terrain& terrain, double side, const Tre
     const auto u = Uniform4(key, RandomStream::Scene, static_cast<std::uint64_t>(i), 2);
     const auto v = Uniform4(key, RandomStream::Scene, static_cast<std::uint64_t>(i), 3);
     const double x = side * ((i % columns + 0.2 + 0.6 * u[0]) / columns - 0.5);
-    const double y = side * ((i / columns + 0.2 + 0.6 * u[1]) / rows - 0.5);
+    const int row = i / columns;
+    const double y = side * ((row + 0.2 + 0.6 * u[1]) / rows - 0.5);
     const double scale = 0.7 + 0.3 * u[2];
     TreeShape tree = shape;
     tree.Kind = v[0] < 0.7 ? Species::Broadleaf : Species::Conifer;

@@ -54,7 +54,7 @@ void VoxelMap::Grow()
   }
 }
 
-std::vector<VoxelMap::Entry> VoxelMap::TakeSorted()
+std::vector<VoxelMap::Entry> VoxelMap::ReleaseSorted()
 {
   std::vector<Entry> entries;
   entries.swap(this->Entries);
@@ -176,9 +176,9 @@ void VoxelGrid::Gather(const Block& block, int count, const VoxelPoints& points,
   }
 }
 
-std::vector<VoxelMap::Entry> VoxelGrid::TakeCells(vtkIdType minimumNumberOfPoints)
+std::vector<VoxelMap::Entry> VoxelGrid::ReleaseCells(vtkIdType minimumNumberOfPoints)
 {
-  std::vector<VoxelMap::Entry> cells = this->Map.TakeSorted();
+  std::vector<VoxelMap::Entry> cells = this->Map.ReleaseSorted();
   if (this->Wanted.Counts)
   {
     const auto hasFew = [this, minimumNumberOfPoints](const VoxelMap::Entry& cell)

@@ -90,7 +90,7 @@ public:
   void Prefetch(VoxelKey key) const { __builtin_prefetch(&this->Entries[this->GetSlot(key)], 1); }
 
   /// The entries by key; the map is empty afterwards.
-  std::vector<Entry> TakeSorted();
+  std::vector<Entry> ReleaseSorted();
 
 private:
   std::size_t GetSlot(VoxelKey key) const
@@ -137,7 +137,7 @@ public:
 
   vtkIdType GetNumberOfCells() const { return this->Map.GetSize(); }
   /// Cells with at least this many points, by key; to be called once, at the end.
-  std::vector<VoxelMap::Entry> TakeCells(vtkIdType minimumNumberOfPoints);
+  std::vector<VoxelMap::Entry> ReleaseCells(vtkIdType minimumNumberOfPoints);
 
   ///@{
   /// The result for the cell of an entry. A normal of 0 0 0 means no normal.

@@ -296,7 +296,7 @@ bool vtkHeliosPointVoxelizer::Gather(
 bool vtkHeliosPointVoxelizer::MakeScene(
   helios::VoxelGrid& grid, const helios::VoxelBounds& bounds, vtkPolyData* scene)
 {
-  const std::vector<helios::VoxelMap::Entry> cells = grid.TakeCells(this->MinimumNumberOfPoints);
+  const std::vector<helios::VoxelMap::Entry> cells = grid.ReleaseCells(this->MinimumNumberOfPoints);
   if (cells.empty())
   {
     vtkErrorMacro(<< "No cell of VoxelSize " << this->VoxelSize << " m has "

@@ -48,7 +48,7 @@ const char* const UTM32ESRI =
 
 } // namespace
 
-TEST_CASE("CoordinateSystem: knows its name and units", "[CoordinateSystem]")
+TEST_CASE("CoordinateSystem: has a name and units", "[CoordinateSystem]")
 {
   const helios::CoordinateSystem utm = Make(" EPSG:32632\n");
   CHECK(utm.GetText() == "EPSG:32632");
@@ -83,7 +83,7 @@ TEST_CASE("CoordinateSystem: knows its name and units", "[CoordinateSystem]")
   CHECK(Make("+proj=utm +zone=32 +datum=WGS84").GetName() == "+proj=utm +zone=32 +datum=WGS84");
 }
 
-TEST_CASE("CoordinateSystem: is equal in every spelling", "[CoordinateSystem]")
+TEST_CASE("CoordinateSystem: equal systems compare equal in every notation", "[CoordinateSystem]")
 {
   const helios::CoordinateSystem utm = Make("EPSG:32632");
   for (const char* same : { "epsg:32632", "urn:ogc:def:crs:EPSG::32632", UTM32WKT1, UTM32ESRI,
@@ -111,7 +111,7 @@ TEST_CASE("CoordinateSystem: is equal in every spelling", "[CoordinateSystem]")
   CHECK(helios::CoordinateSystem() != utm);
 }
 
-TEST_CASE("CoordinateSystem: says what is wrong with a text", "[CoordinateSystem]")
+TEST_CASE("CoordinateSystem: an invalid text is an error", "[CoordinateSystem]")
 {
   const std::string forms =
     "give \"EPSG:n\", WKT, a PROJ string, or \"ENU latitude longitude height\"";
@@ -138,7 +138,8 @@ TEST_CASE("CoordinateSystem: says what is wrong with a text", "[CoordinateSystem
   }
 }
 
-TEST_CASE("CoordinateSystem: says why a scene cannot be scanned in it", "[CoordinateSystem]")
+TEST_CASE("CoordinateSystem: systems that cannot be used for scans are refused with the reason",
+  "[CoordinateSystem]")
 {
   const double heidelberg[3] = { 8.7, 49.4, 110.0 };
   CHECK(helios::GetMetricProblem(Make("EPSG:4326"), heidelberg) ==
@@ -161,7 +162,7 @@ TEST_CASE("CoordinateSystem: says why a scene cannot be scanned in it", "[Coordi
   CHECK(helios::GetMetricProblem(Make("ENU 0 0 0"), heidelberg).empty());
 }
 
-TEST_CASE("CoordinateSystem: its WKT means the same", "[CoordinateSystem]")
+TEST_CASE("CoordinateSystem: its WKT is an equal system", "[CoordinateSystem]")
 {
   for (const char* text :
     { "EPSG:25832", "EPSG:25832+7837", "EPSG:4326", "EPSG:2263", "EPSG:4978" })

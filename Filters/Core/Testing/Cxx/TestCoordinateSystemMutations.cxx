@@ -21,8 +21,8 @@ const char* const Texts[] = {
   R"(CS[ellipsoidal,2],AXIS["lat",north,ANGLEUNIT["degree",0.0174532925199433]],)"
   R"(AXIS["lon",east,ANGLEUNIT["degree",0.0174532925199433]]])",
   "+proj=tmerc +lat_0=0 +lon_0=9 +k=0.9996 +x_0=500000 +y_0=0 +datum=WGS84 +units=m",
-  "+proj=lcc +lat_1=49 +lat_2=44 +lat_0=46.5 +lon_0=3 +x_0=700000 +y_0=6600000 +ellps=GRS80 "
-  "+towgs84=0,0,0",
+  ("+proj=lcc +lat_1=49 +lat_2=44 +lat_0=46.5 +lon_0=3 +x_0=700000 +y_0=6600000 +ellps=GRS80 "
+   "+towgs84=0,0,0"),
   "EPSG:25832+7837",
   "ENU 49.4 8.7 110",
 };

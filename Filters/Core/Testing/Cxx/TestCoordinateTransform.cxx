@@ -207,7 +207,7 @@ TEST_CASE("CoordinateTransform: geocentric to 2e-9 m, and back", "[CoordinateTra
   }
 }
 
-TEST_CASE("CoordinateTransform: comes back to 5e-9 m", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: round trip to 5e-9 m", "[CoordinateTransform]")
 {
   const auto utm = Transform("EPSG:4326", "EPSG:32632", MakeGrid(6, 12, 44, 56, 40));
   for (const char* system : { "EPSG:4326", "EPSG:4978", "EPSG:32633", "ENU 50 9 100",
@@ -308,7 +308,7 @@ TEST_CASE("CoordinateTransform: angles are degrees, feet stay feet", "[Coordinat
   CHECK(metres[1] == Approx(200000.0 * foot).margin(1e-6));
 }
 
-TEST_CASE("CoordinateTransform: heights pass, but for the unit", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: heights are kept except for the unit", "[CoordinateTransform]")
 {
   const double foot = 1200.0 / 3937.0;
   const Point manhattan{ 984000.0, 200000.0, 100.0 };
@@ -331,7 +331,7 @@ TEST_CASE("CoordinateTransform: a geoid without its grid is an error", "[Coordin
   CHECK(Has(GetProblem("ENU 49.4 8.7 110", "EPSG:25832+7837"), "without the grid "));
 }
 
-TEST_CASE("CoordinateTransform: warns of a grid that would be better", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: warns if a better grid exists", "[CoordinateTransform]")
 {
   helios::CoordinateTransform transform = MakeTransform("EPSG:4267", "EPSG:4326");
   const Point denver{ -105.0, 39.7, 1600.0 };
@@ -348,7 +348,7 @@ TEST_CASE("CoordinateTransform: warns of a grid that would be better", "[Coordin
   CHECK(plain.GetWarning(place.data(), 1).empty());
 }
 
-TEST_CASE("CoordinateTransform: warns of a seam", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: warns at a discontinuity", "[CoordinateTransform]")
 {
   helios::CoordinateTransform transform = MakeTransform("EPSG:4267", "EPSG:4326");
   const double places[] = { -105.0, 39.7, 0.0, -80.0, 35.0, 0.0, -150.0, 65.0, 0.0 };
@@ -359,7 +359,7 @@ TEST_CASE("CoordinateTransform: warns of a seam", "[CoordinateTransform]")
   CHECK_FALSE(Has(transform.GetWarning(places, 1), "torn"));
 }
 
-TEST_CASE("CoordinateTransform: says when there is no way", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: an impossible transformation is an error", "[CoordinateTransform]")
 {
   const std::string problem = GetProblem("+proj=utm +zone=32 +ellps=GRS80", "EPSG:32632");
   CHECK(Has(problem,
@@ -403,7 +403,7 @@ TEST_CASE("CoordinateTransform: equal systems keep every bit", "[CoordinateTrans
   CHECK_FALSE(MakeTransform("EPSG:32632", "EPSG:25832").IsIdentity());
 }
 
-TEST_CASE("CoordinateTransform: a copy in every thread", "[CoordinateTransform]")
+TEST_CASE("CoordinateTransform: one copy per thread", "[CoordinateTransform]")
 {
   const auto grid = MakeGrid(8, 10, 48, 54, 30);
   const helios::CoordinateTransform transform = MakeTransform("EPSG:4326", "EPSG:31467");

@@ -33,7 +33,7 @@ struct Folder
 
 } // namespace
 
-TEST_CASE("CheckInputFile: regular files, and links to them", "[InputFile]")
+TEST_CASE("CheckInputFile: accepts regular files and links to them", "[InputFile]")
 {
   const Folder folder;
   std::ofstream(folder / "a.obj") << "v 0 0 0\n";
@@ -45,7 +45,7 @@ TEST_CASE("CheckInputFile: regular files, and links to them", "[InputFile]")
   CHECK(CheckInputFile(std::string("/dev/zero\0.obj", 14)).empty());
 }
 
-TEST_CASE("CheckInputFile: what a path can be besides", "[InputFile]")
+TEST_CASE("CheckInputFile: refuses all other kinds of paths", "[InputFile]")
 {
   const Folder folder;
   REQUIRE(mkfifo((folder / "fifo").c_str(), 0600) == 0);

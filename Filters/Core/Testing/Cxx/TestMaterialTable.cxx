@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-TEST_CASE("MaterialTable: what is set comes back", "[MaterialTable]")
+TEST_CASE("MaterialTable: values are stored and returned", "[MaterialTable]")
 {
   helios::MaterialTable materials(2);
   materials[0].Name = "grass";

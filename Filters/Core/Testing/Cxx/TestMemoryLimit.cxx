@@ -21,7 +21,7 @@ struct Limit
 
 } // namespace
 
-TEST_CASE("MemoryLimit: what the machine has", "[MemoryLimit]")
+TEST_CASE("MemoryLimit: memory of the machine", "[MemoryLimit]")
 {
   CHECK(vtkHeliosMemoryLimit::GetLimit() == 0.0);
   const double available = vtkHeliosMemoryLimit::GetAvailable();
@@ -33,7 +33,7 @@ TEST_CASE("MemoryLimit: what the machine has", "[MemoryLimit]")
                   "(vtkHeliosMemoryLimit)") != std::string::npos);
 }
 
-TEST_CASE("MemoryLimit: what is allowed, without what there is already", "[MemoryLimit]")
+TEST_CASE("MemoryLimit: limit less the memory in use", "[MemoryLimit]")
 {
   const Limit limit(1e6);
   CHECK(vtkHeliosMemoryLimit::GetLimit() == 1e6);
@@ -46,7 +46,7 @@ TEST_CASE("MemoryLimit: what is allowed, without what there is already", "[Memor
     std::string::npos);
 }
 
-TEST_CASE("MemoryLimit: nothing is left", "[MemoryLimit]")
+TEST_CASE("MemoryLimit: no memory left", "[MemoryLimit]")
 {
   const Limit limit(0.001);
   CHECK(vtkHeliosMemoryLimit::GetAvailable() == 0.0);

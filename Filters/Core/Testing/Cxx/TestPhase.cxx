@@ -36,7 +36,7 @@ TEST_CASE("Phase: fractional line rates keep their rate", "[Phase]")
   CHECK(helios::Phase(1000000, 99.7, 200000) == Approx(0.5).margin(2e-13));
 }
 
-TEST_CASE("Phase: stays in [0, 1)", "[Phase]")
+TEST_CASE("Phase: is at least 0 and below 1", "[Phase]")
 {
   for (std::int64_t i = 0; i < 100000; ++i)
   {
@@ -46,7 +46,7 @@ TEST_CASE("Phase: stays in [0, 1)", "[Phase]")
   }
 }
 
-TEST_CASE("Phase: a negative frequency turns the other way", "[Phase]")
+TEST_CASE("Phase: a negative frequency reverses the rotation", "[Phase]")
 {
   for (const std::int64_t i : { 0LL, 1LL, 999999LL, 86399999999LL, 4503599627370495LL })
   {
@@ -55,7 +55,7 @@ TEST_CASE("Phase: a negative frequency turns the other way", "[Phase]")
   CHECK(helios::Phase(1, -1e-30, 1.0) == 0.0); // 1 - 1e-30 has no double below 1
 }
 
-TEST_CASE("Phase: of a time", "[Phase]")
+TEST_CASE("Phase: phase at a time", "[Phase]")
 {
   // 86400.001 s is stored as 86400 + m 2^-36; 997 Hz times that, in integers.
   const double time = 86400.001;

@@ -22,7 +22,7 @@ TEST_CASE("AxisAngle: right-handed", "[Pose]")
   CheckNear(helios::Rotate(helios::AxisAngle({ 1, 0, 0 }, 90), { 0, 1, 0 }), 0, 0, 1);
 }
 
-TEST_CASE("Rotation: as its quaternion, and composes", "[Pose]")
+TEST_CASE("Rotation: equals its quaternion, and composes", "[Pose]")
 {
   const helios::Quaternion a = helios::AxisAngle({ 1, 2, 3 }, 40);
   const helios::Quaternion b = helios::AxisAngle({ -2, 1, 0.5 }, 75);
@@ -32,7 +32,7 @@ TEST_CASE("Rotation: as its quaternion, and composes", "[Pose]")
   CheckNear(together, expected[0], expected[1], expected[2]);
 }
 
-TEST_CASE("Pose: the lever arm turns with the attitude", "[Pose]")
+TEST_CASE("Pose: the lever arm rotates with the attitude", "[Pose]")
 {
   const helios::Pose platform{ { 10, 20, 30 }, helios::AxisAngle({ 0, 0, 1 }, 90) };
   const helios::Pose mount{ { 1, 0, 0.5 }, helios::AxisAngle({ 1, 0, 0 }, 90) };

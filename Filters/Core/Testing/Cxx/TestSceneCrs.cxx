@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-TEST_CASE("SceneCrs: set, read back, taken out", "[SceneCrs]")
+TEST_CASE("SceneCrs: set, get, remove", "[SceneCrs]")
 {
   vtkNew<vtkPolyData> scene;
   CHECK(helios::GetCRS(scene).empty());

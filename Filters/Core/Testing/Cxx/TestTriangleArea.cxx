@@ -22,7 +22,7 @@ bool SpansArea(double x, double y, double z, const Vec3& offset)
 
 } // namespace
 
-TEST_CASE("TriangleArea: points of one line span none", "[TriangleArea]")
+TEST_CASE("TriangleArea: collinear points have no area", "[TriangleArea]")
 {
   for (const auto& offset : { Vec3(0, 0, 0), Vec3(0.5, -3, 1024), Vec3(5e5, 5.5e6, 300) })
   {
@@ -44,7 +44,7 @@ TEST_CASE("TriangleArea: one unit in the last place is an area", "[TriangleArea]
   }
 }
 
-TEST_CASE("TriangleArea: agrees with whole numbers", "[TriangleArea]")
+TEST_CASE("TriangleArea: agrees with exact integers", "[TriangleArea]")
 {
   int straight = 0;
   for (int x = -4; x <= 4; ++x)

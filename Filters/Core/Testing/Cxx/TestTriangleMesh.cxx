@@ -35,7 +35,7 @@ vtkSmartPointer<vtkPolyData> MakeTriangle(int precision, bool narrow, double x =
 
 } // namespace
 
-TEST_CASE("TriangleMesh: borrows double points and 32-bit cells", "[TriangleMesh]")
+TEST_CASE("TriangleMesh: shares double points and 32-bit cells", "[TriangleMesh]")
 {
   helios::TriangleMesh mesh;
   const auto scene = MakeTriangle(VTK_DOUBLE, true);
@@ -45,7 +45,7 @@ TEST_CASE("TriangleMesh: borrows double points and 32-bit cells", "[TriangleMesh
   CHECK(mesh.GetNumberOfTriangles() == 1);
 }
 
-TEST_CASE("TriangleMesh: copies what is stored otherwise", "[TriangleMesh]")
+TEST_CASE("TriangleMesh: copies other storage types", "[TriangleMesh]")
 {
   helios::TriangleMesh mesh;
   REQUIRE(mesh.Set(MakeTriangle(VTK_FLOAT, false)).empty());
@@ -58,7 +58,7 @@ TEST_CASE("TriangleMesh: copies what is stored otherwise", "[TriangleMesh]")
   CHECK(bounds[3] == 3.0);
 }
 
-TEST_CASE("TriangleMesh: says what is wrong", "[TriangleMesh]")
+TEST_CASE("TriangleMesh: bad input is an error", "[TriangleMesh]")
 {
   helios::TriangleMesh mesh;
   CHECK(mesh.Set(nullptr).find("empty") != std::string::npos);

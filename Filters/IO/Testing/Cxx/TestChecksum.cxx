@@ -21,7 +21,7 @@ std::string Sum(const std::string& text)
 
 } // namespace
 
-TEST_CASE("Checksum: GMAC with zeros", "[Checksum]")
+TEST_CASE("Checksum: GMAC of zeros", "[Checksum]")
 {
   // Test case 1 of McGrew and Viega, The Galois/Counter Mode of Operation
   CHECK(Sum("") == "58e2fccefa7e3061367f1d57a4e7455a");
@@ -37,7 +37,7 @@ TEST_CASE("Checksum: GMAC with zeros", "[Checksum]")
   CHECK(Sum("some bytes").size() == helios::ChecksumDigits);
 }
 
-TEST_CASE("Checksum: every bit and the length count", "[Checksum]")
+TEST_CASE("Checksum: every bit and the length change it", "[Checksum]")
 {
   const std::string text(1000, 'a');
   for (std::size_t i = 0; i < 8 * text.size(); ++i)
@@ -50,7 +50,7 @@ TEST_CASE("Checksum: every bit and the length count", "[Checksum]")
   CHECK(Sum(text + '\0') != Sum(text));
 }
 
-TEST_CASE("Checksum: bytes of a file", "[Checksum]")
+TEST_CASE("Checksum: checksum of a file", "[Checksum]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "file";
@@ -67,46 +67,46 @@ TEST_CASE("Checksum: bytes of a file", "[Checksum]")
   CHECK(helios::ComputeChecksum(folder / "none", 0, 1).empty());
 }
 
-TEST_CASE("PartFile: blocks of what was appended", "[PartFile]")
+TEST_CASE("PartFile: blocks of appended bytes", "[PartFile]")
 {
   const helios::TempFolder folder;
   helios::PartFile file;
   REQUIRE((file.Open(folder / "a.txt") && file.Append("head", 4)));
   file.BeginBlock();
   REQUIRE((file.Append("one", 3) && file.Append("two", 3)));
-  const helios::FileBlock first = file.TakeBlock();
+  const helios::FileBlock first = file.CollectBlock();
   CHECK(first.Name == "a.txt");
   CHECK((first.Begin == 4 && first.End == 10));
   CHECK(first.Checksum == Sum("onetwo"));
-  SECTION("nothing more")
+  SECTION("no further bytes")
   {
-    const helios::FileBlock next = file.TakeBlock();
+    const helios::FileBlock next = file.CollectBlock();
     CHECK(next.Begin == next.End);
   }
-  SECTION("what is taken back does not count")
+  SECTION("truncated bytes are not included")
   {
     REQUIRE((file.Append("three", 5) && file.Append("four", 4) && file.Cut(15)));
-    CHECK(file.TakeBlock().Checksum == Sum("three"));
+    CHECK(file.CollectBlock().Checksum == Sum("three"));
     REQUIRE((file.Append("five", 4) && file.Cut(15) && file.Append("six", 3)));
-    CHECK(file.TakeBlock().Checksum == Sum("six"));
+    CHECK(file.CollectBlock().Checksum == Sum("six"));
   }
-  SECTION("taken back beyond the block")
+  SECTION("truncated beyond the block")
   {
     REQUIRE((file.Cut(2) && file.Append("x", 1)));
-    const helios::FileBlock next = file.TakeBlock();
+    const helios::FileBlock next = file.CollectBlock();
     CHECK((next.Begin == 2 && next.End == 3));
     CHECK(next.Checksum == Sum("x"));
   }
-  SECTION("gone on with")
+  SECTION("resumed")
   {
     REQUIRE((file.Abandon() && file.Reopen(folder / "a.txt", 7) && file.Append("more", 4)));
-    const helios::FileBlock next = file.TakeBlock();
+    const helios::FileBlock next = file.CollectBlock();
     CHECK((next.Begin == 7 && next.End == 11));
     CHECK(next.Checksum == Sum("more"));
   }
 }
 
-TEST_CASE("PartFile: a folder that must be there", "[PartFile]")
+TEST_CASE("PartFile: a missing folder is an error", "[PartFile]")
 {
   const helios::TempFolder folder;
   helios::PartFile file;

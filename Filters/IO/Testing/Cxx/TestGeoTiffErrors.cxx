@@ -93,7 +93,7 @@ private:
 
 } // namespace
 
-TEST_CASE("GeoTiffErrors: files that are none", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: files of other kinds are errors", "[GeoTiffErrors]")
 {
   TempFolder folder;
   const std::string cure =
@@ -121,7 +121,7 @@ TEST_CASE("GeoTiffErrors: files that are none", "[GeoTiffErrors]")
   CheckError(unnamed, "FileName is not set");
 }
 
-TEST_CASE("GeoTiffErrors: files cut off anywhere", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: truncated files are errors", "[GeoTiffErrors]")
 {
   const std::string whole = MakeGoodBytes();
   for (std::size_t size = 1; size < whole.size(); ++size)
@@ -138,7 +138,7 @@ TEST_CASE("GeoTiffErrors: files cut off anywhere", "[GeoTiffErrors]")
   CheckBytes(whole.substr(0, whole.size() - 4), "; the file is damaged, get it again");
 }
 
-TEST_CASE("GeoTiffErrors: more pixels than the file has room for", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: more pixels than the file can contain", "[GeoTiffErrors]")
 {
   std::string bytes = MakeGoodBytes();
   bytes[33] = '\x7f'; // of the number of rows
@@ -251,7 +251,7 @@ TEST_CASE("GeoTiffErrors: scale, offset and units", "[GeoTiffErrors]")
   CHECK(helios::GetUnitInMetres("foot meter") == 0.0);
 }
 
-TEST_CASE("GeoTiffErrors: heights in feet of a system of three dimensions", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: heights in feet of a three-dimensional system", "[GeoTiffErrors]")
 {
   const std::string wkt =
     "GEOGCRS[\"WGS 84 in feet\",DATUM[\"World Geodetic System 1984\",ELLIPSOID[\"WGS "
@@ -271,7 +271,7 @@ TEST_CASE("GeoTiffErrors: heights in feet of a system of three dimensions", "[Ge
       "transform it with gdalwarp -t_srs");
 }
 
-TEST_CASE("GeoTiffErrors: what GDAL warns of is passed on", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: warnings of GDAL are passed on", "[GeoTiffErrors]")
 {
   std::string bytes = MakeGoodBytes();
   bytes[10 + 9 * 12] = '\xff'; // tag 284 becomes 511, out of order
@@ -285,7 +285,7 @@ TEST_CASE("GeoTiffErrors: what GDAL warns of is passed on", "[GeoTiffErrors]")
 }
 
 TEST_CASE(
-  "GeoTiffErrors: a coordinate system that is none is left out with a warning", "[GeoTiffErrors]")
+  "GeoTiffErrors: an invalid coordinate system is dropped with a warning", "[GeoTiffErrors]")
 {
   TempFolder folder;
   TestRaster raster(4, 3);
@@ -313,7 +313,7 @@ TEST_CASE(
   CHECK(helios::GetCRS(reading.Scene()).empty());
 }
 
-TEST_CASE("GeoTiffErrors: aborting", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: abort", "[GeoTiffErrors]")
 {
   TempFolder folder;
   TestRaster raster(1000, 3000);
@@ -369,7 +369,7 @@ TEST_CASE("GeoTiffErrors: 64-bit cells hold the same mesh", "[GeoTiffErrors]")
 }
 
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-TEST_CASE("GeoTiffErrors: memory that runs out", "[GeoTiffErrors]")
+TEST_CASE("GeoTiffErrors: out of memory", "[GeoTiffErrors]")
 {
   TempFolder folder;
   TestRaster raster(2000, 2000);

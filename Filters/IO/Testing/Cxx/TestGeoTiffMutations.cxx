@@ -74,7 +74,7 @@ std::string FindFault(GeoTiffReading& reading)
 
 } // namespace
 
-TEST_CASE("GeoTiffMutations: damaged files give an error or a whole scene", "[mutation]")
+TEST_CASE("GeoTiffMutations: damaged files give an error or a complete scene", "[mutation]")
 {
   TempFolder folder;
   const std::vector<std::string> files = MakeGoodFiles(folder);

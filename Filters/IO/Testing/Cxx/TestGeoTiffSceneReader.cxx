@@ -108,8 +108,8 @@ TEST_CASE("GeoTiffSceneReader: the scene has triangles in order and one default 
   CHECK(helios::GetCRS(scene).empty());
 }
 
-TEST_CASE(
-  "GeoTiffSceneReader: a pixel without height takes its own triangles only", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: a pixel without height removes only its own triangles",
+  "[GeoTiffSceneReader]")
 {
   const int n = 6;
   const int m = 5;
@@ -132,8 +132,8 @@ TEST_CASE(
   CHECK(Count(raster, { { 1, 0 }, { 0, 1 } }) == Counts{ all - 4, n * m - 3 });
 }
 
-TEST_CASE(
-  "GeoTiffSceneReader: rasters of holes, as counting all blocks says", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: rasters with holes, compared with a count of all blocks",
+  "[GeoTiffSceneReader]")
 {
   unsigned state = 1;
   for (const int columns : { 2, 3, 17, 64 })
@@ -186,7 +186,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("GeoTiffSceneReader: normals look up whatever the geotransform", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: normals point up for any geotransform", "[GeoTiffSceneReader]")
 {
   const std::vector<std::vector<double>> transforms = { { 5e5, 1.0, 0.0, 5.5e6, 0.0, -1.0 },
     { 5e5, 1.0, 0.0, 5.5e6, 0.0, 1.0 },     // rows to the north
@@ -218,7 +218,7 @@ TEST_CASE("GeoTiffSceneReader: normals look up whatever the geotransform", "[Geo
 }
 
 TEST_CASE(
-  "GeoTiffSceneReader: no-data values are compared as the band holds them", "[GeoTiffSceneReader]")
+  "GeoTiffSceneReader: no-data values are compared in the type of the band", "[GeoTiffSceneReader]")
 {
   struct Case
   {
@@ -258,7 +258,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("GeoTiffSceneReader: NoDataValue replaces the file's", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: NoDataValue overrides that of the file", "[GeoTiffSceneReader]")
 {
   TestRaster raster(4, 3);
   raster.Type = GDT_Float32;
@@ -363,7 +363,7 @@ TEST_CASE("GeoTiffSceneReader: bands, types, scale, offset and units", "[GeoTiff
   CHECK(signedReading.Height(11) == 11.0);
 }
 
-TEST_CASE("GeoTiffSceneReader: units as files spell them", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: units in all spellings", "[GeoTiffSceneReader]")
 {
   const std::pair<const char*, double> units[] = { { "m", 1.0 }, { "metre", 1.0 },
     { "Meters", 1.0 }, { "ft", 0.3048 }, { "foot", 0.3048 }, { "US survey foot", 1200.0 / 3937.0 },
@@ -382,7 +382,7 @@ TEST_CASE("GeoTiffSceneReader: units as files spell them", "[GeoTiffSceneReader]
   }
 }
 
-TEST_CASE("GeoTiffSceneReader: the coordinate system comes along", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: the coordinate system is read", "[GeoTiffSceneReader]")
 {
   TempFolder folder;
   TestRaster raster(4, 3);
@@ -413,7 +413,8 @@ TEST_CASE("GeoTiffSceneReader: the coordinate system comes along", "[GeoTiffScen
   }
 }
 
-TEST_CASE("GeoTiffSceneReader: heights in feet become metres, and the vertical system says so",
+TEST_CASE(
+  "GeoTiffSceneReader: heights in feet are converted to metres, also in the vertical system",
   "[GeoTiffSceneReader]")
 {
   TempFolder folder;
@@ -439,7 +440,7 @@ TEST_CASE("GeoTiffSceneReader: heights in feet become metres, and the vertical s
 }
 
 TEST_CASE(
-  "GeoTiffSceneReader: a map in feet stays so, and wants a unit of heights", "[GeoTiffSceneReader]")
+  "GeoTiffSceneReader: a map in feet is kept, and needs a unit of heights", "[GeoTiffSceneReader]")
 {
   TempFolder folder;
   TestRaster raster(4, 3);
@@ -484,7 +485,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("GeoTiffSceneReader: blocks that are not in the file are holes", "[GeoTiffSceneReader]")
+TEST_CASE("GeoTiffSceneReader: missing blocks are holes", "[GeoTiffSceneReader]")
 {
   for (const bool isTiled : { false, true })
   {
@@ -527,8 +528,8 @@ TEST_CASE("GeoTiffSceneReader: rasters without triangles are empty scenes with a
   CHECK(reading.Log->HasWarning(warning + "4 x 3)"));
 }
 
-TEST_CASE("GeoTiffSceneReader: reads again when a property changes, reports progress",
-  "[GeoTiffSceneReader]")
+TEST_CASE(
+  "GeoTiffSceneReader: reads again if a property changes, reports progress", "[GeoTiffSceneReader]")
 {
   TempFolder folder;
   TestRaster(4, 3).Write(folder / "b.tif");

@@ -101,7 +101,7 @@ std::string MakeExtra(const std::string& name, char type, char options = 0)
 
 } // namespace
 
-TEST_CASE("LASReader: what was written comes back", "[LASReader]")
+TEST_CASE("LASReader: written files are read back", "[LASReader]")
 {
   const auto echoes = MakeLasEchoes(50000);
   helios::SetCrs(echoes, "EPSG:25832");
@@ -140,7 +140,7 @@ TEST_CASE("LASReader: what was written comes back", "[LASReader]")
   CHECK(vtkTypeInt64Array::SafeDownCast(reading.Get(names::PulseIds)));
 }
 
-TEST_CASE("LASReader: what is read is written to the same bytes", "[LASReader]")
+TEST_CASE("LASReader: a file read and written is byte-identical", "[LASReader]")
 {
   const auto echoes = MakeLasEchoes(500);
   helios::AddVectors(echoes, vtkNew<vtkFloatArray>(), names::RGB, 0.5);
@@ -169,7 +169,7 @@ TEST_CASE("LASReader: what is read is written to the same bytes", "[LASReader]")
   }
 }
 
-TEST_CASE("LASReader: pieces in order are the whole", "[LASReader]")
+TEST_CASE("LASReader: pieces in order equal the whole", "[LASReader]")
 {
   const auto echoes = MakeLasEchoes(40001);
   WriteEchoes(echoes);
@@ -264,7 +264,7 @@ TEST_CASE("LASReader: all versions and formats", "[LASReader]")
   CHECK_FALSE(reading.Cloud()->GetFieldData()->HasArray(names::CRS));
 }
 
-TEST_CASE("LASReader: Extra Bytes of others", "[LASReader]")
+TEST_CASE("LASReader: Extra Bytes of other programs", "[LASReader]")
 {
   std::string bytes = MakeOld(2, 0, 1, 20 + 3 + 2 + 4 + 12 + 1);
   std::string extras = MakeExtra("gap", 0, 3) + MakeExtra("Deviation", 3, 24) +
@@ -293,7 +293,7 @@ TEST_CASE("LASReader: Extra Bytes of others", "[LASReader]")
   CHECK(reading.Get("normal")->GetComponent(0, 2) == 0.5);
 }
 
-TEST_CASE("LASReader: systems of others", "[LASReader]")
+TEST_CASE("LASReader: coordinate systems of other programs", "[LASReader]")
 {
   const auto read = [](const std::string& bytes)
   {
@@ -320,18 +320,18 @@ TEST_CASE("LASReader: systems of others", "[LASReader]")
     AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 2048, 0, 1, 4326 }));
     CHECK(read(bytes) == "EPSG:4326");
   }
-  SECTION("of its own making")
+  SECTION("written by vtkHelios")
   {
     AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 3072, 0, 1, 32767 }));
     CHECK(read(bytes).empty());
   }
-  SECTION("WKT goes before keys")
+  SECTION("WKT has precedence over keys")
   {
     AddRecord(bytes, "LASF_Projection", 34735, keys({ 1, 1, 0, 1, 2048, 0, 1, 4326 }));
     AddRecord(bytes, "LASF_Projection", 2112, std::string("LOCAL_CS[\"x\"]\0\0", 15));
     CHECK(read(bytes) == "LOCAL_CS[\"x\"]");
   }
-  SECTION("WKT behind the points")
+  SECTION("WKT after the points")
   {
     bytes = MakeOld(4, 6, 1, 30);
     SetNumber<std::uint64_t>(bytes, 235, bytes.size());
@@ -345,7 +345,7 @@ TEST_CASE("LASReader: systems of others", "[LASReader]")
   }
 }
 
-TEST_CASE("LASReader: files that are wrong", "[LASReader]")
+TEST_CASE("LASReader: damaged files are errors", "[LASReader]")
 {
   const std::string good = WriteEchoes(MakeLasEchoes(10));
   const auto with = [&good](std::size_t at, auto value)
@@ -401,7 +401,7 @@ TEST_CASE("LASReader: files that are wrong", "[LASReader]")
   CHECK(LasReading(Path).Read());
 }
 
-TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
+TEST_CASE("LASReader: times that are not finite are counted", "[LASReader]")
 {
   std::string bytes = WriteEchoes(MakeLasEchoes(10));
   const std::size_t length = GetNumber<std::uint16_t>(bytes, 105);
@@ -420,7 +420,7 @@ TEST_CASE("LASReader: times that are no numbers are counted", "[LASReader]")
   CHECK(reading.Log->Warnings.empty()); // once per file
 }
 
-TEST_CASE("LASReader: names that are wrong", "[LASReader]")
+TEST_CASE("LASReader: invalid names", "[LASReader]")
 {
   vtkNew<vtkHeliosLASReader> reader;
   const auto log = helios::WatchErrors(reader);
@@ -443,7 +443,7 @@ TEST_CASE("LASReader: names that are wrong", "[LASReader]")
     "/dev/zero: cannot be read: it is a character device, not a regular file"));
 }
 
-TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")
+TEST_CASE("LASReader: a file removed while it is read", "[LASReader]")
 {
   WriteEchoes(MakeLasEchoes(40000));
   LasReading reading(Path);
@@ -456,7 +456,7 @@ TEST_CASE("LASReader: a file that goes while it is read", "[LASReader]")
   CHECK(reading.CountPoints() == 0);
 }
 
-TEST_CASE("LASReader: reading is aborted", "[LASReader]")
+TEST_CASE("LASReader: abort", "[LASReader]")
 {
   WriteEchoes(MakeLasEchoes(40000));
   LasReading reading(Path);

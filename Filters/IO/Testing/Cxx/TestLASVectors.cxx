@@ -36,7 +36,8 @@ std::string TurnVectors(std::string las)
 
 } // namespace
 
-TEST_CASE("LASVectors: files of earlier versions are read right, with a warning", "[LASVectors]")
+TEST_CASE(
+  "LASVectors: files of earlier versions are read correctly, with a warning", "[LASVectors]")
 {
   helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(60);
@@ -68,7 +69,7 @@ TEST_CASE("LASVectors: files of earlier versions are read right, with a warning"
   CHECK(reading.Log->Warnings.empty()); // once per file
 }
 
-TEST_CASE("LASVectors: a file of an earlier version does not go on", "[LASVectors]")
+TEST_CASE("LASVectors: a file of an earlier version cannot be resumed", "[LASVectors]")
 {
   helios::LasWaveWriting writing;
   REQUIRE((writing.Writer->Open() && writing.Write(helios::MakeWaveforms(6))));
@@ -85,7 +86,7 @@ TEST_CASE("LASVectors: a file of an earlier version does not go on", "[LASVector
   CHECK(writing.Writer->Reopen(size, 18, size));
 }
 
-TEST_CASE("LASVectors: the anchor of other programs' files", "[LASVectors]")
+TEST_CASE("LASVectors: the anchor in files of other programs", "[LASVectors]")
 {
   // light is slower in air, and some programs account for it
   constexpr double air = 0.99972;

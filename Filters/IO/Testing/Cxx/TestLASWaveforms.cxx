@@ -11,7 +11,7 @@ namespace names = vtkHeliosArrayNames;
 namespace fs = std::filesystem;
 using helios::GetNumber;
 
-TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: packets hold the samples, points refer to them", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const auto first = helios::MakeWaveforms(60);
@@ -40,7 +40,7 @@ TEST_CASE("LASWaveforms: packets hold the samples, points say where", "[LASWavef
   CHECK(reading.CountPoints() == 201);
 }
 
-TEST_CASE("LASWaveforms: samples of any strength keep 23 bits", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: samples of any amplitude keep 23 bits", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(200);
@@ -81,7 +81,7 @@ TEST_CASE("LASWaveforms: with colours the format is 10", "[LASWaveforms]")
           1.0 / 65535) == 0);
 }
 
-TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: are resumed", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -129,7 +129,7 @@ TEST_CASE("LASWaveforms: they go on where they were", "[LASWaveforms]")
   }
 }
 
-TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: are read back", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(60);
@@ -203,7 +203,7 @@ TEST_CASE("LASWaveforms: they come back", "[LASWaveforms]")
   CHECK(wrong == 0);
 }
 
-TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: packets inside the LAS file", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const auto waveforms = helios::MakeWaveforms(4);
@@ -224,7 +224,7 @@ TEST_CASE("LASWaveforms: packets in the file itself", "[LASWaveforms]")
   CHECK(last->GetValue(last->GetNumberOfValues() - 1) == Approx(9e-9)); // 1 + 2 + 3 + 4 samples
 }
 
-TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: damaged packets are errors", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   REQUIRE(
@@ -297,7 +297,7 @@ TEST_CASE("LASWaveforms: packets that are wrong", "[LASWaveforms]")
   CHECK(fails(good, writing.Packets + ": cannot be read: it is a FIFO, not a regular file"));
 }
 
-TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: the packet file cannot be created or kept", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   SECTION("a folder has its name")
@@ -339,7 +339,7 @@ TEST_CASE("LASWaveforms: the file of packets cannot be made or kept", "[LASWavef
   }
 }
 
-TEST_CASE("LASWaveforms: packets that go while they are read", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: packets removed while they are read", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   REQUIRE(
@@ -354,7 +354,7 @@ TEST_CASE("LASWaveforms: packets that go while they are read", "[LASWaveforms]")
   CHECK(reading.CountPoints() == 0);
 }
 
-TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: no waveforms", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const bool isCounted = GENERATE(true, false);
@@ -370,7 +370,7 @@ TEST_CASE("LASWaveforms: none at all", "[LASWaveforms]")
   }
 }
 
-TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
+TEST_CASE("LASWaveforms: bad input is an error", "[LASWaveforms]")
 {
   helios::LasWaveWriting writing;
   const bool isFirst = GENERATE(true, false);
@@ -396,7 +396,7 @@ TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
       "point 0 of a block has WaveformIds = 40, and the waveforms of the block have no such "
       "pulse"));
   }
-  SECTION("a table that is none")
+  SECTION("an invalid table")
   {
     rows->RemoveArray(names::StartTime);
     CHECK(writing.Fails(echoes, waveforms, "the table of waveforms of a block has no array"));
@@ -411,7 +411,7 @@ TEST_CASE("LASWaveforms: what is wrong is said", "[LASWaveforms]")
     setBins(0.25, 0.5);
     CHECK(writing.Fails(echoes, waveforms, "a BinSize of 500 ps and one of 250 ps; write them to"));
   }
-  SECTION("other bins than before")
+  SECTION("other bins than in earlier blocks")
   {
     setBins(0.5, 0.5);
     if (isFirst)

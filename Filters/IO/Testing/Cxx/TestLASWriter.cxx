@@ -111,7 +111,7 @@ void CheckHeader(const std::string& bytes, std::uint64_t points)
 
 } // namespace
 
-TEST_CASE("LASWriter: the part is whole after every block", "[LASWriter]")
+TEST_CASE("LASWriter: the part is a valid file after every block", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -137,7 +137,7 @@ TEST_CASE("LASWriter: the part is whole after every block", "[LASWriter]")
   CHECK(writing.Log->Warnings.empty());
 }
 
-TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter]")
+TEST_CASE("LASWriter: point fields are at the offsets of the specification", "[LASWriter]")
 {
   LasWriting writing;
   const auto echo = MakePoints({ { 1000.00017, -2.00006, 3.0 }, { 1002.0, 0.0, 3.0 } });
@@ -190,7 +190,7 @@ TEST_CASE("LASWriter: the fields of a point are where LAS has them", "[LASWriter
   CHECK(GetNumber<std::uint16_t>(bytes, 6) == 16); // WKT, and unknown GPS time
 }
 
-TEST_CASE("LASWriter: points alone are one return each", "[LASWriter]")
+TEST_CASE("LASWriter: points without arrays are single returns", "[LASWriter]")
 {
   LasWriting writing;
   REQUIRE(writing.WriteAll(MakePoints({ { 1, 2, 3 } })));
@@ -202,14 +202,14 @@ TEST_CASE("LASWriter: points alone are one return each", "[LASWriter]")
   CHECK(GetNumber<std::uint16_t>(bytes, HeaderSize + 20) == 0);
 }
 
-TEST_CASE("LASWriter: the header says who, when and in which system", "[LASWriter]")
+TEST_CASE("LASWriter: header: software, date and coordinate system", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
   const auto echoes = MakeLasEchoes(3);
   helios::SetCrs(echoes, "EPSG:25832");
   helios::SetEpoch(echoes, 1.4e9);
-  SECTION("by default nothing that changes from run to run")
+  SECTION("no values that differ between runs by default")
   {
     REQUIRE(writing.WriteAll(echoes));
     const std::string bytes = writing.Bytes();
@@ -225,7 +225,7 @@ TEST_CASE("LASWriter: the header says who, when and in which system", "[LASWrite
     const auto at = GetNumber<std::uint32_t>(bytes, 96);
     CHECK(GetNumber<double>(bytes, at + 22) == 604799.5 + 4e8);
   }
-  SECTION("what is set")
+  SECTION("given values")
   {
     writer->SetCreationDay(123);
     writer->SetCreationYear(2031);
@@ -236,7 +236,7 @@ TEST_CASE("LASWriter: the header says who, when and in which system", "[LASWrite
     CHECK(GetNumber<std::uint16_t>(bytes, 92) == 2031);
     CHECK(bytes.substr(26, 32) == "a scanner with a name that is lo");
   }
-  SECTION("epoch 0 is none")
+  SECTION("epoch 0: no epoch")
   {
     helios::SetEpoch(echoes, 0.0);
     REQUIRE(writing.WriteAll(echoes));
@@ -244,7 +244,7 @@ TEST_CASE("LASWriter: the header says who, when and in which system", "[LASWrite
   }
 }
 
-TEST_CASE("LASWriter: intensity in proportion, and as it was read", "[LASWriter]")
+TEST_CASE("LASWriter: intensity relative to full scale, and unchanged as read", "[LASWriter]")
 {
   LasWriting writing;
   const auto echoes = MakePoints({ { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } });
@@ -322,7 +322,7 @@ TEST_CASE("LASWriter: without Extra Bytes", "[LASWriter]")
   CHECK(writing.Bytes().size() == HeaderSize + 7 * 30);
 }
 
-TEST_CASE("LASWriter: the same bytes by any number of threads", "[LASWriter]")
+TEST_CASE("LASWriter: byte-identical for any number of threads", "[LASWriter]")
 {
   LasWriting writing;
   const auto echoes = MakeLasEchoes(100000);
@@ -337,7 +337,7 @@ TEST_CASE("LASWriter: the same bytes by any number of threads", "[LASWriter]")
   vtkSMPTools::Initialize();
 }
 
-TEST_CASE("LASWriter: the same bytes by blocks of any size", "[LASWriter]")
+TEST_CASE("LASWriter: byte-identical for any block size", "[LASWriter]")
 {
   LasWriting writing;
   const auto echoes = MakeLasEchoes(1000);
@@ -357,7 +357,7 @@ TEST_CASE("LASWriter: the same bytes by blocks of any size", "[LASWriter]")
   }
 }
 
-TEST_CASE("LASWriter: no block is a file without points", "[LASWriter]")
+TEST_CASE("LASWriter: a file without blocks has no points", "[LASWriter]")
 {
   LasWriting writing;
   REQUIRE(writing.Writer->Open());
@@ -371,7 +371,7 @@ TEST_CASE("LASWriter: no block is a file without points", "[LASWriter]")
   CHECK(reading.CountPoints() == 0);
 }
 
-TEST_CASE("LASWriter: it goes on where it was", "[LASWriter]")
+TEST_CASE("LASWriter: resumes a file", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -402,7 +402,7 @@ TEST_CASE("LASWriter: it goes on where it was", "[LASWriter]")
   {
     REQUIRE((writer->Write(make(7000)) && writer->Close()));
   }
-  SECTION("before the header knew of the block")
+  SECTION("before the header included the block")
   {
     REQUIRE(writer->Abandon());
     std::string text = helios::ReadText(part);
@@ -434,7 +434,7 @@ TEST_CASE("LASWriter: it goes on where it was", "[LASWriter]")
     helios::ReadText(writing.Folder / "broken.las"));
 }
 
-TEST_CASE("LASWriter: it starts again from nothing", "[LASWriter]")
+TEST_CASE("LASWriter: resumes an empty file", "[LASWriter]")
 {
   LasWriting writing;
   REQUIRE((writing.Writer->Open() && writing.Writer->Abandon()));
@@ -443,7 +443,7 @@ TEST_CASE("LASWriter: it starts again from nothing", "[LASWriter]")
   CheckHeader(writing.Bytes(), 3);
 }
 
-TEST_CASE("LASWriter: it does not go on with what is no file of its own", "[LASWriter]")
+TEST_CASE("LASWriter: refuses to resume a file of another program", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -458,7 +458,7 @@ TEST_CASE("LASWriter: it does not go on with what is no file of its own", "[LASW
   CHECK(writing.Log->HasError("it has 300 bytes of"));
 }
 
-TEST_CASE("LASWriter: what is only counted is not written", "[LASWriter]")
+TEST_CASE("LASWriter: count only: nothing is written", "[LASWriter]")
 {
   LasWriting writing;
   REQUIRE(writing.WriteAll(MakeLasEchoes(500)));
@@ -470,7 +470,7 @@ TEST_CASE("LASWriter: what is only counted is not written", "[LASWriter]")
   CHECK_FALSE(fs::exists(writing.Folder / "counted"));
 }
 
-TEST_CASE("LASWriter: what does not fit is warned of once", "[LASWriter]")
+TEST_CASE("LASWriter: values that do not fit are reported once", "[LASWriter]")
 {
   LasWriting writing;
   const auto echoes = helios::MakeEchoes(4); // 200 returns; classes 6 and -2
@@ -493,7 +493,7 @@ TEST_CASE("LASWriter: what does not fit is warned of once", "[LASWriter]")
     "the CRS ENU 49.4 8.7 110 cannot be written as WKT; the file has no CRS"));
 }
 
-TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
+TEST_CASE("LASWriter: points beyond the limits of LAS are errors", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -544,7 +544,8 @@ TEST_CASE("LASWriter: points that LAS cannot hold", "[LASWriter]")
   CHECK(GetNumber<double>(writing.Bytes(), 155) == 10.0); // unaffected by the bad block
 }
 
-TEST_CASE("LASWriter: of a large block with a bad end nothing stays", "[LASWriter]")
+TEST_CASE(
+  "LASWriter: a large block with a bad point at its end is dropped completely", "[LASWriter]")
 {
   LasWriting writing;
   REQUIRE((writing.Writer->Open() && writing.Writer->Write(MakePoints({ { 0, 0, 0 } }))));
@@ -562,7 +563,7 @@ TEST_CASE("LASWriter: of a large block with a bad end nothing stays", "[LASWrite
   REQUIRE(writing.Writer->Close());
 }
 
-TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
+TEST_CASE("LASWriter: bad blocks are errors", "[LASWriter]")
 {
   LasWriting writing;
   vtkHeliosLASWriter* writer = writing.Writer;
@@ -585,13 +586,13 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
     block->SetPoints(points);
     CHECK(fails("the points of a block are float, not double"));
   }
-  SECTION("other arrays than before")
+  SECTION("other arrays than in earlier blocks")
   {
     data->RemoveArray(names::EchoWidth);
     CHECK(fails("a block has other arrays than those before, which had the Extra Bytes PulseIds "
                 "(type 8), Amplitude (type 10), EchoWidth (type 10)"));
   }
-  SECTION("colours that others had not")
+  SECTION("colours missing in earlier blocks")
   {
     helios::AddVectors(block, vtkNew<vtkFloatArray>(), names::RGB, 0.5);
     CHECK(fails("a block has other arrays than those before"));
@@ -606,7 +607,7 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
     helios::SetCrs(block, "EPSG:1");
     CHECK(fails("the field array CRS of a block: \"EPSG:1\" is not a coordinate system"));
   }
-  SECTION("a system whose WKT fills more than a record")
+  SECTION("WKT longer than a record")
   {
     helios::CoordinateSystem system;
     REQUIRE(system.Set("EPSG:25832").empty());
@@ -630,7 +631,7 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
     helios::AddColumn<vtkIntArray>(data, names::LegIds, 2, [](vtkIdType) { return 0; });
     CHECK(fails("the array LegIds of a block has 2 x 1 values, not 4 x 1"));
   }
-  SECTION("numbers that are no integers")
+  SECTION("numbers that are not integers")
   {
     helios::AddColumn<vtkFloatArray>(data, names::ReturnNumber, 4, [](vtkIdType) { return 1; });
     CHECK(fails("the array ReturnNumber of a block holds float; it must hold integers"));
@@ -662,7 +663,7 @@ TEST_CASE("LASWriter: blocks that are wrong", "[LASWriter]")
   CheckHeader(writing.Bytes(), 5);
 }
 
-TEST_CASE("LASWriter: a full disk keeps whole blocks", "[LASWriter]")
+TEST_CASE("LASWriter: a full disk keeps complete blocks", "[LASWriter]")
 {
   const helios::TempFolder folder;
   const helios::SmallDisk disk(folder / "disk", 64);

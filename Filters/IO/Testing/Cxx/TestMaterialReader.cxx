@@ -77,7 +77,7 @@ const char* TwoMaterials = "newmtl rock\nhelios_reflectance 0.3\n"
 
 } // namespace
 
-TEST_CASE("MaterialReader: the alphabetically first, or the named one", "[MaterialReader]")
+TEST_CASE("MaterialReader: the alphabetically first material, or the named one", "[MaterialReader]")
 {
   Reading reading(TwoMaterials);
   helios::MaterialTable table = reading.Update();
@@ -99,7 +99,7 @@ TEST_CASE("MaterialReader: the alphabetically first, or the named one", "[Materi
   CHECK(reading.Log->Errors.empty());
 }
 
-TEST_CASE("MaterialReader: several that differ by chance", "[MaterialReader]")
+TEST_CASE("MaterialReader: random variations of a material", "[MaterialReader]")
 {
   Reading reading("newmtl leaf\nhelios_reflectance 0.3\nhelios_classification 4\n");
   reading.Reader->SetNumberOfMaterials(1001);
@@ -137,7 +137,7 @@ TEST_CASE("MaterialReader: several that differ by chance", "[MaterialReader]")
   CHECK(reading.Log->Warnings.empty());
 }
 
-TEST_CASE("MaterialReader: spectra are not varied, and ids are counted round", "[MaterialReader]")
+TEST_CASE("MaterialReader: spectra are not varied, and ids repeat", "[MaterialReader]")
 {
   Reading reading("newmtl leaf\nhelios_spectra oak\n");
   reading.Reader->SetNumberOfMaterials(2);
@@ -189,8 +189,8 @@ TEST_CASE("MaterialReader: errors", "[MaterialReader]")
   }
 }
 
-TEST_CASE(
-  "MaterialReader: names have blanks; the first word is enough where it tells", "[MaterialReader]")
+TEST_CASE("MaterialReader: names with blanks, of which the first word is sufficient if unique",
+  "[MaterialReader]")
 {
   Reading reading("newmtl oak leaf\nhelios_reflectance 0.25\nnewmtl oak bark\nnewmtl elm tree\n");
   reading.Reader->SetMaterialName("oak leaf");

@@ -138,7 +138,7 @@ TEST_CASE("ObjErrors: faces", "[ObjErrors]")
   }
 }
 
-TEST_CASE("ObjErrors: a long bad word is cut, and loses its control characters", "[ObjErrors]")
+TEST_CASE("ObjErrors: a long bad word is truncated, without control characters", "[ObjErrors]")
 {
   CheckError(
     "v 0 0 " + std::string(100, 'x'), ":1: \"" + std::string(60, 'x') + "...\" is not a number");
@@ -195,7 +195,7 @@ TEST_CASE("ObjErrors: too large for 32-bit cells", "[ObjErrors]")
 }
 
 #ifdef __linux__
-TEST_CASE("ObjErrors: a disk that fails while reading", "[ObjErrors]")
+TEST_CASE("ObjErrors: a disk error while reading", "[ObjErrors]")
 {
   TestFolder folder;
   std::string text;
@@ -215,7 +215,7 @@ TEST_CASE("ObjErrors: a disk that fails while reading", "[ObjErrors]")
   CHECK(report.Error == path + ": cannot be read any further: Is a directory; check the disk");
 }
 
-TEST_CASE("ObjErrors: what is not a regular file", "[ObjErrors]")
+TEST_CASE("ObjErrors: refuses paths that are not regular files", "[ObjErrors]")
 {
   TestFolder folder;
   const std::string fifo = folder.Write("a.obj", "") + ".fifo";
@@ -231,7 +231,7 @@ TEST_CASE("ObjErrors: what is not a regular file", "[ObjErrors]")
 }
 
 #ifndef __SANITIZE_ADDRESS__
-TEST_CASE("ObjErrors: memory that runs out", "[ObjErrors]")
+TEST_CASE("ObjErrors: out of memory", "[ObjErrors]")
 {
   TestFolder folder;
   std::string text;
@@ -299,7 +299,7 @@ TEST_CASE("ObjErrors: small and large triangles are kept", "[ObjErrors]")
   CHECK(reading.Log->Warnings.empty());
 }
 
-TEST_CASE("ObjErrors: a stray vertex is named with the extent it gives the scene", "[ObjErrors]")
+TEST_CASE("ObjErrors: an isolated vertex is reported with the extent of the scene", "[ObjErrors]")
 {
   CheckWarning(ObjSquare + "v 1e30 0 -5\nf 1 2 3\nf 1 2 5\n",
     ":5: vertex 5 (1e+30, 0, -5) lies far from the others: the scene's extent is x 0 to 1e+30, y 0 "
@@ -318,7 +318,7 @@ TEST_CASE("ObjErrors: a stray vertex is named with the extent it gives the scene
   CHECK(zones.Log->Warnings.empty());
 }
 
-TEST_CASE("ObjErrors: what is unknown or empty is warned of once", "[ObjErrors]")
+TEST_CASE("ObjErrors: unknown and empty elements are reported once", "[ObjErrors]")
 {
   CheckWarning(ObjSquare + "face 1 2 3\nf 1 2 3\nV 1 2 3\n",
     ":5: unknown keyword \"face\", ignored (2 such lines in this file)", 1);

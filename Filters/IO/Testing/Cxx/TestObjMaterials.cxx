@@ -83,8 +83,8 @@ TEST_CASE("ObjMaterials: specularity is sum Ks / (sum Kd + sum Ks)", "[ObjMateri
   CHECK(table.at(1).Specularity == Approx(0.9 / 1.5).epsilon(1e-15));
 }
 
-TEST_CASE("ObjMaterials: libraries of one name with blanks, of several names, of several lines",
-  "[ObjMaterials]")
+TEST_CASE(
+  "ObjMaterials: libraries with blanks in the name, several names, several lines", "[ObjMaterials]")
 {
   TestFolder folder;
   folder.Write("sub/my first.mtl", "newmtl a\nhelios_reflectance 0.1\n");
@@ -104,7 +104,7 @@ TEST_CASE("ObjMaterials: libraries of one name with blanks, of several names, of
   }
 }
 
-TEST_CASE("ObjMaterials: a library may come after its materials are used", "[ObjMaterials]")
+TEST_CASE("ObjMaterials: a library may follow the use of its materials", "[ObjMaterials]")
 {
   TestFolder folder;
   folder.Write("a.mtl", "newmtl a\nhelios_reflectance 0.1\n");
@@ -114,7 +114,7 @@ TEST_CASE("ObjMaterials: a library may come after its materials are used", "[Obj
   CHECK(reading.MaterialOf(0).Reflectance == 0.1);
 }
 
-TEST_CASE("ObjMaterials: a missing library and unknown materials are warned of", "[ObjMaterials]")
+TEST_CASE("ObjMaterials: missing libraries and unknown materials are reported", "[ObjMaterials]")
 {
   TestFolder folder;
   const std::string path = folder.Write("a.obj",
@@ -144,7 +144,8 @@ TEST_CASE("ObjMaterials: a missing library and unknown materials are warned of",
   CHECK_FALSE(half.Log->HasWarning("there.mtl"));
 }
 
-TEST_CASE("ObjMaterials: a reflectance above 1 is percent, and warned of", "[ObjMaterials]")
+TEST_CASE(
+  "ObjMaterials: a reflectance above 1 is read as percent, with a warning", "[ObjMaterials]")
 {
   TestFolder folder;
   const std::string path = folder.Write("a.mtl",
@@ -163,8 +164,8 @@ TEST_CASE("ObjMaterials: a reflectance above 1 is percent, and warned of", "[Obj
     "such lines in this file)"));
 }
 
-TEST_CASE(
-  "ObjMaterials: names have blanks; the first word is enough where it tells", "[ObjMaterials]")
+TEST_CASE("ObjMaterials: names with blanks, of which the first word is sufficient if unique",
+  "[ObjMaterials]")
 {
   TestFolder folder;
   folder.Write("a.mtl",
@@ -187,7 +188,7 @@ TEST_CASE(
     reading.Log->HasWarning(path + ":16: unknown material \"oak\", default properties are used"));
 }
 
-TEST_CASE("ObjMaterials: errors name the file, the line and the cure", "[ObjMaterials]")
+TEST_CASE("ObjMaterials: errors name the file, the line and the remedy", "[ObjMaterials]")
 {
   CheckError("newmtl m\nhelios_reflectance 101\n",
     ":2: helios_reflectance 101 is outside [0, 1]; it is a fraction, so 50 percent is 0.5");
@@ -222,7 +223,7 @@ TEST_CASE("ObjMaterials: errors name the file, the line and the cure", "[ObjMate
   CheckError("newmtl\n", ":1: newmtl has no name; give the material one");
 }
 
-TEST_CASE("ObjMaterials: unknown keys and second definitions are warned of", "[ObjMaterials]")
+TEST_CASE("ObjMaterials: unknown keys and repeated definitions are reported", "[ObjMaterials]")
 {
   TestFolder folder;
   const std::string first =

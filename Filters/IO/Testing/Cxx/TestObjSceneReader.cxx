@@ -59,7 +59,7 @@ std::string MakeLongFile(int vertexCount)
 
 } // namespace
 
-TEST_CASE("ObjSceneReader: decimals become the nearest doubles", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: decimals are rounded to the nearest double", "[ObjSceneReader]")
 {
   TestFolder folder;
   std::mt19937_64 random(20210);
@@ -109,7 +109,7 @@ TEST_CASE("ObjSceneReader: cells are 32-bit triangles in file order", "[ObjScene
   CHECK(reading.Corners(1) == Ids{ 0, 2, 3 });
 }
 
-TEST_CASE("ObjSceneReader: every way to write a corner", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: all notations of a face corner", "[ObjSceneReader]")
 {
   TestFolder folder;
   const std::string head = ObjSquare + "vt 0 0\nvt 1 0 0\nvt 0.5\nvn 0 0 1\n";
@@ -125,7 +125,7 @@ TEST_CASE("ObjSceneReader: every way to write a corner", "[ObjSceneReader]")
   }
 }
 
-TEST_CASE("ObjSceneReader: a polygon becomes a fan about its first corner", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: a polygon is a fan about its first corner", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj",
@@ -139,8 +139,7 @@ TEST_CASE("ObjSceneReader: a polygon becomes a fan about its first corner", "[Ob
   CHECK(reading.MaterialOf(3).Name == "b");
 }
 
-TEST_CASE(
-  "ObjSceneReader: indices count from the face back or from the start on", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: indices are relative to the face or to the start", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj",
@@ -152,7 +151,7 @@ TEST_CASE(
   CHECK(reading.Corners(2) == Ids{ 3, 4, 5 });
 }
 
-TEST_CASE("ObjSceneReader: what is beside points and faces is left out", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: elements other than points and faces are ignored", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj",
@@ -165,7 +164,7 @@ TEST_CASE("ObjSceneReader: what is beside points and faces is left out", "[ObjSc
   CHECK(reading.Scene()->GetNumberOfPoints() == 3);
 }
 
-TEST_CASE("ObjSceneReader: vertices of no face do not become points", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: unused vertices are dropped", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(
@@ -176,7 +175,7 @@ TEST_CASE("ObjSceneReader: vertices of no face do not become points", "[ObjScene
   CHECK(reading.Scene()->GetPoint(3)[1] == 1.0);
 }
 
-TEST_CASE("ObjSceneReader: y up becomes z up", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: y up is converted to z up", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj", "v 1 2 3\nv 4 5 6\nv 7 8 10\nf 1 2 3\n"));
@@ -192,8 +191,7 @@ TEST_CASE("ObjSceneReader: y up becomes z up", "[ObjSceneReader]")
   CHECK(reading.Scene()->GetPoint(0)[1] == 2.0);
 }
 
-TEST_CASE(
-  "ObjSceneReader: lines run over blocks, and a line may be longer than one", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: lines across blocks, and lines longer than a block", "[ObjSceneReader]")
 {
   TestFolder folder;
   constexpr int count = 150000;
@@ -222,7 +220,8 @@ TEST_CASE(
   CHECK(fan.TriangleCount() == count - 2);
 }
 
-TEST_CASE("ObjSceneReader: progress is told, an abort is obeyed, a retry works", "[ObjSceneReader]")
+TEST_CASE(
+  "ObjSceneReader: reports progress, can be aborted, and can be repeated", "[ObjSceneReader]")
 {
   TestFolder folder;
   ObjReading reading(folder.Write("a.obj", MakeLongFile(200000)));
@@ -247,7 +246,7 @@ TEST_CASE("ObjSceneReader: progress is told, an abort is obeyed, a retry works",
   CHECK(observer->Values.back() == 1.0);
 }
 
-TEST_CASE("ObjSceneReader: an unchanged reader does not read again", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: an unchanged reader does not execute again", "[ObjSceneReader]")
 {
   TestFolder folder;
   const std::string path = folder.Write("a.obj", ObjSquare + "f 1 2 3\n");
@@ -259,7 +258,7 @@ TEST_CASE("ObjSceneReader: an unchanged reader does not read again", "[ObjSceneR
   CHECK_FALSE(reading.Read());
 }
 
-TEST_CASE("ObjSceneReader: the properties keep to their ranges and print", "[ObjSceneReader]")
+TEST_CASE("ObjSceneReader: properties are clamped and printed", "[ObjSceneReader]")
 {
   vtkNew<vtkHeliosObjSceneReader> reader;
   CHECK(reader->GetUpAxis() == vtkHeliosObjSceneReader::UP_AXIS_Z);

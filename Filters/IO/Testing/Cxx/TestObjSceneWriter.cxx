@@ -91,7 +91,7 @@ MaterialTable MakeMaterials()
 
 } // namespace
 
-TEST_CASE("ObjSceneWriter: what is written is read back bit for bit", "[ObjSceneWriter]")
+TEST_CASE("ObjSceneWriter: files are read back bit for bit", "[ObjSceneWriter]")
 {
   TestFolder folder;
   const MaterialTable materials = MakeMaterials();
@@ -127,7 +127,7 @@ TEST_CASE("ObjSceneWriter: what is written is read back bit for bit", "[ObjScene
 }
 
 TEST_CASE(
-  "ObjSceneWriter: a scene without material arrays gets the default one", "[ObjSceneWriter]")
+  "ObjSceneWriter: a scene without material arrays has the default material", "[ObjSceneWriter]")
 {
   TestFolder folder;
   const auto scene = MakeScene(2, MaterialTable(1));
@@ -142,7 +142,7 @@ TEST_CASE(
   CHECK((helios::GetMaterials(reading.Scene()) == MaterialTable(1)));
 }
 
-TEST_CASE("ObjSceneWriter: names become words of their own", "[ObjSceneWriter]")
+TEST_CASE("ObjSceneWriter: names are written as single words", "[ObjSceneWriter]")
 {
   TestFolder folder;
   MaterialTable materials(4);
@@ -164,7 +164,7 @@ TEST_CASE("ObjSceneWriter: names become words of their own", "[ObjSceneWriter]")
   CHECK(read[3].Name == "wall");
 }
 
-TEST_CASE("ObjSceneWriter: errors say what cannot be written", "[ObjSceneWriter]")
+TEST_CASE("ObjSceneWriter: errors name what cannot be written", "[ObjSceneWriter]")
 {
   TestFolder folder;
   const std::string path = folder.GetPath("a.obj");
@@ -224,7 +224,8 @@ TEST_CASE("ObjSceneWriter: errors say what cannot be written", "[ObjSceneWriter]
 }
 
 #ifdef __linux__
-TEST_CASE("ObjSceneWriter: a full disk is told, and the file before stays", "[ObjSceneWriter]")
+TEST_CASE(
+  "ObjSceneWriter: a full disk is reported, and the previous file is kept", "[ObjSceneWriter]")
 {
   TestFolder folder;
   const std::string path = folder.Write("a.obj", "the old one");

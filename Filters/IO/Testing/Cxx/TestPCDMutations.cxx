@@ -71,7 +71,7 @@ std::string SetEntry(std::string text, const std::string& key, const std::string
 
 } // namespace
 
-TEST_CASE("PCDMutations: sizes that cannot be are refused at once", "[PCDMutations][mutation]")
+TEST_CASE("PCDMutations: impossible sizes are refused at once", "[PCDMutations][mutation]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "a.pcd";

@@ -161,7 +161,7 @@ TEST_CASE("PCDReader: normals, old names, no COUNT and WIDTH", "[PCDReader]")
   CHECK(normals->GetComponent(0, 2) == Approx(0.8));
 }
 
-TEST_CASE("PCDReader: the comments of the writer", "[PCDReader]")
+TEST_CASE("PCDReader: comments of the writer", "[PCDReader]")
 {
   FileReading reading;
   const std::string marks = "# vtkHelios origin: 476000 5473000 100\n# vtkHelios GpsEpoch: 1e9\n"
@@ -181,7 +181,7 @@ TEST_CASE("PCDReader: the comments of the writer", "[PCDReader]")
     "the GpsEpoch is not a number; correct or remove it"));
 }
 
-TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
+TEST_CASE("PCDReader: damaged headers are errors", "[PCDReader]")
 {
   struct Fault
   {
@@ -230,7 +230,7 @@ TEST_CASE("PCDReader: headers that are wrong", "[PCDReader]")
     "the header has neither WIDTH nor POINTS; it must give the number of points"));
 }
 
-TEST_CASE("PCDReader: lines that are wrong", "[PCDReader]")
+TEST_CASE("PCDReader: bad lines are errors", "[PCDReader]")
 {
   FileReading reading;
   CHECK(reading.FailsWith(Replace(AsciiPcd, "0.5 7 8", "0.5 7"), ":12",
@@ -247,7 +247,7 @@ TEST_CASE("PCDReader: lines that are wrong", "[PCDReader]")
     AsciiPcd + "\n7 8 9 1 2 3", ":16", "a point more than the 4 of POINTS; correct POINTS"));
 }
 
-TEST_CASE("PCDReader: data that are cut off or damaged", "[PCDReader]")
+TEST_CASE("PCDReader: truncated or damaged data are errors", "[PCDReader]")
 {
   FileReading reading;
   const std::string binary = MakeHeader("binary") + MakeRows();

@@ -44,7 +44,7 @@ vtkIdType CountMoved(vtkPolyData* a, vtkPolyData* b, double tolerance)
 
 } // namespace
 
-TEST_CASE("PCDWriter: in double all comes back, bit by bit", "[PCDWriter]")
+TEST_CASE("PCDWriter: Double restores all bits", "[PCDWriter]")
 {
   const int storage = GENERATE(0, 1);
   const auto echoes = helios::MakeLasEchoes(20000);
@@ -81,7 +81,7 @@ TEST_CASE("PCDWriter: in double all comes back, bit by bit", "[PCDWriter]")
     vtkVariant("EPSG:25832"));
 }
 
-TEST_CASE("PCDWriter: as float UTM survives by the origin", "[PCDWriter]")
+TEST_CASE("PCDWriter: Float keeps UTM coordinates by the origin", "[PCDWriter]")
 {
   const int storage = GENERATE(0, 1);
   const auto echoes = helios::MakeLasEchoes(2000); // 2 km along y
@@ -112,7 +112,7 @@ TEST_CASE("PCDWriter: as float UTM survives by the origin", "[PCDWriter]")
   CHECK(CountMoved(reading.Cloud(), echoes, 0.02) == 0);
 }
 
-TEST_CASE("PCDWriter: blocks, and the part is valid after each", "[PCDWriter]")
+TEST_CASE("PCDWriter: the part is valid after each block", "[PCDWriter]")
 {
   const int storage = GENERATE(0, 1);
   const auto echoes = helios::MakeLasEchoes(1000);
@@ -160,7 +160,7 @@ TEST_CASE("PCDWriter: blocks, and the part is valid after each", "[PCDWriter]")
   CHECK_FALSE(std::filesystem::exists(writing.Folder / "none.pcd"));
 }
 
-TEST_CASE("PCDWriter: no points, and some that are not finite", "[PCDWriter]")
+TEST_CASE("PCDWriter: no points, and points that are not finite", "[PCDWriter]")
 {
   Writing writing;
   REQUIRE((writing.Writer->Open() && writing.Writer->Close()));
@@ -178,7 +178,7 @@ TEST_CASE("PCDWriter: no points, and some that are not finite", "[PCDWriter]")
   CHECK(reading.Log->Warnings.empty());
 }
 
-TEST_CASE("PCDWriter: what cannot be written", "[PCDWriter]")
+TEST_CASE("PCDWriter: data that cannot be written are errors", "[PCDWriter]")
 {
   Writing writing;
   REQUIRE(writing.Writer->Open());
@@ -217,7 +217,7 @@ TEST_CASE("PCDWriter: what cannot be written", "[PCDWriter]")
   CHECK(text.str().find("Precision: Float") != std::string::npos);
 }
 
-TEST_CASE("PCDWriter: a part without its header cannot be taken up", "[PCDWriter]")
+TEST_CASE("PCDWriter: a part without its header cannot be resumed", "[PCDWriter]")
 {
   Writing writing;
   helios::WriteFile(writing.Path + ".part", std::string(100, 'x'));

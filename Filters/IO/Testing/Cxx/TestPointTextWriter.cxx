@@ -29,7 +29,7 @@ std::string WriteEchoes(const helios::TempFolder& folder, vtkPolyData* echoes)
 
 } // namespace
 
-TEST_CASE("PointTextWriter: a line", "[PointTextWriter]")
+TEST_CASE("PointTextWriter: columns of a line", "[PointTextWriter]")
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(3);
@@ -43,7 +43,7 @@ TEST_CASE("PointTextWriter: a line", "[PointTextWriter]")
                   "0.000070000\n") != std::string::npos);
 }
 
-TEST_CASE("PointTextWriter: an independent reader gets every value back", "[PointTextWriter]")
+TEST_CASE("PointTextWriter: an independent reader restores every value", "[PointTextWriter]")
 {
   const helios::TempFolder folder;
   constexpr vtkIdType count = 20000;
@@ -76,7 +76,7 @@ TEST_CASE("PointTextWriter: an independent reader gets every value back", "[Poin
   CHECK_FALSE(file >> rest);
 }
 
-TEST_CASE("PointTextWriter: parts by name, each one word", "[PointTextWriter]")
+TEST_CASE("PointTextWriter: part names are single words", "[PointTextWriter]")
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(6);
@@ -131,4 +131,24 @@ TEST_CASE("PointTextWriter: arrays of other types and layouts", "[PointTextWrite
   CHECK(rows[0][9] == "-7");
   CHECK(rows[1][9] == "2000000000");
   CHECK(rows[1][10] == "2.500000000");
+}
+
+TEST_CASE("PointTextWriter: fills in arrays that are missing", "[PointTextWriter]")
+{
+  const helios::TempFolder folder;
+  vtkNew<vtkPolyData> points;
+  points->ShallowCopy(helios::MakeEchoes(2));
+  points->GetPointData()->Initialize();
+  helios::AddColumn<vtkFloatArray>(
+    points->GetPointData(), names::EchoWidth, 2, [](vtkIdType i) { return 0.5 + i; });
+  points->GetPoints()->SetPoint(1, 1.0, 2.0, 3.0);
+  vtkNew<vtkHeliosPointTextWriter> writer;
+  CHECK_FALSE(writer->GetFillMissing());
+  writer->SetFileName((folder / "a.xyz").c_str());
+  writer->FillMissingOn();
+  REQUIRE((writer->Open() && writer->Write(points) && writer->Close()));
+  const std::string text = helios::ReadText(folder / "a.xyz");
+  CHECK(text.find("\n1.0000 2.0000 3.0000 0.0000 1.5000 1 1 -1 -1 0 0.000000000\n") !=
+    std::string::npos);
+  CHECK(points->GetPointData()->GetNumberOfArrays() == 1);
 }

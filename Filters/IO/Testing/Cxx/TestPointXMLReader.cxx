@@ -62,7 +62,7 @@ struct DamagedFile
 
 } // namespace
 
-TEST_CASE("PointXMLReader: all forms that VTK writes", "[PointXMLReader]")
+TEST_CASE("PointXMLReader: all encodings that VTK writes", "[PointXMLReader]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "a.vtp";
@@ -85,7 +85,7 @@ TEST_CASE("PointXMLReader: all forms that VTK writes", "[PointXMLReader]")
   }
 }
 
-TEST_CASE("PointXMLReader: pieces, some of them or all", "[PointXMLReader]")
+TEST_CASE("PointXMLReader: one, several or all pieces", "[PointXMLReader]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "a.pvtp";
@@ -116,7 +116,7 @@ TEST_CASE("PointXMLReader: pieces, some of them or all", "[PointXMLReader]")
   CHECK(reading.Log->HasError("a_0001.vtp: has other arrays than the pieces before it"));
 }
 
-TEST_CASE("PointXMLReader: what is wrong is said", "[PointXMLReader]")
+TEST_CASE("PointXMLReader: bad input is an error", "[PointXMLReader]")
 {
   DamagedFile file;
   const std::string deep = "<a>";
@@ -158,7 +158,7 @@ TEST_CASE("PointXMLReader: what is wrong is said", "[PointXMLReader]")
   CHECK(file.Reading.Log->HasError("FileName is not set; give a file of points"));
 }
 
-TEST_CASE("PointXMLReader: cells of points that there are not", "[PointXMLReader]")
+TEST_CASE("PointXMLReader: cells of missing points", "[PointXMLReader]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "a.vtp";

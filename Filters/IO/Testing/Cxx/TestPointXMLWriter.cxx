@@ -130,7 +130,7 @@ TEST_CASE("PointXMLWriter: VTK reads back every value", "[PointXMLWriter]")
   CheckVertices(cloud);
 }
 
-TEST_CASE("PointXMLWriter: a piece has the names of the parts", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: a piece has the part names", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.pvtp";
@@ -153,7 +153,7 @@ TEST_CASE("PointXMLWriter: a piece has the names of the parts", "[PointXMLWriter
 }
 
 TEST_CASE(
-  "PointXMLWriter: a piece has the same bytes whatever was written before", "[PointXMLWriter]")
+  "PointXMLWriter: the bytes of a piece do not depend on earlier pieces", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const auto echoes = helios::MakeEchoes(100);
@@ -169,7 +169,7 @@ TEST_CASE(
   CHECK(first == helios::ReadText(folder / "points_0001.vtp"));
 }
 
-TEST_CASE("PointXMLWriter: it goes on where it was", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: resumes an index", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   vtkNew<vtkHeliosPointXMLWriter> writer;
@@ -215,7 +215,7 @@ TEST_CASE("PointXMLWriter: it goes on where it was", "[PointXMLWriter]")
   }
 }
 
-TEST_CASE("PointXMLWriter: what is only counted is not written", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: count only: nothing is written", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   vtkNew<vtkHeliosPointXMLWriter> writer;
@@ -231,7 +231,7 @@ TEST_CASE("PointXMLWriter: what is only counted is not written", "[PointXMLWrite
   CHECK_FALSE(fs::exists(folder / "counted"));
 }
 
-TEST_CASE("PointXMLWriter: cells of a block stay", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: cells of a block are kept", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.pvtp";
@@ -245,7 +245,7 @@ TEST_CASE("PointXMLWriter: cells of a block stay", "[PointXMLWriter]")
   CHECK(Read<vtkXMLPPolyDataReader>(path)->GetNumberOfVerts() == 1);
 }
 
-TEST_CASE("PointXMLWriter: no records are an index without pieces", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: no records: an index without pieces", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.pvtp";
@@ -255,7 +255,7 @@ TEST_CASE("PointXMLWriter: no records are an index without pieces", "[PointXMLWr
   CHECK(Read<vtkXMLPPolyDataReader>(path)->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("PointXMLWriter: an abandoned index reads", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: an abandoned index is readable", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.pvtp";
@@ -269,7 +269,7 @@ TEST_CASE("PointXMLWriter: an abandoned index reads", "[PointXMLWriter]")
   CheckSame(cloud, 100, echoes);
 }
 
-TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: bad input is an error", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   vtkNew<vtkHeliosPointXMLWriter> writer;
@@ -296,7 +296,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     CHECK_FALSE(writer->Write(echoes));
     CHECK(log->HasError("the array Words of a block is not one tuple of numbers per record"));
   }
-  SECTION("a name that VTK writes and cannot read")
+  SECTION("a name that VTK writes but cannot read")
   {
     echoes->GetPointData()->GetArray(0)->SetName("a<b");
     CHECK_FALSE(writer->Write(echoes));
@@ -309,7 +309,7 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
     CHECK_FALSE(writer->Write(echoes));
     CHECK(log->HasError("the array PartIds of a block is not one tuple of numbers per record"));
   }
-  SECTION("other arrays than before")
+  SECTION("other arrays than in earlier blocks")
   {
     echoes->GetPointData()->RemoveArray(names::EchoWidth);
     CHECK_FALSE(writer->Write(echoes));
@@ -321,7 +321,8 @@ TEST_CASE("PointXMLWriter: what is wrong is said", "[PointXMLWriter]")
   CHECK(Read<vtkXMLPPolyDataReader>(path)->GetNumberOfPoints() == 8);
 }
 
-TEST_CASE("PointXMLWriter: a full disk keeps whole pieces and says how many", "[PointXMLWriter]")
+TEST_CASE(
+  "PointXMLWriter: a full disk keeps complete pieces and reports their number", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const auto block = helios::MakeEchoes(2000);
@@ -367,7 +368,7 @@ TEST_CASE("PointXMLWriter: a full disk keeps whole pieces and says how many", "[
   }
 }
 
-TEST_CASE("PointXMLWriter: a folder that is removed meanwhile", "[PointXMLWriter]")
+TEST_CASE("PointXMLWriter: the folder is removed during a run", "[PointXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "new/points.pvtp";

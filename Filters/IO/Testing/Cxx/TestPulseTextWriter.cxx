@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPolyData> MakePulses()
 
 } // namespace
 
-TEST_CASE("PulseTextWriter: the columns", "[PulseTextWriter]")
+TEST_CASE("PulseTextWriter: columns", "[PulseTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "pulse.txt";
@@ -53,7 +53,7 @@ TEST_CASE("PulseTextWriter: the columns", "[PulseTextWriter]")
       "0.666666667", "1500000002.5000", "5000000001", "7" });
 }
 
-TEST_CASE("PulseTextWriter: what is wrong is said", "[PulseTextWriter]")
+TEST_CASE("PulseTextWriter: bad input is an error", "[PulseTextWriter]")
 {
   const helios::TempFolder folder;
   vtkNew<vtkHeliosPulseTextWriter> writer;

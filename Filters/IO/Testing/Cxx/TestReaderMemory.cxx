@@ -42,7 +42,7 @@ std::string WriteSparse(const helios::TempFolder& folder, int side, bool hasBloc
 
 } // namespace
 
-TEST_CASE("ReaderMemory: GeoTIFF: pixels of blocks that are there count", "[ReaderMemory]")
+TEST_CASE("ReaderMemory: GeoTIFF: pixels of existing blocks count", "[ReaderMemory]")
 {
   const helios::TempFolder folder;
   helios::RasterFile file;
@@ -57,7 +57,7 @@ TEST_CASE("ReaderMemory: GeoTIFF: pixels of blocks that are there count", "[Read
   CHECK(reading.Log->HasError("; gdal_translate -srcwin cuts out a part"));
 }
 
-TEST_CASE("ReaderMemory: GeoTIFF: without blocks there is nothing to read", "[ReaderMemory]")
+TEST_CASE("ReaderMemory: GeoTIFF: a file without blocks needs no memory", "[ReaderMemory]")
 {
   const helios::TempFolder folder;
   helios::GeoTiffReading reading(WriteSparse(folder, 100000, false));
@@ -65,7 +65,7 @@ TEST_CASE("ReaderMemory: GeoTIFF: without blocks there is nothing to read", "[Re
   CHECK(reading.Log->HasWarning("no triangles, so the scene is empty"));
 }
 
-TEST_CASE("ReaderMemory: OBJ: lines are counted where the size leaves it open", "[ReaderMemory]")
+TEST_CASE("ReaderMemory: OBJ: lines are counted if the size is not conclusive", "[ReaderMemory]")
 {
   helios::TestFolder folder;
   const std::string path = folder.Write("a.obj",
@@ -82,7 +82,7 @@ TEST_CASE("ReaderMemory: OBJ: lines are counted where the size leaves it open", 
   CHECK(reading.Log->HasError(path + ": 3 triangles with their vertices need about 0.000591 MB"));
 }
 
-TEST_CASE("ReaderMemory: voxels by the count in the header", "[ReaderMemory]")
+TEST_CASE("ReaderMemory: voxels are counted in the header", "[ReaderMemory]")
 {
   helios::vox::Reading reading(helios::vox::Head + helios::vox::Columns + helios::vox::Rows);
   const Limit limit(0.001);

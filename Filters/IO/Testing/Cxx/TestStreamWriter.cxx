@@ -28,7 +28,7 @@ vtkIdType CountLines(const std::string& path)
 
 } // namespace
 
-TEST_CASE("StreamWriter: .part until it is closed, in folders that it makes", "[StreamWriter]")
+TEST_CASE("StreamWriter: .part until closed, in created folders", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "new/sub/leg000_points.xyz";
@@ -50,7 +50,7 @@ TEST_CASE("StreamWriter: .part until it is closed, in folders that it makes", "[
   CHECK(writer->GetNumberOfBytes() == static_cast<vtkIdType>(fs::file_size(path)));
 }
 
-TEST_CASE("StreamWriter: replaces a file when it is closed, not before", "[StreamWriter]")
+TEST_CASE("StreamWriter: an existing file is replaced on closing, not before", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -64,7 +64,7 @@ TEST_CASE("StreamWriter: replaces a file when it is closed, not before", "[Strea
   CHECK(CountLines(path) == 3);
 }
 
-TEST_CASE("StreamWriter: what is abandoned stays whole as .part", "[StreamWriter]")
+TEST_CASE("StreamWriter: an abandoned file remains valid as .part", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -76,7 +76,7 @@ TEST_CASE("StreamWriter: what is abandoned stays whole as .part", "[StreamWriter
     CHECK_FALSE(writer->IsOpen());
     CHECK(writer->Abandon()); // no effect
   }
-  SECTION("by the end of the writer")
+  SECTION("by the destructor of the writer")
   {
     vtkNew<vtkHeliosPointTextWriter> writer;
     writer->SetFileName(path.c_str());
@@ -86,7 +86,7 @@ TEST_CASE("StreamWriter: what is abandoned stays whole as .part", "[StreamWriter
   CHECK(CountLines(path + ".part") == 4);
 }
 
-TEST_CASE("StreamWriter: no records are an empty file", "[StreamWriter]")
+TEST_CASE("StreamWriter: no records: an empty file", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -106,7 +106,7 @@ TEST_CASE("StreamWriter: no records are an empty file", "[StreamWriter]")
   CHECK(writer->GetNumberOfRecords() == 0);
 }
 
-TEST_CASE("StreamWriter: same bytes for any threads and blocks", "[StreamWriter]")
+TEST_CASE("StreamWriter: byte-identical for any threads and blocks", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -143,7 +143,7 @@ TEST_CASE("StreamWriter: same bytes for any threads and blocks", "[StreamWriter]
   CHECK(lines == texts[0].substr(0, lines.size()));
 }
 
-TEST_CASE("StreamWriter: numbers that are not finite are left out, counted", "[StreamWriter]")
+TEST_CASE("StreamWriter: numbers that are not finite are dropped and counted", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -185,7 +185,7 @@ TEST_CASE("StreamWriter: wrong order of calls", "[StreamWriter]")
   CHECK(writer->Close());
 }
 
-TEST_CASE("StreamWriter: files that cannot be", "[StreamWriter]")
+TEST_CASE("StreamWriter: file names that cannot be written", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   std::ofstream(folder / "plain") << "text";
@@ -230,7 +230,7 @@ TEST_CASE("StreamWriter: files that cannot be", "[StreamWriter]")
   CHECK_FALSE(writer->IsOpen());
 }
 
-TEST_CASE("StreamWriter: blocks of another kind", "[StreamWriter]")
+TEST_CASE("StreamWriter: blocks of another type", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   vtkNew<vtkHeliosPointTextWriter> writer;
@@ -252,7 +252,7 @@ TEST_CASE("StreamWriter: blocks of another kind", "[StreamWriter]")
     CHECK(
       log->HasError("a block is vtkTable, not vtkPolyData; write the echoes of vtkHeliosScanner"));
   }
-  SECTION("points of floats")
+  SECTION("float points")
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToFloat();
@@ -262,7 +262,7 @@ TEST_CASE("StreamWriter: blocks of another kind", "[StreamWriter]")
     CHECK_FALSE(writer->Write(block));
     CHECK(log->HasError("the points of a block are float, not double; call SetDataTypeToDouble()"));
   }
-  SECTION("an array too few")
+  SECTION("a missing array")
   {
     data->RemoveArray(names::EchoWidth);
     CHECK_FALSE(writer->Write(echoes));
@@ -297,7 +297,8 @@ TEST_CASE("StreamWriter: blocks of another kind", "[StreamWriter]")
   CHECK(CountLines(path) == 2);
 }
 
-TEST_CASE("StreamWriter: a full disk keeps whole blocks and says how many", "[StreamWriter]")
+TEST_CASE(
+  "StreamWriter: a full disk keeps complete blocks and reports their number", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const helios::SmallDisk disk(folder / "disk", 4096);
@@ -337,7 +338,7 @@ TEST_CASE("StreamWriter: a full disk keeps whole blocks and says how many", "[St
   CHECK(CountLines(path) == 10);
 }
 
-TEST_CASE("StreamWriter: it goes on where it was", "[StreamWriter]")
+TEST_CASE("StreamWriter: resumes a file", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";
@@ -352,7 +353,7 @@ TEST_CASE("StreamWriter: it goes on where it was", "[StreamWriter]")
   {
     REQUIRE(writer->Abandon());
   }
-  SECTION("closed: whole, but the journal does not say so yet")
+  SECTION("closed, but not yet in the journal")
   {
     REQUIRE(writer->Close());
   }
@@ -377,7 +378,7 @@ TEST_CASE("StreamWriter: it goes on where it was", "[StreamWriter]")
   CHECK(log->Errors.empty());
 }
 
-TEST_CASE("StreamWriter: a file that is removed meanwhile", "[StreamWriter]")
+TEST_CASE("StreamWriter: the file is removed during a run", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "new/points.xyz";
@@ -403,7 +404,7 @@ TEST_CASE("StreamWriter: a file that is removed meanwhile", "[StreamWriter]")
   }
 }
 
-TEST_CASE("StreamWriter: what is only counted is not written", "[StreamWriter]")
+TEST_CASE("StreamWriter: count only: nothing is written", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "new/points.xyz";
@@ -421,7 +422,7 @@ TEST_CASE("StreamWriter: what is only counted is not written", "[StreamWriter]")
   CHECK(bytes[0] == static_cast<vtkIdType>(fs::file_size(path)));
 }
 
-TEST_CASE("StreamWriter: a disk that is full from the start", "[StreamWriter]")
+TEST_CASE("StreamWriter: a disk that is full at the start", "[StreamWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "points.xyz";

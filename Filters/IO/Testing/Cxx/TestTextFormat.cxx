@@ -105,7 +105,7 @@ TEST_CASE("TextBuffer: fixed decimals", "[TextFormat]")
   CHECK(Fixed<4>(1e22) == "10000000000000000000000.0000");
 }
 
-TEST_CASE("TextBuffer: says whether all numbers were finite", "[TextFormat]")
+TEST_CASE("TextBuffer: reports whether all numbers were finite", "[TextFormat]")
 {
   helios::TextBuffer text;
   text.AppendFixed<4>(-std::numeric_limits<double>::max());
@@ -122,7 +122,7 @@ TEST_CASE("TextBuffer: says whether all numbers were finite", "[TextFormat]")
   }
 }
 
-TEST_CASE("TextBuffer: integers to their limits", "[TextFormat]")
+TEST_CASE("TextBuffer: integers up to their limits", "[TextFormat]")
 {
   helios::TextBuffer text;
   text.AppendInteger(std::numeric_limits<std::int64_t>::min());
@@ -133,7 +133,7 @@ TEST_CASE("TextBuffer: integers to their limits", "[TextFormat]")
     std::string(text.GetText(), text.GetSize()) == "-9223372036854775808 9223372036854775807 end");
 }
 
-TEST_CASE("TextBuffer: rounds any magnitude as std::to_chars", "[TextFormat]")
+TEST_CASE("TextBuffer: rounds all magnitudes as std::to_chars", "[TextFormat]")
 {
   Comparison comparison;
   for (std::uint64_t i = 0; i < 400000; ++i)
@@ -145,7 +145,7 @@ TEST_CASE("TextBuffer: rounds any magnitude as std::to_chars", "[TextFormat]")
   CheckSame(comparison);
 }
 
-TEST_CASE("TextBuffer: rounds any bits as std::to_chars", "[TextFormat]")
+TEST_CASE("TextBuffer: rounds random bits as std::to_chars", "[TextFormat]")
 {
   Comparison comparison;
   for (std::uint64_t i = 0; i < 100000; ++i)
@@ -163,7 +163,7 @@ TEST_CASE("TextBuffer: rounds any bits as std::to_chars", "[TextFormat]")
   CheckSame(comparison);
 }
 
-TEST_CASE("TextBuffer: rounds next to halves as std::to_chars", "[TextFormat]")
+TEST_CASE("TextBuffer: rounds close to halves as std::to_chars", "[TextFormat]")
 {
   Comparison comparison;
   for (std::uint64_t i = 0; i < 60000; ++i)

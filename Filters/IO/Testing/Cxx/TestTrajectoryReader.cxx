@@ -100,7 +100,7 @@ TEST_CASE("TrajectoryReader: CANONICAL, and radians", "[TrajectoryReader]")
   CHECK(helios::Distance(reading.GetOrientation(0), all) < 1e-15);
 }
 
-TEST_CASE("TrajectoryReader: quaternions keep one sign through turns", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: quaternions keep their sign through turns", "[TrajectoryReader]")
 {
   Reading reading;
   std::string text;
@@ -116,7 +116,7 @@ TEST_CASE("TrajectoryReader: quaternions keep one sign through turns", "[Traject
   }
 }
 
-TEST_CASE("TrajectoryReader: which columns", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: selection of columns", "[TrajectoryReader]")
 {
   Reading reading;
   const Vec3 place(4, 5, 6);
@@ -131,7 +131,7 @@ TEST_CASE("TrajectoryReader: which columns", "[TrajectoryReader]")
   CHECK((reading.Read("# TIME_COLUMN:6 \n0,0,90,4,5,6,7.5") && isRight()));
   CHECK(
     (reading.Read("#HEADER: z, 'y', \"x\", yaw, pitch, roll, t\n6,5,4,90,0,0,7.5") && isRight()));
-  SECTION("that are set go before the header, and other columns are not read")
+  SECTION("given columns override the header, and others are not read")
   {
     reading.Reader->SetTimeColumn(8);
     reading.Reader->SetRollColumn(1);
@@ -170,11 +170,11 @@ TEST_CASE(
 }
 
 TEST_CASE(
-  "TrajectoryReader: positions alone: the heading is that of the flight", "[TrajectoryReader]")
+  "TrajectoryReader: positions only: the heading is the flight direction", "[TrajectoryReader]")
 {
   Reading reading;
   reading.Reader->SetDomainToPosition();
-  SECTION("on a circle at its rows, also climbing: the tangent")
+  SECTION("on a circle, also climbing: the tangent at the rows")
   {
     reading.Reader->SetTimeColumn(0);
     reading.Reader->SetXColumn(1);
@@ -211,7 +211,7 @@ TEST_CASE(
       CHECK(reading.IsAlong(i, Y, { 2 / speed, 2 * t / speed, 0 }));
     }
   }
-  SECTION("standing: the heading before, at the start the first, else north; jumps do not count")
+  SECTION("at rest: the previous heading, at the start the first, else north; jumps are ignored")
   {
     const std::string head = "#HEADER: t, x, y, z\n";
     REQUIRE(reading.Read(head +
@@ -233,7 +233,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("TrajectoryReader: the slope filter keeps where the motion changes", "[TrajectoryReader]")
+TEST_CASE(
+  "TrajectoryReader: the slope filter keeps rows where the motion changes", "[TrajectoryReader]")
 {
   Reading reading;
   reading.Reader->SetSlopeFilterThreshold(0.01);
@@ -271,7 +272,7 @@ TEST_CASE("TrajectoryReader: the slope filter keeps where the motion changes", "
   CHECK((reading.Update() && reading.CountRows() == 6));
 }
 
-TEST_CASE("TrajectoryReader: what the text writer writes comes back", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: output of the text writer is read back", "[TrajectoryReader]")
 {
   constexpr vtkIdType count = 2000;
   vtkNew<vtkPolyData> path;
@@ -317,7 +318,7 @@ TEST_CASE("TrajectoryReader: what the text writer writes comes back", "[Trajecto
   CHECK(attitude < 3 * vtkMath::RadiansFromDegrees(5e-5));
 }
 
-TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: errors name file and line", "[TrajectoryReader]")
 {
   Reading reading;
   const std::string good = "1,0,0,0,1,2,3\n";
@@ -344,7 +345,7 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
       "a.trj:5: a third row has the time 2.5 s; one row per time is a sample, two are a jump: "
       "remove the others, or give the times with more digits"));
   }
-  SECTION("nothing there")
+  SECTION("no rows, no file")
   {
     CHECK(reading.FailsWith("", "a.trj: has no rows; give a file with rows of time"));
     CHECK(reading.FailsWith("# only\n\n", "a.trj: has no rows"));
@@ -385,7 +386,7 @@ TEST_CASE("TrajectoryReader: what is wrong is said, with file and line", "[Traje
   }
 }
 
-TEST_CASE("TrajectoryReader: reading can be aborted", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: abort", "[TrajectoryReader]")
 {
   Reading reading;
   vtkNew<vtkCallbackCommand> stop;
@@ -395,7 +396,7 @@ TEST_CASE("TrajectoryReader: reading can be aborted", "[TrajectoryReader]")
   CHECK(reading.FailsWith("1,0,0,0,1,2,3\n", "a.trj:1: reading was aborted here; update again"));
 }
 
-TEST_CASE("TrajectoryReader: broken files end in a path or in a message", "[TrajectoryReader]")
+TEST_CASE("TrajectoryReader: damaged files give a path or an error", "[TrajectoryReader]")
 {
   const std::string good =
     "#TIME_COLUMN: 0\n#HEADER: \"t\", \"roll\", \"pitch\", \"yaw\", \"x\", \"y\", "

@@ -64,7 +64,7 @@ using Words = std::vector<std::string>;
 
 } // namespace
 
-TEST_CASE("TrajectoryTextWriter: the columns", "[TrajectoryTextWriter]")
+TEST_CASE("TrajectoryTextWriter: columns", "[TrajectoryTextWriter]")
 {
   const auto rows = WriteSamples({ Cardan(0, 0, 0), Cardan(10, -20, 300) });
   REQUIRE(rows.size() == 2);
@@ -84,7 +84,7 @@ TEST_CASE("TrajectoryTextWriter: headings of a level body", "[TrajectoryTextWrit
   CHECK(WriteAngles(helios::AxisAngle({ 1, 0, 0 }, 5)) == Words{ "5.0000", "0.0000", "0.0000" });
 }
 
-TEST_CASE("TrajectoryTextWriter: yaw stays below 360 as printed", "[TrajectoryTextWriter]")
+TEST_CASE("TrajectoryTextWriter: printed yaw is below 360", "[TrajectoryTextWriter]")
 {
   for (const double tiny : { -1e-12, -4.9e-5, -1e-300, 4.9e-5 })
   {
@@ -95,14 +95,14 @@ TEST_CASE("TrajectoryTextWriter: yaw stays below 360 as printed", "[TrajectoryTe
 }
 
 TEST_CASE(
-  "TrajectoryTextWriter: roll is 0 in gimbal lock, and the turn is kept", "[TrajectoryTextWriter]")
+  "TrajectoryTextWriter: roll is 0 in gimbal lock, the rotation is kept", "[TrajectoryTextWriter]")
 {
   CHECK(WriteAngles(Cardan(0, 90, 40)) == Words{ "0.0000", "90.0000", "40.0000" });
   CHECK(WriteAngles(Cardan(30, 90, 40)) == Words{ "0.0000", "90.0000", "70.0000" });
   CHECK(WriteAngles(Cardan(30, -90, 40)) == Words{ "0.0000", "-90.0000", "10.0000" });
 }
 
-TEST_CASE("TrajectoryTextWriter: the angles give the attitude back", "[TrajectoryTextWriter]")
+TEST_CASE("TrajectoryTextWriter: the angles restore the attitude", "[TrajectoryTextWriter]")
 {
   std::vector<helios::Quaternion> orientations;
   for (std::uint64_t i = 0; i < 3000; ++i)
@@ -131,7 +131,7 @@ TEST_CASE("TrajectoryTextWriter: the angles give the attitude back", "[Trajector
   CHECK(largest < 3 * vtkMath::RadiansFromDegrees(5e-5));
 }
 
-TEST_CASE("TrajectoryTextWriter: an orientation of length 0 is left out", "[TrajectoryTextWriter]")
+TEST_CASE("TrajectoryTextWriter: an orientation of length 0 is dropped", "[TrajectoryTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "trajectory.txt";
@@ -145,7 +145,7 @@ TEST_CASE("TrajectoryTextWriter: an orientation of length 0 is left out", "[Traj
   CHECK(writer->GetNumberOfRecords() == 1);
 }
 
-TEST_CASE("TrajectoryTextWriter: what is wrong is said", "[TrajectoryTextWriter]")
+TEST_CASE("TrajectoryTextWriter: bad input is an error", "[TrajectoryTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "trajectory.txt";

@@ -11,7 +11,7 @@
 namespace names = vtkHeliosArrayNames;
 using namespace helios::vox;
 
-TEST_CASE("VoxelReader: cells, where they are and what they hold", "[VoxelReader]")
+TEST_CASE("VoxelReader: positions and values of voxels", "[VoxelReader]")
 {
   Reading reading(Head + Columns + Rows);
   REQUIRE(reading.Read());
@@ -35,7 +35,7 @@ TEST_CASE("VoxelReader: cells, where they are and what they hold", "[VoxelReader
   CHECK_FALSE(grid->GetFieldData()->GetArray(names::LeafProjection));
 }
 
-TEST_CASE("VoxelReader: other orders of head and columns", "[VoxelReader]")
+TEST_CASE("VoxelReader: other orders of header lines and columns", "[VoxelReader]")
 {
   SECTION("columns by name")
   {
@@ -65,7 +65,7 @@ TEST_CASE("VoxelReader: other orders of head and columns", "[VoxelReader]")
   }
 }
 
-TEST_CASE("VoxelReader: a table of leaf angles", "[VoxelReader]")
+TEST_CASE("VoxelReader: leaf angle table", "[VoxelReader]")
 {
   Reading reading(Head + Columns + Rows);
   reading.Write("lad.txt", "x,y,z,G\n# planophile\n0,0,1,0.85\n1,0,0,0.4\n\n0.5; 0; 0.5; 0.6\n");
@@ -91,7 +91,7 @@ TEST_CASE("VoxelReader: a table of leaf angles", "[VoxelReader]")
   CHECK(reading.Log->HasError("lad.txt: has no rows x,y,z,G"));
 }
 
-TEST_CASE("VoxelReader: files that are wrong", "[VoxelReader]")
+TEST_CASE("VoxelReader: damaged files are errors", "[VoxelReader]")
 {
   struct Wrong
   {
@@ -153,7 +153,7 @@ TEST_CASE("VoxelReader: files that are wrong", "[VoxelReader]")
   CHECK(reading.Log->HasError("FileName is not set"));
 }
 
-TEST_CASE("VoxelReader: a million cells, and an abort", "[VoxelReader]")
+TEST_CASE("VoxelReader: a million voxels, and an abort", "[VoxelReader]")
 {
   std::string text = "#min_corner: 0 0 0\n#split: 100 100 100\n#res: 0.1\ni j k PadBVTotal\n";
   for (int cell = 0; cell < 1000000; ++cell)

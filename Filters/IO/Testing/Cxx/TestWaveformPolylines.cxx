@@ -76,7 +76,7 @@ std::vector<vtkIdType> GetPulses(vtkPolyData* curves)
 
 } // namespace
 
-TEST_CASE("WaveformPolylines: every sample is where the formula has it", "[WaveformPolylines]")
+TEST_CASE("WaveformPolylines: samples are at the positions of the formula", "[WaveformPolylines]")
 {
   Polylines curves(50);
   constexpr double scale = 3e6;
@@ -121,7 +121,7 @@ TEST_CASE("WaveformPolylines: every sample is where the formula has it", "[Wavef
   CHECK_FALSE(output->GetCellData()->GetArray(names::Origin));
 }
 
-TEST_CASE("WaveformPolylines: amplitudes go across the beam", "[WaveformPolylines]")
+TEST_CASE("WaveformPolylines: amplitudes are perpendicular to the beam", "[WaveformPolylines]")
 {
   const auto [direction, wanted, across] = GENERATE(
     std::tuple(Vector{ 0, 0.6, -0.8 }, Vector{ 0, 0, 1 }, Vector{ 0, 0.8, 0.6 }), // tilted: up
@@ -157,7 +157,7 @@ TEST_CASE("WaveformPolylines: by default the largest amplitude is displaced by H
   CHECK(GetPoint(output, 5)[2] == Approx(100.5).epsilon(1e-9)); // no signal: on the beam
 }
 
-TEST_CASE("WaveformPolylines: a selection", "[WaveformPolylines]")
+TEST_CASE("WaveformPolylines: every Nth waveform", "[WaveformPolylines]")
 {
   Polylines curves(7); // pulses 40, 43 ... 58
   curves.Filter->SetEveryNth(3);
@@ -175,14 +175,14 @@ TEST_CASE("WaveformPolylines: a selection", "[WaveformPolylines]")
   CHECK(curves.Update()->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("WaveformPolylines: no waveforms are no curves", "[WaveformPolylines]")
+TEST_CASE("WaveformPolylines: no waveforms: no curves", "[WaveformPolylines]")
 {
   Polylines curves(0);
   CHECK(curves.Update()->GetNumberOfPoints() == 0);
   CHECK(curves.Log->Errors.empty());
 }
 
-TEST_CASE("WaveformPolylines: what is wrong is said", "[WaveformPolylines]")
+TEST_CASE("WaveformPolylines: bad input is an error", "[WaveformPolylines]")
 {
   Polylines curves(3);
   SECTION("no samples")

@@ -20,7 +20,7 @@ const std::string Head = "7 1 2 3 0.6 0 -0.8 ";
 
 } // namespace
 
-TEST_CASE("WaveformTextReader: a line", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: columns of a line", "[WaveformTextReader]")
 {
   WaveformReading reading("# a run\n\n" + Head + "667.1282 667.6282 0.25 1 2.5e3 -0.125\r\n" +
     "\t8 1 2 3\t0 0 1 10 10.2 1e5 4 5 # behind it\n9 0 0 0 1 0 0 -3 -2 0 6 7 8 9 10\n");
@@ -45,7 +45,7 @@ TEST_CASE("WaveformTextReader: a line", "[WaveformTextReader]")
   CHECK(reading.GetSample(9) == 1e-8F);
 }
 
-TEST_CASE("WaveformTextReader: what was written comes back", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: output of the text writer is read back", "[WaveformTextReader]")
 {
   WaveformReading reading;
   const std::string path = reading.Folder / "fullwave.txt";
@@ -107,15 +107,15 @@ TEST_CASE("WaveformTextReader: what was written comes back", "[WaveformTextReade
   CHECK(wrong == 0);
 }
 
-TEST_CASE("WaveformTextReader: bins that are no round numbers are within the rounding",
-  "[WaveformTextReader]")
+TEST_CASE(
+  "WaveformTextReader: bin sizes are accurate to the rounding of the text", "[WaveformTextReader]")
 {
   WaveformReading reading(Head + "100.0000 101.0471 0 1 2 3 4\n"); // 3 bins of 0.34903 ns
   REQUIRE(reading.Read());
   CHECK(reading.Get(names::BinSize, 0) == Approx(1.0471 / 3).epsilon(0).margin(1e-4 / 3));
 }
 
-TEST_CASE("WaveformTextReader: directions become unit vectors", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: directions are normalised", "[WaveformTextReader]")
 {
   WaveformReading reading("7 0 0 0 0.5774 -0.5774 0.5774 5 5.25 0 1 2\n"); // 4 decimals
   REQUIRE(reading.Read());
@@ -123,7 +123,7 @@ TEST_CASE("WaveformTextReader: directions become unit vectors", "[WaveformTextRe
   CHECK(reading.Get(names::Direction, 0, 1) == Approx(-std::sqrt(1.0 / 3)).epsilon(1e-15));
 }
 
-TEST_CASE("WaveformTextReader: one-way times count twice", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: one-way times are doubled", "[WaveformTextReader]")
 {
   WaveformReading reading(Head + "333.5641 333.8141 0 1 2\n");
   reading.Reader->OneWayTimesOn();
@@ -132,7 +132,7 @@ TEST_CASE("WaveformTextReader: one-way times count twice", "[WaveformTextReader]
   CHECK(reading.Get(names::BinSize, 0) == 0.5);
 }
 
-TEST_CASE("WaveformTextReader: a bin size that is given", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: a given bin size", "[WaveformTextReader]")
 {
   WaveformReading reading(Head + "5 5 0 1\n" + Head + "5 5.7499 0 1 2 3 4\n");
   reading.Reader->SetBinSize(0.25);
@@ -143,7 +143,7 @@ TEST_CASE("WaveformTextReader: a bin size that is given", "[WaveformTextReader]"
     Head + "5 5.3 0 1 2\n", "a.txt:1: the bins of 0.300000 ns (two-way) do not match BinSize"));
 }
 
-TEST_CASE("WaveformTextReader: what is wrong is said with its line", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: errors name the line", "[WaveformTextReader]")
 {
   WaveformReading reading;
   const std::string good = Head + "5 5.25 0 1 2\n";
@@ -183,7 +183,7 @@ TEST_CASE("WaveformTextReader: what is wrong is said with its line", "[WaveformT
   CHECK(reading.Log->HasError("FileName is not set; give the file of waveforms with SetFileName"));
 }
 
-TEST_CASE("WaveformTextReader: an aborted reading is none", "[WaveformTextReader]")
+TEST_CASE("WaveformTextReader: an aborted reader has no output", "[WaveformTextReader]")
 {
   WaveformReading reading(Head + "5 5.25 0 1 2\n");
   vtkNew<vtkCallbackCommand> stop;

@@ -8,7 +8,7 @@
 
 namespace names = vtkHeliosArrayNames;
 
-TEST_CASE("WaveformTextWriter: a line", "[WaveformTextWriter]")
+TEST_CASE("WaveformTextWriter: columns of a line", "[WaveformTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "fullwave.txt";
@@ -25,7 +25,7 @@ TEST_CASE("WaveformTextWriter: a line", "[WaveformTextWriter]")
                   "669.6250 0.500000000 500000000.000000000 ") != std::string::npos);
 }
 
-TEST_CASE("WaveformTextWriter: an independent reader gets every value back", "[WaveformTextWriter]")
+TEST_CASE("WaveformTextWriter: an independent reader restores every value", "[WaveformTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "fullwave.txt";
@@ -70,7 +70,7 @@ TEST_CASE("WaveformTextWriter: an independent reader gets every value back", "[W
   CHECK(file.peek() == std::ifstream::traits_type::eof());
 }
 
-TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
+TEST_CASE("WaveformTextWriter: bad input is an error", "[WaveformTextWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "fullwave.txt";
@@ -91,7 +91,7 @@ TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
     CHECK_FALSE(writer->Write(table));
     CHECK(log->HasError("the block has no array Samples; write the waveforms of vtkHeliosScanner"));
   }
-  SECTION("a column too few")
+  SECTION("one column too few")
   {
     table->GetRowData()->RemoveArray(names::StartTime);
     CHECK_FALSE(writer->Write(table));
@@ -114,7 +114,7 @@ TEST_CASE("WaveformTextWriter: what is wrong is said", "[WaveformTextWriter]")
     CHECK(log->HasWarning("1 of 3 records"));
     CHECK(writer->GetNumberOfRecords() == 2);
   }
-  SECTION("an empty table is none")
+  SECTION("an empty table is an error")
   {
     vtkNew<vtkTable> empty;
     CHECK(writer->Write(empty));

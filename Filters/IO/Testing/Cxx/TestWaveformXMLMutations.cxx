@@ -71,7 +71,7 @@ bool IsWhole(vtkTable* table)
 
 } // namespace
 
-TEST_CASE("WaveformXMLMutations: values that cannot be are refused", "[WaveformXMLReader]")
+TEST_CASE("WaveformXMLMutations: impossible values are refused", "[WaveformXMLReader]")
 {
   const Files files;
   auto table = helios::MakeWaveforms(3);

@@ -108,8 +108,7 @@ struct WrittenRun
 
 } // namespace
 
-TEST_CASE(
-  "WaveformXMLWriter: VTK's readers give every piece back bit for bit", "[WaveformXMLWriter]")
+TEST_CASE("WaveformXMLWriter: VTK's readers restore every piece bit for bit", "[WaveformXMLWriter]")
 {
   WrittenRun run;
   CHECK(fs::exists(run.Path + ".part"));
@@ -139,8 +138,7 @@ TEST_CASE(
   CheckSame(index.Read(1, 2), run.Last);
 }
 
-TEST_CASE(
-  "WaveformXMLWriter: our reader gives pieces, and all of them as one table", "[WaveformXMLWriter]")
+TEST_CASE("WaveformXMLWriter: pieces, and all of them as one table", "[WaveformXMLWriter]")
 {
   WrittenRun run;
   REQUIRE(run.Writer->Close());
@@ -174,7 +172,7 @@ TEST_CASE(
   CheckSame(Reading<vtkHeliosWaveformXMLReader>(run / "leg000_fullwave_0001.vtt").Read(), run.Last);
 }
 
-TEST_CASE("WaveformXMLWriter: an abandoned index reads", "[WaveformXMLWriter]")
+TEST_CASE("WaveformXMLWriter: an abandoned index is readable", "[WaveformXMLWriter]")
 {
   WrittenRun run;
   REQUIRE(run.Writer->Abandon());
@@ -183,7 +181,7 @@ TEST_CASE("WaveformXMLWriter: an abandoned index reads", "[WaveformXMLWriter]")
   CheckSame(Reading<vtkXMLPTableReader>(run.Path + ".part").Read(1, 2), run.Last);
 }
 
-TEST_CASE("WaveformXMLWriter: no waveforms are an index without pieces", "[WaveformXMLWriter]")
+TEST_CASE("WaveformXMLWriter: no waveforms: an index without pieces", "[WaveformXMLWriter]")
 {
   const helios::TempFolder folder;
   const std::string path = folder / "fullwave.pvtt";
@@ -194,7 +192,7 @@ TEST_CASE("WaveformXMLWriter: no waveforms are an index without pieces", "[Wavef
   CHECK(Reading<vtkHeliosWaveformXMLReader>(path).Read()->GetNumberOfRows() == 0);
 }
 
-TEST_CASE("WaveformXMLWriter: what is wrong is said", "[WaveformXMLWriter]")
+TEST_CASE("WaveformXMLWriter: bad input is an error", "[WaveformXMLWriter]")
 {
   WrittenRun run;
   const auto table = helios::MakeWaveforms(3);
@@ -203,7 +201,7 @@ TEST_CASE("WaveformXMLWriter: what is wrong is said", "[WaveformXMLWriter]")
     CHECK_FALSE(run.Writer->Write(helios::MakeEchoes(1)));
     CHECK(run.Log->HasError("a block is vtkPolyData, not vtkTable; write the waveforms"));
   }
-  SECTION("a column too few")
+  SECTION("one column too few")
   {
     table->GetRowData()->RemoveArray(names::StartTime);
     CHECK_FALSE(run.Writer->Write(table));
@@ -216,14 +214,14 @@ TEST_CASE("WaveformXMLWriter: what is wrong is said", "[WaveformXMLWriter]")
     CHECK_FALSE(run.Writer->Write(table));
     CHECK(run.Log->HasError("the block has an array Origin of 3 x 1 values, not 3 x 3"));
   }
-  SECTION("ids that are no integers")
+  SECTION("ids that are not integers")
   {
     helios::AddColumn<vtkDoubleArray>(
       table->GetRowData(), names::PulseIds, 3, [](vtkIdType) { return 0; });
     CHECK_FALSE(run.Writer->Write(table));
     CHECK(run.Log->HasError("the block has an array PulseIds of double; it must hold integers"));
   }
-  SECTION("other columns than before")
+  SECTION("other columns than in earlier blocks")
   {
     helios::AddColumn<vtkIntArray>(
       table->GetRowData(), names::LegIds, 3, [](vtkIdType) { return 0; });
@@ -235,7 +233,7 @@ TEST_CASE("WaveformXMLWriter: what is wrong is said", "[WaveformXMLWriter]")
   CHECK(Reading<vtkHeliosWaveformXMLReader>(run.Path).Read()->GetNumberOfRows() == 20014);
 }
 
-TEST_CASE("WaveformXMLReader: what is wrong is said", "[WaveformXMLReader]")
+TEST_CASE("WaveformXMLReader: bad input is an error", "[WaveformXMLReader]")
 {
   WrittenRun run;
   REQUIRE(run.Writer->Close());
@@ -262,19 +260,19 @@ TEST_CASE("WaveformXMLReader: what is wrong is said", "[WaveformXMLReader]")
     reading.Reader->SetFileName((run / "text.txt").c_str());
     CHECK(failsWith("text.txt: is not a VTK XML file of tables; give a file of waveforms"));
   }
-  SECTION("a piece is gone")
+  SECTION("a missing piece")
   {
     fs::remove(run / "leg000_fullwave_0001.vtt");
     CHECK(failsWith(
       "leg000_fullwave_0001.vtt: the piece cannot be read; is it missing or incomplete?"));
   }
-  SECTION("a piece is cut off")
+  SECTION("a truncated piece")
   {
     fs::resize_file(run / "leg000_fullwave_0000.vtt", 5000);
     CHECK(failsWith(
       "leg000_fullwave_0000.vtt: the piece cannot be read; is it missing or incomplete?"));
   }
-  SECTION("a piece of something else")
+  SECTION("a piece of another file")
   {
     vtkNew<vtkHeliosWaveformXMLWriter> writer;
     writer->SetFileName((run / "leg000_fullwave.pvtt").c_str());

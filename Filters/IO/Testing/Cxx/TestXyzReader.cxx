@@ -15,7 +15,7 @@ namespace names = vtkHeliosArrayNames;
 using helios::XyzReading;
 using Triple = std::array<double, 3>;
 
-TEST_CASE("XyzReader: coordinates are the doubles nearest to their decimals", "[XyzReader]")
+TEST_CASE("XyzReader: coordinates are rounded to the nearest double", "[XyzReader]")
 {
   XyzReading reading("476000.123 5473000.456 110.001\n+1 -2.5e3 .5\n0 1e-310 -0\n");
   REQUIRE(reading.Read());
@@ -28,12 +28,12 @@ TEST_CASE("XyzReader: coordinates are the doubles nearest to their decimals", "[
   CHECK(reading.Cloud()->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("XyzReader: ends of lines, blanks, comments", "[XyzReader]")
+TEST_CASE("XyzReader: line ends, blanks, comments", "[XyzReader]")
 {
   XyzReading reading;
   for (const char* text : { "1 2 3\n4 5 6\n", "1 2 3\n4 5 6", "1 2 3\r\n4 5 6\r\n",
-         "\xEF\xBB\xBF"
-         "1 2 3\n4 5 6\n",
+         ("\xEF\xBB\xBF"
+          "1 2 3\n4 5 6\n"),
          "\n\n1\t2  3\t\n \t \n  4 5\t\t6 \n\n",
          "//X Y Z\n# a comment\n1 2 3 # here, too\n4 5 6 // and here\n  //end",
          "1 2 3 7 8 anything, at all\n4 5 6 #\n", "\xEF\xBB\xBF// c\r\n1 2 3\r\n4 5 6\r\n\r\n" })
@@ -99,7 +99,7 @@ TEST_CASE("XyzReader: normals and colours in any columns", "[XyzReader]")
   CHECK(reading.GetTriple(names::RGB, 0) == Triple{ 1.0, 1.0, 1.0 });
 }
 
-TEST_CASE("XyzReader: rows that are wrong", "[XyzReader]")
+TEST_CASE("XyzReader: bad rows are errors", "[XyzReader]")
 {
   XyzReading reading;
   CHECK(reading.FailsWith("1 2 3\n1,5 2 3\n", "a.xyz:2: \"1,5\" in column 0 is not a number"));
@@ -125,7 +125,7 @@ TEST_CASE("XyzReader: rows that are wrong", "[XyzReader]")
   CHECK(reading.FailsWith("1 2 3 0 0 1 -1 0 0\n", "the colour in column 6"));
 }
 
-TEST_CASE("XyzReader: a header is left out, with a warning", "[XyzReader]")
+TEST_CASE("XyzReader: a header is skipped with a warning", "[XyzReader]")
 {
   XyzReading reading;
   for (const char* text : { "x y z\n1 2 3\n", "# c\n\nX Y Z Nx\r\n1 2 3\r\n" })
@@ -149,7 +149,7 @@ TEST_CASE("XyzReader: a header is left out, with a warning", "[XyzReader]")
   CHECK(reading.FailsWith("1 2 3\nx y z\n", "begin header lines with # or //"));
 }
 
-TEST_CASE("XyzReader: files that are wrong", "[XyzReader]")
+TEST_CASE("XyzReader: damaged files are errors", "[XyzReader]")
 {
   XyzReading reading;
   reading.Read();
@@ -193,7 +193,7 @@ TEST_CASE("XyzReader: file names", "[XyzReader]")
   CHECK(reader->GetNumberOfFileNames() == 0);
 }
 
-TEST_CASE("XyzReader: pieces are the whole, each row once", "[XyzReader]")
+TEST_CASE("XyzReader: pieces contain each row once", "[XyzReader]")
 {
   std::mt19937 random(11);
   std::ostringstream texts[3];

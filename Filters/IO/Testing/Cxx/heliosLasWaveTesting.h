@@ -81,12 +81,12 @@ struct LasWavePacket
     {
       if (GetNumber<std::uint16_t>(las, record + 18) == 99 + this->Index && this->Index > 0)
       {
-        this->TakeDescriptor(las, record + 54);
+        this->AddDescriptor(las, record + 54);
       }
     }
   }
 
-  void TakeDescriptor(const std::string& las, std::size_t at)
+  void AddDescriptor(const std::string& las, std::size_t at)
   {
     CHECK(las.substr(at - 54 + 2, 9) == "LASF_Spec");
     CHECK(las[at] == 32);    // bits

@@ -163,7 +163,7 @@ def test_the_system_as_laspy_reads_it(tmp_path):
     assert record.string.endswith('AUTHORITY["EPSG","7837"]]]')
 
 
-def test_the_part_is_read_while_it_grows(tmp_path):
+def test_the_part_is_readable_during_a_run(tmp_path):
     points, values = make_points(), columns()
     writer = vtkhelios.vtkHeliosLASWriter()
     writer.SetFileName(str(tmp_path / "a.las"))
@@ -206,7 +206,7 @@ FORMATS = [  # per version, as supported by laspy
 
 
 @pytest.mark.parametrize("version, form", FORMATS)
-def test_what_laspy_writes_is_read(tmp_path, form, version):
+def test_files_of_laspy_are_read(tmp_path, form, version):
     header = laspy.LasHeader(version=version, point_format=form)
     header.scales, header.offsets = [0.001] * 3, [478000.0, 5471000.0, 0.0]
     header.add_extra_dim(laspy.ExtraBytesParams("height", "f4"))
@@ -329,7 +329,7 @@ def test_waveforms_as_laspy_reads_them(tmp_path):
         assert not read[SAMPLES:].any()
 
 
-def test_points_that_are_none(tmp_path):
+def test_invalid_points(tmp_path):
     points = make_points()
     points[7, 1] = np.nan
     writer = vtkhelios.vtkHeliosLASWriter()

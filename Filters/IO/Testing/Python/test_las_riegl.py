@@ -78,7 +78,7 @@ def test_all_packets_are_read(riegl, points):
     assert np.all(waves["BinSize"] == 1.0)
 
 
-def test_beams_go_down_from_above(riegl, points):
+def test_beams_point_downwards(riegl, points):
     cloud, waves = riegl
     assert np.all(points["vector"][:, 2] > 1.4e-4)  # [m/ps], to the scanner
     assert np.all(waves["Direction"][:, 2] < -0.9)
@@ -103,7 +103,7 @@ def test_the_later_of_two_echoes_is_farther(riegl, points):
     assert pairs == 144 + 8
 
 
-def test_origins_are_those_of_pulsewaves(riegl):
+def test_origins_equal_those_of_pulsewaves(riegl):
     _, waves = riegl
     time, anchor, step, first, last = get_pulses()
     after = np.clip(np.searchsorted(time, waves["GpsTime"]), 1, len(time) - 1)

@@ -84,32 +84,32 @@ void CheckAborts(helios::Filtering<FilterT>& run, int least)
 
 } // namespace
 
-TEST_CASE("PCLClusters: stops at any report", "[PCLClusters]")
+TEST_CASE("PCLClusters: stops at every progress report", "[PCLClusters]")
 {
   helios::Filtering<vtkHeliosPCLClusters> run(MakeGround(200000));
   run.Filter->SetTolerance(0.2);
   CheckAborts(run, 8);
 }
 
-TEST_CASE("PCLNormals: stops at any report", "[PCLNormals]")
+TEST_CASE("PCLNormals: stops at every progress report", "[PCLNormals]")
 {
   helios::Filtering<vtkHeliosPCLNormals> run(MakeGround(60000));
   CheckAborts(run, 16);
 }
 
-TEST_CASE("PCLOutlierRemoval: stops at any report", "[PCLOutlierRemoval]")
+TEST_CASE("PCLOutlierRemoval: stops at every progress report", "[PCLOutlierRemoval]")
 {
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(MakeGround(60000));
   CheckAborts(run, 16);
 }
 
-TEST_CASE("PCLGroundFilter: stops at any report", "[PCLGroundFilter]")
+TEST_CASE("PCLGroundFilter: stops at every progress report", "[PCLGroundFilter]")
 {
   helios::Filtering<vtkHeliosPCLGroundFilter> run(MakeGround(60000));
   CheckAborts(run, 40);
 }
 
-TEST_CASE("PCLRegistration: stops at any report", "[PCLRegistration]")
+TEST_CASE("PCLRegistration: stops at every progress report", "[PCLRegistration]")
 {
   helios::Triples moving = MakeGround(30000);
   for (std::size_t i = 0; i < moving.size(); ++i) // three directions
@@ -127,7 +127,7 @@ TEST_CASE("PCLRegistration: stops at any report", "[PCLRegistration]")
   CheckAborts(run, 24);
 }
 
-TEST_CASE("PCLPlanes: stops at any report", "[PCLPlanes]")
+TEST_CASE("PCLPlanes: stops at every progress report", "[PCLPlanes]")
 {
   helios::Triples points;
   helios::Uniform uniform(8);
@@ -139,7 +139,7 @@ TEST_CASE("PCLPlanes: stops at any report", "[PCLPlanes]")
   CheckAborts(run, 10);
 }
 
-TEST_CASE("PCLVoxelGrid: stops at any report", "[PCLVoxelGrid]")
+TEST_CASE("PCLVoxelGrid: stops at every progress report", "[PCLVoxelGrid]")
 {
   helios::Filtering<vtkHeliosPCLVoxelGrid> run(MakeGround(60000));
   run.Filter->SetVoxelSize(1.0);

@@ -37,7 +37,7 @@ std::vector<int> GetIds(helios::Filtering<vtkHeliosPCLClusters>& run)
 
 } // namespace
 
-TEST_CASE("PCLClusters: rows are clusters, the largest first", "[PCLClusters]")
+TEST_CASE("PCLClusters: rows of points are clusters, the largest first", "[PCLClusters]")
 {
   helios::Filtering<vtkHeliosPCLClusters> run(MakeRows());
   REQUIRE(run.Run());
@@ -51,7 +51,7 @@ TEST_CASE("PCLClusters: rows are clusters, the largest first", "[PCLClusters]")
   }
 }
 
-TEST_CASE("PCLClusters: sizes and steps", "[PCLClusters]")
+TEST_CASE("PCLClusters: minimum and maximum sizes, and distances at the tolerance", "[PCLClusters]")
 {
   helios::Filtering<vtkHeliosPCLClusters> run(MakeRows());
   run.Filter->SetMinimumClusterSize(5);

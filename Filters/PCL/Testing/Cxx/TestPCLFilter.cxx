@@ -35,9 +35,9 @@ helios::Triples MakePoints(int count)
 
 } // namespace
 
-TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkHeliosPCLClusters,
-  vtkHeliosPCLGroundFilter, vtkHeliosPCLNormals, vtkHeliosPCLOutlierRemoval, vtkHeliosPCLPlanes,
-  vtkHeliosPCLVoxelGrid)
+TEMPLATE_TEST_CASE("PCLFilter: common behaviour of all filters", "[PCLFilter]",
+  vtkHeliosPCLClusters, vtkHeliosPCLGroundFilter, vtkHeliosPCLNormals, vtkHeliosPCLOutlierRemoval,
+  vtkHeliosPCLPlanes, vtkHeliosPCLVoxelGrid)
 {
   using Filtering = helios::Filtering<TestType>;
   SECTION("points of the input bit by bit, with its arrays")
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
     CHECK(run.Count() <= 298);
     CHECK(run.CountMoved() == 0);
   }
-  SECTION("no points make none")
+  SECTION("no points: no output")
   {
     Filtering run{ helios::Triples() };
     REQUIRE(run.Run());
@@ -85,7 +85,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
       CHECK(run.CountMoved() == 0);
     }
   }
-  SECTION("vertices where the input has some")
+  SECTION("vertices if the input has them")
   {
     const auto cloud = helios::MakeCloud(MakePoints(100));
     vtkNew<vtkCellArray> vertices;
@@ -113,7 +113,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
     run.Filter->AddObserver(vtkCommand::ProgressEvent, abort);
     CHECK(run.FailsWith("The work was aborted at 10 %; update again to complete it"));
   }
-  SECTION("it says its properties")
+  SECTION("prints its properties")
   {
     vtkNew<TestType> filter;
     std::ostringstream text;
@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("PCLFilter: what filters have in common", "[PCLFilter]", vtkH
   }
 }
 
-TEST_CASE("PCLFilter: far from the middle there is a warning", "[PCLFilter]")
+TEST_CASE("PCLFilter: warns about points far from the centre", "[PCLFilter]")
 {
   helios::Triples points = MakePoints(20);
   points.push_back(helios::Utm + helios::Triple{ 20000.0, 0.0, 0.0 });

@@ -67,7 +67,7 @@ Landscape MakeLandscape()
 
 } // namespace
 
-TEST_CASE("PCLGroundFilter: at least 95 % of known ground is right", "[PCLGroundFilter]")
+TEST_CASE("PCLGroundFilter: at least 95 % of known ground is correct", "[PCLGroundFilter]")
 {
   const Landscape land = MakeLandscape();
   helios::Filtering<vtkHeliosPCLGroundFilter> run(land.MakeCloud());
@@ -92,7 +92,7 @@ TEST_CASE("PCLGroundFilter: at least 95 % of known ground is right", "[PCLGround
   CHECK(wrong < 0.05 * (80000 - ground));
 }
 
-TEST_CASE("PCLGroundFilter: other classes stay", "[PCLGroundFilter]")
+TEST_CASE("PCLGroundFilter: other classes are kept", "[PCLGroundFilter]")
 {
   helios::Triples points;
   for (int i = 0; i < 400; ++i)
@@ -116,7 +116,7 @@ TEST_CASE("PCLGroundFilter: other classes stay", "[PCLGroundFilter]")
   CHECK(cloud->GetPointData()->GetArray(names::ClassificationIds)->GetTuple1(0) == 6);
 }
 
-TEST_CASE("PCLGroundFilter: more cells than PCL can count", "[PCLGroundFilter]")
+TEST_CASE("PCLGroundFilter: more cells than PCL supports", "[PCLGroundFilter]")
 {
   helios::Filtering<vtkHeliosPCLGroundFilter> run(
     { helios::Utm, helios::Utm + helios::Triple{ 1000.0, 1000.0, 0.0 } });

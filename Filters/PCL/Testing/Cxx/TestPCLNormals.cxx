@@ -51,7 +51,7 @@ double GetLargestAngle(helios::Filtering<vtkHeliosPCLNormals>& run, double side,
 
 } // namespace
 
-TEST_CASE("PCLNormals: those of a sphere are its radii", "[PCLNormals]")
+TEST_CASE("PCLNormals: normals of a sphere are its radii", "[PCLNormals]")
 {
   // 4 pi 25 m2 for 20000 points: 0.125 m apart. The 24 neighbours are within 0.4 m, and not quite
   // evenly around the point: the plane tilts by a share of their distance over the radius.
@@ -75,7 +75,7 @@ TEST_CASE("PCLNormals: those of a sphere are its radii", "[PCLNormals]")
   CHECK(GetLargestAngle(run, -1.0, wrongSides) < 0.4 / 5.0 / 4.0);
 }
 
-TEST_CASE("PCLNormals: up on a plane, without curvature", "[PCLNormals]")
+TEST_CASE("PCLNormals: normals of a plane point up, without curvature", "[PCLNormals]")
 {
   helios::Uniform uniform(23);
   helios::Triples points;
@@ -97,7 +97,7 @@ TEST_CASE("PCLNormals: up on a plane, without curvature", "[PCLNormals]")
   }
 }
 
-TEST_CASE("PCLNormals: lone points have none", "[PCLNormals]")
+TEST_CASE("PCLNormals: isolated points have no normal", "[PCLNormals]")
 {
   helios::Triples points = MakeSphere(2000, 1.0);
   points.push_back(helios::Utm + helios::Triple{ 30.0, 0.0, 0.0 });

@@ -32,7 +32,7 @@ helios::Triples MakeRoofWithOutliers()
 } // namespace
 
 TEST_CASE(
-  "PCLOutlierRemoval: planted outliers are found, and hardly any other", "[PCLOutlierRemoval]")
+  "PCLOutlierRemoval: known outliers are removed, and few other points", "[PCLOutlierRemoval]")
 {
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(MakeRoofWithOutliers());
   run.Filter->SetStandardDeviations(1.0);
@@ -61,7 +61,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("PCLOutlierRemoval: more standard deviations keep more", "[PCLOutlierRemoval]")
+TEST_CASE("PCLOutlierRemoval: a larger StandardDeviations keeps more points", "[PCLOutlierRemoval]")
 {
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(MakeRoofWithOutliers());
   run.Filter->SetStandardDeviations(0.0);

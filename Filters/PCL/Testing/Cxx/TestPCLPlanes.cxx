@@ -68,7 +68,7 @@ helios::Triples MakePoints(const std::vector<Patch>& patches)
 
 } // namespace
 
-TEST_CASE("PCLPlanes: planes are where they are, within what noise allows", "[PCLPlanes]")
+TEST_CASE("PCLPlanes: planes are accurate within the noise", "[PCLPlanes]")
 {
   const auto patches = MakePatches();
   helios::Filtering<vtkHeliosPCLPlanes> run(MakePoints(patches));
@@ -119,7 +119,7 @@ TEST_CASE("PCLPlanes: planes are where they are, within what noise allows", "[PC
   CHECK(clutter > 480);
 }
 
-TEST_CASE("PCLPlanes: as many as are asked for, and again the same", "[PCLPlanes]")
+TEST_CASE("PCLPlanes: the requested number of planes, repeatably", "[PCLPlanes]")
 {
   helios::Filtering<vtkHeliosPCLPlanes> run(MakePoints(MakePatches()));
   run.Filter->SetMaximumNumberOfPlanes(1);

@@ -133,7 +133,7 @@ std::vector<int> GetIds(helios::Filtering<vtkHeliosPCLClusters>& run)
 
 } // namespace
 
-TEST_CASE("PCLClusters: those of PCL, at any density", "[PCLClusters]")
+TEST_CASE("PCLClusters: the clusters of PCL, at any density", "[PCLClusters]")
 {
   for (unsigned seed = 0; seed < 8; ++seed)
   {
@@ -151,7 +151,7 @@ TEST_CASE("PCLClusters: those of PCL, at any density", "[PCLClusters]")
   }
 }
 
-TEST_CASE("PCLClusters: steps as long as the tolerance do not join, as in PCL", "[PCLClusters]")
+TEST_CASE("PCLClusters: distances equal to the tolerance do not join, as in PCL", "[PCLClusters]")
 {
   helios::Triples points;
   for (int i = 0; i < 512; ++i) // 0.25 m apart, exactly
@@ -170,7 +170,7 @@ TEST_CASE("PCLClusters: steps as long as the tolerance do not join, as in PCL", 
   }
 }
 
-TEST_CASE("PCLClusters: what all pairs of points say", "[PCLClusters]")
+TEST_CASE("PCLClusters: compared with all pairs of points", "[PCLClusters]")
 {
   helios::Filtering<vtkHeliosPCLClusters> run(MakeUneven(20, 900));
   run.Filter->SetMinimumClusterSize(1);
@@ -193,7 +193,7 @@ TEST_CASE("PCLClusters: what all pairs of points say", "[PCLClusters]")
 
 // Two dense sheets slightly farther apart than the tolerance: all pairs of a cell with its
 // neighbours would be 4e10. Counted by the reports, one per about 2.6e5 points read.
-TEST_CASE("PCLClusters: dense points that are not joined cost n log n", "[PCLClusters]")
+TEST_CASE("PCLClusters: dense points that are not joined take n log n", "[PCLClusters]")
 {
   helios::Uniform uniform(9);
   helios::Triples points;
@@ -215,7 +215,7 @@ TEST_CASE("PCLClusters: dense points that are not joined cost n log n", "[PCLClu
   CHECK(reports < 1000);
 }
 
-TEST_CASE("PCLOutlierRemoval: the points that PCL keeps", "[PCLOutlierRemoval]")
+TEST_CASE("PCLOutlierRemoval: keeps the points that PCL keeps", "[PCLOutlierRemoval]")
 {
   helios::Filtering<vtkHeliosPCLOutlierRemoval> run(MakeUneven(30, 6000));
   const Cloud::Ptr cloud = MakePclCloud(vtkPolyData::SafeDownCast(run.Filter->GetInput()));
@@ -239,7 +239,7 @@ TEST_CASE("PCLOutlierRemoval: the points that PCL keeps", "[PCLOutlierRemoval]")
   }
 }
 
-TEST_CASE("PCLNormals: those of PCL in one piece", "[PCLNormals]")
+TEST_CASE("PCLNormals: equal to PCL's in one piece", "[PCLNormals]")
 {
   helios::Filtering<vtkHeliosPCLNormals> run(MakeUneven(31, 9000));
   const Cloud::Ptr cloud = MakePclCloud(vtkPolyData::SafeDownCast(run.Filter->GetInput()));
@@ -269,7 +269,7 @@ TEST_CASE("PCLNormals: those of PCL in one piece", "[PCLNormals]")
   }
 }
 
-TEST_CASE("PCLGroundFilter: openings as PCL has them", "[PCLGroundFilter]")
+TEST_CASE("PCLGroundFilter: openings equal PCL's", "[PCLGroundFilter]")
 {
   helios::Uniform uniform(32);
   for (const double side : { 30.0, 200.0, 3000.0 }) // dense to sparse

@@ -120,7 +120,7 @@ double GetLargestError(Registering& run, const helios::Triples& truth)
 } // namespace
 
 TEST_CASE(
-  "PCLRegistration: scans from two places, misaligned by 0.3 m and 3 degrees, to below 1 mm",
+  "PCLRegistration: scans from two positions, misaligned by 0.3 m and 3 degrees, to below 1 mm",
   "[PCLRegistration]")
 {
   const helios::Triples truth = ScanRoom({ 3.5, -2.5, 1.6 }, 110, 0.3);
@@ -146,7 +146,7 @@ TEST_CASE(
   CHECK(row->GetComponent(0, 7) == run.Filter->GetMatrix()->GetElement(1, 3));
 }
 
-TEST_CASE("PCLRegistration: point to point for a copy", "[PCLRegistration]")
+TEST_CASE("PCLRegistration: point to point registers a copy", "[PCLRegistration]")
 {
   const helios::Triples truth = ScanRoom({ -1.0, -1.0, 1.5 }, 60, 0.0);
   Registering run(helios::MakeCloud(truth), Move(truth, MakeMotion(1.0, { 0.05, 0.02, -0.03 })));
@@ -156,7 +156,7 @@ TEST_CASE("PCLRegistration: point to point for a copy", "[PCLRegistration]")
   CHECK(run.Filter->GetResidual() < 1e-4);
 }
 
-TEST_CASE("PCLRegistration: vectors turn with the points", "[PCLRegistration]")
+TEST_CASE("PCLRegistration: vectors rotate with the points", "[PCLRegistration]")
 {
   const helios::Triples truth = ScanRoom({ -1.0, -1.0, 1.5 }, 60, 0.0);
   const auto moving = Move(truth, MakeMotion(5.0, { 0.0, 0.0, 0.0 }));
@@ -182,7 +182,7 @@ TEST_CASE("PCLRegistration: vectors turn with the points", "[PCLRegistration]")
   CHECK(normals->GetComponent(17, 0) == 1.0); // the input's are unchanged
 }
 
-TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
+TEST_CASE("PCLRegistration: bad input is an error", "[PCLRegistration]")
 {
   const helios::Triples room = ScanRoom({ -1.0, -1.0, 1.5 }, 30, 0.0);
   const auto cloud = helios::MakeCloud(room);
@@ -212,7 +212,7 @@ TEST_CASE("PCLRegistration: what cannot be registered", "[PCLRegistration]")
     CHECK(run.FailsWith("only 500 points of input 1 have a point of input 0 within "
                         "MaximumDistance, and 0 of these pairs lie on one plane"));
   }
-  SECTION("planes of one direction only")
+  SECTION("planes of one orientation")
   {
     helios::Triples floor;
     for (int i = 0; i < 2500; ++i)

@@ -33,7 +33,7 @@ Cell GetCell(const helios::Triple& p, double size)
 
 } // namespace
 
-TEST_CASE("PCLVoxelGrid: the point nearest to the mean of each cell", "[PCLVoxelGrid]")
+TEST_CASE("PCLVoxelGrid: the point nearest to the mean of each voxel", "[PCLVoxelGrid]")
 {
   const double size = 0.5; // exact in double: the cells here are those of the grid
   const helios::Triples points = MakePoints(20000);
@@ -95,7 +95,7 @@ TEST_CASE("PCLVoxelGrid: the point nearest to the mean of each cell", "[PCLVoxel
   }
 }
 
-TEST_CASE("PCLVoxelGrid: tiles share the grid", "[PCLVoxelGrid]")
+TEST_CASE("PCLVoxelGrid: tiles use one grid", "[PCLVoxelGrid]")
 {
   const helios::Triples points = MakePoints(20000);
   const double border = std::floor(helios::Utm[0] / 0.5) * 0.5 + 7.5; // a border of cells
@@ -118,7 +118,7 @@ TEST_CASE("PCLVoxelGrid: tiles share the grid", "[PCLVoxelGrid]")
   CHECK(sum == whole.Count());
 }
 
-TEST_CASE("PCLVoxelGrid: more cells than PCL can count", "[PCLVoxelGrid]")
+TEST_CASE("PCLVoxelGrid: more voxels than PCL supports", "[PCLVoxelGrid]")
 {
   helios::Filtering<vtkHeliosPCLVoxelGrid> run(
     { helios::Utm, helios::Utm + helios::Triple{ 1000.0, 1000.0, 100.0 } });

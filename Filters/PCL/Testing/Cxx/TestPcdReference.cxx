@@ -96,7 +96,7 @@ TEST_CASE("PcdReference: PCL reads our files", "[PcdReference]")
   CHECK(plain[999].intensity == cloud[999].intensity);
 }
 
-TEST_CASE("PcdReference: we read PCL's files", "[PcdReference]")
+TEST_CASE("PcdReference: PCL's files are read", "[PcdReference]")
 {
   const int kind = GENERATE(0, 1, 2);
   const TempFile file;

@@ -96,7 +96,7 @@ vtkSmartPointer<vtkPolyData> GoThereAndBack(vtkPolyData* echoes)
 
 } // namespace
 
-TEST_CASE("PclCloud: echoes come back with their arrays", "[PclCloud]")
+TEST_CASE("PclCloud: echoes are restored with their arrays", "[PclCloud]")
 {
   const auto echoes = MakeEchoes(5000);
   CHECK(GoThereAndBack<pcl::PointXYZ>(echoes)->GetPointData()->GetNumberOfArrays() == 0);
@@ -115,7 +115,7 @@ TEST_CASE("PclCloud: echoes come back with their arrays", "[PclCloud]")
   }
 }
 
-TEST_CASE("PclCloud: without an origin float is not enough", "[PclCloud]")
+TEST_CASE("PclCloud: float is not sufficient without an origin", "[PclCloud]")
 {
   const auto echoes = MakeEchoes(100);
   const double origin[3] = { 0.0, 0.0, 0.0 };
@@ -126,7 +126,7 @@ TEST_CASE("PclCloud: without an origin float is not enough", "[PclCloud]")
   CHECK(GetLargestShift(echoes, back) > 0.1);
 }
 
-TEST_CASE("PclCloud: the origin is the middle of finite points, on a step", "[PclCloud]")
+TEST_CASE("PclCloud: the origin is the centre of the finite points, rounded", "[PclCloud]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto cloud =
@@ -140,7 +140,7 @@ TEST_CASE("PclCloud: the origin is the middle of finite points, on a step", "[Pc
   CHECK((origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0));
 }
 
-TEST_CASE("PclCloud: points that are not finite stay, and the cloud is not dense", "[PclCloud]")
+TEST_CASE("PclCloud: points that are not finite are kept, and the cloud is not dense", "[PclCloud]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto echoes = helios::MakeCloud({ { 1.0, 2.0, 3.0 }, { 1.0, nan, 3.0 } });
@@ -154,7 +154,7 @@ TEST_CASE("PclCloud: points that are not finite stay, and the cloud is not dense
   CHECK(cloud[0].gps_time == 0.0); // no such array
 }
 
-TEST_CASE("PclCloud: numbers beyond a field stop at its ends", "[PclCloud]")
+TEST_CASE("PclCloud: values beyond the range of a field are clamped", "[PclCloud]")
 {
   const auto echoes = helios::MakeCloud({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } });
   helios::AddColumn<vtkIntArray>(
@@ -166,7 +166,7 @@ TEST_CASE("PclCloud: numbers beyond a field stop at its ends", "[PclCloud]")
   CHECK(static_cast<int>(cloud[1].return_number) == 0);
 }
 
-TEST_CASE("PclCloud: arrays of another shape or type are named", "[PclCloud]")
+TEST_CASE("PclCloud: arrays of another shape or type are errors", "[PclCloud]")
 {
   const double origin[3] = { 0.0, 0.0, 0.0 };
   const auto echoes = MakeEchoes(10);

@@ -45,7 +45,7 @@ Ids Select(Selecting& run)
 
 } // namespace
 
-TEST_CASE("ReturnSelection: by the kind of return", "[ReturnSelection]")
+TEST_CASE("ReturnSelection: by type of return", "[ReturnSelection]")
 {
   Selecting run(MakeEchoes());
   CHECK(Select(run) == Ids{ 0, 1, 2, 3, 4, 5 });
@@ -66,7 +66,7 @@ TEST_CASE("ReturnSelection: by the kind of return", "[ReturnSelection]")
   CHECK(Select(run) == Ids{ 2, 4, 5 });
 }
 
-TEST_CASE("ReturnSelection: by class, and both", "[ReturnSelection]")
+TEST_CASE("ReturnSelection: by class, and by both", "[ReturnSelection]")
 {
   Selecting run(MakeEchoes());
   run.Filter->AddClass(5);
@@ -82,7 +82,7 @@ TEST_CASE("ReturnSelection: by class, and both", "[ReturnSelection]")
   CHECK(Select(run) == Ids{ 0, 2, 5 });
 }
 
-TEST_CASE("ReturnSelection: only arrays that are needed", "[ReturnSelection]")
+TEST_CASE("ReturnSelection: requires only the arrays it uses", "[ReturnSelection]")
 {
   const auto cloud = MakeEchoes();
   cloud->GetPointData()->RemoveArray(names::NumberOfReturns);

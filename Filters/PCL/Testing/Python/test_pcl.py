@@ -55,7 +55,7 @@ def test_views_share_memory():
     assert cloud.to_polydata().GetPoint(3) == tuple(cloud.origin + [1, 2, 3])
 
 
-def test_fields_are_those_of_the_echoes():
+def test_fields_equal_the_arrays_of_the_echoes():
     echoes = make_echoes()
     cloud = pcl.CloudEcho.from_polydata(echoes)
     assert len(cloud) == 1000
@@ -139,7 +139,7 @@ def test_filters_in_a_pipeline():
         vtkhelios.update(clusters)
 
 
-def test_pcd_there_and_back(tmp_path):
+def test_pcd_round_trip(tmp_path):
     writer = vtkhelios.vtkHeliosPCDWriter()
     writer.SetFileName(str(tmp_path / "a.pcd"))
     writer.SetPrecision(writer.Double)
@@ -155,7 +155,7 @@ def test_pcd_there_and_back(tmp_path):
         assert (vtk_to_numpy(get(reader.GetOutput())) == vtk_to_numpy(get(echoes))).all()
 
 
-def test_planes_are_silent(capfd):
+def test_planes_print_nothing(capfd):
     """Collinear points are not a plane: PCL would report each sample of three to stderr."""
     random = np.random.default_rng(1)
     line = np.linspace(0, 10, 1000)[:, None] * [1.0, 0.0, 0.0]

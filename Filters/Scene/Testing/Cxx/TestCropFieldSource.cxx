@@ -81,7 +81,7 @@ double GetStripArea(double length, double width, double droop, double widest, in
 
 } // namespace
 
-TEST_CASE("CropFieldSource: plants stand in rows at their spacing", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: plants are in rows at their spacing", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   MakeExact(field);
@@ -122,7 +122,7 @@ TEST_CASE("CropFieldSource: plants stand in rows at their spacing", "[CropFieldS
   CHECK(seen.size() == 16);
 }
 
-TEST_CASE("CropFieldSource: the soil alone is ground", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: only the soil is ground", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   field->SetSpeciesToCereal();
@@ -139,7 +139,8 @@ TEST_CASE("CropFieldSource: the soil alone is ground", "[CropFieldSource]")
   CHECK(materials == std::set<std::string>({ "soil", "crop_stem", "crop_leaf", "crop_ear" }));
 }
 
-TEST_CASE("CropFieldSource: chance has the numbers that were set", "[CropFieldSource]")
+TEST_CASE(
+  "CropFieldSource: random variation has the given standard deviations", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   field->SetNumberOfRows(100);
@@ -186,7 +187,7 @@ TEST_CASE("CropFieldSource: chance has the numbers that were set", "[CropFieldSo
   CHECK(worst < 1e-12);
 }
 
-TEST_CASE("CropFieldSource: leaf area is that of the strips", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: leaf area equals that of the strips", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   MakeExact(field);
@@ -241,7 +242,7 @@ TEST_CASE("CropFieldSource: leaf area is that of the strips", "[CropFieldSource]
     Approx(0.4 * 0.05 * (1.0 - 0.28 / 1.08)).epsilon(2e-4));
 }
 
-TEST_CASE("CropFieldSource: leaf area is the sum of its triangles", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: leaf area equals the sum of its triangles", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   field->SetNumberOfRows(5);
@@ -330,7 +331,7 @@ TEST_CASE("CropFieldSource: leaves stay above the soil, stems are closed", "[Cro
 }
 
 TEST_CASE(
-  "CropFieldSource: the soil between its points is that of its triangles", "[CropFieldSource]")
+  "CropFieldSource: soil heights between points are those of the triangles", "[CropFieldSource]")
 {
   const helios::CropGround ground(3.0, 2.0, 0.5, 0.3, 7);
   // At the midpoint of an edge or a diagonal it is the mean of the ends.
@@ -345,7 +346,7 @@ TEST_CASE(
   CHECK(ground.GetNumberOfPoints() == 7 * 5);
 }
 
-TEST_CASE("CropFieldSource: the seed alone decides", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: the same seed gives the same field", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> a;
   vtkNew<vtkHeliosCropFieldSource> b;
@@ -379,7 +380,8 @@ TEST_CASE("CropFieldSource: the seed alone decides", "[CropFieldSource]")
   CHECK(std::memcmp(first.GetPoints(), Make(b).GetPoints(), bytes) != 0);
 }
 
-TEST_CASE("CropFieldSource: one plant, none, bare ones, a hundred thousand", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: one plant, no plants, no leaves, a hundred thousand plants",
+  "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   MakeExact(field);
@@ -407,7 +409,7 @@ TEST_CASE("CropFieldSource: one plant, none, bare ones, a hundred thousand", "[C
     Approx(GetTruth(field, truth::PlantLeafArea)->GetValue(0) / 0.75 / 0.16));
 }
 
-TEST_CASE("CropFieldSource: an OBJ file brings the same triangles back", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: an OBJ file restores the triangles", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   field->SetSpeciesToBroadleaf();
@@ -444,7 +446,7 @@ TEST_CASE("CropFieldSource: an OBJ file brings the same triangles back", "[CropF
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("CropFieldSource: says what is wrong", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: bad properties are errors", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
@@ -482,7 +484,7 @@ TEST_CASE("CropFieldSource: says what is wrong", "[CropFieldSource]")
   CHECK(log->HasError("or raise GroundSpacing"));
 }
 
-TEST_CASE("CropFieldSource: names its species", "[CropFieldSource]")
+TEST_CASE("CropFieldSource: prints its species", "[CropFieldSource]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   CHECK(std::string(field->GetSpeciesAsString()) == "Maize");

@@ -90,7 +90,7 @@ double Wrap(double angle)
 
 } // namespace
 
-TEST_CASE("CropPlants: maize has its leaves in one plane, and plants face anywhere", "[CropPlants]")
+TEST_CASE("CropPlants: maize has its leaves in one plane, with random headings", "[CropPlants]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   helios::MakeExact(field);
@@ -116,7 +116,7 @@ TEST_CASE("CropPlants: maize has its leaves in one plane, and plants face anywhe
   CHECK(sum.Norm() / 420 < 3.0 / std::sqrt(420.0)); // of 420 random directions: with p = 1e-4
 }
 
-TEST_CASE("CropPlants: leaves go around a stem by the golden angle", "[CropPlants]")
+TEST_CASE("CropPlants: leaves are at the golden angle around a stem", "[CropPlants]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   helios::MakeExact(field);
@@ -144,7 +144,7 @@ TEST_CASE("CropPlants: leaves go around a stem by the golden angle", "[CropPlant
   }
 }
 
-TEST_CASE("CropPlants: lengths and widths of leaves vary on their own", "[CropPlants]")
+TEST_CASE("CropPlants: lengths and widths of leaves vary independently", "[CropPlants]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   helios::MakeExact(field);
@@ -169,7 +169,7 @@ TEST_CASE("CropPlants: lengths and widths of leaves vary on their own", "[CropPl
   CHECK(most > 1.35);
 }
 
-TEST_CASE("CropPlants: stems lean no more than they may, and start in the soil", "[CropPlants]")
+TEST_CASE("CropPlants: stems lean within the limit and start in the soil", "[CropPlants]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   helios::MakeExact(field);
@@ -213,7 +213,7 @@ TEST_CASE("CropPlants: ears grow with the plant", "[CropPlants]")
   }
 }
 
-TEST_CASE("CropPlants: places vary by themselves along and across, to 3 sigma", "[CropPlants]")
+TEST_CASE("CropPlants: positions vary independently along and across, to 3 sigma", "[CropPlants]")
 {
   vtkNew<vtkHeliosCropFieldSource> field;
   helios::MakeExact(field);

@@ -120,7 +120,7 @@ const Corner D = { 1, 1, 0 };
 
 } // namespace
 
-TEST_CASE("MeshRepair: of triangles at one place the first stays", "[MeshRepair]")
+TEST_CASE("MeshRepair: of duplicate triangles the first is kept", "[MeshRepair]")
 {
   Hand hand;
   hand.AddSoup(C, B, D);
@@ -143,7 +143,7 @@ TEST_CASE("MeshRepair: of triangles at one place the first stays", "[MeshRepair]
   CHECK(scene->GetNumberOfCells() == 6);
 }
 
-TEST_CASE("MeshRepair: parts that touch stay two", "[MeshRepair]")
+TEST_CASE("MeshRepair: touching parts are not joined", "[MeshRepair]")
 {
   Hand hand;
   hand.AddSoup(A, B, C, 0);
@@ -162,7 +162,7 @@ TEST_CASE("MeshRepair: parts that touch stay two", "[MeshRepair]")
   CheckFollows(scene, repair->GetOutput());
 }
 
-TEST_CASE("MeshRepair: drops what has no area, exactly", "[MeshRepair]")
+TEST_CASE("MeshRepair: drops triangles without area, exactly", "[MeshRepair]")
 {
   const double x = 500000.1;
   const double y = 5500000.3;
@@ -186,7 +186,7 @@ TEST_CASE("MeshRepair: drops what has no area, exactly", "[MeshRepair]")
   CheckFollows(scene, repair->GetOutput());
 }
 
-TEST_CASE("MeshRepair: drops triangles with corners that are not finite", "[MeshRepair]")
+TEST_CASE("MeshRepair: drops triangles with points that are not finite", "[MeshRepair]")
 {
   Hand hand;
   hand.AddSoup(A, B, { 0, std::numeric_limits<double>::quiet_NaN(), 0 });
@@ -261,7 +261,7 @@ TEST_CASE("MeshRepair: merges points within a tolerance", "[MeshRepair]")
   CHECK(repair->GetOutput()->GetNumberOfPoints() < 300);
 }
 
-TEST_CASE("MeshRepair: a closed surface has no bad edges", "[MeshRepair]")
+TEST_CASE("MeshRepair: a closed surface has no reported edges", "[MeshRepair]")
 {
   vtkNew<vtkHeliosSyntheticScene> sphere;
   sphere->SetKindToSphere();
@@ -279,7 +279,7 @@ TEST_CASE("MeshRepair: a closed surface has no bad edges", "[MeshRepair]")
   CHECK(defects->GetRange()[1] == 0);
 }
 
-TEST_CASE("MeshRepair: tells boundary, non-manifold and inconsistent edges", "[MeshRepair]")
+TEST_CASE("MeshRepair: counts boundary, non-manifold and inconsistent edges", "[MeshRepair]")
 {
   Hand hand;
   hand.AddSoup(A, B, C); // with the next two: a fan about A B, and an edge B C
@@ -302,7 +302,7 @@ TEST_CASE("MeshRepair: tells boundary, non-manifold and inconsistent edges", "[M
   }
 }
 
-TEST_CASE("MeshRepair: agrees with brute force on a random soup", "[MeshRepair]")
+TEST_CASE("MeshRepair: agrees with brute force on random triangles", "[MeshRepair]")
 {
   std::mt19937 random(11);
   Hand hand;
@@ -342,7 +342,7 @@ TEST_CASE("MeshRepair: agrees with brute force on a random soup", "[MeshRepair]"
   CHECK(repair->GetOutput()->GetNumberOfPoints() == 18);
 }
 
-TEST_CASE("MeshRepair: makes points double and passes an empty scene", "[MeshRepair]")
+TEST_CASE("MeshRepair: converts points to double and passes an empty scene", "[MeshRepair]")
 {
   vtkNew<vtkHeliosMeshRepair> repair;
   repair->SetInputData(helios::MakeTriangle(3.0, { helios::Material() }, false, VTK_FLOAT));
@@ -357,7 +357,7 @@ TEST_CASE("MeshRepair: makes points double and passes an empty scene", "[MeshRep
   CHECK(repair->GetNumberOfBoundaryEdges() == 0);
 }
 
-TEST_CASE("MeshRepair: says what is wrong", "[MeshRepair]")
+TEST_CASE("MeshRepair: bad input is an error", "[MeshRepair]")
 {
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
   vtkNew<vtkHeliosMeshRepair> repair;
@@ -406,7 +406,7 @@ TEST_CASE("MeshRepair: says what is wrong", "[MeshRepair]")
   CHECK(log->HasError("MergeTolerance is nan; set a finite length of at least 0 m"));
 }
 
-TEST_CASE("MeshRepair: stops when told to", "[MeshRepair]")
+TEST_CASE("MeshRepair: can be aborted", "[MeshRepair]")
 {
   vtkNew<vtkHeliosMeshRepair> repair;
   repair->SetInputData(helios::MakeTriangle(0.0, { helios::Material() }));

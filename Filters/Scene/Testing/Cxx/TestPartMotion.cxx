@@ -67,14 +67,14 @@ TEST_CASE("PartMotion: a rotation by k times its angle, without drift", "[PartMo
   }
 }
 
-TEST_CASE("PartMotion: about a skew axis, a third of a turn permutes axes", "[PartMotion]")
+TEST_CASE("PartMotion: a third of a rotation about the diagonal permutes the axes", "[PartMotion]")
 {
   const PartMotion motion = Endless(Make(MotionKind::Rotation, Vec3(1, 1, 1), 120));
   CheckPoint(motion.GetMap(1) * Vec3(1, 2, 3), Vec3(3, 1, 2), 1e-15);
   CheckPoint(motion.GetMap(999999) * Vec3(1, 2, 3), Vec3(1, 2, 3));
 }
 
-TEST_CASE("PartMotion: far from the origin nothing is lost", "[PartMotion]")
+TEST_CASE("PartMotion: exact far from the origin", "[PartMotion]")
 {
   const Vec3 far(500000.25, 5500000.5, 100);
   Motion turn = Make(MotionKind::Rotation, Vec3(0, 0, 1), 90);
@@ -82,7 +82,7 @@ TEST_CASE("PartMotion: far from the origin nothing is lost", "[PartMotion]")
   CheckPoint(Endless(turn, far).GetMap(1000001) * (far + Vec3(1, 0, 0)), far + Vec3(0, 1, 0), 0.0);
 }
 
-TEST_CASE("PartMotion: a helix", "[PartMotion]")
+TEST_CASE("PartMotion: helical motion", "[PartMotion]")
 {
   Motion helix = Make(MotionKind::Helical, Vec3(0, 0, 2), 1.0);
   helix.Glide = 0.25;
@@ -90,7 +90,7 @@ TEST_CASE("PartMotion: a helix", "[PartMotion]")
     Vec3(2 * std::cos(30 * Radians), 1.0, 1 + 0.25 * 720030), 1e-10); // of 180 km
 }
 
-TEST_CASE("PartMotion: mirrors", "[PartMotion]")
+TEST_CASE("PartMotion: reflections", "[PartMotion]")
 {
   const PartMotion mirror = Endless(Make(MotionKind::Reflection, Vec3(0, 5, 0)));
   CheckPoint(mirror.GetMap(1) * Vec3(1, 2, 3), Vec3(1, -2, 3), 0.0);
@@ -106,7 +106,7 @@ TEST_CASE("PartMotion: mirrors", "[PartMotion]")
   CheckPoint(Endless(rotary).GetMap(4) * Vec3(2, 0, 3), Vec3(2, 0, 3), 1e-15);
 }
 
-TEST_CASE("PartMotion: about the centroid, wherever it has gone", "[PartMotion]")
+TEST_CASE("PartMotion: rotation about the current centroid", "[PartMotion]")
 {
   const Vec3 centroid(10, 0, 0);
   Motion spin = Make(MotionKind::Rotation, Vec3(0, 0, 1), 90);
@@ -130,7 +130,7 @@ TEST_CASE("PartMotion: about the centroid, wherever it has gone", "[PartMotion]"
   CheckPoint(Endless(arm, centroid).GetMap(2) * centroid, Vec3(12, -2, 0), 1e-15);
 }
 
-TEST_CASE("PartMotion: motions of a step work in their order", "[PartMotion]")
+TEST_CASE("PartMotion: motions of a step are applied in order", "[PartMotion]")
 {
   const Motion move = Make(MotionKind::Translation, Vec3(1, 0, 0));
   const Motion turn = Make(MotionKind::Rotation, Vec3(0, 0, 1), 90);
@@ -138,7 +138,7 @@ TEST_CASE("PartMotion: motions of a step work in their order", "[PartMotion]")
   CheckPoint(PartMotion({ { { turn, move }, 0, None } }).GetMap(1) * Vec3(0, 0, 0), Vec3(1, 0, 0));
 }
 
-TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
+TEST_CASE("PartMotion: sequences of motions", "[PartMotion]")
 {
   const Motion x = Make(MotionKind::Translation, Vec3(1, 0, 0));
   const Motion y = Make(MotionKind::Translation, Vec3(0, 1, 0));
@@ -156,7 +156,7 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
     CHECK(motion.FindLastMove(3) == 3);
     CHECK(motion.FindLastMove(1000000) == 5);
   }
-  SECTION("and the cycle rests")
+  SECTION("a sequence that ends at rest")
   {
     const PartMotion motion({ { { x }, 3, 1 }, { { rest }, 2, 2 }, { { rest }, 2, 1 } });
     CHECK(motion.FindNextMove(2) == 3);
@@ -165,13 +165,13 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
     CHECK(motion.FindLastMove(4001) == 3);
     CheckPoint(motion.GetMap(4001) * o, Vec3(3, 0, 0), 0.0);
   }
-  SECTION("and the last one goes on")
+  SECTION("the last one continues")
   {
     const PartMotion motion({ { { x }, 3, 2 }, { { x }, 1, None }, { { y }, 0, 0 } });
     CheckPoint(motion.GetMap(1000003) * o, Vec3(3, 1000000, 0), 0.0);
     CHECK(motion.FindNextMove(1000003) == 1000004);
   }
-  SECTION("and begin again")
+  SECTION("the sequence repeats")
   {
     // once 2 x; then 3 y and 5 steps of rest, repeated
     const PartMotion motion({ { { x }, 2, 1 }, { { y }, 3, 2 }, { { rest }, 5, 1 } });
@@ -193,7 +193,7 @@ TEST_CASE("PartMotion: sequences follow each other", "[PartMotion]")
     CHECK(motion.FindLastMove(2 + 8 * 1000 + 7) == 2 + 8 * 1000 + 3);
     CHECK(motion.IsMoving());
   }
-  SECTION("and are all of them rest")
+  SECTION("all of them at rest")
   {
     CHECK_FALSE(PartMotion({ { { rest }, 2, 1 }, { { rest, rest }, 3, 0 } }).IsMoving());
     CHECK_FALSE(PartMotion({ { { rest }, 0, None } }).IsMoving());

@@ -77,7 +77,8 @@ Chord Cut(vtkPolyData* scene, const helios::Vec3& origin, const helios::Vec3& di
 
 } // namespace
 
-TEST_CASE("PointVoxelizer: lattice points are where their decimals say", "[PointVoxelizer]")
+TEST_CASE(
+  "PointVoxelizer: points on the lattice are in the voxel of their decimals", "[PointVoxelizer]")
 {
   // x = (x0 + k step) / 1000 as integers: the quotient is the double nearest to the decimal.
   int wrong = 0;
@@ -107,7 +108,7 @@ TEST_CASE("PointVoxelizer: lattice points are where their decimals say", "[Point
   CHECK(wrongByFloor > 6457); // the errors that the rule avoids
 }
 
-TEST_CASE("PointVoxelizer: cells are half-open", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: voxels are half-open intervals", "[PointVoxelizer]")
 {
   const double s = 0.1;
   CHECK(helios::GetVoxelIndex(0.0, 0.0, s) == 0.0);
@@ -122,7 +123,7 @@ TEST_CASE("PointVoxelizer: cells are half-open", "[PointVoxelizer]")
   }
 }
 
-TEST_CASE("PointVoxelizer: a filled block has its outer faces", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: a filled block has its outer faces only", "[PointVoxelizer]")
 {
   for (const int n : { 1, 2, 5, 12 })
   {
@@ -144,7 +145,7 @@ TEST_CASE("PointVoxelizer: a filled block has its outer faces", "[PointVoxelizer
   CHECK(helios::GetVolume(block.Scene()) == Approx(125.0).epsilon(1e-14)); // outward
 }
 
-TEST_CASE("PointVoxelizer: no faces between solid cells", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: no faces between solid voxels", "[PointVoxelizer]")
 {
   Voxelizing faceSharing(MakeCloud({ { 0, 0, 0 }, { 1, 0, 0 } }), 1.0);
   REQUIRE(faceSharing.Run());
@@ -196,7 +197,7 @@ TEST_CASE("PointVoxelizer: a line through a block enters and leaves it once", "[
   CHECK(chord.Length == Approx(1.732050807568877).epsilon(1e-8));
 }
 
-TEST_CASE("PointVoxelizer: the fraction of solid cells is Poisson's", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: the fraction of solid voxels follows Poisson's law", "[PointVoxelizer]")
 {
   const int n = 40; // cells along an axis
   for (const double lambda : { 1.0, 3.0 })
@@ -217,8 +218,8 @@ TEST_CASE("PointVoxelizer: the fraction of solid cells is Poisson's", "[PointVox
   }
 }
 
-TEST_CASE(
-  "PointVoxelizer: a cloud moved by UTM offsets gives the same cells, moved", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: a cloud at UTM coordinates gives the same voxels, translated",
+  "[PointVoxelizer]")
 {
   const std::int64_t offset[3] = { 476123, 5473456, 110 };
   Triples here, there;
@@ -254,7 +255,7 @@ TEST_CASE(
   CHECK(worst < 1e-8);
 }
 
-TEST_CASE("PointVoxelizer: cells with few points are left out", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: voxels with few points are dropped", "[PointVoxelizer]")
 {
   Triples points = { { 0, 0, 0 }, { 0.1, 0, 0 }, { 0.2, 0, 0 }, { 5, 0, 0 }, { 5.5, 0, 0 } };
   Voxelizing cloud(MakeCloud(points), 1.0);
@@ -270,7 +271,7 @@ TEST_CASE("PointVoxelizer: cells with few points are left out", "[PointVoxelizer
   CHECK(cloud.FailsWith("4 points; lower MinimumNumberOfPoints"));
 }
 
-TEST_CASE("PointVoxelizer: materials in turn, and the numbers of cells", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: materials in turn, and counts of voxels", "[PointVoxelizer]")
 {
   Voxelizing row(MakeCloud({ { 6, 0, 0 }, { 4, 0, 0 }, { 2, 0, 0 }, { 0, 0, 0 } }), 1.0);
   REQUIRE(row.Run());
@@ -291,7 +292,7 @@ TEST_CASE("PointVoxelizer: materials in turn, and the numbers of cells", "[Point
   }
 }
 
-TEST_CASE("PointVoxelizer: neither pieces nor order matter", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: independent of pieces and order", "[PointVoxelizer]")
 {
   Triples points = MakeRandomPoints(3000, 12.0);
   Triples normals = MakeRandomPoints(3000, 1.0, 8);
@@ -340,7 +341,8 @@ TEST_CASE("PointVoxelizer: neither pieces nor order matter", "[PointVoxelizer]")
   }
 }
 
-TEST_CASE("PointVoxelizer: a large source is asked for pieces of bounded size", "[PointVoxelizer]")
+TEST_CASE(
+  "PointVoxelizer: a large source is requested in pieces of bounded size", "[PointVoxelizer]")
 {
   vtkNew<helios::PieceSource> source;
   source->Cloud = MakeCloud(MakeRandomPoints(100000, 100.0));
@@ -359,7 +361,7 @@ TEST_CASE("PointVoxelizer: a large source is asked for pieces of bounded size", 
   CHECK(!output->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST())); // the output is complete
 }
 
-TEST_CASE("PointVoxelizer: field data pass", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: field data are passed", "[PointVoxelizer]")
 {
   vtkNew<helios::PieceSource> source;
   source->Cloud = MakeCloud(MakeRandomPoints(100, 9.0));
@@ -410,7 +412,7 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     cloud.Log->Clear();
     CHECK(cloud.Run());
   }
-  SECTION("more memory than may be taken")
+  SECTION("above the memory limit")
   {
     vtkHeliosMemoryLimit::SetLimit(0.001);
     const bool fails = cloud.FailsWith("m: 1 cells or more need about 0.0005 MB of memory");
@@ -439,7 +441,7 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
     cloud.Filter->SetInputData(bare);
     CHECK(cloud.FailsWith("RGB has 2 tuples of 3; expected one of 3 for each of 1 points"));
   }
-  SECTION("a source that is not the same twice")
+  SECTION("a source that changes between requests")
   {
     using Change = std::function<void(int, vtkPolyData*)>;
     const Change moved = [](int request, vtkPolyData* piece)
@@ -485,7 +487,7 @@ TEST_CASE("PointVoxelizer: errors", "[PointVoxelizer]")
   }
 }
 
-TEST_CASE("PointVoxelizer: stops within a piece when told to", "[PointVoxelizer]")
+TEST_CASE("PointVoxelizer: can be aborted within a piece", "[PointVoxelizer]")
 {
   struct Stop
   {

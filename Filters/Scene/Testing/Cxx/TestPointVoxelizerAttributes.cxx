@@ -59,7 +59,7 @@ Triples MakePlane(const Vec3& normal, double noise, const Vec3& centre)
 } // namespace
 
 TEST_CASE(
-  "PointVoxelizer: the normal of a cell is the mean of its points'", "[PointVoxelizerAttributes]")
+  "PointVoxelizer: the normal of a voxel is the mean of its points", "[PointVoxelizerAttributes]")
 {
   const Triples points = { { 0, 0, 0 }, { 0.5, 0, 0 }, { 0.7, 0, 0 }, { 2, 0, 0 } };
   const Triples normals = { { 3, 0, 0 }, { 0, 0.1, 0 }, { 0, 0, 0 }, { 0, 0, -1 } };
@@ -93,7 +93,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("PointVoxelizer: cells without a normal take the default, or that of their faces",
+TEST_CASE("PointVoxelizer: voxels without a normal use the default, or that of their faces",
   "[PointVoxelizerAttributes]")
 {
   const Triples normals = { { 1, 0, 0 }, { -1, 0, 0 }, { std::nan(""), 0, 0 } };
@@ -125,7 +125,7 @@ TEST_CASE("PointVoxelizer: cells without a normal take the default, or that of t
   CHECK(GetTriple(bare.Scene(), names::Normals, 7) == Vec3(0, -1, 0));
 }
 
-TEST_CASE("PointVoxelizer: planes are fitted", "[PointVoxelizerAttributes]")
+TEST_CASE("PointVoxelizer: fitted planes", "[PointVoxelizerAttributes]")
 {
   for (const Vec3& centre : { Vec3(0.5, 0.5, 0.5), Vec3(476000.5, 5473000.5, 110.5) })
   {
@@ -153,7 +153,7 @@ TEST_CASE("PointVoxelizer: planes are fitted", "[PointVoxelizerAttributes]")
   }
 }
 
-TEST_CASE("PointVoxelizer: no plane through two points or a line", "[PointVoxelizerAttributes]")
+TEST_CASE("PointVoxelizer: no plane for two points or a line", "[PointVoxelizerAttributes]")
 {
   const double x = 476000.0;
   const Triples lone = { { x, 0, 0 } };
@@ -177,8 +177,8 @@ TEST_CASE("PointVoxelizer: no plane through two points or a line", "[PointVoxeli
   CHECK(GetTriple(cells.Scene(), names::Normals, 0) == Vec3(0, 1, 0));
 }
 
-TEST_CASE("PointVoxelizer: the colour of a cell is the root of the mean square",
-  "[PointVoxelizerAttributes]")
+TEST_CASE(
+  "PointVoxelizer: the colour of a voxel is the root mean square", "[PointVoxelizerAttributes]")
 {
   const Triples points = { { 0, 0, 0 }, { 0.5, 0, 0 }, { 3, 0, 0 } };
   const Triples colors = { { 1.0, 0.0, 0.6 }, { 0.0, 0.0, 0.8 }, { 0.2, 0.4, 1.0 } };
@@ -209,8 +209,8 @@ TEST_CASE("PointVoxelizer: the colour of a cell is the root of the mean square",
   }
 }
 
-TEST_CASE(
-  "PointVoxelizer: float coordinates are where their decimals say", "[PointVoxelizerAttributes]")
+TEST_CASE("PointVoxelizer: float coordinates are in the voxel of their decimals",
+  "[PointVoxelizerAttributes]")
 {
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetNumberOfComponents(3);

@@ -143,7 +143,7 @@ TEST_CASE("Reproject: points to UTM, to 5e-9 m", "[Reproject]")
   CHECK(helios::GetCRS(reproject->GetOutput()) == "EPSG:32632");
 }
 
-TEST_CASE("Reproject: passes the scene, and leaves the input as it is", "[Reproject]")
+TEST_CASE("Reproject: passes the scene and does not change the input", "[Reproject]")
 {
   const auto mesh = MakeHills(478000, 5471000, 1000, 20);
   helios::SetMaterials(mesh, { helios::MakeMaterial("grass", 0.4) });
@@ -166,7 +166,7 @@ TEST_CASE("Reproject: passes the scene, and leaves the input as it is", "[Reproj
   CHECK(helios::Vec3(mesh->GetPoint(7)) == before);
 }
 
-TEST_CASE("Reproject: the same system shares everything", "[Reproject]")
+TEST_CASE("Reproject: equal systems share all data", "[Reproject]")
 {
   const auto mesh = MakeHills(478000, 5471000, 1000, 5);
   helios::SetCRS(mesh, "EPSG:32632");
@@ -176,7 +176,7 @@ TEST_CASE("Reproject: the same system shares everything", "[Reproject]")
   CHECK(helios::GetCRS(reproject->GetOutput()) == "+proj=utm +zone=32 +datum=WGS84");
 }
 
-TEST_CASE("Reproject: there and back again, on any number of threads", "[Reproject]")
+TEST_CASE("Reproject: round trip, on any number of threads", "[Reproject]")
 {
   const auto mesh = MakeHills(400000, 5471000, 20000, 600); // several blocks
   const auto there = MakeFilter(mesh, "EPSG:32632", "EPSG:31467");
@@ -204,7 +204,7 @@ TEST_CASE("Reproject: there and back again, on any number of threads", "[Reproje
   CHECK(isSame);
 }
 
-TEST_CASE("Reproject: normals are those of the new surface, winding stays", "[Reproject]")
+TEST_CASE("Reproject: normals are those of the new surface, winding is kept", "[Reproject]")
 {
   const auto mesh = MakeHills(332705, 6655205, 2000, 12);
   mesh->GetCellData()->SetNormals(GetNormals(mesh));
@@ -227,7 +227,7 @@ TEST_CASE("Reproject: normals are those of the new surface, winding stays", "[Re
   }
 }
 
-TEST_CASE("Reproject: directions turn by the convergences of both grids", "[Reproject]")
+TEST_CASE("Reproject: directions rotate by the convergences of both grids", "[Reproject]")
 {
   // 12 E lies 3 degrees from the meridians of zones 32 and 33.
   const auto places = MakePoints({ { 12.0, 60.0, 0.0 } });
@@ -261,7 +261,7 @@ TEST_CASE("Reproject: directions turn by the convergences of both grids", "[Repr
   CHECK(data->GetPointData()->GetArray(names::Velocity)->GetComponent(0, 1) == 5.0);
 }
 
-TEST_CASE("Reproject: directions tilt towards geocentric axes", "[Reproject]")
+TEST_CASE("Reproject: directions rotate to geocentric axes", "[Reproject]")
 {
   const auto place = MakePoints({ { 8.7, 49.4, 110.0 } });
   const std::array<const char*, 3> arrays = { names::Velocity, names::Direction, names::Normal };
@@ -296,7 +296,7 @@ TEST_CASE("Reproject: directions tilt towards geocentric axes", "[Reproject]")
   }
 }
 
-TEST_CASE("Reproject: any set of points, of float points too", "[Reproject]")
+TEST_CASE("Reproject: any point set, also of float points", "[Reproject]")
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
@@ -319,7 +319,7 @@ TEST_CASE("Reproject: any set of points, of float points too", "[Reproject]")
   CHECK(helios::GetCRS(nothing->GetOutput()) == "EPSG:32632");
 }
 
-TEST_CASE("Reproject: says what is wrong", "[Reproject]")
+TEST_CASE("Reproject: bad input is an error", "[Reproject]")
 {
   const auto place = MakePoints({ { 8.7, 49.4, 110.0 }, { 8.7, 95.0, 1.0 }, { 8.7, 96.0, 1.0 } });
   const auto has = [&](const char* source, const char* target, const std::string& part)
@@ -357,7 +357,7 @@ TEST_CASE("Reproject: says what is wrong", "[Reproject]")
   has(nullptr, "EPSG:32632", "CRS of the input: \"nonsense\" is not a coordinate system");
 }
 
-TEST_CASE("Reproject: warns of a source that is not the input's, once", "[Reproject]")
+TEST_CASE("Reproject: warns once if the source is not that of the input", "[Reproject]")
 {
   const auto place = MakePoints({ { 478000, 5473000, 110 } });
   helios::SetCRS(place, "EPSG:25833");
@@ -378,7 +378,7 @@ TEST_CASE("Reproject: warns of a source that is not the input's, once", "[Reproj
   CHECK(denverLog->HasWarning("it needs the grid"));
 }
 
-TEST_CASE("Reproject: reports progress and can be stopped", "[Reproject]")
+TEST_CASE("Reproject: reports progress and can be aborted", "[Reproject]")
 {
   const auto mesh = MakeHills(400000, 5471000, 20000, 600);
   const auto reproject = MakeFilter(mesh, "EPSG:32632", "EPSG:32633");

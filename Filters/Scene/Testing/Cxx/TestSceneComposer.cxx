@@ -77,7 +77,7 @@ TEST_CASE("SceneComposer: joins parts and merges equal materials", "[SceneCompos
   CHECK(GetText(scene, names::PartName, 2) == "2");
 }
 
-TEST_CASE("SceneComposer: takes points and ids of other types", "[SceneComposer]")
+TEST_CASE("SceneComposer: accepts points and ids of other types", "[SceneComposer]")
 {
   const auto part = helios::MakeTriangle(3.0, { Grass, Wall }, false, VTK_FLOAT);
   part->GetCellData()->RemoveArray(names::MaterialIds);
@@ -113,7 +113,7 @@ TEST_CASE("SceneComposer: passes a single part by reference", "[SceneComposer]")
   CHECK(part->GetCellData()->GetArray(names::PartIds) == nullptr);
 }
 
-TEST_CASE("SceneComposer: equal materials of one part are one", "[SceneComposer]")
+TEST_CASE("SceneComposer: equal materials of one part are merged", "[SceneComposer]")
 {
   const auto part = helios::MakeTriangle(0.0, { Grass, Grass });
   helios::GetIds(part, names::MaterialIds)->SetValue(0, 1);
@@ -124,7 +124,7 @@ TEST_CASE("SceneComposer: equal materials of one part are one", "[SceneComposer]
   CHECK(helios::GetIds(composer->GetOutput(), names::MaterialIds)->GetValue(0) == 0);
 }
 
-TEST_CASE("SceneComposer: leaves empty parts out, ids stay", "[SceneComposer]")
+TEST_CASE("SceneComposer: drops empty parts, ids are kept", "[SceneComposer]")
 {
   vtkNew<vtkHeliosSceneComposer> composer;
   const auto log = Watch(composer);
@@ -160,7 +160,7 @@ TEST_CASE("SceneComposer: keeps the CRS", "[SceneComposer]")
   CHECK(composer->GetOutput()->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("SceneComposer: one CRS in several spellings", "[SceneComposer]")
+TEST_CASE("SceneComposer: one CRS in several notations", "[SceneComposer]")
 {
   vtkNew<vtkHeliosSceneComposer> composer;
   const auto log = Watch(composer);
@@ -183,7 +183,7 @@ TEST_CASE("SceneComposer: one CRS in several spellings", "[SceneComposer]")
                       "\"nonsense\" is not a coordinate system known to PROJ"));
 }
 
-TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
+TEST_CASE("SceneComposer: bad input is an error", "[SceneComposer]")
 {
   vtkNew<vtkHeliosSceneComposer> composer;
   const auto log = Watch(composer);
@@ -220,7 +220,7 @@ TEST_CASE("SceneComposer: says what is wrong", "[SceneComposer]")
   CHECK(log->HasError("Part -1 cannot have a name"));
 }
 
-TEST_CASE("SceneComposer: normals of the parts that have them", "[SceneComposer]")
+TEST_CASE("SceneComposer: normals of parts that have them", "[SceneComposer]")
 {
   const auto plain = helios::MakeTriangle(0.0, { Grass });
   const auto voxel = helios::MakeTriangle(1.0, { Grass });
@@ -243,7 +243,7 @@ TEST_CASE("SceneComposer: normals of the parts that have them", "[SceneComposer]
   CHECK(joined->GetComponent(1, 2) == 0.8f);
 }
 
-TEST_CASE("SceneComposer: a name is a change", "[SceneComposer]")
+TEST_CASE("SceneComposer: a changed name is a modification", "[SceneComposer]")
 {
   vtkNew<vtkHeliosSceneComposer> composer;
   const vtkMTimeType before = composer->GetMTime();

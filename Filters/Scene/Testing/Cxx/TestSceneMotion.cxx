@@ -66,7 +66,7 @@ struct Rising
 
 } // namespace
 
-TEST_CASE("SceneMotion: parts move, the rest stays as it is", "[SceneMotion]")
+TEST_CASE("SceneMotion: parts move, others are unchanged", "[SceneMotion]")
 {
   Rising rising;
   rising.Filter->Update();
@@ -95,7 +95,7 @@ TEST_CASE("SceneMotion: parts move, the rest stays as it is", "[SceneMotion]")
   CHECK(moved->GetPoints() == rising.Scene->GetPoints());
 }
 
-TEST_CASE("SceneMotion: the time that is asked for", "[SceneMotion]")
+TEST_CASE("SceneMotion: the requested time", "[SceneMotion]")
 {
   Rising rising;
   rising.Filter->SetTimeStep(0.1);
@@ -110,7 +110,7 @@ TEST_CASE("SceneMotion: the time that is asked for", "[SceneMotion]")
   }
 }
 
-TEST_CASE("SceneMotion: normals turn with their part", "[SceneMotion]")
+TEST_CASE("SceneMotion: normals rotate with their part", "[SceneMotion]")
 {
   Rising rising;
   vtkNew<vtkFloatArray> normals;
@@ -136,7 +136,7 @@ TEST_CASE("SceneMotion: normals turn with their part", "[SceneMotion]")
   CHECK(normals->GetTuple3(2)[2] == 1.0);
 }
 
-TEST_CASE("SceneMotion: the centroid is that of the area", "[SceneMotion]")
+TEST_CASE("SceneMotion: the centroid is weighted by area", "[SceneMotion]")
 {
   Rising rising;
   // a distant second triangle of part 2 with zero area changes nothing
@@ -156,7 +156,7 @@ TEST_CASE("SceneMotion: the centroid is that of the area", "[SceneMotion]")
   CheckPoint(rising.Filter->GetOutput(), 6, 20 + 2.0 / 3.0, 2.0 / 3.0, 0);
 }
 
-TEST_CASE("SceneMotion: what cannot be", "[SceneMotion]")
+TEST_CASE("SceneMotion: bad input is an error", "[SceneMotion]")
 {
   const double axis[3] = { 0, 0, 0 };
   const double finite[3] = { 1, 0, 0 };

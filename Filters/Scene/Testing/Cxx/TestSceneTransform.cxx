@@ -38,7 +38,7 @@ std::string GetError(vtkHeliosSceneTransform* transform)
 
 } // namespace
 
-TEST_CASE("SceneTransform: rotates, then scales, then moves", "[SceneTransform]")
+TEST_CASE("SceneTransform: rotates, scales, then translates", "[SceneTransform]")
 {
   vtkNew<vtkHeliosSceneTransform> transform;
   transform->SetInputData(MakePart(1, 0, 5));
@@ -53,7 +53,7 @@ TEST_CASE("SceneTransform: rotates, then scales, then moves", "[SceneTransform]"
   CHECK(p[2] == Approx(40.0).epsilon(1e-15));
 }
 
-TEST_CASE("SceneTransform: the length of the quaternion does not matter", "[SceneTransform]")
+TEST_CASE("SceneTransform: the length of the quaternion has no effect", "[SceneTransform]")
 {
   vtkNew<vtkHeliosSceneTransform> transform;
   transform->SetInputData(MakePart(3, 0, 0));
@@ -62,7 +62,7 @@ TEST_CASE("SceneTransform: the length of the quaternion does not matter", "[Scen
   CHECK(transform->GetOutput()->GetPoint(0)[1] == Approx(3.0).epsilon(1e-15));
 }
 
-TEST_CASE("SceneTransform: exact to the last bit at UTM size", "[SceneTransform]")
+TEST_CASE("SceneTransform: exact to the last bit at UTM coordinates", "[SceneTransform]")
 {
   const double x = 500000.123456;
   const double y = 5500000.987654321;
@@ -75,7 +75,7 @@ TEST_CASE("SceneTransform: exact to the last bit at UTM size", "[SceneTransform]
   CHECK(transform->GetOutput()->GetPoint(0)[2] == 0.1);
 }
 
-TEST_CASE("SceneTransform: passes what does not change by reference", "[SceneTransform]")
+TEST_CASE("SceneTransform: passes unchanged arrays by reference", "[SceneTransform]")
 {
   const auto part = MakePart(1, 2, 3);
   vtkNew<vtkHeliosSceneTransform> transform;
@@ -93,7 +93,7 @@ TEST_CASE("SceneTransform: passes what does not change by reference", "[SceneTra
   CHECK(helios::GetMaterials(output) == helios::GetMaterials(part));
 }
 
-TEST_CASE("SceneTransform: makes points double", "[SceneTransform]")
+TEST_CASE("SceneTransform: converts points to double", "[SceneTransform]")
 {
   vtkNew<vtkHeliosSceneTransform> transform;
   transform->SetInputData(helios::MakeTriangle(0.0, { helios::Material() }, true, VTK_FLOAT));
@@ -132,7 +132,7 @@ TEST_CASE("SceneTransform: an empty part stays empty", "[SceneTransform]")
   CHECK(transform->GetOutput()->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("SceneTransform: says which property is wrong", "[SceneTransform]")
+TEST_CASE("SceneTransform: errors name the property", "[SceneTransform]")
 {
   vtkNew<vtkHeliosSceneTransform> transform;
   transform->SetRotation(0, 0, 0, 0);
@@ -152,7 +152,7 @@ TEST_CASE("SceneTransform: says which property is wrong", "[SceneTransform]")
   CHECK_THAT(GetError(transform), Catch::Contains("Translation is (0, inf, 0)"));
 }
 
-TEST_CASE("SceneTransform: prints itself", "[SceneTransform]")
+TEST_CASE("SceneTransform: prints its properties", "[SceneTransform]")
 {
   vtkNew<vtkHeliosSceneTransform> transform;
   std::ostringstream text;

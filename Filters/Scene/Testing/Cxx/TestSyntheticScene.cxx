@@ -143,7 +143,7 @@ TEST_CASE("SyntheticScene: all points of the sphere lie on it", "[SyntheticScene
   }
 }
 
-TEST_CASE("SyntheticScene: a pyramid holds a third of its prism", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: a pyramid has a third of the volume of its prism", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToPyramid();
@@ -161,7 +161,7 @@ TEST_CASE("SyntheticScene: a pyramid holds a third of its prism", "[SyntheticSce
   }
 }
 
-TEST_CASE("SyntheticScene: terrain follows its closed form", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: terrain equals its closed form", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToTerrain();
@@ -191,7 +191,7 @@ TEST_CASE("SyntheticScene: terrain follows its closed form", "[SyntheticScene]")
   CHECK(source->GetTerrainHeight(4e5, 5e6) != here);
 }
 
-TEST_CASE("SyntheticScene: blocks stand on the ground, the centre is free", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: blocks are on the ground, the centre is free", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToBlocks();
@@ -212,7 +212,7 @@ TEST_CASE("SyntheticScene: blocks stand on the ground, the centre is free", "[Sy
   CHECK(Make(source).GetNumberOfTriangles() == 2 * 16 + 12 * 12);
 }
 
-TEST_CASE("SyntheticScene: a house is closed", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: a house is a closed surface", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToHouse();
@@ -254,7 +254,7 @@ TEST_CASE(
   CHECK(doorArea == Approx(1.1 * 2.1));
 }
 
-TEST_CASE("SyntheticScene: a low house has neither", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: a low house has no door and no windows", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToHouse();
@@ -300,7 +300,7 @@ TEST_CASE("SyntheticScene: trees fill their crown", "[SyntheticScene]")
   }
 }
 
-TEST_CASE("SyntheticScene: the wood of trees is closed", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: the wood of trees is a closed surface", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   source->SetKindToTree();
@@ -329,7 +329,7 @@ TEST_CASE("SyntheticScene: a canopy of a million triangles", "[SyntheticScene]")
   CHECK(p[2] == source->GetTerrainHeight(p[0], p[1]));
 }
 
-TEST_CASE("SyntheticScene: the seed alone decides", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: the same seed gives the same scene", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> a;
   vtkNew<vtkHeliosSyntheticScene> b;
@@ -354,7 +354,7 @@ TEST_CASE("SyntheticScene: the seed alone decides", "[SyntheticScene]")
   CHECK_FALSE(isSame);
 }
 
-TEST_CASE("SyntheticScene: says what is wrong", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: bad properties are errors", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
@@ -373,7 +373,7 @@ TEST_CASE("SyntheticScene: says what is wrong", "[SyntheticScene]")
   CHECK(source->GetOutput()->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("SyntheticScene: names its kind", "[SyntheticScene]")
+TEST_CASE("SyntheticScene: prints its kind", "[SyntheticScene]")
 {
   vtkNew<vtkHeliosSyntheticScene> source;
   CHECK(std::string(source->GetKindAsString()) == "Plane");

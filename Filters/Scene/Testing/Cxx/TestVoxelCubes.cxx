@@ -119,7 +119,7 @@ TEST_CASE("VoxelCubes: fixed cubes have no faces between them", "[VoxelCubes]")
   CHECK(scene->GetPoints()->GetDataType() == VTK_DOUBLE);
 }
 
-TEST_CASE("VoxelCubes: which cells are opaque", "[VoxelCubes]")
+TEST_CASE("VoxelCubes: selection of opaque voxels", "[VoxelCubes]")
 {
   const std::vector<double> pads = { 1.0, 0.0, NaN, 2.0, NaN, 1.0, 1.0 };
   const auto count = [](vtkImageData* grid, bool isScaled)
@@ -138,7 +138,7 @@ TEST_CASE("VoxelCubes: which cells are opaque", "[VoxelCubes]")
   CHECK(count(grid, true) == 2);
 }
 
-TEST_CASE("VoxelCubes: scaled cubes have their share of the edge", "[VoxelCubes]")
+TEST_CASE("VoxelCubes: scaled cubes have the given fraction of the edge", "[VoxelCubes]")
 {
   Run run(MakeGrid(2, 2, 1, { 4.0, 1.0, 0.25, 0.0 }));
   run.Filter->SetModeToScaled();
@@ -163,7 +163,7 @@ TEST_CASE("VoxelCubes: scaled cubes have their share of the edge", "[VoxelCubes]
   }
 }
 
-TEST_CASE("VoxelCubes: shifted cubes stay in their cells, by their seed", "[VoxelCubes]")
+TEST_CASE("VoxelCubes: shifted cubes stay in their voxels, by the seed", "[VoxelCubes]")
 {
   std::vector<double> pads(1000, 0.25);
   pads[0] = 1.0;
@@ -199,7 +199,7 @@ TEST_CASE("VoxelCubes: shifted cubes stay in their cells, by their seed", "[Voxe
   CHECK(run.Update()->GetPoint(80)[0] != before);
 }
 
-TEST_CASE("VoxelCubes: cells take materials in turn", "[VoxelCubes]")
+TEST_CASE("VoxelCubes: materials in turn", "[VoxelCubes]")
 {
   for (const bool isScaled : { false, true })
   {

@@ -84,7 +84,7 @@ def test_houses_stand_on_level_ground(program):
             assert ground.get_height(x, y) == pytest.approx(house.z, abs=1e-9)
 
 
-def test_the_same_bytes_again(program, village, tmp_path):
+def test_byte_identical_output(program, village, tmp_path):
     program.make_village(tmp_path)
     files = [file for file in sorted(village[0].rglob("*")) if file.is_file()]
     assert len(files) > 15
@@ -93,7 +93,7 @@ def test_the_same_bytes_again(program, village, tmp_path):
 
 
 @pytest.mark.parametrize("survey", ["village_tls", "village_als"])
-def test_surveys_name_what_exists(survey):
+def test_surveys_name_existing_files(survey):
     root = ElementTree.parse(DATA / "Surveys" / f"{survey}.xml").getroot()
     head = root.find("survey")
     assert head.get("name") == survey
@@ -106,7 +106,7 @@ def test_surveys_name_what_exists(survey):
         assert settings.get("onGround") == "true" or survey == "village_als"
 
 
-def test_a_folder_that_cannot_be_made_is_named(tmp_path):
+def test_error_names_the_folder(tmp_path):
     (tmp_path / "file").touch()
     run = subprocess.run(
         [sys.executable, str(PROGRAM), str(tmp_path / "file" / "x")],

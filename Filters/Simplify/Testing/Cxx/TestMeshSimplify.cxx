@@ -257,7 +257,7 @@ bool IsSame(vtkPolyData* a, vtkPolyData* b, const Vec3& shift = Vec3(0, 0, 0))
 
 } // namespace
 
-TEST_CASE("MeshSimplify: a flat grid is its border and nothing else", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: a flat grid is reduced to its border", "[MeshSimplify]")
 {
   const auto scene = OfOneKind(MakeGrid(40, 0.25, Flat));
   vtkNew<vtkHeliosMeshSimplify> simplify;
@@ -275,7 +275,7 @@ TEST_CASE("MeshSimplify: a flat grid is its border and nothing else", "[MeshSimp
   CheckFollows(scene, output);
 }
 
-TEST_CASE("MeshSimplify: keeps within the distance, both ways", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: the distance is within the limit in both directions", "[MeshSimplify]")
 {
   const auto scene = OfOneKind(MakeGrid(60, 0.0625, Hills));
   vtkIdType last = scene->GetNumberOfCells();
@@ -301,7 +301,7 @@ TEST_CASE("MeshSimplify: keeps within the distance, both ways", "[MeshSimplify]"
   CHECK(last < scene->GetNumberOfCells() / 8);
 }
 
-TEST_CASE("MeshSimplify: CGAL bounds the distance alike", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: CGAL confirms the bound of the distance", "[MeshSimplify]")
 {
   const auto scene = OfOneKind(MakeGrid(24, 0.125, Hills));
   for (const double distance : { 0.005, 0.05 })
@@ -321,7 +321,7 @@ TEST_CASE("MeshSimplify: CGAL bounds the distance alike", "[MeshSimplify]")
   }
 }
 
-TEST_CASE("MeshSimplify: a sphere becomes as coarse as its chords allow", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: a sphere is reduced as far as its chords allow", "[MeshSimplify]")
 {
   // A chord of length e is e^2 / (8 rho) below a sphere: this determines the triangle size.
   vtkNew<vtkHeliosSyntheticScene> sphere;
@@ -344,7 +344,8 @@ TEST_CASE("MeshSimplify: a sphere becomes as coarse as its chords allow", "[Mesh
   }
 }
 
-TEST_CASE("MeshSimplify: a scene at UTM coordinates is the same, moved", "[MeshSimplify]")
+TEST_CASE(
+  "MeshSimplify: a scene at UTM coordinates gives the same result, translated", "[MeshSimplify]")
 {
   // Coordinates of 2^-10 m, so that translation is exact.
   const auto rounded = [](double x, double y) { return std::round(1024.0 * Hills(x, y)) / 1024.0; };
@@ -356,7 +357,7 @@ TEST_CASE("MeshSimplify: a scene at UTM coordinates is the same, moved", "[MeshS
   CHECK(IsSame(here, Simplify(moved, 0.02), shift));
 }
 
-TEST_CASE("MeshSimplify: borders of materials and parts stay", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: borders of materials and parts are kept", "[MeshSimplify]")
 {
   const auto scene = MakeGrid(48, 0.125, Hills);
   vtkNew<vtkHeliosMeshSimplify> simplify;
@@ -370,7 +371,7 @@ TEST_CASE("MeshSimplify: borders of materials and parts stay", "[MeshSimplify]")
   CheckFollows(scene, output);
 }
 
-TEST_CASE("MeshSimplify: does not depend on the number of threads", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: independent of the number of threads", "[MeshSimplify]")
 {
   const auto scene = MakeGrid(40, 0.125, Hills);
   const auto many = Simplify(scene, 0.05);
@@ -380,7 +381,7 @@ TEST_CASE("MeshSimplify: does not depend on the number of threads", "[MeshSimpli
   CHECK(IsSame(many, one));
 }
 
-TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: a fan about one edge is kept and counted", "[MeshSimplify]")
 {
   // Three flat sheets that share one edge of 8 m, each of 8 x 8 squares.
   vtkNew<vtkPoints> points;
@@ -425,7 +426,7 @@ TEST_CASE("MeshSimplify: a fan about one edge stays, and is counted", "[MeshSimp
 }
 
 TEST_CASE(
-  "MeshSimplify: what OpenMesh does not take stays, and nothing is printed", "[MeshSimplify]")
+  "MeshSimplify: faces refused by OpenMesh are kept, and nothing is printed", "[MeshSimplify]")
 {
   // Two closed tetrahedra that share an edge, which four triangles share.
   vtkNew<vtkPoints> points;
@@ -456,7 +457,7 @@ TEST_CASE(
   CHECK(simplify->GetNumberOfRejectedTriangles() == 4);
 }
 
-TEST_CASE("MeshSimplify: a soup of leaves passes as it is", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: separate leaves are not changed", "[MeshSimplify]")
 {
   vtkNew<vtkHeliosSyntheticScene> tree;
   tree->SetKindToTree();
@@ -489,7 +490,7 @@ TEST_CASE("MeshSimplify: drops and counts triangles without area and duplicates"
   CHECK(simplify->GetOutput()->GetNumberOfCells() < 60);
 }
 
-TEST_CASE("MeshSimplify: normals of cells go where triangles do", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: cell normals stay with their triangles", "[MeshSimplify]")
 {
   const auto scene = OfOneKind(MakeGrid(10, 1.0, Hills));
   vtkNew<vtkDoubleArray> normals;
@@ -502,7 +503,7 @@ TEST_CASE("MeshSimplify: normals of cells go where triangles do", "[MeshSimplify
   CHECK(Simplify(scene, 1e-6)->GetCellData()->GetArray(names::Normals) != nullptr);
 }
 
-TEST_CASE("MeshSimplify: passes an empty scene and says what is wrong", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: passes an empty scene, and bad input is an error", "[MeshSimplify]")
 {
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
   vtkNew<vtkHeliosMeshSimplify> simplify;
@@ -540,7 +541,7 @@ TEST_CASE("MeshSimplify: passes an empty scene and says what is wrong", "[MeshSi
   CHECK(log->HasError("The cell array MaterialIds has 3 values for 8 cells"));
 }
 
-TEST_CASE("MeshSimplify: tells its progress and stops when told to", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: reports progress and can be aborted", "[MeshSimplify]")
 {
   vtkNew<vtkHeliosMeshSimplify> simplify;
   simplify->SetInputData(MakeGrid(20, 0.125, Hills));
@@ -560,7 +561,7 @@ TEST_CASE("MeshSimplify: tells its progress and stops when told to", "[MeshSimpl
   CHECK(log->HasError("The work was aborted at 20 %; update again to complete it"));
 }
 
-TEST_CASE("MeshSimplify: stops while the scene is repaired, too", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: can be aborted during the repair", "[MeshSimplify]")
 {
   vtkNew<vtkHeliosMeshSimplify> simplify;
   simplify->SetInputData(MakeGrid(20, 0.125, Hills));
@@ -600,7 +601,7 @@ struct CountedEvents
 
 } // namespace
 
-TEST_CASE("MeshSimplify: stops at any time within one large patch", "[MeshSimplify]")
+TEST_CASE("MeshSimplify: can be aborted at any time within one large patch", "[MeshSimplify]")
 {
   const auto scene = OfOneKind(MakeGrid(160, 0.125, Hills)); // 51,200 triangles
   const auto run = [&scene](int last, helios::ErrorObserver* log)

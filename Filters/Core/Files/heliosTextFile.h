@@ -5,11 +5,12 @@
 #ifndef heliosTextFile_h
 #define heliosTextFile_h
 
-#include "vtkHeliosFiltersIOModule.h" // For export macro
+#include "vtkHeliosFiltersCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,17 +33,26 @@ struct TextReport
 };
 
 /// Formats a word for messages: quoted, truncated, without control characters.
-VTKHELIOSFILTERSIO_EXPORT std::string Quote(std::string_view word);
+VTKHELIOSFILTERSCORE_EXPORT std::string Quote(std::string_view word);
 
 /// "path:line: ", the start of a message.
-VTKHELIOSFILTERSIO_EXPORT std::string Place(const std::string& path, std::int64_t line);
+VTKHELIOSFILTERSCORE_EXPORT std::string Place(const std::string& path, std::int64_t line);
+
+struct FileCloser
+{
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using InputFile = std::unique_ptr<std::FILE, FileCloser>;
+
+/// Opens a file without a buffer and gets its size. Returns an error message, or an empty string.
+VTKHELIOSFILTERSCORE_EXPORT std::string OpenInput(
+  const std::string& path, InputFile& file, std::int64_t& size);
 
 /// Reads a file in blocks, so that memory does not grow with it.
-class VTKHELIOSFILTERSIO_EXPORT TextFile
+class VTKHELIOSFILTERSCORE_EXPORT TextFile
 {
 public:
   TextFile() = default;
-  ~TextFile();
   TextFile(const TextFile&) = delete;
   void operator=(const TextFile&) = delete;
 
@@ -83,8 +93,8 @@ private:
 
   std::string Path;
   std::string Error;
-  std::FILE* File = nullptr;
-  double Size = 0.0;
+  InputFile File;
+  std::int64_t Size = 0;
   double Done = 0.0;
   std::vector<char> Buffer;
   char* Begin = nullptr; // of the unread bytes
@@ -97,7 +107,7 @@ private:
 };
 
 /// Splits a line into words; a word that starts with # ends the line.
-class VTKHELIOSFILTERSIO_EXPORT TextWords
+class VTKHELIOSFILTERSCORE_EXPORT TextWords
 {
 public:
   enum class Number
@@ -127,11 +137,11 @@ public:
   }
 
   /// The next word, empty at the end of the line.
-  std::string_view Next() { return this->HasMore() ? this->TakeWord() : std::string_view(); }
+  std::string_view Next() { return this->HasMore() ? this->ReadWord() : std::string_view(); }
 
   ///@{
   /// Parts of a word: an integer at the current position (None: something else), a slash, the end.
-  Number TakeIndex(int& value)
+  Number ReadIndex(int& value)
   {
     const char* digits = this->At + (this->At != this->End && *this->At == '-' ? 1 : 0);
     const char* at = digits;
@@ -152,7 +162,7 @@ public:
     this->At = at;
     return Number::Good;
   }
-  bool TakeSlash()
+  bool ReadSlash()
   {
     const bool isSlash = this->At != this->End && *this->At == '/';
     this->At += isSlash;
@@ -165,7 +175,7 @@ public:
   std::string_view NextName()
   {
     this->HasMore();
-    return this->TakeWord();
+    return this->ReadWord();
   }
 
   /// The words up to a comment as one name, blanks included; the first may start with #.
@@ -177,14 +187,17 @@ public:
   /// A decimal number, correctly rounded; NaN and Inf are accepted.
   Number Next(double& value);
 
+  ///@{
   /// A decimal integer.
   Number Next(int& value);
+  Number Next(std::int64_t& value);
+  ///@}
 
 private:
   template <typename T>
   Number NextNumber(T& value);
 
-  std::string_view TakeWord()
+  std::string_view ReadWord()
   {
     const char* begin = this->At;
     while (this->At != this->End && !IsBlank(*this->At))

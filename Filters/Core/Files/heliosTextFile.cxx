@@ -33,33 +33,29 @@ std::string Place(const std::string& path, std::int64_t line)
   return path + ':' + std::to_string(line) + ": ";
 }
 
-TextFile::~TextFile()
+std::string OpenInput(const std::string& path, InputFile& file, std::int64_t& size)
 {
-  if (this->File)
+  if (const std::string problem = CheckInputFile(path); !problem.empty())
   {
-    std::fclose(this->File);
+    return path + ": " + problem;
   }
+  file.reset(std::fopen(path.c_str(), "rb"));
+  if (!file)
+  {
+    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
+  }
+  std::setvbuf(file.get(), nullptr, _IONBF, 0);
+  std::error_code error;
+  size = static_cast<std::int64_t>(std::filesystem::file_size(path, error));
+  return error ? path + ": cannot be read: " + error.message() + "; check the disk" : "";
 }
 
 std::string TextFile::Open(const std::string& path)
 {
   this->Path = path;
-  if (const std::string problem = CheckInputFile(path); !problem.empty())
-  {
-    return path + ": " + problem;
-  }
-  this->File = std::fopen(path.c_str(), "rb");
-  if (!this->File)
-  {
-    return path + ": cannot be read: " + std::strerror(errno) + "; check the file name";
-  }
-  std::setvbuf(this->File, nullptr, _IONBF, 0);
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  this->Size = error ? 0.0 : static_cast<double>(size);
   this->Buffer.resize(BlockSize);
   this->Begin = this->End = this->Buffer.data();
-  return {};
+  return OpenInput(path, this->File, this->Size);
 }
 
 // Moves the incomplete line to the front of the buffer and reads more after it.
@@ -74,8 +70,8 @@ bool TextFile::ReadBlock()
   this->Begin = this->Buffer.data();
   this->End = this->Begin + left;
 
-  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File);
-  if (std::ferror(this->File))
+  const std::size_t count = std::fread(this->End, 1, this->Buffer.size() - left, this->File.get());
+  if (std::ferror(this->File.get()))
   {
     this->Error =
       this->Path + ": cannot be read any further: " + std::strerror(errno) + "; check the disk";
@@ -90,7 +86,8 @@ bool TextFile::ReadBlock()
   this->AtEnd = count == 0;
   this->Done += static_cast<double>(count);
   this->Stopped = this->OnBlock &&
-    !this->OnBlock(this->Size > 0.0 ? std::min(1.0, this->Done / this->Size) : 0.0);
+    !this->OnBlock(
+      this->Size > 0 ? std::min(1.0, this->Done / static_cast<double>(this->Size)) : 0.0);
   return !this->Stopped;
 }
 
@@ -150,10 +147,10 @@ std::string_view TextWords::NextTitle()
 {
   this->HasMore();
   const char* begin = this->At;
-  std::string_view word = this->TakeWord();
+  std::string_view word = this->ReadWord();
   while (this->HasMore())
   {
-    word = this->TakeWord();
+    word = this->ReadWord();
   }
   return { begin, static_cast<std::size_t>(word.data() + word.size() - begin) };
 }
@@ -199,6 +196,11 @@ TextWords::Number TextWords::Next(double& value)
 }
 
 TextWords::Number TextWords::Next(int& value)
+{
+  return this->NextNumber(value);
+}
+
+TextWords::Number TextWords::Next(std::int64_t& value)
 {
   return this->NextNumber(value);
 }

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Physical and mathematical constants.
+
+#ifndef heliosConstants_h
+#define heliosConstants_h
+
+namespace helios
+{
+
+/// The speed of light in vacuum [m/ns].
+constexpr double SpeedOfLight = 0.299792458;
+
+/// The standard acceleration of gravity [m/s^2].
+constexpr double StandardGravity = 9.80665;
+
+/// The full width at half maximum of a Gaussian in standard deviations, sqrt(8 ln 2).
+constexpr double FwhmPerSigma = 2.3548200450309493;
+
+} // namespace helios
+
+#endif

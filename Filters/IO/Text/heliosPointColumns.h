@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The columns of point text, as vtkHeliosPointTextWriter writes and vtkHeliosPointTextReader reads
+// them.
+
+#ifndef heliosPointColumns_h
+#define heliosPointColumns_h
+
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkType.h>
+
+namespace helios
+{
+
+struct PointColumn
+{
+  const char* Title; ///< for messages
+  const char* Array; ///< empty: a coordinate; the next coordinate follows
+  int Type;          ///< of the array
+  int Decimals;      ///< of real numbers
+  double Factor;     ///< a number in the text is the array's times this
+  double Default;    ///< without an array
+};
+
+inline constexpr int NumberOfPointColumns = 11;
+inline constexpr int FirstArrayColumn = 3; ///< after x, y, z
+inline constexpr int PartColumn = 8;       ///< the name of a part, or its number
+
+inline constexpr PointColumn PointColumns[NumberOfPointColumns] = {
+  { "x", "", VTK_DOUBLE, 4, 1.0, 0.0 },
+  { "y", "", VTK_DOUBLE, 4, 1.0, 0.0 },
+  { "z", "", VTK_DOUBLE, 4, 1.0, 0.0 },
+  { "intensity", vtkHeliosArrayNames::Amplitude, VTK_DOUBLE, 4, 1e9, 0.0 }, // nW
+  { "echo width", vtkHeliosArrayNames::EchoWidth, VTK_DOUBLE, 4, 1.0, 0.0 },
+  { "return number", vtkHeliosArrayNames::ReturnNumber, VTK_UNSIGNED_CHAR, 0, 1.0, 1.0 },
+  { "number of returns", vtkHeliosArrayNames::NumberOfReturns, VTK_UNSIGNED_CHAR, 0, 1.0, 1.0 },
+  { "pulse", vtkHeliosArrayNames::PulseIds, VTK_TYPE_INT64, 0, 1.0, -1.0 },
+  { "part", vtkHeliosArrayNames::PartIds, VTK_INT, 0, 1.0, -1.0 },
+  { "class", vtkHeliosArrayNames::ClassificationIds, VTK_INT, 0, 1.0, 0.0 },
+  { "time", vtkHeliosArrayNames::GpsTime, VTK_DOUBLE, 9, 1.0, 0.0 },
+};
+
+} // namespace helios
+
+#endif
