@@ -71,9 +71,9 @@ void AddRing(double angle, int count, double weight, double setback, std::vector
   }
 }
 
-/// Gauss-Legendre rings, and eight sub-rays without weight near the edge of a beam truncated at an
-/// angle [rad].
-std::vector<SubRay> MakeCloseLook(vtkHeliosBeamSampler* sampler, double angle, double setback)
+/// Many probe rays: Gauss-Legendre rings, and eight sub-rays without weight near the edge of a beam
+/// truncated at an angle [rad].
+std::vector<SubRay> MakeManyProbes(vtkHeliosBeamSampler* sampler, double angle, double setback)
 {
   std::vector<SubRay> subRays = MakeRings(sampler, 4);
   AddRing(0.85 * angle, 8, 0.0, setback, subRays);
@@ -81,11 +81,11 @@ std::vector<SubRay> MakeCloseLook(vtkHeliosBeamSampler* sampler, double angle, d
 }
 
 /**
- * A sub-ray on the axis and rings of 8 and 12 within which 55 % and 95 % of the energy lie: few,
+ * Few probe rays: one on the axis and rings of 8 and 12 within which 55 % and 95 % of the energy lie: few,
  * with nearly equal gaps. With p = (g / w)^2 their weights give E[p] and E[p^2] of the beam: exact
  * for polynomials of degree 5 across it.
  */
-std::vector<SubRay> MakeLook(double w, double truncation, double setback)
+std::vector<SubRay> MakeFewProbes(double w, double truncation, double setback)
 {
   const double e = std::exp(-2.0 * truncation * truncation);
   const auto getSquare = [e](double energy) { return -0.5 * std::log(1.0 - energy * (1.0 - e)); };
@@ -178,12 +178,26 @@ std::vector<std::pair<std::size_t, std::size_t>> JoinNeighbours(const std::vecto
   return tree;
 }
 
-/**
- * Whether it pays to probe each beam for one plane, or for no hit, before sub-rays are cast. Tested
- * with pulses spread over the whole scan, so that every piece of it gets the same result.
- */
+/// Derived values of the sub-rays.
+void FinishBeam(ScanModel& model)
+{
+  SortInSpace(model.SubRays);
+  SortInSpace(model.Rings);
+  for (const SubRay& ray : model.SubRays)
+  {
+    model.HasOffsets = model.HasOffsets || ray.Offset.Norm() > 0.0;
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
+  if (!model.Cones)
+  {
+    return false;
+  }
   const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
   PulseSource::Cursor cursor;
   Pulse pulse;
@@ -201,32 +215,17 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   return answered * static_cast<int>(model.Probes.size()) >= cost * asked;
 }
 
-/// Derived values of the sub-rays.
-void FinishBeam(ScanModel& model)
-{
-  SortInSpace(model.SubRays);
-  SortInSpace(model.Rings);
-  for (const SubRay& ray : model.SubRays)
-  {
-    model.HasOffsets = model.HasOffsets || ray.Offset.Norm() > 0.0;
-  }
-}
-
-} // namespace
-
 //------------------------------------------------------------------------------
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
-  model.IsFixed = sampler->GetBeamDivergence() > 0.0;
-  model.SubRays = model.IsFixed
+  model.SubRays = sampler->GetBeamDivergence() > 0.0
     ? GetSubRays(sampler)
     : std::vector<SubRay>{ { Vec3(0.0, 1.0, 0.0), 1.0, Vec3(0.0, 0.0, 0.0) } };
   FinishBeam(model);
 }
 
 //------------------------------------------------------------------------------
-void PrepareBeamByTolerance(
-  vtkHeliosBeamSampler* sampler, vtkIdType numberOfPulses, ScanModel& model)
+void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
 {
   const double w = 0.5 * sampler->GetBeamDivergence();
   const double angle = w * sampler->GetTruncation();
@@ -247,14 +246,19 @@ void PrepareBeamByTolerance(
     model.FinerRings.push_back(MakeLazily(sampler, MakeRings, rings << step));
   }
   FinishBeam(model);
-  model.Probes = model.SubRays;
-  if (model.Plan.LooksFirst())
+  switch (model.Plan.Probes)
   {
-    model.Probes = model.Plan.LooksClosely ? MakeCloseLook(beam, angle, model.Setback)
-                                           : MakeLook(w, sampler->GetTruncation(), model.Setback);
+    case ProbeRays::All:
+      model.Probes = model.SubRays;
+      break;
+    case ProbeRays::Few:
+      model.Probes = MakeFewProbes(w, sampler->GetTruncation(), model.Setback);
+      break;
+    case ProbeRays::Many:
+      model.Probes = MakeManyProbes(beam, angle, model.Setback);
+      break;
   }
   model.ProbePairs = JoinNeighbours(model.Probes);
-  model.ProbesCones = model.Caster && FindsPlanes(model, numberOfPulses);
 }
 
 } // namespace helios

@@ -14,14 +14,19 @@ namespace helios
 
 struct ScanModel;
 
-/// Sets a model's beam to the sub-rays of its sampler; without a divergence to one ideal ray, which
-/// needs no bins.
+/// Sets a model's beam to the sub-rays of its sampler; without a divergence to one ideal ray.
 void PrepareFixedBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
 
-/// Sets a model's beam to the sub-rays of its plan, and its probe rays. Its source, caster,
-/// receiver and plan must be set. The divergence must be positive.
-void PrepareBeamByTolerance(
-  vtkHeliosBeamSampler* sampler, vtkIdType numberOfPulses, ScanModel& model);
+/// Sets a model's beam to the sub-rays of its plan, and its probe rays. Its receiver and plan must
+/// be set. The divergence must be positive.
+void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model);
+
+/**
+ * Whether cone probes of a model's adaptive beams are worth their time: they find one plane, or
+ * nothing, often enough. Tested with pulses spread over the whole scan, so that every piece of it
+ * gets the same result.
+ */
+bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses);
 
 } // namespace helios
 

@@ -3,6 +3,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosBeamTracer.h"
 
+#include "heliosConstants.h"
 #include "heliosRayVectors.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
 //------------------------------------------------------------------------------
 void BeamTracer::Cast(const std::vector<Pulse>& pulses, ScanCounts& counts)
 {
-  const auto& subRays = this->Model.IsByTolerance() ? this->Model.Probes : this->Model.SubRays;
+  const auto& subRays = this->Model.Path.IsAdaptive() ? this->Model.Probes : this->Model.SubRays;
   this->Cast(subRays, pulses.data(), pulses.size(), this->First, counts);
 }
 
@@ -149,7 +150,7 @@ void BeamTracer::Refine(std::size_t slot, const Pulse& pulse, ScanCounts& counts
   const ProbeSummary summary = this->GetProbeSummary();
   const double spread = summary.Spread;
   const int step = this->GetStep(spread);
-  if (step == 0 && !m.Plan.LooksFirst())
+  if (step == 0 && m.Plan.Probes == ProbeRays::All)
   {
     return; // sufficient for an edge
   }
@@ -182,13 +183,11 @@ bool BeamTracer::IsEdgeBetween(std::size_t a, std::size_t b)
 {
   const vtkHeliosHit& hitA = this->Hits[a];
   const vtkHeliosHit& hitB = this->Hits[b];
-  if (hitA.CellId == hitB.CellId)
+  const bool isSilentA = this->IsSilent(hitA);
+  const bool isSilentB = this->IsSilent(hitB);
+  if (hitA.CellId == hitB.CellId || isSilentA || isSilentB)
   {
-    return this->IsSilent(hitA) != this->IsSilent(hitB);
-  }
-  if (this->IsSilent(hitA) || this->IsSilent(hitB))
-  {
-    return this->IsSilent(hitA) != this->IsSilent(hitB);
+    return isSilentA != isSilentB;
   }
   const double powerA = this->Answers.Powers[a];
   const double powerB = this->Answers.Powers[b];

@@ -6,6 +6,7 @@
 #define heliosBeamTracer_h
 
 #include "heliosPulse.h"
+#include "heliosScanCounts.h"
 #include "heliosScanModel.h"
 #include "heliosScanRecords.h"
 #include "heliosSurfaceResponse.h"
@@ -48,7 +49,7 @@ public:
   void Collect(std::vector<SubReturn>& returns, std::vector<CastSubRay>& cast, ScanCounts& counts);
 
 private:
-  /// The same sub-rays of consecutive pulses, and their hits.
+  /// The same sub-rays of consecutive pulses, such as a group (heliosScanRun.h), and their hits.
   struct RayBatch
   {
     const std::vector<SubRay>* SubRays = nullptr;

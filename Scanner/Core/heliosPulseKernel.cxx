@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPulseKernel.h"
 
+#include "heliosConstants.h"
 #include "heliosRandom.h"
 #include "heliosReturnSelection.h"
 #include "vtkHeliosBeamDeflector.h"
@@ -17,8 +18,7 @@ namespace helios
 namespace
 {
 
-// Pulses traced together: their rays and hits stay in the cache.
-constexpr vtkIdType PulsesTogether = 32;
+constexpr vtkIdType PulsesPerGroup = 32; // traced together
 
 double IncidenceDegrees(double cosIncidence)
 {
@@ -39,22 +39,22 @@ PulseKernel::PulseKernel(const ScanModel& model)
 void PulseKernel::Run(vtkIdType first, vtkIdType last, ChunkResult& result)
 {
   result.Echoes.reserve(static_cast<std::size_t>(last - first));
-  for (vtkIdType begin = first; begin < last; begin += PulsesTogether)
+  for (vtkIdType begin = first; begin < last; begin += PulsesPerGroup)
   {
-    this->AimPulses(begin, std::min(last, begin + PulsesTogether));
-    const bool byTolerance = this->Model.IsByTolerance();
-    if (byTolerance)
+    this->AimPulses(begin, std::min(last, begin + PulsesPerGroup));
+    const bool isAdaptive = this->Model.Path.IsAdaptive();
+    if (isAdaptive)
     {
-      this->LookAtPulses();
+      this->ProbeCones();
     }
-    this->Tracer.Cast(byTolerance ? this->Mixed : this->Pulses, this->Counts);
+    this->Tracer.Cast(isAdaptive ? this->Mixed : this->Pulses, this->Counts);
     for (std::size_t slot = 0; slot < this->Pulses.size(); ++slot)
     {
       this->PulseId = this->Model.Source.Ids.Get(this->Indices[slot]);
       this->Echoes.clear();
       this->HasWaveform = false;
       this->Response.StartPulse();
-      byTolerance ? this->RunByTolerance(slot) : this->RunFixed(slot);
+      isAdaptive ? this->RunAdaptive(slot) : this->RunFixed(slot);
       this->StorePulse(slot, result);
     }
   }
@@ -104,16 +104,16 @@ void PulseKernel::RunFixed(std::size_t slot)
 
 //------------------------------------------------------------------------------
 /// Finds the beams that need probe rays.
-void PulseKernel::LookAtPulses()
+void PulseKernel::ProbeCones()
 {
-  this->Views.clear();
+  this->Cones.clear();
   this->Mixed.clear();
   this->NumberOfMixed = 0;
   for (const Pulse& pulse : this->Pulses)
   {
-    this->Views.push_back(this->LookAt(pulse));
-    const View& view = this->Views.back();
-    if (view.Plane.Kind == vtkHeliosConeHit::Mixed && !view.MeetsMedium)
+    this->Cones.push_back(this->ProbeCone(pulse));
+    const Cone& cone = this->Cones.back();
+    if (cone.Hit.Kind == vtkHeliosConeHit::Mixed && !cone.MeetsMedium)
     {
       this->Mixed.push_back(pulse);
     }
@@ -121,32 +121,32 @@ void PulseKernel::LookAtPulses()
 }
 
 //------------------------------------------------------------------------------
-PulseKernel::View PulseKernel::LookAt(const Pulse& pulse)
+PulseKernel::Cone PulseKernel::ProbeCone(const Pulse& pulse)
 {
-  View view{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse) };
-  if (this->Model.ProbesCones && !view.MeetsMedium)
+  Cone cone{ { vtkHeliosConeHit::Mixed, -1, 0.0 }, this->Model.MeetsMedium(pulse) };
+  if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MeetsMedium)
   {
     const vtkHeliosConeHit hit = this->Model.ProbeCone(pulse);
     if (hit.Kind == vtkHeliosConeHit::Empty ||
       (hit.Kind == vtkHeliosConeHit::OnePlane && this->IsExact(pulse, hit)))
     {
-      view.Plane = hit;
+      cone.Hit = hit;
     }
   }
-  return view;
+  return cone;
 }
 
 //------------------------------------------------------------------------------
-void PulseKernel::RunByTolerance(std::size_t slot)
+void PulseKernel::RunAdaptive(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
-  const View& view = this->Views[slot];
-  if (view.Plane.Kind != vtkHeliosConeHit::Mixed)
+  const Cone& cone = this->Cones[slot];
+  if (cone.Hit.Kind != vtkHeliosConeHit::Mixed)
   {
-    this->RunOnPlane(pulse, view.Plane);
+    this->RunOnPlane(pulse, cone.Hit);
     return;
   }
-  if (view.MeetsMedium)
+  if (cone.MeetsMedium)
   {
     this->Tracer.CastAll(pulse, this->Counts);
   }
@@ -160,7 +160,7 @@ void PulseKernel::RunByTolerance(std::size_t slot)
 
 //------------------------------------------------------------------------------
 /// The geometry of a beam on a plane.
-PulseKernel::Meeting PulseKernel::GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit)
+PulseKernel::Incidence PulseKernel::GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit)
 {
   const double cosPlane =
     std::abs(this->Response.GetPlaneNormal(hit.CellId).Dot(pulse.GetDirection()));
@@ -177,7 +177,7 @@ bool PulseKernel::IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit)
     return false;
   }
   const ScanModel& m = this->Model;
-  const Meeting plane = this->GetMeeting(pulse, hit);
+  const Incidence plane = this->GetIncidence(pulse, hit);
   const bool isGaussian = m.Receiver.Shape.IsGaussian();
   const double widest = isGaussian ? m.Plan.LargestWidening : m.Plan.EnergyTolerance;
   const double rim = 2.0 * plane.Reach * m.ConeTangent * plane.Tangent; // in range
@@ -203,7 +203,7 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
     ++this->Counts.HitsOutOfRange;
     return;
   }
-  const Meeting plane = this->GetMeeting(pulse, hit);
+  const Incidence plane = this->GetIncidence(pulse, hit);
   const Vec3 axis = pulse.GetDirection();
   const Reply reply = this->Response.GetReply(hit.CellId, hit.Range, axis.GetData());
   const PlaneEcho echo = m.Plane.GetEcho(hit.Range, plane.Reach, plane.Tangent, reply.Power);
@@ -216,17 +216,26 @@ void PulseKernel::RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit)
 }
 
 //------------------------------------------------------------------------------
+/// Fills the waveform of the pulse with returns, or with the echo of a plane.
+template <typename SourceT>
+void PulseKernel::FillWaveform(const SourceT& source)
+{
+  const bool cut = this->Signal.Fill(source, this->GetBackground(), this->PulseId);
+  this->Counts.CutWaveforms += cut ? 1 : 0;
+  this->HasWaveform = true;
+}
+
+//------------------------------------------------------------------------------
 void PulseKernel::FinishPlane(const PlaneEcho& echo)
 {
-  if (this->Model.WantsWaveforms || this->Model.NeedsWaveform())
+  const bool isInWaveform = this->Model.Path.Echo == EchoPath::Waveform;
+  if (this->Model.WantsWaveforms || isInWaveform)
   {
-    const bool cut = this->Signal.Fill(echo, this->GetBackground(), this->PulseId);
-    this->Counts.CutWaveforms += cut ? 1 : 0;
-    this->HasWaveform = true;
+    this->FillWaveform(echo);
   }
-  if (this->Model.NeedsWaveform())
+  if (isInWaveform)
   {
-    this->DetectEchoes();
+    this->Signal.DetectEchoes(this->Returns, this->Echoes);
   }
   else if (echo.Power > 0.0 && echo.Power >= this->Model.Receiver.Detector->GetDetectionThreshold())
   {
@@ -243,28 +252,28 @@ void PulseKernel::FindEchoes()
   {
     return;
   }
-  const bool hasEchoes =
-    this->Model.FindsEchoesInBins() && this->Signal.FindEchoesInBins(this->Returns, this->Echoes);
-  const bool needsWaveform = this->Model.NeedsWaveform() && !hasEchoes;
-  const bool isBinned =
-    this->Model.NeedsWaveform() || !this->Signal.FindEchoes(this->Returns, this->Echoes);
-  if (this->Model.WantsWaveforms || needsWaveform)
+  bool isBinned = true;
+  switch (this->Model.Path.Echo)
   {
-    const bool cut = this->Signal.Fill(this->Returns, this->GetBackground(), this->PulseId);
-    this->Counts.CutWaveforms += cut ? 1 : 0;
-    this->HasWaveform = true;
-  }
-  if (needsWaveform)
-  {
-    this->DetectEchoes();
+    case EchoPath::Maxima:
+      isBinned = !this->Signal.FindMaxima(this->Returns, this->Echoes);
+      if (this->Model.WantsWaveforms)
+      {
+        this->FillWaveform(this->Returns);
+      }
+      break;
+    case EchoPath::BinnedMaxima:
+      if (this->Signal.FindBinnedMaxima(this->Returns, this->Echoes))
+      {
+        break;
+      }
+      [[fallthrough]];
+    case EchoPath::Waveform:
+      this->FillWaveform(this->Returns);
+      this->Signal.DetectEchoes(this->Returns, this->Echoes);
+      break;
   }
   ++(isBinned ? this->Counts.PulsesBinned : this->Counts.PulsesWithoutBins);
-}
-
-//------------------------------------------------------------------------------
-void PulseKernel::DetectEchoes()
-{
-  this->Signal.DetectEchoes(this->Returns, this->Echoes);
 }
 
 //------------------------------------------------------------------------------

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The fused kernel: pulses to sub-rays to hits to waveforms to echoes, in chunks of pulses.
+// The fused kernel: pulses to sub-rays to hits to waveforms to echoes, in chunks of pulses, which
+// heliosScanRun.h draws.
 
 #ifndef heliosPulseKernel_h
 #define heliosPulseKernel_h
 
 #include "heliosBeamTracer.h"
+#include "heliosScanCounts.h"
 #include "heliosScanModel.h"
 #include "heliosScanRecords.h"
 #include "heliosSurfaceResponse.h"
@@ -22,20 +24,20 @@ class PulseKernel
 public:
   explicit PulseKernel(const ScanModel& model);
 
-  /// Runs the pulses [first, last) of the scan.
+  /// Runs a chunk: the pulses [first, last) of the scan.
   void Run(vtkIdType first, vtkIdType last, ChunkResult& result);
 
   const ScanCounts& GetCounts() const { return this->Counts; }
 
 private:
-  /// Known about a beam before its sub-rays are cast.
-  struct View
+  /// What is known about a beam before its sub-rays are cast.
+  struct Cone
   {
-    vtkHeliosConeHit Plane; ///< the only surface in the beam, unless mixed
+    vtkHeliosConeHit Hit; ///< the only surface in the beam, unless mixed
     bool MeetsMedium;
   };
   /// The geometry of a beam on a plane.
-  struct Meeting
+  struct Incidence
   {
     double Reach;   ///< from the cone's apex: the footprint grows with it
     double Tangent; ///< of the angle of incidence
@@ -43,16 +45,17 @@ private:
 
   void AimPulses(vtkIdType first, vtkIdType last);
   void CountFaults(const Pulse& pulse, vtkIdType index);
-  void LookAtPulses();
-  View LookAt(const Pulse& pulse);
-  Meeting GetMeeting(const Pulse& pulse, const vtkHeliosConeHit& hit);
+  void ProbeCones();
+  Cone ProbeCone(const Pulse& pulse);
+  Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Pulse& pulse, const vtkHeliosConeHit& hit);
   void RunFixed(std::size_t slot);
-  void RunByTolerance(std::size_t slot);
+  void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit);
   void FinishPlane(const PlaneEcho& echo);
   void FindEchoes();
-  void DetectEchoes();
+  template <typename SourceT>
+  void FillWaveform(const SourceT& source);
   double GetBackground();
 
   void StorePulse(std::size_t slot, ChunkResult& result);
@@ -73,7 +76,7 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
-  std::vector<View> Views;       // for adaptive sampling
+  std::vector<Cone> Cones;       // for adaptive sampling
   std::vector<Pulse> Mixed;      // of those without turbid medium
   std::size_t NumberOfMixed = 0; // of these, the ones before the current pulse
 

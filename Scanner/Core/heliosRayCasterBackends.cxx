@@ -3,6 +3,7 @@
 #include "heliosRayCasterBackends.h"
 
 #include "vtkHeliosRayCaster.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkNew.h>
 
@@ -41,7 +42,7 @@ void KeepBackends()
 vtkSmartPointer<vtkHeliosRayCaster> MakeDefaultRayCaster()
 {
   KeepBackends();
-  return vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(nullptr));
+  return vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create(nullptr));
 }
 
 } // namespace helios

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSamplingPlan.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,8 @@ constexpr double SpreadOfRing = 2.5; // in sigma_R, with a margin
 constexpr int FewestSubRays = 16;
 constexpr int MostSubRays = 4096;
 constexpr int FinestRings = 36; // minimum on the steepest surfaces
+constexpr int FewProbes = 21;
+constexpr int ManyProbes = 72;
 
 /// The number for which the energy error of an edge is at most a fraction.
 int GetNumberOfSubRays(double share)
@@ -28,6 +30,16 @@ int GetNumberOfSubRays(double share)
   return std::max(FewestSubRays, static_cast<int>(full));
 }
 
+ProbeRays ChooseProbes(double energyTolerance, int numberOfSubRays)
+{
+  const bool isFine = energyTolerance < 0.002;
+  if (numberOfSubRays <= (isFine ? ManyProbes : FewProbes))
+  {
+    return ProbeRays::All;
+  }
+  return isFine ? ProbeRays::Many : ProbeRays::Few;
+}
+
 } // namespace
 
 SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double sigma)
@@ -35,12 +47,12 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
   const double sigmaRange = 0.5 * SpeedOfLight * sigma;
   const double longestEcho = 4.0 * sigmaRange; // sides farther apart are separate echoes
   SamplingPlan plan;
-  plan.LooksClosely = energyTolerance < 0.002;
   plan.EnergyTolerance = energyTolerance;
   plan.RangeTolerance = rangeTolerance;
   // Less than half of the amplitude tolerance, because small fractions have larger relative errors.
   plan.NumberOfSubRays =
     GetNumberOfSubRays(std::min(0.45 * energyTolerance, 4.5 * rangeTolerance / longestEcho));
+  plan.Probes = ChooseProbes(energyTolerance, plan.NumberOfSubRays);
   plan.Rings = static_cast<int>(std::lround(0.5 * std::sqrt(plan.NumberOfSubRays)));
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
   plan.DetectionBin = sigma * std::clamp(h, 0.03, 0.15); // at least as fine as 0.25 ns for 4 ns
@@ -52,6 +64,19 @@ SamplingPlan PlanSampling(double rangeTolerance, double energyTolerance, double 
     ++plan.FinerSteps;
   }
   return plan;
+}
+
+int SamplingPlan::GetNumberOfProbes() const
+{
+  switch (this->Probes)
+  {
+    case ProbeRays::Few:
+      return FewProbes;
+    case ProbeRays::Many:
+      return ManyProbes;
+    default:
+      return this->NumberOfSubRays;
+  }
 }
 
 int SamplingPlan::GetStep(double spread) const
@@ -68,7 +93,7 @@ std::string SamplingPlan::Describe() const
 {
   std::ostringstream text;
   text << "adaptive, ";
-  if (this->LooksFirst())
+  if (this->Probes != ProbeRays::All)
   {
     text << this->GetNumberOfProbes() << " sub-rays on one surface, " << this->NumberOfSubRays
          << " more at edges";

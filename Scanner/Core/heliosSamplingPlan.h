@@ -5,12 +5,21 @@
 #ifndef heliosSamplingPlan_h
 #define heliosSamplingPlan_h
 
+#include "heliosTolerances.h"
 #include "vtkHeliosScannerCoreModule.h"
 
 #include <string>
 
 namespace helios
 {
+
+/// The rays that are cast first.
+enum class ProbeRays
+{
+  All,  ///< the sub-rays of a beam with an edge, no more than probe rays
+  Few,  ///< on the axis and two rings
+  Many, ///< many rings, and eight at the edge
+};
 
 /**
  * A few probe rays test a beam; if they detect no edge they are its returns. Otherwise it is
@@ -26,7 +35,7 @@ namespace helios
  */
 struct SamplingPlan
 {
-  bool LooksClosely = false;    ///< whether rings of 64 sub-rays probe a beam first
+  ProbeRays Probes = ProbeRays::Few;
   int NumberOfSubRays = 336;    ///< of a beam with an edge
   int Rings = 9;                ///< equivalent to these, for one steep surface
   double DetectionBin = 0.25;   ///< [ns]
@@ -34,18 +43,14 @@ struct SamplingPlan
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
   double LargestShift = 0.0;    ///< of its maximum, by omitted terms [m]
 
-  double EnergyTolerance = 1e-2;
-  double RangeTolerance = 1e-3; ///< [m]
+  double EnergyTolerance = DefaultEnergyTolerance;
+  double RangeTolerance = DefaultRangeTolerance; ///< [m]
 
   /// The maximum number of doublings of the rings, where a surface spreads over many sigma_R.
   int FinerSteps = 2;
 
-  /// The number of probe rays of a beam: on the axis and two rings, or many rings and eight at the
-  /// edge.
-  int GetNumberOfProbes() const { return this->LooksClosely ? 72 : 21; }
-
-  /// Whether probe rays come first, or all sub-rays are cast at once.
-  bool LooksFirst() const { return this->NumberOfSubRays > this->GetNumberOfProbes(); }
+  /// The number of rays cast first.
+  int GetNumberOfProbes() const;
 
   /// The number of doublings for a surface that spreads over n sigma_R in a beam.
   int GetStep(double spread) const;

@@ -5,11 +5,13 @@
 #ifndef heliosScanModel_h
 #define heliosScanModel_h
 
+#include "heliosConeProbe.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
 #include "heliosRadiometry.h"
 #include "heliosReturn.h"
 #include "heliosSamplingPlan.h"
+#include "heliosScanPath.h"
 #include "heliosSceneSurfaces.h"
 #include "heliosSubRays.h"
 #include "heliosTurbidMedium.h"
@@ -59,11 +61,12 @@ struct ScanModel
 {
   PulseSource Source;
   const vtkHeliosRayCaster* Caster = nullptr; // null: no surfaces
+  const ConeProbe* Cones = nullptr;           // of the caster, for adaptive sampling; may be null
   SceneSurfaces Surfaces;
   TurbidMedium Medium;
   ReceiverSettings Receiver;
 
-  bool IsFixed = false;
+  ScanPath Path;
   std::vector<SubRay> SubRays; // of fixed sampling; for adaptive sampling, of a beam with edges
   bool HasOffsets = false;
   SamplingPlan Plan;         // of adaptive sampling
@@ -72,7 +75,6 @@ struct ScanModel
   std::vector<std::unique_ptr<LazySubRays>> FinerSubRays, FinerRings;
   std::vector<SubRay> Probes;                                  // cast first for adaptive sampling
   std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
-  bool ProbesCones = false; // whether to test for a planar footprint first
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.
@@ -92,15 +94,12 @@ struct ScanModel
   bool WantsSubRays = false;
   bool WantsTruth = false;
 
-  /// Whether the number of sub-rays of each beam adapts to the tolerances.
-  bool IsByTolerance() const { return !this->Probes.empty(); }
-
   /// Probes all of a pulse's beam; the range is from the pulse's origin.
   vtkHeliosConeHit ProbeCone(const Pulse& pulse) const
   {
     const Vec3 axis = pulse.GetDirection();
     const Vec3 apex = pulse.Origin - this->Setback * axis;
-    vtkHeliosConeHit hit = this->Caster->ProbeCone(
+    vtkHeliosConeHit hit = this->Cones->Probe(
       apex.GetData(), axis.GetData(), this->ConeTangent, 2.0 * this->Plan.RangeTolerance);
     hit.Range -= this->Setback;
     return hit;
@@ -111,15 +110,6 @@ struct ScanModel
   {
     return !this->Medium.IsEmpty() &&
       this->Medium.MayMeet(pulse.Origin, pulse.GetDirection(), this->ConeTangent, this->Setback);
-  }
-
-  /// Whether echoes can only be found in a waveform.
-  bool NeedsWaveform() const { return this->IsFixed || !this->HasPlainMaxima(); }
-
-  /// Whether echoes are maxima of a waveform that is not an output.
-  bool FindsEchoesInBins() const
-  {
-    return this->IsFixed && !this->WantsWaveforms && this->HasPlainMaxima();
   }
 
   /// Whether echoes are the maxima of a sum of Gaussians.

@@ -5,12 +5,10 @@
 #ifndef heliosScanRecords_h
 #define heliosScanRecords_h
 
-#include "heliosErrorTerms.h"
 #include "heliosPose.h"
 
 #include <vtkType.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace helios
@@ -75,7 +73,7 @@ struct WaveformRecord
   int Channel;
 };
 
-/// The results of a chunk, in the order of the pulses.
+/// The results of a chunk (heliosScanRun.h), in the order of the pulses.
 struct ChunkResult
 {
   std::vector<EchoRecord> Echoes;
@@ -94,38 +92,6 @@ struct ChunkResult
     this->SubRays.clear();
     this->Waveforms.clear();
     this->Samples.clear();
-  }
-};
-
-/// Sums over pulses, independent of threads.
-struct ScanCounts
-{
-  vtkIdType PulsesFired = 0;
-  vtkIdType PulsesHit = 0;         // with a surface in the range gate
-  vtkIdType PulsesOnPlane = 0;     // with a planar footprint
-  vtkIdType PulsesWithoutBins = 0; // whose maxima were found by Newton's method
-  vtkIdType PulsesBinned = 0;
-  vtkIdType SubRays = 0; // traced
-  vtkIdType Echoes = 0;
-  vtkIdType HitsOutOfRange = 0; // sub-rays that hit a surface outside the range gate
-  vtkIdType CutWaveforms = 0;
-  TermFaults Faults;             // of the error model
-  double LargestAmplitude = 0.0; // of the returned signals [W]
-
-  void Add(const ScanCounts& other)
-  {
-    for (vtkIdType ScanCounts::*count :
-      { &ScanCounts::PulsesFired, &ScanCounts::PulsesHit, &ScanCounts::PulsesOnPlane,
-        &ScanCounts::PulsesWithoutBins, &ScanCounts::PulsesBinned, &ScanCounts::SubRays,
-        &ScanCounts::Echoes, &ScanCounts::HitsOutOfRange, &ScanCounts::CutWaveforms })
-    {
-      this->*count += other.*count;
-    }
-    for (std::size_t term = 0; term < this->Faults.size(); ++term)
-    {
-      this->Faults[term].Add(other.Faults[term]);
-    }
-    this->LargestAmplitude = std::max(this->LargestAmplitude, other.LargestAmplitude);
   }
 };
 

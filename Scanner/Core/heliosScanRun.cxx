@@ -16,11 +16,10 @@ namespace helios
 namespace
 {
 
-// Pulses per task; and chunks per thread whose records are kept: few enough for its cache.
 constexpr vtkIdType PulsesPerChunk = 256;
-constexpr vtkIdType MostChunksPerThread = 64;
+constexpr vtkIdType MostChunksPerThread = 64; // per batch, so that their records stay in the cache
 
-// Per batch.
+// Of a batch.
 constexpr double ShortSeconds = 0.05;
 constexpr double LongSeconds = 0.5;
 constexpr std::size_t ManyBytes = std::size_t(1) << 28;

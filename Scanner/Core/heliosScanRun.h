@@ -1,10 +1,29 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs pulses through the kernel, on all threads.
+//
+// The pulses of a scan are divided at five levels:
+//
+//   |<--------------------- block ---------------------->|<- ...   written at once, then flushed
+//   |<-------- piece -------->|<-------- piece --------->|         requested from the pipeline
+//   |<- batch ->|<-- batch -->|<- ...                              between checks for an abort
+//   |  |  |  |  |  |  |  |  | chunk                                a task of a thread
+//   ||||||||                  group                                rays traced together
+//
+// - A block is computed by one update of the scanner (its PulseWindow, --pulses-per-block).
+// - A piece is a part in VTK's sense (UPDATE_PIECE_NUMBER); usually a block has one.
+// - A batch is as many chunks as take 0.05 to 0.5 s (BatchSize); then its records are appended to
+//   the output, and progress is reported.
+// - A chunk is 256 pulses: PulseKernel::Run(), which fills one ChunkResult.
+// - A group is 32 pulses (PulseKernel): their rays and hits stay in the cache, one RayBatch. The
+//   sub-rays of each of its pulses are a bundle (BeamBundle).
+//
+// The output is byte-identical for any of these sizes.
 
 #ifndef heliosScanRun_h
 #define heliosScanRun_h
 
+#include "heliosScanCounts.h"
 #include "heliosScanRecords.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 

@@ -9,6 +9,7 @@
 #include "heliosScanOutput.h"
 #include "heliosScanRun.h"
 #include "heliosScenePreparation.h"
+#include "heliosTolerances.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
@@ -63,6 +64,9 @@ struct vtkHeliosScanner::Scan
 
 //------------------------------------------------------------------------------
 vtkHeliosScanner::vtkHeliosScanner()
+  : RangeTolerance(helios::DefaultRangeTolerance)
+  , EnergyTolerance(helios::DefaultEnergyTolerance)
+  , Counts(new helios::ScanCounts)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(4);
@@ -231,11 +235,13 @@ bool vtkHeliosScanner::CheckSettings()
                   << " rad; give a finite angle, 0 for one ideal ray");
     return false;
   }
-  const auto isWithin = [](double x, double low) { return x >= low && x <= 1.0; };
-  if (!isWithin(this->RangeTolerance, 1e-6) || !isWithin(this->EnergyTolerance, 1e-4))
+  if (!helios::IsRangeTolerance(this->RangeTolerance) ||
+    !helios::IsEnergyTolerance(this->EnergyTolerance))
   {
     vtkErrorMacro(<< "RangeTolerance is " << this->RangeTolerance << " m and EnergyTolerance "
-                  << this->EnergyTolerance << "; give them within [1e-6, 1] m and [1e-4, 1]");
+                  << this->EnergyTolerance << "; give them within [" << helios::LeastRangeTolerance
+                  << ", " << helios::LargestTolerance << "] m and [" << helios::LeastEnergyTolerance
+                  << ", " << helios::LargestTolerance << "]");
     return false;
   }
   if (this->PulseWindow[0] < 0 || this->PulseWindow[1] < this->PulseWindow[0])
@@ -393,18 +399,32 @@ bool vtkHeliosScanner::PrepareReceiver(Scan& scan)
 void vtkHeliosScanner::PrepareBeam(Scan& scan)
 {
   helios::ScanModel& m = scan.Model;
-  if (this->Sampling == FIXED || !(this->BeamSampler->GetBeamDivergence() > 0.0))
+  helios::ScanTraits traits = this->GetTraits();
+  traits.HasPlainMaxima = m.HasPlainMaxima();
+  if (traits.IsAdaptive())
+  {
+    m.Plan = helios::PlanSampling(
+      this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
+    m.Cones = m.Caster ? this->RayCaster->GetConeProbe() : nullptr;
+    helios::PrepareAdaptiveBeam(this->BeamSampler, m);
+    traits.FindsPlanes = helios::FindsPlanes(m, scan.NumberOfPulses);
+  }
+  else
   {
     helios::PrepareFixedBeam(this->BeamSampler, m);
-    return;
   }
-  m.Plan =
-    helios::PlanSampling(this->RangeTolerance, this->EnergyTolerance, m.Receiver.Shape.GetSigma());
-  if (m.Caster)
-  {
-    this->RayCaster->PrepareConeProbe();
-  }
-  helios::PrepareBeamByTolerance(this->BeamSampler, scan.NumberOfPulses, m);
+  m.Path = helios::ChoosePath(traits);
+}
+
+//------------------------------------------------------------------------------
+/// What the settings decide of the scan's path.
+helios::ScanTraits vtkHeliosScanner::GetTraits()
+{
+  helios::ScanTraits traits;
+  traits.HasDivergence = this->BeamSampler->GetBeamDivergence() > 0.0;
+  traits.IsFixed = this->Sampling == FIXED;
+  traits.StoresWaveforms = this->GenerateWaveforms;
+  return traits;
 }
 
 //------------------------------------------------------------------------------
@@ -474,8 +494,9 @@ bool vtkHeliosScanner::RunPulses(
     return false;
   }
   const bool isCut = this->PulseWindow[0] > 0 || this->PulseWindow[1] < scan.NumberOfPulses;
-  this->TakeCounts(sum, scan.FirstPulse == first && scan.LastPulse == last && !isCut);
-  if (this->CheckErrorTerms(sum))
+  *this->Counts = sum;
+  this->WarnOfCounts(scan.FirstPulse == first && scan.LastPulse == last && !isCut);
+  if (this->CheckErrorTerms())
   {
     return true;
   }
@@ -485,16 +506,16 @@ bool vtkHeliosScanner::RunPulses(
 
 //------------------------------------------------------------------------------
 /// Reports an error if the error model has invalid values.
-bool vtkHeliosScanner::CheckErrorTerms(const helios::ScanCounts& counts)
+bool vtkHeliosScanner::CheckErrorTerms()
 {
   bool good = true;
   for (int term = 0; term < vtkHeliosErrorModel::NUMBER_OF_TERMS; ++term)
   {
-    const auto& fault = counts.Faults[static_cast<std::size_t>(term)];
+    const auto& fault = this->Counts->Faults[static_cast<std::size_t>(term)];
     if (fault.Pulses > 0)
     {
       vtkErrorMacro(<< this->ErrorModel->GetTermName(term)
-                    << fault.Describe(term, counts.PulsesFired));
+                    << fault.Describe(term, this->Counts->PulsesFired));
       good = false;
     }
   }
@@ -502,16 +523,9 @@ bool vtkHeliosScanner::CheckErrorTerms(const helios::ScanCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosScanner::TakeCounts(const helios::ScanCounts& counts, bool isWholeScan)
+void vtkHeliosScanner::WarnOfCounts(bool isWholeScan)
 {
-  this->NumberOfPulsesFired = counts.PulsesFired;
-  this->NumberOfPulsesHit = counts.PulsesHit;
-  this->NumberOfPulsesOnPlane = counts.PulsesOnPlane;
-  this->NumberOfPulsesWithoutBins = counts.PulsesWithoutBins;
-  this->NumberOfPulsesBinned = counts.PulsesBinned;
-  this->NumberOfSubRays = counts.SubRays;
-  this->NumberOfHitsOutOfRange = counts.HitsOutOfRange;
-  this->LargestAmplitude = counts.LargestAmplitude;
+  const helios::ScanCounts& counts = *this->Counts;
   if (counts.CutWaveforms > 0)
   {
     vtkWarningMacro(<< counts.CutWaveforms
@@ -527,9 +541,21 @@ void vtkHeliosScanner::TakeCounts(const helios::ScanCounts& counts, bool isWhole
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkHeliosScanner::GetCount(const std::string& name) const
+{
+  return helios::GetCount(*this->Counts, name);
+}
+
+//------------------------------------------------------------------------------
+double vtkHeliosScanner::GetLargestAmplitude() const
+{
+  return this->Counts->LargestAmplitude;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosScanner::DescribeSampling()
 {
-  if (this->Sampling == FIXED || !(this->BeamSampler->GetBeamDivergence() > 0.0))
+  if (!this->GetTraits().IsAdaptive())
   {
     const int count = this->Sampling == FIXED ? this->BeamSampler->GetNumberOfSubRays() : 1;
     return "fixed, " + std::to_string(count) + " sub-rays per pulse";

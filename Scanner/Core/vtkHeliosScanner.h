@@ -72,6 +72,7 @@
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 #include "vtkSmartPointer.h"            // For the strategies
 
+#include <memory> // For the counts
 #include <string> // For descriptions
 
 class vtkHeliosBeamDeflector;
@@ -84,6 +85,7 @@ class vtkHeliosRayCaster;
 namespace helios
 {
 struct ScanCounts;
+struct ScanTraits;
 }
 
 class VTKHELIOSSCANNERCORE_EXPORT vtkHeliosScanner : public vtkHeliosInstrument
@@ -176,8 +178,8 @@ public:
   ///@{
   /**
    * Set/Get the mount of the scanner on its platform: position [m] and attitude
-   * (unit quaternion w, x, y, z) in the body frame. Default: at the origin,
-   * vertical.
+   * (unit quaternion w, x, y, z) in the body frame. Default: at the origin, not
+   * rotated.
    */
   vtkSetVector3Macro(MountPosition, double);
   vtkGetVector3Macro(MountPosition, double);
@@ -188,8 +190,8 @@ public:
   ///@{
   /**
    * Set/Get the beam origin, in the frame of the rotating head: position [m]
-   * and attitude (unit quaternion w, x, y, z). Default: at the origin,
-   * vertical.
+   * and attitude (unit quaternion w, x, y, z). Default: at the origin, not
+   * rotated.
    */
   vtkSetVector3Macro(BeamOrigin, double);
   vtkGetVector3Macro(BeamOrigin, double);
@@ -323,23 +325,28 @@ public:
    */
   vtkIdType GetNumberOfPulses();
 
-  ///@{
   /**
-   * Get the counts of the last update: pulses emitted; pulses with a surface in
-   * the range gate; pulses with a planar footprint, in closed form, with maxima
-   * found by Newton's method, and binned (the others hit nothing); sub-rays
-   * traced, and those that hit a surface outside the range gate; and the largest
-   * signal of a pulse [W], detected or not.
+   * A count of the last update by its name: "pulsesFired", emitted; "pulsesHit",
+   * with a surface in the range gate; "pulsesOnPlane", with a planar footprint, in
+   * closed form; "pulsesWithoutBins", with maxima found by Newton's method;
+   * "pulsesBinned" (the others hit nothing); "subRays", traced; "hitsOutOfRange",
+   * sub-rays that hit a surface outside the range gate; "points", echoes. -1 for
+   * any other name.
    */
-  vtkGetMacro(NumberOfPulsesFired, vtkIdType);
-  vtkGetMacro(NumberOfPulsesHit, vtkIdType);
-  vtkGetMacro(NumberOfPulsesOnPlane, vtkIdType);
-  vtkGetMacro(NumberOfPulsesWithoutBins, vtkIdType);
-  vtkGetMacro(NumberOfPulsesBinned, vtkIdType);
-  vtkGetMacro(NumberOfSubRays, vtkIdType);
-  vtkGetMacro(NumberOfHitsOutOfRange, vtkIdType);
-  vtkGetMacro(LargestAmplitude, double);
-  ///@}
+  vtkIdType GetCount(const std::string& name) const;
+
+  /**
+   * The largest signal of a pulse of the last update [W], detected or not.
+   */
+  double GetLargestAmplitude() const;
+
+#ifndef __VTK_WRAP__
+  /// All counts of the last update.
+  const helios::ScanCounts& GetCounts() const
+  {
+    return *this->Counts;
+  }
+#endif
 
   vtkMTimeType GetMTime() override;
 
@@ -363,9 +370,10 @@ private:
   bool PreparePulses(Scan& scan);
   bool PrepareReceiver(Scan& scan);
   void PrepareBeam(Scan& scan);
+  helios::ScanTraits GetTraits();
   bool RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
-  void TakeCounts(const helios::ScanCounts& counts, bool isWholeScan);
-  bool CheckErrorTerms(const helios::ScanCounts& counts);
+  void WarnOfCounts(bool isWholeScan);
+  bool CheckErrorTerms();
 
   vtkHeliosScanner(const vtkHeliosScanner&) = delete;
   void operator=(const vtkHeliosScanner&) = delete;
@@ -379,8 +387,8 @@ private:
   vtkSmartPointer<vtkHeliosPlatformNoise> PlatformNoise;
 
   int Sampling = TOLERANCE;
-  double RangeTolerance = 1e-3;
-  double EnergyTolerance = 1e-2;
+  double RangeTolerance;
+  double EnergyTolerance;
   double MountPosition[3] = { 0.0, 0.0, 0.0 };
   double MountOrientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double BeamOrigin[3] = { 0.0, 0.0, 0.0 };
@@ -403,14 +411,7 @@ private:
   bool GenerateSubRays = false;
   bool GenerateTruth = false;
 
-  vtkIdType NumberOfPulsesFired = 0;
-  vtkIdType NumberOfPulsesHit = 0;
-  vtkIdType NumberOfPulsesOnPlane = 0;
-  vtkIdType NumberOfPulsesWithoutBins = 0;
-  vtkIdType NumberOfPulsesBinned = 0;
-  vtkIdType NumberOfSubRays = 0;
-  vtkIdType NumberOfHitsOutOfRange = 0;
-  double LargestAmplitude = 0.0;
+  std::unique_ptr<helios::ScanCounts> Counts;
 };
 
 #endif

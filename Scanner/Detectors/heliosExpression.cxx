@@ -250,7 +250,7 @@ Expression::Expression(const std::string& text)
 //------------------------------------------------------------------------------
 double Expression::Evaluate(double variable)
 {
-  const Parser parser = this->TakeParser();
+  const Parser parser = this->AcquireParser();
   parser->SetScalarVariableValue(0, variable);
   parser->SetScalarVariableValue(1, variable);
   const double value = parser->GetScalarResult();
@@ -259,7 +259,7 @@ double Expression::Evaluate(double variable)
 }
 
 //------------------------------------------------------------------------------
-Expression::Parser Expression::TakeParser()
+Expression::Parser Expression::AcquireParser()
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -41,7 +41,7 @@ public:
 private:
   using Parser = vtkSmartPointer<vtkExprTkFunctionParser>;
 
-  Parser TakeParser();
+  Parser AcquireParser();
   void ReturnParser(Parser parser);
 
   std::string Text;

@@ -6,6 +6,9 @@
 #include "heliosReturnSelection.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosConstantFractionDetector.h"
+#include "vtkHeliosGaussianDecomposition.h"
+#include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
 
 #include <vtkDataSetAttributes.h>
@@ -26,7 +29,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 vtkStandardNewMacro(vtkHeliosEchoDetection);
@@ -35,6 +40,26 @@ namespace names = vtkHeliosArrayNames;
 
 namespace
 {
+
+template <typename DetectorT>
+vtkHeliosEchoDetector* Make()
+{
+  return DetectorT::New();
+}
+
+struct DetectorKind
+{
+  std::string_view Name;
+  vtkHeliosEchoDetector* (*Make)();
+};
+
+/// The first is the default.
+constexpr DetectorKind DetectorKinds[] = {
+  { "peak", Make<vtkHeliosPeakDetector> },
+  { "gaussian", Make<vtkHeliosGaussianDecomposition> },
+  { "cfd", Make<vtkHeliosConstantFractionDetector> },
+  { "leadingEdge", Make<vtkHeliosLeadingEdgeDetector> },
+};
 
 // Waveforms per task, and such chunks of each thread between two checks for progress and abort,
 // about 0.1 s.
@@ -136,7 +161,7 @@ struct vtkHeliosEchoDetection::Run
   int Maximum = 0;
   std::vector<std::vector<Record>> Chunks;
 
-  void TakeSamples(vtkDataArray* array);
+  void ReadSamples(vtkDataArray* array);
   void DetectRow(vtkIdType row, std::vector<vtkHeliosDetectedEcho>& echoes,
     std::vector<std::size_t>& kept, std::vector<Record>& records) const;
   void DetectChunks(vtkIdType begin, vtkIdType end);
@@ -145,7 +170,7 @@ struct vtkHeliosEchoDetection::Run
 };
 
 //------------------------------------------------------------------------------
-void vtkHeliosEchoDetection::Run::TakeSamples(vtkDataArray* array)
+void vtkHeliosEchoDetection::Run::ReadSamples(vtkDataArray* array)
 {
   if (auto* floats = vtkFloatArray::SafeDownCast(array))
   {
@@ -266,6 +291,28 @@ void vtkHeliosEchoDetection::Run::FillIds(vtkTable* table, vtkPolyData* output) 
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosEchoDetection::GetNumberOfDetectors()
+{
+  return static_cast<int>(std::size(DetectorKinds));
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHeliosEchoDetection::GetDetectorName(int index)
+{
+  const bool isValid = index >= 0 && index < vtkHeliosEchoDetection::GetNumberOfDetectors();
+  return isValid ? DetectorKinds[index].Name.data() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosEchoDetector* vtkHeliosEchoDetection::MakeDetector(const char* name)
+{
+  const std::string_view wanted = name && *name ? name : DetectorKinds[0].Name;
+  const auto* found = std::find_if(std::begin(DetectorKinds), std::end(DetectorKinds),
+    [wanted](const DetectorKind& kind) { return kind.Name == wanted; });
+  return found == std::end(DetectorKinds) ? nullptr : found->Make();
+}
+
+//------------------------------------------------------------------------------
 vtkHeliosEchoDetection::vtkHeliosEchoDetection()
   : EchoDetector(vtkSmartPointer<vtkHeliosPeakDetector>::New())
 {
@@ -327,7 +374,7 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   run.Detector = this->EchoDetector;
   run.Selection = this->ReturnSelection;
   run.Maximum = this->MaximumNumberOfReturns;
-  std::string fault = run.Table.Take(table);
+  std::string fault = run.Table.Set(table);
   for (vtkIdType row = 0; fault.empty() && row < run.Table.NumberOfRows; ++row)
   {
     fault = FindFault(run.Table, row);
@@ -360,7 +407,7 @@ bool vtkHeliosEchoDetection::Prepare(vtkTable* table, Run& run)
   }
   if (run.Table.NumberOfRows > 0)
   {
-    run.TakeSamples(table->GetFieldData()->GetArray(names::Samples));
+    run.ReadSamples(table->GetFieldData()->GetArray(names::Samples));
   }
   return true;
 }

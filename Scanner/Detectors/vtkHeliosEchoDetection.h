@@ -43,6 +43,21 @@ public:
 
   ///@{
   /**
+   * The names of the echo detectors, as in surveys: "peak", the default, "gaussian", "cfd" and
+   * "leadingEdge". Null if the index is out of range.
+   */
+  static int GetNumberOfDetectors();
+  static const char* GetDetectorName(int index);
+  ///@}
+
+  /**
+   * Creates an echo detector by its name, or the default one if the name is null or empty. Null for
+   * an unknown name.
+   */
+  VTK_NEWINSTANCE static vtkHeliosEchoDetector* MakeDetector(const char* name);
+
+  ///@{
+  /**
    * Set/Get the echo detector. Default: a vtkHeliosPeakDetector.
    */
   void SetEchoDetector(vtkHeliosEchoDetector* detector);

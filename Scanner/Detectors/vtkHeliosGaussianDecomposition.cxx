@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosGaussianDecomposition.h"
 
+#include "heliosConstants.h"
 #include "heliosGaussianFit.h"
 #include "heliosPeaks.h"
-#include "heliosRadiometry.h"
 
 #include <vtkObjectFactory.h>
 
@@ -129,7 +129,7 @@ private:
     return end;
   }
 
-  void TakeSamples(std::size_t first, std::size_t last)
+  void ReadSamples(std::size_t first, std::size_t last)
   {
     const double bin = this->Waveform.BinSize;
     double start = this->GetStart(first);
@@ -164,7 +164,7 @@ private:
 
   void RunGroup(std::size_t first, std::size_t last, std::vector<vtkHeliosDetectedEcho>& echoes)
   {
-    this->TakeSamples(first, last);
+    this->ReadSamples(first, last);
     Components& best = this->Work.Best;
     best.clear();
     for (std::size_t i = first; i < last; ++i)
@@ -251,7 +251,7 @@ private:
   }
 
   /// Gets the signal of a component: the samples near it without the others and the background.
-  void TakeNear(std::size_t i)
+  void IsolateComponent(std::size_t i)
   {
     const helios::GaussianData& data = this->Work.Data;
     Components others = this->Work.Best;
@@ -291,7 +291,7 @@ private:
    */
   void Resolve(std::size_t i)
   {
-    this->TakeNear(i);
+    this->IsolateComponent(i);
     const Components one = { this->Work.Best[i] };
     const auto count = static_cast<double>(this->Work.Near.X.size());
     const double left = this->GetRest(one);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosLeadingEdgeDetector.h"
 
+#include "heliosConstants.h"
 #include "heliosDiscriminator.h"
-#include "heliosRadiometry.h"
 
 #include <vtkObjectFactory.h>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFlightMotion.h"
 
+#include "heliosConstants.h"
+
 #include <cmath>
 
 namespace helios
@@ -24,7 +26,7 @@ double GetCourse(const Vec3& direction)
 /// The thrust per unit of mass, for a drive along a direction and a lateral acceleration.
 Vec3 GetThrust(const Vec3& along, double drive)
 {
-  return Vec3(0.0, 0.0, Copter::Gravity) + drive * along;
+  return Vec3(0.0, 0.0, StandardGravity) + drive * along;
 }
 
 /// Resting, and turning on the spot from a course by an angle.
@@ -36,7 +38,7 @@ MotionPiece Hover(vtkIdType leg, const Vec3& position, double course, double ang
     [=](double t)
     {
       return MotionState{ position, Vec3(0.0, 0.0, 0.0),
-        TiltTo({ 0.0, 0.0, Copter::Gravity }, course + turn * t) };
+        TiltTo({ 0.0, 0.0, StandardGravity }, course + turn * t) };
     } };
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFlightPath.h"
 
+#include "heliosConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -55,8 +57,8 @@ public:
   Planner(const std::vector<FlightWaypoint>& waypoints, const Copter& copter)
     : Waypoints(waypoints)
     , Machine(copter)
-    , Lateral(std::min(Copter::Gravity * std::tan(copter.Roll),
-        0.7 * std::sqrt(copter.Thrust * copter.Thrust - Copter::Gravity * Copter::Gravity)))
+    , Lateral(std::min(StandardGravity * std::tan(copter.Roll),
+        0.7 * std::sqrt(copter.Thrust * copter.Thrust - StandardGravity * StandardGravity)))
   {
   }
 
@@ -207,7 +209,7 @@ private:
     const double radius = std::max(
       speed * speed / this->Lateral, speed / (this->Machine.YawRate * flattest * flattest));
     const double pull = speed * speed / radius;
-    return { 1.0 / radius, speed * pull / (Copter::Gravity * this->Machine.RollRate) };
+    return { 1.0 / radius, speed * pull / (StandardGravity * this->Machine.RollRate) };
   }
 
   /// The turn after a waypoint that is passed through: the start of a leg.
@@ -345,7 +347,7 @@ private:
 //------------------------------------------------------------------------------
 DriveLimits Copter::GetLimits(const Vec3& direction) const
 {
-  const double g = Gravity;
+  const double g = StandardGravity;
   const double flat = std::hypot(direction[0], direction[1]);
   const double up = direction[2];
   const double tilt = std::tan(this->Pitch);

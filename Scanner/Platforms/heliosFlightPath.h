@@ -28,8 +28,6 @@ struct Copter
   double Drag;    // [1/m]
   double Step;    // [s]
 
-  static constexpr double Gravity = 9.80665; // [m/s^2]
-
   /// Along a unit direction: limits from tilt, thrust, gravity and maximum thrust.
   VTKHELIOSSCANNERPLATFORMS_EXPORT DriveLimits GetLimits(const Vec3& direction) const;
 

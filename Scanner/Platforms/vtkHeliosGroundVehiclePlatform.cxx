@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosGroundVehiclePlatform.h"
 
+#include "heliosConstants.h"
 #include "heliosGroundPath.h"
 #include "heliosMotion.h"
 #include "heliosSpeedProfile.h"
@@ -22,8 +23,6 @@ vtkStandardNewMacro(vtkHeliosGroundVehiclePlatform);
 
 namespace
 {
-
-constexpr double Gravity = 9.80665; // [m/s^2]
 
 /// The body: its pitch along an element.
 struct Ride
@@ -149,7 +148,7 @@ bool vtkHeliosGroundVehiclePlatform::Move(vtkPolyData* waypoints, std::vector<St
       return false;
     }
     const double slope = std::hypot(1.0, element.Grade);
-    const double pull = Gravity * element.Grade / slope;
+    const double pull = helios::StandardGravity * element.Grade / slope;
     stretches.push_back(
       { element.Length * slope, element.Cap, this->EngineForce / this->Mass - pull,
         -this->BrakeForce / this->Mass - pull, element.Stops });
@@ -199,7 +198,7 @@ bool vtkHeliosGroundVehiclePlatform::CheckWay(vtkPolyData* waypoints)
 //------------------------------------------------------------------------------
 bool vtkHeliosGroundVehiclePlatform::CheckClimb(vtkIdType waypoint, double grade)
 {
-  const double force = this->Mass * Gravity * grade / std::hypot(1.0, grade);
+  const double force = this->Mass * helios::StandardGravity * grade / std::hypot(1.0, grade);
   const double degrees = vtkMath::DegreesFromRadians(std::atan(grade));
   if (!(force < this->EngineForce))
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosMulticopterPlatform.h"
 
+#include "heliosConstants.h"
 #include "heliosFlightMotion.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -55,7 +56,7 @@ bool vtkHeliosMulticopterPlatform::Move(vtkPolyData* waypoints, std::vector<Stat
     courses.push_back(vtkMath::RadiansFromDegrees(90.0 - GetValue(yaws, i, vtkMath::Nan())));
   }
   const double thrust =
-    this->MaximumThrust > 0.0 ? this->MaximumThrust / this->Mass : 2.0 * helios::Copter::Gravity;
+    this->MaximumThrust > 0.0 ? this->MaximumThrust / this->Mass : 2.0 * helios::StandardGravity;
   const helios::Copter copter{ vtkMath::RadiansFromDegrees(this->MaximumPitch),
     vtkMath::RadiansFromDegrees(this->MaximumRoll), vtkMath::RadiansFromDegrees(this->PitchRate),
     vtkMath::RadiansFromDegrees(this->RollRate), vtkMath::RadiansFromDegrees(this->YawRate), thrust,
@@ -98,7 +99,7 @@ bool vtkHeliosMulticopterPlatform::CheckWaypointArrays(vtkPolyData* waypoints)
 //------------------------------------------------------------------------------
 bool vtkHeliosMulticopterPlatform::CheckWay(vtkPolyData* waypoints)
 {
-  const double weight = this->Mass * helios::Copter::Gravity;
+  const double weight = this->Mass * helios::StandardGravity;
   if (this->MaximumThrust > 0.0 && !(this->MaximumThrust > 1.01 * weight))
   {
     vtkErrorMacro(<< "Waypoint 1 cannot be reached: MaximumThrust is " << this->MaximumThrust

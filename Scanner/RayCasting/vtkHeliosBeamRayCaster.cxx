@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "vtkHeliosBeamRayCaster.h"
 
+#include "heliosBeamBundle.h"
 #include "heliosBeamTree.h"
+#include "heliosConeProbe.h"
 #include "heliosTriangleMesh.h"
 
 #include <vtkObjectFactory.h>
+
+#include <algorithm>
 
 class vtkHeliosBeamRayCaster::Internals : public helios::BeamTree
 {
@@ -39,21 +44,41 @@ bool vtkHeliosBeamRayCaster::BuildAccelerator(const helios::TriangleMesh& mesh)
   return true;
 }
 
-const helios::BeamTree* vtkHeliosBeamRayCaster::GetBeamTree() const
+std::unique_ptr<helios::ConeProbe> vtkHeliosBeamRayCaster::MakeConeProbe()
 {
-  return this->Tree.get();
+  return helios::MakeConeProbe(*this->Tree);
 }
 
 void vtkHeliosBeamRayCaster::Intersect(
   const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const
 {
-  this->Tree->Intersect(rays, hits, 1, count);
+  this->vtkHeliosBeamRayCaster::IntersectBeams(rays, hits, 1, count);
 }
 
 void vtkHeliosBeamRayCaster::IntersectBeams(
   const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const
 {
-  this->Tree->Intersect(rays, hits, raysPerBeam, beams);
+  const helios::BeamTree& tree = *this->Tree;
+  helios::BeamBundle bundle(tree);
+  for (vtkIdType beam = 0; beam < beams; ++beam)
+  {
+    for (int first = 0; first < raysPerBeam; first += helios::BeamBundle::MaximumRays)
+    {
+      const int count = std::min(helios::BeamBundle::MaximumRays, raysPerBeam - first);
+      if (count == 1)
+      {
+        hits[first] = tree.Intersect(rays[first]);
+        continue;
+      }
+      bundle.Trace(rays + first, hits + first, count);
+    }
+    for (int i = 0; i < raysPerBeam && tree.HasOutliers(); ++i)
+    {
+      hits[i] = tree.AddOutliers(rays[i], hits[i]);
+    }
+    rays += raysPerBeam;
+    hits += raysPerBeam;
+  }
 }
 
 void vtkHeliosBeamRayCaster::Occluded(

@@ -44,7 +44,9 @@ protected:
   ~vtkHeliosBeamRayCaster() override;
 
   bool BuildAccelerator(const helios::TriangleMesh& mesh) override;
-  const helios::BeamTree* GetBeamTree() const override;
+#ifndef __VTK_WRAP__
+  std::unique_ptr<helios::ConeProbe> MakeConeProbe() override;
+#endif
 
 private:
   vtkHeliosBeamRayCaster(const vtkHeliosBeamRayCaster&) = delete;

@@ -2,84 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosRayCaster.h"
 
-#include "heliosBeamTree.h"
 #include "heliosConeProbe.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
-#include "vtkHeliosBeamRayCaster.h"
-#include "vtkHeliosBvhRayCaster.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-namespace
+/// The scene of the accelerator, and what is derived from it.
+struct vtkHeliosRayCaster::Internals
 {
+  helios::StopCheck Check{ nullptr };
+  std::unique_ptr<helios::ConeProbe> Probe;
+  vtkWeakPointer<vtkPolyData> Scene;
+  vtkPoints* Points = nullptr;   ///< of the scene, which holds it
+  vtkCellArray* Polys = nullptr; ///< of the scene, which holds it
+  vtkMTimeType Time = 0;
 
-struct Backend
-{
-  std::string Name;
-  int Priority;
-  vtkHeliosRayCaster::Factory Create;
+  void Set(vtkPolyData* scene)
+  {
+    this->Scene = scene;
+    this->Points = scene->GetPoints();
+    this->Polys = scene->GetPolys();
+    this->Time = scene->GetMTime();
+  }
+
+  void Clear()
+  {
+    this->Scene = nullptr;
+    this->Probe.reset();
+  }
+
+  /// Whether it is this scene, or another one with the same triangles.
+  bool Has(vtkPolyData* scene) const
+  {
+    if (!scene || !this->Scene)
+    {
+      return false;
+    }
+    if (scene == this->Scene)
+    {
+      return scene->GetMTime() <= this->Time;
+    }
+    return scene->GetPoints() == this->Points && scene->GetPolys() == this->Polys &&
+      scene->GetNumberOfStrips() == 0 && this->Scene->GetNumberOfStrips() == 0 &&
+      std::max(this->Points->GetMTime(), this->Polys->GetMTime()) <= this->Time;
+  }
 };
 
-/// The backends, in order of priority. Those of other libraries register when they are loaded.
-std::vector<Backend>& GetBackends()
-{
-  static std::vector<Backend> backends = {
-    { "beam", 4, []() -> vtkHeliosRayCaster* { return vtkHeliosBeamRayCaster::New(); } },
-    { "bvh", 2, []() -> vtkHeliosRayCaster* { return vtkHeliosBvhRayCaster::New(); } }
-  };
-  return backends;
-}
-
-} // namespace
-
-bool vtkHeliosRayCaster::Register(const char* name, int priority, Factory create)
-{
-  std::vector<Backend>& backends = GetBackends();
-  const auto before = std::find_if(backends.begin(), backends.end(),
-    [priority](const Backend& backend) { return backend.Priority < priority; });
-  backends.insert(before, { name, priority, create });
-  return true;
-}
-
-vtkHeliosRayCaster* vtkHeliosRayCaster::Create(const char* name)
-{
-  const std::string wanted = name ? name : "";
-  std::string names;
-  for (const Backend& backend : GetBackends())
-  {
-    if (wanted.empty() || wanted == backend.Name)
-    {
-      return backend.Create();
-    }
-    names += (names.empty() ? "" : ", ") + backend.Name;
-  }
-  vtkErrorWithObjectMacro(
-    nullptr, << "There is no ray caster \"" << wanted << "\" in this build; give one of " << names);
-  return nullptr;
-}
-
-int vtkHeliosRayCaster::GetNumberOfBackends()
-{
-  return static_cast<int>(GetBackends().size());
-}
-
-const char* vtkHeliosRayCaster::GetBackendName(int index)
-{
-  const bool isThere = index >= 0 && index < vtkHeliosRayCaster::GetNumberOfBackends();
-  return isThere ? GetBackends()[static_cast<std::size_t>(index)].Name.c_str() : nullptr;
-}
-
 vtkHeliosRayCaster::vtkHeliosRayCaster()
-  : Check(new helios::StopCheck(nullptr))
+  : Built(new Internals)
   , Mesh(new helios::TriangleMesh)
 {
 }
@@ -96,13 +76,11 @@ void vtkHeliosRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 
 bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
 {
-  if (this->IsBuilt(scene))
+  if (this->Built->Has(scene))
   {
     return true;
   }
-  this->BuiltScene = nullptr;
-  this->ConeTree = nullptr;
-  this->OwnConeTree.reset();
+  this->Built->Clear();
   this->BuildAccelerator(helios::TriangleMesh()); // releases the old one before its mesh
   const std::string problem = this->Mesh->Set(scene);
   if (!problem.empty())
@@ -116,10 +94,7 @@ bool vtkHeliosRayCaster::Build(vtkPolyData* scene)
     *this->Mesh = helios::TriangleMesh();
     return false;
   }
-  this->BuiltScene = scene;
-  this->BuiltPoints = scene->GetPoints();
-  this->BuiltPolys = scene->GetPolys();
-  this->BuiltTime = scene->GetMTime();
+  this->Built->Set(scene);
   return true;
 }
 
@@ -128,7 +103,7 @@ bool vtkHeliosRayCaster::TryToBuild()
 {
   try
   {
-    this->Check->Ask();
+    this->Built->Check.Ask();
     return this->BuildAccelerator(*this->Mesh);
   }
   catch (const helios::Stopped&)
@@ -141,29 +116,18 @@ bool vtkHeliosRayCaster::TryToBuild()
 
 void vtkHeliosRayCaster::SetShouldStop(const std::function<bool()>& shouldStop)
 {
-  this->ShouldStop = shouldStop;
-  *this->Check = helios::StopCheck(shouldStop);
+  this->Built->Check = helios::StopCheck(shouldStop);
 }
 
-bool vtkHeliosRayCaster::IsBuilt(vtkPolyData* scene) const
+helios::StopCheck& vtkHeliosRayCaster::GetStopCheck()
 {
-  if (!scene || !this->BuiltScene)
-  {
-    return false;
-  }
-  if (scene == this->BuiltScene)
-  {
-    return scene->GetMTime() <= this->BuiltTime;
-  }
-  return scene->GetPoints() == this->BuiltPoints && scene->GetPolys() == this->BuiltPolys &&
-    scene->GetNumberOfStrips() == 0 && this->BuiltScene->GetNumberOfStrips() == 0 &&
-    std::max(this->BuiltPoints->GetMTime(), this->BuiltPolys->GetMTime()) <= this->BuiltTime;
+  return this->Built->Check;
 }
 
 bool vtkHeliosRayCaster::Intersect(vtkDoubleArray* origins, vtkDoubleArray* directions,
   vtkDoubleArray* ranges, vtkIdTypeArray* cellIds)
 {
-  if (!this->BuiltScene)
+  if (!this->Built->Scene)
   {
     vtkErrorMacro(<< "Intersect: the caster has no scene; call Build first.");
     return false;
@@ -210,35 +174,23 @@ void vtkHeliosRayCaster::IntersectBeams(
   this->Intersect(rays, hits, raysPerBeam * beams);
 }
 
-void vtkHeliosRayCaster::PrepareConeProbe()
+const helios::ConeProbe* vtkHeliosRayCaster::GetConeProbe()
 {
-  if (!this->ConeTree && this->BuiltScene)
+  if (!this->Built->Probe && this->Built->Scene)
   {
-    this->ConeTree = this->GetBeamTree();
-    const vtkIdType count = this->Mesh->GetNumberOfTriangles();
-    if (!this->ConeTree && count <= helios::BeamTree::MaximumTriangles)
+    try
     {
-      auto tree = std::make_unique<helios::BeamTree>();
-      try
-      {
-        tree->Build(*this->Mesh, *this->Check);
-      }
-      catch (const helios::Stopped&)
-      {
-        return;
-      }
-      this->OwnConeTree = std::move(tree);
-      this->ConeTree = this->OwnConeTree.get();
+      this->Built->Probe = this->MakeConeProbe();
+    }
+    catch (const helios::Stopped&)
+    {
+      return nullptr;
     }
   }
+  return this->Built->Probe.get();
 }
 
-vtkHeliosConeHit vtkHeliosRayCaster::ProbeCone(
-  const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const
+std::unique_ptr<helios::ConeProbe> vtkHeliosRayCaster::MakeConeProbe()
 {
-  if (!this->ConeTree)
-  {
-    return { vtkHeliosConeHit::Mixed, -1, 0.0 };
-  }
-  return helios::ConeProbe(origin, axis, tanHalfAngle, planeTolerance).Run(*this->ConeTree);
+  return helios::MakeConeProbe(*this->Mesh, this->GetStopCheck());
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosDialect.h"
 
-#include "heliosXmlNotes.h"
 #include "heliosXmlRules.h"
 #include "heliosXmlSchema.h"
 
@@ -14,10 +13,9 @@ namespace
 {
 
 /// " <element name>" if it has no note.
-std::string Miss(const std::string& element, const std::string& name)
+std::string Miss(const std::string& element, const std::string& name, const char* note)
 {
-  const bool isKnown = *helios::FindXmlNote(element, name).Text != '\0';
-  return isKnown ? std::string() : " <" + element + (name.empty() ? "" : " " + name) + ">";
+  return *note ? std::string() : " <" + element + (name.empty() ? "" : " " + name) + ">";
 }
 
 } // namespace
@@ -40,14 +38,15 @@ std::string vtkHeliosDialect::FindUndescribed()
   std::string missed;
   for (const helios::XmlElementRule& rule : helios::GetXmlRules())
   {
-    missed += Miss(rule.Name, "");
+    missed += Miss(rule.Name, "", rule.Note);
     for (const helios::XmlValueRule& value : rule.Values)
     {
-      missed += Miss(rule.Name, value.Name);
+      missed += Miss(rule.Name, value.Name, value.Note);
     }
     for (const helios::XmlChildRule& child : rule.Children)
     {
-      missed += Miss(child.Name, "");
+      const helios::XmlElementRule* element = helios::FindXmlRule(child.Name);
+      missed += Miss(child.Name, "", element ? element->Note : child.Note);
     }
   }
   return missed;

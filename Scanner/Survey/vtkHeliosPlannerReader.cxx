@@ -44,7 +44,7 @@ public:
 vtkHeliosPlannerReader::vtkHeliosPlannerReader()
   : Reader(new Internals)
 {
-  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfInputPorts(1);
 }
 
 //------------------------------------------------------------------------------
@@ -79,14 +79,16 @@ bool vtkHeliosPlannerReader::Read()
 {
   this->Reader->IsGood = false;
   this->Reader->Data = helios::PlannerData();
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro(<< "FileName is not set; give the name of a planner, survey or scene file");
-    return false;
-  }
   helios::Messages log(this);
   helios::PlannerRequest request;
-  request.FileName = this->FileName;
+  request.FileName = Text(this->FileName);
+  request.HasScene = this->GetNumberOfInputConnections(0) > 0;
+  if (request.FileName.empty() && !request.HasScene)
+  {
+    vtkErrorMacro(<< "FileName is not set, and there is no scene on port 0; give the name of a "
+                     "planner, survey or scene file, or connect a scene");
+    return false;
+  }
   request.AssetDirectories = this->Reader->AssetDirectories;
   request.Platform = Text(this->Platform);
   request.Scanner = Text(this->Scanner);
@@ -102,20 +104,33 @@ bool vtkHeliosPlannerReader::Read()
   }
   catch (const std::exception& error) // standard library errors: out of memory, file system
   {
-    vtkErrorMacro(<< this->FileName << ": cannot be read: " << error.what());
+    vtkErrorMacro(<< request.FileName << ": cannot be read: " << error.what());
   }
   this->Reader->ReadTime = this->GetMTime();
   return this->Reader->IsGood;
 }
 
 //------------------------------------------------------------------------------
+int vtkHeliosPlannerReader::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosPlannerReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputVector)
 {
   const bool isCurrent = this->Reader->IsGood && this->Reader->ReadTime == this->GetMTime();
   if (!isCurrent && !this->Read())
   {
     return 0;
+  }
+  if (vtkPolyData* given = vtkPolyData::GetData(inputs[0]))
+  {
+    this->Reader->Grids.clear();
+    vtkPolyData::GetData(outputVector)->ShallowCopy(given);
+    return 1;
   }
   helios::Messages log(this);
   helios::SceneBuilder builder(this->GetData().Survey.Scene, log);
@@ -152,6 +167,12 @@ vtkImageData* vtkHeliosPlannerReader::GetGrid(int grid) const
 const helios::PlannerData& vtkHeliosPlannerReader::GetData() const
 {
   return this->Reader->Data;
+}
+
+//------------------------------------------------------------------------------
+const helios::PlannerSettings& vtkHeliosPlannerReader::GetSettings() const
+{
+  return this->GetData().Settings;
 }
 
 namespace
@@ -200,151 +221,19 @@ std::string vtkHeliosPlannerReader::GetScannerReference() const
 //------------------------------------------------------------------------------
 std::string vtkHeliosPlannerReader::GetMethod() const
 {
-  return this->GetData().Method;
+  return this->GetSettings().Method;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosPlannerReader::GetRemoveOrder() const
 {
-  return this->GetData().RemoveOrder;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetRemoveLargestFirst() const
-{
-  return this->GetData().RemoveFirst == "largest";
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetMinimumCoverage() const
-{
-  return this->GetData().MinimumCoverage;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetCoverageOfAll() const
-{
-  return this->GetData().CoverageOf == "all";
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetUseAreas() const
-{
-  return this->GetData().UseAreas;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetMinimumOverlap() const
-{
-  return this->GetData().MinimumOverlap / 100.0;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetTimeLimit() const
-{
-  return this->GetData().TimeLimit;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetXStep() const
-{
-  return this->GetData().PositionStep[0];
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetYStep() const
-{
-  return this->GetData().PositionStep[1];
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetTestPointStep() const
-{
-  return this->GetData().TestPointStep;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetTestLines() const
-{
-  return this->GetData().TestLines;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetMaximumSlope() const
-{
-  return this->GetData().MaximumSlope;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetEnclosed() const
-{
-  return this->GetData().TakesEnclosed;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkHeliosPlannerReader::GetGroundOnly() const
-{
-  return this->GetData().GroundOnly;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetScannerHeight() const
-{
-  return this->GetData().ScannerHeight;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetHitTolerance() const
-{
-  return this->GetData().HitTolerance;
-}
-
-//------------------------------------------------------------------------------
-bool vtkHeliosPlannerReader::GetHitBehind() const
-{
-  return this->GetData().SeesBefore;
+  return this->GetSettings().RemoveOrder;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosPlannerReader::GetScannerLimits() const
 {
-  return this->GetData().HasScannerLimits;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetRangeMin() const
-{
-  return this->GetData().RangeMin;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetRangeMax() const
-{
-  return this->GetData().RangeMax;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetElevationMin() const
-{
-  return this->GetData().ElevationMin;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetElevationMax() const
-{
-  return this->GetData().ElevationMax;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetMaximumIncidenceAngle() const
-{
-  return this->GetData().MaximumIncidenceAngle;
-}
-
-//------------------------------------------------------------------------------
-double vtkHeliosPlannerReader::GetMinimumPointDensity() const
-{
-  return this->GetData().MinimumPointDensity;
+  return this->GetSettings().HasScannerLimits;
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,9 @@
  * @brief   read a planning task from HELIOS XML or a mesh
  *
  * Output 0 is the scene: triangles with materials and CRS, as scanned by vtkHeliosSurveyPlayer.
- * Read() reads only the settings, which the getters below return. The following is read from a
- * file:
+ * Read() reads only the settings, with which vtkHeliosScanPlan sets up the filters. Input 0,
+ * optional, is a scene in place of that of the file; then FileName may be empty. The following is
+ * read from a file:
  * - the first <surveyPlanner>: Docs/planning.md, Docs/dialect.md;
  * - else the first <survey>: its scene, and platform, scanner and scanner settings of its first leg
  *   that fires pulses; its changes to the scanner are ignored;
@@ -23,7 +24,7 @@
  * documents the search path; all errors are reported, not only the first.
  *
  * @sa
- * vtkHeliosSurveyWriter vtkHeliosSurveyReader vtkHeliosScanPositionPlanner
+ * vtkHeliosScanPlan vtkHeliosSurveyWriter vtkHeliosSurveyReader
  */
 
 #ifndef vtkHeliosPlannerReader_h
@@ -40,6 +41,7 @@ class vtkImageData;
 namespace helios
 {
 struct PlannerData;
+struct PlannerSettings;
 }
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosPlannerReader : public vtkPolyDataAlgorithm
@@ -51,7 +53,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the file to read. Default: none.
+   * Set/Get the file to read. Default: none, the scene on port 0.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -124,7 +126,8 @@ public:
   ///@{
   /**
    * Get the type of file: "planner", "survey" or "scene"; a name valid for a folder; the sources of
-   * scene, platform and scanner, file.xml#id. That of the scene is empty if the file is a mesh.
+   * scene, platform and scanner, file.xml#id. That of the scene is empty if the file is a mesh, or
+   * the scene is on port 0.
    */
   std::string GetKind() const;
   std::string GetPlanName() const;
@@ -135,55 +138,19 @@ public:
 
   ///@{
   /**
-   * Get how positions are selected: the method (reduce, bestcoverage, greedy, best, optimal; empty
-   * without a <surveyPlanner>); for reduce, viewshedSize or meanIncidenceAngle, and whether the
-   * largest are removed first; the required coverage [%], of coverable or of all points; whether
-   * points are weighted by area; the scan overlap [0..1]; the time limit of a search [s].
+   * Get the method: reduce, bestcoverage, greedy, best or optimal, empty without a <surveyPlanner>;
+   * the removal criterion of reduce: viewshedSize or meanIncidenceAngle; whether limits that are
+   * not given are those of the scanner.
    */
   std::string GetMethod() const;
   std::string GetRemoveOrder() const;
-  bool GetRemoveLargestFirst() const;
-  double GetMinimumCoverage() const;
-  bool GetCoverageOfAll() const;
-  bool GetUseAreas() const;
-  double GetMinimumOverlap() const;
-  double GetTimeLimit() const;
-  ///@}
-
-  ///@{
-  /**
-   * Get the layout of candidates and test points: the spacing along x and y [m], 0 if not given;
-   * the lines with test points: all, vertical or horizontal; the maximum slope [deg]; whether
-   * enclosed places are candidates; ground only: auto, true, false or open; the height of the
-   * instrument above the position [m].
-   */
-  double GetXStep() const;
-  double GetYStep() const;
-  double GetTestPointStep() const;
-  std::string GetTestLines() const;
-  double GetMaximumSlope() const;
-  bool GetEnclosed() const;
-  std::string GetGroundOnly() const;
-  double GetScannerHeight() const;
-  ///@}
-
-  ///@{
-  /**
-   * Get the visibility limits: the hit tolerance [m], whether a ray that ends farther behind counts
-   * as a hit, whether limits not given are those of the scanner, ranges [m], elevations above the
-   * horizontal [deg], the maximum incidence angle [deg], the minimum point density from one
-   * position [1/m2].
-   */
-  double GetHitTolerance() const;
-  bool GetHitBehind() const;
   bool GetScannerLimits() const;
-  double GetRangeMin() const;
-  double GetRangeMax() const;
-  double GetElevationMin() const;
-  double GetElevationMax() const;
-  double GetMaximumIncidenceAngle() const;
-  double GetMinimumPointDensity() const;
   ///@}
+
+  /**
+   * Get all settings of the plan, which vtkHeliosScanPlan sets on the filters.
+   */
+  const helios::PlannerSettings& GetSettings() const;
 
   ///@{
   /**
@@ -230,6 +197,7 @@ protected:
   vtkHeliosPlannerReader();
   ~vtkHeliosPlannerReader() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

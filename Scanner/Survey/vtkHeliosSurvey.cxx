@@ -3,6 +3,7 @@
 #include "vtkHeliosSurvey.h"
 
 #include "heliosPlays.h"
+#include "heliosSurveyMaker.h"
 
 #include <vtkObjectFactory.h>
 
@@ -25,11 +26,24 @@ std::string JoinNames(const std::vector<DataT>& all)
   return names;
 }
 
+/// The attributes of a kind; none if the kind does not exist.
+const std::vector<helios::Attribute>& FindAttributes(const std::string& kind)
+{
+  static const std::vector<helios::Attribute> none;
+  return kind == "survey" ? helios::GetAttributes<helios::SurveyData>()
+    : kind == "scene"     ? helios::GetAttributes<helios::SceneData>()
+    : kind == "part"      ? helios::GetAttributes<helios::PartData>()
+    : kind == "scanner"   ? helios::GetAttributes<helios::ScannerData>()
+    : kind == "platform"  ? helios::GetAttributes<helios::PlatformData>()
+    : kind == "leg"       ? helios::GetAttributes<helios::LegSettings>()
+                          : none;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 vtkHeliosSurvey::vtkHeliosSurvey()
-  : Data(new helios::SurveyData)
+  : Maker(new helios::SurveyMaker(this))
 {
 }
 
@@ -37,42 +51,280 @@ vtkHeliosSurvey::vtkHeliosSurvey()
 vtkHeliosSurvey::~vtkHeliosSurvey() = default;
 
 //------------------------------------------------------------------------------
+helios::SurveyData& vtkHeliosSurvey::GetData()
+{
+  return this->Maker->GetData();
+}
+
+//------------------------------------------------------------------------------
+const helios::SurveyData& vtkHeliosSurvey::GetData() const
+{
+  return this->Maker->GetData();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::Check()
+{
+  return this->Maker->Check();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::AddAssetDirectory(const std::string& directory)
+{
+  std::vector<std::string> all = this->Maker->GetAssetDirectories();
+  all.push_back(directory);
+  this->Maker->SetAssetDirectories(all);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::RemoveAllAssetDirectories()
+{
+  this->Maker->SetAssetDirectories({});
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::SetName(const std::string& name)
+{
+  this->Maker->SetSurvey("name", name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetSurveyAttribute(const std::string& name, const std::string& value)
+{
+  return this->Maker->SetSurvey(name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetSurveyAttribute(const std::string& name)
+{
+  return this->Maker->GetSurvey(name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetSceneAttribute(const std::string& name, const std::string& value)
+{
+  return this->Maker->Set(this->Maker->FindScene(), name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetSceneAttribute(const std::string& name)
+{
+  return this->Maker->Get(this->Maker->FindScene(), name);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddScanner(const std::string& id)
+{
+  return this->Maker->AddScanner(id);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddScannerFromFile(const std::string& reference)
+{
+  return this->Maker->AddScannerFromFile(reference);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfScanners() const
+{
+  return static_cast<int>(this->GetData().Scanners.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddPlatform(const std::string& id)
+{
+  return this->Maker->AddPlatform(id);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddPlatformFromFile(const std::string& reference)
+{
+  return this->Maker->AddPlatformFromFile(reference);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfPlatforms() const
+{
+  return static_cast<int>(this->GetData().Platforms.size());
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddChannel(int scanner)
+{
+  return this->Maker->AddChannel(scanner);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfChannels(int scanner)
+{
+  const helios::ScannerData* data = this->Maker->FindScanner(scanner);
+  return data ? static_cast<int>(data->GetNumberOfChannels()) : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetScannerAttribute(
+  int scanner, const std::string& name, const std::string& value)
+{
+  const int count = this->GetNumberOfChannels(scanner);
+  bool isGood = count > 0;
+  for (int channel = 0; isGood && channel < count; ++channel)
+  {
+    isGood = this->SetChannelAttribute(scanner, channel, name, value);
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetScannerAttribute(int scanner, const std::string& name)
+{
+  return this->GetChannelAttribute(scanner, 0, name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetChannelAttribute(
+  int scanner, int channel, const std::string& name, const std::string& value)
+{
+  return this->Maker->Set(this->Maker->FindScanner(scanner, channel), name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetChannelAttribute(int scanner, int channel, const std::string& name)
+{
+  return this->Maker->Get(this->Maker->FindScanner(scanner, channel), name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetPlatformAttribute(
+  int platform, const std::string& name, const std::string& value)
+{
+  return this->Maker->Set(this->Maker->FindPlatform(platform), name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPlatformAttribute(int platform, const std::string& name)
+{
+  return this->Maker->Get(this->Maker->FindPlatform(platform), name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetLegAttribute(int leg, const std::string& name, const std::string& value)
+{
+  return this->Maker->Set(this->Maker->FindLeg(leg), name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetLegAttribute(int leg, const std::string& name)
+{
+  return this->Maker->Get(this->Maker->FindLeg(leg), name);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetPartAttribute(int part, const std::string& name, const std::string& value)
+{
+  return this->Maker->Set(this->Maker->FindPart(part), name, value);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPartAttribute(int part, const std::string& name)
+{
+  return this->Maker->Get(this->Maker->FindPart(part), name);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddLeg(int scanner, int platform)
+{
+  return this->Maker->AddLeg(scanner, platform);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::RemoveLeg(int leg)
+{
+  this->Maker->RemoveLeg(leg);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::RemoveAllLegs()
+{
+  this->Maker->RemoveAllLegs();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::SetLegPosition(int leg, double x, double y, double z)
+{
+  return this->SetLegAttribute(leg, "x", helios::ToXmlText(x)) &&
+    this->SetLegAttribute(leg, "y", helios::ToXmlText(y)) &&
+    this->SetLegAttribute(leg, "z", helios::ToXmlText(z));
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::AddPart(const std::string& loader, const std::string& file)
+{
+  return this->Maker->AddPart(loader, file);
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurvey::RemoveAllParts()
+{
+  this->Maker->RemoveAllParts();
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurvey::RotatePart(int part, const std::string& axis, double angle)
+{
+  return this->Maker->RotatePart(part, axis, angle);
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurvey::GetNumberOfAttributes(const std::string& kind)
+{
+  return static_cast<int>(FindAttributes(kind).size());
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetAttributeName(const std::string& kind, int index)
+{
+  const std::vector<helios::Attribute>& all = FindAttributes(kind);
+  const bool exists = index >= 0 && index < static_cast<int>(all.size());
+  return exists ? all[static_cast<std::size_t>(index)].Name : std::string();
+}
+
+//------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetName() const
 {
-  return this->Data->Name;
+  return this->GetData().Name;
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetScannerName() const
 {
-  return JoinNames(this->Data->Scanners);
+  return JoinNames(this->GetData().Scanners);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPlatformName() const
 {
-  return JoinNames(this->Data->Platforms);
+  return JoinNames(this->GetData().Platforms);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetSceneName() const
 {
-  return this->Data->Scene.Name;
+  return this->GetData().Scene.Name;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurvey::GetSeed() const
 {
-  return this->Data->Seed;
+  return this->GetData().Seed;
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::IsMoving() const
 {
   bool isMoving = false;
-  for (std::size_t leg = 0; leg < this->Data->Legs.size(); ++leg)
+  for (std::size_t leg = 0; leg < this->GetData().Legs.size(); ++leg)
   {
-    isMoving = isMoving || this->Data->IsMoving(leg);
+    isMoving = isMoving || this->GetData().IsMoving(leg);
   }
   return isMoving;
 }
@@ -80,26 +332,26 @@ bool vtkHeliosSurvey::IsMoving() const
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfPlays() const
 {
-  return helios::CountPlays(this->Data->Scene);
+  return helios::CountPlays(this->GetData().Scene);
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfParts() const
 {
-  return static_cast<int>(this->Data->Scene.Parts.size());
+  return static_cast<int>(this->GetData().Scene.Parts.size());
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurvey::GetPartName(int part) const
 {
   const bool exists = part >= 0 && part < this->GetNumberOfParts();
-  return exists ? this->Data->Scene.Parts[static_cast<std::size_t>(part)].Name : std::string();
+  return exists ? this->GetData().Scene.Parts[static_cast<std::size_t>(part)].Name : std::string();
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurvey::GetNumberOfLegs() const
 {
-  return static_cast<int>(this->Data->Legs.size());
+  return static_cast<int>(this->GetData().Legs.size());
 }
 
 //------------------------------------------------------------------------------
@@ -120,7 +372,7 @@ bool vtkHeliosSurvey::IsLegOnGround(int leg) const
 //------------------------------------------------------------------------------
 bool vtkHeliosSurvey::IsLegActive(int leg) const
 {
-  return this->FindLeg(leg) && this->Data->Fires(static_cast<std::size_t>(leg));
+  return this->FindLeg(leg) && this->GetData().Fires(static_cast<std::size_t>(leg));
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +393,7 @@ double vtkHeliosSurvey::GetLegScanFrequency(int leg) const
 const helios::LegData* vtkHeliosSurvey::FindLeg(int leg) const
 {
   const bool exists = leg >= 0 && leg < this->GetNumberOfLegs();
-  return exists ? &this->Data->Legs[static_cast<std::size_t>(leg)] : nullptr;
+  return exists ? &this->GetData().Legs[static_cast<std::size_t>(leg)] : nullptr;
 }
 
 //------------------------------------------------------------------------------

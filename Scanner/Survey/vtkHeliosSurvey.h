@@ -2,11 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosSurvey
- * @brief   a survey as plain data
+ * @brief   a scene, a scanner on a platform, and the legs to scan
  *
- * A scene, a scanner on a platform, and the legs to scan, as read by vtkHeliosSurveyReader and run
- * by vtkHeliosSurveyPlayer. All references, inherited values and limits are resolved. C++ code
- * accesses the data with GetData(); the wrapped methods describe the survey.
+ * It is read by vtkHeliosSurveyReader, or made by its methods, and run by vtkHeliosSurveyPlayer:
+ *
+ * @code
+ * survey->AddAssetDirectory("Data/Assets");
+ * const int scanner = survey->AddScannerFromFile("scanners.xml#vz400_class_tls");
+ * const int platform = survey->AddPlatformFromFile("platforms.xml#tripod");
+ * const int leg = survey->AddLeg(scanner, platform);
+ * survey->SetLegAttribute(leg, "scanFreq_hz", "100");
+ * if (!survey->Check()) ...
+ * @endcode
+ *
+ * Attributes have the names, units and ranges of the HELIOS XML dialect (Docs/dialect.md), and
+ * their values are texts, as in files. A value that is not valid is an error, and is not set; an
+ * empty one restores the default. Changes that depend on each other, such as the limits of a
+ * scanner and the settings of a leg, are resolved together: Check() reports all errors and
+ * warnings. Messages name "leg 2", "scanner 0" or "platform 0" in place of file:line. All indices
+ * count from 0.
+ *
+ * C++ code accesses the data with GetData(): all references, inherited values and limits are
+ * resolved there.
  *
  * @sa
  * vtkHeliosSurveyReader vtkHeliosSurveyPlayer
@@ -19,12 +36,13 @@
 #include "vtkObject.h"
 
 #include <memory> // For the private data
-#include <string> // For the names
+#include <string> // For names and values
 
 namespace helios
 {
 struct LegData;
 struct SurveyData;
+class SurveyMaker;
 }
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurvey : public vtkObject
@@ -34,10 +52,156 @@ public:
   vtkTypeMacro(vtkHeliosSurvey, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
-   * The name of the survey, also that of its output folder.
+   * Set/Get the name of the survey, also that of its output folder; it is changed to a valid folder
+   * name. Default: survey.
    */
+  void SetName(const std::string& name);
   std::string GetName() const;
+  ///@}
+
+  ///@{
+  /**
+   * Add an asset directory (and its folder data) to search for references, after those added
+   * before; remove all. The working directory is searched last. Default: none.
+   */
+  void AddAssetDirectory(const std::string& directory);
+  void RemoveAllAssetDirectories();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get an attribute of the survey (name, seed, rayCaster, legRandomOffset ...) or of its scene
+   * (id, name, crs). Set returns false after an error; Get returns an empty text if the value is
+   * not given.
+   */
+  bool SetSurveyAttribute(const std::string& name, const std::string& value);
+  std::string GetSurveyAttribute(const std::string& name);
+  bool SetSceneAttribute(const std::string& name, const std::string& value);
+  std::string GetSceneAttribute(const std::string& name);
+  ///@}
+
+  ///@{
+  /**
+   * Add a scanner or a platform: one with the default attributes, or file.xml#id. Returns its index
+   * for AddLeg(), or -1 after an error.
+   */
+  int AddScanner(const std::string& id);
+  int AddPlatform(const std::string& id);
+  int AddScannerFromFile(const std::string& reference);
+  int AddPlatformFromFile(const std::string& reference);
+  ///@}
+
+  ///@{
+  /**
+   * The number of scanners and of platforms.
+   */
+  int GetNumberOfScanners() const;
+  int GetNumberOfPlatforms() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get an attribute of a scanner by its name in scanner, FWFSettings or detectorSettings:
+   * optics, beamDivergence_rad, binSize_ns ..., or of a child element, as in beamOrigin/z or
+   * rangeError/expr. Set changes all channels, Get is for the first one.
+   */
+  bool SetScannerAttribute(int scanner, const std::string& name, const std::string& value);
+  std::string GetScannerAttribute(int scanner, const std::string& name);
+  ///@}
+
+  ///@{
+  /**
+   * Add a channel, a copy of the first one, which is the scanner itself. Returns its index, or -1
+   * after an error. Set/Get an attribute of one channel.
+   */
+  int AddChannel(int scanner);
+  int GetNumberOfChannels(int scanner);
+  bool SetChannelAttribute(
+    int scanner, int channel, const std::string& name, const std::string& value);
+  std::string GetChannelAttribute(int scanner, int channel, const std::string& name);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get an attribute of a platform: type, roll_speed_deg ..., or of a child element, as in
+   * scannerMount/z or positionXNoise/stdev, which switches that noise on.
+   */
+  bool SetPlatformAttribute(int platform, const std::string& name, const std::string& value);
+  std::string GetPlatformAttribute(int platform, const std::string& name);
+  ///@}
+
+  /**
+   * Add a leg with the default settings, for one of the scanners on one of the platforms. Returns
+   * its index, or -1 after an error. On a moving platform a leg extends to the position of the next
+   * leg with the same platform, and the last one is its end.
+   */
+  int AddLeg(int scanner = 0, int platform = 0);
+
+  ///@{
+  /**
+   * Remove a leg, or all legs; those after it move up. Does nothing if the leg does not exist.
+   */
+  void RemoveLeg(int leg);
+  void RemoveAllLegs();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a setting of a leg by its name in platformSettings, scannerSettings or leg: x, y, z,
+   * onGround, movePerSec_m, scanFreq_hz ... Get returns the setting as given, before inheritance
+   * and limits, and an empty text if it is not given.
+   */
+  bool SetLegAttribute(int leg, const std::string& name, const std::string& value);
+  std::string GetLegAttribute(int leg, const std::string& name);
+  ///@}
+
+  /**
+   * Set the position of a leg [m]; z is replaced by the height of the ground for a leg with
+   * onGround. Returns false after an error.
+   */
+  bool SetLegPosition(int leg, double x, double y, double z);
+
+  ///@{
+  /**
+   * Add a part of the scene from a file, by objloader, geotiffloader, xyzloader or detailedvoxels.
+   * Returns its index, or -1 after an error. Remove all parts.
+   */
+  int AddPart(const std::string& loader, const std::string& file);
+  void RemoveAllParts();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get an attribute of a part: id, or the parameter of a filter, as in translate/offset,
+   * scale/scale or xyzloader/voxelSize.
+   */
+  bool SetPartAttribute(int part, const std::string& name, const std::string& value);
+  std::string GetPartAttribute(int part, const std::string& name);
+  ///@}
+
+  /**
+   * Rotate a part about x, y or z by an angle [deg], after its other rotations. Valid range: [-1e6,
+   * 1e6]. Returns false after an error.
+   */
+  bool RotatePart(int part, const std::string& axis, double angle);
+
+  ///@{
+  /**
+   * The names of all attributes of a kind: survey, scene, part, scanner, platform or leg; none of
+   * another kind, and empty if the index is out of range.
+   */
+  static int GetNumberOfAttributes(const std::string& kind);
+  static std::string GetAttributeName(const std::string& kind, int index);
+  ///@}
+
+  /**
+   * Check the survey: reports all errors and warnings, of scanners and of legs with their inherited
+   * values and limits. Returns false after an error. A survey that has not changed since it was
+   * checked, or read without error, is valid. A scene is not required.
+   */
+  bool Check();
 
   ///@{
   /**
@@ -78,7 +242,7 @@ public:
   int GetNumberOfLegs() const;
 
   /**
-   * The position of a leg in the survey file [m]: for a leg that IsLegOnGround(), z is not yet on
+   * The position of a leg [m]: for a leg that IsLegOnGround(), z is not yet on
    * the ground. Zero if the leg does not exist.
    */
   void GetLegPosition(int leg, double position[3]) const;
@@ -101,15 +265,10 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /// All data; call Modified() after a change.
-  helios::SurveyData& GetData()
-  {
-    return *this->Data;
-  }
-  const helios::SurveyData& GetData() const
-  {
-    return *this->Data;
-  }
+  /// All data; call Modified() after a change. A leg is changed by its settings: the methods above
+  /// make all legs of theirs again.
+  helios::SurveyData& GetData();
+  const helios::SurveyData& GetData() const;
   ///@}
 #endif
 
@@ -123,7 +282,7 @@ private:
 
   const helios::LegData* FindLeg(int leg) const;
 
-  std::unique_ptr<helios::SurveyData> Data;
+  std::unique_ptr<helios::SurveyMaker> Maker;
 };
 
 #endif

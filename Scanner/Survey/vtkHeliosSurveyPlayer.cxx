@@ -4,16 +4,17 @@
 
 #include "heliosLegRunner.h"
 #include "heliosMessages.h"
-#include "heliosPlays.h"
-#include "heliosReadSettings.h"
 #include "heliosRunCheck.h"
 #include "heliosRunEstimate.h"
 #include "heliosRunFingerprint.h"
 #include "heliosRunFolder.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
-#include "heliosSceneBuilder.h"
+#include "heliosSurveyLoader.h"
+#include "vtkHeliosRunFiles.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
+#include "vtkHeliosSurveySource.h"
 
 #include <vtkCommand.h>
 #include <vtkImageData.h>
@@ -22,9 +23,20 @@
 
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <memory>
 
 vtkStandardNewMacro(vtkHeliosSurveyPlayer);
+
+namespace
+{
+
+std::string TextOf(const char* text)
+{
+  return text ? text : "";
+}
+
+} // namespace
 
 /// One run of a player.
 class vtkHeliosSurveyPlayer::Internals
@@ -34,6 +46,7 @@ public:
     : Player(player)
     , Log(player)
   {
+    this->Log.Listen(player->Source);
   }
 
   /// Runs the survey and reports the result.
@@ -44,25 +57,30 @@ public:
 
 private:
   bool CheckSettings();
+  const helios::SurveyData& GetSurvey() const
+  {
+    return this->Player->Source->GetLoader().GetSurvey();
+  }
+  vtkPolyData* GetScene() const { return this->Player->Source->GetScene(); }
   bool FindEarlierRun();
   bool CheckEarlierRun(const Json::Value& then);
   bool CheckEarlierFiles();
   bool Load();
+  void HashScene();
   bool Plan();
   bool Begin();
   bool RunLegs();
   bool Conclude();
   bool ConcludeFinished();
   bool Tell(const std::string& step);
-  bool Count(const helios::RunCounts& counts);
-  void TakeCounts(const helios::RunCounts& counts);
+  bool Count(const helios::ScanCounts& counts);
+  void SetCounts(const helios::ScanCounts& counts);
   bool Fail(const std::string& text);
   bool Fail();
   std::string DescribeKept() const;
 
   vtkHeliosSurveyPlayer* Player;
   helios::Messages Log;
-  helios::SurveyData Survey; // of the epoch
   helios::RunSettings Settings;
   bool Resumes = false;
   std::unique_ptr<helios::RunFolder> Folder;
@@ -70,7 +88,6 @@ private:
   std::unique_ptr<helios::LegRunner> Runner;
   Json::Value Fingerprint;
   double LoadSeconds = 0.0;
-  vtkSmartPointer<vtkPolyData> Scene;
 };
 
 //------------------------------------------------------------------------------
@@ -114,14 +131,21 @@ bool vtkHeliosSurveyPlayer::Internals::Estimate()
 bool vtkHeliosSurveyPlayer::Internals::CheckSettings()
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  if (!player->Survey || player->Survey->GetNumberOfLegs() == 0)
+  if (!player->Source->CheckOptions(this->Settings))
   {
-    return this->Fail(
-      "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
+    return this->Fail();
   }
-  const std::string fault = helios::ReadSettings(player, this->Settings);
-  this->Survey = helios::MakePlay(player->Survey->GetData(), player->Play);
-  return fault.empty() || this->Fail(fault);
+  this->Settings.Format = TextOf(player->Format);
+  if (vtkHeliosRunFiles::GetFileName("", vtkHeliosRunFiles::POINTS, this->Settings.Format).empty())
+  {
+    return this->Fail("Format is \"" + this->Settings.Format + "\"; give xyz, las or vtp.");
+  }
+  this->Settings.Folder = player->GetRunFolder();
+  this->Settings.Waveforms = player->WriteWaveforms;
+  this->Settings.Pulses = player->WritePulses;
+  this->Settings.SplitByChannel = player->SplitByChannel;
+  this->Settings.PulsesPerBlock = player->PulsesPerBlock;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +155,8 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
   this->Folder = std::make_unique<helios::RunFolder>(this->Settings.Folder);
   this->Journal = std::make_unique<helios::RunJournal>(this->Settings.Folder);
   // Epochs after the current one of an interrupted run have no files yet.
-  const bool isNext = player->Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
+  const bool isNext =
+    this->Settings.Options.Play > 0 && !player->Overwrite && this->Folder->IsEmpty();
   this->Resumes = player->Resume && !isNext;
   std::string problem = this->Folder->Prepare(player->Overwrite, this->Resumes);
   if (!problem.empty())
@@ -139,10 +164,18 @@ bool vtkHeliosSurveyPlayer::Internals::FindEarlierRun()
     return this->Fail(problem);
   }
   this->Tell("hashing the input files");
-  this->Fingerprint = helios::MakeFingerprint(this->Survey, this->Settings);
+  this->Fingerprint = helios::MakeFingerprint(this->GetSurvey(), this->Settings);
   if (!this->Resumes)
   {
     return true;
+  }
+  if (player->Source->GetLoader().HasGivenScene()) // no file tells a change of it
+  {
+    if (!this->Load())
+    {
+      return false;
+    }
+    this->HashScene();
   }
   Json::Value summary;
   player->WasFinished = !this->Journal->Exists();
@@ -196,25 +229,30 @@ bool vtkHeliosSurveyPlayer::Internals::CheckEarlierFiles()
 bool vtkHeliosSurveyPlayer::Internals::Load()
 {
   const auto start = std::chrono::steady_clock::now();
-  helios::SceneBuilder builder(this->Survey.Scene, this->Log, this->Settings.Seed);
   const auto onStep = [this](const std::string& step) { return this->Tell(step); };
-  this->Scene = builder.Build(onStep);
-  this->Settings.Grids =
-    this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
-  if (!this->Scene && !this->Log.HasError())
+  const bool isLoaded = this->Player->Source->LoadScene(onStep, this->Settings);
+  if (!isLoaded && !this->Log.HasError())
   {
     this->Player->Message = "Stopped while the scene was loaded; nothing was written.";
   }
   this->LoadSeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return this->Scene || this->Fail();
+  return isLoaded || this->Fail();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::Internals::HashScene()
+{
+  const bool isGiven = this->Player->Source->GetLoader().HasGivenScene();
+  this->Fingerprint["scene"] = helios::HashScene(this->GetScene(),
+    isGiven ? this->Settings.Grids : std::vector<vtkSmartPointer<vtkImageData>>());
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Plan()
 {
-  this->Runner =
-    std::make_unique<helios::LegRunner>(this->Survey, this->Scene, this->Settings, this->Log);
+  this->Runner = std::make_unique<helios::LegRunner>(
+    this->GetSurvey(), this->GetScene(), this->Settings, this->Log);
   if (!this->Runner->Plan())
   {
     return this->Fail();
@@ -227,7 +265,7 @@ bool vtkHeliosSurveyPlayer::Internals::Plan()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Begin()
 {
-  this->Fingerprint["scene"] = helios::HashScene(this->Scene);
+  this->HashScene();
   if (this->Resumes)
   {
     return this->CheckEarlierRun(this->Journal->GetFingerprint()) && this->CheckEarlierFiles();
@@ -244,7 +282,7 @@ bool vtkHeliosSurveyPlayer::Internals::Begin()
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::RunLegs()
 {
-  const auto onBlock = [this](const helios::RunCounts& counts) { return this->Count(counts); };
+  const auto onBlock = [this](const helios::ScanCounts& counts) { return this->Count(counts); };
   for (const helios::LegPlan& plan : this->Runner->GetPlans())
   {
     this->Player->CurrentLeg = static_cast<int>(plan.Leg);
@@ -268,7 +306,7 @@ bool vtkHeliosSurveyPlayer::Internals::RunLegs()
 std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
 {
   helios::Sentence text;
-  text << " after " << this->Player->NumberOfPulsesDone << " of " << this->Player->NumberOfPulses
+  text << " after " << this->Player->Counts->Pulses << " of " << this->Player->NumberOfPulses
        << " pulses; ";
   if (!this->Folder->Exists() || !this->Journal->Check().empty())
   {
@@ -276,7 +314,7 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
          << (this->Folder->Exists() ? ", or was replaced by another one." : ".");
     return text.str();
   }
-  text << "the " << this->Player->NumberOfEchoes << " points so far are kept in "
+  text << "the " << this->Player->Counts->Echoes << " points so far are kept in "
        << this->Settings.Folder << ", those of the current leg in files that end in .part; "
        << "Resume (--resume) continues from there.";
   return text.str();
@@ -285,8 +323,8 @@ std::string vtkHeliosSurveyPlayer::Internals::DescribeKept() const
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveyPlayer::Internals::Conclude()
 {
-  const helios::RunCounts& counts = this->Runner->GetCounts();
-  this->TakeCounts(counts);
+  const helios::ScanCounts& counts = this->Runner->GetCounts();
+  this->SetCounts(counts);
   if (counts.Echoes == 0)
   {
     return this->Fail(this->Runner->ExplainNoEchoes());
@@ -314,10 +352,10 @@ bool vtkHeliosSurveyPlayer::Internals::ConcludeFinished()
 {
   Json::Value summary;
   helios::FromText(this->Player->Report, summary);
-  const helios::RunCounts counts = helios::GetTotals(summary);
+  const helios::ScanCounts counts = helios::GetTotals(summary);
   this->Player->NumberOfPulses = counts.Pulses;
   this->Player->Sampling = summary["sampling"].asString();
-  this->TakeCounts(counts);
+  this->SetCounts(counts);
   helios::Sentence text;
   text << "Nothing is left to do: the run in " << this->Settings.Folder << " is finished, with "
        << counts.Echoes << " points from " << counts.Pulses << " pulses.";
@@ -335,26 +373,19 @@ bool vtkHeliosSurveyPlayer::Internals::Tell(const std::string& step)
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosSurveyPlayer::Internals::TakeCounts(const helios::RunCounts& counts)
+void vtkHeliosSurveyPlayer::Internals::SetCounts(const helios::ScanCounts& counts)
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  player->NumberOfPulsesDone = counts.Pulses;
-  player->NumberOfPulsesFired = counts.PulsesFired;
-  player->NumberOfEchoes = counts.Echoes;
-  player->NumberOfFirstReturns = counts.FirstReturns;
-  player->NumberOfPulsesOnPlane = counts.PulsesOnPlane;
-  player->NumberOfPulsesWithoutBins = counts.PulsesWithoutBins;
-  player->NumberOfPulsesBinned = counts.PulsesBinned;
-  player->NumberOfSubRaysTraced = counts.SubRays;
+  *player->Counts = counts;
   player->Progress =
     static_cast<double>(counts.Pulses) / static_cast<double>(player->NumberOfPulses);
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveyPlayer::Internals::Count(const helios::RunCounts& counts)
+bool vtkHeliosSurveyPlayer::Internals::Count(const helios::ScanCounts& counts)
 {
   vtkHeliosSurveyPlayer* player = this->Player;
-  this->TakeCounts(counts);
+  this->SetCounts(counts);
   double progress = player->Progress;
   player->InvokeEvent(vtkCommand::ProgressEvent, &progress);
   // After the last pulse the run is complete.
@@ -378,6 +409,8 @@ bool vtkHeliosSurveyPlayer::Internals::Fail()
 
 //------------------------------------------------------------------------------
 vtkHeliosSurveyPlayer::vtkHeliosSurveyPlayer()
+  : Source(vtkSmartPointer<vtkHeliosSurveySource>::New())
+  , Counts(new helios::ScanCounts)
 {
   this->SetOutputDirectory("output");
   this->SetFormat("xyz");
@@ -388,36 +421,75 @@ vtkHeliosSurveyPlayer::~vtkHeliosSurveyPlayer()
 {
   this->SetOutputDirectory(nullptr);
   this->SetFormat(nullptr);
-  this->SetRayCaster(nullptr);
-  this->SetEchoDetector(nullptr);
 }
 
 //------------------------------------------------------------------------------
-void vtkHeliosSurveyPlayer::SetSurvey(vtkHeliosSurvey* survey)
+void vtkHeliosSurveyPlayer::SetSource(vtkHeliosSurveySource* source)
 {
-  if (this->Survey != survey)
+  if (source && this->Source != source)
   {
-    this->Survey = survey;
+    this->Source = source;
     this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
+vtkHeliosSurveySource* vtkHeliosSurveyPlayer::GetSource() const
+{
+  return this->Source;
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::SetSurvey(vtkHeliosSurvey* survey)
+{
+  this->Source->SetSurvey(survey);
+}
+
+//------------------------------------------------------------------------------
 vtkHeliosSurvey* vtkHeliosSurveyPlayer::GetSurvey() const
 {
-  return this->Survey;
+  return this->Source->GetSurvey();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveyPlayer::SetOptions(vtkHeliosRunOptions* options)
+{
+  this->Source->SetOptions(options);
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRunOptions* vtkHeliosSurveyPlayer::GetOptions() const
+{
+  return this->Source->GetOptions();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkHeliosSurveyPlayer::GetCount(const std::string& name) const
+{
+  return helios::GetCount(*this->Counts, name);
 }
 
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurveyPlayer::GetRunFolder()
 {
-  return this->Survey ? helios::MakeRunFolder(this) : std::string();
+  vtkHeliosSurvey* survey = this->GetSurvey();
+  if (!survey)
+  {
+    return {};
+  }
+  std::filesystem::path folder = TextOf(this->OutputDirectory);
+  folder /= survey->GetName();
+  if (survey->GetNumberOfPlays() > 1)
+  {
+    folder /= vtkHeliosRunFiles::GetPlayName(this->GetOptions()->GetPlay());
+  }
+  return folder.string();
 }
 
 //------------------------------------------------------------------------------
 int vtkHeliosSurveyPlayer::GetNumberOfLegs() const
 {
-  return this->Survey ? this->Survey->GetNumberOfLegs() : 0;
+  return this->GetSurvey() ? this->GetSurvey()->GetNumberOfLegs() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -428,14 +500,7 @@ void vtkHeliosSurveyPlayer::Reset()
   this->Progress = 0.0;
   this->CurrentLeg = 0;
   this->NumberOfPulses = 0;
-  this->NumberOfPulsesDone = 0;
-  this->NumberOfPulsesFired = 0;
-  this->NumberOfEchoes = 0;
-  this->NumberOfFirstReturns = 0;
-  this->NumberOfPulsesOnPlane = 0;
-  this->NumberOfPulsesWithoutBins = 0;
-  this->NumberOfPulsesBinned = 0;
-  this->NumberOfSubRaysTraced = 0;
+  *this->Counts = helios::ScanCounts();
   this->Sampling.clear();
   this->Message.clear();
   this->Report.clear();
@@ -477,18 +542,9 @@ bool vtkHeliosSurveyPlayer::Estimate()
 void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Survey: " << (this->Survey ? this->Survey->GetName() : "(none)") << "\n"
-     << indent << "OutputDirectory: " << (this->OutputDirectory ? this->OutputDirectory : "(none)")
+  os << indent << "OutputDirectory: " << (this->OutputDirectory ? this->OutputDirectory : "(none)")
      << "\n"
-     << indent << "Play: " << this->Play << "\n"
      << indent << "Format: " << (this->Format ? this->Format : "(none)") << "\n"
-     << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
-     << indent << "RangeTolerance: " << this->RangeTolerance << "\n"
-     << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
-     << indent << "NumberOfSubRays: " << this->NumberOfSubRays << "\n"
-     << indent << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector : "(none)") << "\n"
-     << indent << "Seed: " << this->Seed << "\n"
-     << indent << "Noise: " << this->Noise << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
      << indent << "WritePulses: " << this->WritePulses << "\n"
      << indent << "SplitByChannel: " << this->SplitByChannel << "\n"
@@ -497,5 +553,7 @@ void vtkHeliosSurveyPlayer::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PulsesPerBlock: " << this->PulsesPerBlock << "\n"
      << indent << "BytesToCheck: " << this->BytesToCheck << "\n"
      << indent << "Progress: " << this->Progress << "\n"
-     << indent << "Message: " << this->Message << "\n";
+     << indent << "Message: " << this->Message << "\n"
+     << indent << "Source:\n";
+  this->Source->PrintSelf(os, indent.GetNextIndent());
 }

@@ -4,9 +4,9 @@
  * @class   vtkHeliosSurveyPlayer
  * @brief   runs the legs of a survey and writes what the scanner records
  *
- * Run() builds the pipeline of a survey (scene readers, transforms, composer; platform; scanner),
- * runs its legs block by block and passes each block to the writers, so that memory does not grow
- * with the number of pulses. A leg of a moving platform runs from its waypoint to the next, and the
+ * The player is a vtkHeliosSurveySource with writers: Run() loads the source, runs the legs of its
+ * survey block by block and passes each block to the writers, so that memory does not grow with the
+ * number of pulses. A leg of a moving platform runs from its waypoint to the next, and the
  * last leg is an end point; on a static platform a leg is a scan position. GPS time and pulse ids
  * continue from leg to leg; an inactive leg takes its time and fires no pulses. MaximumDuration of
  * a leg ends its pulses, not its trajectory.
@@ -24,7 +24,7 @@
  *
  * If parts of the scene are swapped, the survey has several epochs
  * (vtkHeliosSurvey::GetNumberOfPlays()): the same legs and other geometry. A run is one of them,
- * Play, in a subfolder of the survey's folder, play000, play001 etc., with its own journal and
+ * Play of the options, in a subfolder of the survey's folder, play000, play001 etc., with its own journal and
  * summary. GPS time, pulse ids and random numbers, keyed by seed and pulse, are the same in all
  * epochs: their points differ only by geometry.
  *
@@ -39,7 +39,7 @@
  * threads is that of vtkSMPTools; the output does not depend on it.
  *
  * @sa
- * vtkHeliosSurvey vtkHeliosSurveyReader vtkHeliosScanner
+ * vtkHeliosSurveySource vtkHeliosRunOptions vtkHeliosSurvey vtkHeliosSurveyReader
  */
 
 #ifndef vtkHeliosSurveyPlayer_h
@@ -47,12 +47,20 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // For the survey
+#include "vtkSmartPointer.h" // For the source
 
 #include <atomic> // For Abort()
+#include <memory> // For the counts
 #include <string> // For the message
 
+class vtkHeliosRunOptions;
 class vtkHeliosSurvey;
+class vtkHeliosSurveySource;
+
+namespace helios
+{
+struct ScanCounts;
+}
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveyPlayer : public vtkObject
 {
@@ -63,10 +71,23 @@ public:
 
   ///@{
   /**
-   * Set/Get the survey to run. Default: none.
+   * Set/Get what is run: a survey, its options and, from a pipeline, its scene. Several players and
+   * other users of a source share the loaded scene and its ray-tracing tree. Default: a source of
+   * its own. Null is ignored.
+   */
+  void SetSource(vtkHeliosSurveySource* source);
+  vtkHeliosSurveySource* GetSource() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the survey of the source, and its options. Default: no survey, and those of a new
+   * vtkHeliosRunOptions.
    */
   void SetSurvey(vtkHeliosSurvey* survey);
   vtkHeliosSurvey* GetSurvey() const;
+  void SetOptions(vtkHeliosRunOptions* options);
+  vtkHeliosRunOptions* GetOptions() const;
   ///@}
 
   ///@{
@@ -75,15 +96,6 @@ public:
    */
   vtkSetFilePathMacro(OutputDirectory);
   vtkGetFilePathMacro(OutputDirectory);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
-   * the survey's GetNumberOfPlays() - 1]. Default: 0.
-   */
-  vtkSetClampMacro(Play, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Play, int);
   ///@}
 
   /**
@@ -99,64 +111,6 @@ public:
    */
   vtkSetStringMacro(Format);
   vtkGetStringMacro(Format);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
-   * 0. Default: -1.
-   */
-  vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
-  vtkGetMacro(Seed, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether ranges have the scanner's noise. Default: on.
-   */
-  vtkSetMacro(Noise, bool);
-  vtkGetMacro(Noise, bool);
-  vtkBooleanMacro(Noise, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the tolerances of beam sampling, in range [m] and in amplitude (relative), as in
-   * vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
-   * Default: 0, as in the survey.
-   */
-  vtkSetMacro(RangeTolerance, double);
-  vtkGetMacro(RangeTolerance, double);
-  vtkSetMacro(EnergyTolerance, double);
-  vtkGetMacro(EnergyTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the number of sub-rays of every pulse: 1, 7, 19, 37, 62 ... on circles as for
-   * beamSampleQuality, any other number (rounded up to a multiple of 4) on a spiral. Valid range:
-   * [0, 65536]. Default: 0, as in the survey.
-   */
-  vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
-  vtkGetMacro(NumberOfSubRays, int);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the echo detector for waveforms: "peak", "gaussian", "cfd" or "leadingEdge". Default:
-   * none, as in the survey.
-   */
-  vtkSetStringMacro(EchoDetector);
-  vtkGetStringMacro(EchoDetector);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName(). Default: none, that
-   * of the survey, else the default one.
-   */
-  vtkSetStringMacro(RayCaster);
-  vtkGetStringMacro(RayCaster);
   ///@}
 
   ///@{
@@ -265,31 +219,23 @@ public:
    */
   vtkGetMacro(WasFinished, bool);
 
-  ///@{
   /**
-   * Get the number of pulse indices of the run, known once the scene is loaded; how many of them
-   * are done; how many of these pulses were emitted; the points, and the first returns among them,
-   * written.
+   * The number of pulse indices of the run, known once the scene is loaded.
    */
   vtkGetMacro(NumberOfPulses, vtkIdType);
-  vtkGetMacro(NumberOfPulsesDone, vtkIdType);
-  vtkGetMacro(NumberOfPulsesFired, vtkIdType);
-  vtkGetMacro(NumberOfEchoes, vtkIdType);
-  vtkGetMacro(NumberOfFirstReturns, vtkIdType);
-  ///@}
 
-  ///@{
   /**
-   * Get how many emitted pulses had a planar footprint, evaluated in closed form; had maxima found
-   * without bins; were binned (the rest hit nothing). Get the number of sub-rays traced, and a
-   * description of the sampling as text.
+   * A count of the blocks done, by its name: "pulses", pulse indices, whether emitted or not;
+   * "points" and "firstReturns", written; and those of vtkHeliosScanner::GetCount(): "pulsesFired",
+   * "pulsesHit", "pulsesOnPlane", "pulsesWithoutBins", "pulsesBinned", "subRays", "hitsOutOfRange".
+   * -1 for any other name.
    */
-  vtkGetMacro(NumberOfPulsesOnPlane, vtkIdType);
-  vtkGetMacro(NumberOfPulsesWithoutBins, vtkIdType);
-  vtkGetMacro(NumberOfPulsesBinned, vtkIdType);
-  vtkGetMacro(NumberOfSubRaysTraced, vtkIdType);
+  vtkIdType GetCount(const std::string& name) const;
+
+  /**
+   * Describes the sampling of the beam as text.
+   */
   std::string GetSampling() const { return this->Sampling; }
-  ///@}
 
 protected:
   vtkHeliosSurveyPlayer();
@@ -302,17 +248,9 @@ private:
   class Internals;
   friend class Internals;
 
-  vtkSmartPointer<vtkHeliosSurvey> Survey;
+  vtkSmartPointer<vtkHeliosSurveySource> Source;
   char* OutputDirectory = nullptr;
-  int Play = 0;
   char* Format = nullptr;
-  char* RayCaster = nullptr;
-  char* EchoDetector = nullptr;
-  double RangeTolerance = 0.0;
-  double EnergyTolerance = 0.0;
-  int NumberOfSubRays = 0;
-  vtkIdType Seed = -1;
-  bool Noise = true;
   bool WriteWaveforms = false;
   bool WritePulses = false;
   bool SplitByChannel = false;
@@ -326,14 +264,7 @@ private:
   double Progress = 0.0;
   int CurrentLeg = 0;
   vtkIdType NumberOfPulses = 0;
-  vtkIdType NumberOfPulsesDone = 0;
-  vtkIdType NumberOfPulsesFired = 0;
-  vtkIdType NumberOfEchoes = 0;
-  vtkIdType NumberOfFirstReturns = 0;
-  vtkIdType NumberOfPulsesOnPlane = 0;
-  vtkIdType NumberOfPulsesWithoutBins = 0;
-  vtkIdType NumberOfPulsesBinned = 0;
-  vtkIdType NumberOfSubRaysTraced = 0;
+  std::unique_ptr<helios::ScanCounts> Counts;
   std::string Sampling;
   std::string Message;
   std::string Report;

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosSurveyData.h"
+#include "heliosXmlFile.h"
 #include "heliosXmlSurvey.h"
 #include "vtkHeliosSurvey.h"
 

@@ -6,14 +6,13 @@
 #include "heliosMessages.h"
 #include "heliosPathCell.h"
 #include "heliosPiecePile.h"
-#include "heliosPlays.h"
 #include "heliosPulseCount.h"
-#include "heliosReadSettings.h"
-#include "heliosSceneBuilder.h"
+#include "heliosSurveyLoader.h"
 #include "vtkHeliosRayCaster.h"
-#include "vtkHeliosScanner.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
 
+#include <vtkAlgorithmOutput.h>
 #include <vtkCommand.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -22,6 +21,7 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
+#include <vtkWeakPointer.h>
 
 #include <algorithm>
 #include <exception>
@@ -32,6 +32,9 @@ vtkStandardNewMacro(vtkHeliosSurveySource);
 
 namespace
 {
+
+constexpr int ScenePort = 0; // inputs
+constexpr int GridPort = 1;
 
 constexpr int NumberOfPorts = 4; // echoes, waveforms, pulses, sub-ray hits
 constexpr int WaveformPort = 1;
@@ -53,10 +56,13 @@ public:
   explicit Internals(vtkHeliosSurveySource* source)
     : Source(source)
     , Log(source)
+    , Loader(this->Log)
   {
   }
 
-  /// Loads all changes; false after an error or an abort.
+  bool CheckOptions(helios::RunSettings& settings);
+
+  /// Loads all changes and plans the legs; false after an error or an abort.
   bool Prepare();
 
   /// Runs a pulse window into the outputs; false after an error.
@@ -67,94 +73,94 @@ public:
   double GetRate(const helios::LegPlan& plan) const;
   vtkIdType GetChannels(const helios::LegPlan& plan) const;
 
-  vtkSmartPointer<vtkPolyData> Scene;
-  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+private:
+  vtkHeliosSurveySource* Source;
+  helios::Messages Log;
+
+public:
+  helios::SurveyLoader Loader;
   std::unique_ptr<helios::LegRunner> Runner;
 
 private:
   using Piles = std::vector<helios::PiecePile>;
 
-  bool CheckSettings();
-  bool LoadScene();
+  bool CheckSurvey();
   bool PlanLegs();
-  void ChooseRayCaster();
   Shots FindShots(const helios::LegPlan& plan, vtkIdType first, vtkIdType last) const;
   bool RunLeg(const helios::LegPlan& plan, const Shots& shots, Piles& piles);
   bool Tell(double progress);
 
-  vtkHeliosSurveySource* Source;
-  helios::Messages Log;
-  helios::SurveyData Survey; // of the epoch
+  vtkWeakPointer<vtkHeliosSurvey> Heard;
   helios::RunSettings Settings;
-  vtkSmartPointer<vtkHeliosRayCaster> Caster; // with its tree
-  std::string CasterName;                     // as requested
-  std::string SceneKey;                       // the inputs of the scene
-  std::string RunKey;                         // the inputs of the legs and channels
+  vtkMTimeType PlanTime = 0; // of the scene that the legs were planned in
   double PulsesDone = 0.0;
   double PulsesToDo = 1.0;
 };
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::Prepare()
+/// Checks what was changed by the methods of a survey, and reports its messages.
+bool vtkHeliosSurveySource::Internals::CheckSurvey()
 {
-  return this->CheckSettings() && this->LoadScene() && this->PlanLegs();
+  vtkHeliosSurvey* survey = this->Source->Survey;
+  if (survey && this->Heard != survey)
+  {
+    this->Heard = survey;
+    this->Log.Listen(survey);
+  }
+  return !survey || survey->GetNumberOfLegs() == 0 || survey->Check();
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::CheckSettings()
+bool vtkHeliosSurveySource::Internals::CheckOptions(helios::RunSettings& settings)
 {
   vtkHeliosSurveySource* source = this->Source;
-  if (!source->Survey || source->Survey->GetNumberOfLegs() == 0)
+  if (!this->CheckSurvey())
   {
-    this->Log.Error(
-      "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
     return false;
   }
-  this->Settings = helios::RunSettings();
-  const std::string fault = helios::ReadSettings(source, this->Settings);
-  if (!fault.empty())
+  helios::RunInputs inputs;
+  inputs.Options = source->Options->GetData();
+  if (source->Survey)
   {
-    this->Log.Error(fault);
+    inputs.Survey = &source->Survey->GetData();
+    inputs.SurveyTime = source->Survey->GetMTime();
   }
-  return fault.empty();
+  inputs.Scene = source->GetInputDataObject(ScenePort, 0);
+  for (int i = 0; i < source->GetNumberOfInputConnections(GridPort); ++i)
+  {
+    if (auto* grid = vtkImageData::SafeDownCast(source->GetInputDataObject(GridPort, i)))
+    {
+      inputs.Grids.push_back(grid);
+    }
+  }
+  return this->Loader.Check(inputs, settings);
 }
 
 //------------------------------------------------------------------------------
-bool vtkHeliosSurveySource::Internals::LoadScene()
+bool vtkHeliosSurveySource::Internals::Prepare()
 {
-  helios::Sentence key;
-  key << this->Source->Survey.Get() << " " << this->Source->Survey->GetMTime() << " "
-      << this->Source->Play << " " << this->Settings.Seed;
-  if (this->Scene && key.str() == this->SceneKey)
+  helios::RunSettings settings;
+  settings.Waveforms = this->Source->GenerateWaveforms;
+  settings.Pulses = this->Source->GeneratePulses;
+  settings.SubRays = this->Source->GenerateSubRays;
+  settings.Truth = this->Source->GenerateTruth;
+  if (!this->CheckOptions(settings) ||
+    !this->Loader.Load([this](const std::string&) { return this->Tell(0.0); }, settings))
   {
-    return true;
+    return false;
   }
-  this->Runner.reset();
-  this->Survey = helios::MakePlay(this->Source->Survey->GetData(), this->Source->Play);
-  helios::SceneBuilder builder(this->Survey.Scene, this->Log, this->Settings.Seed);
-  this->Scene = builder.Build([this](const std::string&) { return this->Tell(0.0); });
-  this->Grids = this->Scene ? builder.GetGrids() : std::vector<vtkSmartPointer<vtkImageData>>();
-  this->SceneKey = key.str();
-  return this->Scene != nullptr;
+  const bool isPlanned = this->Runner && this->PlanTime == this->Loader.GetLoadTime() &&
+    this->Settings.Options == settings.Options;
+  this->Settings = settings;
+  return isPlanned || this->PlanLegs();
 }
 
 //------------------------------------------------------------------------------
 bool vtkHeliosSurveySource::Internals::PlanLegs()
 {
-  const helios::ReceiverChoice& choice = this->Settings.Receiver;
-  helios::Sentence key;
-  key << choice.Noise << " " << choice.RangeTolerance << " " << choice.EnergyTolerance << " "
-      << choice.NumberOfSubRays << " " << choice.EchoDetector << " "
-      << (this->Source->RayCaster ? this->Source->RayCaster : "");
-  if (this->Runner && key.str() == this->RunKey)
-  {
-    return true;
-  }
-  this->ChooseRayCaster();
-  this->Settings.Grids = this->Grids;
-  this->Runner =
-    std::make_unique<helios::LegRunner>(this->Survey, this->Scene, this->Settings, this->Log);
-  this->RunKey = key.str();
+  this->PlanTime = this->Loader.GetLoadTime();
+  this->Runner = std::make_unique<helios::LegRunner>(
+    this->Loader.GetSurvey(), this->Loader.GetScene(), this->Settings, this->Log);
   if (!this->Runner->Plan())
   {
     return false;
@@ -164,20 +170,6 @@ bool vtkHeliosSurveySource::Internals::PlanLegs()
     this->Log.Error(this->Runner->ExplainNoEchoes());
   }
   return this->Runner->GetNumberOfPulses() > 0;
-}
-
-//------------------------------------------------------------------------------
-/// Keeps the ray caster and its tree, unless another kind is requested.
-void vtkHeliosSurveySource::Internals::ChooseRayCaster()
-{
-  const vtkSmartPointer<vtkHeliosRayCaster> given = this->Settings.RayCaster;
-  const std::string name = given ? given->GetName() : "";
-  if (!this->Caster || name != this->CasterName)
-  {
-    this->Caster = given ? given.Get() : vtkNew<vtkHeliosScanner>()->GetRayCaster();
-    this->CasterName = name;
-  }
-  this->Settings.RayCaster = this->Caster;
 }
 
 //------------------------------------------------------------------------------
@@ -210,13 +202,14 @@ const helios::LegPlan* vtkHeliosSurveySource::Internals::FindPulse(vtkIdType pul
 //------------------------------------------------------------------------------
 double vtkHeliosSurveySource::Internals::GetRate(const helios::LegPlan& plan) const
 {
-  return this->Survey.Legs[plan.Leg].Scans.front().PulseFrequency;
+  return this->Loader.GetSurvey().Legs[plan.Leg].Scans.front().PulseFrequency;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurveySource::Internals::GetChannels(const helios::LegPlan& plan) const
 {
-  return static_cast<vtkIdType>(this->Survey.GetScanner(plan.Leg).GetNumberOfChannels());
+  return static_cast<vtkIdType>(
+    this->Loader.GetSurvey().GetScanner(plan.Leg).GetNumberOfChannels());
 }
 
 //------------------------------------------------------------------------------
@@ -301,16 +294,13 @@ bool vtkHeliosSurveySource::Internals::Tell(double progress)
 //------------------------------------------------------------------------------
 vtkHeliosSurveySource::vtkHeliosSurveySource()
 {
-  this->SetNumberOfInputPorts(0);
+  this->Options = vtkSmartPointer<vtkHeliosRunOptions>::New();
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(NumberOfPorts);
 }
 
 //------------------------------------------------------------------------------
-vtkHeliosSurveySource::~vtkHeliosSurveySource()
-{
-  this->SetEchoDetector(nullptr);
-  this->SetRayCaster(nullptr);
-}
+vtkHeliosSurveySource::~vtkHeliosSurveySource() = default;
 
 //------------------------------------------------------------------------------
 void vtkHeliosSurveySource::SetSurvey(vtkHeliosSurvey* survey)
@@ -329,9 +319,25 @@ vtkHeliosSurvey* vtkHeliosSurveySource::GetSurvey() const
 }
 
 //------------------------------------------------------------------------------
+void vtkHeliosSurveySource::SetOptions(vtkHeliosRunOptions* options)
+{
+  if (options && this->Options != options)
+  {
+    this->Options = options;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosRunOptions* vtkHeliosSurveySource::GetOptions() const
+{
+  return this->Options;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkHeliosSurveySource::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
+  const vtkMTimeType own = std::max(this->Superclass::GetMTime(), this->Options->GetMTime());
   return this->Survey ? std::max(own, this->Survey->GetMTime()) : own;
 }
 
@@ -339,21 +345,71 @@ vtkMTimeType vtkHeliosSurveySource::GetMTime()
 bool vtkHeliosSurveySource::Load()
 {
   this->AbortRequested = false;
+  this->UpdateInputs();
   return this->Prepare();
+}
+
+//------------------------------------------------------------------------------
+void vtkHeliosSurveySource::UpdateInputs()
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < this->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkAlgorithmOutput* input = this->GetInputConnection(port, i);
+      input->GetProducer()->Update(input->GetIndex());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosSurveySource::Internals& vtkHeliosSurveySource::GetInternals()
+{
+  if (!this->Loaded)
+  {
+    this->Loaded = std::make_unique<Internals>(this);
+  }
+  return *this->Loaded;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::CheckOptions(helios::RunSettings& settings)
+{
+  this->UpdateInputs();
+  const bool isGood = this->GetInternals().CheckOptions(settings);
+  if (!isGood)
+  {
+    this->Loaded.reset();
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosSurveySource::LoadScene(
+  const std::function<bool(const std::string& step)>& onStep, helios::RunSettings& settings)
+{
+  const bool isGood = this->GetInternals().Loader.Load(onStep, settings);
+  if (!isGood)
+  {
+    this->Loaded.reset();
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+const helios::SurveyLoader& vtkHeliosSurveySource::GetLoader() const
+{
+  return this->Loaded->Loader;
 }
 
 //------------------------------------------------------------------------------
 /// Discards loaded data after an error.
 bool vtkHeliosSurveySource::Prepare()
 {
-  if (!this->Loaded)
-  {
-    this->Loaded = std::make_unique<Internals>(this);
-  }
   bool isGood = false;
   try
   {
-    isGood = this->Loaded->Prepare();
+    isGood = this->GetInternals().Prepare();
   }
   catch (const std::exception& error) // library errors: out of memory
   {
@@ -369,21 +425,21 @@ bool vtkHeliosSurveySource::Prepare()
 //------------------------------------------------------------------------------
 vtkPolyData* vtkHeliosSurveySource::GetScene() const
 {
-  return this->Loaded ? this->Loaded->Scene.Get() : nullptr;
+  return this->Loaded ? this->Loaded->Loader.GetScene() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkImageData* vtkHeliosSurveySource::GetGrid(int grid) const
 {
   const auto index = static_cast<std::size_t>(grid);
-  return this->Loaded && index < this->Loaded->Grids.size() ? this->Loaded->Grids[index].Get()
-                                                            : nullptr;
+  const bool exists = this->Loaded && index < this->Loaded->Loader.GetGrids().size();
+  return exists ? this->Loaded->Loader.GetGrids()[index].Get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurveySource::GetNumberOfPulses() const
 {
-  return this->Loaded ? this->Loaded->Runner->GetNumberOfPulses() : 0;
+  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->GetNumberOfPulses() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -417,7 +473,7 @@ double vtkHeliosSurveySource::GetPulseTime(vtkIdType pulse) const
 //------------------------------------------------------------------------------
 vtkIdType vtkHeliosSurveySource::FindPulse(double time) const
 {
-  if (!this->Loaded)
+  if (!this->Loaded || !this->Loaded->Runner)
   {
     return 0;
   }
@@ -451,7 +507,24 @@ vtkSmartPointer<vtkPolyData> vtkHeliosSurveySource::GetTrajectory(int leg, doubl
 //------------------------------------------------------------------------------
 std::string vtkHeliosSurveySource::DescribeSampling()
 {
-  return this->Loaded ? this->Loaded->Runner->DescribeSampling() : std::string();
+  return this->Loaded && this->Loaded->Runner ? this->Loaded->Runner->DescribeSampling()
+                                              : std::string();
+}
+
+//------------------------------------------------------------------------------
+int vtkHeliosSurveySource::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(INPUT_IS_OPTIONAL(), 1);
+  if (port == GridPort)
+  {
+    info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    info->Set(INPUT_IS_REPEATABLE(), 1);
+    return 1;
+  }
+  info->Remove(INPUT_REQUIRED_DATA_TYPE());
+  info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -468,6 +541,24 @@ int vtkHeliosSurveySource::RequestInformation(
   for (int port = 0; port < NumberOfPorts; ++port)
   {
     outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+/// A piece of the pulses needs the whole scene.
+int vtkHeliosSurveySource::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
   }
   return 1;
 }
@@ -516,17 +607,11 @@ void vtkHeliosSurveySource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Survey: " << (this->Survey ? this->Survey->GetName() : "(none)") << "\n"
-     << indent << "Play: " << this->Play << "\n"
-     << indent << "Seed: " << this->Seed << "\n"
-     << indent << "Noise: " << this->Noise << "\n"
-     << indent << "RangeTolerance: " << this->RangeTolerance << "\n"
-     << indent << "EnergyTolerance: " << this->EnergyTolerance << "\n"
-     << indent << "NumberOfSubRays: " << this->NumberOfSubRays << "\n"
-     << indent << "EchoDetector: " << (this->EchoDetector ? this->EchoDetector : "(none)") << "\n"
-     << indent << "RayCaster: " << (this->RayCaster ? this->RayCaster : "(none)") << "\n"
      << indent << "GenerateWaveforms: " << this->GenerateWaveforms << "\n"
      << indent << "GeneratePulses: " << this->GeneratePulses << "\n"
      << indent << "GenerateSubRays: " << this->GenerateSubRays << "\n"
      << indent << "GenerateTruth: " << this->GenerateTruth << "\n"
-     << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n";
+     << indent << "PulseWindow: " << this->PulseWindow[0] << ", " << this->PulseWindow[1] << "\n"
+     << indent << "Options:\n";
+  this->Options->PrintSelf(os, indent.GetNextIndent());
 }

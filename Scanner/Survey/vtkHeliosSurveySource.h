@@ -7,8 +7,15 @@
  * This is the pipeline counterpart of vtkHeliosSurveyPlayer, with the same legs, times, ids and
  * random numbers, and so the same echoes. PulseWindow selects a part of the run: a viewer requests
  * block after block, an inspector a single pulse, a study one leg (GetLegPulses()). Scene, legs and
- * the ray caster's tree are built once and kept until the survey or the properties they depend on
- * change.
+ * the ray caster's tree are built once and kept until the survey, the inputs or the options they
+ * depend on change. What the next epoch shares with the one before is not read again.
+ *
+ * Input 0, optional: a scene in place of that of the survey, with the arrays of
+ * vtkHeliosSceneComposer if it has materials and parts. Any vtkPolyData, vtkDataSet or composite
+ * data set will do: polygons and strips are triangulated, other cells are replaced by their surface.
+ * Its coordinates are those of the legs [m]. Input 1, optional and repeatable: turbid voxels
+ * (vtkImageData), as made by vtkHeliosVoxelReader; with an input, the parts of the survey's scene are
+ * neither read nor moved.
  *
  * Output 0: the echoes of all legs in the window, in pulse order, with the arrays of
  * vtkHeliosScanner. Outputs 1, 2 and 3, with GenerateWaveforms, GeneratePulses and GenerateSubRays:
@@ -30,12 +37,20 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For the survey
 
-#include <atomic> // For Abort()
-#include <memory> // For the private data
-#include <string> // For text
+#include <atomic>     // For Abort()
+#include <functional> // For LoadScene()
+#include <memory>     // For the private data
+#include <string>     // For text
 
+class vtkHeliosRunOptions;
 class vtkHeliosSurvey;
 class vtkImageData;
+
+namespace helios
+{
+class SurveyLoader;
+struct RunSettings;
+}
 
 class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosSurveySource : public vtkPolyDataAlgorithm
 {
@@ -54,68 +69,11 @@ public:
 
   ///@{
   /**
-   * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
-   * the survey's GetNumberOfPlays() - 1]. Default: 0.
+   * Set/Get the options of the run: epoch, seed, sampling of the beam, ray caster. Default: those of
+   * a new vtkHeliosRunOptions. Null is ignored.
    */
-  vtkSetClampMacro(Play, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Play, int);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
-   * 0. Default: -1.
-   */
-  vtkSetClampMacro(Seed, vtkIdType, -1, 4611686018427387904LL);
-  vtkGetMacro(Seed, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get whether ranges have the scanner's noise. Default: on.
-   */
-  vtkSetMacro(Noise, bool);
-  vtkGetMacro(Noise, bool);
-  vtkBooleanMacro(Noise, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the tolerances of beam sampling, in range [m] and in amplitude (relative), as in
-   * vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
-   * Default: 0, as in the survey.
-   */
-  vtkSetMacro(RangeTolerance, double);
-  vtkGetMacro(RangeTolerance, double);
-  vtkSetMacro(EnergyTolerance, double);
-  vtkGetMacro(EnergyTolerance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the number of sub-rays of every pulse, as in vtkHeliosSurveyPlayer. Valid range: [0,
-   * 65536]. Default: 0, as in the survey.
-   */
-  vtkSetClampMacro(NumberOfSubRays, int, 0, 65536);
-  vtkGetMacro(NumberOfSubRays, int);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the echo detector for waveforms: "peak", "gaussian", "cfd" or "leadingEdge". Default:
-   * none, as in the survey.
-   */
-  vtkSetStringMacro(EchoDetector);
-  vtkGetStringMacro(EchoDetector);
-  ///@}
-
-  ///@{
-  /**
-   * Set/Get the ray caster by its name, vtkHeliosRayCaster::GetBackendName(). Default: none, that
-   * of the survey, else the default one.
-   */
-  vtkSetStringMacro(RayCaster);
-  vtkGetStringMacro(RayCaster);
+  void SetOptions(vtkHeliosRunOptions* options);
+  vtkHeliosRunOptions* GetOptions() const;
   ///@}
 
   ///@{
@@ -185,11 +143,26 @@ public:
    */
   std::string DescribeSampling();
 
+#ifndef __VTK_WRAP__
+  /**
+   * Checks the options and sets those of the settings; LoadScene() loads the scene, unless that is
+   * done, and sets ray caster and grids. Both return false after an error; a step that returns false
+   * stops the loading.
+   */
+  bool CheckOptions(helios::RunSettings& settings);
+  bool LoadScene(
+    const std::function<bool(const std::string& step)>& onStep, helios::RunSettings& settings);
+  const helios::SurveyLoader& GetLoader() const;
+#endif
+
   /**
    * Ends the current loading or update soon; the outputs are then empty. May be called from any
    * thread and from observers.
    */
-  void Abort() { this->AbortRequested = true; }
+  void Abort()
+  {
+    this->AbortRequested = true;
+  }
 
   vtkMTimeType GetMTime() override;
 
@@ -197,8 +170,10 @@ protected:
   vtkHeliosSurveySource();
   ~vtkHeliosSurveySource() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -207,17 +182,12 @@ private:
 
   class Internals;
 
+  Internals& GetInternals();
+  void UpdateInputs();
   bool Prepare();
 
   vtkSmartPointer<vtkHeliosSurvey> Survey;
-  int Play = 0;
-  vtkIdType Seed = -1;
-  bool Noise = true;
-  double RangeTolerance = 0.0;
-  double EnergyTolerance = 0.0;
-  int NumberOfSubRays = 0;
-  char* EchoDetector = nullptr;
-  char* RayCaster = nullptr;
+  vtkSmartPointer<vtkHeliosRunOptions> Options;
   bool GenerateWaveforms = false;
   bool GeneratePulses = false;
   bool GenerateSubRays = false;

@@ -189,15 +189,16 @@ void vtkHeliosSurveyWriter::Internals::AddSettings(pugi::xml_node root) const
   }
   pugi::xml_node settings = root.append_child("scannerSettings");
   helios::SetAttribute(settings, "id", TemplateId);
-  helios::SetAttribute(settings, "active", "true");
-  helios::SetAttribute(settings, "pulseFreq_hz", this->Writer->PulseFrequency);
-  helios::SetAttribute(settings, "scanFreq_hz", this->Writer->ScanFrequency);
-  helios::SetAttribute(settings, "scanAngle_deg", this->Writer->ScanAngle);
-  helios::SetAttribute(settings, "verticalAngleMin_deg", this->Writer->VerticalAngleMin);
-  helios::SetAttribute(settings, "verticalAngleMax_deg", this->Writer->VerticalAngleMax);
-  helios::SetAttribute(settings, "headRotateStart_deg", this->Writer->HeadRotateStart);
-  helios::SetAttribute(settings, "headRotateStop_deg", this->Writer->HeadRotateStop);
-  helios::SetAttribute(settings, "headRotatePerSec_deg", this->Writer->HeadRotatePerSecond);
+  helios::LegSettings leg;
+  leg.PulseFrequency = this->Writer->PulseFrequency;
+  leg.ScanFrequency = this->Writer->ScanFrequency;
+  leg.ScanAngle = this->Writer->ScanAngle;
+  leg.VerticalAngleMin = this->Writer->VerticalAngleMin;
+  leg.VerticalAngleMax = this->Writer->VerticalAngleMax;
+  leg.Scan.HeadRotateStart = this->Writer->HeadRotateStart;
+  leg.Scan.HeadRotateStop = this->Writer->HeadRotateStop;
+  leg.Scan.HeadRotateSpeed = this->Writer->HeadRotatePerSecond;
+  helios::SetStored(settings, leg);
 }
 
 //------------------------------------------------------------------------------
@@ -210,10 +211,9 @@ void vtkHeliosSurveyWriter::Internals::AddLegs(
     pugi::xml_node leg = survey.append_child("leg");
     pugi::xml_node place = leg.append_child("platformSettings");
     helios::SetAttribute(place, "template", this->Crs.empty() ? "" : TemplateId);
-    helios::SetAttribute(place, "x", foot[0]);
-    helios::SetAttribute(place, "y", foot[1]);
-    helios::SetAttribute(place, "z", foot[2]);
-    helios::SetAttribute(place, "onGround", "false");
+    helios::LegSettings settings;
+    settings.Leg.Position = foot;
+    helios::SetStored(place, settings);
     helios::SetAttribute(leg.append_child("scannerSettings"), "template", TemplateId);
   }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPeaks.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #ifndef heliosPlaneEcho_h
 #define heliosPlaneEcho_h
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosReturn.h"
 
 #include <cmath>

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPulseShape.h"
 
-#include "heliosRadiometry.h"
-#include "heliosTextFile.h"
+#include "heliosConstants.h"
 #include "heliosVectorLoops.h"
 
 #include <algorithm>
@@ -288,6 +287,15 @@ void PulseShape::Deposit(const PulseCluster& cluster, double* sum, const BinRang
 }
 
 //------------------------------------------------------------------------------
+PulseShape PulseShape::MakeSampled(
+  const std::vector<double>& times, const std::vector<double>& powers)
+{
+  PulseShape shape;
+  shape.SetSamples(times, powers);
+  return shape;
+}
+
+//------------------------------------------------------------------------------
 void PulseShape::SetSamples(const std::vector<double>& times, const std::vector<double>& powers)
 {
   const auto peak = std::max_element(powers.begin(), powers.end());
@@ -319,53 +327,6 @@ void PulseShape::SetSamples(const std::vector<double>& times, const std::vector<
   const double fall =
     p[right] < 0.5 ? GetCrossing(t[right - 1], p[right - 1], t[right], p[right], 0.5) : t[right];
   this->Length = fall - rise;
-}
-
-//------------------------------------------------------------------------------
-std::string PulseShape::Read(const std::string& fileName, PulseShape& shape)
-{
-  TextFile file;
-  std::string error = file.Open(fileName);
-  if (!error.empty())
-  {
-    return error;
-  }
-  std::vector<double> times, powers;
-  std::string_view line;
-  while (file.NextLine(line))
-  {
-    TextWords words(line);
-    if (!words.HasMore())
-    {
-      continue;
-    }
-    double time, power;
-    if (words.Next(time) != TextWords::Number::Good ||
-      words.Next(power) != TextWords::Number::Good || words.HasMore())
-    {
-      return file.GetPlace() + "expected two numbers per line, a time [ns] and a power";
-    }
-    if (!std::isfinite(time) || !(power >= 0.0) || !std::isfinite(power))
-    {
-      return file.GetPlace() + "times must be finite and powers finite and not negative";
-    }
-    if (!times.empty() && !(time > times.back()))
-    {
-      return file.GetPlace() + "its time is not after that of the previous line; sort the lines";
-    }
-    times.push_back(time);
-    powers.push_back(power);
-  }
-  if (!file.GetError().empty())
-  {
-    return file.GetError();
-  }
-  if (times.size() < 3 || !(*std::max_element(powers.begin(), powers.end()) > 0.0))
-  {
-    return fileName + ": a pulse needs at least three samples, and one above zero";
-  }
-  shape.SetSamples(times, powers);
-  return {};
 }
 
 } // namespace helios

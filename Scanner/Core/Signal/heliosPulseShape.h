@@ -10,7 +10,6 @@
 #include <vtkType.h>
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace helios
@@ -45,9 +44,9 @@ public:
   /// (t / tau)^2 exp(-t / tau) from 2 tau before its peak, tau = length / 3.3947.
   static PulseShape MakeHelios(double length);
 
-  /// Reads one time [ns] and power per line; returns an error message with file:line, or an empty
-  /// string.
-  static std::string Read(const std::string& fileName, PulseShape& shape);
+  /// Straight lines between powers at increasing times [ns]: three or more, one of them positive.
+  static PulseShape MakeSampled(
+    const std::vector<double>& times, const std::vector<double>& powers);
 
   bool IsGaussian() const { return this->Kind == Gaussian; }
 

@@ -12,12 +12,6 @@
 namespace helios
 {
 
-/// The speed of light [m/ns].
-constexpr double SpeedOfLight = 0.299792458;
-
-/// Full width at half maximum of a Gaussian, in standard deviations.
-constexpr double FwhmPerSigma = 2.3548200450309493;
-
 /**
  * The extinction of clear air [1/m] for a visibility [km] and a wavelength [nm]: Kruse,
  * 3.912 / V (lambda / 0.55 um)^-q per km, with Kruse's exponents q.

@@ -3,7 +3,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosReturn.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosRandom.h"
 #include "heliosRayVectors.h"
 #include "heliosReturnSelection.h"
@@ -67,7 +67,7 @@ Receiver::Receiver(const ReceiverSettings& settings)
 }
 
 //------------------------------------------------------------------------------
-bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
   const SubReturn* begin = returns.data();
   const SubReturn* end = begin + returns.size();
@@ -79,7 +79,7 @@ bool Receiver::FindEchoes(const std::vector<SubReturn>& returns, std::vector<Ech
   }
   const Search search{ this->DetectionShape, this->Settings.DetectionBin, true };
   bool isBinned = false;
-  if (!this->FindMaxima(returns, limits, search, echoes, isBinned))
+  if (!this->FindInGroups(returns, limits, search, echoes, isBinned))
   {
     this->OpenWindow(limits, search.BinSize);
     this->FillAll(begin, end, search.Shape);
@@ -124,17 +124,17 @@ void Receiver::FindSingleEcho(
 }
 
 //------------------------------------------------------------------------------
-bool Receiver::FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
+bool Receiver::FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes)
 {
   const Limits limits = GetLimits(returns.data(), returns.data() + returns.size());
   bool isBinned;
-  return this->FindMaxima(
+  return this->FindInGroups(
     returns, limits, { this->Settings.Shape, this->Settings.BinSize, false }, echoes, isBinned);
 }
 
 //------------------------------------------------------------------------------
 /// Groups of returns that do not overlap are processed separately; sets whether one was binned.
-bool Receiver::FindMaxima(const std::vector<SubReturn>& returns, const Limits& limits,
+bool Receiver::FindInGroups(const std::vector<SubReturn>& returns, const Limits& limits,
   const Search& search, std::vector<Echo>& echoes, bool& isBinned)
 {
   const SubReturn* begin = returns.data();

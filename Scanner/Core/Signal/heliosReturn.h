@@ -60,7 +60,7 @@ struct ReceiverSettings
 {
   PulseShape Shape;
   double BinSize = 0.25;      // of waveforms [ns]
-  double DetectionBin = 0.25; // of groups of returns that FindEchoes() has to bin [ns]
+  double DetectionBin = 0.25; // of groups of returns that FindMaxima() has to bin [ns]
   const vtkHeliosEchoDetector* Detector = nullptr;
   vtkIdType MaximumCount = VTK_ID_MAX; // of samples of a waveform
   double Noise = 0.0;                  // standard deviation of a sample [W]
@@ -76,16 +76,13 @@ class VTKHELIOSSCANNERCORE_EXPORT Receiver
 public:
   explicit Receiver(const ReceiverSettings& settings);
 
-  /// The standard deviation of the pulse in range [m].
-  double GetSigmaRange() const { return this->SigmaRange; }
-
   /**
    * The echoes of a pulse in order of range. Groups of returns too far apart to overlap are
    * processed separately; a group that spreads over no more than c sigma has exactly one maximum,
    * found by Newton's method; in others the bins that may hold maxima are filled. Returns true if
    * no group needed bins. For Gaussian pulses and detectors that find maxima.
    */
-  bool FindEchoes(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
+  bool FindMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
   /**
    * The echoes that DetectEchoes() finds in the waveform of the returns, without noise,
@@ -93,7 +90,7 @@ public:
    * because the waveform was cut or has no single maxima. For Gaussian pulses and detectors that
    * find maxima.
    */
-  bool FindEchoesInBins(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
+  bool FindBinnedMaxima(const std::vector<SubReturn>& returns, std::vector<Echo>& echoes);
 
   ///@{
   /**
@@ -126,8 +123,8 @@ private:
     double Farthest;
   };
   static Limits GetLimits(Iterator begin, Iterator end);
-  bool FindMaxima(const std::vector<SubReturn>& returns, const Limits& limits, const Search& search,
-    std::vector<Echo>& echoes, bool& isBinned);
+  bool FindInGroups(const std::vector<SubReturn>& returns, const Limits& limits,
+    const Search& search, std::vector<Echo>& echoes, bool& isBinned);
   bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
     std::vector<Echo>& echoes);
   void FindSingleEcho(

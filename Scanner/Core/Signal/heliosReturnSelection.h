@@ -5,7 +5,7 @@
 #ifndef heliosReturnSelection_h
 #define heliosReturnSelection_h
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "vtkHeliosInstrument.h"
 
 #include <algorithm>

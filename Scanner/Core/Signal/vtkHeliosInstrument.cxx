@@ -4,17 +4,69 @@
 
 #include "heliosPulseShape.h"
 #include "heliosRadiometry.h"
+#include "heliosTextFile.h"
 
 #include <vtkMath.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 namespace
 {
 
 // The most samples of a waveform: 39 km in bins of 0.25 ns.
 constexpr double LongestWaveform = 1 << 20;
+
+/// Reads one time [ns] and power per line. Returns an error message with file:line, or an empty
+/// string.
+std::string ReadPulse(const std::string& fileName, helios::PulseShape& shape)
+{
+  helios::TextFile file;
+  std::string error = file.Open(fileName);
+  if (!error.empty())
+  {
+    return error;
+  }
+  std::vector<double> times, powers;
+  std::string_view line;
+  while (file.NextLine(line))
+  {
+    helios::TextWords words(line);
+    if (!words.HasMore())
+    {
+      continue;
+    }
+    using Number = helios::TextWords::Number;
+    double time, power;
+    if (words.Next(time) != Number::Good || words.Next(power) != Number::Good || words.HasMore())
+    {
+      return file.GetPlace() + "expected two numbers per line, a time [ns] and a power";
+    }
+    if (!std::isfinite(time) || !(power >= 0.0) || !std::isfinite(power))
+    {
+      return file.GetPlace() + "times must be finite and powers finite and not negative";
+    }
+    if (!times.empty() && !(time > times.back()))
+    {
+      return file.GetPlace() + "its time is not after that of the previous line; sort the lines";
+    }
+    times.push_back(time);
+    powers.push_back(power);
+  }
+  if (!file.GetError().empty())
+  {
+    return file.GetError();
+  }
+  if (times.size() < 3 || !(*std::max_element(powers.begin(), powers.end()) > 0.0))
+  {
+    return fileName + ": a pulse needs at least three samples, and one above zero";
+  }
+  shape = helios::PulseShape::MakeSampled(times, powers);
+  return {};
+}
 
 } // namespace
 
@@ -61,7 +113,7 @@ std::string vtkHeliosInstrument::MakePulseShape(helios::PulseShape& shape) const
 {
   if (this->PulseShape == SAMPLED)
   {
-    const std::string fault = helios::PulseShape::Read(this->PulseFileName, shape);
+    std::string fault = ReadPulse(this->PulseFileName, shape);
     if (!fault.empty())
     {
       return fault;

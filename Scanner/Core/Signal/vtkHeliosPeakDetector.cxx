@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHeliosPeakDetector.h"
 
+#include "heliosConstants.h"
 #include "heliosPeaks.h"
-#include "heliosRadiometry.h"
 
 #include <vtkObjectFactory.h>
 

@@ -159,7 +159,7 @@ void CgalTree::Build(const TriangleMesh& mesh, StopCheck& check)
       triangles.push_back(static_cast<vtkTypeInt32>(i));
     }
   }
-  this->State.reset(new Internals);
+  this->State = std::make_unique<Internals>();
   this->State->Mesh = &mesh;
   this->State->Boxes.insert(triangles.begin(), triangles.end(), &mesh);
   const Tree::AABB_traits& traits = this->State->Boxes.traits();

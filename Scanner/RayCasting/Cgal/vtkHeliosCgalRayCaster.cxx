@@ -3,6 +3,7 @@
 #include "vtkHeliosCgalRayCaster.h"
 
 #include "heliosCgalTree.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkObjectFactory.h>
 
@@ -17,7 +18,7 @@ vtkStandardNewMacro(vtkHeliosCgalRayCaster);
 namespace
 {
 
-const bool IsRegistered = vtkHeliosRayCaster::Register(
+const bool IsRegistered = vtkHeliosRayCasterFactory::Register(
   "cgal", 1, []() -> vtkHeliosRayCaster* { return vtkHeliosCgalRayCaster::New(); });
 
 } // namespace

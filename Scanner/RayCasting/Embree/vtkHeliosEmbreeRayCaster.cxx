@@ -3,6 +3,7 @@
 #include "vtkHeliosEmbreeRayCaster.h"
 
 #include "heliosEmbreeTree.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkObjectFactory.h>
 
@@ -15,7 +16,7 @@ vtkStandardNewMacro(vtkHeliosEmbreeRayCaster);
 namespace
 {
 
-const bool IsRegistered = vtkHeliosRayCaster::Register(
+const bool IsRegistered = vtkHeliosRayCasterFactory::Register(
   "embree", 3, []() -> vtkHeliosRayCaster* { return vtkHeliosEmbreeRayCaster::New(); });
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "vtkHeliosObbTreeRayCaster.h"
 
 #include "heliosObbSearch.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkObjectFactory.h>
 
@@ -17,7 +18,7 @@ vtkStandardNewMacro(vtkHeliosObbTreeRayCaster);
 namespace
 {
 
-const bool IsRegistered = vtkHeliosRayCaster::Register(
+const bool IsRegistered = vtkHeliosRayCasterFactory::Register(
   "obbtree", 0, []() -> vtkHeliosRayCaster* { return vtkHeliosObbTreeRayCaster::New(); });
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "heliosFilePattern.h"
 #include "heliosMessages.h"
+#include "heliosXmlRules.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -8,6 +8,7 @@
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 #include "vtkHeliosRayCaster.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <algorithm>
 
@@ -52,9 +53,9 @@ void CheckSceneCrs(const SceneData& scene, Messages& log)
 void CheckRayCaster(const std::string& name, const std::string& where, Messages& log)
 {
   std::vector<std::string> names;
-  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  for (int i = 0; i < vtkHeliosRayCasterFactory::GetNumberOfBackends(); ++i)
   {
-    names.emplace_back(vtkHeliosRayCaster::GetBackendName(i));
+    names.emplace_back(vtkHeliosRayCasterFactory::GetBackendName(i));
   }
   if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
   {

@@ -3,6 +3,7 @@
 #include "heliosXmlFilter.h"
 
 #include "heliosMessages.h"
+#include "heliosXmlRules.h"
 
 namespace helios
 {

@@ -36,6 +36,20 @@ public:
   bool Read(const char* key, bool& target) const;
   bool Read(const char* key, Vec3& target) const;
 
+  /// Reads all parameters that are stored in a struct.
+  template <typename OwnerT>
+  void ReadStored(OwnerT& owner) const
+  {
+    for (const XmlValueRule* rule : this->Rule->FindStored(typeid(OwnerT)))
+    {
+      if (this->Has(rule->Name))
+      {
+        ParseStored(
+          this->GetValue(rule->Name), *rule, this->GetMessages(), rule->Store.Find(&owner));
+      }
+    }
+  }
+
 private:
   void AddParameter(const XmlElement& parameter);
 

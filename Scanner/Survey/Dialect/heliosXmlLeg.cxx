@@ -14,9 +14,6 @@ namespace
 /// The maximum depth of nested templates: deeper ones are cyclic.
 constexpr int DeepestTemplate = 32;
 
-constexpr const char* ColumnNames[7] = { "tIndex", "rollIndex", "pitchIndex", "yawIndex", "xIndex",
-  "yIndex", "zIndex" };
-
 /// Reads the settings of one leg, after those of its templates.
 class LegReader
 {
@@ -44,16 +41,8 @@ void LegReader::ReadPlatformSettings(const XmlElement& element, LegSettings& set
   {
     this->ReadPlatformSettings(base, settings, depth + 1);
   }
-  LegData& leg = settings.Leg;
-  element.ReadVector(leg.Position);
-  element.Read("crs", leg.Crs);
-  element.Read("onGround", leg.OnGround);
-  element.Read("movePerSec_m", leg.Speed);
-  element.Read("stopAndTurn", leg.StopAndTurn);
-  element.Read("smoothTurn", leg.SmoothTurn);
-  element.Read("slowdownEnabled", leg.SlowsDown);
-  element.Read("yawAtDeparture_deg", leg.YawAtDeparture);
-  this->ReadTrajectory(element, leg.Trajectory);
+  element.ReadStored(settings);
+  this->ReadTrajectory(element, settings.Leg.Trajectory);
 }
 
 //------------------------------------------------------------------------------
@@ -66,30 +55,6 @@ void LegReader::ReadTrajectory(const XmlElement& element, TrajectoryFileData& tr
     trajectory.File =
       this->Files.FindFile({ "trajectory", file, element.Where() }, element.GetDocument());
   }
-  element.ReadAsWritten("trajectory_seperator", trajectory.Separator);
-  element.ReadAsWritten("trajectory_separator", trajectory.Separator);
-  for (int k = 0; k < 7; ++k)
-  {
-    element.Read(ColumnNames[k], trajectory.Columns[k]);
-  }
-  bool isInDegrees = !trajectory.IsInRadians;
-  element.Read("toRadians", isInDegrees);
-  trajectory.IsInRadians = !isInDegrees;
-  std::string domain;
-  if (element.Read("interpolationDomain", domain))
-  {
-    trajectory.HasAttitude = domain != "position";
-    if (domain != "position" && domain != "position_and_attitude")
-    {
-      element.GetMessages().Error(element.Where() + ": interpolationDomain=\"" + domain +
-        "\" is not valid: expected position or position_and_attitude");
-    }
-  }
-  element.Read("syncGPSTime", trajectory.KeepsTime);
-  element.Read("slopeFilterThreshold", trajectory.SlopeThreshold);
-  element.Read("tStart", trajectory.StartTime);
-  element.Read("tEnd", trajectory.EndTime);
-  element.Read("teleportToStart", trajectory.TeleportsToStart);
 }
 
 //------------------------------------------------------------------------------
@@ -100,24 +65,7 @@ void LegReader::ReadScannerSettings(const XmlElement& element, LegSettings& sett
   {
     this->ReadScannerSettings(base, settings, depth + 1);
   }
-  LegData& leg = settings.Leg;
-  ScanData& scan = settings.Scan;
-  element.Read("active", leg.Active);
-  element.Read("pulseFreq_hz", settings.PulseFrequency);
-  element.Read("scanFreq_hz", settings.ScanFrequency);
-  element.Read("scanAngle_deg", settings.ScanAngle);
-  element.Read("verticalAngleMin_deg", settings.VerticalAngleMin);
-  element.Read("verticalAngleMax_deg", settings.VerticalAngleMax);
-  element.Read("headRotatePerSec_deg", scan.HeadRotateSpeed);
-  element.Read("headRotateStart_deg", scan.HeadRotateStart);
-  element.Read("headRotateStop_deg", scan.HeadRotateStop);
-  element.Read("beamDivergenceRad", settings.BeamDivergence);
-  element.Read("beamDivergence_rad", settings.BeamDivergence);
-  element.Read("trajectoryTimeInterval_s", leg.TrajectoryTimeInterval);
-  element.Read("maxDuration_s", leg.MaximumDuration);
-  element.Read("verticalResolution_deg", settings.VerticalResolution);
-  element.Read("horizontalResolution_deg", settings.HorizontalResolution);
-  element.Read("opticsWarmupPhase_s", scan.WarmUpTime);
+  element.ReadStored(settings);
 }
 
 //------------------------------------------------------------------------------
@@ -136,18 +84,6 @@ XmlElement LegReader::FindTemplate(const XmlElement& element, int depth)
   return {};
 }
 
-/// The strip of a leg, as a part of file names.
-std::string ReadStrip(const XmlElement& leg)
-{
-  const std::string strip = leg.GetText("stripId");
-  if (strip.find_first_of("/\\") != std::string::npos)
-  {
-    leg.GetMessages().Error(leg.Where() + ": stripId=\"" + strip +
-      "\" is not valid in a file name; give one without / and \\");
-  }
-  return strip;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -155,8 +91,7 @@ LegSettings ReadLeg(const XmlElement& leg, LegSettings settings, Assets& files)
 {
   leg.CheckNames();
   settings.Leg.Where = leg.Where();
-  settings.Leg.Strip = ReadStrip(leg);
-  leg.ReadVector(settings.Leg.Position);
+  leg.ReadStored(settings);
   LegReader reader(files);
   if (const XmlElement platform = leg.GetChild("platformSettings"))
   {

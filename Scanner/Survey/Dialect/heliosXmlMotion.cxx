@@ -3,6 +3,7 @@
 #include "heliosXmlMotion.h"
 
 #include "heliosMessages.h"
+#include "heliosXmlRules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -101,10 +102,7 @@ bool ReadMotion(const XmlElement& element, Motion& motion)
   {
     ReadVector(element, *row, motion.Vector);
   }
-  element.Read("angle", motion.Angle);
-  element.Read("center", motion.Center);
-  element.Read("glide", motion.Glide);
-  element.Read("selfMode", motion.IsSelf);
+  element.ReadStored(motion);
   if (motion.Kind == MotionKind::GlidePlane)
   {
     ReadShift(element, motion);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosXmlOptics.h"
 
-#include "heliosLegOptics.h"
 #include "heliosMessages.h"
 
 #include <algorithm>
@@ -14,75 +13,10 @@ namespace helios
 namespace
 {
 
-void ReadType(const XmlElement& element, ScannerData& scanner)
-{
-  std::string optics;
-  if (!element.Read("optics", optics))
-  {
-    return;
-  }
-  for (const OpticsName& name : OpticsNames)
-  {
-    if (optics == name.Name)
-    {
-      scanner.Type = name.Type;
-      return;
-    }
-  }
-  element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": optics=\"" + optics +
-    "\" is not valid: expected rotating, oscillating, line, conic, palmer or risley");
-}
-
-void ReadPattern(const XmlElement& element, ScannerData& scanner)
-{
-  std::string pattern;
-  if (!element.Read("scanPattern", pattern))
-  {
-    return;
-  }
-  scanner.IsSinusoidal = pattern == "sinusoidal";
-  if (pattern != "triangular" && !scanner.IsSinusoidal)
-  {
-    element.GetMessages().Error(element.Where() + ": scanner " + scanner.Id + ": scanPattern=\"" +
-      pattern + "\" is not valid: expected triangular or sinusoidal");
-  }
-}
-
 /// A name with the number of a prism: its index from 0, its number in the file from 1.
 std::string Numbered(const char* before, int prism, const char* after = "")
 {
   return before + std::to_string(prism + 1) + after;
-}
-
-void ReadPrisms(const XmlElement& element, ScannerData& scanner)
-{
-  element.Read("refrIndex_air", scanner.AirRefractiveIndex);
-  for (int k = 0; k < 3; ++k)
-  {
-    PrismData& prism = scanner.Prisms[k];
-    element.Read(Numbered("angle", k, "_deg").c_str(), prism.WedgeAngle);
-    element.Read(Numbered("refrIndex", k).c_str(), prism.RefractiveIndex);
-    element.Read(Numbered("rotorFreq", k, "_Hz").c_str(), prism.RotorFrequency);
-  }
-}
-
-void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
-{
-  const XmlElement beam = element.GetChild("incidentBeam");
-  if (!beam)
-  {
-    return;
-  }
-  beam.CheckNames();
-  Vec3 direction(0.0, 0.0, 0.0);
-  beam.ReadVector(direction);
-  if (!(direction[1] > 0.0))
-  {
-    beam.GetMessages().Error(beam.Where() +
-      ": <incidentBeam> does not point at the prisms; give a direction with y above 0");
-    return;
-  }
-  scanner.IncidentBeam = direction;
 }
 
 /// Whether a prism bends the beam.
@@ -114,15 +48,23 @@ void CheckPrisms(const ScannerData& scanner, Messages& log)
 } // namespace
 
 //------------------------------------------------------------------------------
-void ReadOptics(const XmlElement& element, ScannerData& scanner)
+void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner)
 {
-  ReadType(element, scanner);
-  ReadPattern(element, scanner);
-  ReadPrisms(element, scanner);
-  ReadIncidentBeam(element, scanner);
-  element.Read("scanProduct", scanner.ScanProduct);
-  element.Read("turningPulses", scanner.TurningPulses);
-  element.Read("numFibers", scanner.NumberOfFibers);
+  const XmlElement beam = element.GetChild("incidentBeam");
+  if (!beam)
+  {
+    return;
+  }
+  beam.CheckNames();
+  Vec3 direction(0.0, 0.0, 0.0);
+  beam.ReadVector(direction);
+  if (!(direction[1] > 0.0))
+  {
+    beam.GetMessages().Error(beam.Where() +
+      ": <incidentBeam> does not point at the prisms; give a direction with y above 0");
+    return;
+  }
+  scanner.IncidentBeam = direction;
 }
 
 //------------------------------------------------------------------------------

@@ -13,10 +13,10 @@ namespace helios
 
 class Messages;
 
-/// Reads the optics; values that are not given are unchanged.
-void ReadOptics(const XmlElement& element, ScannerData& scanner);
+/// Reads the <incidentBeam> of prisms; unchanged without one.
+void ReadIncidentBeam(const XmlElement& element, ScannerData& scanner);
 
-/// Resets everything that ReadOptics() reads, except for the type, to that of a new scanner.
+/// Resets all optics, except for the type, to those of a new scanner.
 void ForgetOptics(ScannerData& scanner);
 
 /// Checks the complete optics: those that deflect nothing.

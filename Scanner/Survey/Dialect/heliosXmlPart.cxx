@@ -5,6 +5,7 @@
 #include "heliosMessages.h"
 #include "heliosXmlFilter.h"
 #include "heliosXmlMotion.h"
+#include "heliosXmlRules.h"
 
 #include <algorithm>
 #include <array>
@@ -68,7 +69,7 @@ PartData PartReader::Read()
 {
   this->Element.CheckNames();
   this->Part.Where = this->Element.Where();
-  this->Part.Name = this->Element.GetText("id");
+  this->Element.ReadStored(this->Part);
   this->ReadFilters();
   if (!this->HasLoader)
   {
@@ -115,8 +116,7 @@ SwapData PartReader::ReadSwap(const PartData& part)
   SwapData swap;
   bool keepsCrs = true;
   this->Element.CheckNames();
-  this->Element.Read("swapStep", swap.Plays);
-  this->Element.Read("force_null", swap.IsRemoved);
+  this->Element.ReadStored(swap);
   this->Element.Read("keepCRS", keepsCrs);
   this->IsSwap = true;
   this->Part = part; // with its loader and filters, without its rotation, scale and translation
@@ -215,16 +215,9 @@ bool PartReader::StartLoader(const XmlFilter& filter, Loader type)
 //------------------------------------------------------------------------------
 void PartReader::ReadObjLoader(const XmlFilter& filter)
 {
-  if (!this->StartLoader(filter, Loader::Obj))
+  if (this->StartLoader(filter, Loader::Obj))
   {
-    return;
-  }
-  const std::string up = filter.Has("up") ? ToLower(filter.GetValue("up").Text) : "z";
-  this->Part.UpIsY = up == "y";
-  if (up != "y" && up != "z")
-  {
-    filter.GetMessages().Error(
-      filter.GetValue("up").Where + ": up=\"" + up + "\" is not valid: expected y or z");
+    filter.ReadStored(this->Part);
   }
 }
 
@@ -233,6 +226,7 @@ void PartReader::ReadGeoTiffLoader(const XmlFilter& filter)
 {
   if (this->StartLoader(filter, Loader::GeoTiff))
   {
+    filter.ReadStored(this->Part);
     this->ReadMaterial(filter);
   }
 }
@@ -244,9 +238,7 @@ void PartReader::ReadXyzLoader(const XmlFilter& filter)
   {
     return;
   }
-  VoxelData& voxels = this->Part.Voxels;
-  filter.Read("separator", voxels.Separators);
-  filter.Read("voxelSize", voxels.Size);
+  filter.ReadStored(this->Part);
   this->ReadNormals(filter);
   this->ReadMaterial(filter);
 }
@@ -255,15 +247,9 @@ void PartReader::ReadXyzLoader(const XmlFilter& filter)
 void PartReader::ReadNormals(const XmlFilter& filter)
 {
   VoxelData& voxels = this->Part.Voxels;
-  int estimate = 0;
-  bool wanted = filter.Read("estimateNormals", estimate);
-  wanted = filter.Read("normalXIndex", voxels.NormalIndex[0]) || wanted;
-  wanted = filter.Read("normalYIndex", voxels.NormalIndex[1]) || wanted;
-  wanted = filter.Read("normalZIndex", voxels.NormalIndex[2]) || wanted;
-  voxels.EstimateNormals = estimate != 0;
+  const bool wanted = filter.Has("estimateNormals") || filter.Has("normalXIndex") ||
+    filter.Has("normalYIndex") || filter.Has("normalZIndex");
   voxels.ReadNormals = wanted && !voxels.EstimateNormals;
-  filter.Read("defaultNormal", voxels.DefaultNormal);
-  filter.Read("snapNeighborNormal", voxels.SnapNeighborNormal);
 }
 
 //------------------------------------------------------------------------------
@@ -273,21 +259,8 @@ void PartReader::ReadVegetation(const XmlFilter& filter)
   {
     return;
   }
-  static const std::map<std::string, CellMode> modes = { { "transmittive", CellMode::Turbid },
-    { "scaled", CellMode::Scaled }, { "fixed", CellMode::Fixed } };
   VegetationData& cells = this->Part.Vegetation;
-  std::string mode = "transmittive";
-  filter.Read("intersectionMode", mode);
-  const auto found = modes.find(ToLower(mode));
-  if (found == modes.end())
-  {
-    filter.GetMessages().Error(filter.GetValue("intersectionMode").Where + ": intersectionMode=\"" +
-      mode + "\" is unknown; give transmittive, scaled or fixed");
-    return;
-  }
-  cells.Mode = found->second;
-  filter.Read("intersectionArgument", cells.Exponent);
-  filter.Read("randomShift", cells.RandomShift);
+  filter.ReadStored(this->Part);
   if (filter.Has("ladlut"))
   {
     cells.LeafTable =
@@ -319,10 +292,8 @@ void PartReader::ReadMaterial(const XmlFilter& filter)
 {
   MaterialData& material = this->Part.Material;
   material.Where = filter.Where();
-  filter.Read("matname", material.Name);
   int others = 0;
   filter.Read("randomMaterials", others);
-  filter.Read("randomRange", material.RandomRange);
   material.Count = 1 + others;
   if (filter.Has("matfile"))
   {
@@ -346,8 +317,8 @@ void PartReader::ReadCrs(const XmlFilter& filter)
 {
   CrsData crs;
   crs.Where = filter.Where();
-  filter.Read("source", crs.Source);
-  if (!filter.Read("target", crs.Target) || crs.Target.empty())
+  filter.ReadStored(crs);
+  if (crs.Target.empty())
   {
     filter.GetMessages().Error(
       crs.Where + ": filter crs has no target; add <param key=\"target\" value=\"EPSG:...\">");
@@ -364,7 +335,7 @@ void PartReader::ReadSimplify(const XmlFilter& filter)
       ": filter simplify has no maximumDistance; add <param key=\"maximumDistance\" "
       "value=\"0.01\"> with the metres that the surface may move");
   }
-  filter.Read("maximumDistance", this->Part.SimplifyDistance);
+  filter.ReadStored(this->Part);
 }
 
 //------------------------------------------------------------------------------
@@ -379,24 +350,20 @@ void PartReader::ReadRotate(const XmlFilter& filter)
 //------------------------------------------------------------------------------
 void PartReader::ReadScale(const XmlFilter& filter)
 {
-  double scale = 0.0;
-  if (!filter.Read("scale", scale))
+  if (filter.Has("scale"))
   {
-    return;
+    this->WarnIfRepeated(filter, this->HasScale);
+    filter.ReadStored(this->Part);
   }
-  this->WarnIfRepeated(filter, this->HasScale);
-  this->Part.Scale = scale;
 }
 
 //------------------------------------------------------------------------------
 void PartReader::ReadTranslate(const XmlFilter& filter)
 {
   this->WarnIfRepeated(filter, this->HasTranslate);
-  int onGround = 0;
   this->Part.Translation = Vec3(0.0, 0.0, 0.0);
-  filter.Read("offset", this->Part.Translation);
-  filter.Read("onGround", onGround);
-  this->Part.OnGround = onGround != 0;
+  this->Part.OnGround = false;
+  filter.ReadStored(this->Part);
 }
 
 //------------------------------------------------------------------------------

@@ -8,8 +8,8 @@
 #include "heliosPlays.h"
 #include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
-#include "heliosXmlNotes.h"
 #include "heliosXmlPlatform.h"
+#include "heliosXmlRules.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 #include "heliosXmlSurvey.h"
@@ -27,30 +27,13 @@ namespace
 
 constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
 
-/// Reads one of the words in the notes, case-sensitive; false after an error.
-bool ReadWord(const XmlElement& element, const char* name, std::string& target)
+/// Settings with limits that are not given.
+PlannerSettings MakeSettings()
 {
-  const XmlNote& note = FindXmlNote(element.GetTag(), name);
-  const std::vector<std::string> words = GetChoices(note);
-  std::string word;
-  if (!element.Read(name, word))
-  {
-    return true;
-  }
-  const bool isAnyCase = *note.Choices == '~';
-  const auto found = std::find_if(words.begin(), words.end(),
-    [&](const std::string& known)
-    { return known == word || (isAnyCase && ToLower(known) == ToLower(word)); });
-  if (found != words.end())
-  {
-    target = *found;
-    return true;
-  }
-  const std::string nearest = FindNearestName(word, words);
-  element.GetMessages().Error(element.Where() + ": " + name + "=\"" + word + "\" is not valid" +
-    (nearest.empty() ? ": expected" : "; did you mean " + nearest + "? Expected") + " one of " +
-    Enumerate(words));
-  return false;
+  PlannerSettings settings;
+  settings.RangeMin = settings.RangeMax = NotGiven;
+  settings.ElevationMin = settings.ElevationMax = NotGiven;
+  return settings;
 }
 
 const std::string& Either(const std::string& first, const std::string& second)
@@ -75,10 +58,10 @@ public:
   void ReadScene(const XmlElement& scene, PlannerData& data);
 
 private:
-  void ReadSettings(const XmlElement& planner, PlannerData& data);
-  void ReadLimits(const XmlElement& planner, PlannerData& data);
-  void TakePlatform(const XmlElement& element, PlannerData& data);
-  void TakeScanner(const XmlElement& element, PlannerData& data);
+  void ReadSettings(const XmlElement& planner, PlannerSettings& settings);
+  void CheckLimits(const XmlElement& planner, const PlannerSettings& settings);
+  void ReadPlatformOf(const XmlElement& element, PlannerData& data);
+  void ReadScannerOf(const XmlElement& element, PlannerData& data);
   XmlElement FindAsset(const XmlElement& from, const char* tag, const std::string& asked);
   void Conclude(const LegSettings& settings, PlannerData& data);
   void CheckPlatform(const PlatformData& platform);
@@ -100,14 +83,16 @@ void PlannerReader::ReadPlanner(const XmlElement& planner, PlannerData& data)
   const std::string name = planner.GetText("name");
   const std::string id = planner.GetText("id");
   data.Survey.Name = MakeFolderName(!name.empty() ? name : !id.empty() ? id : data.Survey.Name);
-  this->ReadSettings(planner, data);
-  this->ReadLimits(planner, data);
-  if (const XmlElement scene = this->FindAsset(planner, "scene", ""))
+  this->ReadSettings(planner, data.Settings);
+  this->CheckLimits(planner, data.Settings);
+  const XmlElement scene =
+    this->Request.HasScene ? XmlElement() : this->FindAsset(planner, "scene", "");
+  if (scene)
   {
     data.Survey.Scene = helios::ReadScene(scene, this->Files);
   }
-  this->TakePlatform(this->FindAsset(planner, "platform", this->Request.Platform), data);
-  this->TakeScanner(this->FindAsset(planner, "scanner", this->Request.Scanner), data);
+  this->ReadPlatformOf(this->FindAsset(planner, "platform", this->Request.Platform), data);
+  this->ReadScannerOf(this->FindAsset(planner, "scanner", this->Request.Scanner), data);
   LegSettings settings;
   settings.Leg.Where = planner.Where();
   if (const XmlElement child = planner.GetChild("scannerSettings"))
@@ -118,44 +103,26 @@ void PlannerReader::ReadPlanner(const XmlElement& planner, PlannerData& data)
 }
 
 //------------------------------------------------------------------------------
-void PlannerReader::ReadSettings(const XmlElement& planner, PlannerData& data)
+void PlannerReader::ReadSettings(const XmlElement& planner, PlannerSettings& settings)
 {
-  data.Method = "reduce";
-  ReadWord(planner, "method", data.Method);
-  ReadWord(planner, "pspRemoveOrder", data.RemoveOrder);
-  ReadWord(planner, "pspRemoveFirst", data.RemoveFirst);
-  planner.Read("minCoverage_percent", data.MinimumCoverage);
-  ReadWord(planner, "coverageOf", data.CoverageOf);
-  planner.Read("gridSizePSP_m", data.PositionStep[0]);
-  data.PositionStep[1] = data.PositionStep[0];
-  planner.Read("gridSizePSPy_m", data.PositionStep[1]);
-  data.TestPointStep = data.PositionStep[0];
-  planner.Read("gridSizeVTP_m", data.TestPointStep);
-  ReadWord(planner, "vtpLines", data.TestLines);
-  planner.Read("maxSlope_deg", data.MaximumSlope);
-  ReadWord(planner, "groundOnly", data.GroundOnly);
-  data.GroundOnly = data.GroundOnly == "1" ? "true"
-    : data.GroundOnly == "0"               ? "false"
-                                           : data.GroundOnly;
-  planner.Read("enclosed", data.TakesEnclosed);
-  planner.Read("scannerHeight_m", data.ScannerHeight);
-  planner.Read("hitTolerance_m", data.HitTolerance);
-  planner.Read("hitBehind", data.SeesBefore);
-  planner.Read("areaWeights", data.UseAreas);
-  planner.Read("minOverlap_percent", data.MinimumOverlap);
-  planner.Read("timeLimit_s", data.TimeLimit);
+  settings.Method = "reduce";
+  planner.ReadStored(settings);
+  if (!planner.Has("gridSizePSPy_m"))
+  {
+    settings.PositionStep[1] = settings.PositionStep[0];
+  }
+  if (!planner.Has("gridSizeVTP_m"))
+  {
+    settings.TestPointStep = settings.PositionStep[0];
+  }
+  settings.GroundOnly = settings.GroundOnly == "1" ? "true"
+    : settings.GroundOnly == "0"                   ? "false"
+                                                   : settings.GroundOnly;
 }
 
 //------------------------------------------------------------------------------
-void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
+void PlannerReader::CheckLimits(const XmlElement& planner, const PlannerSettings& settings)
 {
-  planner.Read("scannerLimits", data.HasScannerLimits);
-  planner.Read("rangeMin_m", data.RangeMin);
-  planner.Read("rangeMax_m", data.RangeMax);
-  planner.Read("elevationMin_deg", data.ElevationMin);
-  planner.Read("elevationMax_deg", data.ElevationMax);
-  planner.Read("maxIncidence_deg", data.MaximumIncidenceAngle);
-  planner.Read("minPointDensity_1_m2", data.MinimumPointDensity);
   const auto check = [&](const char* lowName, double low, const char* highName, double high)
   {
     Sentence text;
@@ -166,8 +133,8 @@ void PlannerReader::ReadLimits(const XmlElement& planner, PlannerData& data)
       this->Log.Error(text.str());
     }
   };
-  check("rangeMin_m", data.RangeMin, "rangeMax_m", data.RangeMax);
-  check("elevationMin_deg", data.ElevationMin, "elevationMax_deg", data.ElevationMax);
+  check("rangeMin_m", settings.RangeMin, "rangeMax_m", settings.RangeMax);
+  check("elevationMin_deg", settings.ElevationMin, "elevationMax_deg", settings.ElevationMax);
 }
 
 //------------------------------------------------------------------------------
@@ -197,11 +164,11 @@ void PlannerReader::ReadSurvey(PlannerData& data)
   data.Survey.Scanners = { scanner };
   if (!this->Request.Platform.empty())
   {
-    this->TakePlatform(this->FindAsset(element, "platform", this->Request.Platform), data);
+    this->ReadPlatformOf(this->FindAsset(element, "platform", this->Request.Platform), data);
   }
   if (!keepsScanner)
   {
-    this->TakeScanner(this->FindAsset(element, "scanner", this->Request.Scanner), data);
+    this->ReadScannerOf(this->FindAsset(element, "scanner", this->Request.Scanner), data);
   }
   this->Conclude(settings, data);
 }
@@ -209,11 +176,14 @@ void PlannerReader::ReadSurvey(PlannerData& data)
 //------------------------------------------------------------------------------
 void PlannerReader::ReadScene(const XmlElement& scene, PlannerData& data)
 {
-  data.Survey.Scene = helios::ReadScene(scene, this->Files);
-  this->TakePlatform(this->FindAsset(scene, "platform",
-                       Either(this->Request.Platform, this->Request.DefaultPlatform)),
+  if (!this->Request.HasScene)
+  {
+    data.Survey.Scene = helios::ReadScene(scene, this->Files);
+  }
+  this->ReadPlatformOf(this->FindAsset(scene, "platform",
+                         Either(this->Request.Platform, this->Request.DefaultPlatform)),
     data);
-  this->TakeScanner(
+  this->ReadScannerOf(
     this->FindAsset(scene, "scanner", Either(this->Request.Scanner, this->Request.DefaultScanner)),
     data);
   LegSettings settings;
@@ -228,7 +198,9 @@ XmlElement PlannerReader::FindAsset(
 {
   if (!asked.empty())
   {
-    return this->Files.FindElement(tag, { tag, asked, this->Request.FileName }, from.GetDocument());
+    static const std::string scene = "scene"; // without a file
+    return this->Files.FindElement(
+      tag, { tag, asked, Either(this->Request.FileName, scene) }, from.GetDocument());
   }
   const bool isScene = from.GetTag() == "scene";
   if (!isScene && from.Has(tag))
@@ -243,13 +215,13 @@ XmlElement PlannerReader::FindAsset(
 }
 
 //------------------------------------------------------------------------------
-void PlannerReader::TakePlatform(const XmlElement& element, PlannerData& data)
+void PlannerReader::ReadPlatformOf(const XmlElement& element, PlannerData& data)
 {
   data.Survey.Platforms = { element ? ReadPlatform(element) : PlatformData() };
 }
 
 //------------------------------------------------------------------------------
-void PlannerReader::TakeScanner(const XmlElement& element, PlannerData& data)
+void PlannerReader::ReadScannerOf(const XmlElement& element, PlannerData& data)
 {
   const int before = this->Log.GetNumberOfErrors();
   data.Survey.Scanners = { element ? ReadScanner(element) : ScannerData() };
@@ -269,7 +241,7 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   const PlatformData& platform = data.Survey.Platforms.front();
   const ScannerData& scanner = data.Survey.Scanners.front();
   this->CheckPlatform(platform);
-  data.HasScannerLimits = data.HasScannerLimits || this->Request.UseScannerLimits;
+  data.Settings.HasScannerLimits = data.Settings.HasScannerLimits || this->Request.UseScannerLimits;
   if (this->HasError() || !ResolveScan(settings, this->Request, data, this->Log))
   {
     return;
@@ -277,7 +249,9 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   ResolveLimits(data, this->Log);
   data.Instrument = FindInstrument(platform, scanner);
   this->CheckHeight(data);
-  data.SceneReference = MakeReference(data.Survey.Scene.Where, data.Survey.Scene.Id);
+  data.SceneReference = this->Request.HasScene
+    ? std::string()
+    : MakeReference(data.Survey.Scene.Where, data.Survey.Scene.Id);
   data.PlatformReference = MakeReference(platform.Where, platform.Id);
   data.ScannerReference = MakeReference(scanner.Where, scanner.Id);
   this->WarnOfScene(data.Survey.Scene);
@@ -324,16 +298,17 @@ void PlannerReader::CheckPlatform(const PlatformData& platform)
 //------------------------------------------------------------------------------
 void PlannerReader::CheckHeight(PlannerData& data)
 {
-  if (data.ScannerHeight > 0.0)
+  if (data.Settings.ScannerHeight > 0.0)
   {
     return;
   }
-  data.ScannerHeight = data.Instrument[2];
-  if (data.ScannerHeight < 1e-6)
+  data.Settings.ScannerHeight = data.Instrument[2];
+  if (data.Settings.ScannerHeight < 1e-6)
   {
     Sentence text;
     text << data.Survey.Platforms.front().Where << ": platform "
-         << data.Survey.Platforms.front().Name << " carries the scanner " << data.ScannerHeight
+         << data.Survey.Platforms.front().Name << " carries the scanner "
+         << data.Settings.ScannerHeight
          << " m above the scan position, but the height must be above 0; give it a <scannerMount> "
             "with a larger z, or give scannerHeight_m";
     this->Log.Error(text.str());
@@ -364,12 +339,19 @@ void WarnOfSeveral(const std::vector<XmlElement>& elements, Messages& log)
 PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
 {
   PlannerData data;
-  data.RangeMin = data.RangeMax = NotGiven;
-  data.ElevationMin = data.ElevationMax = NotGiven;
+  data.Settings = MakeSettings();
   data.Survey.FileName = request.FileName;
   data.Survey.Name = MakeFolderName(fs::path(request.FileName).stem().string());
   Assets assets(log, request.AssetDirectories);
   PlannerReader reader(request, assets, log);
+  if (request.FileName.empty())
+  {
+    data.Survey.Name = "plan";
+    const auto document =
+      XmlDocument::Make("scene", "<document><scene id=\"scene\"/></document>", log);
+    reader.ReadScene(document->GetRoot().GetChild("scene"), data);
+    return data;
+  }
   if (FindLoader(request.FileName))
   {
     std::error_code ignored;
@@ -419,8 +401,7 @@ PlannerData ReadPlanner(const PlannerRequest& request, Messages& log)
 void CheckPlanner(const XmlElement& planner, Assets& assets, Messages& log)
 {
   PlannerData data;
-  data.RangeMin = data.RangeMax = NotGiven;
-  data.ElevationMin = data.ElevationMax = NotGiven;
+  data.Settings = MakeSettings();
   const PlannerRequest request;
   PlannerReader(request, assets, log).ReadPlanner(planner, data);
   CheckSurveyNames(data.Survey, planner.Where(), log);

@@ -16,7 +16,8 @@ class Messages;
 
 /**
  * The first <surveyPlanner> of a file, else its first <survey>, else its first <scene>; or a mesh
- * (.obj, .tif), with all references. Complete only if log has no error then.
+ * (.obj, .tif), with all references; without a file, the scene of the caller. Complete only if log
+ * has no error then.
  */
 PlannerData ReadPlanner(const PlannerRequest& request, Messages& log);
 

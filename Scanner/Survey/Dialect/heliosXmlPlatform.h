@@ -12,6 +12,7 @@ namespace helios
 {
 
 class Assets;
+class Messages;
 
 /// The pose of <scannerMount> or <beamOrigin>; unchanged without an element.
 void ReadPose(const XmlElement& element, Pose& pose);
@@ -22,7 +23,14 @@ void ReadModel(const XmlElement& element, const char* attribute, ModelData& mode
 /// Finds the file of a model of an element. A missing file is no error: it is only displayed.
 void FindModel(const XmlElement& element, const Assets& files, ModelData& model);
 
+/// The elements of the noise of a platform's pose, in the order of PlatformData::Noise.
+constexpr const char* NoiseNames[6] = { "positionXNoise", "positionYNoise", "positionZNoise",
+  "attitudeXNoise", "attitudeYNoise", "attitudeZNoise" };
+
 PlatformData ReadPlatform(const XmlElement& element);
+
+/// Checks the complete data: empty intervals of noise.
+void CheckPlatform(const PlatformData& platform, Messages& log);
 
 /// Overrides the platform's noise by that of the survey and, for a platform that plays a
 /// trajectory, its <scannerMount>.

@@ -13,9 +13,6 @@ namespace helios
 namespace
 {
 
-/// Catalogues give the detection threshold in nanowatts, despite its name.
-constexpr double WattsPerUnit = 1e-9;
-
 void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
 {
   if (!element)
@@ -35,37 +32,12 @@ void ReadHeadRotateAxis(const XmlElement& element, Vec3& axis)
     ": <headRotateAxis> is shorter than 0.1 and not used; the head turns about 0 0 1");
 }
 
-/// Reads numbers that need no conversion.
-void ReadNumbers(const XmlElement& element, ScannerData& scanner)
-{
-  element.Read("pulseFreqs_Hz", scanner.PulseFrequencies);
-  element.Read("pulseLength_ns", scanner.PulseLength);
-  element.Read("beamDivergence_rad", scanner.BeamDivergence);
-  element.Read("wavelength_nm", scanner.Wavelength);
-  element.Read("averagePower_w", scanner.AveragePower);
-  element.Read("opticalEfficiency", scanner.OpticalEfficiency);
-  element.Read("receiverDiameter_m", scanner.ReceiverDiameter);
-  element.Read("atmosphericVisibility_km", scanner.AtmosphericVisibility);
-  element.Read("accuracy_m", scanner.Accuracy);
-  element.Read("rangeMin_m", scanner.RangeMin);
-  element.Read("rangeMax_m", scanner.RangeMax);
-  element.Read("maxNOR", scanner.MaximumNumberOfReturns);
-  element.Read("scanAngleMax_deg", scanner.ScanAngleMax);
-  element.Read("scanAngleEffectiveMax_deg", scanner.ScanAngleEffectiveMax);
-  element.Read("scanFreqMin_Hz", scanner.ScanFrequencyMin);
-  element.Read("scanFreqMax_Hz", scanner.ScanFrequencyMax);
-  element.Read("headRotatePerSecMax_deg", scanner.HeadRotateSpeedMax);
-}
-
 /// Reads a scanner or one of its channels; values that are not given are unchanged.
 void ReadInstrument(const XmlElement& element, ScannerData& scanner)
 {
   element.CheckNames();
-  ReadOptics(element, scanner);
-  ReadNumbers(element, scanner);
-  double threshold = scanner.DetectionThreshold / WattsPerUnit;
-  element.Read("receivedEnergyMin_W", threshold);
-  scanner.DetectionThreshold = threshold * WattsPerUnit;
+  element.ReadStored(scanner);
+  ReadIncidentBeam(element, scanner);
   ReadReceiver(element, scanner);
   ReadPose(element.GetChild("beamOrigin"), scanner.Beam);
   ReadHeadRotateAxis(element.GetChild("headRotateAxis"), scanner.HeadRotateAxis);

@@ -32,16 +32,6 @@ void AddPart(PartData part, std::vector<PartData>& parts)
   }
 }
 
-std::vector<std::string> FindSpectraFolders(const std::vector<std::string>& folders)
-{
-  std::vector<std::string> spectra;
-  for (const std::string& folder : folders)
-  {
-    spectra.push_back((std::filesystem::path(folder) / "spectra").lexically_normal().string());
-  }
-  return spectra;
-}
-
 /// Checks that every epoch has a part to scan.
 void CheckPlays(const SceneData& scene, Messages& log)
 {
@@ -64,10 +54,9 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
 {
   SceneData scene;
   scene.Where = element.Where();
-  scene.Id = element.GetText("id");
-  scene.Name = element.Has("name") ? element.GetText("name") : scene.Id;
-  scene.Crs = element.GetText("crs");
-  scene.SpectraFolders = FindSpectraFolders(assets.GetFolders(element.GetDocument()));
+  element.ReadStored(scene);
+  scene.Name = element.Has("name") ? scene.Name : scene.Id;
+  scene.SpectraFolders = FindSpectraFolders(element.GetDocument(), assets);
   element.CheckNames();
   const std::vector<XmlElement> parts = element.GetChildren("part");
   for (const XmlElement& part : parts)
@@ -81,6 +70,17 @@ SceneData ReadScene(const XmlElement& element, Assets& assets)
   }
   CheckPlays(scene, element.GetMessages());
   return scene;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> FindSpectraFolders(const XmlDocument& document, const Assets& assets)
+{
+  std::vector<std::string> spectra;
+  for (const std::string& folder : assets.GetFolders(document))
+  {
+    spectra.push_back((std::filesystem::path(folder) / "spectra").lexically_normal().string());
+  }
+  return spectra;
 }
 
 } // namespace helios

@@ -4,8 +4,8 @@
 
 #include "heliosMessages.h"
 #include "heliosXmlFilter.h"
-#include "heliosXmlNotes.h"
 #include "heliosXmlRules.h"
+#include "heliosXmlValue.h"
 
 #include <algorithm>
 #include <cctype>
@@ -74,18 +74,19 @@ bool IsRead(const XmlValueRule& value)
 }
 
 /// "description [unit]; default: this; not read"
-std::string Describe(const XmlValueRule& value, const XmlNote& note)
+std::string Describe(const XmlValueRule& value)
 {
-  std::string text = note.Text;
+  const std::string usual = value.IsRequired ? std::string() : DescribeDefault(value);
+  std::string text = value.Note;
   text += *value.Unit ? std::string(" [") + value.Unit + "]" : "";
-  text += *note.Default && !IsRequired(note) ? std::string("; default: ") + note.Default : "";
+  text += usual.empty() ? "" : "; default: " + usual;
   return text + (value.Use == XmlUse::Used ? "" : "; not read");
 }
 
 /// The words of an attribute; for a filter's type the supported filters.
 std::vector<std::string> FindChoices(const XmlElementRule& rule, const XmlValueRule& value)
 {
-  std::vector<std::string> choices = GetChoices(FindXmlNote(rule.Name, value.Name));
+  std::vector<std::string> choices = value.GetChoices();
   if (std::string(rule.Name) == "filter")
   {
     choices = GetFilterTypes();
@@ -96,7 +97,7 @@ std::vector<std::string> FindChoices(const XmlElementRule& rule, const XmlValueR
 
 bool IsAnyCase(const XmlElementRule& rule, const XmlValueRule& value)
 {
-  return std::string(rule.Name) == "filter" || *FindXmlNote(rule.Name, value.Name).Choices == '~';
+  return std::string(rule.Name) == "filter" || value.IsAnyCase();
 }
 
 /// Writes the schema.
@@ -135,8 +136,8 @@ std::string SchemaMaker::Make()
 void SchemaMaker::AddElement(const XmlElementRule& rule)
 {
   this->Text += std::string("  <xs:complexType name=\"") + rule.Name + "\">\n";
-  this->Text += "    <xs:annotation><xs:documentation>" +
-    Escape(FindXmlNote(rule.Name, "").Text, true) + "</xs:documentation></xs:annotation>\n";
+  this->Text += "    <xs:annotation><xs:documentation>" + Escape(rule.Note, true) +
+    "</xs:documentation></xs:annotation>\n";
   this->AddChildren(rule);
   for (const XmlValueRule& value : rule.Values)
   {
@@ -171,10 +172,9 @@ void SchemaMaker::AddChildren(const XmlElementRule& rule)
 //------------------------------------------------------------------------------
 void SchemaMaker::AddAttribute(const XmlElementRule& rule, const XmlValueRule& value)
 {
-  const XmlNote& note = FindXmlNote(rule.Name, value.Name);
   this->Text += std::string("    <xs:attribute name=\"") + value.Name + "\"" +
-    (IsRequired(note) && IsRead(value) ? " use=\"required\"" : "") + ">\n";
-  this->Text += "      <xs:annotation><xs:documentation>" + Escape(Describe(value, note), true) +
+    (value.IsRequired && IsRead(value) ? " use=\"required\"" : "") + ">\n";
+  this->Text += "      <xs:annotation><xs:documentation>" + Escape(Describe(value), true) +
     "</xs:documentation></xs:annotation>\n";
   this->Text += "      " + MakeType(rule, value) + "\n    </xs:attribute>\n";
 }
@@ -337,11 +337,10 @@ std::vector<std::string> FindParents(const std::string& name)
 
 std::string MakeRow(const XmlElementRule& rule, const XmlValueRule& value)
 {
-  const XmlNote& note = FindXmlNote(rule.Name, value.Name);
   const bool isRead = IsRead(value);
   const std::string cells[] = { std::string("`") + value.Name + "`", NameKind(value.Kind),
-    value.Unit, isRead ? DescribeRange(rule, value) : "", note.Default, NameUse(value.Use),
-    note.Text };
+    value.Unit, isRead ? DescribeRange(rule, value) : "", DescribeDefault(value),
+    NameUse(value.Use), value.Note };
   std::string row = "|";
   for (const std::string& cell : cells)
   {
@@ -359,7 +358,7 @@ std::string MakeChildRows(const XmlElementRule& rule)
     if (!FindXmlRule(child.Name) || child.Use != XmlUse::Used)
     {
       rows += std::string("| `<") + child.Name + ">` | element | | | | " + NameUse(child.Use) +
-        " | " + Escape(FindXmlNote(child.Name, "").Text, false) + " |\n";
+        " | " + Escape(child.Note, false) + " |\n";
     }
   }
   return rows;
@@ -372,7 +371,7 @@ std::string MakeTable(const XmlElementRule& rule)
   const std::vector<std::string> parents = FindParents(name);
   std::string text =
     "### " + (isFilter ? "filter `" + name.substr(7) + "`" : "`<" + name + ">`") + "\n\n";
-  text += Capitalise(Escape(FindXmlNote(name, "").Text, false)) + ".";
+  text += Capitalise(Escape(rule.Note, false)) + ".";
   text += parents.empty() ? "\n" : " In " + Quote(parents) + ".\n";
   std::string rows;
   for (const XmlValueRule& value : rule.Values)

@@ -5,15 +5,12 @@
 #include "heliosAssets.h"
 #include "heliosLegSettings.h"
 #include "heliosMessages.h"
-#include "heliosXmlCheck.h"
 #include "heliosXmlLeg.h"
-#include "heliosXmlPlanner.h"
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 #include "heliosXmlScene.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -23,25 +20,6 @@ namespace helios
 
 namespace
 {
-
-constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
-
-/// Parses a seed: the digits of a date, the integer part of a decimal number; negative: none.
-vtkIdType ParseSeed(std::string text)
-{
-  const bool isDate = text.find_first_of("-:") != std::string::npos && text.size() == 19;
-  const auto isNoDigit = [](char c) { return c < '0' || c > '9'; };
-  if (isDate)
-  {
-    text.erase(std::remove_if(text.begin(), text.end(), isNoDigit), text.end());
-  }
-  vtkIdType seed = -1;
-  const char* end = text.data() + text.size();
-  const auto parsed = std::from_chars(text.data(), end, seed);
-  const bool isWhole = parsed.ec == std::errc() &&
-    (parsed.ptr == end || (*parsed.ptr == '.' && std::none_of(parsed.ptr + 1, end, isNoDigit)));
-  return isWhole && seed <= HighestSeed && (!isDate || text.size() == 14) ? seed : -1;
-}
 
 /// Reads one <survey>.
 class SurveyReader
@@ -57,8 +35,6 @@ public:
 
 private:
   void ReadName(const XmlElement& survey, SurveyData& data);
-  void ReadSeed(const XmlElement& survey, SurveyData& data);
-  void ReadAttitude(const XmlElement& survey, SurveyData& data);
   void ReadScene(const XmlElement& survey, SurveyData& data);
   void ReadLegs(const XmlElement& survey, SurveyData& data);
   void ReadLeg(const XmlElement& leg, SurveyData& data);
@@ -69,14 +45,12 @@ private:
   std::size_t FindPlatform(const XmlElement& from, SurveyData& data);
   XmlElement FindRequired(const XmlElement& from, const char* tag);
   PlatformData MakeInterpolated();
-  void CheckJourneys(const SurveyData& data);
   void Resolve(SurveyData& data);
   bool IsGood(std::size_t leg, const SurveyData& data) const;
 
   Assets& Files;
   Messages& Log;
   XmlElement Survey;
-  std::vector<LegSettings> Settings;           // of the legs so far
   std::map<std::string, std::size_t> Scanners; // by their place in the file
   std::map<std::string, std::size_t> Platforms;
   Vec3 Origin{ 0.0, 0.0, 0.0 }; // of the following legs
@@ -92,12 +66,7 @@ void SurveyReader::Read(const XmlElement& survey, SurveyData& data)
   this->Survey = survey;
   survey.CheckNames();
   this->ReadName(survey, data);
-  this->ReadSeed(survey, data);
-  this->ReadAttitude(survey, data);
-  data.RayCaster = survey.GetText("rayCaster");
-  survey.Read("legRandomOffset", data.LegOffset.IsOn);
-  survey.Read("legRandomOffsetMean", data.LegOffset.Mean);
-  survey.Read("legRandomOffsetStdev", data.LegOffset.Deviation);
+  survey.ReadStored(data);
   this->ReadScene(survey, data);
   this->ReadLegs(survey, data);
 }
@@ -112,35 +81,6 @@ void SurveyReader::ReadName(const XmlElement& survey, SurveyData& data)
   {
     this->Log.Warning(survey.Where() + ": name=\"" + given +
       "\" is not a valid folder name; the survey is called \"" + data.Name + "\"");
-  }
-}
-
-//------------------------------------------------------------------------------
-void SurveyReader::ReadSeed(const XmlElement& survey, SurveyData& data)
-{
-  const std::string text = survey.GetText("seed");
-  if (text.empty() || ToLower(text) == "auto")
-  {
-    return;
-  }
-  data.Seed = ParseSeed(text);
-  if (data.Seed < 0)
-  {
-    this->Log.Error(survey.Where() + ": seed=\"" + text +
-      "\" is not valid: expected an integer from 0 to 2^62, YYYY-MM-DD hh:mm:ss, or AUTO");
-  }
-}
-
-//------------------------------------------------------------------------------
-void SurveyReader::ReadAttitude(const XmlElement& survey, SurveyData& data)
-{
-  std::string convention = "ARINC 705";
-  survey.Read("rotationSpec", convention);
-  data.IsCanonical = convention == "CANONICAL";
-  if (!data.IsCanonical && convention != "ARINC 705")
-  {
-    this->Log.Error(survey.Where() + ": rotationSpec=\"" + convention +
-      "\" is not valid: expected ARINC 705 or CANONICAL");
   }
 }
 
@@ -253,13 +193,12 @@ void SurveyReader::ReadLegs(const XmlElement& survey, SurveyData& data)
       this->ReadLeg(child, data);
     }
   }
-  if (data.Legs.empty())
+  if (data.Settings.empty())
   {
     this->Log.Error(survey.Where() + ": survey " + data.Name + " has 0 <leg>; add one");
     this->FindScanner(survey, data); // may have errors, too
     this->FindPlatform(survey, data);
   }
-  this->CheckJourneys(data);
   this->Resolve(data);
 }
 
@@ -291,7 +230,7 @@ void SurveyReader::ReadScan(const XmlElement& scan, SurveyData& data)
     this->AddLeg(leg, settings, scan, data);
     if (this->BadScanners.count(scanner) > 0)
     {
-      this->BadLegs.insert(data.Legs.size() - 1); // its head rotation depends on the scanner
+      this->BadLegs.insert(data.Settings.size() - 1); // its head rotation depends on the scanner
     }
   }
 }
@@ -302,63 +241,42 @@ void SurveyReader::AddLeg(
   const XmlElement& element, const LegSettings& base, const XmlElement& from, SurveyData& data)
 {
   const int before = this->Log.GetNumberOfErrors();
-  const LegSettings settings = helios::ReadLeg(element, base, this->Files);
+  LegSettings settings = helios::ReadLeg(element, base, this->Files);
   if (this->Log.GetNumberOfErrors() != before)
   {
-    this->BadLegs.insert(data.Legs.size());
+    this->BadLegs.insert(data.Settings.size());
   }
-  LegData leg = settings.Leg;
+  LegData& leg = settings.Leg;
   leg.Position += this->Origin;
   leg.Scanner = this->FindScanner(from.Has("scanner") ? from : this->Survey, data);
   leg.Platform = this->FindPlatform(from.Has("platform") ? from : this->Survey, data);
-  leg.StartsJourney =
-    data.Legs.empty() || this->StartsScan || data.Legs.back().Platform != leg.Platform;
+  leg.StartsJourney = this->StartsScan;
   this->StartsScan = false;
-  this->Settings.push_back(settings);
-  data.Legs.push_back(leg);
-}
-
-//------------------------------------------------------------------------------
-void SurveyReader::CheckJourneys(const SurveyData& data)
-{
-  for (std::size_t leg = 0; leg < data.Legs.size(); ++leg)
-  {
-    if (!this->IsGood(leg, data))
-    {
-      continue;
-    }
-    const bool isAlone = data.Legs[leg].StartsJourney && data.EndsJourney(leg);
-    const bool isFlown = data.GetPlatform(leg).Type == PlatformType::Interpolated;
-    if (isAlone && data.IsMoving(leg) && !isFlown)
-    {
-      this->Log.Error(data.Legs[leg].Where + ": platform " + data.GetPlatform(leg).Id +
-        " has 1 <leg>; a moving platform needs two, a start and an end");
-    }
-    if (isFlown && data.Legs[leg].StartsJourney && data.Legs[leg].Trajectory.File.empty())
-    {
-      this->Log.Error(data.Legs[leg].Where +
-        ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
-        "<platformSettings>");
-    }
-  }
+  data.Settings.push_back(settings);
 }
 
 //------------------------------------------------------------------------------
 void SurveyReader::Resolve(SurveyData& data)
 {
+  StartLegs(data);
+  std::vector<std::size_t> good;
   for (std::size_t leg = 0; leg < data.Legs.size(); ++leg)
   {
-    if (!this->IsGood(leg, data))
+    if (this->IsGood(leg, data))
     {
-      continue;
+      good.push_back(leg);
+      CheckJourney(data, leg, this->Log);
     }
+  }
+  for (const std::size_t leg : good)
+  {
     if (this->BadScanners.count(data.Legs[leg].Scanner) == 0)
     {
-      ResolveLeg(this->Settings[leg], leg, data, this->Log);
+      ResolveLeg(data.Settings[leg], leg, data, this->Log);
     }
     else
     {
-      CheckLegAlone(this->Settings[leg], leg, data, this->Log);
+      CheckLegAlone(data.Settings[leg], leg, data, this->Log);
     }
   }
 }
@@ -411,34 +329,15 @@ SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log
   {
     log.Warning(surveys[1].Where() + ": of several surveys in one file only the first is used");
   }
-  SurveyReader(assets, log).Read(surveys.front(), data);
+  ReadSurvey(surveys.front(), assets, log, data);
   data.Documents = assets.GetDocumentPaths();
   return data;
 }
 
 //------------------------------------------------------------------------------
-void CheckFile(
-  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
+void ReadSurvey(const XmlElement& element, Assets& assets, Messages& log, SurveyData& data)
 {
-  Assets assets(log, assetDirectories);
-  const XmlDocument* document = assets.Load(fileName);
-  if (!document)
-  {
-    return;
-  }
-  const XmlElement root = document->GetRoot();
-  for (const XmlElement& survey : root.GetChildren("survey"))
-  {
-    SurveyData data;
-    SurveyReader(assets, log).Read(survey, data);
-    CheckSurveyNames(data, survey.Where(), log);
-  }
-  for (const XmlElement& planner : root.GetChildren("surveyPlanner"))
-  {
-    CheckPlanner(planner, assets, log);
-  }
-  CheckTemplates(root, assets);
-  CheckAssets(root, assets, log);
+  SurveyReader(assets, log).Read(element, data);
 }
 
 } // namespace helios

@@ -16,6 +16,7 @@ namespace helios
 class Assets;
 class Messages;
 class XmlDocument;
+class XmlElement;
 
 /// The first survey of a file with all references. Complete only if log has no error then.
 SurveyData ReadSurvey(
@@ -24,13 +25,11 @@ SurveyData ReadSurvey(
 /// The same for a document, which may be null.
 SurveyData ReadSurvey(const XmlDocument* document, Assets& assets, Messages& log);
 
+/// The survey of an element; its name without a name is that of data.FileName.
+void ReadSurvey(const XmlElement& element, Assets& assets, Messages& log, SurveyData& data);
+
 /// A name valid for a folder.
 std::string MakeFolderName(std::string name);
-
-/// Checks a whole file: its surveys and planners as they are read, and all scenes, scanners,
-/// platforms and templates in it, used or not.
-void CheckFile(
-  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log);
 
 } // namespace helios
 

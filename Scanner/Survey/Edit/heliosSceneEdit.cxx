@@ -17,6 +17,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -159,7 +160,7 @@ class SceneEdit::Internals
 public:
   pugi::xml_node GetScene() const { return this->Document.document_element(); }
   pugi::xml_node GetPart(int part) const;
-  bool Take(const XmlElement& scene, Assets& assets);
+  bool Read(const XmlElement& scene, Assets& assets);
   void Spread(const XmlElement& element, pugi::xml_node part, const XmlElement& scene,
     Assets& assets, int& count);
   void FindFiles(pugi::xml_node node, const XmlDocument& from, Assets& assets);
@@ -187,7 +188,7 @@ pugi::xml_node SceneEdit::Internals::GetPart(int part) const
 }
 
 //------------------------------------------------------------------------------
-bool SceneEdit::Internals::Take(const XmlElement& scene, Assets& assets)
+bool SceneEdit::Internals::Read(const XmlElement& scene, Assets& assets)
 {
   pugi::xml_document file;
   const std::string path = scene.GetDocument().GetPath();
@@ -313,7 +314,7 @@ bool SceneEdit::Load(const std::string& scene, const std::string& folder,
   const XmlElement element = file ? file->GetRoot().GetChild("scene")
     : isFirst                     ? XmlElement()
               : assets.FindElement("scene", { "scene", scene, here->GetPath() }, *here);
-  return element && this->Inside->Take(element, assets) && log.GetNumberOfErrors() == before;
+  return element && this->Inside->Read(element, assets) && log.GetNumberOfErrors() == before;
 }
 
 //------------------------------------------------------------------------------

@@ -10,11 +10,6 @@
 #include "heliosXmlPlatform.h"
 #include "heliosXmlScanner.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
-#include <vtkObject.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -168,12 +163,7 @@ Catalogue ReadCatalogue(const std::vector<std::string>& assetDirectories,
     }
   }
   all.insert(all.end(), files.begin(), files.end());
-  vtkNew<vtkObject> owner; // an observer suppresses its messages
-  vtkNew<vtkCallbackCommand> nobody;
-  nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-  owner->AddObserver(vtkCommand::ErrorEvent, nobody);
-  owner->AddObserver(vtkCommand::WarningEvent, nobody);
-  Messages log(owner);
+  Messages log(nullptr);
   Assets assets(log, assetDirectories);
   Catalogue catalogue;
   std::set<std::string> seen;

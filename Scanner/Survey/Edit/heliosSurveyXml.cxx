@@ -21,11 +21,6 @@ namespace
 
 constexpr const char* SceneId = "scene";
 
-std::string ToText(bool value)
-{
-  return value ? "true" : "false";
-}
-
 /// Adds the scene to the file if it is a mesh, or was edited.
 std::string AddScene(pugi::xml_node root, const SurveyEdit& edit)
 {
@@ -44,54 +39,19 @@ std::string AddScene(pugi::xml_node root, const SurveyEdit& edit)
   return edit.Scene;
 }
 
-void AddPlatformSettings(pugi::xml_node node, const LegData& leg, bool isMoving)
+/// The settings of a leg on a static platform.
+LegSettings MakeStill(const LegSettings& settings)
 {
-  const LegData usual;
-  SetAttribute(node, "x", leg.Position[0]);
-  SetAttribute(node, "y", leg.Position[1]);
-  SetAttribute(node, "z", leg.Position[2]);
-  SetAttribute(node, "crs", leg.Crs);
-  SetAttribute(node, "onGround", ToText(leg.OnGround));
-  if (!isMoving)
-  {
-    return;
-  }
-  SetAttribute(node, "movePerSec_m", leg.Speed);
-  SetAttribute(node, "stopAndTurn", ToText(leg.StopAndTurn));
-  if (leg.SmoothTurn != usual.SmoothTurn)
-  {
-    SetAttribute(node, "smoothTurn", ToText(leg.SmoothTurn));
-  }
-  if (leg.SlowsDown != usual.SlowsDown)
-  {
-    SetAttribute(node, "slowdownEnabled", ToText(leg.SlowsDown));
-  }
-  SetAttribute(node, "yawAtDeparture_deg", leg.YawAtDeparture);
-}
-
-void AddScannerSettings(pugi::xml_node node, const LegSettings& settings)
-{
-  const ScanData& scan = settings.Scan;
-  SetAttribute(node, "active", ToText(settings.Leg.Active));
-  SetAttribute(node, "pulseFreq_hz", settings.PulseFrequency);
-  SetAttribute(node, "scanFreq_hz", settings.ScanFrequency);
-  SetAttribute(node, "scanAngle_deg", settings.ScanAngle);
-  SetAttribute(node, "verticalAngleMin_deg", settings.VerticalAngleMin);
-  SetAttribute(node, "verticalAngleMax_deg", settings.VerticalAngleMax);
-  SetAttribute(node, "beamDivergence_rad", settings.BeamDivergence);
-  const auto setIfNotZero = [node](const char* name, double value)
-  { SetAttribute(node, name, value != 0.0 ? value : LegSettings::NotGiven); };
-  setIfNotZero("headRotatePerSec_deg", scan.HeadRotateSpeed);
-  setIfNotZero("headRotateStart_deg", scan.HeadRotateStart);
-  setIfNotZero("headRotateStop_deg", scan.HeadRotateStop);
-  setIfNotZero("verticalResolution_deg", settings.VerticalResolution);
-  setIfNotZero("horizontalResolution_deg", settings.HorizontalResolution);
-  setIfNotZero("opticsWarmupPhase_s", scan.WarmUpTime);
-  setIfNotZero("trajectoryTimeInterval_s", settings.Leg.TrajectoryTimeInterval);
-  if (settings.Leg.MaximumDuration >= 0.0)
-  {
-    SetAttribute(node, "maxDuration_s", settings.Leg.MaximumDuration);
-  }
+  LegSettings still = settings;
+  still.Leg = LegData();
+  still.Leg.Strip = settings.Leg.Strip;
+  still.Leg.Position = settings.Leg.Position;
+  still.Leg.Crs = settings.Leg.Crs;
+  still.Leg.OnGround = settings.Leg.OnGround;
+  still.Leg.Active = settings.Leg.Active;
+  still.Leg.TrajectoryTimeInterval = settings.Leg.TrajectoryTimeInterval;
+  still.Leg.MaximumDuration = settings.Leg.MaximumDuration;
+  return still;
 }
 
 void AddSurvey(pugi::xml_node survey, const SurveyEdit& edit, const std::string& scene)
@@ -119,9 +79,10 @@ void AddSurvey(pugi::xml_node survey, const SurveyEdit& edit, const std::string&
   for (const EditLeg& leg : edit.Legs)
   {
     pugi::xml_node node = survey.append_child("leg");
-    SetAttribute(node, "stripId", leg.Settings.Leg.Strip);
-    AddPlatformSettings(node.append_child("platformSettings"), leg.Settings.Leg, edit.IsMoving());
-    AddScannerSettings(node.append_child("scannerSettings"), leg.Settings);
+    const LegSettings settings = edit.IsMoving() ? leg.Settings : MakeStill(leg.Settings);
+    SetStored(node.append_child("platformSettings"), settings);
+    SetStored(node.append_child("scannerSettings"), settings);
+    SetAttribute(node, "stripId", settings.Leg.Strip);
   }
 }
 

@@ -7,7 +7,8 @@
 #include "heliosMakePlatform.h"
 #include "heliosMessages.h"
 #include "heliosPulseCount.h"
-#include "heliosRunCounts.h"
+#include "heliosReceiver.h"
+#include "heliosScanCounts.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosBeamSampler.h"
@@ -53,20 +54,12 @@ vtkIdType CountFirstReturns(vtkPolyData* echoes)
   return count;
 }
 
-void AddCounts(const std::vector<vtkSmartPointer<vtkHeliosScanner>>& channels, RunCounts& counts)
+void AddCounts(const std::vector<vtkSmartPointer<vtkHeliosScanner>>& channels, ScanCounts& counts)
 {
   for (vtkHeliosScanner* channel : channels)
   {
-    counts.Echoes += channel->GetOutput()->GetNumberOfPoints();
+    counts.Add(channel->GetCounts());
     counts.FirstReturns += CountFirstReturns(channel->GetOutput());
-    counts.PulsesFired += channel->GetNumberOfPulsesFired();
-    counts.PulsesHit += channel->GetNumberOfPulsesHit();
-    counts.PulsesOnPlane += channel->GetNumberOfPulsesOnPlane();
-    counts.PulsesWithoutBins += channel->GetNumberOfPulsesWithoutBins();
-    counts.PulsesBinned += channel->GetNumberOfPulsesBinned();
-    counts.SubRays += channel->GetNumberOfSubRays();
-    counts.HitsOutOfRange += channel->GetNumberOfHitsOutOfRange();
-    counts.LargestAmplitude = std::max(counts.LargestAmplitude, channel->GetLargestAmplitude());
   }
 }
 
@@ -167,7 +160,7 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
     this->MotionCaster = this->Motion.MakeRayCaster(this->Settings.RayCaster);
   }
   channel->SetRayCaster(this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster);
-  SetUpReceiver(data, this->Settings.Receiver, channel);
+  SetUpReceiver(data, this->Settings.Options, channel);
   double position[3];
   double orientation[4];
   SetPose(platform.Mount, position, orientation);
@@ -178,12 +171,12 @@ vtkSmartPointer<vtkHeliosScanner> LegScanner::MakeChannel(
   channel->SetBeamOrientation(orientation);
   Vec3 axis = data.HeadRotateAxis;
   channel->SetHeadRotateAxis(axis.GetData());
-  if (this->Settings.Receiver.Noise)
+  if (this->Settings.Options.Noise)
   {
     const std::size_t channels = this->Survey.Scanners[this->Scanner].GetNumberOfChannels();
     channel->SetPlatformNoise(MakePlatformNoise(platform, channels));
   }
-  channel->SetSeed(this->Settings.Seed);
+  channel->SetSeed(this->Settings.Options.Seed);
   this->PutOutputs(channel);
   return channel;
 }
@@ -364,7 +357,7 @@ vtkDataObject* LegScanner::GetOutput(int port, std::size_t channel) const
 void LegScanner::ReleaseOutput()
 {
   this->Gathered.clear();
-  this->GatheredCounts = RunCounts();
+  this->GatheredCounts = ScanCounts();
   for (vtkHeliosScanner* channel : this->Channels)
   {
     for (int port = 0; port < channel->GetNumberOfOutputPorts(); ++port)
@@ -390,7 +383,7 @@ double LegScanner::GetMemorySize() const
 }
 
 //------------------------------------------------------------------------------
-void LegScanner::Count(RunCounts& counts) const
+void LegScanner::Count(ScanCounts& counts) const
 {
   this->Motion.IsMoving() ? counts.Add(this->GatheredCounts) : AddCounts(this->Channels, counts);
 }

@@ -8,8 +8,8 @@
 #include "heliosLegPlan.h"
 #include "heliosMovingScene.h"
 #include "heliosPiecePile.h"
-#include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
+#include "heliosScanCounts.h"
 #include "heliosSpectrum.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
@@ -68,7 +68,7 @@ public:
   double GetMemorySize() const;
 
   /// Adds the counts of the last piece.
-  void Count(RunCounts& counts) const;
+  void Count(ScanCounts& counts) const;
 
   /// Describes the numbers of sub-rays and bins as text.
   std::string DescribeSampling() const;
@@ -106,7 +106,7 @@ private:
   double WindowStart;
   vtkMTimeType MoveTime;
   std::vector<std::vector<PiecePile>> Gathered; // by channel and port
-  RunCounts GatheredCounts;
+  ScanCounts GatheredCounts;
 };
 
 } // namespace helios

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a survey is run.
+// How a survey is run: its options and what is computed and written.
 
 #ifndef heliosRunSettings_h
 #define heliosRunSettings_h
 
-#include "heliosReceiver.h"
+#include "heliosRunOptions.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -21,17 +21,18 @@ namespace helios
 
 struct RunSettings
 {
-  std::string Folder; ///< of the files
-  int Play = -1;      ///< negative: the survey has only one
-  std::string Format; ///< xyz, las, vtp
-  vtkIdType Seed = 0;
-  ReceiverChoice Receiver;
+  RunOptions Options;    ///< with the seed of the survey if it has none
+  bool HasPlays = false; ///< whether the survey has several epochs
   bool Waveforms = false;
   bool Pulses = false;
   bool SubRays = false; ///< their hits; not written
   bool Truth = false;   ///< with the echoes; not written
+
+  std::string Folder; ///< of the files
+  std::string Format; ///< xyz, las, vtp
   bool SplitByChannel = false;
   vtkIdType PulsesPerBlock = 262144;
+
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
 };

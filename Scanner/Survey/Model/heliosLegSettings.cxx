@@ -416,6 +416,38 @@ ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
 } // namespace
 
 //------------------------------------------------------------------------------
+void StartLegs(SurveyData& survey)
+{
+  survey.Legs.clear();
+  for (const LegSettings& settings : survey.Settings)
+  {
+    const bool isOther =
+      survey.Legs.empty() || survey.Legs.back().Platform != settings.Leg.Platform;
+    survey.Legs.push_back(settings.Leg);
+    survey.Legs.back().StartsJourney = isOther || settings.Leg.StartsJourney;
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log)
+{
+  const LegData& data = survey.Legs[leg];
+  const bool isAlone = data.StartsJourney && survey.EndsJourney(leg);
+  const bool isFlown = survey.GetPlatform(leg).Type == PlatformType::Interpolated;
+  if (isAlone && survey.IsMoving(leg) && !isFlown)
+  {
+    log.Error(data.Where + ": platform " + survey.GetPlatform(leg).Id +
+      " has 1 <leg>; a moving platform needs two, a start and an end");
+  }
+  if (isFlown && data.StartsJourney && data.Trajectory.File.empty())
+  {
+    log.Error(data.Where +
+      ": platform=\"interpolated\" needs a trajectory; add trajectory=\"file\" to "
+      "<platformSettings>");
+  }
+}
+
+//------------------------------------------------------------------------------
 void CheckLegAlone(
   const LegSettings& settings, std::size_t leg, const SurveyData& survey, Messages& log)
 {

@@ -7,29 +7,10 @@
 
 #include "heliosSurveyData.h"
 
-#include <limits>
-
 namespace helios
 {
 
 class Messages;
-
-/// The settings of a leg in its file; NaN: not given.
-struct LegSettings
-{
-  static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
-
-  LegData Leg;   ///< with all settings that need no conversion
-  ScanData Scan; ///< likewise its head and its warm-up
-  double PulseFrequency = NotGiven;
-  double ScanFrequency = NotGiven;
-  double ScanAngle = NotGiven;
-  double VerticalAngleMin = NotGiven;
-  double VerticalAngleMax = NotGiven;
-  double BeamDivergence = NotGiven;
-  double VerticalResolution = 0.0;   ///< [deg], 0: not given
-  double HorizontalResolution = 0.0; ///< [deg], 0: not given
-};
 
 /**
  * Resolves the settings of a leg for each channel of its scanner. The survey has its scanners,
@@ -37,6 +18,12 @@ struct LegSettings
  * with a warning; settings that cannot run are errors. A leg that fires no pulses is not checked.
  */
 void ResolveLeg(const LegSettings& settings, std::size_t leg, SurveyData& survey, Messages& log);
+
+/// Makes the legs of a survey from their settings: those of ResolveLeg() remain to be resolved.
+void StartLegs(SurveyData& survey);
+
+/// Checks that a moving platform has somewhere to go, or a trajectory.
+void CheckJourney(const SurveyData& survey, std::size_t leg, Messages& log);
 
 /// Checks a leg whose scanner has errors of its own, so only for errors that do not depend on it.
 void CheckLegAlone(

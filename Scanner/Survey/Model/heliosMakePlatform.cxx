@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMakePlatform.h"
 
+#include "heliosConstants.h"
 #include "heliosMessages.h"
 #include "heliosWaypoints.h"
 #include "vtkHeliosGroundVehiclePlatform.h"
@@ -24,8 +25,6 @@ namespace helios
 
 namespace
 {
-
-constexpr double StandardGravity = 9.80665; // [m/s^2]
 
 /// The speed of the fastest leg of a trajectory, at least 1 m/s: drag is negligible below.
 double FindFastest(const SurveyData& survey, std::size_t first, std::size_t last)
@@ -168,7 +167,7 @@ vtkSmartPointer<vtkHeliosPlatformNoise> MakePlatformNoise(
   vtkSmartPointer<vtkHeliosPlatformNoise> noise;
   for (int component = 0; component < 6; ++component)
   {
-    if (platform.HasNoise[component])
+    if (platform.Noise[component].IsOn)
     {
       noise = noise ? noise : vtkSmartPointer<vtkHeliosPlatformNoise>::New();
       SetComponent(component, platform.Noise[component], channels, noise);

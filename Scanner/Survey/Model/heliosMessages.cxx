@@ -36,12 +36,13 @@ std::string Shorten(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-std::string Enumerate(const std::vector<std::string>& words)
+std::string Enumerate(const std::vector<std::string>& words, const char* last)
 {
+  const std::string before = std::string(" ") + last + " ";
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i)
   {
-    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : before) + words[i];
   }
   return text;
 }
@@ -65,7 +66,10 @@ void Messages::Error(const std::string& text)
   if (this->Seen.insert(text).second)
   {
     this->LastError = text;
-    vtkErrorWithObjectMacro(this->Owner, << text);
+    if (this->Owner)
+    {
+      vtkErrorWithObjectMacro(this->Owner, << text);
+    }
   }
 }
 
@@ -78,7 +82,7 @@ void Messages::Warning(const std::string& text)
 //------------------------------------------------------------------------------
 void Messages::WarnOnce(const std::string& key, const std::string& text)
 {
-  if (this->Seen.insert(key).second)
+  if (this->Seen.insert(key).second && this->Owner)
   {
     vtkWarningWithObjectMacro(this->Owner, << text);
   }

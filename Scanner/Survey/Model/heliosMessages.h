@@ -30,12 +30,13 @@ public:
 };
 
 /// "a, b and c".
-std::string Enumerate(const std::vector<std::string>& words);
+std::string Enumerate(const std::vector<std::string>& words, const char* last = "and");
 
 /// Shortens a value that may be long for messages.
 std::string Shorten(const std::string& text);
 
-/// Reports through the owner's error and warning events; the same text only once.
+/// Reports through the owner's error and warning events; the same text only once. Without an owner,
+/// errors are counted only.
 class VTKHELIOSSCANNERSURVEY_EXPORT Messages
 {
 public:

@@ -129,29 +129,30 @@ bool ResolveScan(
 //------------------------------------------------------------------------------
 void ResolveLimits(PlannerData& data, Messages& log)
 {
-  if (data.HasScannerLimits)
+  PlannerSettings& settings = data.Settings;
+  if (settings.HasScannerLimits)
   {
     const ScannerData& scanner = data.Survey.Scanners.front();
-    SetIfNotGiven(data.RangeMin, scanner.RangeMin);
-    SetIfNotGiven(data.RangeMax, scanner.RangeMax);
+    SetIfNotGiven(settings.RangeMin, scanner.RangeMin);
+    SetIfNotGiven(settings.RangeMax, scanner.RangeMax);
     double low = 0.0;
     double high = 0.0;
     if (FindElevations(data, low, high))
     {
-      SetIfNotGiven(data.ElevationMin, low);
-      SetIfNotGiven(data.ElevationMax, high);
+      SetIfNotGiven(settings.ElevationMin, low);
+      SetIfNotGiven(settings.ElevationMax, high);
     }
-    else if (std::isnan(data.ElevationMin) || std::isnan(data.ElevationMax))
+    else if (std::isnan(settings.ElevationMin) || std::isnan(settings.ElevationMax))
     {
       log.Warning(scanner.Where + ": scanner " + scanner.Id +
         " is not a vertical polygon mirror with one channel: its field of view does not limit the "
         "visibility; give elevationMin_deg and elevationMax_deg");
     }
   }
-  SetIfNotGiven(data.RangeMin, 0.0);
-  SetIfNotGiven(data.RangeMax, VTK_DOUBLE_MAX);
-  SetIfNotGiven(data.ElevationMin, -90.0);
-  SetIfNotGiven(data.ElevationMax, 90.0);
+  SetIfNotGiven(settings.RangeMin, 0.0);
+  SetIfNotGiven(settings.RangeMax, VTK_DOUBLE_MAX);
+  SetIfNotGiven(settings.ElevationMin, -90.0);
+  SetIfNotGiven(settings.ElevationMax, 90.0);
 }
 
 } // namespace helios

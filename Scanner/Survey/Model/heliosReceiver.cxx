@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosReceiver.h"
 
+#include "heliosRunOptions.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosConstantFractionDetector.h"
+#include "vtkHeliosEchoDetection.h"
 #include "vtkHeliosExpressionErrorModel.h"
 #include "vtkHeliosGaussianDecomposition.h"
-#include "vtkHeliosLeadingEdgeDetector.h"
 #include "vtkHeliosPeakDetector.h"
 #include "vtkHeliosScanner.h"
 
@@ -63,18 +63,18 @@ void SetNumberOfSubRays(int count, vtkHeliosBeamSampler* sampler)
 }
 
 void SetUpSampling(
-  const ReceiverData& receiver, const ReceiverChoice& choice, vtkHeliosScanner* scanner)
+  const ReceiverData& receiver, const RunOptions& options, vtkHeliosScanner* scanner)
 {
-  const bool hasTolerance = choice.RangeTolerance > 0.0 || choice.EnergyTolerance > 0.0;
+  const bool hasTolerance = options.RangeTolerance > 0.0 || options.EnergyTolerance > 0.0;
   scanner->SetRangeTolerance(
-    choice.RangeTolerance > 0.0 ? choice.RangeTolerance : receiver.RangeTolerance);
+    options.RangeTolerance > 0.0 ? options.RangeTolerance : receiver.RangeTolerance);
   scanner->SetEnergyTolerance(
-    choice.EnergyTolerance > 0.0 ? choice.EnergyTolerance : receiver.EnergyTolerance);
+    options.EnergyTolerance > 0.0 ? options.EnergyTolerance : receiver.EnergyTolerance);
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   scanner->SetSamplingToFixed();
-  if (choice.NumberOfSubRays > 0)
+  if (options.NumberOfSubRays > 0)
   {
-    SetNumberOfSubRays(choice.NumberOfSubRays, sampler);
+    SetNumberOfSubRays(options.NumberOfSubRays, sampler);
   }
   else if (receiver.NumberOfCircles > 0 && !hasTolerance)
   {
@@ -118,31 +118,25 @@ void SetUpNoise(const ScannerData& data, bool hasNoise, vtkHeliosScanner* scanne
   scanner->SetDetectorNoise(factor * receiver.DetectorNoise);
 }
 
-template <typename DetectorT>
-vtkSmartPointer<vtkHeliosEchoDetector> MakePeakDetector(double window)
-{
-  auto detector = vtkSmartPointer<DetectorT>::New();
-  detector->SetMinimumSeparation(window);
-  return detector;
-}
-
 /// Makes a detector by name, or the default; window: how far from a higher peak the next may be
 /// [ns].
 vtkSmartPointer<vtkHeliosEchoDetector> MakeDetector(const std::string& name, double window)
 {
-  if (name == "gaussian")
+  auto detector = vtkSmartPointer<vtkHeliosEchoDetector>::Take(
+    vtkHeliosEchoDetection::MakeDetector(name.c_str()));
+  if (!detector)
   {
-    return MakePeakDetector<vtkHeliosGaussianDecomposition>(window);
+    detector.TakeReference(vtkHeliosEchoDetection::MakeDetector(nullptr));
   }
-  if (name == "cfd")
+  if (auto* peak = vtkHeliosPeakDetector::SafeDownCast(detector))
   {
-    return vtkSmartPointer<vtkHeliosConstantFractionDetector>::New();
+    peak->SetMinimumSeparation(window);
   }
-  if (name == "leadingEdge")
+  if (auto* gaussian = vtkHeliosGaussianDecomposition::SafeDownCast(detector))
   {
-    return vtkSmartPointer<vtkHeliosLeadingEdgeDetector>::New();
+    gaussian->SetMinimumSeparation(window);
   }
-  return MakePeakDetector<vtkHeliosPeakDetector>(window);
+  return detector;
 }
 
 void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
@@ -166,25 +160,19 @@ void SetUpErrors(const ErrorExpressions& errors, vtkHeliosScanner* scanner)
 } // namespace
 
 //------------------------------------------------------------------------------
-std::vector<std::string> GetEchoDetectorNames()
-{
-  return { "peak", "gaussian", "cfd", "leadingEdge" };
-}
-
-//------------------------------------------------------------------------------
-void SetUpReceiver(const ScannerData& data, const ReceiverChoice& choice, vtkHeliosScanner* scanner)
+void SetUpReceiver(const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner)
 {
   SetUpRadiometry(data, scanner);
   vtkHeliosBeamSampler* sampler = scanner->GetBeamSampler();
   sampler->SetWavelength(data.Wavelength);
   sampler->SetBeamQualityFactor(data.Receiver.BeamQualityFactor);
-  SetUpSampling(data.Receiver, choice, scanner);
+  SetUpSampling(data.Receiver, options, scanner);
   SetUpWaveforms(data.Receiver, scanner);
   SetUpReturns(data, scanner);
-  SetUpNoise(data, choice.Noise, scanner);
+  SetUpNoise(data, options.Noise, scanner);
   SetUpErrors(data.Receiver.Errors, scanner);
   const std::string& name =
-    choice.EchoDetector.empty() ? data.Receiver.EchoDetector : choice.EchoDetector;
+    options.EchoDetector.empty() ? data.Receiver.EchoDetector : options.EchoDetector;
   const auto detector = MakeDetector(name, data.Receiver.PeakWindow);
   detector->SetDetectionThreshold(data.DetectionThreshold);
   scanner->SetEchoDetector(detector);

@@ -7,33 +7,18 @@
 
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
-#include <string>
-#include <vector>
-
 class vtkHeliosScanner;
 
 namespace helios
 {
 
+struct RunOptions;
 struct ScannerData;
 
-/// The options of a run that override its survey; 0 and empty: as in the survey.
-struct ReceiverChoice
-{
-  bool Noise = true;
-  double RangeTolerance = 0.0;  ///< [m]
-  double EnergyTolerance = 0.0; ///< relative
-  int NumberOfSubRays = 0;      ///< fixed
-  std::string EchoDetector;     ///< its name
-};
-
-/// The valid names for ReceiverChoice and echoDetector="...".
-std::vector<std::string> GetEchoDetectorNames();
-
-/// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; a choice overrides
+/// Sets up pulse, radiometry, sampling, waveforms, detection, noise and errors; options override
 /// the data.
 VTKHELIOSSCANNERSURVEY_EXPORT void SetUpReceiver(
-  const ScannerData& data, const ReceiverChoice& choice, vtkHeliosScanner* scanner);
+  const ScannerData& data, const RunOptions& options, vtkHeliosScanner* scanner);
 
 } // namespace helios
 

@@ -5,6 +5,8 @@
 #ifndef heliosReceiverData_h
 #define heliosReceiverData_h
 
+#include "heliosTolerances.h"
+
 #include <string>
 
 namespace helios
@@ -31,11 +33,11 @@ struct ErrorExpressions
 
 struct ReceiverData
 {
-  std::string Where;                ///< the last place read
-  int NumberOfCircles = 0;          ///< of sub-rays, fixed; 0: adaptive
-  double RangeTolerance = 1e-3;     ///< [m]
-  double EnergyTolerance = 1e-2;    ///< relative
-  double BinSize = 0.25;            ///< [ns]
+  std::string Where;                               ///< the last place read
+  int NumberOfCircles = 0;                         ///< of sub-rays, fixed; 0: adaptive
+  double RangeTolerance = DefaultRangeTolerance;   ///< [m]
+  double EnergyTolerance = DefaultEnergyTolerance; ///< relative
+  double BinSize = 0.25;                           ///< [ns]
   double MaximumLength = 0.0;       ///< [ns], of a waveform; 0: as the target requires
   int NumberOfBins = 0;             ///< of a waveform; 0: as many as needed
   double PeakWindow = 0.0;          ///< [ns], either side of a peak; 0: none

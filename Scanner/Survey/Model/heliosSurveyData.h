@@ -104,6 +104,7 @@ struct ScannerData
 /// Noise of one component of a platform pose.
 struct NoiseData
 {
+  bool IsOn = false;
   bool IsUniform = false; ///< between Low and High; else normal
   double Mean = 0.0;
   double Deviation = 1.0;
@@ -134,9 +135,8 @@ struct PlatformData
   PlatformType Type = PlatformType::Static;
   Pose Mount; ///< of the scanner
   VehicleData Vehicle;
-  ModelData Model;       ///< in the frame of the platform
-  bool HasNoise[6] = {}; ///< of position x, y, z, attitude x, y, z
-  NoiseData Noise[6];    ///< [m], [rad]
+  ModelData Model;    ///< in the frame of the platform
+  NoiseData Noise[6]; ///< of position x, y, z [m], attitude x, y, z [rad]
 };
 
 enum class Loader
@@ -317,6 +317,23 @@ struct LegData
   }
 };
 
+/// The settings of a leg as given; NaN: not given.
+struct LegSettings
+{
+  static constexpr double NotGiven = std::numeric_limits<double>::quiet_NaN();
+
+  LegData Leg;   ///< with all settings that need no conversion; StartsJourney: in any case
+  ScanData Scan; ///< likewise its head and its warm-up
+  double PulseFrequency = NotGiven;
+  double ScanFrequency = NotGiven;
+  double ScanAngle = NotGiven;
+  double VerticalAngleMin = NotGiven;
+  double VerticalAngleMax = NotGiven;
+  double BeamDivergence = NotGiven;
+  double VerticalResolution = 0.0;   ///< [deg], 0: not given
+  double HorizontalResolution = 0.0; ///< [deg], 0: not given
+};
+
 /// A random offset of the position of every leg.
 struct LegOffsetData
 {
@@ -337,7 +354,8 @@ struct SurveyData
   std::vector<ScannerData> Scanners;
   std::vector<PlatformData> Platforms;
   SceneData Scene;
-  std::vector<LegData> Legs;
+  std::vector<LegSettings> Settings; ///< of the legs
+  std::vector<LegData> Legs;         ///< made of their settings
 
   const PlatformData& GetPlatform(std::size_t leg) const
   {

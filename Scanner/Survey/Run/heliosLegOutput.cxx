@@ -53,39 +53,29 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
 }
 
 //------------------------------------------------------------------------------
-std::string GetSuffix(int port, const std::string& format)
-{
-  if (format == "vtp")
-  {
-    return port == WaveformPort ? ".pvtt" : ".pvtp";
-  }
-  return port == EchoPort ? "." + format : ".txt";
-}
-
-//------------------------------------------------------------------------------
 std::string GetName(vtkHeliosStreamWriter* writer)
 {
   return std::filesystem::path(writer->GetFileName()).filename().string();
 }
 
 //------------------------------------------------------------------------------
-FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole)
+FileProgress CollectProgress(vtkHeliosStreamWriter* writer, bool isWhole)
 {
   FileProgress progress{ GetName(writer), writer->GetFileSize(), writer->GetNumberOfRecords(),
     writer->GetNumberOfBytes(), isWhole, writer->GetHeadChecksum(), {} };
-  const std::vector<FileBlock> blocks = writer->TakeBlocks();
+  const std::vector<FileBlock> blocks = writer->CollectBlocks();
   std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(progress.Blocks),
     [](const FileBlock& block) { return block.Begin < block.End; });
   return progress;
 }
 
 //------------------------------------------------------------------------------
-std::vector<FileProgress> TakeProgress(const LegOutputs& outputs, bool isWhole)
+std::vector<FileProgress> CollectProgress(const LegOutputs& outputs, bool isWhole)
 {
   std::vector<FileProgress> files;
   for (const LegOutput& output : outputs)
   {
-    files.push_back(TakeProgress(output.Writer, isWhole));
+    files.push_back(CollectProgress(output.Writer, isWhole));
   }
   return files;
 }

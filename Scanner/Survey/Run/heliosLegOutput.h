@@ -5,6 +5,7 @@
 #ifndef heliosLegOutput_h
 #define heliosLegOutput_h
 
+#include "vtkHeliosRunFiles.h"
 #include "vtkHeliosStreamWriter.h"
 
 #include <vtkSmartPointer.h>
@@ -19,9 +20,9 @@ struct FileProgress;
 struct RunSettings;
 
 // Output ports of vtkHeliosScanner.
-constexpr int EchoPort = 0;
-constexpr int WaveformPort = 1;
-constexpr int PulsePort = 2;
+constexpr int EchoPort = vtkHeliosRunFiles::POINTS;
+constexpr int WaveformPort = vtkHeliosRunFiles::WAVEFORMS;
+constexpr int PulsePort = vtkHeliosRunFiles::PULSES;
 
 /// A writer and its input: a port of the scanner, of all channels together or of one.
 struct LegOutput
@@ -38,16 +39,13 @@ using LegOutputs = std::vector<LegOutput>;
 /// The writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
 
-/// The suffix of its file name.
-std::string GetSuffix(int port, const std::string& format);
-
 /// The file name of a writer, without the folder.
 std::string GetName(vtkHeliosStreamWriter* writer);
 
 ///@{
 /// The progress of the files of writers, and what was written since the last call.
-FileProgress TakeProgress(vtkHeliosStreamWriter* writer, bool isWhole);
-std::vector<FileProgress> TakeProgress(const LegOutputs& outputs, bool isWhole);
+FileProgress CollectProgress(vtkHeliosStreamWriter* writer, bool isWhole);
+std::vector<FileProgress> CollectProgress(const LegOutputs& outputs, bool isWhole);
 ///@}
 
 } // namespace helios

@@ -7,6 +7,7 @@
 #include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPlatform.h"
 #include "vtkHeliosPointXMLWriter.h"
+#include "vtkHeliosRunFiles.h"
 #include "vtkHeliosTrajectoryTextWriter.h"
 
 #include <vtkPolyData.h>
@@ -25,17 +26,11 @@ namespace
 
 constexpr vtkIdType SamplesPerBlock = 65536;
 
-/// Pads a word with zeros to at least three characters.
-std::string Pad(const std::string& word)
-{
-  return std::string(word.size() < 3 ? 3 - word.size() : 0, '0') + word;
-}
-
 /// Journals the output once it is fsynced; returns an error message, or an empty string.
 std::string Note(
   const LegRunner::Outputs& outputs, RunJournal& journal, std::size_t leg, LegProgress progress)
 {
-  progress.Files = TakeProgress(outputs, false);
+  progress.Files = CollectProgress(outputs, false);
   for (const LegOutput& output : outputs)
   {
     const std::string problem = output.Writer->Sync();
@@ -74,7 +69,7 @@ LegRunner::~LegRunner() = default;
 //------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
-  const LegChance chance = { this->Settings.Receiver.Noise, this->Settings.Seed };
+  const LegChance chance = { this->Settings.Options.Noise, this->Settings.Options.Seed };
   this->Plans = PlanLegs(this->Survey, this->Scene, chance, this->Log);
   vtkIdType shots = 0;
   for (LegPlan& plan : this->Plans)
@@ -107,45 +102,45 @@ LegScanner& LegRunner::Prepare(const LegPlan& plan)
 }
 
 //------------------------------------------------------------------------------
-/// "legNNN", or "stripNNN" for a strip, and the ending.
-std::string LegRunner::MakeFileName(const LegPlan& plan, const std::string& ending) const
+std::string LegRunner::MakeFileName(const LegPlan& plan, int kind, const std::string& channel) const
 {
+  using Files = vtkHeliosRunFiles;
   const std::string& strip = this->Survey.Legs[plan.Leg].Strip;
   const std::string stem =
-    strip.empty() ? "leg" + Pad(std::to_string(plan.Leg)) : "strip" + Pad(strip);
-  return (std::filesystem::path(this->Settings.Folder) / (stem + ending)).string();
+    strip.empty() ? Files::GetLegStem(static_cast<int>(plan.Leg)) : Files::GetStripStem(strip);
+  const std::string name = Files::GetFileName(stem, kind, this->Settings.Format, channel);
+  return (std::filesystem::path(this->Settings.Folder) / name).string();
 }
 
 //------------------------------------------------------------------------------
 LegRunner::Outputs LegRunner::MakeOutputs(const LegPlan& plan) const
 {
   Outputs outputs;
-  this->AddOutputs(plan, EchoPort, "_points", outputs);
+  this->AddOutputs(plan, EchoPort, outputs);
   if (this->Settings.Waveforms && this->Settings.Format != "las") // LAS points have them
   {
-    this->AddOutputs(plan, WaveformPort, "_fullwave", outputs);
+    this->AddOutputs(plan, WaveformPort, outputs);
   }
   if (this->Settings.Pulses)
   {
-    this->AddOutputs(plan, PulsePort, "_pulse", outputs);
+    this->AddOutputs(plan, PulsePort, outputs);
   }
   return outputs;
 }
 
 //------------------------------------------------------------------------------
 /// One file of a port, or one per channel.
-void LegRunner::AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const
+void LegRunner::AddOutputs(const LegPlan& plan, int port, Outputs& outputs) const
 {
-  const std::string suffix = GetSuffix(port, this->Settings.Format);
   const ScannerData& scanner = this->Survey.GetScanner(plan.Leg);
   const std::size_t channels = scanner.GetNumberOfChannels();
   const bool isSplit = this->Settings.SplitByChannel && channels > 1;
   for (std::size_t k = 0; k < (isSplit ? channels : 1); ++k)
   {
-    const std::string device = isSplit ? "_dev" + scanner.GetChannel(k).Channel : "";
+    const std::string channel = isSplit ? scanner.GetChannel(k).Channel : "";
     LegOutput output{ MakeWriter(port, this->Settings), port,
       isSplit ? k : LegOutput::AllChannels };
-    output.Writer->SetFileName(this->MakeFileName(plan, what + device + suffix).c_str());
+    output.Writer->SetFileName(this->MakeFileName(plan, port, channel).c_str());
     outputs.push_back(output);
   }
 }
@@ -163,8 +158,7 @@ vtkSmartPointer<vtkHeliosStreamWriter> LegRunner::MakeTrajectoryWriter(const Leg
   {
     writer = vtkSmartPointer<vtkHeliosTrajectoryTextWriter>::New();
   }
-  writer->SetFileName(
-    this->MakeFileName(plan, isXml ? "_trajectory.pvtp" : "_trajectory.txt").c_str());
+  writer->SetFileName(this->MakeFileName(plan, vtkHeliosRunFiles::TRAJECTORY).c_str());
   return writer;
 }
 
@@ -195,7 +189,8 @@ bool LegRunner::Open(vtkHeliosStreamWriter* writer, const RunJournal& journal)
   if (!writer->RestoreHead(file->Head))
   {
     this->Log.Error(writer->GetFileName() +
-      std::string(".part: its header does not match its checksum in ") + RunJournal::GetName() +
+      std::string(".part: its header does not match its checksum in ") +
+      vtkHeliosRunFiles::GetJournalName() +
       "; the file was changed or is damaged; set Overwrite (--overwrite) to start again");
     writer->Abandon();
     return false;
@@ -235,8 +230,8 @@ bool LegRunner::WriteTrajectory(const LegPlan& plan, const RunJournal& journal,
   }
   const bool ends = this->EndsFiles(plan);
   const bool good = ends ? writer->Close() : writer->Flush();
-  written = TakeProgress(writer, ends); // without the footer of an index: the next leg continues
-                                        // there
+  written = CollectProgress(writer, ends); // without the footer of an index: the next leg continues
+                                           // there
   return (ends || writer->Abandon()) && good;
 }
 
@@ -273,7 +268,7 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   done.IsDone = true;
   if (isWhole)
   {
-    done.Files = TakeProgress(
+    done.Files = CollectProgress(
       outputs, true); // with the footer of an index; the next leg of a strip continues before it
   }
   done.Files.push_back(trajectory);
@@ -437,12 +432,6 @@ std::string LegRunner::ExplainNoEchoes() const
          << "; check the reflectances, the range and averagePower_w";
   }
   return text.str();
-}
-
-//------------------------------------------------------------------------------
-const char* LegRunner::GetFilePattern()
-{
-  return "(leg[0-9]{3,}|strip.{3,})_(points|trajectory|fullwave|pulse).*";
 }
 
 } // namespace helios

@@ -8,8 +8,8 @@
 #include "heliosLegOutput.h"
 #include "heliosLegPlan.h"
 #include "heliosLegScanner.h"
-#include "heliosRunCounts.h"
 #include "heliosRunSettings.h"
+#include "heliosScanCounts.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
@@ -28,7 +28,7 @@ class Messages;
 class RunJournal;
 
 /// Called after every block; false ends the run.
-using BlockCallback = std::function<bool(const RunCounts&)>;
+using BlockCallback = std::function<bool(const ScanCounts&)>;
 
 class VTKHELIOSSCANNERSURVEY_EXPORT LegRunner
 {
@@ -44,7 +44,7 @@ public:
 
   const std::vector<LegPlan>& GetPlans() const { return this->Plans; }
   vtkIdType GetNumberOfPulses() const { return this->NumberOfPulses; }
-  const RunCounts& GetCounts() const { return this->Counts; }
+  const ScanCounts& GetCounts() const { return this->Counts; }
   const SurveyData& GetSurvey() const { return this->Survey; }
 
   /// Whether there was any error, including those of the objects listened to.
@@ -76,12 +76,11 @@ public:
   /// Explains why a run has no echo, and how to fix it.
   std::string ExplainNoEchoes() const;
 
-  /// The names of all possible files of a leg: a regular expression.
-  static const char* GetFilePattern();
-
 private:
-  std::string MakeFileName(const LegPlan& plan, const std::string& ending) const;
-  void AddOutputs(const LegPlan& plan, int port, const char* what, Outputs& outputs) const;
+  /// The path of a file of a leg; channel is empty for all channels.
+  std::string MakeFileName(
+    const LegPlan& plan, int kind, const std::string& channel = std::string()) const;
+  void AddOutputs(const LegPlan& plan, int port, Outputs& outputs) const;
   bool EndsFiles(const LegPlan& plan) const;
   bool Open(vtkHeliosStreamWriter* writer, const RunJournal& journal);
   bool OpenAll(const Outputs& outputs, const RunJournal& journal);
@@ -98,7 +97,7 @@ private:
   LegScanner Scanner;
   std::vector<LegPlan> Plans;
   vtkIdType NumberOfPulses = 0;
-  RunCounts Counts;
+  ScanCounts Counts;
 };
 
 } // namespace helios

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunCheck.h"
 
+#include "heliosPartFile.h"
 #include "heliosRunJournal.h"
+#include "vtkHeliosRunFiles.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -52,7 +54,7 @@ std::string RunCheck::GetPath(const std::string& name) const
 std::string RunCheck::FindFile(const std::string& name) const
 {
   std::error_code ignored;
-  const std::string part = this->GetPath(name + ".part");
+  const std::string part = this->GetPath(name + PartEnding);
   const std::string path = this->GetPath(name);
   return fs::exists(part, ignored) || !fs::exists(path, ignored) ? part : path;
 }
@@ -127,8 +129,9 @@ std::string RunCheck::CheckBlock(const FileBlock& block) const
   const std::string place =
     "bytes " + std::to_string(block.Begin) + " to " + std::to_string(block.End);
   return path + ": " + place +
-    (checksum.empty() ? " cannot be read"
-                      : " do not match their checksum in " + std::string(RunJournal::GetName())) +
+    (checksum.empty()
+        ? " cannot be read"
+        : " do not match their checksum in " + std::string(vtkHeliosRunFiles::GetJournalName())) +
     "; the file was changed or is damaged" + Cure;
 }
 

@@ -211,7 +211,7 @@ bool RunEstimate::SampleWindow(
   {
     return false;
   }
-  RunCounts counts;
+  ScanCounts counts;
   scanner.Count(counts);
   sums.Seconds += Now() - start;
   sums.Memory += scanner.GetMemorySize();

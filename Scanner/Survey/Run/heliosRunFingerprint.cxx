@@ -7,12 +7,13 @@
 #include "heliosRunSettings.h"
 #include "heliosSha256.h"
 #include "heliosSurveyData.h"
-#include "vtkHeliosRayCaster.h"
 #include "vtkHeliosVersion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -72,22 +73,16 @@ Json::Value DescribeInputs(const SurveyData& survey)
 Json::Value DescribeOptions(const RunSettings& settings)
 {
   Json::Value options;
-  options["seed"] = Json::Int64(settings.Seed);
+  settings.Options.Describe(options);
   options["format"] = settings.Format;
   options["waveforms"] = settings.Waveforms;
   options["pulses"] = settings.Pulses;
   options["splitByChannel"] = settings.SplitByChannel;
-  options["noise"] = settings.Receiver.Noise;
-  options["rangeTolerance_m"] = settings.Receiver.RangeTolerance;
-  options["energyTolerance"] = settings.Receiver.EnergyTolerance;
-  options["subRays"] = settings.Receiver.NumberOfSubRays;
-  options["detector"] = settings.Receiver.EchoDetector;
   options["pulsesPerBlock"] = Json::Int64(settings.PulsesPerBlock);
-  if (settings.Play >= 0)
+  if (settings.HasPlays)
   {
-    options["play"] = settings.Play;
+    options["play"] = settings.Options.Play;
   }
-  options["rayCaster"] = settings.RayCaster ? settings.RayCaster->GetName() : "";
   return options;
 }
 
@@ -167,7 +162,7 @@ Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& setting
 }
 
 //------------------------------------------------------------------------------
-std::string HashScene(vtkPolyData* scene)
+std::string HashScene(vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids)
 {
   Sha256 hash;
   AddArray(scene->GetPoints() ? scene->GetPoints()->GetData() : nullptr, hash);
@@ -176,6 +171,15 @@ std::string HashScene(vtkPolyData* scene)
   AddArrays(scene->GetPointData(), hash);
   AddArrays(scene->GetCellData(), hash);
   AddArrays(scene->GetFieldData(), hash);
+  for (vtkImageData* grid : grids)
+  {
+    hash.Add(grid->GetOrigin(), 3 * sizeof(double));
+    hash.Add(grid->GetSpacing(), 3 * sizeof(double));
+    hash.Add(grid->GetDimensions(), 3 * sizeof(int));
+    hash.Add(grid->GetDirectionMatrix()->GetData(), 9 * sizeof(double));
+    AddArrays(grid->GetCellData(), hash);
+    AddArrays(grid->GetFieldData(), hash);
+  }
   return hash.Finish();
 }
 
@@ -205,7 +209,7 @@ std::string CompareFingerprints(const Json::Value& then, const Json::Value& now)
   if (differences.empty() && !scene.empty() && then["scene"].asString() != scene)
   {
     differences.emplace_back(
-      "the scene has changed: a file that its files refer to (materials, spectra)");
+      "the scene has changed: its input, or a file that its files refer to (materials, spectra)");
   }
   return Enumerate(differences);
 }

@@ -5,10 +5,14 @@
 #ifndef heliosRunFingerprint_h
 #define heliosRunFingerprint_h
 
+#include <vtkSmartPointer.h>
+
 #include <json/value.h>
 
 #include <string>
+#include <vector>
 
+class vtkImageData;
 class vtkPolyData;
 
 namespace helios
@@ -25,8 +29,9 @@ struct SurveyData;
 Json::Value MakeFingerprint(const SurveyData& survey, const RunSettings& settings);
 
 /// The digest of a loaded scene: of all its input files, also those that no survey names (material
-/// libraries, spectra, coordinate systems beside rasters).
-std::string HashScene(vtkPolyData* scene);
+/// libraries, spectra, coordinate systems beside rasters). Grids count if they are from no file.
+std::string HashScene(
+  vtkPolyData* scene, const std::vector<vtkSmartPointer<vtkImageData>>& grids = {});
 
 /// The differences between the fingerprints of an earlier run and of this one as text: "survey.xml
 /// has changed, Seed was 1 and is 2"; empty: none. A scene not known yet is ignored.

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunFolder.h"
 
-#include "heliosLegRunner.h"
 #include "heliosRunJournal.h"
 #include "heliosRunSummary.h"
+#include "vtkHeliosRunFiles.h"
 
 #include <fstream>
 #include <iterator>
-#include <regex>
 
 namespace helios
 {
@@ -38,7 +37,7 @@ bool RunFolder::IsEmpty() const
 bool RunFolder::HasSummary() const
 {
   std::error_code ignored;
-  return fs::exists(this->Path / RunFolder::GetSummaryName(), ignored);
+  return fs::exists(this->Path / vtkHeliosRunFiles::GetSummaryName(), ignored);
 }
 
 //------------------------------------------------------------------------------
@@ -76,10 +75,10 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
     {
       return {};
     }
-    return hasFiles ? folder + ": has no " + RunJournal::GetName() +
+    return hasFiles ? folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
         ", so its contents cannot be resumed; set Overwrite (--overwrite) to replace it, or "
         "give another OutputDirectory"
-                    : folder + ": has no " + RunJournal::GetName() +
+                    : folder + ": has no " + vtkHeliosRunFiles::GetJournalName() +
         ", so there is nothing to resume; run it without Resume (--resume)";
   }
   if (overwrite || !hasFiles)
@@ -94,13 +93,12 @@ std::string RunFolder::CheckEarlierRun(bool overwrite, bool resume) const
 //------------------------------------------------------------------------------
 std::vector<fs::path> RunFolder::FindFiles() const
 {
-  const std::regex pattern(LegRunner::GetFilePattern());
   std::vector<fs::path> files;
   std::error_code ignored;
   fs::directory_iterator entry(this->Path, ignored);
   for (; entry != fs::directory_iterator(); entry.increment(ignored))
   {
-    if (std::regex_match(entry->path().filename().string(), pattern))
+    if (vtkHeliosRunFiles::IsOfLeg(entry->path().filename().string()))
     {
       files.push_back(entry->path());
     }
@@ -118,7 +116,7 @@ std::string RunFolder::Clear() const
     return lock.GetProblem() + "; wait for it to end, or give another OutputDirectory";
   }
   // Summary and journal, which state that files are complete, are removed before the files.
-  std::vector<fs::path> files = { this->Path / RunFolder::GetSummaryName(), journal };
+  std::vector<fs::path> files = { this->Path / vtkHeliosRunFiles::GetSummaryName(), journal };
   const std::vector<fs::path> found = this->FindFiles();
   files.insert(files.end(), found.begin(), found.end());
   for (const fs::path& file : files)
@@ -137,7 +135,7 @@ std::string RunFolder::Clear() const
 //------------------------------------------------------------------------------
 std::string RunFolder::ReadSummary(Json::Value& summary) const
 {
-  const fs::path path = this->Path / RunFolder::GetSummaryName();
+  const fs::path path = this->Path / vtkHeliosRunFiles::GetSummaryName();
   std::ifstream file(path, std::ios::binary);
   const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
   if (!FromText(text, summary))
@@ -157,7 +155,7 @@ std::string RunFolder::ReadSummary(Json::Value& summary) const
 //------------------------------------------------------------------------------
 std::string RunFolder::WriteSummary(const Json::Value& summary) const
 {
-  return WriteWhole((this->Path / RunFolder::GetSummaryName()).string(), ToText(summary));
+  return WriteWhole((this->Path / vtkHeliosRunFiles::GetSummaryName()).string(), ToText(summary));
 }
 
 } // namespace helios

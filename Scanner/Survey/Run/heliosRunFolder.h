@@ -42,8 +42,6 @@ public:
   bool HasSummary() const;
   bool Exists() const;
 
-  static const char* GetSummaryName() { return "run_summary.json"; }
-
 private:
   std::string Make() const;
   std::string CheckEarlierRun(bool overwrite, bool resume) const;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosRunJournal.h"
 
+#include "heliosPartFile.h"
+#include "vtkHeliosRunFiles.h"
+
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -25,14 +28,14 @@ std::string WriteWhole(const std::string& path, const std::string& text)
   if (!good)
   {
     file.Abandon();
-    RemoveFile(path + ".part");
+    RemoveFile(path + PartEnding);
   }
   return good ? std::string() : file.GetProblem();
 }
 
 //------------------------------------------------------------------------------
 RunJournal::RunJournal(const std::string& folder)
-  : Path((std::filesystem::path(folder) / RunJournal::GetName()).string())
+  : Path((std::filesystem::path(folder) / vtkHeliosRunFiles::GetJournalName()).string())
 {
 }
 
@@ -58,7 +61,7 @@ void RunJournal::Forget()
   this->Legs.clear();
   this->Files.clear();
   this->Blocks.clear();
-  this->Counts = RunCounts();
+  this->Counts = ScanCounts();
   this->Leg = 0;
   this->LastSeal.clear();
   this->Size = 0;
@@ -92,7 +95,7 @@ std::string RunJournal::Read()
     {
       continue; // a crash may leave the last line incomplete
     }
-    const std::string problem = this->Take(body);
+    const std::string problem = this->ReadLine(body);
     if (!problem.empty())
     {
       return this->Path + ", line " + std::to_string(number) + ": " + problem;
@@ -149,7 +152,7 @@ bool RunJournal::Unseal(const std::string& line, std::string& body)
 
 //------------------------------------------------------------------------------
 /// Adds a line with a valid checksum; returns an error message, or an empty string.
-std::string RunJournal::Take(const std::string& body)
+std::string RunJournal::ReadLine(const std::string& body)
 {
   Json::Value value;
   if (!FromText(body, value))
@@ -168,7 +171,7 @@ std::string RunJournal::Take(const std::string& body)
     const std::string problem = this->CheckFollows(leg, progress);
     if (problem.empty())
     {
-      this->Take(leg, progress);
+      this->Accept(leg, progress);
     }
     return problem;
   }
@@ -206,7 +209,7 @@ std::string RunJournal::CheckFollows(std::size_t leg, const LegProgress& progres
 }
 
 //------------------------------------------------------------------------------
-void RunJournal::Take(std::size_t leg, const LegProgress& progress)
+void RunJournal::Accept(std::size_t leg, const LegProgress& progress)
 {
   LegProgress& taken = this->Legs[leg];
   taken = progress;
@@ -247,7 +250,7 @@ std::string RunJournal::Continue()
 //------------------------------------------------------------------------------
 std::string RunJournal::Append(std::size_t leg, const LegProgress& progress)
 {
-  this->Take(leg, progress);
+  this->Accept(leg, progress);
   Json::Value line = ToJson(progress);
   line["leg"] = Json::UInt(leg);
   return this->File.Append(this->Seal(line)) ? std::string() : this->File.GetProblem();

@@ -53,16 +53,14 @@ public:
   /// For a complete run.
   void Remove();
 
-  static const char* GetName() { return "run.journal"; }
-
 private:
   void Forget();
   bool IsWithoutChecksums() const;
   std::string Seal(const Json::Value& value);
   bool Unseal(const std::string& line, std::string& body);
-  std::string Take(const std::string& body);
+  std::string ReadLine(const std::string& body);
   std::string CheckFollows(std::size_t leg, const LegProgress& progress) const;
-  void Take(std::size_t leg, const LegProgress& progress);
+  void Accept(std::size_t leg, const LegProgress& progress);
 
   std::string Path;
   LogFile File;
@@ -71,7 +69,7 @@ private:
   std::map<std::string, FileProgress> Files;
   std::vector<FileBlock> Blocks;
   std::size_t Leg = 0;    // of the last line
-  RunCounts Counts;       // of the last line
+  ScanCounts Counts;      // of the last line
   std::string LastSeal;   // the checksum of the last line
   std::uint64_t Size = 0; // of the lines that were read
 };

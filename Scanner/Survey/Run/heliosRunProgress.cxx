@@ -16,21 +16,6 @@ namespace helios
 namespace
 {
 
-/// An integer of the counts, and its name in files.
-struct CountName
-{
-  const char* Name;
-  vtkIdType RunCounts::*Count;
-};
-
-constexpr CountName CountNames[] = { { "pulses", &RunCounts::Pulses },
-  { "points", &RunCounts::Echoes }, { "firstReturns", &RunCounts::FirstReturns },
-  { "pulsesFired", &RunCounts::PulsesFired }, { "pulsesHit", &RunCounts::PulsesHit },
-  { "pulsesOnPlane", &RunCounts::PulsesOnPlane },
-  { "pulsesWithoutBins", &RunCounts::PulsesWithoutBins },
-  { "pulsesBinned", &RunCounts::PulsesBinned }, { "subRays", &RunCounts::SubRays },
-  { "hitsOutOfRange", &RunCounts::HitsOutOfRange } };
-
 Json::Value ToJson(const FileProgress& file)
 {
   Json::Value entry;
@@ -127,9 +112,9 @@ FileProgress FileFromJson(const Json::Value& value)
   return file;
 }
 
-RunCounts ReadCounts(const Json::Value& value)
+ScanCounts ReadCounts(const Json::Value& value)
 {
-  RunCounts counts;
+  ScanCounts counts;
   for (const CountName& count : CountNames)
   {
     counts.*count.Count = GetCount(value, count.Name);
@@ -141,7 +126,7 @@ RunCounts ReadCounts(const Json::Value& value)
 } // namespace
 
 //------------------------------------------------------------------------------
-Json::Value ToJson(const RunCounts& counts)
+Json::Value ToJson(const ScanCounts& counts)
 {
   Json::Value value;
   for (const CountName& count : CountNames)
@@ -153,7 +138,7 @@ Json::Value ToJson(const RunCounts& counts)
 }
 
 //------------------------------------------------------------------------------
-RunCounts CountsFromJson(const Json::Value& value)
+ScanCounts CountsFromJson(const Json::Value& value)
 {
   try
   {
@@ -252,7 +237,7 @@ LegProgress ProgressFromJson(const Json::Value& value)
 }
 
 //------------------------------------------------------------------------------
-bool HasGrown(const RunCounts& before, const RunCounts& after)
+bool HasGrown(const ScanCounts& before, const ScanCounts& after)
 {
   return after.LargestAmplitude >= before.LargestAmplitude &&
     std::all_of(std::begin(CountNames), std::end(CountNames),

@@ -6,7 +6,7 @@
 #define heliosRunProgress_h
 
 #include "heliosPartFile.h"
-#include "heliosRunCounts.h"
+#include "heliosScanCounts.h"
 
 #include <json/value.h>
 
@@ -35,12 +35,12 @@ struct LegProgress
   int Blocks = 0; ///< that are safe
   bool IsDone = false;
   std::vector<FileProgress> Files;
-  RunCounts Counts;     ///< of the run so far
+  ScanCounts Counts;    ///< of the run so far
   double Seconds = 0.0; ///< computing and writing time, over all attempts
 };
 
 /// Whether no count has decreased.
-bool HasGrown(const RunCounts& before, const RunCounts& after);
+bool HasGrown(const ScanCounts& before, const ScanCounts& after);
 bool HasGrown(const FileProgress& before, const FileProgress& after);
 
 ///@{
@@ -52,8 +52,8 @@ bool FromText(const std::string& text, Json::Value& value);
 
 ///@{
 /// Counts with their names.
-Json::Value ToJson(const RunCounts& counts);
-RunCounts CountsFromJson(const Json::Value& value);
+Json::Value ToJson(const ScanCounts& counts);
+ScanCounts CountsFromJson(const Json::Value& value);
 ///@}
 
 /// A member is missing, of another type or out of range; the text names it.

@@ -16,7 +16,7 @@ namespace
 {
 
 /// The counts added by a leg.
-Json::Value CountLeg(const RunCounts& before, const RunCounts& after)
+Json::Value CountLeg(const ScanCounts& before, const ScanCounts& after)
 {
   Json::Value leg;
   leg["pulses"] = Json::Int64(after.Pulses - before.Pulses);
@@ -59,7 +59,7 @@ Json::Value MakeSummary(
   summary["legs"] = Json::arrayValue;
   Json::Value timings;
   double seconds = 0.0;
-  RunCounts before;
+  ScanCounts before;
   for (const LegPlan& plan : runner.GetPlans())
   {
     const LegProgress& progress = journal.GetLeg(plan.Leg);
@@ -93,7 +93,7 @@ std::string ComputeChecksum(Json::Value summary)
 }
 
 //------------------------------------------------------------------------------
-RunCounts GetTotals(const Json::Value& summary)
+ScanCounts GetTotals(const Json::Value& summary)
 {
   return CountsFromJson(summary["totals"]);
 }

@@ -5,7 +5,7 @@
 #ifndef heliosRunSummary_h
 #define heliosRunSummary_h
 
-#include "heliosRunCounts.h"
+#include "heliosScanCounts.h"
 
 #include <json/value.h>
 
@@ -27,7 +27,7 @@ Json::Value MakeSummary(
 std::string ComputeChecksum(Json::Value summary);
 
 /// The total counts in a summary.
-RunCounts GetTotals(const Json::Value& summary);
+ScanCounts GetTotals(const Json::Value& summary);
 
 } // namespace helios
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosMovingRayCaster.h"
 
+#include "heliosConeProbe.h"
+#include "heliosStopCheck.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosArrayNames.h"
 
@@ -14,6 +16,8 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace helios
 {
@@ -90,7 +94,7 @@ bool MovingRayCaster::BuildAccelerator(const TriangleMesh& mesh)
   }
   for (const Share* share : { &this->Resting, &this->Moving })
   {
-    share->Caster->SetShouldStop(this->GetShouldStop());
+    share->Caster->SetShouldStop(this->GetStopCheck().GetShouldStop());
   }
   const bool hasResting = !this->Resting.Cells.empty();
   if ((hasResting && !this->Resting.Caster->Build(this->Resting.Scene)) || !this->BuildMoving(mesh))
@@ -129,7 +133,7 @@ bool MovingRayCaster::BuildMoving(const TriangleMesh& mesh)
 
 //------------------------------------------------------------------------------
 /// At equal ranges the lowest cell is selected, as in one caster.
-void MovingRayCaster::TakeNearer(
+void MovingRayCaster::KeepNearer(
   const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const
 {
   for (vtkIdType i = 0; i < count; ++i)
@@ -165,40 +169,68 @@ void MovingRayCaster::IntersectBeams(
   others.resize(static_cast<std::size_t>(count));
   this->Moving.Caster->IntersectBeams(rays, others.data(), raysPerBeam, beams);
   Name(this->Moving.Cells, others.data(), count);
-  this->TakeNearer(others.data(), hits, count);
+  this->KeepNearer(others.data(), hits, count);
 }
 
 //------------------------------------------------------------------------------
-void MovingRayCaster::PrepareConeProbe()
+/// The probes of static and moving triangles, which outlive it.
+class MovingRayCaster::PairProbe : public ConeProbe
 {
-  if (!this->Resting.Cells.empty())
+public:
+  explicit PairProbe(const MovingRayCaster& caster)
+    : Resting(caster.Resting)
+    , Moving(caster.Moving)
   {
-    this->Resting.Caster->PrepareConeProbe();
   }
-  this->Moving.Caster->PrepareConeProbe();
-}
 
-//------------------------------------------------------------------------------
-vtkHeliosConeHit MovingRayCaster::ProbeCone(
-  const double origin[3], const double axis[3], double tanHalfAngle, double planeTolerance) const
-{
-  const auto probe = [&](const Share& share)
+  /// False if one is missing.
+  bool IsComplete() const { return this->Resting.IsComplete() && this->Moving.IsComplete(); }
+
+  vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
+    double planeTolerance) const override
   {
-    vtkHeliosConeHit hit = share.Cells.empty()
-      ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, 0.0 }
-      : share.Caster->ProbeCone(origin, axis, tanHalfAngle, planeTolerance);
-    const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
-    hit.CellId = isPlane ? share.Cells[static_cast<std::size_t>(hit.CellId)] : hit.CellId;
-    return hit;
+    const auto probe = [&](const Part& part)
+    {
+      vtkHeliosConeHit hit = part.Cells.empty()
+        ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, 0.0 }
+        : part.Cones->Probe(origin, axis, tanHalfAngle, planeTolerance);
+      const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
+      hit.CellId = isPlane ? part.Cells[static_cast<std::size_t>(hit.CellId)] : hit.CellId;
+      return hit;
+    };
+    const vtkHeliosConeHit moving = probe(this->Moving);
+    if (moving.Kind == vtkHeliosConeHit::Empty)
+    {
+      return probe(this->Resting);
+    }
+    const bool isAlone = moving.Kind == vtkHeliosConeHit::OnePlane &&
+      probe(this->Resting).Kind == vtkHeliosConeHit::Empty;
+    return isAlone ? moving : vtkHeliosConeHit{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+  }
+
+private:
+  struct Part
+  {
+    const std::vector<vtkIdType>& Cells;
+    const ConeProbe* Cones;
+
+    explicit Part(const Share& share)
+      : Cells(share.Cells)
+      , Cones(share.Cells.empty() ? nullptr : share.Caster->GetConeProbe())
+    {
+    }
+    bool IsComplete() const { return this->Cells.empty() || this->Cones; }
   };
-  const vtkHeliosConeHit moving = probe(this->Moving);
-  if (moving.Kind == vtkHeliosConeHit::Empty)
-  {
-    return probe(this->Resting);
-  }
-  const bool isAlone = moving.Kind == vtkHeliosConeHit::OnePlane &&
-    probe(this->Resting).Kind == vtkHeliosConeHit::Empty;
-  return isAlone ? moving : vtkHeliosConeHit{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+
+  Part Resting;
+  Part Moving;
+};
+
+//------------------------------------------------------------------------------
+std::unique_ptr<ConeProbe> MovingRayCaster::MakeConeProbe()
+{
+  auto probe = std::make_unique<PairProbe>(*this);
+  return probe->IsComplete() ? std::move(probe) : nullptr;
 }
 
 //------------------------------------------------------------------------------

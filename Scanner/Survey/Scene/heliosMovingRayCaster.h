@@ -37,9 +37,6 @@ public:
   void Intersect(const vtkHeliosRay* rays, vtkHeliosHit* hits, vtkIdType count) const override;
   void IntersectBeams(
     const vtkHeliosRay* rays, vtkHeliosHit* hits, int raysPerBeam, vtkIdType beams) const override;
-  void PrepareConeProbe() override;
-  vtkHeliosConeHit ProbeCone(const double origin[3], const double axis[3], double tanHalfAngle,
-    double planeTolerance) const override;
   void Occluded(const vtkHeliosRay* rays, unsigned char* occluded, vtkIdType count) const override;
   const char* GetName() const override;
   std::size_t GetAcceleratorSize() const override;
@@ -49,8 +46,11 @@ protected:
   ~MovingRayCaster() override = default;
 
   bool BuildAccelerator(const TriangleMesh& mesh) override;
+  std::unique_ptr<ConeProbe> MakeConeProbe() override;
 
 private:
+  class PairProbe;
+
   /// A subset of the triangles, with their cell ids in the scene.
   struct Share
   {
@@ -60,7 +60,7 @@ private:
   };
   void MakeShares(const TriangleMesh& mesh);
   bool BuildMoving(const TriangleMesh& mesh);
-  void TakeNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
+  void KeepNearer(const vtkHeliosHit* moving, vtkHeliosHit* hits, vtkIdType count) const;
 
   vtkSmartPointer<vtkHeliosRayCaster> Kind;
   std::vector<bool> Moves; // by cell

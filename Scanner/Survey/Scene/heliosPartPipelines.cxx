@@ -27,6 +27,10 @@
 #include <vtkStringArray.h>
 #include <vtkTrivialProducer.h>
 
+#include <algorithm>
+#include <iterator>
+#include <set>
+
 #if VTK_MODULE_ENABLE_vtkHelios_FiltersSimplify
 #include "vtkHeliosMeshSimplify.h"
 #endif
@@ -99,6 +103,34 @@ void SetMaterialsInTurn(vtkImageData* grid, int count)
   grid->GetCellData()->AddArray(ids);
 }
 
+bool IsRead(vtkAlgorithm* reader)
+{
+  vtkDataObject* output = reader->GetOutputDataObject(0);
+  return output && output->GetDataReleased() == 0 && output->GetUpdateTime() > reader->GetMTime();
+}
+
+/// Adds a filter and all filters before it.
+void AddPipeline(vtkAlgorithm* filter, std::set<vtkAlgorithm*>& all)
+{
+  all.insert(filter);
+  for (int port = 0; port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < filter->GetNumberOfInputConnections(port); ++i)
+    {
+      AddPipeline(filter->GetInputAlgorithm(port, i), all);
+    }
+  }
+}
+
+template <typename MapT, typename TestT>
+void EraseIf(MapT& map, const TestT& test)
+{
+  for (auto entry = map.begin(); entry != map.end();)
+  {
+    entry = test(*entry) ? map.erase(entry) : std::next(entry);
+  }
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::string& file)
 {
   auto reader = vtkSmartPointer<vtkHeliosObjSceneReader>::New();
@@ -113,22 +145,51 @@ vtkSmartPointer<vtkAlgorithm> MakeObjReader(const PartData& part, const std::str
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkHeliosSceneTransform> PartPipelines::Make(const PartData& part)
 {
-  const bool isPoints = part.Type == Loader::Xyz;
+  vtkSmartPointer<vtkHeliosSceneTransform>& place = this->Places[&part];
+  if (!place)
+  {
+    const Quaternion& q = part.Rotation;
+    const Filter last = this->MakePipeline(part);
+    place = vtkSmartPointer<vtkHeliosSceneTransform>::New();
+    place->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
+    place->SetScale(part.Scale);
+    this->Connect(place, last);
+  }
+  // A part on the ground was moved by the epoch before.
+  place->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
+  return place;
+}
+
+//------------------------------------------------------------------------------
+PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
+{
   this->Where = part.Where;
-  Filter last = isPoints ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
-  last = this->AddMeshCare(part, this->AddMaterial(part.Material, last));
-  const Quaternion& q = part.Rotation;
-  auto transform = vtkSmartPointer<vtkHeliosSceneTransform>::New();
-  transform->SetRotation(q.GetW(), q.GetX(), q.GetY(), q.GetZ());
-  transform->SetScale(part.Scale);
-  transform->SetTranslation(part.Translation[0], part.Translation[1], part.Translation[2]);
-  this->Connect(transform, last);
-  return transform;
+  const Filter mesh =
+    part.Type == Loader::Xyz ? this->MakeVoxels(part) : this->AddCrs(part, this->MakeMesh(part));
+  return this->AddMeshCare(part, this->AddMaterial(part.Material, mesh));
+}
+
+//------------------------------------------------------------------------------
+void PartPipelines::KeepOnly(const std::vector<const PartData*>& parts)
+{
+  const auto isGone = [&parts](const PartData* part)
+  { return std::find(parts.begin(), parts.end(), part) == parts.end(); };
+  EraseIf(this->Places, [&isGone](const auto& place) { return isGone(place.first); });
+  EraseIf(this->GridReaders, [&isGone](const auto& grid) { return isGone(grid.first); });
+  std::set<vtkAlgorithm*> used;
+  for (const auto& place : this->Places)
+  {
+    AddPipeline(place.second, used);
+  }
+  const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
+  EraseIf(this->MeshReaders, isUnused);
+  this->Readers.erase(
+    std::remove_if(this->Readers.begin(), this->Readers.end(), isUnused), this->Readers.end());
 }
 
 //------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
-  const PartData& part, vtkHeliosSceneTransform* place)
+  const PartData& part, const std::string& partName, vtkHeliosSceneTransform* place)
 {
   vtkNew<vtkPolyData> nothing;
   auto source = vtkSmartPointer<vtkTrivialProducer>::New();
@@ -137,7 +198,7 @@ std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
   material->Update();
   vtkNew<vtkStringArray> name;
   name->SetName(vtkHeliosArrayNames::PartName);
-  name->InsertNextValue(part.Name);
+  name->InsertNextValue(partName);
   std::vector<vtkSmartPointer<vtkImageData>> grids;
   for (const Filter& reader : this->GridReaders[&part])
   {
@@ -158,8 +219,13 @@ std::vector<vtkSmartPointer<vtkImageData>> PartPipelines::GetGrids(
 //------------------------------------------------------------------------------
 bool PartPipelines::ReadFiles(const StepCallback& onStep)
 {
+  this->IsStopped = false;
   for (const auto& reader : this->Readers)
   {
+    if (IsRead(reader.second))
+    {
+      continue; // by an epoch before
+    }
     this->Step = "reading " + reader.first;
     this->LastProgress = std::chrono::steady_clock::now();
     if (this->IsStopped || !onStep(this->Step))

@@ -29,7 +29,8 @@ class Messages;
 /// Called before each step of a long task with its name; false stops it.
 using StepCallback = std::function<bool(const std::string& step)>;
 
-/// A mesh used by several parts is read once.
+/// A mesh used by several parts is read once. The pipelines are kept, so that a part that stays is
+/// not read again.
 class PartPipelines
 {
 public:
@@ -39,12 +40,15 @@ public:
   {
   }
 
-  /// The last filter of a part.
+  /// The last filter of a part; a part that is there already has a kept one.
   vtkSmartPointer<vtkHeliosSceneTransform> Make(const PartData& part);
+
+  /// Releases the pipelines of all other parts.
+  void KeepOnly(const std::vector<const PartData*>& parts);
 
   /// The grids of a turbid part after its files were read, with its materials and filters applied.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids(
-    const PartData& part, vtkHeliosSceneTransform* place);
+    const PartData& part, const std::string& name, vtkHeliosSceneTransform* place);
 
   /// Reads all files; false after an error or if stopped.
   bool ReadFiles(const StepCallback& onStep);
@@ -60,6 +64,7 @@ public:
 private:
   using Filter = vtkSmartPointer<vtkAlgorithm>;
 
+  Filter MakePipeline(const PartData& part);
   Filter MakeMesh(const PartData& part);
   Filter MakeVoxels(const PartData& part);
   Filter GetReader(const PartData& part, const std::string& file);
@@ -73,6 +78,7 @@ private:
 
   Messages& Log;
   vtkIdType Seed;
+  std::map<const PartData*, vtkSmartPointer<vtkHeliosSceneTransform>> Places;
   std::map<const PartData*, std::vector<Filter>> GridReaders; // of turbid parts
   std::string Where;                                          // the current part
   std::string Step;                                           // the current step

@@ -4,6 +4,7 @@
 
 #include "heliosMemoryCheck.h"
 #include "heliosMessages.h"
+#include "heliosPlays.h"
 #include "heliosSurveyCrs.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosGroundSnap.h"
@@ -55,12 +56,9 @@ SceneBuilder::SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed
 SceneBuilder::~SceneBuilder() = default;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
+vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep, int play)
 {
-  for (const PartData& part : this->Scene.Parts)
-  {
-    this->Parts.push_back(this->Pipelines.Make(part));
-  }
+  this->MakeParts(play);
   this->Pipelines.SetOnProgress(&onStep);
   const bool isReady =
     this->Pipelines.ReadFiles(onStep) && onStep("assembling the scene") && this->PutOnGround();
@@ -71,14 +69,30 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Build(const StepCallback& onStep)
 }
 
 //------------------------------------------------------------------------------
+void SceneBuilder::MakeParts(int play)
+{
+  this->Parts.clear();
+  std::vector<const PartData*> all;
+  for (const PartData& part : this->Scene.Parts)
+  {
+    if (const PartData* data = FindPart(part, play))
+    {
+      all.push_back(data);
+      this->Parts.push_back({ data, &part.Name, this->Pipelines.Make(*data) });
+    }
+  }
+  this->Pipelines.KeepOnly(all);
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
 {
   std::vector<vtkSmartPointer<vtkImageData>> all;
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  for (const Part& part : this->Parts)
   {
-    if (this->Scene.Parts[i].IsTurbid())
+    if (part.Data->IsTurbid())
     {
-      const auto grids = this->Pipelines.GetGrids(this->Scene.Parts[i], this->Parts[i]);
+      const auto grids = this->Pipelines.GetGrids(*part.Data, *part.Name, part.Place);
       all.insert(all.end(), grids.begin(), grids.end());
     }
   }
@@ -91,13 +105,12 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   vtkNew<vtkHeliosSceneComposer> composer;
   this->Log.Listen(composer, this->Scene.Where);
   int count = 0;
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  for (const Part& part : this->Parts)
   {
-    const PartData& part = this->Scene.Parts[i];
-    if (!part.IsTurbid() && (withPartsOnGround || !part.OnGround))
+    if (!part.Data->IsTurbid() && (withPartsOnGround || !part.Data->OnGround))
     {
-      composer->AddInputConnection(this->Parts[i]->GetOutputPort());
-      composer->SetPartName(count, this->Scene.Parts[i].Name.c_str());
+      composer->AddInputConnection(part.Place->GetOutputPort());
+      composer->SetPartName(count, part.Name->c_str());
       ++count;
     }
   }
@@ -123,9 +136,9 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> SceneBuilder::MakeGround()
 {
-  const auto isNotOnGround = [](const PartData& part)
-  { return !part.OnGround && !part.IsTurbid(); };
-  if (std::any_of(this->Scene.Parts.begin(), this->Scene.Parts.end(), isNotOnGround))
+  const auto isNotOnGround = [](const Part& part)
+  { return !part.Data->OnGround && !part.Data->IsTurbid(); };
+  if (std::any_of(this->Parts.begin(), this->Parts.end(), isNotOnGround))
   {
     return this->Compose(false);
   }
@@ -144,14 +157,15 @@ bool SceneBuilder::PutOnGround()
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
     Vec3 point;
-    if (this->Scene.Parts[i].OnGround)
+    const PartData& part = *this->Parts[i].Data;
+    if (part.OnGround)
     {
-      this->Parts[i]->Update();
-      if (FindLowestCorner(this->Parts[i]->GetOutput(), point))
+      this->Parts[i].Place->Update();
+      if (FindLowestCorner(this->Parts[i].Place->GetOutput(), point))
       {
         lowest->InsertNextPoint(point.GetData());
         snapped.push_back(i);
-        places += (places.empty() ? "" : ", ") + this->Scene.Parts[i].Where;
+        places += (places.empty() ? "" : ", ") + part.Where;
       }
     }
   }
@@ -182,9 +196,10 @@ bool SceneBuilder::PutOnGround()
   for (std::size_t k = 0; k < snapped.size(); ++k)
   {
     const auto id = static_cast<vtkIdType>(k);
-    Vec3 translation(this->Parts[snapped[k]]->GetTranslation());
+    vtkHeliosSceneTransform* place = this->Parts[snapped[k]].Place;
+    Vec3 translation(place->GetTranslation());
     translation[2] += snap->GetOutput()->GetPoint(id)[2] - lowest->GetPoint(id)[2];
-    this->Parts[snapped[k]]->SetTranslation(translation.GetData());
+    place->SetTranslation(translation.GetData());
   }
   return true;
 }

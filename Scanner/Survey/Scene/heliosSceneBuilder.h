@@ -22,21 +22,31 @@ namespace helios
 
 class Messages;
 
-/// Builds one scene.
+/// Builds the scene of one epoch after the other. What an epoch shares with the one before is not
+/// read again.
 class VTKHELIOSSCANNERSURVEY_EXPORT SceneBuilder
 {
 public:
   SceneBuilder(const SceneData& scene, Messages& log, vtkIdType seed = 0);
   ~SceneBuilder();
 
-  /// All parts as one mesh, with parts on the ground placed there; null after an error, or if
-  /// stopped.
-  vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep);
+  /// All parts of an epoch as one mesh, with parts on the ground placed there; null after an error,
+  /// or if stopped.
+  vtkSmartPointer<vtkPolyData> Build(const StepCallback& onStep, int play = 0);
 
   /// The turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
 private:
+  /// A part of the epoch and its last filter.
+  struct Part
+  {
+    const PartData* Data;
+    const std::string* Name;
+    vtkSmartPointer<vtkHeliosSceneTransform> Place;
+  };
+
+  void MakeParts(int play);
   bool PutOnGround();
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
@@ -44,7 +54,7 @@ private:
   const SceneData& Scene;
   Messages& Log;
   PartPipelines Pipelines;
-  std::vector<vtkSmartPointer<vtkHeliosSceneTransform>> Parts;
+  std::vector<Part> Parts;
 };
 
 } // namespace helios

@@ -3,9 +3,11 @@
 #include "heliosXmlElement.h"
 
 #include "heliosMessages.h"
+#include "heliosXmlRules.h"
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace helios
@@ -18,8 +20,10 @@ const Vec3 AxisX(1.0, 0.0, 0.0);
 const Vec3 AxisY(0.0, 1.0, 0.0);
 const Vec3 AxisZ(0.0, 0.0, 1.0);
 
-/// The axis of a <rot>: x, y, z, or the names of the Java program; null for others.
-const Vec3* FindAxis(const std::string& name)
+} // namespace
+
+//------------------------------------------------------------------------------
+const Vec3* FindRotationAxis(const std::string& name)
 {
   struct Axis
   {
@@ -38,8 +42,6 @@ const Vec3* FindAxis(const std::string& name)
   }
   return nullptr;
 }
-
-} // namespace
 
 //------------------------------------------------------------------------------
 std::string XmlElement::Where() const
@@ -131,11 +133,15 @@ bool XmlElement::Read(const char* name, Vec3& target) const
 }
 
 //------------------------------------------------------------------------------
-bool XmlElement::ReadAsWritten(const char* name, std::string& target) const
+void XmlElement::ReadStored(const XmlValueRule& rule, const XmlPlace& place) const
 {
-  const pugi::xml_attribute attribute = this->Node.attribute(name);
-  target = attribute.empty() ? target : attribute.value();
-  return !attribute.empty();
+  XmlValue value;
+  if (this->FindValue(rule.Name, value))
+  {
+    value.Folder = std::filesystem::path(this->Document->GetPath()).parent_path().string();
+    value.Text = rule.HasBlanks ? this->Node.attribute(rule.Name).value() : value.Text;
+    ParseStored(value, rule, this->GetMessages(), place);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +166,7 @@ Quaternion XmlElement::ReadRotation() const
   {
     rot.CheckNames();
     const std::string name = rot.GetText("axis");
-    const Vec3* axis = FindAxis(name);
+    const Vec3* axis = FindRotationAxis(name);
     double angle = 0.0;
     if (!axis)
     {
@@ -275,7 +281,7 @@ bool XmlElement::FindValue(const char* name, XmlValue& value) const
 //------------------------------------------------------------------------------
 const XmlValueRule& XmlElement::GetRule(const char* name) const
 {
-  static const XmlValueRule none = { "" };
+  static const XmlValueRule none;
   const XmlElementRule* rule = FindXmlRule(this->GetTag());
   const XmlValueRule* value = rule ? rule->FindValue(name) : nullptr;
   return value ? *value : none;

@@ -7,6 +7,7 @@
 
 #include "heliosPose.h"
 #include "heliosXmlRules.h"
+#include "heliosXmlValue.h"
 
 #include <pugixml.hpp>
 
@@ -51,24 +52,8 @@ private:
   std::vector<std::ptrdiff_t> LineEnds;
 };
 
-/// A value in a file: its name in messages, its text, its line.
-struct XmlValue
-{
-  std::string Name;
-  std::string Text;
-  std::string Where;
-};
-
-/**
- * Each parses a whole text; returns false, after an error with file:line, the value and the fix, if
- * the text is not valid or not in the rule's range. The target is then unchanged.
- */
-bool ParseReal(const XmlValue& value, const XmlValueRule& rule, Messages& log, double& target);
-bool ParseInteger(const XmlValue& value, const XmlValueRule& rule, Messages& log, int& target);
-bool ParseBoolean(const XmlValue& value, Messages& log, bool& target);
-bool ParseRealList(
-  const XmlValue& value, const XmlValueRule& rule, Messages& log, std::vector<double>& target);
-bool ParseVector(const XmlValue& value, Messages& log, Vec3& target);
+/// The axis of a rotation: x, y, z, or the names of the Java program; null for others.
+const Vec3* FindRotationAxis(const std::string& name);
 
 /// An element of a document, or none. It is valid as long as its document.
 class XmlElement
@@ -108,8 +93,15 @@ public:
   bool Read(const char* name, std::vector<double>& target) const;
   bool Read(const char* name, Vec3& target) const;
 
-  /// Reads an attribute with its blanks and tabs.
-  bool ReadAsWritten(const char* name, std::string& target) const;
+  /// Reads all attributes that are stored in a struct.
+  template <typename OwnerT>
+  void ReadStored(OwnerT& owner) const
+  {
+    for (const XmlValueRule* rule : FindXmlRule(this->GetTag())->FindStored(typeid(OwnerT)))
+    {
+      this->ReadStored(*rule, rule->Store.Find(&owner));
+    }
+  }
 
   /// The attributes x, y, z; a missing one is left unchanged.
   void ReadVector(Vec3& target) const;
@@ -123,6 +115,7 @@ public:
 
 private:
   bool FindValue(const char* name, XmlValue& value) const;
+  void ReadStored(const XmlValueRule& rule, const XmlPlace& place) const;
   const XmlValueRule& GetRule(const char* name) const;
   void WarnOfValue(const XmlElementRule& rule, const std::string& name) const;
   void WarnOfChild(const XmlElementRule& rule, const XmlElement& child) const;

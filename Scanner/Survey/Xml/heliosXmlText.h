@@ -5,24 +5,16 @@
 #ifndef heliosXmlText_h
 #define heliosXmlText_h
 
+#include "heliosXmlValue.h"
+
 #include <pugixml.hpp>
 
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <string>
 
 namespace helios
 {
-
-/// The fewest digits that read back exactly, without an exponent: other programs read 100000 as an
-/// integer, but not 1e5.
-inline std::string ToXmlText(double value)
-{
-  char digits[400]; // of the smallest number
-  return { digits, std::to_chars(digits, std::end(digits), value, std::chars_format::fixed).ptr };
-}
 
 ///@{
 /// Adds an attribute, unless it is NaN or empty.
@@ -42,6 +34,20 @@ inline void SetAttribute(pugi::xml_node node, const char* name, const std::strin
   }
 }
 ///@}
+
+/// Adds all attributes of an element that are stored in a struct and are not its defaults.
+template <typename OwnerT>
+void SetStored(pugi::xml_node node, const OwnerT& owner)
+{
+  OwnerT copy = owner;
+  OwnerT fresh;
+  for (const XmlValueRule* rule : FindXmlRule(node.name())->FindStored(typeid(OwnerT)))
+  {
+    const std::string value = FormatStored(*rule, rule->Store.Find(&copy));
+    const bool isUsual = value == FormatStored(*rule, rule->Store.Find(&fresh));
+    SetAttribute(node, rule->Name, isUsual || rule->IsAlias ? std::string() : value);
+  }
+}
 
 /// A document as text.
 inline std::string ToXmlText(const pugi::xml_document& document)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Parses values from whole texts.
+#include "heliosXmlValue.h"
 
 #include "heliosMessages.h"
-#include "heliosXmlElement.h"
+#include "heliosXmlRules.h"
 
 #include <algorithm>
 #include <cctype>
@@ -87,6 +87,25 @@ std::vector<std::string> Split(const std::string& text, char separator)
     part.erase(part.find_last_not_of(" \t\r\n") + 1);
   }
   return parts;
+}
+
+constexpr vtkIdType HighestSeed = 4611686018427387904LL; // 2^62
+
+/// The digits of a date, the integer part of a decimal number; negative: not a seed.
+vtkIdType FindSeed(std::string text)
+{
+  const bool isDate = text.find_first_of("-:") != std::string::npos && text.size() == 19;
+  const auto isNoDigit = [](char c) { return c < '0' || c > '9'; };
+  if (isDate)
+  {
+    text.erase(std::remove_if(text.begin(), text.end(), isNoDigit), text.end());
+  }
+  vtkIdType seed = -1;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, seed);
+  const bool isWhole = parsed.ec == std::errc() &&
+    (parsed.ptr == end || (*parsed.ptr == '.' && std::none_of(parsed.ptr + 1, end, isNoDigit)));
+  return isWhole && seed <= HighestSeed && (!isDate || text.size() == 14) ? seed : -1;
 }
 
 } // namespace
@@ -186,7 +205,7 @@ bool ParseVector(const XmlValue& value, Messages& log, Vec3& target)
       Quote(value) + " is not a vector; give three numbers with semicolons, as in 1.5;0;-2");
     return false;
   }
-  static const XmlValueRule component = { "" };
+  static const XmlValueRule component;
   for (int k = 0; k < 3; ++k)
   {
     if (!CheckRange(value, component, log, vector[k]))
@@ -197,6 +216,21 @@ bool ParseVector(const XmlValue& value, Messages& log, Vec3& target)
   }
   target = vector;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool ParseSeed(const XmlValue& value, Messages& log, vtkIdType& target)
+{
+  const bool isAuto = value.Text.empty() || ToLower(value.Text) == "auto";
+  const vtkIdType seed = isAuto ? -1 : FindSeed(value.Text);
+  const bool isGood = isAuto || seed >= 0;
+  target = isGood ? seed : target;
+  if (!isGood)
+  {
+    log.Error(Quote(value) +
+      " is not valid: expected an integer from 0 to 2^62, YYYY-MM-DD hh:mm:ss, or AUTO");
+  }
+  return isGood;
 }
 
 } // namespace helios

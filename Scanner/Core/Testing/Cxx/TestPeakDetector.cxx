@@ -39,7 +39,7 @@ std::vector<vtkHeliosDetectedEcho> Detect(
 
 } // namespace
 
-TEST_CASE("PeakDetector: exact for one Gaussian, wherever it lies", "[PeakDetector]")
+TEST_CASE("PeakDetector: exact for one Gaussian at any position", "[PeakDetector]")
 {
   for (const double centre : { 20.0, 20.1, 20.123456, 20.125, 20.375, 19.99 })
   {
@@ -61,7 +61,7 @@ TEST_CASE("PeakDetector: the width is that of the echo", "[PeakDetector]")
   CHECK(echoes[0].Width == Approx(2.35482 * 2.5).epsilon(1e-4));
 }
 
-TEST_CASE("PeakDetector: a plateau is one echo in its middle", "[PeakDetector]")
+TEST_CASE("PeakDetector: a plateau is one echo at its centre", "[PeakDetector]")
 {
   const auto echoes = Detect({ 0, 1, 2, 5, 5, 5, 2, 1, 0 }, 1.0);
   REQUIRE(echoes.size() == 1);
@@ -97,7 +97,7 @@ TEST_CASE("PeakDetector: an echo of one sample has the width of the pulse", "[Pe
   }
 }
 
-TEST_CASE("PeakDetector: what is no finite number is no echo", "[PeakDetector]")
+TEST_CASE("PeakDetector: samples that are not finite give no echo", "[PeakDetector]")
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
@@ -115,7 +115,7 @@ TEST_CASE("PeakDetector: what is no finite number is no echo", "[PeakDetector]")
   }
 }
 
-TEST_CASE("PeakDetector: a fit over a window is exact for a Gaussian, too", "[PeakDetector]")
+TEST_CASE("PeakDetector: a fit over a window is exact for a Gaussian", "[PeakDetector]")
 {
   vtkNew<vtkHeliosPeakDetector> detector;
   CHECK(detector->FindsMaxima());
@@ -133,7 +133,8 @@ TEST_CASE("PeakDetector: a fit over a window is exact for a Gaussian, too", "[Pe
   }
 }
 
-TEST_CASE("PeakDetector: in noise a window does as well with fine bins", "[PeakDetector]")
+TEST_CASE(
+  "PeakDetector: with noise, a fit over a window is accurate for fine bins", "[PeakDetector]")
 {
   constexpr int pulses = 600;
   constexpr double snr = 50.0;
@@ -161,7 +162,7 @@ TEST_CASE("PeakDetector: in noise a window does as well with fine bins", "[PeakD
     const double bound = std::sqrt(2.0 * Sigma * bin / std::sqrt(std::acos(-1.0))) / snr;
     return std::sqrt(sum / pulses) / bound;
   };
-  // Three samples: 11 and 2.1 times the Cramer-Rao bound (accuracy.md A3).
+  // Three samples: 11 and 2.1 times the Cramer-Rao bound.
   CHECK(errorOverBound(0.25, 0.0) > 5.0);
   CHECK(errorOverBound(1.0, 0.0) > 1.8);
   CHECK(errorOverBound(0.25, 1.0) < 1.9);
@@ -169,7 +170,7 @@ TEST_CASE("PeakDetector: in noise a window does as well with fine bins", "[PeakD
   CHECK(errorOverBound(1.0, 1.5) < 1.3);
 }
 
-TEST_CASE("PeakDetector: of maxima too near each other the largest counts", "[PeakDetector]")
+TEST_CASE("PeakDetector: of maxima within MinimumSeparation the largest is kept", "[PeakDetector]")
 {
   const std::vector<float> samples = { 0, 3, 1, 5, 1, 4, 1, 4, 0, 0, 0, 0, 2, 0 };
   const auto timesOf = [&samples](double separation)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A beam on a plane, against the table of closed forms (untruncated beam, FWHM 4 ns).
+#include "heliosConstants.h"
 #include "heliosPlaneEcho.h"
 
 #include "heliosScannerBench.h"
@@ -50,7 +51,7 @@ TEST_CASE("PlaneEcho: moments of the beam", "[PlaneEcho]")
   CHECK(helios::BeamMoments(2.0, 0.1).Excess == Approx(-1).epsilon(1e-2)); // a uniform disc
 }
 
-TEST_CASE("PlaneEcho: width, amplitude and mean range of the table", "[PlaneEcho]")
+TEST_CASE("PlaneEcho: width, amplitude and mean range of tabulated cases", "[PlaneEcho]")
 {
   for (const Row& row : { Row{ 100, 0, 0.5, 6.249999481e-6, 1.698643601, 1 },
          Row{ 100, 45, 0.5, -6.249998306e-6, 1.706811745, 0.995214385 },
@@ -80,7 +81,7 @@ TEST_CASE("PlaneEcho: beam correction on a slope of 85 degrees", "[PlaneEcho]")
   CHECK(echo.Power - 1 == Approx(2.4308e-3).epsilon(1e-4));
 }
 
-TEST_CASE("PlaneEcho: by tolerance the scanner agrees with ten thousand sub-rays", "[PlaneEcho]")
+TEST_CASE("PlaneEcho: adaptive sampling agrees with ten thousand sub-rays", "[PlaneEcho]")
 {
   struct Case
   {

@@ -103,7 +103,7 @@ TEST_CASE("PlatformNoise: the moments of each distribution", "[PlatformNoise]")
   CHECK(Get(noise, 12345) == Values{ { 7, 0, 0, 0, 0, 0 } });
 }
 
-TEST_CASE("PlatformNoise: components do not know of each other", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: components are independent", "[PlatformNoise]")
 {
   constexpr int n = 100000;
   vtkNew<Noise> noise;
@@ -143,7 +143,7 @@ TEST_CASE("PlatformNoise: components do not know of each other", "[PlatformNoise
   CHECK(Get(noise, 77, 1)[0] != all[0]);
 }
 
-TEST_CASE("PlatformNoise: clipped values are the limits", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: clipped values equal the limits", "[PlatformNoise]")
 {
   constexpr int n = 100000;
   vtkNew<Noise> noise;
@@ -171,7 +171,7 @@ TEST_CASE("PlatformNoise: clipped values are the limits", "[PlatformNoise]")
   CHECK(isBeyond);
 }
 
-TEST_CASE("PlatformNoise: a value lives as long as it shall", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: a value holds for its lifespan", "[PlatformNoise]")
 {
   vtkNew<Noise> noise;
   for (int component = 0; component < 6; ++component)
@@ -192,7 +192,7 @@ TEST_CASE("PlatformNoise: a value lives as long as it shall", "[PlatformNoise]")
   CHECK(Get(noise, 1000000000000)[5] == first[5]);
 }
 
-TEST_CASE("PlatformNoise: a platform that moves puts points onto surfaces", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: motion moves points along surfaces", "[PlatformNoise]")
 {
   NoiseBench bench;
   bench.Shaking->SetNormal(Noise::POSITION_X, 0.0, 0.5);
@@ -211,11 +211,11 @@ TEST_CASE("PlatformNoise: a platform that moves puts points onto surfaces", "[Pl
   }
 }
 
-TEST_CASE("PlatformNoise: an error of navigation puts points off surfaces", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: navigation error moves points off surfaces", "[PlatformNoise]")
 {
   NoiseBench bench;
   bench.Shaking->SetModeToNavigationError();
-  SECTION("of position: by as much the other way")
+  SECTION("of position: the opposite offset")
   {
     bench.Shaking->SetNormal(Noise::POSITION_X, 0.0, 0.5);
     bench.Shaking->SetNormal(Noise::POSITION_Y, 0.1, 0.2);
@@ -244,7 +244,7 @@ TEST_CASE("PlatformNoise: an error of navigation puts points off surfaces", "[Pl
 }
 
 TEST_CASE(
-  "PlatformNoise: turns are about the body's axes, and turn the lever arm", "[PlatformNoise]")
+  "PlatformNoise: rotations are about the body axes, including the lever arm", "[PlatformNoise]")
 {
   NoiseBench bench;
   bench.Tripod->SetHeading(90); // forward is x, towards the wall
@@ -277,7 +277,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("PlatformNoise: same bytes for any number of threads and pieces", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: byte-identical for any number of threads and pieces", "[PlatformNoise]")
 {
   NoiseBench bench;
   for (int component = 0; component < 6; ++component)
@@ -309,7 +309,7 @@ TEST_CASE("PlatformNoise: same bytes for any number of threads and pieces", "[Pl
   CHECK(at == count);
 }
 
-TEST_CASE("PlatformNoise: the scanner runs again when it changes, and without it as before",
+TEST_CASE("PlatformNoise: the scanner executes again if it changes, and is unaffected without it",
   "[PlatformNoise]")
 {
   NoiseBench bench;
@@ -323,7 +323,7 @@ TEST_CASE("PlatformNoise: the scanner runs again when it changes, and without it
   CHECK(Bytes(bench.Run()) == quiet);
 }
 
-TEST_CASE("PlatformNoise: what is wrong is said and changes nothing", "[PlatformNoise]")
+TEST_CASE("PlatformNoise: bad values are errors and change nothing", "[PlatformNoise]")
 {
   vtkNew<Noise> noise;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());

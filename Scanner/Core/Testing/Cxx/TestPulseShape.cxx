@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPulseShape.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 
 using helios::PulseShape;
 
@@ -74,13 +72,10 @@ TEST_CASE("PulseShape: the pulse of HELIOS", "[PulseShape]")
   }
 }
 
-TEST_CASE("PulseShape: a pulse from a file", "[PulseShape]")
+TEST_CASE("PulseShape: a sampled pulse", "[PulseShape]")
 {
   // A triangle that rises for 1 ns and falls for 3 ns.
-  std::ofstream("shape.txt") << "# time power\n10 0\n11 5  # peak\n\n14 0\n";
-  PulseShape shape;
-  REQUIRE(PulseShape::Read("shape.txt", shape).empty());
-  std::remove("shape.txt");
+  PulseShape shape = PulseShape::MakeSampled({ 10, 11, 14 }, { 0, 5, 0 });
   CHECK_FALSE(shape.IsGaussian());
   CHECK(shape.GetLength() == Approx(2.0).epsilon(1e-15));
   CHECK(shape(0) == 1.0);
@@ -91,7 +86,7 @@ TEST_CASE("PulseShape: a pulse from a file", "[PulseShape]")
   CHECK(GetArea(shape, 0.01) == Approx(2.0).epsilon(1e-4));
 }
 
-TEST_CASE("PulseShape: deposits take the exact time, not that of a bin", "[PulseShape]")
+TEST_CASE("PulseShape: pulses are added at their exact time, not that of a bin", "[PulseShape]")
 {
   const double bin = 0.5;
   for (PulseShape shape : { PulseShape::MakeGaussian(4), PulseShape::MakeHelios(4) })

@@ -50,7 +50,7 @@ TEST_CASE("LidarEquation: absolute power", "[Radiometry]")
   }
 }
 
-TEST_CASE("NearbyTransmission: as the exponential", "[Radiometry]")
+TEST_CASE("NearbyTransmission: equals the exponential", "[Radiometry]")
 {
   const helios::LidarEquation equation{ 0.15, 0.9, 7.2e-5 };
   helios::NearbyTransmission transmission(equation);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosReturn.h"
 #include "vtkHeliosPeakDetector.h"
 
@@ -46,7 +46,7 @@ std::vector<Echo> Find(std::vector<SubReturn>& returns, double binSize = 0.25)
   vtkNew<vtkHeliosPeakDetector> detector;
   Receiver receiver(MakeSettings(detector, binSize));
   std::vector<Echo> echoes;
-  receiver.FindEchoes(returns, echoes);
+  receiver.FindMaxima(returns, echoes);
   return echoes;
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("Receiver: equal ranges add up", "[Receiver]")
   CHECK(echoes[0].Width == Approx(PulseLength).epsilon(1e-14));
 }
 
-TEST_CASE("Receiver: a narrow group has the maximum of its sum", "[Receiver]")
+TEST_CASE("Receiver: returns within c sigma have one maximum", "[Receiver]")
 {
   auto returns = MakeReturns({ { 50.0, 3e-8 }, { 50.31, 1e-8 }, { 50.4, 2e-8 }, { 50.05, 1e-8 } });
   const auto echoes = Find(returns);
@@ -93,7 +93,7 @@ TEST_CASE("Receiver: a narrow group has the maximum of its sum", "[Receiver]")
 }
 
 TEST_CASE(
-  "Receiver: two halves almost 2 sigma apart have one flat maximum in the middle", "[Receiver]")
+  "Receiver: two halves almost 2 sigma apart have one flat maximum at the centre", "[Receiver]")
 {
   auto returns = MakeReturns({ { 10.0, 1e-7 }, { 10.0 + 1.999 * SigmaRange, 1e-7 } });
   const auto echoes = Find(returns);
@@ -140,7 +140,7 @@ TEST_CASE("Receiver: separation limit of unequal echoes", "[Receiver]")
   }
 }
 
-TEST_CASE("Receiver: surfaces far apart are echoes of their own", "[Receiver]")
+TEST_CASE("Receiver: distant surfaces are separate echoes", "[Receiver]")
 {
   auto returns = MakeReturns({ { 900.0, 1e-9 }, { 5.0, 1e-6 }, { 5.001, 1e-6 }, { 90.0, 1e-8 } });
   const auto echoes = Find(returns);
@@ -151,7 +151,7 @@ TEST_CASE("Receiver: surfaces far apart are echoes of their own", "[Receiver]")
   CHECK(echoes[2].Amplitude == 1e-9);
 }
 
-TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receiver]")
+TEST_CASE("Receiver: a waveform has the energy and the exact times", "[Receiver]")
 {
   vtkNew<vtkHeliosPeakDetector> detector;
   const double bin = 0.25;
@@ -185,7 +185,7 @@ TEST_CASE("Receiver: a waveform holds the energy and the exact times", "[Receive
   CHECK(cut.GetWaveform().Samples.size() == 10);
 }
 
-TEST_CASE("Receiver: the bins about the maxima tell the same as all of the waveform", "[Receiver]")
+TEST_CASE("Receiver: the bins around maxima give the echoes of the complete waveform", "[Receiver]")
 {
   vtkNew<vtkHeliosPeakDetector> detector;
   std::mt19937 random(7);
@@ -207,7 +207,7 @@ TEST_CASE("Receiver: the bins about the maxima tell the same as all of the wavef
       }
       few.clear();
       all.clear();
-      REQUIRE(receiver.FindEchoesInBins(returns, few));
+      REQUIRE(receiver.FindBinnedMaxima(returns, few));
       receiver.Fill(returns, 0.0, 0);
       receiver.DetectEchoes(returns, all);
       CAPTURE(binSize, pulse, spread);
@@ -225,19 +225,19 @@ TEST_CASE("Receiver: the bins about the maxima tell the same as all of the wavef
   CHECK(found > 15000);
 }
 
-TEST_CASE(
-  "Receiver: a waveform that is cut, or has no single maxima, is searched whole", "[Receiver]")
+TEST_CASE("Receiver: a truncated waveform, or one without single maxima, is searched completely",
+  "[Receiver]")
 {
   vtkNew<vtkHeliosPeakDetector> detector;
   helios::ReceiverSettings settings = MakeSettings(detector, 0.25);
   settings.MaximumCount = 100;
   std::vector<Echo> echoes;
   CHECK_FALSE(
-    Receiver(settings).FindEchoesInBins(MakeReturns({ { 100, 1e-9 }, { 110, 1e-9 } }), echoes));
+    Receiver(settings).FindBinnedMaxima(MakeReturns({ { 100, 1e-9 }, { 110, 1e-9 } }), echoes));
   CHECK_FALSE(
-    Receiver(MakeSettings(detector, 0.25)).FindEchoesInBins(MakeReturns({ { 100, 0.0 } }), echoes));
+    Receiver(MakeSettings(detector, 0.25)).FindBinnedMaxima(MakeReturns({ { 100, 0.0 } }), echoes));
   // Bins so small that floats are constant over some of them.
   CHECK_FALSE(Receiver(MakeSettings(detector, 1e-4))
-                .FindEchoesInBins(MakeReturns({ { 100, 1e-9 } }), echoes));
+                .FindBinnedMaxima(MakeReturns({ { 100, 1e-9 } }), echoes));
   CHECK(echoes.empty());
 }

@@ -21,7 +21,7 @@ std::vector<std::size_t> Select(const std::vector<Found>& echoes, int selection,
 
 } // namespace
 
-TEST_CASE("ReturnSelection: selection first, then the maximum", "[ReturnSelection]")
+TEST_CASE("ReturnSelection: selection, then MaximumNumberOfReturns", "[ReturnSelection]")
 {
   using Instrument = vtkHeliosInstrument;
   using Kept = std::vector<std::size_t>;
@@ -42,7 +42,7 @@ TEST_CASE("ReturnSelection: selection first, then the maximum", "[ReturnSelectio
   CHECK(Select(std::vector<Found>(300, Found{ 1 }), Instrument::ALL).size() == 255);
 }
 
-TEST_CASE("ReturnSelection: a range is half the way of the light", "[ReturnSelection]")
+TEST_CASE("ReturnSelection: the range is half the light path", "[ReturnSelection]")
 {
   CHECK(helios::GetRange(600.0, 67.128190396) == Approx(100.0).epsilon(1e-10));
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosConstants.h"
 #include "vtkHeliosScanner.h"
 
 #include "heliosRadiometry.h"
@@ -52,10 +53,10 @@ TEST_CASE("Scanner: a perpendicular wall", "[Scanner]")
   CHECK(Value(echoes, names::WaveformIds, 0) == -1);
   CHECK(Value(echoes, names::PulseIds, 999) == 999);
   CHECK(Value(echoes, names::GpsTime, 999) == 999 / 100000.0);
-  CHECK(bench.Scanner->GetNumberOfPulsesFired() == 1000);
+  CHECK(bench.Scanner->GetCount("pulsesFired") == 1000);
 }
 
-TEST_CASE("Scanner: energy does not depend on the number of sub-rays", "[Scanner]")
+TEST_CASE("Scanner: energy is independent of the number of sub-rays", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -71,7 +72,7 @@ TEST_CASE("Scanner: energy does not depend on the number of sub-rays", "[Scanner
   CHECK(Value(echoes, names::Range, 0) == 100.0);
 }
 
-TEST_CASE("Scanner: an inclined plane gives the range of the axis and a wider echo", "[Scanner]")
+TEST_CASE("Scanner: an inclined plane gives the range on the axis and a wider echo", "[Scanner]")
 {
   const double angle = 75 * 0.017453292519943295;
   const Vec3 slope(0, std::sin(angle), std::cos(angle));
@@ -117,30 +118,30 @@ TEST_CASE("Scanner: an edge in the beam gives two echoes", "[Scanner]")
   CHECK(Value(echoes, names::Range, 0) == Approx(50).epsilon(0).margin(1e-5));
 }
 
-TEST_CASE("Scanner: what lies outside the measured ranges blocks and is silent", "[Scanner]")
+TEST_CASE("Scanner: hits outside the range gate block the sub-ray and return nothing", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(2), Wall(60) });
   Bench bench(scene);
   bench.Scanner->SetRangeMin(5);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
-  CHECK(bench.Scanner->GetNumberOfHitsOutOfRange() == 19000);
+  CHECK(bench.Scanner->GetCount("hitsOutOfRange") == 19000);
   bench.Scanner->SetRangeMin(1);
   CHECK(bench.Run()->GetNumberOfPoints() == 1000);
   bench.Scanner->SetRangeMax(1.5);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("Scanner: the threshold, and how much was missing", "[Scanner]")
+TEST_CASE("Scanner: the threshold, and the strongest signal below it", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
   bench.Scanner->GetEchoDetector()->SetDetectionThreshold(1);
   CHECK(bench.Run()->GetNumberOfPoints() == 0);
-  CHECK(bench.Scanner->GetNumberOfPulsesHit() == 1000);
+  CHECK(bench.Scanner->GetCount("pulsesHit") == 1000);
   CHECK(bench.Scanner->GetLargestAmplitude() == Approx(4 * 2.494996110359e-07 * 1.1).epsilon(1e-4));
 }
 
-TEST_CASE("Scanner: range noise is normal, and a truth stays without", "[Scanner]")
+TEST_CASE("Scanner: range noise is normal, and the truth is without it", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -162,7 +163,7 @@ TEST_CASE("Scanner: range noise is normal, and a truth stays without", "[Scanner
   CHECK(std::abs(sum2 / n - 1) < 5 * std::sqrt(2.0 / n));
 }
 
-TEST_CASE("Scanner: same bytes for any number of threads and pieces", "[Scanner]")
+TEST_CASE("Scanner: byte-identical for any number of threads and pieces", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
   Bench bench(scene);
@@ -205,7 +206,7 @@ TEST_CASE("Scanner: same bytes for any number of threads and pieces", "[Scanner]
   }
 }
 
-TEST_CASE("Scanner: every backend gives the same bytes", "[Scanner]")
+TEST_CASE("Scanner: byte-identical for every ray caster", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
   Bench bench(scene);
@@ -215,7 +216,7 @@ TEST_CASE("Scanner: every backend gives the same bytes", "[Scanner]")
   CHECK(Bytes(bench.Run()) == byDefault);
 }
 
-TEST_CASE("Scanner: time windows share the pulses without loss", "[Scanner]")
+TEST_CASE("Scanner: time windows contain every pulse once", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -234,7 +235,7 @@ TEST_CASE("Scanner: time windows share the pulses without loss", "[Scanner]")
   CHECK(next == 1000);
 }
 
-TEST_CASE("Scanner: windows of pulses share them, too, and cut time windows", "[Scanner]")
+TEST_CASE("Scanner: pulse windows contain every pulse once, also with time windows", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -261,7 +262,8 @@ TEST_CASE("Scanner: windows of pulses share them, too, and cut time windows", "[
   }
 }
 
-TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attitude", "[Scanner]")
+TEST_CASE(
+  "Scanner: mount and head rotate the beam, lever arms rotate with the attitude", "[Scanner]")
 {
   // Platform at (10, 20, 5) facing west; mount 1 m to its right and 2 m up, tilted up by 90
   // degrees.
@@ -287,7 +289,7 @@ TEST_CASE("Scanner: mount and head turn the beam, lever arms turn with the attit
   CHECK(Value(pulses, names::Hit, 0) == 1);
 }
 
-TEST_CASE("Scanner: the head turns at its speed and ends the scan", "[Scanner]")
+TEST_CASE("Scanner: the head rotates at its speed and ends the scan", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(10, 100) });
   Bench bench(scene);
@@ -329,7 +331,7 @@ TEST_CASE("Scanner: on a moving platform every pulse has its own origin and time
   }
 }
 
-TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]")
+TEST_CASE("Scanner: waveforms, sub-rays and pulses only on request", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(30) });
   Bench bench(scene);
@@ -359,7 +361,8 @@ TEST_CASE("Scanner: waveforms, sub-rays and pulses on request only", "[Scanner]"
   CHECK(time == Approx(2 * 30 / 0.299792458).epsilon(0).margin(0.126));
 }
 
-TEST_CASE("Scanner: the records of many batches come in order, and as from windows", "[Scanner]")
+TEST_CASE(
+  "Scanner: records of several batches are in order, and equal those of windows", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(60), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
   Bench bench(scene);
@@ -413,7 +416,7 @@ TEST_CASE("Scanner: the records of many batches come in order, and as from windo
   CHECK(Value(echoes, names::Range, echoes->GetNumberOfPoints() - 1) == last);
 }
 
-TEST_CASE("Scanner: a UTM shift moves the cloud and nothing else", "[Scanner]")
+TEST_CASE("Scanner: a UTM offset moves the cloud and changes nothing else", "[Scanner]")
 {
   const Vec3 shift(500000, 5500000, 300);
   const Rectangle wall = Wall(100);
@@ -432,7 +435,7 @@ TEST_CASE("Scanner: a UTM shift moves the cloud and nothing else", "[Scanner]")
   }
 }
 
-TEST_CASE("Scanner: only what changed runs again", "[Scanner]")
+TEST_CASE("Scanner: only changed parts execute again", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -477,7 +480,7 @@ TEST_CASE("Scanner: channels of a spinning head have their own ids and times", "
   }
 }
 
-TEST_CASE("Scanner: batches grow while they are quick and small", "[Scanner]")
+TEST_CASE("Scanner: batches grow while they are fast and small", "[Scanner]")
 {
   helios::BatchSize batch(2);
   CHECK(batch.GetChunks() == 2); // the first measures the cost of pulses

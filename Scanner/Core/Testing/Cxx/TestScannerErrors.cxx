@@ -3,6 +3,7 @@
 #include "heliosScannerBench.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosRayCaster.h"
+#include "vtkHeliosRayCasterFactory.h"
 #include "vtkHeliosRotatingMirror.h"
 
 #include <vtkCallbackCommand.h>
@@ -61,7 +62,7 @@ private:
 
 } // namespace
 
-TEST_CASE("Scanner: terms of errors that are not finite end a run, counted", "[Scanner]")
+TEST_CASE("Scanner: error terms that are not finite end a run and are counted", "[Scanner]")
 {
   // A window of 100 deg before a wall at 50 m: 1000 pulses of one ray, each a hit.
   Bench bench(MakeScene({ Wall(50, 1000) }));
@@ -94,7 +95,7 @@ TEST_CASE("Scanner: terms of errors that are not finite end a run, counted", "[S
     };
     const auto count = std::count_if(angles.begin(), angles.end(), isFaulty);
     const auto first = std::find_if(angles.begin(), angles.end(), isFaulty) - angles.begin();
-    const auto fired = bench.Scanner->GetNumberOfPulsesFired();
+    const auto fired = bench.Scanner->GetCount("pulsesFired");
     const std::string said = std::string(names[term]) +
       " of FaultyErrors is not finite, or beyond 1e9, for " + std::to_string(count) + " of ";
     const std::string place = " pulses, the first of them pulse " + std::to_string(first) + " at ";
@@ -121,7 +122,7 @@ TEST_CASE("Scanner: terms of errors that are not finite end a run, counted", "[S
   CHECK(bench.Log->Errors.empty());
 }
 
-TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
+TEST_CASE("Scanner: bad input is an error", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -142,7 +143,7 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     bench.Scanner->SetRayCaster(nullptr);
     expect("RayCaster, BeamSampler or EchoDetector is not set");
   }
-  SECTION("ranges the wrong way round")
+  SECTION("minimum above maximum")
   {
     bench.Scanner->SetRangeMin(10);
     bench.Scanner->SetRangeMax(5);
@@ -153,7 +154,7 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     bench.Scanner->SetHeadRotateAxis(0, 0, 0);
     expect("HeadRotateAxis has no direction");
   }
-  SECTION("a scan that never ends")
+  SECTION("a scan without end")
   {
     bench.Scanner->SetDuration(-1);
     expect("the scan never ends");
@@ -196,7 +197,7 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
     bench.Scanner->SetInputData(1, empty);
     expect("the trajectory has no points");
   }
-  SECTION("a trajectory that goes back in time")
+  SECTION("a trajectory with decreasing times")
   {
     vtkNew<vtkPolyData> path;
     path->DeepCopy(MakeWaypoints({ { 0, 0, 0 }, { 1, 0, 0 } }));
@@ -210,7 +211,8 @@ TEST_CASE("Scanner: what is wrong is said", "[Scanner]")
   }
 }
 
-TEST_CASE("Scanner: aborted it says so and gives nothing, then all again", "[Scanner]")
+TEST_CASE(
+  "Scanner: an abort is reported without output, and the next update is complete", "[Scanner]")
 {
   Bench bench(MakeScene({ Wall(50, 1000) }));
   bench.Scanner->SetDuration(1.0); // several batches of pulses
@@ -289,14 +291,14 @@ vtkSmartPointer<vtkPolyData> MakeWave(int squares)
 
 } // namespace
 
-TEST_CASE("Scanner: stops at any time while the scene is made ready", "[Scanner]")
+TEST_CASE("Scanner: can be aborted while the scene is prepared", "[Scanner]")
 {
-  for (int i = 0; i < vtkHeliosRayCaster::GetNumberOfBackends(); ++i)
+  for (int i = 0; i < vtkHeliosRayCasterFactory::GetNumberOfBackends(); ++i)
   {
-    const std::string name = vtkHeliosRayCaster::GetBackendName(i);
+    const std::string name = vtkHeliosRayCasterFactory::GetBackendName(i);
     Bench bench(MakeWave(200)); // 80,000 triangles
     const auto caster =
-      vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
+      vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create(name.c_str()));
     bench.Scanner->SetRayCaster(caster);
     bench.Scanner->SetSamplingToTolerance();
     EventsBeforePulses events;

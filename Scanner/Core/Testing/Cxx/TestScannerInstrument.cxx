@@ -35,7 +35,7 @@ void WriteText(const std::string& name, const std::string& text)
 } // namespace
 
 TEST_CASE(
-  "Instrument: values out of range are refused with name, value, range and cure", "[Instrument]")
+  "Instrument: values out of range are refused with name, value, range and remedy", "[Instrument]")
 {
   struct Row
   {
@@ -72,7 +72,7 @@ TEST_CASE(
     { [](auto* s) { s->SetPulseShapeToSampled(); }, "PulseFileName is not set" },
     { [](auto* s) { s->SetPulseWindow(7, 5); }, "PulseWindow is [7, 5); give two indices" },
     { [](auto* s) { s->SetRangeTolerance(0); }, "RangeTolerance is 0 m and EnergyTolerance 0.01" },
-    { [](auto* s) { s->SetEnergyTolerance(2); }, "give them within [1e-6, 1] m and [1e-4, 1]" },
+    { [](auto* s) { s->SetEnergyTolerance(2); }, "give them within [1e-06, 1] m and [0.0001, 1]" },
     { [](auto* s) { s->GetBeamSampler()->SetBeamDivergence(NaN); }, "BeamDivergence" },
   };
   const auto scene = MakeScene({ Wall(100) });
@@ -87,8 +87,43 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-  "Instrument: files of pulses that are wrong are refused with file and line", "[Instrument]")
+TEST_CASE("Instrument: a pulse from a file", "[Instrument]")
+{
+  // A triangle that rises for 1 ns and falls for 3 ns.
+  WriteText("triangle.txt", "# time power\n10 0\n11 5  # peak\n\n14 0\n");
+  Bench bench(MakeScene({ Wall(100) }));
+  bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
+  bench.Scanner->SetPulseShapeToSampled();
+  bench.Scanner->SetPulseFileName("triangle.txt");
+  bench.Scanner->GenerateWaveformsOn();
+  REQUIRE(bench.Run()->GetNumberOfPoints() > 0);
+  std::remove("triangle.txt");
+  auto* table = vtkTable::SafeDownCast(bench.Scanner->GetOutputDataObject(1));
+  vtkDataArray* samples = table->GetFieldData()->GetArray(names::Samples);
+  std::vector<double> fall; // the samples of the first pulse after its peak, in bins of 0.25 ns
+  double largest = 0.0;
+  for (int i = 0; i < table->GetValueByName(0, names::Count).ToInt(); ++i)
+  {
+    const double sample = samples->GetTuple1(i);
+    if (sample >= largest)
+    {
+      largest = sample;
+      fall.clear();
+    }
+    else if (sample > 0.0)
+    {
+      fall.push_back(sample);
+    }
+  }
+  REQUIRE(fall.size() >= 11);
+  for (std::size_t i = 2; i < 11; ++i)
+  {
+    CHECK(fall[i - 1] - fall[i] == Approx(fall[0] - fall[1]).epsilon(1e-4));
+  }
+  CHECK(fall[0] - fall[1] == Approx(largest / 12.0).epsilon(0.1));
+}
+
+TEST_CASE("Instrument: bad pulse files are refused with file and line", "[Instrument]")
 {
   const auto scene = MakeScene({ Wall(100) });
   const auto expect = [&scene](const char* text, const char* message)
@@ -118,7 +153,7 @@ TEST_CASE(
   CHECK(bench.Log->HasError("is-not-there.txt"));
 }
 
-TEST_CASE("Instrument: materials that no surface has are refused", "[Instrument]")
+TEST_CASE("Instrument: impossible materials are refused", "[Instrument]")
 {
   const auto scene = MakeScene({ Wall(100) });
   const auto addColumn = [&scene](const char* name, double value)
@@ -145,7 +180,7 @@ TEST_CASE("Instrument: materials that no surface has are refused", "[Instrument]
 }
 
 TEST_CASE(
-  "Instrument: a threshold that lets nothing through is said, with what there was", "[Instrument]")
+  "Instrument: a threshold above all signals is reported with the strongest", "[Instrument]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench bench(scene);
@@ -156,7 +191,7 @@ TEST_CASE(
   CHECK(bench.Log->HasWarning("below DetectionThreshold (1 W)"));
 }
 
-TEST_CASE("Instrument: a window that is too short cuts, and says how often", "[Instrument]")
+TEST_CASE("Instrument: a short waveform is truncated and counted", "[Instrument]")
 {
   const auto scene = MakeScene({ Wall(130), { { -50, 50, 0.0001 }, { 100, 0, 0 }, { 0, 0, 50 } } });
   Bench bench(scene);
@@ -173,7 +208,7 @@ TEST_CASE("Instrument: a window that is too short cuts, and says how often", "[I
   CHECK(bench.Run()->GetNumberOfPoints() == 1000);
 }
 
-TEST_CASE("Instrument: which returns are kept", "[Instrument]")
+TEST_CASE("Instrument: return selection", "[Instrument]")
 {
   // Three steps in the beam; most of it hits the middle one.
   const auto scene = MakeScene({ { { -50, 50, 0.008 }, { 100, 0, 0 }, { 0, 0, 50 } },

@@ -56,7 +56,7 @@ public:
 
 } // namespace
 
-TEST_CASE("Noise: constant, with the range and with the amplitude", "[Noise]")
+TEST_CASE("Noise: constant, range-dependent and amplitude-dependent", "[Noise]")
 {
   // 20000 draws: the standard error of the standard deviation is 1 / sqrt(2 n) = 0.5 %; 4 of these.
   NoiseBench bench(40);
@@ -70,7 +70,7 @@ TEST_CASE("Noise: constant, with the range and with the amplitude", "[Noise]")
   CHECK(Deviation(bench.Run(), names::Range, 40) == Approx(0.013).epsilon(0.02));
 }
 
-TEST_CASE("Noise: of the angles moves the pulse, not where its point is put", "[Noise]")
+TEST_CASE("Noise: angle noise moves the pulse, not the computed point", "[Noise]")
 {
   // A wall at 45 degrees: a tilt e about one axis changes the range by 40 e.
   Bench bench(MakeScene({ { { -50, -10, -50 }, { 100, 0, 0 }, { 0, 100, 100 } } }));
@@ -97,7 +97,7 @@ TEST_CASE("Noise: of the angles moves the pulse, not where its point is put", "[
   }
 }
 
-TEST_CASE("Noise: the truth costs nothing where nobody asks", "[Noise]")
+TEST_CASE("Noise: true points do not change the echoes", "[Noise]")
 {
   NoiseBench bench(40);
   CHECK_FALSE(bench.Run()->GetPointData()->HasArray(names::TruePoint));
@@ -109,7 +109,7 @@ TEST_CASE("Noise: the truth costs nothing where nobody asks", "[Noise]")
   CHECK(echoes->GetPoint(7)[1] != 40.0);
 }
 
-TEST_CASE("Noise: written errors turn the beam and stretch the range", "[Noise]")
+TEST_CASE("Noise: error expressions rotate the beam and change the range", "[Noise]")
 {
   // Pulse 0 of the mirror is along y: theta is 0.
   Bench bench(MakeScene({ Wall(50) }));
@@ -137,7 +137,7 @@ TEST_CASE("Noise: written errors turn the beam and stretch the range", "[Noise]"
   CHECK(Deviation(bench.Run(), names::Range, range + 0.01) == Approx(0.01).epsilon(0.02));
 }
 
-TEST_CASE("Noise: of the detector has the deviation asked for, and its own draw a bin", "[Noise]")
+TEST_CASE("Noise: detector noise has its standard deviation, independent for each bin", "[Noise]")
 {
   Bench bench(MakeScene({ Wall(100) }));
   bench.Scanner->SetDuration(2e-3);

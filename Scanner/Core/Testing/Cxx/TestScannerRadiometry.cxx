@@ -108,7 +108,8 @@ TEST_CASE("Scanner: extinction given directly", "[ScannerRadiometry]")
   CHECK(bench.GetAmplitude() / clear == Approx(0.865661940).epsilon(1e-8));
 }
 
-TEST_CASE("Scanner: a Phong surface has its lobe about the way back, and none at grazing angles",
+TEST_CASE(
+  "Scanner: a Phong surface has its lobe towards the scanner, and none at grazing incidence",
   "[ScannerRadiometry]")
 {
   struct Row
@@ -130,7 +131,7 @@ TEST_CASE("Scanner: a Phong surface has its lobe about the way back, and none at
   }
 }
 
-TEST_CASE("Radiometry: a lobe returns no more than it gets", "[ScannerRadiometry]")
+TEST_CASE("Radiometry: a lobe returns no more than it receives", "[ScannerRadiometry]")
 {
   // At normal incidence the hemisphere receives rho: 2 pi int cos^n sin = 2 pi / (n + 2), by its
   // formula.
@@ -149,7 +150,7 @@ TEST_CASE("Radiometry: a lobe returns no more than it gets", "[ScannerRadiometry
   }
 }
 
-TEST_CASE("Scanner: amplitudes of plane, wire and disc fall with 2, 3 and 4 powers of the range",
+TEST_CASE("Scanner: amplitudes of plane, wire and disc fall with range to the power 2, 3 and 4",
   "[ScannerRadiometry]")
 {
   // A disc as a 48-gon of the same area, a wire across the beam, a wall; w = 0.5 mrad.
@@ -232,7 +233,7 @@ TEST_CASE("Scanner: a thin wire and a small disc in the far field", "[ScannerRad
   }
 }
 
-TEST_CASE("Scanner: sunlight lifts the waveform", "[ScannerRadiometry]")
+TEST_CASE("Scanner: sunlight adds an offset to the waveform", "[ScannerRadiometry]")
 {
   OnePulse bench(MakeTilted(100, 0));
   bench.Scanner->GenerateWaveformsOn();
@@ -248,8 +249,7 @@ TEST_CASE("Scanner: sunlight lifts the waveform", "[ScannerRadiometry]")
   CHECK(first == Approx(sun + equation(100, 0.5, 1) * std::exp(-12.5)).epsilon(1e-5));
 }
 
-TEST_CASE(
-  "Scanner: two surfaces are two echoes from the limit of separation on", "[ScannerRadiometry]")
+TEST_CASE("Scanner: two surfaces are two echoes above the separation limit", "[ScannerRadiometry]")
 {
   // Half of the beam each: 0.509241 m at 4 ns; at 1 % less it is one echo, with either sampling.
   for (const bool isFixed : { true, false })

@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPolyData> MakeRecord()
 
 } // namespace
 
-TEST_CASE("Scanner: pulses leave from between the samples of a record", "[Scanner]")
+TEST_CASE("Scanner: pulses between the samples of a recorded trajectory", "[Scanner]")
 {
   Bench bench(MakeScene({ Wall(500, 5000) }));
   vtkNew<StraightAhead> deflector;
@@ -72,7 +72,7 @@ TEST_CASE("Scanner: pulses leave from between the samples of a record", "[Scanne
   }
 }
 
-TEST_CASE("Scanner: a flight is the same at 10 kHz and at 1 MHz", "[Scanner]")
+TEST_CASE("Scanner: a flight is identical at 10 kHz and at 1 MHz", "[Scanner]")
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -29,7 +29,7 @@ TEST_CASE("Scanner: materials give reflectance and class", "[Scanner]")
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(4 * equation(100, 0.25, 1)).epsilon(1e-6));
 }
 
-TEST_CASE("Scanner: incidence is measured from the scene's normals where it has them", "[Scanner]")
+TEST_CASE("Scanner: incidence uses the normals of the scene if present", "[Scanner]")
 {
   const auto scene = MakeScene({ Wall(100) });
   Bench plain(scene);

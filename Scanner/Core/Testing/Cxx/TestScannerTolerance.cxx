@@ -135,7 +135,7 @@ void CheckSteepPlane(double q, bool isLeaf, double tolerance)
   truth.Scanner->SetDuration(1e-4);
   vtkPolyData* echoes = bench.Run();
   vtkPolyData* right = truth.Run();
-  CAPTURE(q, isLeaf, tolerance, bench.Scanner->GetNumberOfSubRays());
+  CAPTURE(q, isLeaf, tolerance, bench.Scanner->GetCount("subRays"));
   REQUIRE(right->GetNumberOfPoints() == (isLeaf ? 20 : 10));
   REQUIRE(echoes->GetNumberOfPoints() == right->GetNumberOfPoints());
   const vtkIdType last = isLeaf ? 1 : 0;
@@ -148,7 +148,7 @@ void CheckSteepPlane(double q, bool isLeaf, double tolerance)
 
 } // namespace
 
-TEST_CASE("Tolerance: range and amplitude are within what was asked", "[Tolerance]")
+TEST_CASE("Tolerance: range and amplitude are within the tolerances", "[Tolerance]")
 {
   const auto scene = MakeSteps();
   Sweep reference(scene);
@@ -165,17 +165,17 @@ TEST_CASE("Tolerance: range and amplitude are within what was asked", "[Toleranc
     sweep.Scanner->SetEnergyTolerance(1e-2 * factor);
     const Comparison c = Compare(sweep.Run(), truth);
     CAPTURE(factor, c.Matched, c.Missed, c.Extra, c.RangeRms, c.AmplitudeRms,
-      sweep.Scanner->GetNumberOfSubRays());
+      sweep.Scanner->GetCount("subRays"));
     CHECK(c.RangeRms < 1e-3 * factor);
     CHECK(c.AmplitudeRms < 1e-2 * factor);
     CHECK(c.Missed + c.Extra <= truth->GetNumberOfPoints() / 100);
-    CHECK(sweep.Scanner->GetNumberOfPulsesOnPlane() +
-        sweep.Scanner->GetNumberOfPulsesWithoutBins() + sweep.Scanner->GetNumberOfPulsesBinned() ==
-      sweep.Scanner->GetNumberOfPulsesHit());
+    CHECK(sweep.Scanner->GetCount("pulsesOnPlane") + sweep.Scanner->GetCount("pulsesWithoutBins") +
+        sweep.Scanner->GetCount("pulsesBinned") ==
+      sweep.Scanner->GetCount("pulsesHit"));
   }
 }
 
-TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
+TEST_CASE("Tolerance: a wall needs no sub-rays, an edge does", "[Tolerance]")
 {
   Bench bench(MakeScene({ Wall(100) }));
   bench.Scanner->SetSamplingToTolerance();
@@ -183,8 +183,8 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   bench.Tripod->SetHeading(3);
   vtkPolyData* echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
-  CHECK(bench.Scanner->GetNumberOfPulsesOnPlane() == 1000);
-  CHECK(bench.Scanner->GetNumberOfSubRays() == 0);
+  CHECK(bench.Scanner->GetCount("pulsesOnPlane") == 1000);
+  CHECK(bench.Scanner->GetCount("subRays") == 0);
   CHECK(Value(echoes, names::Range, 0) ==
     Approx(100 / std::cos(3 * 0.017453292519943295)).epsilon(1e-6));
 
@@ -192,16 +192,16 @@ TEST_CASE("Tolerance: a wall costs no sub-ray, an edge does", "[Tolerance]")
   edge.Scanner->SetSamplingToTolerance();
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
   CHECK(
-    edge.Scanner->GetNumberOfPulsesBinned() + edge.Scanner->GetNumberOfPulsesWithoutBins() == 1000);
-  CHECK(edge.Scanner->GetNumberOfSubRays() == (21 + 336) * 1000);
+    edge.Scanner->GetCount("pulsesBinned") + edge.Scanner->GetCount("pulsesWithoutBins") == 1000);
+  CHECK(edge.Scanner->GetCount("subRays") == (21 + 336) * 1000);
   // So few that no probe is needed.
   edge.Scanner->SetRangeTolerance(1e-2);
   edge.Scanner->SetEnergyTolerance(0.1);
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
-  CHECK(edge.Scanner->GetNumberOfSubRays() == 16 * 1000);
+  CHECK(edge.Scanner->GetCount("subRays") == 16 * 1000);
 }
 
-TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance]")
+TEST_CASE("Tolerance: probe rays have the moments of the beam", "[Tolerance]")
 {
   // Two planes, 5 mm apart: neither a planar footprint nor an edge.
   Bench bench(MakeScene({ { { -50, 60, -50 }, { 50, 0, 0 }, { 0, 0, 100 } },
@@ -215,7 +215,7 @@ TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance
     CAPTURE(k);
     sampler->SetTruncation(k);
     bench.Run();
-    REQUIRE(bench.Scanner->GetNumberOfPulsesFired() == 1);
+    REQUIRE(bench.Scanner->GetCount("pulsesFired") == 1);
     vtkPolyData* hits = bench.Scanner->GetOutput(3);
     REQUIRE(hits->GetNumberOfPoints() == 21);
     double sum = 0.0, mean = 0.0, meanSquare = 0.0;
@@ -238,7 +238,7 @@ TEST_CASE("Tolerance: those that look have the moments of the beam", "[Tolerance
   }
 }
 
-TEST_CASE("Tolerance: one triangle has an edge where the range ends", "[Tolerance]")
+TEST_CASE("Tolerance: the range gate is an edge on one triangle", "[Tolerance]")
 {
   // Steep, off the diagonal; the axis hits it at 60 m.
   Bench bench(MakeScene({ { { -20, 40, -50 }, { 40, 40, 0 }, { 0, 0, 90 } } }));
@@ -254,12 +254,12 @@ TEST_CASE("Tolerance: one triangle has an edge where the range ends", "[Toleranc
   bench.Scanner->SetSamplingToTolerance();
   echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
-  CHECK(bench.Scanner->GetNumberOfSubRays() == (21 + 336) * 1000);
+  CHECK(bench.Scanner->GetCount("subRays") == (21 + 336) * 1000);
   CHECK(Value(echoes, names::Range, 0) == Approx(range).epsilon(0).margin(1e-3));
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(amplitude).epsilon(1e-2));
 }
 
-TEST_CASE("Tolerance: a plane has one echo, however steep it is", "[Tolerance]")
+TEST_CASE("Tolerance: a plane has one echo at any incidence", "[Tolerance]")
 {
   for (const double q : { 0.5, 2.0, 4.0, 6.0, 8.0, 10.0, 14.0 })
   {
@@ -271,7 +271,7 @@ TEST_CASE("Tolerance: a plane has one echo, however steep it is", "[Tolerance]")
   }
 }
 
-TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tolerance]")
+TEST_CASE("Tolerance: the method does not depend on the requested outputs", "[Tolerance]")
 {
   const auto scene = MakeSteps();
   Sweep sweep(scene);
@@ -290,18 +290,18 @@ TEST_CASE("Tolerance: the path does not depend on the outputs asked for", "[Tole
   }
   // Every pulse with an echo has a waveform, and its sub-rays' weights are at most 1.
   auto* table = vtkTable::SafeDownCast(sweep.Scanner->GetOutputDataObject(1));
-  CHECK(table->GetNumberOfRows() == sweep.Scanner->GetNumberOfPulsesHit());
+  CHECK(table->GetNumberOfRows() == sweep.Scanner->GetCount("pulsesHit"));
   vtkPolyData* hits = sweep.Scanner->GetOutput(3);
   double sum = 0;
   for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
   {
     sum += Value(hits, names::Weight, i);
   }
-  CHECK(sum <= sweep.Scanner->GetNumberOfPulsesHit() * (1 + 1e-12));
-  CHECK(sum > 0.9 * sweep.Scanner->GetNumberOfPulsesHit());
+  CHECK(sum <= sweep.Scanner->GetCount("pulsesHit") * (1 + 1e-12));
+  CHECK(sum > 0.9 * sweep.Scanner->GetCount("pulsesHit"));
 }
 
-TEST_CASE("Fixed: the echoes do not depend on the outputs asked for", "[Tolerance]")
+TEST_CASE("Fixed: the echoes do not depend on the requested outputs", "[Tolerance]")
 {
   Sweep sweep(MakeSteps());
   sweep.Scanner->GetBeamSampler()->SetNumberOfRings(3);
@@ -319,7 +319,8 @@ TEST_CASE("Fixed: the echoes do not depend on the outputs asked for", "[Toleranc
   CHECK(isSame);
 }
 
-TEST_CASE("Tolerance: same bytes for any number of threads, pieces, and caster", "[Tolerance]")
+TEST_CASE(
+  "Tolerance: byte-identical for any number of threads, pieces, and ray caster", "[Tolerance]")
 {
   const auto scene = MakeSteps();
   Sweep sweep(scene);
@@ -345,7 +346,7 @@ TEST_CASE("Tolerance: same bytes for any number of threads, pieces, and caster",
   CHECK(points == all);
 }
 
-TEST_CASE("Tolerance: a beam with a waist has its footprint near by", "[Tolerance]")
+TEST_CASE("Tolerance: a beam with a waist has the correct footprint at short range", "[Tolerance]")
 {
   // 1550 nm, w = 0.15 mrad: w(10 m) = 3.6 mm, not 1.5 mm. An edge is 2 mm off the axis.
   const auto scene = MakeScene({ { { -5, 10, 0.002 }, { 10, 0, 0 }, { 0, 0, 5 } }, Wall(20) });
@@ -367,7 +368,7 @@ TEST_CASE("Tolerance: a beam with a waist has its footprint near by", "[Toleranc
     Approx(0.5 * std::erfc(std::sqrt(2.0) * 0.002 / 0.003615087)).margin(2e-3));
 }
 
-TEST_CASE("Tolerance: what was derived is said", "[Tolerance]")
+TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance]")
 {
   Bench bench(MakeScene({ Wall(100) }));
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 19 sub-rays per pulse");

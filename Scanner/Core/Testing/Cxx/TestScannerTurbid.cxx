@@ -85,7 +85,7 @@ Moments MeasureBelow(vtkPolyData* echoes, const char* name, double limit)
 
 } // namespace
 
-TEST_CASE("Scanner: what passes a turbid slab is exp(-k L)", "[ScannerTurbid]")
+TEST_CASE("Scanner: the transmission of a turbid slab is exp(-k L)", "[ScannerTurbid]")
 {
   const double k = 0.5 * 1.2; // G PAD
   const double depth = 2.0;
@@ -106,7 +106,7 @@ TEST_CASE("Scanner: what passes a turbid slab is exp(-k L)", "[ScannerTurbid]")
 }
 
 TEST_CASE(
-  "Scanner: the first leaf of a deep medium is at 1/k with variance 1/k^2", "[ScannerTurbid]")
+  "Scanner: first-leaf depths of a deep medium have mean 1/k and variance 1/k^2", "[ScannerTurbid]")
 {
   const double k = 0.5 * 3.0;
   TurbidBench bench(MakeScene({ Wall(40.0) }), MakeSlab(10.0, 20.0, 3.0));
@@ -116,7 +116,7 @@ TEST_CASE(
   CHECK(leaves.Variance == Approx(1.0 / (k * k)).epsilon(0.03));
 }
 
-TEST_CASE("Scanner: leaves between the scanner and a wall, from within", "[ScannerTurbid]")
+TEST_CASE("Scanner: leaves in front of a wall, also around the scanner", "[ScannerTurbid]")
 {
   // The wall and the scanner are in the slab: 3 m of leaves are left.
   const double k = 0.5 * 0.8;
@@ -127,7 +127,7 @@ TEST_CASE("Scanner: leaves between the scanner and a wall, from within", "[Scann
     4.0 * std::sqrt(Pulses * stopped * (1.0 - stopped)));
 }
 
-TEST_CASE("Scanner: grids that overlap add up", "[ScannerTurbid]")
+TEST_CASE("Scanner: overlapping grids add up", "[ScannerTurbid]")
 {
   TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 0.5));
   bench.Scanner->AddInputDataObject(2, MakeSlab(10.0, 2.0, 0.7));
@@ -137,7 +137,7 @@ TEST_CASE("Scanner: grids that overlap add up", "[ScannerTurbid]")
     4.0 * std::sqrt(Pulses * stopped * (1.0 - stopped)));
 }
 
-TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[ScannerTurbid]")
+TEST_CASE("Scanner: a leaf returns the signal of a plane of its material", "[ScannerTurbid]")
 {
   // So dense that every sub-ray stops at once: same echo as from a wall there.
   Bench wall(MakeScene({ Wall(10.0) }));
@@ -157,11 +157,11 @@ TEST_CASE("Scanner: a leaf returns what a plane of its material does", "[Scanner
       CHECK(Value(dense.Scanner->GetOutput(), name, 0) == Approx(truth).epsilon(2e-5));
     }
     CHECK(Value(dense.Scanner->GetOutput(), names::IncidenceAngle, 0) == 0.0);
-    CHECK(dense.Scanner->GetNumberOfPulsesOnPlane() == 0);
+    CHECK(dense.Scanner->GetCount("pulsesOnPlane") == 0);
   }
 }
 
-TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[ScannerTurbid]")
+TEST_CASE("Scanner: adaptive beams beside leaves detect them", "[ScannerTurbid]")
 {
   // The head rotates from leaves to two walls alone, with an edge in all beams.
   const Rectangle upper{ { -50, 20, 1e-5 }, { 100, 0, 0 }, { 0, 0, 50 } };
@@ -194,7 +194,7 @@ TEST_CASE("Scanner: by tolerance, beams beside leaves meet what is there", "[Sca
   CHECK(beside > 160);
 }
 
-TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[ScannerTurbid]")
+TEST_CASE("Scanner: the mean waveform of a turbid slab conserves energy", "[ScannerTurbid]")
 {
   // Leaves and wall have the same reflectance, so the sum of power R^2 is that of the wall alone.
   TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 1000);
@@ -230,7 +230,7 @@ TEST_CASE("Scanner: the mean waveform of a turbid slab keeps the energy", "[Scan
   CHECK(std::abs(leaves - 1000.0 * stopped) < 4.0 * std::sqrt(squares * stopped * (1.0 - stopped)));
 }
 
-TEST_CASE("Scanner: turbid voxels do not depend on threads or pieces", "[ScannerTurbid]")
+TEST_CASE("Scanner: turbid voxels are independent of threads and pieces", "[ScannerTurbid]")
 {
   TurbidBench bench(MakeScene({ Wall(20.0) }), MakeSlab(10.0, 2.0, 1.2), 5000);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(3e-4);
@@ -265,7 +265,7 @@ TEST_CASE("Scanner: turbid voxels do not depend on threads or pieces", "[Scanner
   CHECK(Bytes(bench.Run()) != whole);
 }
 
-TEST_CASE("Scanner: beams beside turbid voxels go as without", "[ScannerTurbid]")
+TEST_CASE("Scanner: beams beside turbid voxels are unaffected", "[ScannerTurbid]")
 {
   const auto run = [](bool hasVoxels)
   {
@@ -278,7 +278,7 @@ TEST_CASE("Scanner: beams beside turbid voxels go as without", "[ScannerTurbid]"
       bench.Scanner->AddInputDataObject(2, slab);
     }
     std::string bytes = Bytes(bench.Run());
-    CHECK(bench.Scanner->GetNumberOfPulsesOnPlane() == 1000);
+    CHECK(bench.Scanner->GetCount("pulsesOnPlane") == 1000);
     return bytes;
   };
   CHECK(run(true) == run(false));
@@ -328,7 +328,7 @@ TEST_CASE(
   CHECK(all->GetValue(1) == "1");
 }
 
-TEST_CASE("Scanner: voxels without any surface", "[ScannerTurbid]")
+TEST_CASE("Scanner: voxels without triangles", "[ScannerTurbid]")
 {
   vtkNew<vtkPolyData> nothing;
   for (const double divergence : { 0.0, 3e-4 })
@@ -345,7 +345,7 @@ TEST_CASE("Scanner: voxels without any surface", "[ScannerTurbid]")
   }
 }
 
-TEST_CASE("Scanner: voxels that are wrong are errors", "[ScannerTurbid]")
+TEST_CASE("Scanner: bad voxels are errors", "[ScannerTurbid]")
 {
   const auto error = [](vtkImageData* slab)
   {

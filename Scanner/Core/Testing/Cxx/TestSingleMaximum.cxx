@@ -29,7 +29,7 @@ bool Find(SingleMaximum& sum, const Terms& terms, double sigma, SingleMaximum::R
 
 } // namespace
 
-TEST_CASE("SingleMaximum: one Gaussian is where it is", "[SingleMaximum]")
+TEST_CASE("SingleMaximum: the maximum of one Gaussian", "[SingleMaximum]")
 {
   SingleMaximum sum;
   SingleMaximum::Result peak;
@@ -39,8 +39,8 @@ TEST_CASE("SingleMaximum: one Gaussian is where it is", "[SingleMaximum]")
   CHECK(peak.Variance == Approx(0.0).margin(1e-15));
 }
 
-TEST_CASE(
-  "SingleMaximum: two equal ones meet in the middle, up to two sigma apart", "[SingleMaximum]")
+TEST_CASE("SingleMaximum: two equal ones have their maximum in the middle, up to two sigma apart",
+  "[SingleMaximum]")
 {
   SingleMaximum sum;
   SingleMaximum::Result peak;
@@ -53,7 +53,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("SingleMaximum: the slope is zero there, for any number of terms", "[SingleMaximum]")
+TEST_CASE(
+  "SingleMaximum: the slope is zero at the maximum, for any number of terms", "[SingleMaximum]")
 {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> place(-1.0, 1.0), power(0.0, 1.0);
@@ -79,7 +80,7 @@ TEST_CASE("SingleMaximum: the slope is zero there, for any number of terms", "[S
   }
 }
 
-TEST_CASE("SingleMaximum: nothing has none", "[SingleMaximum]")
+TEST_CASE("SingleMaximum: no terms have no maximum", "[SingleMaximum]")
 {
   SingleMaximum sum;
   SingleMaximum::Result peak;

@@ -75,7 +75,7 @@ helios::Vec3 PositionAt(const helios::Trajectory& trajectory, double time)
 
 } // namespace
 
-TEST_CASE("Trajectory: with velocities a cubic comes back", "[Trajectory]")
+TEST_CASE("Trajectory: with velocities a cubic is exact", "[Trajectory]")
 {
   helios::Trajectory trajectory;
   REQUIRE(trajectory.Set(MakePath({ 0.0, 0.5, 2.0, 5.0 }, Cubic, true)).empty());
@@ -102,7 +102,7 @@ TEST_CASE("Trajectory: without velocities it is linear", "[Trajectory]")
   CHECK(PositionAt(trajectory, 0.5)[1] == 0.25 * end[1]);
 }
 
-TEST_CASE("Trajectory: a constant velocity gives the straight line to the bit", "[Trajectory]")
+TEST_CASE("Trajectory: constant velocity equals the straight line to the bit", "[Trajectory]")
 {
   const helios::Vec3 p0(500000.1, 5500000.7, 300.3);
   const helios::Vec3 way(700.3, -300.7, 11.1);

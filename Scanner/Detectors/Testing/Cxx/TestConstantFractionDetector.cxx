@@ -11,7 +11,7 @@
 
 using namespace helios::testing;
 
-TEST_CASE("ConstantFractionDetector: at the peak, whatever fraction and delay",
+TEST_CASE("ConstantFractionDetector: echo at the peak for any fraction and delay",
   "[ConstantFractionDetector]")
 {
   vtkNew<vtkHeliosConstantFractionDetector> detector;
@@ -31,7 +31,7 @@ TEST_CASE("ConstantFractionDetector: at the peak, whatever fraction and delay",
   }
 }
 
-TEST_CASE("ConstantFractionDetector: no walk with the amplitude", "[ConstantFractionDetector]")
+TEST_CASE("ConstantFractionDetector: no range walk with amplitude", "[ConstantFractionDetector]")
 {
   vtkNew<vtkHeliosConstantFractionDetector> detector;
   const auto timeOf = [&detector](double amplitude)
@@ -47,8 +47,8 @@ TEST_CASE("ConstantFractionDetector: no walk with the amplitude", "[ConstantFrac
   }
 }
 
-TEST_CASE(
-  "ConstantFractionDetector: a wider echo is off by the closed form", "[ConstantFractionDetector]")
+TEST_CASE("ConstantFractionDetector: the error of a wider echo equals the closed form",
+  "[ConstantFractionDetector]")
 {
   vtkNew<vtkHeliosConstantFractionDetector> detector;
   detector->SetFraction(0.3);
@@ -74,7 +74,8 @@ TEST_CASE("ConstantFractionDetector: threshold and dead time", "[ConstantFractio
   CHECK(echoes[1].Time == Approx(45.0).epsilon(0).margin(0.02));
 }
 
-TEST_CASE("ConstantFractionDetector: nothing, and what is no number", "[ConstantFractionDetector]")
+TEST_CASE("ConstantFractionDetector: no signal, and values that are not finite",
+  "[ConstantFractionDetector]")
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   vtkNew<vtkHeliosConstantFractionDetector> detector;

@@ -125,7 +125,7 @@ std::string CommonBytes(vtkPolyData* cloud, vtkPolyData* like)
 
 } // namespace
 
-TEST_CASE("EchoDetection: echoes of a table", "[EchoDetection]")
+TEST_CASE("EchoDetection: detects the echoes of a table", "[EchoDetection]")
 {
   Detection detection(MakeTable());
   vtkPolyData* echoes = detection.Run();
@@ -151,7 +151,7 @@ TEST_CASE("EchoDetection: echoes of a table", "[EchoDetection]")
   CHECK(Value(detection.Run(), names::Deviation, 0) < 1e-4);
 }
 
-TEST_CASE("EchoDetection: which returns are kept", "[EchoDetection]")
+TEST_CASE("EchoDetection: return selection", "[EchoDetection]")
 {
   using Instrument = vtkHeliosInstrument;
   const double times[] = { 20, 32, 45 };
@@ -182,7 +182,8 @@ TEST_CASE("EchoDetection: which returns are kept", "[EchoDetection]")
   }
 }
 
-TEST_CASE("EchoDetection: with Fixed sampling the bytes of the scanner's echoes", "[EchoDetection]")
+TEST_CASE(
+  "EchoDetection: byte-identical to the scanner's echoes with fixed sampling", "[EchoDetection]")
 {
   const vtkSmartPointer<vtkHeliosEchoDetector> detectors[] = {
     vtkSmartPointer<vtkHeliosPeakDetector>::New(),
@@ -214,7 +215,7 @@ TEST_CASE("EchoDetection: with Fixed sampling the bytes of the scanner's echoes"
   }
 }
 
-TEST_CASE("EchoDetection: waveforms that went through LAS have the same echoes", "[EchoDetection]")
+TEST_CASE("EchoDetection: waveforms stored as LAS have the same echoes", "[EchoDetection]")
 {
   vtkSmartPointer<vtkHeliosEchoDetector> detector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
   if (GENERATE(true, false))
@@ -267,7 +268,8 @@ TEST_CASE("EchoDetection: waveforms that went through LAS have the same echoes",
   CHECK(worstPlace < 1e-4); // coordinates are rounded to 0.1 mm
 }
 
-TEST_CASE("EchoDetection: by tolerance it agrees within the tolerances", "[EchoDetection]")
+TEST_CASE(
+  "EchoDetection: with adaptive sampling echoes agree within the tolerances", "[EchoDetection]")
 {
   Bench bench(MakeStairs());
   vtkNew<vtkHeliosPeakDetector> detector;
@@ -306,7 +308,7 @@ TEST_CASE("EchoDetection: by tolerance it agrees within the tolerances", "[EchoD
   CHECK(amplitudes.GetRms() < bench.Scanner->GetEnergyTolerance());
 }
 
-TEST_CASE("EchoDetection: threads and pieces change no byte", "[EchoDetection]")
+TEST_CASE("EchoDetection: byte-identical for any number of threads and pieces", "[EchoDetection]")
 {
   Bench bench(MakeStairs());
   vtkNew<vtkHeliosGaussianDecomposition> detector;
@@ -339,7 +341,7 @@ TEST_CASE("EchoDetection: threads and pieces change no byte", "[EchoDetection]")
   CHECK(ofPieces == ranges);
 }
 
-TEST_CASE("EchoDetection: a new detector setting runs it again", "[EchoDetection]")
+TEST_CASE("EchoDetection: executes again if the detector changes", "[EchoDetection]")
 {
   Detection detection(MakeTable());
   CHECK(detection.Run()->GetNumberOfPoints() == 4);
@@ -371,7 +373,7 @@ TEST_CASE("EchoDetection: a table without rows has no echoes", "[EchoDetection]"
   CHECK(detection.Log->Errors.empty());
 }
 
-TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
+TEST_CASE("EchoDetection: bad tables are errors", "[EchoDetection]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto set = [](const char* name, int component, double value)
@@ -415,7 +417,7 @@ TEST_CASE("EchoDetection: bad tables are refused", "[EchoDetection]")
   CHECK(detection.Log->HasError("EchoDetector is not set"));
 }
 
-TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetection]")
+TEST_CASE("EchoDetection: an abort is an error without output", "[EchoDetection]")
 {
   const vtkIdType rows = 100000; // all equal to the first
   const auto one = MakeTable();
@@ -450,4 +452,26 @@ TEST_CASE("EchoDetection: an abort is an error, and leaves no half", "[EchoDetec
   CHECK(detection.Log->HasError("The work was aborted at "));
   CHECK(detection.Log->HasError(" %; update again to complete it"));
   CHECK(reports == 1);
+}
+
+TEST_CASE("EchoDetection: detectors by name", "[EchoDetection]")
+{
+  const char* classes[] = { "vtkHeliosPeakDetector", "vtkHeliosGaussianDecomposition",
+    "vtkHeliosConstantFractionDetector", "vtkHeliosLeadingEdgeDetector" };
+  const auto getClass = [](const char* name) -> std::string
+  {
+    const auto detector =
+      vtkSmartPointer<vtkHeliosEchoDetector>::Take(vtkHeliosEchoDetection::MakeDetector(name));
+    return detector ? detector->GetClassName() : "none";
+  };
+  REQUIRE(vtkHeliosEchoDetection::GetNumberOfDetectors() == 4);
+  for (int i = 0; i < 4; ++i)
+  {
+    CHECK(getClass(vtkHeliosEchoDetection::GetDetectorName(i)) == classes[i]);
+  }
+  CHECK(getClass("") == classes[0]);
+  CHECK(getClass(nullptr) == classes[0]);
+  CHECK(getClass("pek") == "none");
+  CHECK(vtkHeliosEchoDetection::GetDetectorName(4) == nullptr);
+  CHECK(vtkHeliosEchoDetection::GetDetectorName(-1) == nullptr);
 }

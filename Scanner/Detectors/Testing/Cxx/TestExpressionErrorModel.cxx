@@ -26,7 +26,7 @@ double Evaluate(const std::string& text, double t)
 
 } // namespace
 
-TEST_CASE("ExpressionErrorModel: every word of the dialect", "[ExpressionErrorModel]")
+TEST_CASE("ExpressionErrorModel: every function of the dialect", "[ExpressionErrorModel]")
 {
   constexpr double t = 0.3;
   CHECK(Evaluate("0.001 * THETA + 2", t) == 0.001 * t + 2.0);
@@ -48,7 +48,7 @@ TEST_CASE("ExpressionErrorModel: every word of the dialect", "[ExpressionErrorMo
   }
 }
 
-TEST_CASE("ExpressionErrorModel: each property by itself", "[ExpressionErrorModel]")
+TEST_CASE("ExpressionErrorModel: each property is independent", "[ExpressionErrorModel]")
 {
   vtkNew<vtkHeliosExpressionErrorModel> model;
   CHECK(model->GetRangeError(1.0) == 0.0);
@@ -72,8 +72,7 @@ TEST_CASE("ExpressionErrorModel: each property by itself", "[ExpressionErrorMode
   CHECK(model->GetMTime() > before);
 }
 
-TEST_CASE(
-  "ExpressionErrorModel: the head keeps off where the sine is zero", "[ExpressionErrorModel]")
+TEST_CASE("ExpressionErrorModel: the head error avoids zeros of the sine", "[ExpressionErrorModel]")
 {
   vtkNew<vtkHeliosExpressionErrorModel> model;
   model->SetHeadErrorExpression("1 / sin(t)");
@@ -85,7 +84,8 @@ TEST_CASE(
   CHECK(model->GetHeadError(0.5) == Approx(1.0 / std::sin(0.5)));
 }
 
-TEST_CASE("ExpressionErrorModel: what is not finite is handed on", "[ExpressionErrorModel]")
+TEST_CASE(
+  "ExpressionErrorModel: values that are not finite are passed on", "[ExpressionErrorModel]")
 {
   CHECK_FALSE(std::isfinite(Evaluate("1 / t", 0.0)));
   CHECK_FALSE(std::isfinite(Evaluate("sqrt(t)", -1.0)));
@@ -141,7 +141,8 @@ TEST_CASE("ExpressionErrorModel: bad expressions are refused", "[ExpressionError
   CHECK(vtkHeliosExpressionErrorModel::FindFault("").empty());
 }
 
-TEST_CASE("ExpressionErrorModel: any row of words is read or refused", "[ExpressionErrorModel]")
+TEST_CASE(
+  "ExpressionErrorModel: any sequence of words is read or refused", "[ExpressionErrorModel]")
 {
   const std::vector<std::string> words = { "t", "2", "+", "-", "^", "/", "(", ")", "sin", "atan2",
     ",", " ", ".", "e", "1e" };
@@ -172,7 +173,7 @@ TEST_CASE("ExpressionErrorModel: any row of words is read or refused", "[Express
   CHECK(sound > 20);
 }
 
-TEST_CASE("ExpressionErrorModel: threads do not disturb each other", "[ExpressionErrorModel]")
+TEST_CASE("ExpressionErrorModel: can be used by several threads", "[ExpressionErrorModel]")
 {
   vtkNew<vtkHeliosExpressionErrorModel> model;
   model->SetRangeErrorExpression("sin(t) + t^2");

@@ -33,7 +33,7 @@ std::string Repeat(const std::string& text, int i)
 
 } // namespace
 
-TEST_CASE("ExpressionMutations: damaged expressions are refused, or have values",
+TEST_CASE("ExpressionMutations: damaged expressions are refused or have values",
   "[ExpressionMutations][mutation]")
 {
   helios::Mutator mutate(20203);

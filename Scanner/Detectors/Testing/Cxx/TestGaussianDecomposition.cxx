@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "heliosConstants.h"
 #include "heliosTestWaveform.h"
 #include "vtkHeliosGaussianDecomposition.h"
 #include "vtkHeliosPeakDetector.h"
@@ -59,11 +60,11 @@ TEST_CASE("GaussianDecomposition: exact for one echo of any width", "[GaussianDe
   CHECK_FALSE(detector->FindsMaxima());
 }
 
-TEST_CASE("GaussianDecomposition: exact where echoes overlap", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: exact for overlapping echoes", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   detector->SetDetectionThreshold(1e-9);
-  // Just above the separation at which two echoes have two maxima (accuracy.md A3).
+  // Just above the separation at which two echoes have two maxima.
   const std::pair<double, double> limits[] = { { 1.0, 2.0 }, { 0.5, 2.627509132 },
     { 0.25, 2.980675341 }, { 0.1, 3.353995349 }, { 0.01, 4.088443543 } };
   for (const auto& [ratio, limit] : limits)
@@ -97,7 +98,7 @@ TEST_CASE("GaussianDecomposition: a weak echo far from a strong one", "[Gaussian
   CHECK(found[1].Amplitude == Approx(1e-8).epsilon(1e-3));
 }
 
-TEST_CASE("GaussianDecomposition: reaches the bound of Cramer and Rao", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: reaches the Cramer-Rao bound", "[GaussianDecomposition]")
 {
   constexpr int pulses = 1500;
   vtkNew<vtkHeliosGaussianDecomposition> detector;
@@ -124,7 +125,8 @@ TEST_CASE("GaussianDecomposition: reaches the bound of Cramer and Rao", "[Gaussi
   }
 }
 
-TEST_CASE("GaussianDecomposition: the deviation is that of the noise", "[GaussianDecomposition]")
+TEST_CASE(
+  "GaussianDecomposition: the deviation equals that of the noise", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   detector->SetMinimumSeparation(40.0);
@@ -139,7 +141,7 @@ TEST_CASE("GaussianDecomposition: the deviation is that of the noise", "[Gaussia
   CHECK(sums.GetRms() == Approx(0.02).epsilon(0.1));
 }
 
-TEST_CASE("GaussianDecomposition: hidden echoes, exact without noise", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: hidden echoes are exact without noise", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   detector->ResolveHiddenOn();
@@ -157,7 +159,7 @@ TEST_CASE("GaussianDecomposition: hidden echoes, exact without noise", "[Gaussia
   CheckExact(shoulder, Detect(detector, MakeSamples(shoulder, 0.25), 0.25), 1e-3);
 }
 
-TEST_CASE("GaussianDecomposition: a slope is no pair of echoes", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: a slope is one echo", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   detector->ResolveHiddenOn();
@@ -177,7 +179,7 @@ TEST_CASE("GaussianDecomposition: the separation of hidden echoes reaches its bo
   detector->SetDetectionThreshold(0.5);
   constexpr double bin = 1.0;
   constexpr int pulses = 600;
-  // Range bounds at SNR 50, sigma known (accuracy.md A3). Below sigma the best estimate has a bias
+  // Range bounds at SNR 50, sigma known. Below sigma the best estimate has a bias
   // that falls with the square of the SNR: the bound is that of better ones.
   struct Case
   {
@@ -204,7 +206,7 @@ TEST_CASE("GaussianDecomposition: the separation of hidden echoes reaches its bo
   }
 }
 
-TEST_CASE("GaussianDecomposition: a background is fitted where asked", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: a background is fitted on request", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   detector->SetDetectionThreshold(0.3);
@@ -214,7 +216,7 @@ TEST_CASE("GaussianDecomposition: a background is fitted where asked", "[Gaussia
   CheckExact(truth, Detect(detector, samples, 0.25), 1e-4);
 }
 
-TEST_CASE("GaussianDecomposition: what is no Gaussian keeps its echo", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: echoes that are not Gaussian are kept", "[GaussianDecomposition]")
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
@@ -232,7 +234,7 @@ TEST_CASE("GaussianDecomposition: what is no Gaussian keeps its echo", "[Gaussia
   CheckNoneIsLost(std::vector<float>(100, 1.0f), 1);
 }
 
-TEST_CASE("GaussianDecomposition: a fit that fails leaves the maximum's own Gaussian",
+TEST_CASE("GaussianDecomposition: a failed fit keeps the Gaussian of the maximum",
   "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
@@ -256,7 +258,7 @@ TEST_CASE("GaussianDecomposition: a fit that fails leaves the maximum's own Gaus
   CHECK(narrow[0].Width == PulseLength);
 }
 
-TEST_CASE("GaussianDecomposition: a saturated echo stays where it is", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: a saturated echo keeps its position", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   auto samples = MakeSamples({ { 1.0, 30.1 } }, 0.25);
@@ -270,7 +272,7 @@ TEST_CASE("GaussianDecomposition: a saturated echo stays where it is", "[Gaussia
   CHECK(echoes[0].Amplitude == Approx(0.9).epsilon(0.1));
 }
 
-TEST_CASE("GaussianDecomposition: echoes of noise alone are finite", "[GaussianDecomposition]")
+TEST_CASE("GaussianDecomposition: echoes of pure noise are finite", "[GaussianDecomposition]")
 {
   vtkNew<vtkHeliosGaussianDecomposition> detector;
   vtkNew<vtkHeliosPeakDetector> peaks;

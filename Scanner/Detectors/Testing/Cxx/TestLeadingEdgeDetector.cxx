@@ -22,7 +22,7 @@ double RiseTime(double amplitude, double level)
 
 } // namespace
 
-TEST_CASE("LeadingEdgeDetector: the walk is the closed form", "[LeadingEdgeDetector]")
+TEST_CASE("LeadingEdgeDetector: the walk error equals the closed form", "[LeadingEdgeDetector]")
 {
   vtkNew<vtkHeliosLeadingEdgeDetector> detector;
   constexpr double level = 1e-7;
@@ -41,8 +41,8 @@ TEST_CASE("LeadingEdgeDetector: the walk is the closed form", "[LeadingEdgeDetec
   }
 }
 
-TEST_CASE(
-  "LeadingEdgeDetector: without a reference half an amplitude has no walk", "[LeadingEdgeDetector]")
+TEST_CASE("LeadingEdgeDetector: without a reference half an amplitude has no walk error",
+  "[LeadingEdgeDetector]")
 {
   vtkNew<vtkHeliosLeadingEdgeDetector> detector;
   detector->SetDetectionThreshold(0.5);
@@ -51,7 +51,8 @@ TEST_CASE(
   CHECK(echoes[0].Time == Approx(30.01).epsilon(0).margin(1e-4));
 }
 
-TEST_CASE("LeadingEdgeDetector: a fraction is one of the largest sample", "[LeadingEdgeDetector]")
+TEST_CASE(
+  "LeadingEdgeDetector: Fraction is relative to the largest sample", "[LeadingEdgeDetector]")
 {
   vtkNew<vtkHeliosLeadingEdgeDetector> detector;
   detector->SetFraction(0.3);
@@ -66,7 +67,7 @@ TEST_CASE("LeadingEdgeDetector: a fraction is one of the largest sample", "[Lead
 }
 
 TEST_CASE(
-  "LeadingEdgeDetector: one echo a crossing, none in the dead time", "[LeadingEdgeDetector]")
+  "LeadingEdgeDetector: one echo per crossing, none in the dead time", "[LeadingEdgeDetector]")
 {
   vtkNew<vtkHeliosLeadingEdgeDetector> detector;
   detector->SetDetectionThreshold(0.5);
@@ -79,7 +80,8 @@ TEST_CASE(
   CHECK(Detect(detector, MakeSamples({ { 1.0, 20.0 }, { 1.0, 22.0 } }, 0.25), 0.25).size() == 1);
 }
 
-TEST_CASE("LeadingEdgeDetector: the ends, nothing, and what is no number", "[LeadingEdgeDetector]")
+TEST_CASE("LeadingEdgeDetector: ends of the waveform, no signal, and values that are not finite",
+  "[LeadingEdgeDetector]")
 {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   vtkNew<vtkHeliosLeadingEdgeDetector> detector;

@@ -5,7 +5,7 @@
 #ifndef heliosTestWaveform_h
 #define heliosTestWaveform_h
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosRandom.h"
 #include "vtkHeliosEchoDetector.h"
 

@@ -73,7 +73,7 @@ TEST_CASE("BeamDeflector: the scan angle is exact where an arc cosine is not", "
   }
 }
 
-TEST_CASE("BeamDeflector: the scan angle is 0 where no pulse leaves", "[BeamDeflector]")
+TEST_CASE("BeamDeflector: the scan angle is 0 if no pulse is emitted", "[BeamDeflector]")
 {
   vtkNew<TinySteps> deflector;
   CHECK(deflector->GetScanAngle(3) == 0.0);
@@ -89,14 +89,14 @@ TEST_CASE("BeamDeflector: the pulse frequency stays positive", "[BeamDeflector]"
   CHECK(deflector->GetPulseFrequency() == 3e5);
 }
 
-TEST_CASE("BeamDeflector: one channel that fires evenly", "[BeamDeflector]")
+TEST_CASE("BeamDeflector: one channel at a constant rate", "[BeamDeflector]")
 {
   vtkNew<TinySteps> deflector;
   CHECK(deflector->GetChannel(12345) == 0);
   CHECK(deflector->GetDelay(12345) == 0.0);
 }
 
-TEST_CASE("BeamDeflector: optics that are warm are where they are later", "[BeamDeflector]")
+TEST_CASE("BeamDeflector: a warm-up equals a later start", "[BeamDeflector]")
 {
   for (const auto& deflector : MakeAll())
   {
@@ -125,7 +125,7 @@ TEST_CASE("BeamDeflector: optics that are warm are where they are later", "[Beam
   }
 }
 
-TEST_CASE("BeamDeflector: a warm-up of any time, to the last ulps", "[BeamDeflector]")
+TEST_CASE("BeamDeflector: any warm-up time, to the last digits", "[BeamDeflector]")
 {
   // 100 000.5 pulses: moving optics are half a pulse further than the pulse before.
   vtkNew<vtkHeliosRotatingMirror> mirror;

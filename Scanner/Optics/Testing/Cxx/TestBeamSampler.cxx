@@ -181,7 +181,7 @@ TEST_CASE("BeamSampler: Gauss-Legendre rings, radii and weights to 15 digits", "
   }
 }
 
-TEST_CASE("BeamSampler: 4 q azimuths a ring, odd rings turned by half a step", "[BeamSampler]")
+TEST_CASE("BeamSampler: 4 q azimuths per ring, odd rings rotated by half a step", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetNumberOfRings(3);
@@ -252,7 +252,7 @@ TEST_CASE("BeamSampler: weights are the exact energy of their circle", "[BeamSam
     Approx((std::exp(-0.72) - std::exp(-2.0)) / whole / 12.0).epsilon(1e-14));
 }
 
-TEST_CASE("BeamSampler: weights sum to 1 without any error, in any order", "[BeamSampler]")
+TEST_CASE("BeamSampler: weights sum to exactly 1, in any order", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   std::mt19937 random(7);
@@ -290,8 +290,8 @@ TEST_CASE("BeamSampler: weights sum to 1 without any error, in any order", "[Bea
   }
 }
 
-TEST_CASE(
-  "BeamSampler: the paper's rule is of first order, exact energies of second", "[BeamSampler]")
+TEST_CASE("BeamSampler: the weights of the paper are of first order, exact energies of second",
+  "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetPatternToCircles();
@@ -393,7 +393,7 @@ TEST_CASE("BeamSampler: the echo width of a plane inclined by 75 degrees", "[Bea
       CHECK(error(1.5) < bound[i]);
     }
   }
-  SECTION("the paper's weights do not get there")
+  SECTION("not reached by the weights of the paper")
   {
     sampler->SetPatternToCircles();
     sampler->LegacyWeightsOn();
@@ -453,7 +453,7 @@ TEST_CASE("BeamSampler: the energy beyond an edge", "[BeamSampler]")
   }
 }
 
-TEST_CASE("BeamSampler: a disc about the axis is what Vogel's spiral is for", "[BeamSampler]")
+TEST_CASE("BeamSampler: Vogel's spiral is the best for a disc about the axis", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetPatternToVogel();
@@ -464,7 +464,7 @@ TEST_CASE("BeamSampler: a disc about the axis is what Vogel's spiral is for", "[
   CHECK(DiscError(sampler) > 0.02);
 }
 
-TEST_CASE("BeamSampler: no direction is preferred", "[BeamSampler]")
+TEST_CASE("BeamSampler: all patterns are isotropic", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetBeamDivergence(0.01);
@@ -517,7 +517,7 @@ TEST_CASE("BeamSampler: Vogel's spiral has a multiple of four sub-rays", "[BeamS
   }
 }
 
-TEST_CASE("BeamSampler: unit vectors for wide beams too", "[BeamSampler]")
+TEST_CASE("BeamSampler: unit vectors also for wide beams", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetBeamDivergence(1.0);
@@ -537,7 +537,7 @@ TEST_CASE("BeamSampler: unit vectors for wide beams too", "[BeamSampler]")
   }
 }
 
-TEST_CASE("BeamSampler: no divergence, one circle or one sub-ray is the axis", "[BeamSampler]")
+TEST_CASE("BeamSampler: no divergence, one circle or one sub-ray: the axis", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   sampler->SetBeamQualityFactor(1.0);
@@ -625,7 +625,7 @@ TEST_CASE("BeamSampler: the waist of a beam", "[BeamSampler]")
   {
     CHECK(SumOfWeights(sampler) == 1.0);
   }
-  SECTION("none, unless asked for")
+  SECTION("no waist without BeamQualityFactor")
   {
     sampler->SetBeamQualityFactor(0.0);
     CHECK(sampler->GetFootprintRadius(0.0) == 0.0);
@@ -638,7 +638,7 @@ TEST_CASE("BeamSampler: the waist of a beam", "[BeamSampler]")
   }
 }
 
-TEST_CASE("BeamSampler: the same bits whatever was set before", "[BeamSampler]")
+TEST_CASE("BeamSampler: independent of earlier settings", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> straight;
   straight->SetPatternToVogel();
@@ -664,7 +664,7 @@ TEST_CASE("BeamSampler: the same bits whatever was set before", "[BeamSampler]")
   }
 }
 
-TEST_CASE("BeamSampler: what makes no sense is refused", "[BeamSampler]")
+TEST_CASE("BeamSampler: invalid values are refused", "[BeamSampler]")
 {
   vtkNew<vtkHeliosBeamSampler> sampler;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());

@@ -14,7 +14,7 @@
 namespace
 {
 
-/// The conic scanner of accuracy A5, 1000 m above flat ground (y = 1000 m in its own frame).
+/// A conic scanner 1000 m above flat ground (y = 1000 m in its own frame).
 void SetUp(vtkHeliosConicMirror* mirror)
 {
   mirror->SetPulseFrequency(200000.0);
@@ -35,7 +35,7 @@ double Hit(vtkHeliosConicMirror* mirror, vtkIdType pulse, double point[2])
 
 } // namespace
 
-TEST_CASE("ConicMirror: circle, range and spacing by accuracy A5", "[ConicMirror]")
+TEST_CASE("ConicMirror: radius, range and spacing of the circle in closed form", "[ConicMirror]")
 {
   vtkNew<vtkHeliosConicMirror> mirror;
   SetUp(mirror);
@@ -52,7 +52,7 @@ TEST_CASE("ConicMirror: circle, range and spacing by accuracy A5", "[ConicMirror
   }
 }
 
-TEST_CASE("ConicMirror: mean density at 60 m/s by accuracy A5", "[ConicMirror]")
+TEST_CASE("ConicMirror: mean density at 60 m/s in closed form", "[ConicMirror]")
 {
   vtkNew<vtkHeliosConicMirror> mirror;
   SetUp(mirror);
@@ -68,7 +68,7 @@ TEST_CASE("ConicMirror: mean density at 60 m/s by accuracy A5", "[ConicMirror]")
   CHECK(200000.0 / 60.0 / (most - least) == Approx(4.579129032).epsilon(1e-9));
 }
 
-TEST_CASE("ConicMirror: the spacing follows the frequency that is set", "[ConicMirror]")
+TEST_CASE("ConicMirror: the spacing follows the set frequency", "[ConicMirror]")
 {
   vtkNew<vtkHeliosConicMirror> mirror;
   SetUp(mirror);

@@ -8,7 +8,7 @@
 
 #include <limits>
 
-TEST_CASE("FiberArray: step and places on the ground by accuracy A5", "[FiberArray]")
+TEST_CASE("FiberArray: angular step and positions on the ground in closed form", "[FiberArray]")
 {
   vtkNew<vtkHeliosFiberArray> array;
   array->SetNumberOfFibers(128);
@@ -42,7 +42,7 @@ TEST_CASE("FiberArray: symmetric, and both ends are reached", "[FiberArray]")
   }
 }
 
-TEST_CASE("FiberArray: one fibre looks straight ahead", "[FiberArray]")
+TEST_CASE("FiberArray: a single fibre points straight ahead", "[FiberArray]")
 {
   vtkNew<vtkHeliosFiberArray> array;
   array->SetNumberOfFibers(1);
@@ -56,7 +56,7 @@ TEST_CASE("FiberArray: one fibre looks straight ahead", "[FiberArray]")
   }
 }
 
-TEST_CASE("FiberArray: one fibre after the other, for a day at 1 MHz", "[FiberArray]")
+TEST_CASE("FiberArray: fibres in order, for a day at 1 MHz", "[FiberArray]")
 {
   vtkNew<vtkHeliosFiberArray> array;
   array->SetPulseFrequency(1e6);
@@ -68,7 +68,7 @@ TEST_CASE("FiberArray: one fibre after the other, for a day at 1 MHz", "[FiberAr
   CHECK(array->GetScanAngle(126) > array->GetScanAngle(127));
 }
 
-TEST_CASE("FiberArray: settings stay in their ranges", "[FiberArray]")
+TEST_CASE("FiberArray: values are clamped to their ranges", "[FiberArray]")
 {
   vtkNew<vtkHeliosFiberArray> array;
   array->SetNumberOfFibers(0);

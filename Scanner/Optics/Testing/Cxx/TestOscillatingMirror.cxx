@@ -17,7 +17,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// The mirror of accuracy A5: 50 Hz, 30 degrees to either side, 4000 pulses per period.
+/// The mirror of the tests: 50 Hz, 30 degrees to either side, 4000 pulses per period.
 void SetUp(vtkHeliosOscillatingMirror* mirror)
 {
   mirror->SetPulseFrequency(200000.0);
@@ -85,7 +85,7 @@ std::vector<double> MakeDialectPeriod(int period, double angle)
 
 } // namespace
 
-TEST_CASE("OscillatingMirror: triangular spacing by accuracy A5", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: triangular spacing in closed form", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   SetUp(mirror);
@@ -98,7 +98,7 @@ TEST_CASE("OscillatingMirror: triangular spacing by accuracy A5", "[OscillatingM
   CHECK(Spacing(mirror, 3000) == Approx(0.698131701).epsilon(1e-9));
 }
 
-TEST_CASE("OscillatingMirror: along the track a zigzag, by accuracy A5", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: a zigzag along track in closed form", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   SetUp(mirror);
@@ -114,7 +114,7 @@ TEST_CASE("OscillatingMirror: along the track a zigzag, by accuracy A5", "[Oscil
   CHECK(4000 * step == Approx(1.2).epsilon(1e-12));
 }
 
-TEST_CASE("OscillatingMirror: sinusoidal spacing by accuracy A5", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: sinusoidal spacing in closed form", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   SetUp(mirror);
@@ -124,7 +124,7 @@ TEST_CASE("OscillatingMirror: sinusoidal spacing by accuracy A5", "[OscillatingM
   CHECK(Spacing(mirror, 1000) == Approx(0.822467033).epsilon(1e-9));
 }
 
-TEST_CASE("OscillatingMirror: the pulses near the ends by accuracy A5", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: pulses near the ends in closed form", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   mirror->SetPulseFrequency(1e9);
@@ -135,7 +135,7 @@ TEST_CASE("OscillatingMirror: the pulses near the ends by accuracy A5", "[Oscill
     Approx(0.287132586).epsilon(2e-9)); // nine digits are given
 }
 
-TEST_CASE("OscillatingMirror: turning like the dialect", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: turningPulses as in the dialect", "[OscillatingMirror]")
 {
   // The dialect ramps up over 49 pulses and down over 50, and rests at an end for two: no more than
   // a step from a constant deceleration of the same duration.
@@ -161,7 +161,7 @@ TEST_CASE("OscillatingMirror: turning like the dialect", "[OscillatingMirror]")
   CHECK(withoutTurning > 12.0 * step);
 }
 
-TEST_CASE("OscillatingMirror: an even turn", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: constant deceleration at the ends", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   SetUp(mirror);
@@ -210,7 +210,7 @@ TEST_CASE("OscillatingMirror: no drift after a day", "[OscillatingMirror]")
   }
 }
 
-TEST_CASE("OscillatingMirror: settings stay in their ranges, never NaN", "[OscillatingMirror]")
+TEST_CASE("OscillatingMirror: values are clamped to their ranges, never NaN", "[OscillatingMirror]")
 {
   vtkNew<vtkHeliosOscillatingMirror> mirror;
   mirror->SetPattern(7);

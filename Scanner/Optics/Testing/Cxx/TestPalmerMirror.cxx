@@ -20,7 +20,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Root2 = 1.41421356237309504880;
 
-/// Accuracy A5: the wobble [deg], and the semi-axes over the height.
+/// The wobble [deg], and the semi-axes over the height.
 constexpr double Egg[4][3] = { { 1.0, 0.034920769492, 0.024688950945 },
   { 5.0, 0.176326980708, 0.124203912511 }, { 7.5, 0.267949192431, 0.187819542138 },
   { 10.0, 0.363970234266, 0.253333322866 } };
@@ -50,7 +50,7 @@ void CheckNormal(const double d[3], double wobble, double phi)
 
 } // namespace
 
-TEST_CASE("PalmerMirror: along axis by accuracy A5", "[PalmerMirror]")
+TEST_CASE("PalmerMirror: spacing along the axis in closed form", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
   mirror->SetPulseFrequency(200.0); // four pulses per revolution
@@ -68,7 +68,7 @@ TEST_CASE("PalmerMirror: along axis by accuracy A5", "[PalmerMirror]")
   }
 }
 
-TEST_CASE("PalmerMirror: cross axis by accuracy A5, an egg", "[PalmerMirror]")
+TEST_CASE("PalmerMirror: spacing across the axis in closed form", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
   mirror->SetPulseFrequency(5e8); // 1e7 pulses per revolution
@@ -92,7 +92,7 @@ TEST_CASE("PalmerMirror: cross axis by accuracy A5, an egg", "[PalmerMirror]")
   }
 }
 
-TEST_CASE("PalmerMirror: no ellipse fits, by accuracy A5", "[PalmerMirror]")
+TEST_CASE("PalmerMirror: the pattern is not an ellipse", "[PalmerMirror]")
 {
   // The least-squares fit of A x^2 + B x z + C z^2 + D x + E z = 1 has residuals up to 3.5e-2.
   vtkNew<vtkHeliosPalmerMirror> mirror;
@@ -131,7 +131,7 @@ TEST_CASE("PalmerMirror: no ellipse fits, by accuracy A5", "[PalmerMirror]")
   CHECK(largest == Approx(3.5e-2).epsilon(0.01));
 }
 
-TEST_CASE("PalmerMirror: the mirror is tilted by the wobble and turns evenly", "[PalmerMirror]")
+TEST_CASE("PalmerMirror: the mirror is tilted by the wobble and rotates evenly", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
   mirror->SetPulseFrequency(100000.0);
@@ -161,7 +161,7 @@ TEST_CASE("PalmerMirror: no drift after a day", "[PalmerMirror]")
   }
 }
 
-TEST_CASE("PalmerMirror: a mirror square to its shaft, and other limits", "[PalmerMirror]")
+TEST_CASE("PalmerMirror: a mirror perpendicular to its shaft, and other limits", "[PalmerMirror]")
 {
   vtkNew<vtkHeliosPalmerMirror> mirror;
   double d[3];

@@ -83,8 +83,8 @@ double Radians(double degrees)
 
 } // namespace
 
-TEST_CASE("RisleyPrisms: two and three prisms against 40 digits, also after a day at 1 MHz",
-  "[RisleyPrisms]")
+TEST_CASE(
+  "RisleyPrisms: two and three prisms to 40 digits, also after a day at 1 MHz", "[RisleyPrisms]")
 {
   for (const Reference& reference : References)
   {
@@ -101,7 +101,7 @@ TEST_CASE("RisleyPrisms: two and three prisms against 40 digits, also after a da
   }
 }
 
-TEST_CASE("RisleyPrisms: one prism, either way round", "[RisleyPrisms]")
+TEST_CASE("RisleyPrisms: one prism, in either orientation", "[RisleyPrisms]")
 {
   vtkNew<vtkHeliosRisleyPrisms> prisms;
   const double n = 1.51;
@@ -121,7 +121,7 @@ TEST_CASE("RisleyPrisms: one prism, either way round", "[RisleyPrisms]")
   CHECK(prisms->GetScanAngle(0) == Approx(0.51e-4).epsilon(1e-9));
 }
 
-TEST_CASE("RisleyPrisms: the sign of a rotor is the sense it turns in", "[RisleyPrisms]")
+TEST_CASE("RisleyPrisms: the sign of a rotor frequency is its direction", "[RisleyPrisms]")
 {
   vtkNew<vtkHeliosRisleyPrisms> prisms;
   prisms->SetPulseFrequency(400.0);
@@ -151,7 +151,7 @@ TEST_CASE("RisleyPrisms: opposite prisms cancel", "[RisleyPrisms]")
   CHECK(d[2] < -0.5); // and add up half a revolution later
 }
 
-TEST_CASE("RisleyPrisms: no prism, no bend", "[RisleyPrisms]")
+TEST_CASE("RisleyPrisms: no prism, no deflection", "[RisleyPrisms]")
 {
   vtkNew<vtkHeliosRisleyPrisms> prisms;
   double d[3];
@@ -169,7 +169,7 @@ TEST_CASE("RisleyPrisms: no prism, no bend", "[RisleyPrisms]")
   }
 }
 
-TEST_CASE("RisleyPrisms: total reflection lets no pulse out", "[RisleyPrisms]")
+TEST_CASE("RisleyPrisms: total reflection suppresses the pulse", "[RisleyPrisms]")
 {
   vtkNew<vtkHeliosRisleyPrisms> prisms;
   const double critical = vtkMath::DegreesFromRadians(std::asin(1.0 / 1.51));
@@ -188,7 +188,7 @@ TEST_CASE("RisleyPrisms: total reflection lets no pulse out", "[RisleyPrisms]")
   CHECK_FALSE(prisms->GetDirection(0, d));
 }
 
-TEST_CASE("RisleyPrisms: what is out of range", "[RisleyPrisms]")
+TEST_CASE("RisleyPrisms: values out of range", "[RisleyPrisms]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkHeliosRisleyPrisms> prisms;

@@ -39,7 +39,7 @@ int CountPulses(vtkHeliosRotatingMirror* mirror, vtkIdType begin, vtkIdType end)
 
 } // namespace
 
-TEST_CASE("RotatingMirror: pulse 0 leaves along y, unit vectors after it", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: pulse 0 is along y, all directions are unit vectors", "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   double d[3];
@@ -58,8 +58,8 @@ TEST_CASE("RotatingMirror: pulse 0 leaves along y, unit vectors after it", "[Rot
   }
 }
 
-TEST_CASE(
-  "RotatingMirror: across spacing of 100 lines/s at 200 kHz over 60 degrees", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: spacing across track of 100 lines/s at 200 kHz over 60 degrees",
+  "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(200000.0);
@@ -74,7 +74,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("RotatingMirror: across spacing by accuracy A5", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: spacing across track in closed form", "[RotatingMirror]")
 {
   // The same angular speed, six times the pulses over twice the sweep: pulses on both sides
   // of 0, 10, 20 and 30 degrees.
@@ -92,7 +92,7 @@ TEST_CASE("RotatingMirror: across spacing by accuracy A5", "[RotatingMirror]")
   }
 }
 
-TEST_CASE("RotatingMirror: lines lie askew by accuracy A5", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: skew of the lines in closed form", "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(200000.0);
@@ -113,7 +113,7 @@ TEST_CASE("RotatingMirror: lines lie askew by accuracy A5", "[RotatingMirror]")
   CHECK(static_cast<double>(end + 1 - begin) * perPulse == Approx(0.6).epsilon(1e-9));
 }
 
-TEST_CASE("RotatingMirror: a line rate that does not divide the pulses keeps its rate for a day",
+TEST_CASE("RotatingMirror: a line rate that does not divide the pulse rate is kept for a day",
   "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
@@ -130,7 +130,7 @@ TEST_CASE("RotatingMirror: a line rate that does not divide the pulses keeps its
   CHECK(mirror->GetScanAngle(86400000000LL) == Approx(0.0).margin(60.0 * 86400.0 * 7.2e-15));
 }
 
-TEST_CASE("RotatingMirror: a window as wide as the sweep lets every pulse out", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: a window as wide as the sweep passes every pulse", "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(100000.0);
@@ -166,7 +166,7 @@ TEST_CASE("RotatingMirror: the window is open below and closed above", "[Rotatin
   CHECK(mirror->GetDirection(751, d));
 }
 
-TEST_CASE("RotatingMirror: windows beyond half a turn", "[RotatingMirror]")
+TEST_CASE("RotatingMirror: windows beyond half a revolution", "[RotatingMirror]")
 {
   vtkNew<vtkHeliosRotatingMirror> mirror;
   mirror->SetPulseFrequency(72000.0);

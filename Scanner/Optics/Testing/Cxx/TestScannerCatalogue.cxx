@@ -104,7 +104,7 @@ TEST_CASE("Catalogue: the scan product of the ALTM Gemini", "[ScannerCatalogue]"
   CHECK(mirror->GetScanAngle(1) - mirror->GetScanAngle(0) == Approx(50.0 * 80.0 / 167000.0));
 }
 
-TEST_CASE("Catalogue: the lines of the Falcon II", "[ScannerCatalogue]")
+TEST_CASE("Catalogue: the line rate of the Falcon II", "[ScannerCatalogue]")
 {
   const std::string scanner = ReadScanner("fiber_als");
   REQUIRE(scanner.find("optics=\"line\"") == 0);
@@ -142,7 +142,8 @@ TEST_CASE("Catalogue: the field of view of the Mid-40", "[ScannerCatalogue]")
   CHECK(least < 0.5); // the middle is covered, too
 }
 
-TEST_CASE("Catalogue: an instrument is the same under class and product", "[ScannerCatalogue]")
+TEST_CASE(
+  "Catalogue: an instrument is identical by class and by product name", "[ScannerCatalogue]")
 {
   const std::pair<const char*, const char*> pairs[] = { { "vz400_class_tls", "riegl_vz400" },
     { "rotating_als", "riegl_vq780i" }, { "conic_als", "riegl_vq880g" },

@@ -60,7 +60,7 @@ TEST_CASE("SpinningChannels: pulse i is channel i mod n at its own azimuth", "[S
 }
 
 TEST_CASE(
-  "SpinningChannels: azimuths of channels, and heads that count clockwise", "[SpinningChannels]")
+  "SpinningChannels: azimuths of channels, and heads that rotate clockwise", "[SpinningChannels]")
 {
   vtkNew<vtkHeliosSpinningChannels> head;
   SetUp(head);
@@ -121,7 +121,7 @@ TEST_CASE("SpinningChannels: no drift after a day", "[SpinningChannels]")
   }
 }
 
-TEST_CASE("SpinningChannels: what is out of range", "[SpinningChannels]")
+TEST_CASE("SpinningChannels: values out of range", "[SpinningChannels]")
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   vtkNew<vtkHeliosSpinningChannels> head;

@@ -10,7 +10,7 @@
 
 TEST_CASE("Drag: a force against linear drag", "[Drag]")
 {
-  // accuracy A7: m = 1500 kg, F = 3000 N, k = 150 kg/s.
+  // m = 1500 kg, F = 3000 N, k = 150 kg/s.
   const helios::LinearDrag drag{ 2.0, 0.1 };
   CHECK(drag.At(0.0, 10.0).Speed == Approx(12.642411176571).epsilon(1e-12));
   CHECK(drag.At(0.0, 10.0).Distance == Approx(73.575888234288).epsilon(1e-12));
@@ -57,7 +57,7 @@ TEST_CASE("Drag: linear drag forward, backward and without drag", "[Drag]")
 
 TEST_CASE("Drag: a tilted helicopter against quadratic drag", "[Drag]")
 {
-  // accuracy A7: c = 1.225 kg/m, m = 1000 kg, g = 9.80665: x(10) and v(60) from rest.
+  // c = 1.225 kg/m, m = 1000 kg, g = 9.80665: x(10) and v(60) from rest.
   const double cases[3][3] = { { 2.0, 17.004391465585, 14.082587854000 },
     { 5.0, 42.167496731752, 25.404626987193 }, { 10.0, 83.568543218366, 37.271972915822 } };
   for (const auto& [tilt, way, speed] : cases)
@@ -101,7 +101,7 @@ TEST_CASE("Drag: quadratic drag solves its equation from any speed", "[Drag]")
   }
 }
 
-TEST_CASE("Drag: the ramps of the drive are integrated to fourth order", "[Drag]")
+TEST_CASE("Drag: ramps of the drive are integrated to fourth order", "[Drag]")
 {
   // Without drag v and x are polynomials for which RK4 is exact.
   const helios::DriveLimits free{ 5.0, -5.0, 2.0, 0.0, 0.01 };
@@ -126,7 +126,7 @@ TEST_CASE("Drag: the ramps of the drive are integrated to fourth order", "[Drag]
   CHECK(helios::ChangeSpeed(limits, 0.0, 15.0).Distance == Approx(coarse).margin(1e-9));
 }
 
-TEST_CASE("Drag: a change of speed ends at the speed, and keeps it", "[Drag]")
+TEST_CASE("Drag: a change of speed ends at the target speed", "[Drag]")
 {
   for (const double c : { 0.0, 0.005, 0.05 })
   {
@@ -150,7 +150,7 @@ TEST_CASE("Drag: a change of speed ends at the speed, and keeps it", "[Drag]")
   }
 }
 
-TEST_CASE("Drag: a line is flown to its end", "[Drag]")
+TEST_CASE("Drag: a straight line is flown to its end", "[Drag]")
 {
   const helios::DriveLimits limits{ 6.0, -4.0, 15.0, 0.01, 0.01 };
   for (const double length : { 0.01, 1.0, 10.0, 300.0 })
@@ -171,7 +171,7 @@ TEST_CASE("Drag: a line is flown to its end", "[Drag]")
   }
 }
 
-TEST_CASE("Drag: a vehicle keeps below every cap and stops where it must", "[Drag]")
+TEST_CASE("Drag: a vehicle stays below every speed limit and stops where required", "[Drag]")
 {
   const std::vector<helios::Stretch> way = { { 30.0, 12.0, 3.0, -4.0, false },
     { 5.0, 3.0, 2.0, -5.0, false }, { 0.5, 20.0, 3.0, -4.0, false },

@@ -59,7 +59,7 @@ double GetCourse(vtkPolyData* path, vtkIdType sample)
 
 TEST_CASE("GroundVehiclePlatform: full force against linear drag", "[GroundVehiclePlatform]")
 {
-  // accuracy A7: m = 1500 kg, F = 3000 N, k = 150 kg/s; terminal speed 20 m/s.
+  // m = 1500 kg, F = 3000 N, k = 150 kg/s; terminal speed 20 m/s.
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
   car->SetEngineForce(3000.0);
   car->SetDrag(150.0);
@@ -90,11 +90,11 @@ TEST_CASE("GroundVehiclePlatform: Speed is reached and kept", "[GroundVehiclePla
   }
 }
 
-TEST_CASE("GroundVehiclePlatform: the tightest turn is the circle of the bicycle",
+TEST_CASE("GroundVehiclePlatform: the tightest turn is the circle of the bicycle model",
   "[GroundVehiclePlatform]")
 {
   // A waypoint beside the car: with instant steering it follows the circle of radius Wheelbase
-  // / tan(angle). A7: 4.330127018922 m for 2.5 m, 30 degrees.
+  // / tan(angle): 4.330127018922 m for 2.5 m, 30 degrees.
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
   car->SetSteeringRate(1e4);
   const double radius = 4.330127018922;
@@ -158,7 +158,7 @@ TEST_CASE(
   CHECK(steepest > 15.0);
 }
 
-TEST_CASE("GroundVehiclePlatform: it never moves sideways", "[GroundVehiclePlatform]")
+TEST_CASE("GroundVehiclePlatform: no lateral slip", "[GroundVehiclePlatform]")
 {
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
   auto path =
@@ -204,7 +204,7 @@ TEST_CASE("GroundVehiclePlatform: it climbs, pitched to the slope", "[GroundVehi
   }
 }
 
-TEST_CASE("GroundVehiclePlatform: the pulse frequency does not matter", "[GroundVehiclePlatform]")
+TEST_CASE("GroundVehiclePlatform: independent of the pulse frequency", "[GroundVehiclePlatform]")
 {
   vtkNew<vtkHeliosGroundVehiclePlatform> car;
   auto path = Run(car,
@@ -262,7 +262,7 @@ TEST_CASE("GroundVehiclePlatform: bad input is an error", "[GroundVehiclePlatfor
     Run(car, { origin, origin }, { 1.0, 1.0 });
     CHECK(log->HasError("All waypoints are at one place; move one, or use a static platform"));
   }
-  SECTION("out of the world")
+  SECTION("a waypoint too far away")
   {
     Run(car, { origin, { 1e200, 0.0, 0.0 } }, { 1.0, 1.0 });
     CHECK(
@@ -287,7 +287,7 @@ TEST_CASE("GroundVehiclePlatform: bad input is an error", "[GroundVehiclePlatfor
     CHECK(log->HasError("Waypoint 1 cannot be reached: the slope of 0 degrees needs more than 0 N, "
                         "EngineForce is 0 N; raise it"));
   }
-  SECTION("hardly any engine")
+  SECTION("a weak engine")
   {
     car->SetEngineForce(1.0);
     car->SetDrag(1e5);
@@ -298,7 +298,7 @@ TEST_CASE("GroundVehiclePlatform: bad input is an error", "[GroundVehiclePlatfor
   CHECK(car->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("GroundVehiclePlatform: any waypoints are passed", "[GroundVehiclePlatform]")
+TEST_CASE("GroundVehiclePlatform: random waypoints are passed", "[GroundVehiclePlatform]")
 {
   std::mt19937_64 random(7);
   const auto pick = [&](double low, double high)

@@ -110,7 +110,7 @@ bool Heads(vtkPolyData* path, vtkIdType sample, double yaw)
 } // namespace
 
 TEST_CASE(
-  "InterpolatedPlatform: all of a record, its clock from StartTime", "[InterpolatedPlatform]")
+  "InterpolatedPlatform: a complete record, its clock from StartTime", "[InterpolatedPlatform]")
 {
   auto record = MakeFlight();
   vtkNew<vtkStringArray> crs;
@@ -153,8 +153,8 @@ TEST_CASE("InterpolatedPlatform: a leg starts and ends between samples", "[Inter
   CHECK(Describe(flight.Run()) == "0:0(0) 1:2(0) 1:18(1) 2:20(1)");
 }
 
-TEST_CASE(
-  "InterpolatedPlatform: the attitude turns the shorter way, evenly", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: the attitude rotates along the shorter arc at a constant rate",
+  "[InterpolatedPlatform]")
 {
   auto record = MakeRecord(
     { { 0, 0, 0, 0, 350 }, { 1, 0, 0, 0, 370 }, { 2, 0, 0, 0, 369 }, { 3, 0, 0, 0, 369 + 170 } });
@@ -176,7 +176,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: transitions between legs", "[InterpolatedPlatform]")
 {
   Flight flight(MakeFlight());
   SECTION("one behind the other")
@@ -185,7 +185,7 @@ TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
     flight.Platform->AddLeg(102, 103.5, false);
     CHECK(Describe(flight.Run()) == "0:2(0) 1:4(0) 1:4(1) 2:6(1) 2.5:7(1)");
   }
-  SECTION("what lies between is flown, but belongs to no leg")
+  SECTION("the interval between legs is flown without a leg")
   {
     flight.Platform->AddLeg(101, 102, false);
     flight.Platform->AddLeg(104, 105, false);
@@ -202,7 +202,7 @@ TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
     CHECK(Describe(flight.Run()) == "0:2(0) 1:4(0) 1:8(1) 2:10(1) 2:0(2) 2.5:1(2)");
     CHECK(flight.Log->Warnings.empty());
   }
-  SECTION("where times are kept it waits for them")
+  SECTION("with KeepFileTimes it waits")
   {
     flight.Platform->AddLeg(101, 102, true);
     flight.Platform->AddLeg(104, 105, true);
@@ -211,7 +211,7 @@ TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
     CHECK(Describe(path) == "101:2(0) 102:4(0) 102:4(-1) 104:4(-1) 104:8(1) 105:10(1)");
     CHECK(Heads(path, 3, 330));
   }
-  SECTION("back without teleporting is said")
+  SECTION("backwards without teleporting is an error")
   {
     flight.Platform->AddLeg(104, 105, false);
     flight.Platform->AddLeg(101, 102, false);
@@ -221,7 +221,7 @@ TEST_CASE("InterpolatedPlatform: from leg to leg", "[InterpolatedPlatform]")
   }
 }
 
-TEST_CASE("InterpolatedPlatform: a leg to a jump ends before it, one from there starts behind",
+TEST_CASE("InterpolatedPlatform: a leg to a jump ends before it, a leg from a jump starts after it",
   "[InterpolatedPlatform]")
 {
   Flight flight(MakeRecord(
@@ -235,7 +235,7 @@ TEST_CASE("InterpolatedPlatform: a leg to a jump ends before it, one from there 
   CHECK(Heads(path, 2, 90));
 }
 
-TEST_CASE("InterpolatedPlatform: several records one behind the other", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: several records in sequence", "[InterpolatedPlatform]")
 {
   Flight flight(MakeRecord({ { 20, 2, 0, 0, 0 }, { 21, 3, 0, 0, 0 } }));
   flight.Platform->AddInputData(0, MakeRecord({ { 10, 0, 0, 0, 0 }, { 12, 1, 0, 0, 0 } }));
@@ -248,8 +248,8 @@ TEST_CASE("InterpolatedPlatform: several records one behind the other", "[Interp
                              "connect each once, and cut them where they overlap."));
 }
 
-TEST_CASE(
-  "InterpolatedPlatform: cubic pieces have the velocity of parabolas", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: cubic interpolation uses the velocity of parabolas",
+  "[InterpolatedPlatform]")
 {
   std::vector<Row> rows; // x = t^2, y = 3 t - t^2 at irregular times
   for (const double t : { 0.0, 1.0, 1.5, 4.0, 5.0 })
@@ -295,7 +295,7 @@ TEST_CASE(
     CHECK(flight.Log->HasError(
       "Trajectory 0 sample 2 has a Velocity that is not finite; correct or remove it."));
   }
-  SECTION("a jump is none of its pieces")
+  SECTION("a jump is not interpolated")
   {
     flight.Platform->RemoveAllLegs();
     flight.Platform->SetInputData(
@@ -309,7 +309,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("InterpolatedPlatform: a single sample stands", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: a single sample is static", "[InterpolatedPlatform]")
 {
   Flight flight(MakeRecord({ { 50, 1, 2, 3, 90 } }));
   vtkPolyData* path = flight.Run();
@@ -318,7 +318,7 @@ TEST_CASE("InterpolatedPlatform: a single sample stands", "[InterpolatedPlatform
   CHECK(Heads(path, 0, 90));
 }
 
-TEST_CASE("InterpolatedPlatform: what is wrong is said", "[InterpolatedPlatform]")
+TEST_CASE("InterpolatedPlatform: bad input is an error", "[InterpolatedPlatform]")
 {
   auto record = MakeFlight();
   Flight flight(record);
@@ -340,7 +340,7 @@ TEST_CASE("InterpolatedPlatform: what is wrong is said", "[InterpolatedPlatform]
     flight.Platform->AddLeg(99, 101, false);
     CHECK(fails("Leg 0 covers 99 s to 101 s, but"));
   }
-  SECTION("times that cannot be kept")
+  SECTION("times that cannot be stored")
   {
     flight.Platform->KeepFileTimesOn();
     flight.Platform->AddLeg(104, 105, true);

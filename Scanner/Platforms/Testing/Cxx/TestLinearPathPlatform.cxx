@@ -58,7 +58,7 @@ TEST_CASE("LinearPathPlatform: 1000 m at 25 m/s take exactly 40 s", "[LinearPath
   }
 }
 
-TEST_CASE("LinearPathPlatform: two samples a leg, turning at once", "[LinearPathPlatform]")
+TEST_CASE("LinearPathPlatform: two samples per leg, turning at once", "[LinearPathPlatform]")
 {
   auto path =
     Run({ { 0.0, 0.0, 10.0 }, { 100.0, 0.0, 10.0 }, { 100.0, 50.0, 60.0 }, { 0.0, 150.0, 60.0 } },
@@ -84,7 +84,8 @@ TEST_CASE("LinearPathPlatform: two samples a leg, turning at once", "[LinearPath
   CHECK(helios::Value(path, names::Velocity, 2, 2) == Approx(5.0 * s));
 }
 
-TEST_CASE("LinearPathPlatform: y points to the next waypoint all round", "[LinearPathPlatform]")
+TEST_CASE(
+  "LinearPathPlatform: y points to the next waypoint in all directions", "[LinearPathPlatform]")
 {
   for (int degrees = -180; degrees < 180; degrees += 15)
   {
@@ -130,7 +131,7 @@ TEST_CASE("LinearPathPlatform: vertical and empty legs keep a heading", "[Linear
     CHECK(helios::Value(path, names::Velocity, 2, 0) == 0.0);
     CHECK(helios::Value(path, names::GpsTime, 5) == 3.0);
   }
-  SECTION("nothing but vertical: north")
+  SECTION("only vertical legs: north")
   {
     auto path = Run({ { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 1.0 } }, { 1.0, 1.0 });
     CheckForward(path, 0, 0.0, 1.0);
@@ -139,7 +140,7 @@ TEST_CASE("LinearPathPlatform: vertical and empty legs keep a heading", "[Linear
 
 TEST_CASE("LinearPathPlatform: the times of many legs do not drift", "[LinearPathPlatform]")
 {
-  // 100000 legs of 0.1 s back and forth: a plain sum is 1.9e-8 s off (accuracy A6).
+  // 100000 legs of 0.1 s back and forth: a plain sum is 1.9e-8 s off.
   const int legs = 100000;
   std::vector<helios::Point> positions;
   for (int i = 0; i <= legs; ++i)
@@ -176,7 +177,7 @@ TEST_CASE("LinearPathPlatform: bad input is an error", "[LinearPathPlatform]")
     CHECK(
       log->HasError("The waypoints need the point array Speed, one number per waypoint; add it"));
   }
-  SECTION("a speed that is no speed")
+  SECTION("an invalid speed")
   {
     const std::pair<double, std::string> speeds[] = { { 0.0, "0" }, { -3.0, "-3" },
       { std::numeric_limits<double>::quiet_NaN(), "nan" },
@@ -200,7 +201,7 @@ TEST_CASE("LinearPathPlatform: bad input is an error", "[LinearPathPlatform]")
 }
 
 TEST_CASE(
-  "LinearPathPlatform: the speed at the last waypoint does not matter", "[LinearPathPlatform]")
+  "LinearPathPlatform: the speed at the last waypoint has no effect", "[LinearPathPlatform]")
 {
   auto path = Run({ { 0.0, 0.0, 0.0 }, { 2.0, 0.0, 0.0 } }, { 4.0, -1.0 });
   CHECK(helios::Value(path, names::GpsTime, 1) == 0.5);

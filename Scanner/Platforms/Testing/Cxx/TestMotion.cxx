@@ -42,7 +42,7 @@ std::pair<double, double> GetErrors(
 
 } // namespace
 
-TEST_CASE("Motion: samples of a circle are as few as it takes", "[Motion]")
+TEST_CASE("Motion: a circle has the minimum number of samples", "[Motion]")
 {
   // The cubic between two samples of a circle is R phi^4 / 384 off.
   const helios::MotionPiece circle{ 0, 2.0 * Pi,
@@ -64,7 +64,7 @@ TEST_CASE("Motion: samples of a circle are as few as it takes", "[Motion]")
   CHECK(samples.back().Time == 2.0 * Pi);
 }
 
-TEST_CASE("Motion: a straight line at rest or at constant speed takes two samples", "[Motion]")
+TEST_CASE("Motion: a straight line at rest or at constant speed has two samples", "[Motion]")
 {
   const helios::MotionPiece line{ 0, 3600.0,
     [](double t)
@@ -75,7 +75,7 @@ TEST_CASE("Motion: a straight line at rest or at constant speed takes two sample
   CHECK(helios::SamplePiece(line).size() == 2);
 }
 
-TEST_CASE("Motion: the samples of a flight are within 1e-7 of it", "[Motion]")
+TEST_CASE("Motion: samples of a flight are within 1e-7", "[Motion]")
 {
   const helios::Copter copter{ 0.6, 0.45, 1.5, 0.5, 1.5, 20.0, 0.02, 0.01 };
   using helios::Passing;

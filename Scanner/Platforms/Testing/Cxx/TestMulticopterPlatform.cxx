@@ -76,7 +76,7 @@ double GetHeading(vtkPolyData* path, vtkIdType sample)
 TEST_CASE(
   "MulticopterPlatform: tilt, drag and terminal speed of a helicopter", "[MulticopterPlatform]")
 {
-  // accuracy A7: c = 1.225 kg/m, m = 1000 kg; terminal speed and the distance of the first 10 s.
+  // c = 1.225 kg/m, m = 1000 kg; terminal speed and the distance of the first 10 s.
   const double cases[3][3] = { { 2.0, 16.719920030476, 17.004391465585 },
     { 5.0, 26.464773693847, 42.167496731752 }, { 10.0, 37.570906953084, 83.568543218366 } };
   for (const auto& [tilt, terminal, way] : cases)
@@ -108,8 +108,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("MulticopterPlatform: the thrust is what gravity, drag and acceleration take",
-  "[MulticopterPlatform]")
+TEST_CASE(
+  "MulticopterPlatform: thrust equals gravity, drag and acceleration", "[MulticopterPlatform]")
 {
   vtkNew<vtkHeliosMulticopterPlatform> copter;
   copter->SetDragCoefficient(0.3);
@@ -149,7 +149,7 @@ TEST_CASE("MulticopterPlatform: the thrust is what gravity, drag and acceleratio
 }
 
 TEST_CASE(
-  "MulticopterPlatform: it tilts no faster and no farther than told", "[MulticopterPlatform]")
+  "MulticopterPlatform: tilt rate and tilt are within their limits", "[MulticopterPlatform]")
 {
   for (const double climb : { 0.0, 60.0, -60.0, 300.0, -300.0 })
   {
@@ -227,7 +227,7 @@ TEST_CASE(
 
 TEST_CASE("MulticopterPlatform: smooth turns are banked circles", "[MulticopterPlatform]")
 {
-  // accuracy A7: v = 30 m/s, bank 20 degrees: R = 252.148254246777 m.
+  // v = 30 m/s, bank 20 degrees: R = 252.148254246777 m.
   vtkNew<vtkHeliosMulticopterPlatform> copter;
   copter->SetDragCoefficient(0.0);
   copter->SetMaximumRoll(20.0);
@@ -257,8 +257,8 @@ TEST_CASE("MulticopterPlatform: smooth turns are banked circles", "[MulticopterP
     Approx(-std::sin(20.0 * Pi / 180.0)));
 }
 
-TEST_CASE(
-  "MulticopterPlatform: without a turn asked for it passes and swings out", "[MulticopterPlatform]")
+TEST_CASE("MulticopterPlatform: without SmoothTurn it passes the waypoint and overshoots",
+  "[MulticopterPlatform]")
 {
   vtkNew<vtkHeliosMulticopterPlatform> copter;
   const std::vector<helios::Point> way = { { 0.0, 0.0, 30.0 }, { 0.0, 200.0, 30.0 },
@@ -281,7 +281,7 @@ TEST_CASE(
   CHECK(farthest > 10.0);
 }
 
-TEST_CASE("MulticopterPlatform: it slows down for turns that do not fit", "[MulticopterPlatform]")
+TEST_CASE("MulticopterPlatform: slows down for turns that are too tight", "[MulticopterPlatform]")
 {
   vtkNew<vtkHeliosMulticopterPlatform> copter;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
@@ -308,7 +308,7 @@ TEST_CASE("MulticopterPlatform: it slows down for turns that do not fit", "[Mult
   }
 }
 
-TEST_CASE("MulticopterPlatform: it brakes as far ahead as told", "[MulticopterPlatform]")
+TEST_CASE("MulticopterPlatform: brakes within SlowdownDistance", "[MulticopterPlatform]")
 {
   vtkNew<vtkHeliosMulticopterPlatform> copter;
   for (const double distance : { 0.0, 40.0 })
@@ -325,7 +325,7 @@ TEST_CASE("MulticopterPlatform: it brakes as far ahead as told", "[MulticopterPl
   }
 }
 
-TEST_CASE("MulticopterPlatform: half the time step changes nothing", "[MulticopterPlatform]")
+TEST_CASE("MulticopterPlatform: half the time step gives the same result", "[MulticopterPlatform]")
 {
   const std::vector<helios::Point> way = { { 0.0, 0.0, 30.0 }, { 0.0, 200.0, 30.0 },
     { 200.0, 200.0, 60.0 }, { 230.0, 220.0, 30.0 } };
@@ -373,7 +373,7 @@ TEST_CASE("MulticopterPlatform: vertical legs and legs without length", "[Multic
   }
 }
 
-TEST_CASE("MulticopterPlatform: an hour takes few samples", "[MulticopterPlatform]")
+TEST_CASE("MulticopterPlatform: an hour has few samples", "[MulticopterPlatform]")
 {
   // 24 lines of 1 km, 50 m apart, at 8 m/s.
   std::vector<helios::Point> way;
@@ -428,14 +428,14 @@ TEST_CASE("MulticopterPlatform: bad input is an error", "[MulticopterPlatform]")
     CHECK(log->HasError("Waypoint 1, 1e+06 m from waypoint 0, is reached only after 7.7"));
     CHECK(log->HasError(" s; raise MaximumThrust or MaximumPitch, or lower DragCoefficient."));
   }
-  SECTION("nothing but drag")
+  SECTION("drag only")
   {
     copter->SetDragCoefficient(11.0);
     Run(copter, { origin, { 0.0, 1.0, 0.0 } }, { 1.0, 1.0 }, Stop);
     CHECK(log->HasError("Waypoint 1 cannot be reached: DragCoefficient is 11 kg/m, too high for 10 "
                         "kg to fly; lower it to less than Mass per metre."));
   }
-  SECTION("two numbers a waypoint")
+  SECTION("two numbers per waypoint")
   {
     auto waypoints = helios::MakeWaypoints({ origin, { 1.0, 0.0, 0.0 } }, { 1.0, 1.0 });
     vtkNew<vtkDoubleArray> array;

@@ -110,7 +110,7 @@ TEST_CASE("Platform: a single sample is a vertex", "[Platform]")
   CHECK(platform->GetOutput()->GetNumberOfLines() == 0);
 }
 
-TEST_CASE("Platform: leg ids come from the waypoints, field data passes", "[Platform]")
+TEST_CASE("Platform: leg ids come from the waypoints, field data are passed", "[Platform]")
 {
   auto waypoints = MakeWaypoints(3);
   vtkNew<vtkIntArray> legs;
@@ -166,7 +166,7 @@ TEST_CASE("Platform: bad waypoints are errors", "[Platform]")
     platform->Update();
     CHECK(log->HasError("Waypoint 2 is (0, 1, inf); coordinates must be finite numbers."));
   }
-  SECTION("leg ids of two components")
+  SECTION("leg ids with two components")
   {
     vtkNew<vtkIntArray> legs;
     legs->SetName(names::LegIds);
@@ -182,7 +182,7 @@ TEST_CASE("Platform: bad waypoints are errors", "[Platform]")
   CHECK(platform->GetOutput()->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("Platform: a path that fails leaves no trajectory", "[Platform]")
+TEST_CASE("Platform: a failed path has no trajectory", "[Platform]")
 {
   vtkNew<Steps> platform;
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());

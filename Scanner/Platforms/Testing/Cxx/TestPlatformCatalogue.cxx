@@ -104,7 +104,7 @@ TEST_CASE("Catalogue: airborne scan lines run across the flight, positive angles
   }
 }
 
-TEST_CASE("Catalogue: the cone of an airborne scanner stands on nadir", "[PlatformCatalogue]")
+TEST_CASE("Catalogue: the cone of an airborne scanner is centred on nadir", "[PlatformCatalogue]")
 {
   for (int azimuth = 0; azimuth < 360; azimuth += 30)
   {
@@ -117,7 +117,8 @@ TEST_CASE("Catalogue: the cone of an airborne scanner stands on nadir", "[Platfo
   }
 }
 
-TEST_CASE("Catalogue: the scan plane of the car leans back by 45 degrees", "[PlatformCatalogue]")
+TEST_CASE(
+  "Catalogue: the scan plane of the car is inclined backwards by 45 degrees", "[PlatformCatalogue]")
 {
   const double s = std::sqrt(0.5);
   const char* id = "car_linearpath";
@@ -127,7 +128,7 @@ TEST_CASE("Catalogue: the scan plane of the car leans back by 45 degrees", "[Pla
   CheckPoint(ToWorld(id, 0.0, 1.0, Beam(180.0)), 0.0, s, s); // the sky ahead
 }
 
-TEST_CASE("Catalogue: what moves by physics carries the scanner as what goes straight does",
+TEST_CASE("Catalogue: platforms with physics mount the scanner as the linear ones do",
   "[PlatformCatalogue]")
 {
   struct Pair
@@ -148,7 +149,7 @@ TEST_CASE("Catalogue: what moves by physics carries the scanner as what goes str
   }
 }
 
-TEST_CASE("Catalogue: the tripod is upright, 1.5 m high", "[PlatformCatalogue]")
+TEST_CASE("Catalogue: the tripod is vertical, 1.5 m high", "[PlatformCatalogue]")
 {
   const std::string tripod = ReadPlatform("tripod");
   CHECK(tripod.find("type=\"static\"") != std::string::npos);

@@ -14,9 +14,9 @@ const double Pi = std::acos(-1.0);
 
 } // namespace
 
-TEST_CASE("Turn: the circle of a bicycle, closed after one period", "[Turn]")
+TEST_CASE("Turn: the circle of the bicycle model, closed after one period", "[Turn]")
 {
-  // accuracy A7: wheelbase 2.5 m.
+  // Wheelbase 2.5 m.
   const double cases[4][2] = { { 5.0, 28.575130756903 }, { 10.0, 14.178204549044 },
     { 20.0, 6.868693548637 }, { 30.0, 4.330127018922 } };
   const helios::Steering steering{ 2.5, 1.0, 1.0, 1.0, 1.0 };
@@ -57,7 +57,7 @@ TEST_CASE("Turn: a ramp is a clothoid", "[Turn]")
   CHECK(end.Left == Approx(2.0 * half.Left).epsilon(1e-13));
 }
 
-TEST_CASE("Turn: position, heading and curvature belong together", "[Turn]")
+TEST_CASE("Turn: position, heading and curvature are consistent", "[Turn]")
 {
   for (const double angle : { 0.05, 0.8, 3.0, 6.0 })
   {
@@ -79,7 +79,7 @@ TEST_CASE("Turn: position, heading and curvature belong together", "[Turn]")
   }
 }
 
-TEST_CASE("Turn: it finds the first turn that leads to a point", "[Turn]")
+TEST_CASE("Turn: finds the first turn that leads to a point", "[Turn]")
 {
   const double radius = 5.0;
   int found = 0;
@@ -111,7 +111,7 @@ TEST_CASE("Turn: it finds the first turn that leads to a point", "[Turn]")
   CHECK(found > 4000);
 }
 
-TEST_CASE("GroundPath: what can be reached by a turn is, the rest by backing up", "[Turn]")
+TEST_CASE("GroundPath: reachable points by a turn, others by a manoeuvre", "[Turn]")
 {
   const helios::Steering steering{ 2.5, Pi / 6.0, 10.0, 2.0, 0.0 };
   for (double x = -12.0; x <= 12.0; x += 0.61)

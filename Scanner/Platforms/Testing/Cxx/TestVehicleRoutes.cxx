@@ -53,7 +53,7 @@ TEST_CASE("VehicleRoutes: many waypoints", "[VehicleRoutes]")
   }
 }
 
-TEST_CASE("VehicleRoutes: any waypoints are reached", "[VehicleRoutes]")
+TEST_CASE("VehicleRoutes: random waypoints are reached", "[VehicleRoutes]")
 {
   std::mt19937_64 random(11);
   const auto pick = [&](double low, double high)
@@ -105,7 +105,7 @@ TEST_CASE("VehicleRoutes: any waypoints are reached", "[VehicleRoutes]")
   CHECK(static_cast<double>(samples) < 100.0 * time);
 }
 
-TEST_CASE("VehicleRoutes: properties at the ends of their ranges", "[VehicleRoutes]")
+TEST_CASE("VehicleRoutes: properties at the limits of their ranges", "[VehicleRoutes]")
 {
   std::mt19937_64 random(19);
   const auto coin = [&]() { return random() % 3; };

@@ -92,22 +92,22 @@ TEST_CASE("BeamRayCaster: no leak at corners and edges", "[BeamRayCaster]")
   helios::CheckLeaks<vtkHeliosBeamRayCaster>(5);
 }
 
-TEST_CASE("BeamRayCaster: the lowest cell of equal ranges", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: the lowest cell id at equal ranges", "[BeamRayCaster]")
 {
   helios::CheckTies<vtkHeliosBeamRayCaster>();
 }
 
-TEST_CASE("BeamRayCaster: nothing degenerate is hit", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: degenerate triangles are not hit", "[BeamRayCaster]")
 {
   helios::CheckDegenerate<vtkHeliosBeamRayCaster>();
 }
 
-TEST_CASE("BeamRayCaster: threads get the same bytes", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: byte-identical for any number of threads", "[BeamRayCaster]")
 {
   helios::CheckThreads<vtkHeliosBeamRayCaster>();
 }
 
-TEST_CASE("BeamRayCaster: extremes", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: extreme coordinates", "[BeamRayCaster]")
 {
   vtkNew<vtkHeliosBeamRayCaster> caster;
   helios::CheckRangeLaw(*caster);
@@ -118,7 +118,7 @@ TEST_CASE("BeamRayCaster: extremes", "[BeamRayCaster]")
   helios::CheckSineTerrain(*caster);
 }
 
-TEST_CASE("BeamRayCaster: beams are rays, over everything at once", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: beams equal single rays, for random beams", "[BeamRayCaster]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -139,7 +139,7 @@ TEST_CASE("BeamRayCaster: beams are rays, over everything at once", "[BeamRayCas
   }
 }
 
-TEST_CASE("BeamRayCaster: beams are rays, at any width and skewness", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: beams equal single rays, at any width and skewness", "[BeamRayCaster]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -179,7 +179,7 @@ TEST_CASE("BeamRayCaster: beams at corners and edges of a closed mesh", "[BeamRa
   }
 }
 
-TEST_CASE("BeamRayCaster: senseless and limited rays among others", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: invalid and limited rays in a beam", "[BeamRayCaster]")
 {
   const helios::Soup soup = MakeForest();
   auto rays = MakeBeams({ 101, 99, 8 }, { 0, 0, 0 }, { 200, 200, 10 }, 0.3e-3);
@@ -208,7 +208,7 @@ TEST_CASE("BeamRayCaster: senseless and limited rays among others", "[BeamRayCas
   CHECK(CountDifferences(soup, rays, 19) == 0);
 }
 
-TEST_CASE("BeamRayCaster: small leaves far out, by beams", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: small distant leaves, by beams", "[BeamRayCaster]")
 {
   Dice dice(9);
   helios::Soup soup = helios::MakeTerrain(100, 200.0);
@@ -241,7 +241,7 @@ TEST_CASE("BeamRayCaster: small leaves far out, by beams", "[BeamRayCaster]")
   }
 }
 
-TEST_CASE("BeamRayCaster: a stray corner far away changes no other hit", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: a distant point changes no other hit", "[BeamRayCaster]")
 {
   helios::Soup soup = helios::MakeMixture();
   const auto rays = helios::MakeRays(soup, 3000);
@@ -276,7 +276,7 @@ TEST_CASE("BeamRayCaster: without triangles, and without area", "[BeamRayCaster]
   CHECK(CountDifferences(soup, { ray, ray, ray }, 3) == 0);
 }
 
-TEST_CASE("BeamRayCaster: other casters take beams as rays", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: other ray casters trace beams as single rays", "[BeamRayCaster]")
 {
   const helios::Soup soup = MakeForest();
   vtkNew<vtkHeliosBvhRayCaster> caster;
@@ -287,7 +287,7 @@ TEST_CASE("BeamRayCaster: other casters take beams as rays", "[BeamRayCaster]")
   CHECK(helios::CountDifferences(hits, helios::Cast(caster, rays)) == 0);
 }
 
-TEST_CASE("BeamRayCaster: small beside the scene", "[BeamRayCaster]")
+TEST_CASE("BeamRayCaster: memory is small compared with the scene", "[BeamRayCaster]")
 {
   vtkNew<vtkHeliosBeamRayCaster> caster;
   const helios::Soup soup = helios::MakeTerrain(200, 1.0);

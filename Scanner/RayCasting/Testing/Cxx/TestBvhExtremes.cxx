@@ -6,19 +6,19 @@
 
 #include <vtkNew.h>
 
-TEST_CASE("BvhRayCaster: range error within 8 u R / cos in 168 cells", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: range error within 8 u R / cos in 168 cases", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   helios::CheckRangeLaw(*caster);
 }
 
-TEST_CASE("BvhRayCaster: small leaves far out on terrain", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: small distant leaves on terrain", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   helios::CheckSmallLeaves(*caster);
 }
 
-TEST_CASE("BvhRayCaster: no leak through a heightfield, no second echo", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: no leak through a height field, no second echo", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   helios::CheckHeightFieldLeaks(*caster);
@@ -30,13 +30,13 @@ TEST_CASE("BvhRayCaster: needles are hit", "[BvhRayCaster]")
   helios::CheckNeedles(*caster);
 }
 
-TEST_CASE("BvhRayCaster: a sphere of triangles", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: a triangulated sphere", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   helios::CheckSphere(*caster);
 }
 
-TEST_CASE("BvhRayCaster: a sine of terrain", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: sinusoidal terrain", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   helios::CheckSineTerrain(*caster);

@@ -14,22 +14,22 @@ TEST_CASE("BvhRayCaster: no leak at corners and edges", "[BvhRayCaster]")
   helios::CheckLeaks<vtkHeliosBvhRayCaster>(5);
 }
 
-TEST_CASE("BvhRayCaster: the lowest cell of equal ranges", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: the lowest cell id at equal ranges", "[BvhRayCaster]")
 {
   helios::CheckTies<vtkHeliosBvhRayCaster>();
 }
 
-TEST_CASE("BvhRayCaster: nothing degenerate is hit", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: degenerate triangles are not hit", "[BvhRayCaster]")
 {
   helios::CheckDegenerate<vtkHeliosBvhRayCaster>();
 }
 
-TEST_CASE("BvhRayCaster: threads get the same bytes", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: byte-identical for any number of threads", "[BvhRayCaster]")
 {
   helios::CheckThreads<vtkHeliosBvhRayCaster>();
 }
 
-TEST_CASE("BvhRayCaster: a stray corner far away changes no other hit", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: a distant point changes no other hit", "[BvhRayCaster]")
 {
   helios::Soup soup = helios::MakeMixture();
   const auto rays = helios::MakeRays(soup, 3000);
@@ -41,7 +41,7 @@ TEST_CASE("BvhRayCaster: a stray corner far away changes no other hit", "[BvhRay
   CHECK(helios::CountDifferences(helios::Cast(caster, rays), before) == 0);
 }
 
-TEST_CASE("BvhRayCaster: small beside the scene", "[BvhRayCaster]")
+TEST_CASE("BvhRayCaster: memory is small compared with the scene", "[BvhRayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   const helios::Soup soup = helios::MakeTerrain(200, 1.0);

@@ -89,7 +89,7 @@ Vec3 Pick(const Vec3 corners[3], double u, double v)
 
 } // namespace
 
-TEST_CASE("TriangleDistance: known ways", "[Clearance]")
+TEST_CASE("TriangleDistance: known distances", "[Clearance]")
 {
   const Vec3 triangle[3] = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } };
   const auto distance = [&triangle](const Vec3& a, const Vec3& b)
@@ -107,7 +107,7 @@ TEST_CASE("TriangleDistance: known ways", "[Clearance]")
   CHECK(helios::WayToWay({ 0, 0, 1 }, { 1, 0, 1 }, { 3, 0, 1 }, { 5, 0, 1 }) == 2.0); // on one line
 }
 
-TEST_CASE("TriangleDistance: no point of both is nearer, and one is as near", "[Clearance]")
+TEST_CASE("TriangleDistance: is a lower bound that is reached", "[Clearance]")
 {
   helios::Dice dice(7);
   for (int i = 0; i < 300; ++i)
@@ -153,7 +153,7 @@ TEST_CASE("TriangleDistance: no point of both is nearer, and one is as near", "[
   }
 }
 
-TEST_CASE("Clearance: above a plane, also between samples", "[Clearance]")
+TEST_CASE("Clearance: distance to a plane, also between samples", "[Clearance]")
 {
   helios::Soup scene;
   AddRectangle(scene, { -1000, -1000, 5 }, { 2000, 0, 0 }, { 0, 2000, 0 });
@@ -180,7 +180,7 @@ TEST_CASE("Clearance: above a plane, also between samples", "[Clearance]")
   }
 }
 
-TEST_CASE("Clearance: a step is met from the side", "[Clearance]")
+TEST_CASE("Clearance: distance to a step from the side", "[Clearance]")
 {
   // Ground at 0, a wall of 30 m at x = 100, a plateau behind it.
   helios::Soup scene;
@@ -206,7 +206,7 @@ TEST_CASE("Clearance: a step is met from the side", "[Clearance]")
                                 "m): the first is sample 0 at x 50, y 0, z 20 with -10 m"));
 }
 
-TEST_CASE("Clearance: past a sphere it is the distance less the radius", "[Clearance]")
+TEST_CASE("Clearance: distance to a sphere is that to its centre less the radius", "[Clearance]")
 {
   helios::Soup sphere = helios::MakeIcosphere(5);
   sphere.Move({ 10, 20, 30 }, 4.0);
@@ -234,7 +234,7 @@ TEST_CASE("Clearance: past a sphere it is the distance less the radius", "[Clear
   }
 }
 
-TEST_CASE("Clearance: the tree misses nothing", "[Clearance]")
+TEST_CASE("Clearance: the tree agrees with brute force", "[Clearance]")
 {
   const helios::Soup scene = helios::MakeMixture();
   std::vector<Vec3> samples;
@@ -268,7 +268,7 @@ TEST_CASE("Clearance: the tree misses nothing", "[Clearance]")
   CHECK(far > 0);
 }
 
-TEST_CASE("Clearance: jumps are not flown, single samples are looked at", "[Clearance]")
+TEST_CASE("Clearance: jumps are excluded, single samples are included", "[Clearance]")
 {
   helios::Soup scene;
   AddRectangle(scene, { -10, -10, 0 }, { 20, 0, 0 }, { 0, 20, 0 });
@@ -292,7 +292,7 @@ TEST_CASE("Clearance: jumps are not flown, single samples are looked at", "[Clea
 }
 
 TEST_CASE(
-  "Clearance: what comes too near is counted, the first and the nearest named", "[Clearance]")
+  "Clearance: counts values below the minimum, and names the first and the smallest", "[Clearance]")
 {
   helios::Soup scene;
   AddRectangle(scene, { -10, -10, 0 }, { 20, 0, 0 }, { 0, 20, 0 });
@@ -314,7 +314,7 @@ TEST_CASE(
   CHECK(flight.Filter->GetFirstBelowMinimum() == -1);
 }
 
-TEST_CASE("Clearance: what is wrong is said", "[Clearance]")
+TEST_CASE("Clearance: bad input is an error", "[Clearance]")
 {
   helios::Soup scene;
   AddRectangle(scene, { -10, -10, 0 }, { 20, 0, 0 }, { 0, 20, 0 });

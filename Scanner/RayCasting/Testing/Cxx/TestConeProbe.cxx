@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// ProbeCone against brute force: rays all over the cone, and each triangle clipped to the cone.
+// The cone probe against brute force: rays all over the cone, and each triangle clipped to the cone.
 
+#include "heliosConeProbe.h"
 #include "heliosRayCastingScenes.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 
+using helios::ConeProbe;
 using helios::Dice;
 using helios::Soup;
 using helios::Vec3;
@@ -233,16 +235,16 @@ Counts Probe(const Soup& soup, const std::vector<Cone>& cones, double tolerance)
   vtkNew<vtkHeliosBvhRayCaster> bvh;
   REQUIRE(beam->Build(scene));
   REQUIRE(bvh->Build(scene));
-  beam->PrepareConeProbe();
-  bvh->PrepareConeProbe();
+  const ConeProbe* ofBeam = beam->GetConeProbe(); // on the tree of the caster
+  const ConeProbe* ofBvh = bvh->GetConeProbe();   // on one of its own
+  REQUIRE((ofBeam && ofBvh));
   Counts counts;
   for (const Cone& cone : cones)
   {
-    const auto ask = [&cone, tolerance](const vtkHeliosRayCaster* caster) {
-      return caster->ProbeCone(cone.Apex.GetData(), cone.Axis.GetData(), cone.Tangent, tolerance);
-    };
-    const vtkHeliosConeHit hit = ask(beam);
-    const vtkHeliosConeHit other = ask(bvh);
+    const auto ask = [&cone, tolerance](const ConeProbe& probe)
+    { return probe.Probe(cone.Apex.GetData(), cone.Axis.GetData(), cone.Tangent, tolerance); };
+    const vtkHeliosConeHit hit = ask(*ofBeam);
+    const vtkHeliosConeHit other = ask(*ofBvh);
     ++counts.Kinds[hit.Kind];
     std::string fault;
     if (hit.Kind != other.Kind || hit.CellId != other.CellId || hit.Range != other.Range)
@@ -316,7 +318,7 @@ Soup MakeFan(int count = 6)
 
 } // namespace
 
-TEST_CASE("ProbeCone: never wrong over everything at once", "[ConeProbe]")
+TEST_CASE("ConeProbe: never wrong over random scenes", "[ConeProbe]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -338,7 +340,7 @@ TEST_CASE("ProbeCone: never wrong over everything at once", "[ConeProbe]")
   }
 }
 
-TEST_CASE("ProbeCone: never wrong over a closed mesh and over leaves", "[ConeProbe]")
+TEST_CASE("ConeProbe: never wrong over a closed mesh and leaves", "[ConeProbe]")
 {
   Soup sphere = helios::MakeIcosphere(3);
   const Counts inside = Probe(sphere, MakeCones(sphere, { 0, 0, 0 }, 0.9, 1000), 1e-4);
@@ -351,7 +353,7 @@ TEST_CASE("ProbeCone: never wrong over a closed mesh and over leaves", "[ConePro
   CHECK(crowns.Kinds[OnePlane] > 100);
 }
 
-TEST_CASE("ProbeCone: mostly one plane over smooth terrain", "[ConeProbe]")
+TEST_CASE("ConeProbe: mostly planar over smooth terrain", "[ConeProbe]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -377,7 +379,7 @@ TEST_CASE("ProbeCone: mostly one plane over smooth terrain", "[ConeProbe]")
   }
 }
 
-TEST_CASE("ProbeCone: a wall of triangles is one plane, with a hole it is not", "[ConeProbe]")
+TEST_CASE("ConeProbe: a wall of triangles is planar, with a hole it is not", "[ConeProbe]")
 {
   CHECK(ProbeAt(MakeFan(), { 0, 0, 0 }, 0.01) == OnePlane);
   CHECK(ProbeAt(MakeFan(), { 0.01, 0.01, 0 }, 0.01) == OnePlane);
@@ -411,7 +413,7 @@ TEST_CASE("ProbeCone: a wall of triangles is one plane, with a hole it is not", 
   CHECK(probeLeaf({ -9, -9, 4.9 }, { 9, -9, 4.9 }, { 0.4, 9, 5.1 }) == OnePlane);
 }
 
-TEST_CASE("ProbeCone: a fold is one plane within the tolerance only", "[ConeProbe]")
+TEST_CASE("ConeProbe: a fold is planar within the tolerance only", "[ConeProbe]")
 {
   for (double slope : { 0.0, 0.01, 0.1 })
   {
@@ -434,31 +436,54 @@ TEST_CASE("ProbeCone: a fold is one plane within the tolerance only", "[ConeProb
   }
 }
 
-TEST_CASE("ProbeCone: in doubt it is mixed", "[ConeProbe]")
+TEST_CASE("ConeProbe: unresolved in doubt", "[ConeProbe]")
 {
   const Soup soup = MakeFan();
   const double nan = std::nan("");
   vtkNew<vtkHeliosBvhRayCaster> caster;
   const double from[3] = { 0, 0, 5 };
   const double axis[3] = { 0, 0, -1 };
-  caster->PrepareConeProbe();
-  CHECK(caster->ProbeCone(from, axis, 0.01, 1e-6).Kind == Mixed); // no scene
+  CHECK(caster->GetConeProbe() == nullptr); // no scene
   REQUIRE(caster->Build(soup.GetPolyData()));
-  CHECK(caster->ProbeCone(from, axis, 0.01, 1e-6).Kind == Mixed); // not prepared
-  caster->PrepareConeProbe();
-  CHECK(caster->ProbeCone(from, axis, 0.01, 1e-6).Kind == OnePlane);
-  CHECK(caster->ProbeCone(from, axis, 0.0, 1e-6).Kind == OnePlane); // a line
-  CHECK(caster->ProbeCone(from, axis, nan, 1e-6).Kind == Mixed);
-  CHECK(caster->ProbeCone(from, axis, 0.01, nan).Kind == Mixed);
-  CHECK(caster->ProbeCone(from, axis, 0.9, 1e-6).Kind == Mixed);
-  CHECK(caster->ProbeCone(from, axis, -0.1, 1e-6).Kind == Mixed);
+  const ConeProbe* probe = caster->GetConeProbe();
+  REQUIRE(probe);
+  CHECK(caster->GetConeProbe() == probe); // made once
+  CHECK(probe->Probe(from, axis, 0.01, 1e-6).Kind == OnePlane);
+  CHECK(probe->Probe(from, axis, 0.0, 1e-6).Kind == OnePlane); // a line
+  CHECK(probe->Probe(from, axis, nan, 1e-6).Kind == Mixed);
+  CHECK(probe->Probe(from, axis, 0.01, nan).Kind == Mixed);
+  CHECK(probe->Probe(from, axis, 0.9, 1e-6).Kind == Mixed);
+  CHECK(probe->Probe(from, axis, -0.1, 1e-6).Kind == Mixed);
   const double nowhere[3] = { 0, 0, 0 };
-  CHECK(caster->ProbeCone(from, nowhere, 0.01, 1e-6).Kind == Mixed);
-  REQUIRE(caster->Build(MakeFan(5).GetPolyData()));
-  CHECK(caster->ProbeCone(from, axis, 0.01, 1e-6).Kind == Mixed); // not prepared again
+  CHECK(probe->Probe(from, nowhere, 0.01, 1e-6).Kind == Mixed);
 }
 
-TEST_CASE("ProbeCone: triangles far out of the scene count", "[ConeProbe]")
+TEST_CASE("ConeProbe: of the scene built last", "[ConeProbe]")
+{
+  const double from[3] = { 0, 0, 5 };
+  const double axis[3] = { 0, 0, -1 };
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  REQUIRE(caster->Build(MakeFan().GetPolyData()));
+  CHECK(caster->GetConeProbe()->Probe(from, axis, 0.01, 1e-6).Kind == OnePlane);
+  Soup away;
+  away.AddTriangle({ 50, 0, 0 }, { 51, 0, 0 }, { 50, 1, 0 });
+  REQUIRE(caster->Build(away.GetPolyData()));
+  CHECK(caster->GetConeProbe()->Probe(from, axis, 0.01, 1e-6).Kind == Empty);
+  CHECK_FALSE(caster->Build(nullptr));
+  CHECK(caster->GetConeProbe() == nullptr);
+}
+
+TEST_CASE("ConeProbe: none after an abort request, then again", "[ConeProbe]")
+{
+  vtkNew<vtkHeliosBvhRayCaster> caster;
+  REQUIRE(caster->Build(MakeFan().GetPolyData()));
+  caster->SetShouldStop([]() { return true; });
+  CHECK(caster->GetConeProbe() == nullptr);
+  caster->SetShouldStop(nullptr);
+  CHECK(caster->GetConeProbe() != nullptr);
+}
+
+TEST_CASE("ConeProbe: distant triangles are included", "[ConeProbe]")
 {
   Soup soup = helios::MakeIcosphere(4);
   soup.AddTriangle({ -1e4, -1e4, 50 }, { 1e4, -1e4, 50 }, { 0, 2e4, 50 });

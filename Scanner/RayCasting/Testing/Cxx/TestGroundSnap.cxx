@@ -78,7 +78,7 @@ TEST_CASE("GroundSnap: onto the highest ground", "[GroundSnap]")
   }
 }
 
-TEST_CASE("GroundSnap: moves only the points whose OnGround is set", "[GroundSnap]")
+TEST_CASE("GroundSnap: moves only points with OnGround", "[GroundSnap]")
 {
   const auto points = MakePoints({ { 10, 10, 5 }, { 10, 10, 5 }, { -10, 10, 5 } });
   vtkNew<vtkIntArray> onGround;
@@ -121,7 +121,7 @@ TEST_CASE("GroundSnap: names the point without ground", "[GroundSnap]")
   CHECK(log->HasError("scene on port 1 is empty"));
 }
 
-TEST_CASE("GroundSnap: a stray point elsewhere takes no accuracy", "[GroundSnap]")
+TEST_CASE("GroundSnap: a distant point does not reduce accuracy", "[GroundSnap]")
 {
   const auto scene = MakeSlopeAndRoof(true);
   const double stray[3] = { 1e30, 1e30, 1e30 };

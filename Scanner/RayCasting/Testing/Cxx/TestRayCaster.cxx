@@ -100,7 +100,7 @@ TEST_CASE("RayCaster: keeps its tree for another scene with the same triangles",
   CHECK(caster->Builds == 3);
 }
 
-TEST_CASE("RayCaster: says why it cannot be built, and then hits nothing", "[RayCaster]")
+TEST_CASE("RayCaster: a failed build is an error, and nothing is hit", "[RayCaster]")
 {
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
   vtkNew<vtkHeliosBvhRayCaster> caster;
@@ -133,7 +133,7 @@ TEST_CASE("RayCaster: says why it cannot be built, and then hits nothing", "[Ray
   CHECK(helios::Cast(caster, rays)[0].CellId == 0);
 }
 
-TEST_CASE("RayCaster: takes and fills arrays", "[RayCaster]")
+TEST_CASE("RayCaster: arrays of rays and hits", "[RayCaster]")
 {
   auto log = vtkSmartPointer<helios::ErrorObserver>::Take(helios::ErrorObserver::New());
   vtkNew<vtkHeliosBvhRayCaster> caster;
@@ -167,7 +167,7 @@ TEST_CASE("RayCaster: takes and fills arrays", "[RayCaster]")
   CHECK(log->HasError("must all be arrays"));
 }
 
-TEST_CASE("RayCaster: prints itself", "[RayCaster]")
+TEST_CASE("RayCaster: prints its properties", "[RayCaster]")
 {
   vtkNew<vtkHeliosBvhRayCaster> caster;
   REQUIRE(caster->Build(MakeWall(3)));

@@ -94,7 +94,7 @@ TEST_CASE("TerrainFollow: waypoints at a height above a slope", "[TerrainFollow]
   CHECK(way->GetPointData()->GetArray(names::LegIds)->GetTuple1(1) == 1.0);
 }
 
-TEST_CASE("TerrainFollow: waypoints between have the settings of their leg", "[TerrainFollow]")
+TEST_CASE("TerrainFollow: additional waypoints have the settings of their leg", "[TerrainFollow]")
 {
   helios::Soup scene = helios::MakeTerrain(100, 5);
   Follow follow(scene, { { 10, 20, 0 }, { 410, 320, 0 }, { 410, 320, 0 }, { 410, 331, 0 } });
@@ -126,7 +126,7 @@ TEST_CASE("TerrainFollow: waypoints between have the settings of their leg", "[T
   }
 }
 
-TEST_CASE("TerrainFollow: LegIds that are there are kept", "[TerrainFollow]")
+TEST_CASE("TerrainFollow: existing LegIds are kept", "[TerrainFollow]")
 {
   helios::Soup scene;
   AddSlab(scene, 0, 0, 1000, 100);
@@ -149,7 +149,7 @@ TEST_CASE("TerrainFollow: LegIds that are there are kept", "[TerrainFollow]")
   CHECK(follow.Waypoints->GetPointData()->GetNumberOfArrays() == 2); // the input is unchanged
 }
 
-TEST_CASE("TerrainFollow: a step is climbed in time and left in time", "[TerrainFollow]")
+TEST_CASE("TerrainFollow: climbs before a step and descends after it", "[TerrainFollow]")
 {
   // 0 up to x = 100, 60 up to x = 200, 0 again.
   helios::Soup scene;
@@ -177,7 +177,7 @@ TEST_CASE("TerrainFollow: a step is climbed in time and left in time", "[Terrain
   CHECK(follow.Run()->GetPoint(0)[2] == Approx(80));
 }
 
-TEST_CASE("TerrainFollow: the ground, or what stands on it", "[TerrainFollow]")
+TEST_CASE("TerrainFollow: above the ground, or above all surfaces", "[TerrainFollow]")
 {
   helios::Soup soup;
   AddSlab(soup, 0, 0, 100, 0);
@@ -200,13 +200,13 @@ TEST_CASE("TerrainFollow: the ground, or what stands on it", "[TerrainFollow]")
   CHECK(follow.Run()->GetPoint(0)[2] == Approx(62));
 }
 
-TEST_CASE("TerrainFollow: what is wrong is said", "[TerrainFollow]")
+TEST_CASE("TerrainFollow: bad input is an error", "[TerrainFollow]")
 {
   helios::Soup scene;
   AddSlab(scene, 0, 0, 100, 0);
   AddSlab(scene, 110, 0, 200, 0);
   Follow follow(scene, { { 50, 0, 0 }, { 150, 0, 0 } });
-  SECTION("no ground on the way")
+  SECTION("no ground below the path")
   {
     CHECK(follow.Run()->GetNumberOfPoints() == 2);
     follow.Filter->SetSpacing(5);
@@ -242,7 +242,7 @@ TEST_CASE("TerrainFollow: what is wrong is said", "[TerrainFollow]")
     CHECK(
       follow.FailsWith("The input on port 0 is a trajectory, it has GpsTime; connect waypoints"));
   }
-  SECTION("no waypoints are none")
+  SECTION("no waypoints: no output")
   {
     follow.Waypoints->Initialize();
     CHECK(follow.Run()->GetNumberOfPoints() == 0);

@@ -90,9 +90,9 @@ struct Shot
 
 } // namespace
 
-TEST_CASE("TriangleTest: range error within 8 u R / cos, 168 cells", "[TriangleTest]")
+TEST_CASE("TriangleTest: range error within 8 u R / cos in 168 cases", "[TriangleTest]")
 {
-  // accuracy.md A1: offsets, ranges and angles; equilateral triangles of circumradius 0.1 R.
+  // Offsets, ranges and angles; equilateral triangles of circumradius 0.1 R.
   Dice dice;
   double worst = 0.0;
   int misses = 0;
@@ -177,7 +177,7 @@ TEST_CASE("TriangleTest: the sign of a difference of products is exact", "[Trian
   CHECK(helios::GetSignOfTie(-(1 + e), 1 - e, -1, 1) == 1);
 }
 
-TEST_CASE("TriangleTest: area is decided exactly", "[TriangleTest]")
+TEST_CASE("TriangleTest: degeneracy is decided exactly", "[TriangleTest]")
 {
   Dice dice;
   for (int i = 0; i < 1000; ++i)
@@ -195,7 +195,7 @@ TEST_CASE("TriangleTest: area is decided exactly", "[TriangleTest]")
 }
 
 TEST_CASE(
-  "TriangleTest: both sides are hit, ranges count in lengths of the direction", "[TriangleTest]")
+  "TriangleTest: both sides are hit, ranges are in lengths of the direction", "[TriangleTest]")
 {
   const Triangle wall{ { { 3, -1, -1 }, { 3, 1, -1 }, { 3, 0, 2 } } };
   const Triangle back{ { wall.P[0], wall.P[2], wall.P[1] } };

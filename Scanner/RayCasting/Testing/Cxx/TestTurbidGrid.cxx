@@ -121,7 +121,7 @@ TEST_CASE("TurbidGrid: the diagonal of a cube is one chord without gaps", "[Turb
   CHECK(sum == Approx(1.732050807568877).epsilon(1e-14));
 }
 
-TEST_CASE("TurbidGrid: chords of random rays sum up to that of the box", "[TurbidGrid]")
+TEST_CASE("TurbidGrid: chords of random rays add up to that of the box", "[TurbidGrid]")
 {
   const int count[3] = { 7, 5, 11 };
   const Vec3 size(0.7, 0.5, 1.1);
@@ -178,7 +178,7 @@ TEST_CASE("TurbidGrid: rays along the axes, in faces and from inside", "[TurbidG
   CHECK(Walk(grid, { -1, 0.25, 0.25 }, { 1, 0, 0 }, 1.0).empty());
 }
 
-TEST_CASE("TurbidGrid: a turned grid is the same grid", "[TurbidGrid]")
+TEST_CASE("TurbidGrid: a rotated grid is equivalent", "[TurbidGrid]")
 {
   const int count[3] = { 8, 6, 4 };
   const helios::Quaternion turn = helios::AxisAngle({ 1, 2, 3 }, 37.0);
@@ -204,7 +204,7 @@ TEST_CASE("TurbidGrid: a turned grid is the same grid", "[TurbidGrid]")
   }
 }
 
-TEST_CASE("TurbidGrid: an optical depth lies where densities add up to it", "[TurbidGrid]")
+TEST_CASE("TurbidGrid: an optical depth is where densities add up to it", "[TurbidGrid]")
 {
   const int count[3] = { 4, 1, 1 };
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -245,7 +245,7 @@ TEST_CASE("TurbidGrid: G of a table is linear in the angle from the vertical", "
   CHECK(grid.FindDepth({ 0.5, 0.5, 9 }, { 0, 0, -1 }, 99, 0.4).Range == Approx(8.5));
 }
 
-TEST_CASE("TurbidGrid: a cone that is said to miss does miss", "[TurbidGrid]")
+TEST_CASE("TurbidGrid: a cone that misses by the test has no hits", "[TurbidGrid]")
 {
   const int count[3] = { 3, 4, 5 };
   const TurbidGrid grid = MakeGrid(count, 0.5, { 10, 0, 0 });
@@ -276,7 +276,7 @@ TEST_CASE("TurbidGrid: a cone that is said to miss does miss", "[TurbidGrid]")
   CHECK(grid.MayMeet({ 10.5, 1, 1 }, { -1, 0, 0 }, 0.001, 0.0));
 }
 
-TEST_CASE("TurbidGrid: images that are wrong", "[TurbidGrid]")
+TEST_CASE("TurbidGrid: bad images are errors", "[TurbidGrid]")
 {
   const int one[3] = { 1, 1, 1 };
   TurbidGrid grid;

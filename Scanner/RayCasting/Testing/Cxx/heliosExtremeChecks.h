@@ -163,7 +163,7 @@ inline void MakeTargets(Dice& dice, const Vec3& offset, double range, double deg
   }
 }
 
-/// accuracy.md A1: range error within 8 u R / cos over offsets, 7 decades and 8 angles.
+/// Range error within 8 u R / cos over offsets, 7 decades and 8 angles.
 inline void CheckRangeLaw(vtkHeliosRayCaster& caster)
 {
   Dice dice(11);
@@ -252,7 +252,7 @@ inline void CheckSmallLeaves(vtkHeliosRayCaster& caster)
   }
 }
 
-/// The heightfield of accuracy.md A1: 24 x 24 cells of 0.1 m, 0.05 m high.
+/// A height field: 24 x 24 cells of 0.1 m, 0.05 m high.
 inline Soup MakeHeightField()
 {
   Soup soup;

@@ -10,6 +10,7 @@
 #include "heliosTriangleArea.h"
 #include "heliosTriangleMesh.h"
 #include "heliosTriangleTest.h"
+#include "vtkHeliosRayCaster.h"
 
 #include <vtkCellArray.h>
 #include <vtkPoints.h>

@@ -43,7 +43,7 @@ std::string Repeat(const std::string& text, std::size_t count)
 
 } // namespace
 
-TEST_CASE("FilePattern: whole names match, in alphabetical order", "[FilePattern]")
+TEST_CASE("FilePattern: matches complete names, in alphabetical order", "[FilePattern]")
 {
   const Files files;
   for (const char* name : { "b_2.xyz", "b_1.xyz", "B_1.xyz", "b_1.xyz.gz", "c-10.txt", "\xe4.xyz" })
@@ -62,7 +62,7 @@ TEST_CASE("FilePattern: whole names match, in alphabetical order", "[FilePattern
   CHECK(FilePattern(".*").GetFolder().empty());
 }
 
-TEST_CASE("FilePattern: what cannot be matched in linear time is refused", "[FilePattern]")
+TEST_CASE("FilePattern: expressions that need more than linear time are refused", "[FilePattern]")
 {
   const auto fault = [](const std::string& text) { return FilePattern(text).GetFault(); };
   const std::string unsupported = "lookahead and back references are not supported";
@@ -76,7 +76,7 @@ TEST_CASE("FilePattern: what cannot be matched in linear time is refused", "[Fil
   CHECK(fault(Repeat("(", 500) + Repeat(")", 500)).empty());
 }
 
-TEST_CASE("FilePattern: no expression takes long", "[FilePattern]")
+TEST_CASE("FilePattern: every expression takes linear time", "[FilePattern]")
 {
   const Files files;
   files.Write("d/" + Repeat("a", 200) + "!", "");
@@ -84,7 +84,7 @@ TEST_CASE("FilePattern: no expression takes long", "[FilePattern]")
   CHECK(FindNames(FilePattern("(a|a|aa)*b"), files / "d").empty());
 }
 
-TEST_CASE("FilePattern: a folder that is too large is not listed", "[FilePattern]")
+TEST_CASE("FilePattern: a folder that is too large is refused", "[FilePattern]")
 {
   const Files files;
   for (const char* name : { "d/1", "d/2", "d/3" })

@@ -32,7 +32,7 @@ public:
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
     auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
-    if (player->GetNumberOfPulsesDone() >= 1800)
+    if (player->GetCount("pulses") >= 1800)
     {
       player->Abort();
     }
@@ -99,7 +99,7 @@ std::string Nest(const std::string& text, int depth)
 
 } // namespace
 
-TEST_CASE("JournalMutations: damaged journals and parts end in the same bytes, or in an error",
+TEST_CASE("JournalMutations: damaged journals and parts give the same bytes or an error",
   "[JournalMutations][mutation]")
 {
   const Files files;

@@ -3,7 +3,9 @@
 // Compares the ray caster for moving scenes with that of the whole scene.
 #include "heliosMovingRayCaster.h"
 
+#include "heliosConeProbe.h"
 #include "vtkHeliosArrayNames.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -92,12 +94,12 @@ std::vector<vtkHeliosRay> MakeRays()
 
 } // namespace
 
-TEST_CASE("MovingRayCaster: the same hits as of the whole scene", "[MovingRayCaster]")
+TEST_CASE("MovingRayCaster: hits equal those of the whole scene", "[MovingRayCaster]")
 {
   const std::string name = GENERATE("beam", "bvh");
   const bool onlyMoving = GENERATE(false, true);
   const auto kind =
-    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create(name.c_str()));
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create(name.c_str()));
   const auto start = MakeScene(0.0, onlyMoving);
   vtkNew<MovingRayCaster> parts;
   parts->SetUp(kind, start, { 1 });
@@ -135,24 +137,26 @@ TEST_CASE("MovingRayCaster: the same hits as of the whole scene", "[MovingRayCas
   }
 }
 
-TEST_CASE(
-  "MovingRayCaster: what cones meet for certain is so in the whole scene", "[MovingRayCaster]")
+TEST_CASE("MovingRayCaster: cones resolved by it are resolved equally in the whole scene",
+  "[MovingRayCaster]")
 {
-  const auto kind = vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCaster::Create("beam"));
+  const auto kind =
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create("beam"));
   const auto scene = MakeScene(25.0, false);
   vtkNew<MovingRayCaster> parts;
   parts->SetUp(kind, scene, { 1 });
   REQUIRE(kind->Build(scene));
   REQUIRE(parts->Build(scene));
-  kind->PrepareConeProbe();
-  parts->PrepareConeProbe();
+  const helios::ConeProbe* ofKind = kind->GetConeProbe();
+  const helios::ConeProbe* ofParts = parts->GetConeProbe();
+  REQUIRE((ofKind && ofParts));
   const double up[3] = { 0, 0, 1 };
   int counts[3] = { 0, 0, 0 };
   int planes[2] = { 0, 0 }; // of static and moving cells
   for (const vtkHeliosRay& ray : MakeRays())
   {
-    const vtkHeliosConeHit whole = kind->ProbeCone(ray.Origin, up, 0.001, 0.01);
-    const vtkHeliosConeHit hit = parts->ProbeCone(ray.Origin, up, 0.001, 0.01);
+    const vtkHeliosConeHit whole = ofKind->Probe(ray.Origin, up, 0.001, 0.01);
+    const vtkHeliosConeHit hit = ofParts->Probe(ray.Origin, up, 0.001, 0.01);
     ++counts[hit.Kind];
     REQUIRE((hit.Kind == whole.Kind || hit.Kind == vtkHeliosConeHit::Mixed));
     REQUIRE((hit.Kind != vtkHeliosConeHit::Mixed || whole.Kind != vtkHeliosConeHit::Empty));

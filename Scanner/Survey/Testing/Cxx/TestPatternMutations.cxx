@@ -37,7 +37,7 @@ std::string Quote(const std::string& text)
 } // namespace
 
 TEST_CASE(
-  "PatternMutations: damaged patterns match files, or are refused", "[PatternMutations][mutation]")
+  "PatternMutations: damaged patterns match files or are refused", "[PatternMutations][mutation]")
 {
   const Files files;
   for (const std::string name :

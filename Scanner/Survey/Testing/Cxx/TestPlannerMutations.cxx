@@ -3,6 +3,7 @@
 // Damaged planner documents give an error that names the file, or valid settings.
 #include "heliosMutation.h"
 #include "heliosPlannerFiles.h"
+#include "heliosPlannerSettings.h"
 #include "heliosXmlMutation.h"
 
 #include <catch2/catch.hpp>
@@ -36,16 +37,16 @@ bool IsWithin(double value, double low, double high)
 bool IsValid(vtkHeliosPlannerReader* reader)
 {
   const double turn = reader->GetLegHeadRotateStop() - reader->GetLegHeadRotateStart();
-  return !reader->GetPlanName().empty() && !reader->GetMethod().empty() &&
-    !reader->GetSceneReference().empty() && !reader->GetRemoveOrder().empty() &&
-    IsWithin(reader->GetMinimumCoverage(), 1e-6, 100.0) &&
-    IsWithin(reader->GetMinimumOverlap(), 0.0, 1.0) && IsWithin(reader->GetXStep(), 0.0, 1e6) &&
-    IsWithin(reader->GetYStep(), 0.0, 1e6) && IsWithin(reader->GetTestPointStep(), 0.0, 1e6) &&
-    IsWithin(reader->GetMaximumSlope(), 0.0, 90.0) &&
-    IsWithin(reader->GetScannerHeight(), 1e-6, 1e4) && reader->GetHitTolerance() > 0.0 &&
-    reader->GetRangeMin() < reader->GetRangeMax() &&
-    reader->GetElevationMin() < reader->GetElevationMax() &&
-    IsWithin(reader->GetMaximumIncidenceAngle(), 0.0, 90.0) && reader->GetTimeLimit() > 0.0 &&
+  const helios::PlannerSettings& settings = reader->GetSettings();
+  return !reader->GetPlanName().empty() && !settings.Method.empty() &&
+    !reader->GetSceneReference().empty() && !settings.RemoveOrder.empty() &&
+    IsWithin(settings.MinimumCoverage, 1e-6, 100.0) &&
+    IsWithin(settings.MinimumOverlap, 0.0, 100.0) && IsWithin(settings.PositionStep[0], 0.0, 1e6) &&
+    IsWithin(settings.PositionStep[1], 0.0, 1e6) && IsWithin(settings.TestPointStep, 0.0, 1e6) &&
+    IsWithin(settings.MaximumSlope, 0.0, 90.0) && IsWithin(settings.ScannerHeight, 1e-6, 1e4) &&
+    settings.HitTolerance > 0.0 && settings.RangeMin < settings.RangeMax &&
+    settings.ElevationMin < settings.ElevationMax &&
+    IsWithin(settings.MaximumIncidenceAngle, 0.0, 90.0) && settings.TimeLimit > 0.0 &&
     reader->GetLegPulseFrequency() > 0.0 && reader->GetLegScanFrequency() > 0.0 &&
     IsWithin(turn / reader->GetLegHeadRotatePerSecond(), 1e-12, 1e9);
 }
@@ -53,7 +54,7 @@ bool IsValid(vtkHeliosPlannerReader* reader)
 } // namespace
 
 TEST_CASE(
-  "PlannerMutations: damaged files give an error or a plan to make", "[PlannerMutations][mutation]")
+  "PlannerMutations: damaged files give an error or planning input", "[PlannerMutations][mutation]")
 {
   helios::Mutator mutateText(4712);
   helios::XmlMutator mutateXml(4713);

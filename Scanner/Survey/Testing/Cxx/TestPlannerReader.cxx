@@ -4,6 +4,7 @@
 #include "vtkHeliosPlannerReader.h"
 
 #include "heliosPlannerFiles.h"
+#include "heliosPlannerSettings.h"
 #include "vtkHeliosDialect.h"
 
 #include <vtkCommand.h>
@@ -25,7 +26,7 @@ const char* const Survey = R"(<document><survey name="test" scene="scene.xml#s"
 
 } // namespace
 
-TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
+TEST_CASE("PlannerReader: defaults", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(WritePlanner(files, ""));
@@ -39,31 +40,32 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->GetPlatformReference() == files / "assets.xml" + "#tripod");
   CHECK(reader->GetScannerReference() == files / "assets.xml" + "#tls");
   CHECK(reader->GetMethod() == "reduce");
-  CHECK(reader->GetRemoveOrder() == "viewshedSize");
-  CHECK_FALSE(reader->GetRemoveLargestFirst());
-  CHECK(reader->GetMinimumCoverage() == 100.0);
-  CHECK_FALSE(reader->GetCoverageOfAll());
-  CHECK(reader->GetXStep() == 0.0);
-  CHECK(reader->GetYStep() == 0.0);
-  CHECK(reader->GetTestPointStep() == 0.0);
-  CHECK(reader->GetMaximumSlope() == 15.0);
-  CHECK(reader->GetGroundOnly() == "auto");
-  CHECK(reader->GetScannerHeight() == Approx(1.7)); // the mount, and the beam origin in the head
-  CHECK(reader->GetHitTolerance() == 0.05);
+  CHECK(reader->GetSettings().RemoveOrder == "viewshedSize");
+  CHECK(reader->GetSettings().RemoveFirst == "smallest");
+  CHECK(reader->GetSettings().MinimumCoverage == 100.0);
+  CHECK(reader->GetSettings().CoverageOf == "coverable");
+  CHECK(reader->GetSettings().PositionStep[0] == 0.0);
+  CHECK(reader->GetSettings().PositionStep[1] == 0.0);
+  CHECK(reader->GetSettings().TestPointStep == 0.0);
+  CHECK(reader->GetSettings().MaximumSlope == 15.0);
+  CHECK(reader->GetSettings().GroundOnly == "auto");
+  CHECK(reader->GetSettings().ScannerHeight ==
+    Approx(1.7)); // the mount, and the beam origin in the head
+  CHECK(reader->GetSettings().HitTolerance == 0.05);
   CHECK_FALSE(reader->GetScannerLimits());
-  CHECK(reader->GetRangeMin() == 0.0);
-  CHECK(reader->GetRangeMax() == VTK_DOUBLE_MAX);
-  CHECK(reader->GetElevationMin() == -90.0);
-  CHECK(reader->GetElevationMax() == 90.0);
-  CHECK(reader->GetMaximumIncidenceAngle() == 90.0);
-  CHECK(reader->GetTestLines() == "all");
-  CHECK_FALSE(reader->GetEnclosed());
-  CHECK(reader->GetHitBehind());
-  CHECK(reader->GetMinimumPointDensity() == 0.0);
+  CHECK(reader->GetSettings().RangeMin == 0.0);
+  CHECK(reader->GetSettings().RangeMax == VTK_DOUBLE_MAX);
+  CHECK(reader->GetSettings().ElevationMin == -90.0);
+  CHECK(reader->GetSettings().ElevationMax == 90.0);
+  CHECK(reader->GetSettings().MaximumIncidenceAngle == 90.0);
+  CHECK(reader->GetSettings().TestLines == "all");
+  CHECK_FALSE(reader->GetSettings().TakesEnclosed);
+  CHECK(reader->GetSettings().SeesBefore);
+  CHECK(reader->GetSettings().MinimumPointDensity == 0.0);
   CHECK(reader->GetLegAngularStep() == Approx(0.1));
-  CHECK_FALSE(reader->GetUseAreas());
-  CHECK(reader->GetMinimumOverlap() == 0.0);
-  CHECK(reader->GetTimeLimit() == 300.0);
+  CHECK_FALSE(reader->GetSettings().UseAreas);
+  CHECK(reader->GetSettings().MinimumOverlap == 0.0);
+  CHECK(reader->GetSettings().TimeLimit == 300.0);
   // 0.1 degrees: f r / (2 * 120), and r degrees per line
   CHECK(reader->GetLegPulseFrequency() == 100000.0);
   CHECK(reader->GetLegScanFrequency() == Approx(100000.0 * 0.1 / 240.0));
@@ -76,7 +78,7 @@ TEST_CASE("PlannerReader: what is not given", "[PlannerReader]")
   CHECK(reader->HasRotatingMirror());
 }
 
-TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
+TEST_CASE("PlannerReader: all attributes", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(WritePlanner(files, R"(name="a/b" method="optimal"
@@ -94,30 +96,30 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   vtkHeliosPlannerReader* reader = reading.Reader;
   CHECK(reader->GetPlanName() == "a_b");
   CHECK(reader->GetMethod() == "optimal");
-  CHECK(reader->GetRemoveOrder() == "meanIncidenceAngle");
-  CHECK(reader->GetRemoveLargestFirst());
-  CHECK(reader->GetMinimumCoverage() == 95.0);
-  CHECK(reader->GetCoverageOfAll());
-  CHECK(reader->GetXStep() == 2.0);
-  CHECK(reader->GetYStep() == 3.0);
-  CHECK(reader->GetTestPointStep() == 0.5);
-  CHECK(reader->GetMaximumSlope() == 30.0);
-  CHECK(reader->GetGroundOnly() == "true");
-  CHECK(reader->GetScannerHeight() == 2.5);
-  CHECK(reader->GetHitTolerance() == 0.1);
-  CHECK(reader->GetRangeMin() == 1.0);
-  CHECK(reader->GetRangeMax() == 80.0);
-  CHECK(reader->GetElevationMin() == -40.0);
-  CHECK(reader->GetElevationMax() == 60.0);
-  CHECK(reader->GetMaximumIncidenceAngle() == 75.0);
-  CHECK(reader->GetTestLines() == "vertical");
-  CHECK(reader->GetEnclosed());
-  CHECK_FALSE(reader->GetHitBehind());
-  CHECK(reader->GetMinimumPointDensity() == 9.0);
+  CHECK(reader->GetSettings().RemoveOrder == "meanIncidenceAngle");
+  CHECK(reader->GetSettings().RemoveFirst == "largest");
+  CHECK(reader->GetSettings().MinimumCoverage == 95.0);
+  CHECK(reader->GetSettings().CoverageOf == "all");
+  CHECK(reader->GetSettings().PositionStep[0] == 2.0);
+  CHECK(reader->GetSettings().PositionStep[1] == 3.0);
+  CHECK(reader->GetSettings().TestPointStep == 0.5);
+  CHECK(reader->GetSettings().MaximumSlope == 30.0);
+  CHECK(reader->GetSettings().GroundOnly == "true");
+  CHECK(reader->GetSettings().ScannerHeight == 2.5);
+  CHECK(reader->GetSettings().HitTolerance == 0.1);
+  CHECK(reader->GetSettings().RangeMin == 1.0);
+  CHECK(reader->GetSettings().RangeMax == 80.0);
+  CHECK(reader->GetSettings().ElevationMin == -40.0);
+  CHECK(reader->GetSettings().ElevationMax == 60.0);
+  CHECK(reader->GetSettings().MaximumIncidenceAngle == 75.0);
+  CHECK(reader->GetSettings().TestLines == "vertical");
+  CHECK(reader->GetSettings().TakesEnclosed);
+  CHECK_FALSE(reader->GetSettings().SeesBefore);
+  CHECK(reader->GetSettings().MinimumPointDensity == 9.0);
   CHECK(reader->GetLegAngularStep() == Approx(0.2)); // 12 degrees per second, 60 lines
-  CHECK(reader->GetUseAreas());
-  CHECK(reader->GetMinimumOverlap() == 0.2);
-  CHECK(reader->GetTimeLimit() == 5.0);
+  CHECK(reader->GetSettings().UseAreas);
+  CHECK(reader->GetSettings().MinimumOverlap == 20.0);
+  CHECK(reader->GetSettings().TimeLimit == 5.0);
   CHECK(reader->GetLegPulseFrequency() == 300000.0);
   CHECK(reader->GetLegScanFrequency() == 60.0);
   CHECK(reader->GetLegHeadRotatePerSecond() == -12.0);
@@ -127,15 +129,15 @@ TEST_CASE("PlannerReader: all that may be given", "[PlannerReader]")
   CHECK(reader->GetLegVerticalAngleMax() == 50.0);
 }
 
-TEST_CASE("PlannerReader: one grid size stands for those not given", "[PlannerReader]")
+TEST_CASE("PlannerReader: one grid size applies to those not given", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(WritePlanner(files, R"(gridSizePSP_m="4")"));
-  CHECK(reading.Reader->GetYStep() == 4.0);
-  CHECK(reading.Reader->GetTestPointStep() == 4.0);
+  CHECK(reading.Reader->GetSettings().PositionStep[1] == 4.0);
+  CHECK(reading.Reader->GetSettings().TestPointStep == 4.0);
 }
 
-TEST_CASE("PlannerReader: what the caller asks for wins", "[PlannerReader]")
+TEST_CASE("PlannerReader: options override the file", "[PlannerReader]")
 {
   const Files files;
   files.Replace("assets.xml", "<platform id=\"plane\"",
@@ -148,7 +150,7 @@ TEST_CASE("PlannerReader: what the caller asks for wins", "[PlannerReader]")
   reading.Reader->SetResolution(0.04);
   REQUIRE(reading.Reader->Read());
   CHECK(reading.Reader->GetPlatformReference() == files / "assets.xml" + "#mast");
-  CHECK(reading.Reader->GetScannerHeight() == Approx(8.2));
+  CHECK(reading.Reader->GetSettings().ScannerHeight == Approx(8.2));
   double instrument[3];
   reading.Reader->GetInstrument(instrument);
   CHECK(instrument[0] == 1.0);
@@ -173,16 +175,16 @@ TEST_CASE("PlannerReader: limits of the scanner", "[PlannerReader]")
   INFO(reading.Log->Errors << reading.Log->Warnings);
   REQUIRE(reading.Good);
   CHECK(reading.Reader->GetScannerLimits());
-  CHECK(reading.Reader->GetRangeMin() == 0.5);
-  CHECK(reading.Reader->GetRangeMax() == 90.0);
-  CHECK(reading.Reader->GetElevationMin() == -35.0);
-  CHECK(reading.Reader->GetElevationMax() == 30.0); // given
+  CHECK(reading.Reader->GetSettings().RangeMin == 0.5);
+  CHECK(reading.Reader->GetSettings().RangeMax == 90.0);
+  CHECK(reading.Reader->GetSettings().ElevationMin == -35.0);
+  CHECK(reading.Reader->GetSettings().ElevationMax == 30.0); // given
   // A tilted mount has no such window.
   files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>",
     "<scannerMount z=\"1.5\"><rot axis=\"x\" angle_deg=\"10\"/></scannerMount>");
   const PlannerReading leaning(files);
   REQUIRE(leaning.Good);
-  CHECK(leaning.Reader->GetElevationMin() == -90.0);
+  CHECK(leaning.Reader->GetSettings().ElevationMin == -90.0);
   CHECK(leaning.Log->HasWarning("tls is not a vertical polygon mirror with one channel"));
 }
 
@@ -214,7 +216,7 @@ TEST_CASE("PlannerReader: a survey", "[PlannerReader]")
   CHECK(reading.Log->Warnings.empty());
 }
 
-TEST_CASE("PlannerReader: a flight is planned from a tripod that is asked for", "[PlannerReader]")
+TEST_CASE("PlannerReader: a tripod given as an option replaces a flight", "[PlannerReader]")
 {
   const Files files;
   const Reading survey(files, Flight, ThreeLegs);
@@ -253,6 +255,39 @@ TEST_CASE("PlannerReader: scenes and meshes", "[PlannerReader]")
                          "and none was given; give one"));
 }
 
+TEST_CASE("PlannerReader: a scene on port 0", "[PlannerReader]")
+{
+  const Files files;
+  const PlannerReading file(files, "scene.xml", true);
+  vtkNew<vtkHeliosPlannerReader> reader;
+  const auto log = Observe(reader);
+  reader->SetDefaultPlatform("assets.xml#tripod");
+  reader->SetDefaultScanner("assets.xml#tls");
+  reader->AddAssetDirectory((files / "").c_str());
+  CHECK_FALSE(reader->Read());
+  CHECK(log->HasError("FileName is not set, and there is no scene on port 0"));
+  reader->SetInputConnection(file.Reader->GetOutputPort());
+  REQUIRE(reader->Read());
+  CHECK(reader->GetKind() == "scene");
+  CHECK(reader->GetPlanName() == "plan");
+  CHECK(reader->GetSceneReference().empty());
+  CHECK(reader->GetScannerReference() == files / "assets.xml" + "#tls");
+  CHECK(reader->GetSettings().ScannerHeight == Approx(1.7));
+  reader->Update();
+  CHECK(reader->GetOutput()->GetNumberOfCells() == 2);
+  reader->SetScanner("assets.xml#tsl");
+  CHECK_FALSE(reader->Read());
+  CHECK(log->HasError("scene: scanner=\"assets.xml#tsl\": "));
+  // The settings of a file, whose own scene is not read.
+  reader->SetScanner(nullptr);
+  WritePlanner(files, R"(maxSlope_deg="3")");
+  files.Replace("plan.xml", "scene.xml", "none.xml");
+  reader->SetFileName((files / "plan.xml").c_str());
+  REQUIRE(reader->Read());
+  CHECK(reader->GetSettings().MaximumSlope == 3.0);
+  CHECK(reader->GetSceneReference().empty());
+}
+
 TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
 {
   const Files files;
@@ -264,8 +299,8 @@ TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
   REQUIRE(reading.Reader->Read());
   CHECK(reading.Reader->GetScannerReference() == files / "assets.xml" + "#tls");
   CHECK(reading.Reader->GetScannerLimits());
-  CHECK(reading.Reader->GetRangeMin() == 0.5);
-  CHECK(reading.Reader->GetElevationMax() == 50.0);
+  CHECK(reading.Reader->GetSettings().RangeMin == 0.5);
+  CHECK(reading.Reader->GetSettings().ElevationMax == 50.0);
   WritePlanner(files, "");
   files.Replace("plan.xml", "platform=\"assets.xml#tripod\"", "");
   reading.Reader->SetFileName((files / "plan.xml").c_str());
@@ -273,7 +308,7 @@ TEST_CASE("PlannerReader: defaults are for scenes", "[PlannerReader]")
   CHECK(reading.Log->HasError("<surveyPlanner> has no attribute platform"));
 }
 
-TEST_CASE("PlannerReader: the first of several", "[PlannerReader]")
+TEST_CASE("PlannerReader: the first of several is used", "[PlannerReader]")
 {
   const Files files;
   WritePlanner(files, "");
@@ -300,7 +335,7 @@ TEST_CASE("PlannerReader: swaps", "[PlannerReader]")
   CHECK(reading.Reader->GetOutput()->GetBounds()[0] == -50.0);
 }
 
-TEST_CASE("PlannerReader: what a plan does not see", "[PlannerReader]")
+TEST_CASE("PlannerReader: warns about moving parts and turbid voxels", "[PlannerReader]")
 {
   const Files files;
   files.Write("hedge.vox", "");
@@ -315,7 +350,7 @@ TEST_CASE("PlannerReader: what a plan does not see", "[PlannerReader]")
   CHECK(reading.Log->HasWarning("part hedge is turbid and hides nothing in a plan; for"));
 }
 
-TEST_CASE("PlannerReader: beyond a limit of the scanner is clipped to it", "[PlannerReader]")
+TEST_CASE("PlannerReader: values beyond a limit of the scanner are clipped", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(WritePlanner(files, "",
@@ -325,7 +360,7 @@ TEST_CASE("PlannerReader: beyond a limit of the scanner is clipped to it", "[Pla
   CHECK(reading.Log->HasWarning("scanFreq_hz=\"500\" is clipped to 120, scanFreqMax_Hz"));
 }
 
-TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
+TEST_CASE("PlannerReader: bad files are errors", "[PlannerReader]")
 {
   const Files files;
   const auto fails =
@@ -338,7 +373,7 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
   };
   fails(R"(method="optimum")",
     "plan.xml:2: method=\"optimum\" is not valid; did you mean optimal? "
-    "Expected one of reduce, bestcoverage, greedy, best and optimal");
+    "Expected reduce, bestcoverage, greedy, best or optimal");
   fails(R"(pspRemoveOrder="size")", "pspRemoveOrder=\"size\" is not valid: ");
   fails(R"(pspRemoveFirst="Largest")", "did you mean largest?");
   fails(R"(coverageOf="every")", "coverageOf=\"every\" is not valid: ");
@@ -370,7 +405,7 @@ TEST_CASE("PlannerReader: wrong files", "[PlannerReader]")
           .Log->HasError("none.obj: no such file; give the name of an existing mesh"));
 }
 
-TEST_CASE("PlannerReader: what the caller asks for is wrong", "[PlannerReader]")
+TEST_CASE("PlannerReader: bad options are errors", "[PlannerReader]")
 {
   const Files files;
   PlannerReading reading(files, "scene.xml", true);
@@ -383,7 +418,7 @@ TEST_CASE("PlannerReader: what the caller asks for is wrong", "[PlannerReader]")
   CHECK(reading.Log->HasError("FileName is not set"));
 }
 
-TEST_CASE("PlannerReader: near misses, and runs of planners", "[PlannerReader]")
+TEST_CASE("PlannerReader: misspelt names, and runs of planner documents", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(WritePlanner(files, R"(gridSizePSP="3" minCoverage_procent="3")"));
@@ -398,7 +433,7 @@ TEST_CASE("PlannerReader: near misses, and runs of planners", "[PlannerReader]")
     log->HasError("the file has no <survey>; vtkhelios plan creates one from its <surveyPlanner>"));
 }
 
-TEST_CASE("PlannerReader: checked with the rest of a file", "[PlannerReader]")
+TEST_CASE("PlannerReader: is checked with the rest of the file", "[PlannerReader]")
 {
   const Files files;
   vtkNew<vtkHeliosSurveyReader> reader;
@@ -416,7 +451,7 @@ TEST_CASE("PlannerReader: checked with the rest of a file", "[PlannerReader]")
   CHECK(log->HasError("crs=\"EPSG:0\""));
 }
 
-TEST_CASE("PlannerReader: stopped while it loads", "[PlannerReader]")
+TEST_CASE("PlannerReader: can be aborted while loading", "[PlannerReader]")
 {
   const Files files;
   const PlannerReading reading(files, "scene.xml", true);

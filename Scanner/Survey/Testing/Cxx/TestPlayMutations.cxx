@@ -5,6 +5,7 @@
 #include "heliosMutation.h"
 #include "heliosSurveyFiles.h"
 #include "heliosXmlMutation.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include <vtkCallbackCommand.h>
@@ -164,7 +165,7 @@ struct Play
     if (this->Read)
     {
       const int plays = reading.Reader->GetSurvey()->GetNumberOfPlays();
-      this->Player->SetPlay(std::min(number, plays - 1));
+      this->Player->GetOptions()->SetPlay(std::min(number, plays - 1));
       this->Run(files, reading.Reader->GetSurvey());
     }
   }
@@ -182,7 +183,7 @@ struct Play
     this->Player->SetOverwrite(true);
     this->Player->SetPulsesPerBlock(500);
     this->Ran = this->Player->Run();
-    this->Points = this->Player->GetNumberOfEchoes();
+    this->Points = this->Player->GetCount("points");
     this->Message = this->Player->GetMessage();
     this->Errors += log->Errors;
   }
@@ -192,7 +193,7 @@ struct Play
   {
     auto* play = static_cast<Play*>(self);
     const auto spent = std::chrono::steady_clock::now() - play->Start;
-    if (play->Player->GetNumberOfPulsesDone() > 12000 || spent > std::chrono::seconds(2))
+    if (play->Player->GetCount("pulses") > 12000 || spent > std::chrono::seconds(2))
     {
       play->Stopped = true;
       play->Player->Abort();
@@ -271,8 +272,7 @@ void CheckPlay(const Play& play, const helios::test::Files& files)
 
 } // namespace
 
-TEST_CASE(
-  "PlayMutations: damaged surveys end in points, or in a reason", "[PlayMutations][mutation]")
+TEST_CASE("PlayMutations: damaged surveys give points or an error", "[PlayMutations][mutation]")
 {
   const helios::test::Files files;
   const std::string assets = MakeAssets(files);

@@ -98,7 +98,7 @@ void CheckBounds(const std::array<double, 6>& a, const std::array<double, 6>& b)
 
 } // namespace
 
-TEST_CASE("SceneEdit: a scene that nobody changed is the same elsewhere", "[SceneEdit]")
+TEST_CASE("SceneEdit: an unchanged scene is identical in another folder", "[SceneEdit]")
 {
   Scene scene;
   CHECK(scene.Edit.GetNumberOfParts() == 4); // two of them were one part of two files
@@ -114,7 +114,7 @@ TEST_CASE("SceneEdit: a scene that nobody changed is the same elsewhere", "[Scen
   CheckBounds(GetBounds(mesh, 1), { 4.0, 7.0, 5.0 - 3.0 * s, 5.0 + c, 0.5, 0.5 + s + 3.0 * c });
 }
 
-TEST_CASE("SceneEdit: parts move, turn and grow about a place", "[SceneEdit]")
+TEST_CASE("SceneEdit: parts are moved, rotated and scaled about a point", "[SceneEdit]")
 {
   Scene scene;
   const auto start = GetBounds(scene.Read(), 1);
@@ -146,7 +146,7 @@ TEST_CASE("SceneEdit: parts move, turn and grow about a place", "[SceneEdit]")
   CheckBounds(GetBounds(scene.Read(), 2), { 0.0, 2.0, 0.0, 1.0, 0.0, 3.0 }); // others are unchanged
 }
 
-TEST_CASE("SceneEdit: parts come and go, and a text takes them back", "[SceneEdit]")
+TEST_CASE("SceneEdit: parts are added and removed, and a text restores them", "[SceneEdit]")
 {
   Scene scene;
   const std::string before = scene.Edit.GetText();
@@ -168,7 +168,7 @@ TEST_CASE("SceneEdit: parts come and go, and a text takes them back", "[SceneEdi
   CHECK_FALSE(scene.Edit.RemovePart(0)); // the last one is kept
 }
 
-TEST_CASE("SceneEdit: what is not there cannot be changed", "[SceneEdit]")
+TEST_CASE("SceneEdit: changes of missing parts are errors", "[SceneEdit]")
 {
   Scene scene;
   CHECK_FALSE(scene.Edit.MovePart(9, { 1.0, 0.0, 0.0 }));
@@ -182,7 +182,7 @@ TEST_CASE("SceneEdit: what is not there cannot be changed", "[SceneEdit]")
   CHECK_FALSE(other.IsLoaded());
 }
 
-TEST_CASE("SceneEdit: a mesh becomes a scene, and stands in a survey", "[SceneEdit]")
+TEST_CASE("SceneEdit: a mesh becomes a scene of a survey", "[SceneEdit]")
 {
   Scene scene;
   SceneEdit edit;

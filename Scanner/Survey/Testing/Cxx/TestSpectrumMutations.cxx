@@ -24,7 +24,7 @@ const char* const Spectrum =
 
 } // namespace
 
-TEST_CASE("SpectrumMutations: damaged spectra are warned of, or give amplitudes",
+TEST_CASE("SpectrumMutations: damaged spectra are reported or give amplitudes",
   "[SpectrumMutations][mutation]")
 {
   const Files files;

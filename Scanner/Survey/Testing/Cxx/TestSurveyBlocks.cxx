@@ -37,7 +37,7 @@ Texts ReadAll(const std::string& folder)
 void AbortHalfway(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
-  const vtkIdType done = player->GetNumberOfPulsesDone();
+  const vtkIdType done = player->GetCount("pulses");
   if (done > 0 && done >= player->GetNumberOfPulses() / 2)
   {
     player->Abort();
@@ -120,7 +120,7 @@ TEST_CASE("SurveyBlocks: legs", "[SurveyBlocks]")
   CheckBlocks(files, reading, { GENERATE("las", "xyz") });
 }
 
-TEST_CASE("SurveyBlocks: legs that share their files", "[SurveyBlocks]")
+TEST_CASE("SurveyBlocks: legs that share files", "[SurveyBlocks]")
 {
   const Files files;
   std::string legs = ThreeLegs;
@@ -132,7 +132,7 @@ TEST_CASE("SurveyBlocks: legs that share their files", "[SurveyBlocks]")
   CheckBlocks(files, reading, { GENERATE("las", "xyz") });
 }
 
-TEST_CASE("SurveyBlocks: channels, whose first pulses go into the sky", "[SurveyBlocks]")
+TEST_CASE("SurveyBlocks: channels, the first pulses without hits", "[SurveyBlocks]")
 {
   const Files files;
   files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",

@@ -75,7 +75,7 @@ public:
 
 } // namespace
 
-TEST_CASE("SurveyChannels: they fire at once, in the order of pulses", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: fire at once, in the order of pulses", "[SurveyChannels]")
 {
   const Files files;
   AddChannels(files);
@@ -109,7 +109,7 @@ TEST_CASE("SurveyChannels: they fire at once, in the order of pulses", "[SurveyC
   CHECK(origin[2] == Approx(3.5));
 }
 
-TEST_CASE("SurveyChannels: the platform shakes once a shot", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: platform noise is drawn once per shot", "[SurveyChannels]")
 {
   const Files files;
   AddChannels(files);
@@ -141,7 +141,7 @@ TEST_CASE("SurveyChannels: the platform shakes once a shot", "[SurveyChannels]")
   CHECK(spread > 1.0);
 }
 
-TEST_CASE("SurveyChannels: a file a channel", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: one file per channel", "[SurveyChannels]")
 {
   const Files files;
   AddChannels(files);
@@ -152,7 +152,7 @@ TEST_CASE("SurveyChannels: a file a channel", "[SurveyChannels]")
   REQUIRE(playing.Player->Run());
   const auto left = ReadPoints(files / "out/test/leg000_points_devleft.xyz");
   const auto right = ReadPoints(files / "out/test/leg000_points_devright.xyz");
-  CHECK(static_cast<vtkIdType>(left.size() + right.size()) == playing.Player->GetNumberOfEchoes());
+  CHECK(static_cast<vtkIdType>(left.size() + right.size()) == playing.Player->GetCount("points"));
   REQUIRE(!left.empty());
   for (const Point& p : right)
   {
@@ -191,7 +191,7 @@ TEST_CASE("SurveyChannels: legs of a strip write to one file", "[SurveyChannels]
     REQUIRE(strip.Player->Run());
     CHECK(watch->NumberOfLooks > 2);
     CHECK_FALSE(watch->WasThere); // only complete files have final names
-    CHECK(strip.Player->GetNumberOfEchoes() == alone.Player->GetNumberOfEchoes());
+    CHECK(strip.Player->GetCount("points") == alone.Player->GetCount("points"));
     if (std::string(format) == "xyz")
     {
       for (const char* ending : { "_points.xyz", "_trajectory.txt" })
@@ -212,7 +212,7 @@ TEST_CASE("SurveyChannels: legs of a strip write to one file", "[SurveyChannels]
   }
 }
 
-TEST_CASE("SurveyChannels: a survey with a tripod and a plane", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: a survey with a tripod and an aeroplane", "[SurveyChannels]")
 {
   const Files files;
   const std::string flight = R"(<leg platform="assets.xml#plane" scanner="assets.xml#als">)";
@@ -237,7 +237,7 @@ TEST_CASE("SurveyChannels: a survey with a tripod and a plane", "[SurveyChannels
   CHECK_FALSE(std::filesystem::exists(files / "out/test/leg002_points.xyz"));
 }
 
-TEST_CASE("SurveyChannels: chance moves legs once, by the seed", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: leg offset noise is applied once, by the seed", "[SurveyChannels]")
 {
   const Files files;
   const auto run = [&files](const std::string& attributes, vtkIdType seed, bool noise)
@@ -246,8 +246,8 @@ TEST_CASE("SurveyChannels: chance moves legs once, by the seed", "[SurveyChannel
     REQUIRE(reading.Good);
     Playing playing(files, reading);
     playing.Player->SetOverwrite(true);
-    playing.Player->SetSeed(seed);
-    playing.Player->SetNoise(noise);
+    playing.Player->GetOptions()->SetSeed(seed);
+    playing.Player->GetOptions()->SetNoise(noise);
     REQUIRE(playing.Player->Run());
     return ReadLines(files / "out/test/leg000_trajectory.txt").at(0) + "\n" +
       ReadLines(files / "out/test/leg001_trajectory.txt").at(0);
@@ -268,7 +268,7 @@ TEST_CASE("SurveyChannels: chance moves legs once, by the seed", "[SurveyChannel
   CHECK(run(offset + " seed=\"2\"", -1, true) == run(offset, 2, true)); // the survey's seed
 }
 
-TEST_CASE("SurveyChannels: what all channels clip is warned of once", "[SurveyChannels]")
+TEST_CASE("SurveyChannels: a value clipped for all channels is reported once", "[SurveyChannels]")
 {
   const Files files;
   AddChannels(files);

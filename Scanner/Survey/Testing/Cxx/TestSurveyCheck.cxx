@@ -41,7 +41,7 @@ const char* const NeverThere = R"(<leg><scannerSettings scanFreq_hz="50" headRot
 
 } // namespace
 
-TEST_CASE("SurveyCheck: a good survey", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: a valid survey", "[SurveyCheck]")
 {
   const Files files;
   const Reading reading(files, Tripod, OneLeg);
@@ -51,7 +51,7 @@ TEST_CASE("SurveyCheck: a good survey", "[SurveyCheck]")
   CHECK(checking.Reader->GetSurvey() == nullptr);
 }
 
-TEST_CASE("SurveyCheck: legs are checked though the scanner is wrong", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: legs are checked despite errors of the scanner", "[SurveyCheck]")
 {
   const Files files;
   files.Replace("assets.xml", "scanAngleMax_deg=\"120\"", "scanAngleMax_deg=\"wide\"");
@@ -62,7 +62,7 @@ TEST_CASE("SurveyCheck: legs are checked though the scanner is wrong", "[SurveyC
   CHECK(Checking(files).CountErrors() == 2); // no consequential errors: no angle, no window
 }
 
-TEST_CASE("SurveyCheck: what follows from an error is none of its own", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: errors that follow from another are not reported", "[SurveyCheck]")
 {
   const Files files;
   const auto count = [&files](const std::string& attributes, const std::string& legs)
@@ -80,7 +80,7 @@ TEST_CASE("SurveyCheck: what follows from an error is none of its own", "[Survey
   CHECK(count(Tripod, unread + OneLeg + NeverThere) == 2);
 }
 
-TEST_CASE("SurveyCheck: what no survey uses, and names that runs look up", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: unused elements, and names looked up by runs", "[SurveyCheck]")
 {
   const Files files;
   files.Replace("assets.xml", "</document>",
@@ -99,7 +99,7 @@ TEST_CASE("SurveyCheck: what no survey uses, and names that runs look up", "[Sur
   CHECK(Checking(files).Log->HasError("survey.xml:1: <document> is empty"));
 }
 
-TEST_CASE("SurveyCheck: FileName is missing", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: a missing FileName is an error", "[SurveyCheck]")
 {
   vtkNew<vtkHeliosSurveyReader> reader;
   const auto log = Observe(reader);
@@ -107,7 +107,7 @@ TEST_CASE("SurveyCheck: FileName is missing", "[SurveyCheck]")
   CHECK(log->HasError("FileName is not set"));
 }
 
-TEST_CASE("SurveyCheck: a trajectory has no more samples than pulses", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: a trajectory has at most one sample per pulse", "[SurveyCheck]")
 {
   const Files files;
   std::string leg = OneLeg;
@@ -120,7 +120,7 @@ TEST_CASE("SurveyCheck: a trajectory has no more samples than pulses", "[SurveyC
   CHECK(reading.Data().Legs.front().TrajectoryTimeInterval == 1e-5);
 }
 
-TEST_CASE("SurveyCheck: what runs say is said with its place", "[SurveyCheck]")
+TEST_CASE("SurveyCheck: errors of runs are reported with their position", "[SurveyCheck]")
 {
   const Files files;
   vtkNew<vtkHeliosSurveyPlayer> player;
@@ -135,7 +135,7 @@ TEST_CASE("SurveyCheck: what runs say is said with its place", "[SurveyCheck]")
     CHECK(log->HasError("scene.xml:1: "));
     CHECK(log->HasError("plane.obj:1: "));
   }
-  SECTION("of a leg that sees nothing")
+  SECTION("a leg without hits")
   {
     std::string leg = OneLeg;
     leg.replace(leg.find("z=\"3\""), 5, "z=\"-900\"");
@@ -159,7 +159,7 @@ TEST_CASE("SurveyCheck: what runs say is said with its place", "[SurveyCheck]")
   }
 }
 
-TEST_CASE("Dialect: every name is described; words are enumerated", "[Dialect]")
+TEST_CASE("Dialect: every name is described, keywords are enumerated", "[Dialect]")
 {
   CHECK(vtkHeliosDialect::FindUndescribed().empty());
   const std::string schema = vtkHeliosDialect::GetSchema();

@@ -68,7 +68,7 @@ void Flip(const Files& files, const std::string& name, std::size_t place)
 
 } // namespace
 
-TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: changed journal lines", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -83,7 +83,7 @@ TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
   {
     lines.erase(lines.begin() + 2);
   }
-  SECTION("doubled")
+  SECTION("duplicated")
   {
     lines.insert(lines.begin() + 2, lines[1]);
   }
@@ -104,7 +104,7 @@ TEST_CASE("SurveyDamage: lines of the journal", "[SurveyDamage]")
   playing.CheckFails({ "run.journal has a damaged line " + place, "set Overwrite (--overwrite)" });
 }
 
-TEST_CASE("SurveyDamage: the last lines of the journal are gone", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: missing last lines of the journal", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -138,7 +138,7 @@ TEST_CASE("SurveyDamage: a journal of an earlier version", "[SurveyDamage]")
     "set Overwrite (--overwrite) to start again" });
 }
 
-TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: invalid content of lines with a correct checksum", "[SurveyDamage]")
 {
   struct Case
   {
@@ -190,7 +190,7 @@ TEST_CASE("SurveyDamage: what a line must not say, its checksum being right", "[
   playing.CheckFails({ "run.journal, line ", test.Message, "set Overwrite (--overwrite)" });
 }
 
-TEST_CASE("SurveyDamage: a leg does not begin before the last one ends", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: a leg that begins before the last one ends", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -203,7 +203,7 @@ TEST_CASE("SurveyDamage: a leg does not begin before the last one ends", "[Surve
   playing.CheckFails({ "run.journal, line 6: \"leg\" 1 with \"blocks\" 1 does not follow" });
 }
 
-TEST_CASE("SurveyDamage: a leg does not end twice", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: a leg that ends twice", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -217,7 +217,7 @@ TEST_CASE("SurveyDamage: a leg does not end twice", "[SurveyDamage]")
   playing.CheckFails({ "run.journal, line 7: \"leg\" 0 with \"blocks\" 4 does not follow" });
 }
 
-TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: changed bytes of files", "[SurveyDamage]")
 {
   const std::string format = GENERATE("xyz", "las", "vtp");
   const std::vector<std::string> names = format == "xyz"
@@ -261,7 +261,7 @@ TEST_CASE("SurveyDamage: bytes of files", "[SurveyDamage]")
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
 }
 
-TEST_CASE("SurveyDamage: the head of LAS that goes on", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: the header of an unfinished LAS file", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -277,7 +277,7 @@ TEST_CASE("SurveyDamage: the head of LAS that goes on", "[SurveyDamage]")
     "set Overwrite (--overwrite) to start again" });
 }
 
-TEST_CASE("SurveyDamage: a file beside others that is longer or not there", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: an additional file that is longer or missing", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -298,7 +298,7 @@ TEST_CASE("SurveyDamage: a file beside others that is longer or not there", "[Su
   playing.CheckFails({ name + ": was complete with", "cannot be read: No such file" });
 }
 
-TEST_CASE("SurveyDamage: what is compared", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: the range of bytes that is compared", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -326,7 +326,7 @@ TEST_CASE("SurveyDamage: what is compared", "[SurveyDamage]")
   playing.CheckFails({ "do not match their checksum" });
 }
 
-TEST_CASE("SurveyDamage: it can be stopped while files are compared", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: comparison can be aborted", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -354,7 +354,7 @@ TEST_CASE("SurveyDamage: it can be stopped while files are compared", "[SurveyDa
   CHECK(fs::exists(files / Journal));
 }
 
-TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: a finished run", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -388,7 +388,7 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
     files.Write(summary, "{\"a\":" + std::string(5000, '['));
     playing.CheckFails({ "run_summary.json is damaged" });
   }
-  SECTION("a file shorter")
+  SECTION("a shorter file")
   {
     const std::string name = "out/test/leg001_points" +
       std::string(format == "vtp" ? "_0001.vtp"
@@ -401,7 +401,7 @@ TEST_CASE("SurveyDamage: a run that is finished", "[SurveyDamage]")
   CHECK(playing.Player->GetReport().empty());
 }
 
-TEST_CASE("SurveyDamage: the folder goes away, and another takes its place", "[SurveyDamage]")
+TEST_CASE("SurveyDamage: the folder is removed and replaced", "[SurveyDamage]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -412,7 +412,7 @@ TEST_CASE("SurveyDamage: the folder goes away, and another takes its place", "[S
   playing.Player->SetFormat(format.c_str());
   playing.Blocks->Action = [&](vtkHeliosSurveyPlayer* player)
   {
-    if (player->GetNumberOfPulsesDone() == when)
+    if (player->GetCount("pulses") == when)
     {
       fs::remove_all(files / "out");
       if (isReplaced)

@@ -31,7 +31,7 @@ const helios::SurveyData& Read(const Reading& reading)
 } // namespace
 
 TEST_CASE(
-  "SurveyDialect: channels are copies of their scanner but for what they say", "[SurveyDialect]")
+  "SurveyDialect: channels are copies of their scanner with the given changes", "[SurveyDialect]")
 {
   const Files files;
   files.Replace("assets.xml", "<FWFSettings beamSampleQuality=\"2\"/>",
@@ -76,7 +76,7 @@ TEST_CASE(
   CHECK(scans[1].ScanAngle == 60);
 }
 
-TEST_CASE("SurveyDialect: channels that cannot be", "[SurveyDialect]")
+TEST_CASE("SurveyDialect: invalid channels are errors", "[SurveyDialect]")
 {
   const std::string before = "<FWFSettings beamSampleQuality=\"2\"/>";
   const auto with = [&before](const std::string& channel)
@@ -84,7 +84,7 @@ TEST_CASE("SurveyDialect: channels that cannot be", "[SurveyDialect]")
   CheckAllRefused(Tripod, OneLeg,
     {
       { "assets.xml", before, with("<channel optics=\"turning\"/>"),
-        { "assets.xml:9", "scanner tls, channel 0", "optics=\"turning\" is not valid" } },
+        { "assets.xml:9", "optics=\"turning\" is not valid" } },
       { "assets.xml", before, with("<channel><incidentBeam y=\"-1\"/></channel>"),
         { "assets.xml:9", "<incidentBeam> does not point at the prisms" } },
       { "assets.xml", before, with("<channel rangeMin_m=\"5\" rangeMax_m=\"4\"/>"),
@@ -116,7 +116,7 @@ TEST_CASE("SurveyDialect: legs name their own platform and scanner", "[SurveyDia
   CHECK(reading.Reader->GetSurvey()->IsMoving());
 }
 
-TEST_CASE("SurveyDialect: the scans of the planner of the Java program", "[SurveyDialect]")
+TEST_CASE("SurveyDialect: the scans of planner documents (Java)", "[SurveyDialect]")
 {
   const Files files;
   const Reading reading(files, "",
@@ -165,7 +165,7 @@ TEST_CASE(
   CHECK_FALSE(playing.Log->HasWarning(".obj"));
 }
 
-TEST_CASE("SurveyDialect: an origin moves the legs that follow", "[SurveyDialect]")
+TEST_CASE("SurveyDialect: an origin moves the following legs", "[SurveyDialect]")
 {
   const Files files;
   const Reading reading(files, Tripod,
@@ -213,13 +213,13 @@ TEST_CASE("SurveyDialect: noise of a platform, and of the survey", "[SurveyDiale
   const Reading reading(
     files, Tripod, OneLeg + std::string(R"(<positionXNoise stdev="0.5" fixedLifespan="0"/>)"));
   const helios::PlatformData& platform = Read(reading).Platforms.at(0);
-  CHECK(platform.HasNoise[0]);
+  CHECK(platform.Noise[0].IsOn);
   CHECK(platform.Noise[0].Mean == 0.0); // all of it is overridden by the survey
   CHECK(platform.Noise[0].Deviation == 0.5);
   CHECK(platform.Noise[0].Lifespan == 0);
   CHECK_FALSE(platform.Noise[0].IsClipped);
-  CHECK_FALSE(platform.HasNoise[1]);
-  CHECK(platform.HasNoise[5]);
+  CHECK_FALSE(platform.Noise[1].IsOn);
+  CHECK(platform.Noise[5].IsOn);
   CHECK(platform.Noise[5].IsUniform);
   CHECK(platform.Noise[5].Low == -0.1);
   CHECK(platform.Noise[5].High == 0.1);
@@ -256,7 +256,7 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
   CHECK(data.IsCanonical);
   CHECK(data.GetPlatform(0).Type == helios::PlatformType::Interpolated);
   CHECK(data.GetPlatform(0).Mount.Position[2] == 0.7);
-  CHECK(data.GetPlatform(0).HasNoise[2]);
+  CHECK(data.GetPlatform(0).Noise[2].IsOn);
   const helios::TrajectoryFileData& file = data.Legs.at(0).Trajectory;
   CHECK(file.File == files / "way.txt");
   CHECK(file.Separator == "\t"); // either spelling; the leg overrides the template
@@ -283,7 +283,7 @@ TEST_CASE("SurveyDialect: a trajectory from a file", "[SurveyDialect]")
         { "survey.xml:3", "rotationSpec=\"ARINC\" is not valid", "ARINC 705 or CANONICAL" } } });
 }
 
-TEST_CASE("SurveyDialect: what vehicles are like, and how they turn", "[SurveyDialect]")
+TEST_CASE("SurveyDialect: vehicle properties and turns", "[SurveyDialect]")
 {
   const Files files;
   files.Replace("assets.xml", "type=\"linearpath\"",

@@ -118,7 +118,7 @@ TEST_CASE(
   CHECK(MakeFlightLines({ 0, 0, 0 }, { 10, 20, 0 }, 50.0, 30.0, 0.0).Axis == 1);
 }
 
-TEST_CASE("SurveyEdit: legs of a rectangle fire, and turns do not", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: legs of a rectangle fire, turns do not", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files, "plane", "als");
@@ -153,7 +153,8 @@ TEST_CASE("SurveyEdit: legs of a rectangle fire, and turns do not", "[SurveyEdit
   CHECK(data.Legs[0].Scans[0].ScanAngle == 15.0);
 }
 
-TEST_CASE("SurveyEdit: a tripod stands where it is put, on either kind of ground", "[SurveyEdit]")
+TEST_CASE(
+  "SurveyEdit: a tripod is placed at the click, on ground and on other surfaces", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files);
@@ -173,7 +174,7 @@ TEST_CASE("SurveyEdit: a tripod stands where it is put, on either kind of ground
   CHECK(data.Platforms[0].Mount.Position[2] == 1.5); // the height of the instrument
 }
 
-TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: values are limited to those of the instrument", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files);
@@ -213,7 +214,8 @@ TEST_CASE("SurveyEdit: numbers become what the instrument can do", "[SurveyEdit]
   CHECK(scan.VerticalAngleMax == 20.0);
 }
 
-TEST_CASE("SurveyEdit: an oscillating mirror swings less far the faster it is", "[SurveyEdit]")
+TEST_CASE(
+  "SurveyEdit: an oscillating mirror has a smaller angle at higher frequency", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files, "plane", "als");
@@ -226,7 +228,8 @@ TEST_CASE("SurveyEdit: an oscillating mirror swings less far the faster it is", 
   CHECK(GetSetting(hand.Edit, "scanFrequency") == 50.0);
 }
 
-TEST_CASE("SurveyEdit: a survey saved is the survey run, byte for byte", "[SurveyEdit]")
+TEST_CASE(
+  "SurveyEdit: a saved survey equals the survey that was run, byte for byte", "[SurveyEdit]")
 {
   const Files files;
   const bool isMoving = GENERATE(false, true);
@@ -253,7 +256,7 @@ TEST_CASE("SurveyEdit: a survey saved is the survey run, byte for byte", "[Surve
   CHECK_FALSE(IsSame(before, Run(other)));
 }
 
-TEST_CASE("SurveyEdit: a survey that was read is written again as it is", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: an unchanged survey is written unchanged", "[SurveyEdit]")
 {
   const Files files;
   const bool isMoving = GENERATE(false, true);
@@ -277,7 +280,7 @@ TEST_CASE("SurveyEdit: a survey that was read is written again as it is", "[Surv
   CHECK(IsSame(before, Run(second.Reader->GetSurvey())));
 }
 
-TEST_CASE("SurveyEdit: what cannot run is not written, and says why", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: an invalid survey is not written, with the reason", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files);
@@ -289,7 +292,7 @@ TEST_CASE("SurveyEdit: what cannot run is not written, and says why", "[SurveyEd
   CHECK_FALSE(std::filesystem::exists(files / "survey.xml"));
 }
 
-TEST_CASE("SurveyEdit: legs that no hand can change are named", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: legs that cannot be edited are named", "[SurveyEdit]")
 {
   const Files files;
   Hand hand(files);
@@ -302,7 +305,7 @@ TEST_CASE("SurveyEdit: legs that no hand can change are named", "[SurveyEdit]")
     Contains("2 of 3 legs are left out"));
 }
 
-TEST_CASE("SurveyEdit: files are referred to as they are found", "[SurveyEdit]")
+TEST_CASE("SurveyEdit: references to files are kept", "[SurveyEdit]")
 {
   CHECK(ReferTo("/a/b/c.xml", "/x", { "/a" }) == "b/c.xml");
   CHECK(ReferTo("/a/b/c.xml", "/x", { "/a/" }) == "b/c.xml");

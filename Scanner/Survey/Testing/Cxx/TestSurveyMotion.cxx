@@ -106,7 +106,7 @@ public:
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
     auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
-    if (player->GetNumberOfPulsesDone() >= 30000)
+    if (player->GetCount("pulses") >= 30000)
     {
       player->Abort();
     }
@@ -115,7 +115,7 @@ public:
 
 } // namespace
 
-TEST_CASE("SurveyMotion: what is read of parts that move", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: attributes of moving parts", "[SurveyMotion]")
 {
   const Files files;
   SECTION("all of it")
@@ -182,7 +182,7 @@ TEST_CASE("SurveyMotion: what is read of parts that move", "[SurveyMotion]")
   }
 }
 
-TEST_CASE("SurveyMotion: what is wrong with motions", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: bad motions are errors", "[SurveyMotion]")
 {
   const std::string file = "scene.xml";
   const std::string end = "</part>";
@@ -238,7 +238,7 @@ TEST_CASE("SurveyMotion: turbid voxels do not move", "[SurveyMotion]")
                               "intersectionMode=\"scaled\" or \"fixed\", or remove it"));
 }
 
-TEST_CASE("SurveyMotion: motions that are warned of", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: warnings about motions", "[SurveyMotion]")
 {
   const std::string end = "</part>";
   const std::string up = R"(<motion type="translation" vec="0;0;1"/>)";
@@ -253,7 +253,7 @@ TEST_CASE("SurveyMotion: motions that are warned of", "[SurveyMotion]")
           "dynTimeStep" } } });
 }
 
-TEST_CASE("SurveyMotion: steps and the pulses that see them", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: steps and the pulses that they affect", "[SurveyMotion]")
 {
   MotionData motion;
   SECTION("by pulses, over all legs")
@@ -287,12 +287,12 @@ TEST_CASE("SurveyMotion: a plate rises under a flight, pulse by pulse", "[Survey
 {
   const Files files;
   const std::string rise = Endless(R"(type="translation" vec="0;0;0.01")");
-  SECTION("a step every 100 pulses, on from leg to leg")
+  SECTION("a step every 100 pulses, continued from leg to leg")
   {
     Move(files, rise, "dynStep=\"100\"");
     CheckHeights(Fly(files), [](const Point& p) { return 0.01 * double(p.Pulse / 100); });
   }
-  SECTION("seen only every sixth")
+  SECTION("only every sixth update is visible")
   {
     Move(files, rise, "dynStep=\"100\"", "dynStep=\"2\" kdtDynStep=\"3\"");
     CheckHeights(Fly(files), [](const Point& p) { return 0.03 * double(p.Pulse / 600); });
@@ -302,7 +302,7 @@ TEST_CASE("SurveyMotion: a plate rises under a flight, pulse by pulse", "[Survey
     Move(files, rise, "dynTimeStep=\"0.001\"");
     CheckHeights(Fly(files), [](const Point& p) { return 0.01 * double(p.Pulse / 200); });
   }
-  SECTION("then rests, falls, and so on")
+  SECTION("then rests, falls, repeats")
   {
     Move(files,
       R"(<dmotion id="up" loop="10" next="rest"><motion type="translation" vec="0;0;1"/></dmotion>
@@ -318,7 +318,7 @@ TEST_CASE("SurveyMotion: a plate rises under a flight, pulse by pulse", "[Survey
   }
 }
 
-TEST_CASE("SurveyMotion: a plate that turns is a plane of known slope", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: a rotating plate is a plane of known slope", "[SurveyMotion]")
 {
   const Files files;
   Move(files, Endless(R"(type="rotation" axis="0;1;0" angle="0.05")"), "dynStep=\"1000\"");
@@ -326,7 +326,7 @@ TEST_CASE("SurveyMotion: a plate that turns is a plane of known slope", "[Survey
     [](const Point& p) { return -p.X * std::tan(0.05 * double(p.Pulse / 1000) * Radians); });
 }
 
-TEST_CASE("SurveyMotion: other parts stay where they are", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: other parts do not move", "[SurveyMotion]")
 {
   const Files files;
   files.Write("low.obj", "v -60 -60 -5\nv 60 -60 -5\nv 60 0 -5\nv -60 0 -5\nf 1 2 3 4\n");
@@ -356,10 +356,10 @@ TEST_CASE("SurveyMotion: a part without triangles does not move", "[SurveyMotion
   Playing playing(files, reading);
   CHECK(playing.Player->Run());
   CHECK(playing.Log->HasWarning("Part 1 (none) has no triangles; it is left out"));
-  CHECK(playing.Player->GetNumberOfEchoes() == Pulses);
+  CHECK(playing.Player->GetCount("points") == Pulses);
 }
 
-TEST_CASE("SurveyMotion: channels see one scene", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: all channels have the same scene", "[SurveyMotion]")
 {
   const Files files;
   files.Replace("assets.xml", "scanFreqMax_Hz=\"80\"/>",
@@ -374,7 +374,7 @@ TEST_CASE("SurveyMotion: channels see one scene", "[SurveyMotion]")
   }
 }
 
-TEST_CASE("SurveyMotion: the same bytes in any blocks, broken off or not", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: byte-identical for any blocks, also when resumed", "[SurveyMotion]")
 {
   const Files files;
   Move(files, Endless(R"(type="rotation" axis="1;2;0" angle="0.03" selfMode="true")"),
@@ -392,12 +392,12 @@ TEST_CASE("SurveyMotion: the same bytes in any blocks, broken off or not", "[Sur
   setUp(whole, "whole", 1000000);
   const auto texts = Run(whole, files / "whole");
   CHECK(texts.size() == 8); // points, waveforms, pulses, trajectory
-  CHECK(whole.Player->GetNumberOfEchoes() == Pulses);
+  CHECK(whole.Player->GetCount("points") == Pulses);
 
   Playing small(files, reading);
   setUp(small, "small", 3001);
   CHECK((Run(small, files / "small") == texts));
-  CHECK(small.Player->GetNumberOfEchoes() == Pulses);
+  CHECK(small.Player->GetCount("points") == Pulses);
 
   Playing broken(files, reading);
   setUp(broken, "broken", 10000);
@@ -409,7 +409,7 @@ TEST_CASE("SurveyMotion: the same bytes in any blocks, broken off or not", "[Sur
   CHECK((Run(broken, files / "broken") == texts));
 }
 
-TEST_CASE("SurveyMotion: a dry run knows what comes", "[SurveyMotion]")
+TEST_CASE("SurveyMotion: a dry run estimates it", "[SurveyMotion]")
 {
   const Files files;
   Move(files, Endless(R"(type="translation" vec="0;0;0.01")"), "dynStep=\"100\"");

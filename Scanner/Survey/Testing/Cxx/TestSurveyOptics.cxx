@@ -101,7 +101,7 @@ TEST_CASE("SurveyOptics: an oscillating mirror", "[SurveyOptics]")
   CHECK(deflector->GetScanAngle(1000) == 20.0);
 }
 
-TEST_CASE("SurveyOptics: how an oscillating mirror swings", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: pattern of an oscillating mirror", "[SurveyOptics]")
 {
   const std::string swinging = Swinging;
   const Bench sine(swinging + R"( scanPattern="sinusoidal")", R"(scanFreq_hz="50")");
@@ -113,11 +113,11 @@ TEST_CASE("SurveyOptics: how an oscillating mirror swings", "[SurveyOptics]")
   CHECK(turning.Deflector()->GetScanAngle(50) ==
     Approx(-25.0 + 50.0 / (1000.0 - 50.0) * 25.0).epsilon(1e-13));
   Bench(swinging + R"( scanPattern="round")", R"(scanFreq_hz="50")")
-    .CheckRefused({ "own.xml:2", "scanner own", "scanPattern=\"round\" is not valid",
-      "expected triangular or sinusoidal" });
+    .CheckRefused(
+      { "own.xml:2", "scanPattern=\"round\" is not valid", "expected triangular or sinusoidal" });
 }
 
-TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: scan angle of an oscillating mirror", "[SurveyOptics]")
 {
   CHECK(Bench(Swinging, R"(scanFreq_hz="50")").Scan().ScanAngle == 25.0);
   const Bench clipped(Swinging, R"(scanFreq_hz="50" scanAngle_deg="30")");
@@ -139,7 +139,7 @@ TEST_CASE("SurveyOptics: how far an oscillating mirror swings", "[SurveyOptics]"
       "scanAngleMax_deg for scanner own" });
 }
 
-TEST_CASE("SurveyOptics: a mirror that does not swing", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: a mirror that does not oscillate", "[SurveyOptics]")
 {
   Bench(Swinging, "")
     .CheckRefused({ "survey.xml:5", "scanFreq_hz is missing or 0", "scanner own does not move" });
@@ -148,7 +148,7 @@ TEST_CASE("SurveyOptics: a mirror that does not swing", "[SurveyOptics]")
       "survey.xml:5: scanFreq_hz=\"80\" is clipped to 70, scanFreqMax_Hz of scanner own");
 }
 
-TEST_CASE("SurveyOptics: a line of fibres", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: a fibre array", "[SurveyOptics]")
 {
   const std::string line = R"(optics="line" numFibers="127" scanAngleMax_deg="7.15")";
   const Bench bench(line, "");
@@ -188,7 +188,7 @@ TEST_CASE("SurveyOptics: Risley prisms", "[SurveyOptics]")
   Bench(Prisms, R"(scanAngle_deg="50")").CheckWarned("scanAngle_deg is not used by risley optics");
 }
 
-TEST_CASE("SurveyOptics: prisms that bend nothing", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: prisms without deflection", "[SurveyOptics]")
 {
   const std::vector<std::string> messages = { "own.xml:2", "scanner own",
     "none of its prisms bends the beam", "give angle1_deg, and a refrIndex1 above refrIndex_air" };
@@ -212,7 +212,7 @@ TEST_CASE("SurveyOptics: a Palmer scanner", "[SurveyOptics]")
   CHECK(deflector->GetScanAngle(1000) == Approx(15.0).epsilon(1e-13)); // a quarter of a revolution
 }
 
-TEST_CASE("SurveyOptics: settings of a rotating mirror that others do not use", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: settings of a rotating mirror that others ignore", "[SurveyOptics]")
 {
   const std::string leg = R"(scanFreq_hz="50" )";
   Bench(Swinging, leg + R"(verticalAngleMin_deg="-10")")
@@ -253,7 +253,7 @@ TEST_CASE("SurveyOptics: warm-up moves optics and head before the first pulse", 
   CHECK(moving.Scan().HeadRotateStart == 5.0);
 }
 
-TEST_CASE("SurveyOptics: all of them run", "[SurveyOptics]")
+TEST_CASE("SurveyOptics: all optics run", "[SurveyOptics]")
 {
   const std::vector<std::pair<std::string, std::string>> runs = {
     { Swinging, R"(scanFreq_hz="50")" },
@@ -274,7 +274,7 @@ TEST_CASE("SurveyOptics: all of them run", "[SurveyOptics]")
     player->SetOutputDirectory((bench.Folder / "out").c_str());
     REQUIRE(player->Run());
     CHECK(player->GetNumberOfPulses() == 10000);
-    CHECK(player->GetNumberOfFirstReturns() == 10000); // all on the floor
+    CHECK(player->GetCount("firstReturns") == 10000); // all on the floor
   }
 }
 
@@ -301,7 +301,8 @@ TEST_CASE("SurveyOptics: the instruments of the catalogue", "[SurveyOptics]")
   }
 }
 
-TEST_CASE("SurveyOptics: prisms that reflect every pulse are named", "[SurveyOptics]")
+TEST_CASE(
+  "SurveyOptics: prisms with total reflection of every pulse are reported", "[SurveyOptics]")
 {
   const Bench bench(R"(optics="risley" angle1_deg="-45" refrIndex1="1.5")", "", Flight);
   REQUIRE(bench.Reading.Good);

@@ -57,7 +57,7 @@ TEST_CASE("SurveyReader: a height raster and its material", "[SurveyReader]")
   CHECK(part.Material.Name == "grass");
 }
 
-TEST_CASE("SurveyReader: points and how they become cells", "[SurveyReader]")
+TEST_CASE("SurveyReader: points as voxels", "[SurveyReader]")
 {
   const Files files;
   SECTION("defaults")
@@ -118,7 +118,7 @@ TEST_CASE("SurveyReader: coordinate systems of parts and scene", "[SurveyReader]
   }
 }
 
-TEST_CASE("SurveyReader: care of meshes", "[SurveyReader]")
+TEST_CASE("SurveyReader: repair and simplification", "[SurveyReader]")
 {
   const Files files;
   const Reading reading = ReadPart(
@@ -129,7 +129,7 @@ TEST_CASE("SurveyReader: care of meshes", "[SurveyReader]")
   CHECK(reading.Data().Scene.Parts.at(0).SimplifyDistance == 0.02);
 }
 
-TEST_CASE("SurveyReader: parts that are wrong", "[SurveyReader]")
+TEST_CASE("SurveyReader: bad parts are errors", "[SurveyReader]")
 {
   struct Wrong
   {
@@ -169,7 +169,7 @@ TEST_CASE("SurveyReader: parts that are wrong", "[SurveyReader]")
   }
 }
 
-TEST_CASE("SurveyReader: parameters of parts that are not used", "[SurveyReader]")
+TEST_CASE("SurveyReader: unused parameters of parts are reported", "[SurveyReader]")
 {
   const Files files;
   const Reading reading = ReadPart(files,

@@ -80,7 +80,7 @@ TEST_CASE("SurveyPlatforms: a car turns on circles and climbs", "[SurveyPlatform
   CHECK(fastest == Approx(5.0).epsilon(0.01)); // movePerSec_m
 }
 
-TEST_CASE("SurveyPlatforms: a copter tilts, and its scanner with it", "[SurveyPlatforms]")
+TEST_CASE("SurveyPlatforms: a multicopter tilts with its scanner", "[SurveyPlatforms]")
 {
   const Files files;
   files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\" base_pitch_deg=\"-5\"");
@@ -103,7 +103,7 @@ TEST_CASE("SurveyPlatforms: a copter tilts, and its scanner with it", "[SurveyPl
   CHECK(first.back().Roll == Approx(0.0).margin(0.1)); // stopAndTurn is the default
 }
 
-TEST_CASE("SurveyPlatforms: a copter creeps", "[SurveyPlatforms]")
+TEST_CASE("SurveyPlatforms: a very slow multicopter", "[SurveyPlatforms]")
 {
   const Files files;
   files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\"");
@@ -113,7 +113,7 @@ TEST_CASE("SurveyPlatforms: a copter creeps", "[SurveyPlatforms]")
   CHECK(samples.back().Time == Approx(2.0).epsilon(0.3));
 }
 
-TEST_CASE("SurveyPlatforms: where a copter looks at departure", "[SurveyPlatforms]")
+TEST_CASE("SurveyPlatforms: the heading of a multicopter at departure", "[SurveyPlatforms]")
 {
   const Files files;
   files.Replace("assets.xml", "type=\"linearpath\"", "type=\"multicopter\"");
@@ -154,7 +154,7 @@ TEST_CASE("SurveyPlatforms: a recorded flight", "[SurveyPlatforms]")
   CHECK(synced.back().Time == 103.0);
 }
 
-TEST_CASE("SurveyPlatforms: what cannot be flown names its leg or its file", "[SurveyPlatforms]")
+TEST_CASE("SurveyPlatforms: impossible paths name the leg or the file", "[SurveyPlatforms]")
 {
   const Files files;
   files.Write("way.txt", "0,0,0,0,0,0,60\n1,0,0,0,x,0,60\n");
@@ -170,8 +170,7 @@ TEST_CASE("SurveyPlatforms: what cannot be flown names its leg or its file", "[S
   Playing(other, climbing).CheckFails({ "survey.xml:5" });
 }
 
-TEST_CASE(
-  "SurveyPlatforms: noise moves pulses, not the file of the trajectory", "[SurveyPlatforms]")
+TEST_CASE("SurveyPlatforms: noise moves pulses, not the trajectory file", "[SurveyPlatforms]")
 {
   const Files files;
   const std::string legs = Leg("z=\"90\" movePerSec_m=\"20\"") + Leg("x=\"20\" z=\"90\"");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs of small surveys: their output, and their results.
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosSurveyPlaying.h"
@@ -36,7 +37,7 @@ public:
     auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
     this->Messages.push_back(player->GetMessage());
     this->Progress.push_back(*static_cast<double*>(progress));
-    if (player->GetNumberOfPulsesDone() >= this->AbortAfter)
+    if (player->GetCount("pulses") >= this->AbortAfter)
     {
       player->Abort();
     }
@@ -49,7 +50,8 @@ public:
 
 } // namespace
 
-TEST_CASE("SurveyPlayer: legs share the time, lose and repeat no pulse", "[SurveyPlayer]")
+TEST_CASE(
+  "SurveyPlayer: legs are contiguous in time, without lost or repeated pulses", "[SurveyPlayer]")
 {
   const Files files;
   Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="50"/>
@@ -69,9 +71,9 @@ TEST_CASE("SurveyPlayer: legs share the time, lose and repeat no pulse", "[Surve
   REQUIRE(player->Run());
   // 20 m and 5 m at 50 m/s and 200 kHz
   CHECK(player->GetNumberOfPulses() == 80000 + 20000);
-  CHECK(player->GetNumberOfPulsesDone() == 100000);
-  CHECK(player->GetNumberOfEchoes() == 100000);
-  CHECK(player->GetNumberOfFirstReturns() == 100000);
+  CHECK(player->GetCount("pulses") == 100000);
+  CHECK(player->GetCount("points") == 100000);
+  CHECK(player->GetCount("firstReturns") == 100000);
   CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
   CHECK_FALSE(fs::exists(files / "out/test/leg003_points.xyz"));
 
@@ -99,7 +101,7 @@ TEST_CASE("SurveyPlayer: legs share the time, lose and repeat no pulse", "[Surve
   CHECK(player->Run());
 }
 
-TEST_CASE("SurveyPlayer: the size of the blocks changes no byte", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: byte-identical for any block size", "[SurveyPlayer]")
 {
   const Files files;
   Reading reading(files, Tripod, R"(<leg><platformSettings onGround="true"/>
@@ -112,7 +114,7 @@ TEST_CASE("SurveyPlayer: the size of the blocks changes no byte", "[SurveyPlayer
     player->SetSurvey(reading.Reader->GetSurvey());
     const std::string folder = files / ("out" + std::to_string(run));
     player->SetOutputDirectory(folder.c_str());
-    player->SetSeed(3);
+    player->GetOptions()->SetSeed(3);
     player->SetPulsesPerBlock(run == 0 ? 262144 : 777);
     REQUIRE(player->Run());
     texts[run] = ReadText(folder + "/test/leg000_points.xyz");
@@ -121,7 +123,7 @@ TEST_CASE("SurveyPlayer: the size of the blocks changes no byte", "[SurveyPlayer
   CHECK(texts[0] == texts[1]);
 }
 
-TEST_CASE("SurveyPlayer: parts and legs go onto the ground", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: parts and legs are put on the ground", "[SurveyPlayer]")
 {
   const Files files;
   files.Write("hill.mtl", "newmtl earth\nhelios_isGround true\n");
@@ -142,7 +144,7 @@ TEST_CASE("SurveyPlayer: parts and legs go onto the ground", "[SurveyPlayer]")
   vtkNew<vtkHeliosSurveyPlayer> player;
   player->SetSurvey(reading.Reader->GetSurvey());
   player->SetOutputDirectory((files / "out").c_str());
-  player->SetNoise(false);
+  player->GetOptions()->SetNoise(false);
   REQUIRE(player->Run());
   double lowest = 1e9, highest = -1e9;
   std::ifstream points(files / "out/test/leg000_points.xyz");
@@ -158,7 +160,7 @@ TEST_CASE("SurveyPlayer: parts and legs go onto the ground", "[SurveyPlayer]")
   CHECK(highest == Approx(30).margin(0.2)); // the wall: 10 m high, moved down from z = -3
 }
 
-TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: on a tripod time and pulses continue from leg to leg", "[SurveyPlayer]")
 {
   const Files files;
   // 100 kHz; 1 s at 10 deg/s, then an inactive leg of 0.5 s, then a leg ended after 0.25 s
@@ -172,7 +174,7 @@ TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[S
   Playing playing(files, reading);
   REQUIRE(playing.Player->Run());
   CHECK(playing.Player->GetNumberOfPulses() == 125000);
-  CHECK(playing.Player->GetNumberOfPulsesFired() < 125000); // 100 of 240 degrees
+  CHECK(playing.Player->GetCount("pulsesFired") < 125000); // 100 of 240 degrees
   CHECK(playing.Player->GetNumberOfLegs() == 3);
   CHECK(playing.Player->GetCurrentLeg() == 2);
   CHECK(playing.Player->GetProgress() == 1.0);
@@ -180,7 +182,7 @@ TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[S
   const std::vector<Point> last = ReadPoints(files / "out/test/leg002_points.xyz");
   REQUIRE(!first.empty());
   REQUIRE(!last.empty());
-  CHECK(static_cast<vtkIdType>(first.size() + last.size()) == playing.Player->GetNumberOfEchoes());
+  CHECK(static_cast<vtkIdType>(first.size() + last.size()) == playing.Player->GetCount("points"));
   CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
   for (const Point& point : first)
   {
@@ -196,7 +198,7 @@ TEST_CASE("SurveyPlayer: on a tripod time and pulses go on from leg to leg", "[S
     std::vector<std::string>{ "3.0000 0.0000 0.0000 1.500000000 0.0000 0.0000 0.0000" });
 }
 
-TEST_CASE("SurveyPlayer: a trajectory has start and end of its leg", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: a trajectory has the start and the end of its leg", "[SurveyPlayer]")
 {
   const Files files;
   std::string legs = ThreeLegs;
@@ -274,7 +276,7 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
     REQUIRE(waveforms->GetNumberOfRows() > 0);
     CHECK(waveforms->GetValueByName(0, names::PulseIds).ToDouble() == pulses[0]);
   }
-  CHECK(sum == playing.Player->GetNumberOfEchoes());
+  CHECK(sum == playing.Player->GetCount("points"));
   CHECK_FALSE(fs::exists(files / "out/test/leg000_fullwave.txt"));
 
   playing.Player->SetOverwrite(true);
@@ -284,7 +286,7 @@ TEST_CASE("SurveyPlayer: points as LAS", "[SurveyPlayer]")
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.wdp"));
 }
 
-TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: noise can be switched off, and depends on the seed", "[SurveyPlayer]")
 {
   const Files files;
   const Reading reading(files, Tripod, OneLeg);
@@ -293,8 +295,8 @@ TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyP
   {
     Playing playing(files, reading);
     playing.Player->SetOverwrite(true);
-    playing.Player->SetNoise(run > 0);
-    playing.Player->SetSeed(run);
+    playing.Player->GetOptions()->SetNoise(run > 0);
+    playing.Player->GetOptions()->SetSeed(run);
     REQUIRE(playing.Player->Run());
     texts.push_back(ReadText(files / "out/test/leg000_points.xyz"));
   }
@@ -302,8 +304,7 @@ TEST_CASE("SurveyPlayer: noise can be switched off, the seed keys it", "[SurveyP
   CHECK(texts[1] != texts[2]);
 }
 
-TEST_CASE(
-  "SurveyPlayer: a file of several parts is read once; they are part by part", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: a file with several parts is read once", "[SurveyPlayer]")
 {
   const Files files;
   files.Replace("scene.xml", "</scene>", R"(<part id="shelf"><filter type="objloader">
@@ -330,7 +331,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("SurveyPlayer: files of one part are one part", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: several files of one part are one part", "[SurveyPlayer]")
 {
   const Files files;
   files.Write("more/a.obj", "v -50 -50 0\nv 0 -50 0\nv 0 50 0\nv -50 50 0\nf 1 2 3 4\n");
@@ -382,7 +383,7 @@ TEST_CASE("SurveyPlayer: reflectance from a spectrum", "[SurveyPlayer]")
   CHECK(intensity("") == Approx(from * 0.1 / 0.264).epsilon(1e-6)); // a given value has priority
 }
 
-TEST_CASE("SurveyPlayer: output that cannot be", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: output that cannot be written is an error", "[SurveyPlayer]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -394,8 +395,7 @@ TEST_CASE("SurveyPlayer: output that cannot be", "[SurveyPlayer]")
   playing.CheckFails({ "out/test: the output folder cannot be created" });
 }
 
-TEST_CASE(
-  "SurveyPlayer: an earlier run is kept, also where the new one fails early", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: an earlier run is kept, also if the new one fails early", "[SurveyPlayer]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -413,7 +413,7 @@ TEST_CASE(
   CHECK(ReadText(files / "out/test/notes.txt") == "mine");
 }
 
-TEST_CASE("SurveyPlayer: a run without points says why", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: a run without points reports the reason", "[SurveyPlayer]")
 {
   const Files files;
   SECTION("no leg is active")
@@ -442,14 +442,14 @@ TEST_CASE("SurveyPlayer: a run without points says why", "[SurveyPlayer]")
       .CheckFails({ "No points: none of 80000 pulses hit the scene", "x -50 to 50", "z 0 to 0",
         "leg 0 starts at 0, 0, -100" });
   }
-  SECTION("all is too near")
+  SECTION("all points too near")
   {
     files.Replace("assets.xml", "id=\"als\"", "id=\"als\" rangeMin_m=\"500\"");
     const Reading reading(files, Flight, ThreeLegs);
     Playing(files, reading)
       .CheckFails({ "No points: every surface hit is nearer than rangeMin_m=\"500\"" });
   }
-  SECTION("all is too weak")
+  SECTION("all signals too weak")
   {
     files.Replace("assets.xml", "id=\"als\"", "id=\"als\" receivedEnergyMin_W=\"1e9\"");
     const Reading reading(files, Flight, ThreeLegs);
@@ -459,10 +459,10 @@ TEST_CASE("SurveyPlayer: a run without points says why", "[SurveyPlayer]")
   }
 }
 
-TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: scenes that cannot be composed are errors", "[SurveyPlayer]")
 {
   const Files files;
-  SECTION("all parts on a ground that there is not")
+  SECTION("all parts on a missing ground")
   {
     files.Replace("scene.xml", "</part>",
       "<filter type=\"translate\"><param key=\"onGround\" value=\"1\"/></filter></part>");
@@ -480,7 +480,7 @@ TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
     Playing(files, reading)
       .CheckFails({ "scene.xml:1: The scene is empty: none of its 1 parts has triangles" });
   }
-  SECTION("a part beside the ground")
+  SECTION("a part outside the ground")
   {
     files.Replace("scene.xml", "</scene>", R"(
 <part><filter type="objloader"><param key="filepath" value="plane.obj"/></filter>
@@ -493,7 +493,7 @@ TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
     CHECK(playing.Log->HasError("no ground above or below point 0 at x 450, y -50"));
     CHECK(playing.Log->HasError("scene.xml:4"));
   }
-  SECTION("a leg beside the ground")
+  SECTION("a leg outside the ground")
   {
     std::string leg = OneLeg;
     leg.replace(leg.find("x=\"1\""), 5, "x=\"99\" onGround=\"true\"");
@@ -513,7 +513,7 @@ TEST_CASE("SurveyPlayer: scenes that cannot be put together", "[SurveyPlayer]")
   }
 }
 
-TEST_CASE("SurveyPlayer: a run that is stopped keeps what it has", "[SurveyPlayer]")
+TEST_CASE("SurveyPlayer: a stopped run keeps its data", "[SurveyPlayer]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -533,14 +533,14 @@ TEST_CASE("SurveyPlayer: a run that is stopped keeps what it has", "[SurveyPlaye
     CHECK(ReadPoints(files / "out/test/leg001_points.xyz.part").size() == 10000);
     CHECK_FALSE(fs::exists(files / "out/test/leg001_points.xyz"));
   }
-  SECTION("while it loads")
+  SECTION("during loading")
   {
     log->AbortAfter = 0;
     CHECK_FALSE(playing.Player->Run());
     CHECK(playing.Log->Errors.empty());
     CHECK(playing.Player->GetMessage().find("nothing was written") != std::string::npos);
   }
-  SECTION("after its last pulse: it is done")
+  SECTION("after the last pulse: complete")
   {
     log->AbortAfter = 80000;
     CHECK(playing.Player->Run());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Swapped parts: the scene of each epoch, and the output of the epochs of a survey.
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosPlays.h"
@@ -69,7 +70,7 @@ const std::string FourPlays =
 
 } // namespace
 
-TEST_CASE("Plays: what a part is in each play", "[SurveyPlays]")
+TEST_CASE("Plays: the state of a part in each epoch", "[SurveyPlays]")
 {
   helios::PartData part;
   part.Swaps.resize(3);
@@ -84,7 +85,7 @@ TEST_CASE("Plays: what a part is in each play", "[SurveyPlays]")
   CHECK(helios::FindPart(helios::PartData(), 3) != nullptr);
 }
 
-TEST_CASE("Plays: the survey of a play", "[SurveyPlays]")
+TEST_CASE("Plays: the survey of an epoch", "[SurveyPlays]")
 {
   helios::SurveyData survey;
   survey.Name = "test";
@@ -111,7 +112,7 @@ TEST_CASE("Plays: the survey of a play", "[SurveyPlays]")
   CHECK(helios::CountPlays(last.Scene) == 1);
 }
 
-TEST_CASE("Plays: filters start from the part as it was loaded", "[SurveyPlays]")
+TEST_CASE("Plays: filters start from the part as loaded", "[SurveyPlays]")
 {
   const Files files;
   WriteScene(files,
@@ -154,7 +155,7 @@ TEST_CASE("Plays: filters start from the part as it was loaded", "[SurveyPlays]"
   CHECK(last.Translation[2] == 0.0);
 }
 
-TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
+TEST_CASE("Plays: bad swaps are errors", "[SurveyPlays]")
 {
   struct Wrong
   {
@@ -187,7 +188,7 @@ TEST_CASE("Plays: swaps that are wrong", "[SurveyPlays]")
   }
 }
 
-TEST_CASE("Plays: a play without a part", "[SurveyPlays]")
+TEST_CASE("Plays: an epoch without parts is an error", "[SurveyPlays]")
 {
   const Files files;
   const std::string away = Swap("", "force_null=\"true\"");
@@ -198,7 +199,7 @@ TEST_CASE("Plays: a play without a part", "[SurveyPlays]")
   CHECK(reading.Log->HasError("scene.xml:1: scene s has no part in epoch 2"));
 }
 
-TEST_CASE("Plays: what of swaps is not used", "[SurveyPlays]")
+TEST_CASE("Plays: unused attributes of swaps are reported", "[SurveyPlays]")
 {
   const Files files;
   WriteScene(files,
@@ -213,7 +214,7 @@ TEST_CASE("Plays: what of swaps is not used", "[SurveyPlays]")
   CHECK(reading.Log->HasWarning("replaces the one before it in this <swap>"));
 }
 
-TEST_CASE("Plays: points of each play lie on its geometry", "[SurveyPlays]")
+TEST_CASE("Plays: points of each epoch lie on its geometry", "[SurveyPlays]")
 {
   const Files files;
   WriteScene(files, FourPlays);
@@ -224,7 +225,7 @@ TEST_CASE("Plays: points of each play lie on its geometry", "[SurveyPlays]")
   for (int play = 0; play < 4; ++play)
   {
     Playing playing(files, reading);
-    playing.Player->SetPlay(play);
+    playing.Player->GetOptions()->SetPlay(play);
     const std::string folder = files / ("out/test/play00" + std::to_string(play));
     CHECK(playing.Player->GetRunFolder() == folder);
     CHECK(playing.Player->Run());
@@ -240,7 +241,48 @@ TEST_CASE("Plays: points of each play lie on its geometry", "[SurveyPlays]")
   CHECK_FALSE(fs::exists(files / "out/test/leg000_points.xyz"));
 }
 
-TEST_CASE("Plays: the same geometry has the same noise", "[SurveyPlays]")
+TEST_CASE("Plays: one player reads only what an epoch changes", "[SurveyPlays]")
+{
+  const Files files;
+  files.Write("roof.obj", "v -90 -90 9\nv 90 -90 9\nv 90 90 9\nv -90 90 9\nf 1 2 3 4\n");
+  const std::string roof =
+    R"(<filter type="objloader"><param key="filepath" value="roof.obj"/></filter>)";
+  WriteScene(files, Part(Lid + Move(4.0) + Swap(Move(7.0)) + Swap(roof)));
+  const Reading reading(files, Flight, ThreeLegs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  std::vector<std::string> read;
+  const auto note = [](vtkObject* caller, unsigned long, void* list, void*)
+  {
+    const std::string step = static_cast<vtkHeliosSurveyPlayer*>(caller)->GetMessage();
+    if (step.rfind("reading ", 0) == 0)
+    {
+      static_cast<std::vector<std::string>*>(list)->push_back(fs::path(step).filename());
+    }
+  };
+  vtkNew<vtkCallbackCommand> onStep;
+  onStep->SetCallback(note);
+  onStep->SetClientData(&read);
+  playing.Player->AddObserver(vtkCommand::ProgressEvent, onStep);
+  const double heights[] = { 5.0, 8.0, 9.0 };
+  const std::vector<std::string> expected[] = { { "plane.obj", "lid.obj" }, {}, { "roof.obj" } };
+  for (int play = 0; play < 3; ++play)
+  {
+    read.clear();
+    playing.Player->GetOptions()->SetPlay(play);
+    REQUIRE(playing.Player->Run());
+    CHECK(read == expected[play]);
+    const std::string folder = files / ("out/test/play00" + std::to_string(play));
+    CHECK(FindHeight(folder) == Approx(heights[play]).margin(1e-6));
+  }
+  read.clear();
+  files.Write("roof.obj", "v -90 -90 7\nv 90 -90 7\nv 90 90 7\nv -90 90 7\nf 1 2 3 4\n");
+  playing.Player->OverwriteOn();
+  REQUIRE(playing.Player->Run());
+  CHECK(FindHeight(files / "out/test/play002") == Approx(7.0)); // a changed file is read again
+}
+
+TEST_CASE("Plays: equal geometry has equal noise", "[SurveyPlays]")
 {
   const Files files;
   files.Replace("assets.xml", "optics=\"conic\"", "optics=\"conic\" accuracy_m=\"0.02\"");
@@ -250,7 +292,7 @@ TEST_CASE("Plays: the same geometry has the same noise", "[SurveyPlays]")
   for (int play = 0; play < 2; ++play)
   {
     Playing playing(files, reading);
-    playing.Player->SetPlay(play);
+    playing.Player->GetOptions()->SetPlay(play);
     REQUIRE(playing.Player->Run());
   }
   const std::string first = ReadText(files / "out/test/play000/leg000_points.xyz");
@@ -258,7 +300,7 @@ TEST_CASE("Plays: the same geometry has the same noise", "[SurveyPlays]")
   CHECK(first == ReadText(files / "out/test/play001/leg000_points.xyz"));
 }
 
-TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
+TEST_CASE("Plays: an epoch that does not exist", "[SurveyPlays]")
 {
   const Files files;
   SECTION("of several")
@@ -266,7 +308,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
     WriteScene(files, FourPlays);
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
-    playing.Player->SetPlay(4);
+    playing.Player->GetOptions()->SetPlay(4);
     playing.CheckFails({ "Play is 4, but the survey has 4 epochs; give 0 to 3" });
     CHECK_FALSE(playing.Player->Estimate());
   }
@@ -275,7 +317,7 @@ TEST_CASE("Plays: a play that the survey does not have", "[SurveyPlays]")
     const Reading reading(files, Flight, ThreeLegs);
     Playing playing(files, reading);
     CHECK(playing.Player->GetRunFolder() == files / "out/test"); // no folders of epochs
-    playing.Player->SetPlay(1);
+    playing.Player->GetOptions()->SetPlay(1);
     playing.CheckFails({ "Play is 1, but the survey has 1 epoch; give 0 to 0" });
   }
   CHECK_FALSE(fs::exists(files / "out"));
@@ -290,7 +332,7 @@ void BreakOff(vtkHeliosSurveyPlayer* player)
   const auto abort = [](vtkObject* caller, unsigned long, void*, void*)
   {
     auto* self = static_cast<vtkHeliosSurveyPlayer*>(caller);
-    if (self->GetNumberOfPulsesDone() >= 50000)
+    if (self->GetCount("pulses") >= 50000)
     {
       self->Abort();
     }
@@ -303,7 +345,7 @@ void BreakOff(vtkHeliosSurveyPlayer* player)
 
 } // namespace
 
-TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
+TEST_CASE("Plays: each epoch is resumed separately", "[SurveyPlays]")
 {
   const Files files;
   WriteScene(files, FourPlays);
@@ -313,7 +355,7 @@ TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
   {
     Playing playing(files, reading);
     playing.Player->SetPulsesPerBlock(10000);
-    playing.Player->SetPlay(play);
+    playing.Player->GetOptions()->SetPlay(play);
     playing.Player->SetResume(true);
     const bool good = playing.Player->Run();
     INFO(play << ": " << playing.Player->GetMessage());
@@ -326,7 +368,7 @@ TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
   {
     Playing playing(files, reading);
     playing.Player->SetPulsesPerBlock(10000);
-    playing.Player->SetPlay(play);
+    playing.Player->GetOptions()->SetPlay(play);
     if (play == 0)
     {
       CHECK(playing.Player->Run());
@@ -337,7 +379,7 @@ TEST_CASE("Plays: each is resumed by itself", "[SurveyPlays]")
     }
   }
   REQUIRE(fs::exists(files / "out/test/play001/run.journal"));
-  SECTION("to what it would have been")
+  SECTION("equal to an uninterrupted run")
   {
     CHECK(resume(0, ""));       // was finished
     CHECK_FALSE(resume(1, "")); // resumed

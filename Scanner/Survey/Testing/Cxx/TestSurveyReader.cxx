@@ -76,7 +76,7 @@ TEST_CASE("SurveyReader: rotations of a mount, the last outermost", "[SurveyRead
   CHECK(side[1] == Approx(1));
 }
 
-TEST_CASE("SurveyReader: templates are inherited by presence", "[SurveyReader]")
+TEST_CASE("SurveyReader: given attributes of templates are inherited", "[SurveyReader]")
 {
   const Files files;
   Reading reading(
@@ -113,7 +113,7 @@ TEST_CASE("SurveyReader: resolution in degrees sets line rate and head speed", "
   CHECK(reading.Data().Legs[0].Scans.at(0).HeadRotateSpeed == Approx(5));
 }
 
-TEST_CASE("SurveyReader: asset folders come before the survey's own", "[SurveyReader]")
+TEST_CASE("SurveyReader: asset folders have precedence over that of the survey", "[SurveyReader]")
 {
   const Files files;
   std::string other = ReadText(files / "assets.xml");
@@ -131,7 +131,8 @@ TEST_CASE("SurveyReader: asset folders come before the survey's own", "[SurveyRe
   CHECK(reader->GetSurvey()->GetData().Scanners.at(0).PulseLength == 9);
 }
 
-TEST_CASE("SurveyReader: scene filters go rotate, scale, translate; the last scale counts",
+TEST_CASE(
+  "SurveyReader: scene filters are applied as rotate, scale, translate, and the last scale counts",
   "[SurveyReader]")
 {
   const Files files;
@@ -155,7 +156,7 @@ TEST_CASE("SurveyReader: scene filters go rotate, scale, translate; the last sca
   CHECK(reading.Log->HasWarning("scale"));
 }
 
-TEST_CASE("SurveyReader: scene filters keep their repeated turns", "[SurveyReader]")
+TEST_CASE("SurveyReader: repeated rotations of scene filters are kept", "[SurveyReader]")
 {
   const Files files;
   const std::string turn = R"(<filter type="rotate"><param key="rotation" type="rotation">
@@ -186,7 +187,7 @@ TEST_CASE("SurveyReader: rotations are global or local", "[SurveyReader]")
     helios::Rotate(local.Data().Platforms.at(0).Mount.Orientation, { 0, 1, 0 })[0] == Approx(-1));
 }
 
-TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader]")
+TEST_CASE("SurveyReader: attributes of the scanner that a survey overrides", "[SurveyReader]")
 {
   const Files files;
   Reading reading(files, Tripod, std::string(OneLeg) + R"(
@@ -200,7 +201,8 @@ TEST_CASE("SurveyReader: what a survey overrides in its scanner", "[SurveyReader
   CHECK(reading.Data().Scanners.at(0).RangeMax == 80.0);
 }
 
-TEST_CASE("SurveyReader: references and numbers as files in the wild write them", "[SurveyReader]")
+TEST_CASE(
+  "SurveyReader: references and numbers in the notation of existing files", "[SurveyReader]")
 {
   const Files files;
   files.Write("data/scanners.xml", ReadText(files / "assets.xml"));
@@ -231,7 +233,7 @@ TEST_CASE("SurveyReader: references and numbers as files in the wild write them"
   CHECK(data.Legs.at(1).Scans.at(0).BeamDivergence == 0.0); // a single ray
 }
 
-TEST_CASE("SurveyReader: an expression for file names makes a part a file", "[SurveyReader]")
+TEST_CASE("SurveyReader: an expression for file names gives one part per file", "[SurveyReader]")
 {
   const Files files;
   files.Write("trees/oak_2.obj", "v 0 0 0\n");
@@ -262,7 +264,7 @@ TEST_CASE("SurveyReader: an expression for file names makes a part a file", "[Su
   CHECK(joined[1].Files.size() == 2);
 }
 
-TEST_CASE("SurveyReader: XML that is none, or of another kind", "[SurveyReader]")
+TEST_CASE("SurveyReader: input that is not XML, or of another kind", "[SurveyReader]")
 {
   const Files files;
   struct Document
@@ -300,7 +302,7 @@ TEST_CASE("SurveyReader: XML that is none, or of another kind", "[SurveyReader]"
   CHECK(log->HasError("FileName is not set"));
 }
 
-TEST_CASE("SurveyReader: XML in other clothes is read", "[SurveyReader]")
+TEST_CASE("SurveyReader: XML in other encodings and notations", "[SurveyReader]")
 {
   const Files files;
   REQUIRE(Reading(files, Tripod, OneLeg).Good);
@@ -311,14 +313,14 @@ TEST_CASE("SurveyReader: XML in other clothes is read", "[SurveyReader]")
     CHECK(reading.Good);
     CHECK(reading.Log->Warnings.empty());
   }
-  SECTION("with a byte order mark; lines stay right")
+  SECTION("with a byte order mark; line numbers are correct")
   {
     files.Write("survey.xml", "\xEF\xBB\xBF" + ReadText(files / "survey.xml"));
     CHECK(Reading(files).Good);
     files.Replace("survey.xml", "x=\"1\"", "x=\"one\"");
     CheckRefused(files, { "survey.xml:4", "x=\"one\"" });
   }
-  SECTION("in Latin-1; lines stay right")
+  SECTION("in Latin-1; line numbers are correct")
   {
     files.Replace("survey.xml", "version=\"1.0\"", "version=\"1.0\" encoding=\"ISO-8859-1\"");
     files.Replace(
@@ -348,7 +350,7 @@ TEST_CASE("SurveyReader: XML in other clothes is read", "[SurveyReader]")
     CHECK(reading.Log->HasWarning("only the first"));
     CHECK(reading.Reader->GetSurvey()->GetName() == "test");
   }
-  SECTION("with a name that is no folder's")
+  SECTION("with an invalid folder name")
   {
     files.Replace("survey.xml", "\"test\"", "\"../../up\"");
     const Reading reading(files);
@@ -358,7 +360,7 @@ TEST_CASE("SurveyReader: XML in other clothes is read", "[SurveyReader]")
   }
 }
 
-TEST_CASE("SurveyReader: values that are none of their kind", "[SurveyReader]")
+TEST_CASE("SurveyReader: values of the wrong type", "[SurveyReader]")
 {
   CheckAllRefused(Tripod, OneLeg,
     {
@@ -401,7 +403,7 @@ TEST_CASE("SurveyReader: values that are none of their kind", "[SurveyReader]")
     });
 }
 
-TEST_CASE("SurveyReader: all errors are told, each once", "[SurveyReader]")
+TEST_CASE("SurveyReader: all errors are reported, each once", "[SurveyReader]")
 {
   const Files files;
   Reading reading(files, Tripod,
@@ -412,7 +414,7 @@ TEST_CASE("SurveyReader: all errors are told, each once", "[SurveyReader]")
   CHECK(CountOf("pulseFreq_hz=\"0\"", reading.Log->Errors) == 1);
 }
 
-TEST_CASE("SurveyReader: references that lead nowhere", "[SurveyReader]")
+TEST_CASE("SurveyReader: references without a target", "[SurveyReader]")
 {
   CheckAllRefused(Tripod, OneLeg,
     {
@@ -455,19 +457,20 @@ TEST_CASE("SurveyReader: surveys without legs", "[SurveyReader]")
       { "survey.xml:5", "platform plane has 1 <leg>", "needs two" } } });
 }
 
-TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
+TEST_CASE("SurveyReader: unsupported elements", "[SurveyReader]")
 {
   const std::string loader = R"(<filter type="objloader">)";
   CheckAllRefused(Tripod, OneLeg,
     {
       { "assets.xml", "optics=\"rotating\"", "optics=\"turning\"",
-        { "assets.xml:5", "scanner tls", "optics=\"turning\" is not valid",
+        { "assets.xml:5", "optics=\"turning\" is not valid",
           "expected rotating, oscillating, line, conic, palmer or risley" } },
       { "assets.xml", "type=\"static\"", "type=\"multicopter\"",
         { "survey.xml:5", "platform tripod has 1 <leg>", "needs two" } },
       { "assets.xml", "type=\"static\"", "type=\"sttic\"",
         { "assets.xml:2", "type=\"sttic\" is not valid",
-          "static, linearpath, groundvehicle or multicopter" } },
+          "did you mean static? Expected static, dummy, linearpath, groundvehicle or "
+          "multicopter" } },
       { "scene.xml", "\"objloader\"", "\"assumematerials\"",
         { "scene.xml:2", "assumematerials", "is not supported by this version" } },
       { "scene.xml", "\"objloader\"", "\"objloder\"",
@@ -475,7 +478,7 @@ TEST_CASE("SurveyReader: what is not built yet, or never", "[SurveyReader]")
     });
 }
 
-TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
+TEST_CASE("SurveyReader: invalid scenes", "[SurveyReader]")
 {
   const std::string part = ReadText(Files() / "scene.xml");
   CheckAllRefused(Tripod, OneLeg,
@@ -518,7 +521,7 @@ TEST_CASE("SurveyReader: scenes that cannot be", "[SurveyReader]")
     });
 }
 
-TEST_CASE("SurveyReader: scanners that cannot be", "[SurveyReader]")
+TEST_CASE("SurveyReader: invalid scanners", "[SurveyReader]")
 {
   CheckAllRefused(Tripod, OneLeg,
     {
@@ -533,7 +536,7 @@ TEST_CASE("SurveyReader: scanners that cannot be", "[SurveyReader]")
     });
 }
 
-TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
+TEST_CASE("SurveyReader: invalid legs", "[SurveyReader]")
 {
   const std::string stop = "headRotateStop_deg=\"10\"";
   CheckAllRefused(Tripod, OneLeg,
@@ -557,7 +560,7 @@ TEST_CASE("SurveyReader: legs that cannot run", "[SurveyReader]")
         { "survey.xml:5", "movePerSec_m=\"1e-300\"", "never reaches the next leg" } } });
 }
 
-TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[SurveyReader]")
+TEST_CASE("SurveyReader: values beyond a limit of the instrument are clipped", "[SurveyReader]")
 {
   using Scan = helios::ScanData;
   struct Clipped
@@ -615,7 +618,7 @@ TEST_CASE("SurveyReader: beyond a limit of the instrument is clipped to it", "[S
 }
 
 TEST_CASE(
-  "SurveyReader: the end point of a way and inactive legs are not checked", "[SurveyReader]")
+  "SurveyReader: the end point of a path and inactive legs are not checked", "[SurveyReader]")
 {
   const Files files;
   std::string legs = ThreeLegs;
@@ -629,7 +632,7 @@ TEST_CASE(
   CHECK(Reading(files, Tripod, "<leg><scannerSettings active=\"false\"/></leg>").Good);
 }
 
-TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
+TEST_CASE("SurveyReader: unused attributes are reported", "[SurveyReader]")
 {
   CheckAllWarned(Tripod, OneLeg,
     {
@@ -668,7 +671,7 @@ TEST_CASE("SurveyReader: what is not used is warned of", "[SurveyReader]")
       { "survey.xml:5", "not used by conic optics" } } });
 }
 
-TEST_CASE("SurveyReader: what is warned of is warned of once", "[SurveyReader]")
+TEST_CASE("SurveyReader: warnings are reported once", "[SurveyReader]")
 {
   const Files files;
   const Reading reading(files, Tripod,

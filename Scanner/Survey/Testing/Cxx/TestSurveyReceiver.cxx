@@ -3,10 +3,12 @@
 // Sampling, waveforms, detection and noise in the dialect: read, checked, set up, and run.
 #include "heliosReceiver.h"
 
+#include "heliosRunOptions.h"
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPeakDetector.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosScanner.h"
 #include "vtkHeliosSurveyPlayer.h"
 
@@ -64,7 +66,7 @@ struct Bench
     CHECK(this->Reading.Log->Warnings.empty());
   }
 
-  vtkSmartPointer<vtkHeliosScanner> SetUp(const helios::ReceiverChoice& choice = {}) const
+  vtkSmartPointer<vtkHeliosScanner> SetUp(const helios::RunOptions& choice = {}) const
   {
     auto scanner = vtkSmartPointer<vtkHeliosScanner>::New();
     helios::SetUpReceiver(this->Scanner(), choice, scanner);
@@ -90,7 +92,7 @@ std::string Fwf(const std::string& attributes)
 
 } // namespace
 
-TEST_CASE("SurveyReceiver: without a word a run goes by tolerance", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: sampling is adaptive by default", "[SurveyReceiver]")
 {
   const Bench bench;
   bench.CheckQuiet();
@@ -107,7 +109,8 @@ TEST_CASE("SurveyReceiver: without a word a run goes by tolerance", "[SurveyRece
   CHECK(scanner->GetAtmosphericExtinction() < 0.0);
 }
 
-TEST_CASE("SurveyReceiver: beamSampleQuality on any level runs fixed", "[SurveyReceiver]")
+TEST_CASE(
+  "SurveyReceiver: beamSampleQuality on any level selects fixed sampling", "[SurveyReceiver]")
 {
   const Bench inScanner("beamSampleQuality=\"4\"");
   const Bench inSurvey("", "", "", Fwf("beamSampleQuality=\"4\""));
@@ -121,7 +124,7 @@ TEST_CASE("SurveyReceiver: beamSampleQuality on any level runs fixed", "[SurveyR
   }
 }
 
-TEST_CASE("SurveyReceiver: of sampling, what the survey says wins", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: sampling settings of the survey have precedence", "[SurveyReceiver]")
 {
   // the survey's tolerance overrides the scanner's circles
   const Bench tolerant("beamSampleQuality=\"3\"", "", "", Fwf("rangeTolerance_m=\"0.0002\""));
@@ -142,10 +145,10 @@ TEST_CASE("SurveyReceiver: of sampling, what the survey says wins", "[SurveyRece
     .CheckWarned("assets.xml:8: rangeTolerance_m is not used together with beamSampleQuality");
 }
 
-TEST_CASE("SurveyReceiver: a run's choice wins over the survey", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: options of a run have precedence over the survey", "[SurveyReceiver]")
 {
   const Bench bench("beamSampleQuality=\"3\"");
-  helios::ReceiverChoice choice;
+  helios::RunOptions choice;
   choice.EnergyTolerance = 0.02;
   auto scanner = bench.SetUp(choice);
   CHECK(scanner->GetSampling() == vtkHeliosScanner::TOLERANCE);
@@ -204,7 +207,7 @@ TEST_CASE("SurveyReceiver: detectors", "[SurveyReceiver]")
   {
     const std::string given = name.empty() ? "" : "echoDetector=\"" + name + "\"";
     CHECK(Bench(given).SetUp()->GetEchoDetector()->GetClassName() == type);
-    helios::ReceiverChoice choice;
+    helios::RunOptions choice;
     choice.EchoDetector = name;
     const auto scanner = Bench(name.empty() ? "" : "echoDetector=\"cfd\"").SetUp(choice);
     CHECK(scanner->GetEchoDetector()->GetClassName() == type);
@@ -216,7 +219,7 @@ TEST_CASE("SurveyReceiver: detectors", "[SurveyReceiver]")
   CHECK(peak->GetMinimumSeparation() == 1.5);
 }
 
-TEST_CASE("SurveyReceiver: noise, air and sunlight", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: noise, atmosphere and sunlight", "[SurveyReceiver]")
 {
   const Bench bench("",
     "accuracyPerMeter=\"0.00002\" accuracyAtThreshold_m=\"0.05\" angleAccuracy_rad=\"0.0001\" "
@@ -237,7 +240,7 @@ TEST_CASE("SurveyReceiver: noise, air and sunlight", "[SurveyReceiver]")
   CHECK(scanner->GetBeamSampler()->GetWavelength() == 1064.0);
   CHECK(scanner->GetEchoDetector()->GetDetectionThreshold() == Approx(0.002e-9));
 
-  helios::ReceiverChoice quiet;
+  helios::RunOptions quiet;
   quiet.Noise = false;
   scanner = bench.SetUp(quiet);
   CHECK(scanner->GetRangeAccuracy() == 0.0);
@@ -248,7 +251,7 @@ TEST_CASE("SurveyReceiver: noise, air and sunlight", "[SurveyReceiver]")
   CHECK(scanner->GetSolarIrradiance() == 0.6); // light, not noise
 }
 
-TEST_CASE("SurveyReceiver: the names of the Java time", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: attribute names of the Java version", "[SurveyReceiver]")
 {
   const Bench bench(
     "binSize_ns=\"0.5\" winSize=\"10\" pulseLength_ns=\"6\" beamDivergence_rad=\"0.001\" "
@@ -330,7 +333,7 @@ TEST_CASE("SurveyReceiver: expressions that are long, deep or never finite", "[S
     Catch::EndsWith("survey.xml:5: distanceMeasurementError=\"ln(t - 5)\""));
 }
 
-TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: invalid values are refused with their line", "[SurveyReceiver]")
 {
   const std::vector<std::pair<std::string, std::string>> fwf = {
     { "rangeTolerance_m=\"0\"", "rangeTolerance_m=\"0\" is out of range; give a number from" },
@@ -346,7 +349,7 @@ TEST_CASE("SurveyReceiver: what cannot be is refused with its line", "[SurveyRec
     { "scannerEfficiency=\"0\"", "scannerEfficiency=\"0\" is out of range" },
     { "echoDetector=\"gausian\"", "echoDetector=\"gausian\" is not valid; did you mean gaussian?" },
     { "echoDetector=\"xyzzy\"",
-      "echoDetector=\"xyzzy\" is not valid: expected one of peak, gaussian, cfd and leadingEdge" },
+      "echoDetector=\"xyzzy\" is not valid: expected peak, gaussian, cfd or leadingEdge" },
     { "returnSelection=\"frist\"", "returnSelection=\"frist\" is not valid; did you mean first?" },
     { "pulseShape=\"nowhere.txt\"",
       "pulseShape=\"nowhere.txt\" is neither a pulse shape nor a file: expected" },
@@ -407,29 +410,29 @@ struct Playing
 
 } // namespace
 
-TEST_CASE("SurveyReceiver: a run counts which way its pulses went", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: a run counts the sampling methods of its pulses", "[SurveyReceiver]")
 {
   const Bench bench;
   Playing playing(bench);
   vtkHeliosSurveyPlayer* player = playing.Player;
   REQUIRE(player->Run());
-  const vtkIdType fired = player->GetNumberOfPulsesFired();
-  CHECK(player->GetNumberOfPulsesOnPlane() > 0); // the floor
-  CHECK(player->GetNumberOfPulsesOnPlane() + player->GetNumberOfPulsesWithoutBins() +
-      player->GetNumberOfPulsesBinned() <=
+  const vtkIdType fired = player->GetCount("pulsesFired");
+  CHECK(player->GetCount("pulsesOnPlane") > 0); // the floor
+  CHECK(player->GetCount("pulsesOnPlane") + player->GetCount("pulsesWithoutBins") +
+      player->GetCount("pulsesBinned") <=
     fired);
   CHECK(player->GetSampling().find("planar footprints") != std::string::npos);
 
-  player->SetNumberOfSubRays(7); // always bins
+  player->GetOptions()->SetNumberOfSubRays(7); // always bins
   REQUIRE(player->Run());
   CHECK(player->GetSampling().find("fixed, 7 sub-rays per pulse") != std::string::npos);
-  CHECK(player->GetNumberOfPulsesOnPlane() == 0);
-  CHECK(player->GetNumberOfPulsesWithoutBins() == 0);
-  CHECK(player->GetNumberOfPulsesBinned() > 0);
-  CHECK(player->GetNumberOfSubRaysTraced() == 7 * player->GetNumberOfPulsesFired());
+  CHECK(player->GetCount("pulsesOnPlane") == 0);
+  CHECK(player->GetCount("pulsesWithoutBins") == 0);
+  CHECK(player->GetCount("pulsesBinned") > 0);
+  CHECK(player->GetCount("subRays") == 7 * player->GetCount("pulsesFired"));
 }
 
-TEST_CASE("SurveyReceiver: waveforms take the form of the points", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: waveforms have the format of the points", "[SurveyReceiver]")
 {
   const Bench bench;
   Playing playing(bench);
@@ -444,19 +447,19 @@ TEST_CASE("SurveyReceiver: waveforms take the form of the points", "[SurveyRecei
   CHECK(fs::exists(bench.Folder / "out/test/leg000_fullwave_0001.vtt"));
 }
 
-TEST_CASE("SurveyReceiver: what a run cannot have is said", "[SurveyReceiver]")
+TEST_CASE("SurveyReceiver: invalid options of a run are errors", "[SurveyReceiver]")
 {
   const Bench bench;
   Playing playing(bench);
-  playing.Player->SetRangeTolerance(1e-7);
-  CHECK(playing.FailsWith("RangeTolerance is 1e-07; give 0.000001 to 1 m, or 0"));
-  playing.Player->SetRangeTolerance(0.0);
-  playing.Player->SetEnergyTolerance(-1.0);
+  playing.Player->GetOptions()->SetRangeTolerance(1e-7);
+  CHECK(playing.FailsWith("RangeTolerance is 1e-07; give 1e-06 to 1 m, or 0"));
+  playing.Player->GetOptions()->SetRangeTolerance(0.0);
+  playing.Player->GetOptions()->SetEnergyTolerance(-1.0);
   CHECK(playing.FailsWith("EnergyTolerance is -1; give 0.0001 to 1, or 0"));
-  playing.Player->SetEnergyTolerance(0.1);
-  playing.Player->SetNumberOfSubRays(19);
+  playing.Player->GetOptions()->SetEnergyTolerance(0.1);
+  playing.Player->GetOptions()->SetNumberOfSubRays(19);
   CHECK(playing.FailsWith("NumberOfSubRays is 19, but a tolerance"));
-  playing.Player->SetEnergyTolerance(0.0);
-  playing.Player->SetEchoDetector("none");
+  playing.Player->GetOptions()->SetEnergyTolerance(0.0);
+  playing.Player->GetOptions()->SetEchoDetector("none");
   CHECK(playing.FailsWith("EchoDetector is \"none\"; give peak, gaussian, cfd and leadingEdge"));
 }

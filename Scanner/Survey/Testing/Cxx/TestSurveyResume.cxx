@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Interrupted and resumed runs; run summaries; estimates.
 #include "heliosBrokenRun.h"
+#include "vtkHeliosRunOptions.h"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@
 namespace fs = std::filesystem;
 using namespace helios::test;
 
-TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResume]")
+TEST_CASE("SurveyResume: a resumed run is byte-identical to an uninterrupted one", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -33,14 +34,14 @@ TEST_CASE("SurveyResume: what was broken off ends as what was not", "[SurveyResu
   // no block is repeated
   CHECK(
     *std::min_element(broken.Blocks->Done.begin(), broken.Blocks->Done.end()) == pulses + 10000);
-  CHECK(broken.Player->GetNumberOfEchoes() == 80000);
+  CHECK(broken.Player->GetCount("points") == 80000);
   const auto a = ReadAll(files / "whole/test");
   const auto b = ReadAll(files / "out/test");
   CHECK(a.size() >= 6);
   CHECK((a == b)); // too long to print
 }
 
-TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
+TEST_CASE("SurveyResume: legs that share files", "[SurveyResume]")
 {
   const Files files;
   std::string legs = ThreeLegs;
@@ -73,7 +74,7 @@ TEST_CASE("SurveyResume: legs that share their files", "[SurveyResume]")
   }
 }
 
-TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
+TEST_CASE("SurveyResume: a truncated or damaged journal", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -81,14 +82,14 @@ TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
   const std::string text = ReadText(files / Journal);
   BlockRun playing(files, reading);
   playing.Player->SetResume(true);
-  SECTION("its last line is torn: the block is done again")
+  SECTION("an incomplete last line: the block is computed again")
   {
     files.Write(Journal, text.substr(0, text.size() - 40));
     CHECK(playing.Player->Run());
     CHECK(playing.Blocks->Done.front() == 50000);
     CHECK_FALSE(fs::exists(files / Journal));
   }
-  SECTION("its last line lacks its end")
+  SECTION("the last line has no line end")
   {
     files.Write(Journal, text.substr(0, text.size() - 1));
     CHECK(playing.Player->Run());
@@ -126,14 +127,14 @@ TEST_CASE("SurveyResume: a journal that is torn or damaged", "[SurveyResume]")
   }
 }
 
-TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
+TEST_CASE("SurveyResume: runs that cannot be resumed", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
   BreakOff(files, reading);
   BlockRun playing(files, reading);
   vtkHeliosSurveyPlayer* player = playing.Player;
-  SECTION("neither asked for nor replaced")
+  SECTION("neither requested nor replaced")
   {
     playing.CheckFails(
       { "the run is not finished: set Resume (--resume) to continue it, set Overwrite" });
@@ -147,8 +148,8 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
   player->SetResume(true);
   SECTION("other settings")
   {
-    player->SetSeed(7);
-    player->SetNoise(false);
+    player->GetOptions()->SetSeed(7);
+    player->GetOptions()->SetNoise(false);
     player->SetPulsesPerBlock(20000);
     playing.CheckFails({ "seed was 0 and is 7", "noise was true and is false",
       "pulsesPerBlock was 10000 and is 20000", "use the same inputs and options" });
@@ -163,21 +164,21 @@ TEST_CASE("SurveyResume: what cannot be gone on with", "[SurveyResume]")
     files.Replace("assets.xml", "200000", "200001");
     playing.CheckFails({ "assets.xml has changed or is new" });
   }
-  SECTION("a file that is done is not there any more, or not as it was")
+  SECTION("a finished file is missing or changed")
   {
     files.Write("out/test/leg000_points.xyz", "short");
     playing.CheckFails({ "leg000_points.xyz: was complete with", "has 5;", "to start again" });
     fs::remove(files / "out/test/leg000_points.xyz");
     playing.CheckFails({ "leg000_points.xyz: was complete with", "cannot be read: No such file" });
   }
-  SECTION("a file that is at work is shorter")
+  SECTION("an unfinished file is shorter")
   {
     files.Write("out/test/leg001_points.xyz.part", "short");
     playing.CheckFails({ "leg001_points.xyz.part cannot be resumed: it has 5 bytes of" });
   }
 }
 
-TEST_CASE("SurveyResume: the folder goes away while a run writes", "[SurveyResume]")
+TEST_CASE("SurveyResume: the folder is removed during a run", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -188,7 +189,7 @@ TEST_CASE("SurveyResume: the folder goes away while a run writes", "[SurveyResum
   CHECK_FALSE(fs::exists(files / "out"));
 }
 
-TEST_CASE("SurveyResume: files where the run wants its own", "[SurveyResume]")
+TEST_CASE("SurveyResume: existing files with the names of the run", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -211,11 +212,11 @@ TEST_CASE("SurveyResume: files where the run wants its own", "[SurveyResume]")
     playing.Player->SetResume(true);
     playing.Blocks->Done.clear();
     CHECK(playing.Player->Run());
-    CHECK(playing.Player->GetNumberOfEchoes() == 80000);
+    CHECK(playing.Player->GetCount("points") == 80000);
   }
 }
 
-TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
+TEST_CASE("SurveyResume: a finished run is not changed", "[SurveyResume]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -236,12 +237,12 @@ TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
   REQUIRE(playing.Player->Run());
   CHECK(playing.Player->GetWasFinished());
   CHECK(playing.Blocks->Done.empty());
-  CHECK(playing.Player->GetNumberOfEchoes() == 80000);
+  CHECK(playing.Player->GetCount("points") == 80000);
   CHECK(playing.Player->GetReport() == report);
   CHECK(playing.Player->GetMessage().find("Nothing is left to do: the run in") == 0);
-  playing.Player->SetSeed(2);
+  playing.Player->GetOptions()->SetSeed(2);
   playing.CheckFails({ "seed was 0 and is 2" });
-  playing.Player->SetSeed(0);
+  playing.Player->GetOptions()->SetSeed(0);
   files.Write("out/test/run_summary.json", "{ \"surv");
   playing.CheckFails({ "run_summary.json is damaged" });
   fs::remove(files / "out/test/run_summary.json");
@@ -250,7 +251,7 @@ TEST_CASE("SurveyResume: a run that is finished stays", "[SurveyResume]")
   playing.CheckFails({ "so there is nothing to resume; run it without Resume (--resume)" });
 }
 
-TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
+TEST_CASE("SurveyEstimate: close to the results of the run", "[SurveyEstimate]")
 {
   const Files files;
   // 120 m across a plane of 100 m; a leg beside the plane
@@ -287,11 +288,11 @@ TEST_CASE("SurveyEstimate: near to what the run comes to", "[SurveyEstimate]")
   CHECK(number(estimate, "pulses") == 1300000.0);
   CHECK(number(estimate, "pulsesFired") == Approx(1300000.0));
   CHECK(number(estimate, "points") ==
-    Approx(static_cast<double>(playing.Player->GetNumberOfEchoes())).epsilon(0.05));
+    Approx(static_cast<double>(playing.Player->GetCount("points"))).epsilon(0.05));
   CHECK(number(estimate, "bytes") == Approx(bytes).epsilon(0.05));
 }
 
-TEST_CASE("SurveyEstimate: of pulses that take long it computes fewer", "[SurveyEstimate]")
+TEST_CASE("SurveyEstimate: computes fewer slow pulses", "[SurveyEstimate]")
 {
   const Files files;
   const Reading reading(files, Flight, R"(<platformSettings id="p" z="100" movePerSec_m="20"/>
@@ -309,7 +310,8 @@ TEST_CASE("SurveyEstimate: of pulses that take long it computes fewer", "[Survey
   CHECK(sampled >= 8.0);
 }
 
-TEST_CASE("SurveyEstimate: short legs are run whole; it can be stopped", "[SurveyEstimate]")
+TEST_CASE(
+  "SurveyEstimate: short legs are computed completely, and it can be aborted", "[SurveyEstimate]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);

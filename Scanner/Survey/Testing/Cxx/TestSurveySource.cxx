@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Surveys in memory: the same echoes as those of a player, in any parts.
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveySource.h"
 
 #include "heliosSurveyPlaying.h"
@@ -89,7 +90,7 @@ public:
 
 } // namespace
 
-TEST_CASE("SurveySource: the echoes that a player writes", "[SurveySource]")
+TEST_CASE("SurveySource: the same echoes as the player", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, TwoLegs);
@@ -122,7 +123,7 @@ TEST_CASE("SurveySource: the echoes that a player writes", "[SurveySource]")
   CHECK(isSame);
 }
 
-TEST_CASE("SurveySource: windows and pieces are the whole, byte for byte", "[SurveySource]")
+TEST_CASE("SurveySource: windows and pieces equal the whole, byte for byte", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, TwoLegs);
@@ -146,7 +147,7 @@ TEST_CASE("SurveySource: windows and pieces are the whole, byte for byte", "[Sur
   CHECK(ranges == Get(whole, names::Range));
 }
 
-TEST_CASE("SurveySource: one pulse, with all that is known of it", "[SurveySource]")
+TEST_CASE("SurveySource: one pulse with all outputs", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, TwoLegs);
@@ -177,7 +178,7 @@ TEST_CASE("SurveySource: one pulse, with all that is known of it", "[SurveySourc
   CHECK(vtkPolyData::SafeDownCast(source.Filter->GetOutputDataObject(3))->GetNumberOfPoints() == 0);
 }
 
-TEST_CASE("SurveySource: when a leg fires which pulses", "[SurveySource]")
+TEST_CASE("SurveySource: pulses of a leg by time", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
@@ -208,7 +209,7 @@ TEST_CASE("SurveySource: when a leg fires which pulses", "[SurveySource]")
   CHECK(source.Filter->GetTrajectory(2, 0.05) == nullptr);
 }
 
-TEST_CASE("SurveySource: windows hold whole shots of channels", "[SurveySource]")
+TEST_CASE("SurveySource: windows contain complete shots of channels", "[SurveySource]")
 {
   const Files files;
   files.Write("two.xml", TwoChannels);
@@ -226,7 +227,7 @@ TEST_CASE("SurveySource: windows hold whole shots of channels", "[SurveySource]"
   CHECK(Get(whole, names::Range) == Join(Get(a, names::Range), Get(b, names::Range)));
 }
 
-TEST_CASE("SurveySource: parts have moved by when the window is", "[SurveySource]")
+TEST_CASE("SurveySource: parts have moved at the time of the window", "[SurveySource]")
 {
   const Files files;
   files.Replace("scene.xml", "</part>",
@@ -235,7 +236,7 @@ TEST_CASE("SurveySource: parts have moved by when the window is", "[SurveySource
   const Reading reading(files, Flight, ThreeLegs);
   REQUIRE(reading.Good);
   Source source(reading);
-  source.Filter->NoiseOff();
+  source.Filter->GetOptions()->NoiseOff();
   const auto part = source.Run(39950, 40150); // across the end of a leg and a step
   REQUIRE(part->GetNumberOfPoints() == 200);
   const std::vector<double> pulses = Get(part, names::PulseIds);
@@ -249,36 +250,39 @@ TEST_CASE("SurveySource: parts have moved by when the window is", "[SurveySource
   CHECK(isThere);
 }
 
-TEST_CASE("SurveySource: what has not changed is not loaded again", "[SurveySource]")
+TEST_CASE("SurveySource: unchanged scenes are not loaded again", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, OneLeg);
   Source source(reading);
   source.Run(0, 10);
   vtkPolyData* scene = source.Filter->GetScene();
-  files.Write("plane.obj", "v -50 -50 1\nv 50 -50 1\nv 50 50 1\nf 1 2 3\n");
-  source.Filter->NoiseOff();
+  source.Filter->GetOptions()->NoiseOff();
   source.Filter->GenerateTruthOn();
   source.Run(10, 20);
   CHECK(source.Filter->GetScene() == scene);
-  source.Filter->SetSeed(7); // random materials depend on it
+  source.Filter->GetOptions()->SetSeed(7); // random materials depend on it
+  source.Run(10, 20);
+  CHECK(source.Filter->GetScene() != scene);
+  files.Write("plane.obj", "v -50 -50 1\nv 50 -50 1\nv 50 50 1\nf 1 2 3\n");
+  source.Filter->Modified();
   source.Run(10, 20);
   CHECK(source.Filter->GetScene()->GetNumberOfPolys() == 1);
 }
 
-TEST_CASE("SurveySource: noise, seed and sampling are those asked for", "[SurveySource]")
+TEST_CASE("SurveySource: noise, seed and sampling are those requested", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, OneLeg);
   Source source(reading);
   const auto noisy = Get(source.Run(0, 2000), names::Range);
-  source.Filter->SetSeed(5);
+  source.Filter->GetOptions()->SetSeed(5);
   const auto other = Get(source.Run(0, 2000), names::Range);
-  source.Filter->NoiseOff();
+  source.Filter->GetOptions()->NoiseOff();
   const auto exact = Get(source.Run(0, 2000), names::Range);
   CHECK(noisy != other);
   CHECK(exact != other);
-  source.Filter->SetNumberOfSubRays(19);
+  source.Filter->GetOptions()->SetNumberOfSubRays(19);
   source.Filter->GenerateSubRaysOn();
   const auto pulse = static_cast<vtkIdType>(Get(source.Run(0, 2000), names::PulseIds)[200]);
   CHECK(source.Run(pulse, pulse + 1)->GetNumberOfPoints() == 1);
@@ -287,7 +291,8 @@ TEST_CASE("SurveySource: noise, seed and sampling are those asked for", "[Survey
   CHECK(source.Filter->DescribeSampling().find("19 sub-rays") != std::string::npos);
 }
 
-TEST_CASE("SurveySource: an abort leaves nothing, and the next update all", "[SurveySource]")
+TEST_CASE(
+  "SurveySource: an abort leaves no output, and the next update is complete", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, TwoLegs);
@@ -305,7 +310,7 @@ TEST_CASE("SurveySource: an abort leaves nothing, and the next update all", "[Su
   CHECK(source.Run(0, VTK_ID_MAX)->GetNumberOfPoints() == whole->GetNumberOfPoints());
 }
 
-TEST_CASE("SurveySource: what is wrong is said", "[SurveySource]")
+TEST_CASE("SurveySource: bad input is an error", "[SurveySource]")
 {
   const Files files;
   const Reading reading(files, Tripod, OneLeg);
@@ -317,18 +322,18 @@ TEST_CASE("SurveySource: what is wrong is said", "[SurveySource]")
   Source source(reading);
   source.Run(5, 4);
   CHECK(source.Log->HasError("PulseWindow is [5, 4); give 0 <= i0 <= i1"));
-  source.Filter->SetRangeTolerance(2.0);
+  source.Filter->GetOptions()->SetRangeTolerance(2.0);
   source.Run(0, 4);
-  CHECK(source.Log->HasError("RangeTolerance is 2; give 0.000001 to 1 m"));
-  source.Filter->SetRangeTolerance(0.0);
-  source.Filter->SetRayCaster("nonesuch");
+  CHECK(source.Log->HasError("RangeTolerance is 2; give 1e-06 to 1 m"));
+  source.Filter->GetOptions()->SetRangeTolerance(0.0);
+  source.Filter->GetOptions()->SetRayCaster("nonesuch");
   source.Run(0, 5);
   CHECK(source.Log->HasError("RayCaster=\"nonesuch\" is not in this build"));
-  source.Filter->SetRayCaster(nullptr);
-  source.Filter->SetPlay(3);
+  source.Filter->GetOptions()->SetRayCaster("");
+  source.Filter->GetOptions()->SetPlay(3);
   source.Run(0, 6);
   CHECK(source.Log->HasError("Play is 3, but the survey has 1 epoch"));
-  source.Filter->SetPlay(0);
+  source.Filter->GetOptions()->SetPlay(0);
   files.Write("plane.obj", "no mesh\n");
   CHECK_FALSE(source.Filter->Load());
   CHECK(source.Log->HasError("scene.xml:1: The scene is empty"));

@@ -43,7 +43,7 @@ void CheckOutOfRange(const std::string& scanner, const std::string& leg, const s
 
 } // namespace
 
-TEST_CASE("SurveyValues: no rule lets numbers through that mean nothing", "[SurveyValues]")
+TEST_CASE("SurveyValues: every rule refuses meaningless numbers", "[SurveyValues]")
 {
   int count = 0;
   for (const XmlElementRule& rule : GetXmlRules())
@@ -71,7 +71,7 @@ TEST_CASE("SurveyValues: no rule lets numbers through that mean nothing", "[Surv
   CHECK(count > 100);
 }
 
-TEST_CASE("SurveyValues: what lies outside names file:line, value and range", "[SurveyValues]")
+TEST_CASE("SurveyValues: values out of range name file:line, value and range", "[SurveyValues]")
 {
   CheckOutOfRange("pulseFreq_hz=\"1e-300\"", "",
     "pulseFreq_hz=\"1e-300\" is out of range; give a number from 0.001 to 1000000000 [Hz]");
@@ -85,7 +85,7 @@ TEST_CASE("SurveyValues: what lies outside names file:line, value and range", "[
   CheckOutOfRange("", "movePerSec_m=\"-1e300\"", "movePerSec_m=\"-1e300\" is out of range");
 }
 
-TEST_CASE("SurveyValues: a negative zero is a zero", "[SurveyValues]")
+TEST_CASE("SurveyValues: negative zero is read as zero", "[SurveyValues]")
 {
   const Files files;
   const Reading reading = ReadWith(files, "verticalAngleMin_deg=\"-0\"", "x=\"-0.0\"");
@@ -95,14 +95,14 @@ TEST_CASE("SurveyValues: a negative zero is a zero", "[SurveyValues]")
   CHECK_FALSE(std::signbit(reading.Data().Legs.at(0).Scans.at(0).VerticalAngleMin));
 }
 
-TEST_CASE("SurveyValues: a long value is shown in part", "[SurveyValues]")
+TEST_CASE("SurveyValues: a long value is truncated in messages", "[SurveyValues]")
 {
   const std::string digits(100000, '9');
   CheckOutOfRange(
     "pulseFreq_hz=\"" + digits + "\"", "", std::string(200, '9') + "... (100000 characters)\"");
 }
 
-TEST_CASE("SurveyValues: elements within one another do not crash a reader", "[SurveyValues]")
+TEST_CASE("SurveyValues: deeply nested elements do not crash a reader", "[SurveyValues]")
 {
   const Files files;
   REQUIRE(Reading(files, Tripod, OneLeg).Good);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Vegetation grids in surveys: their settings, and flights over them compared with closed forms.
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include "heliosMaterialTable.h"
@@ -88,7 +89,7 @@ std::vector<Point> Fly(const std::string& filters)
   reading.Log->Watch(player);
   player->SetSurvey(reading.Reader->GetSurvey());
   player->SetOutputDirectory((files / "out").c_str());
-  player->SetSeed(7);
+  player->GetOptions()->SetSeed(7);
   const bool isGood = player->Run();
   INFO(player->GetMessage());
   REQUIRE(isGood);
@@ -130,7 +131,7 @@ double GetSlope()
 
 } // namespace
 
-TEST_CASE("SurveyReader: grids of vegetation", "[SurveyVoxels]")
+TEST_CASE("SurveyReader: vegetation grids", "[SurveyVoxels]")
 {
   const Files files;
   SECTION("defaults")
@@ -168,7 +169,7 @@ TEST_CASE("SurveyReader: grids of vegetation", "[SurveyVoxels]")
   }
 }
 
-TEST_CASE("SurveyReader: grids of vegetation that are wrong", "[SurveyVoxels]")
+TEST_CASE("SurveyReader: bad vegetation grids are errors", "[SurveyVoxels]")
 {
   struct Wrong
   {
@@ -177,7 +178,7 @@ TEST_CASE("SurveyReader: grids of vegetation that are wrong", "[SurveyVoxels]")
   };
   const std::vector<Wrong> cases = {
     { Voxels({ { "intersectionMode", "solid" } }),
-      "intersectionMode=\"solid\" is unknown; give transmittive, scaled or fixed" },
+      "intersectionMode=\"solid\" is not valid: expected transmittive, scaled or fixed" },
     { Voxels({ { "intersectionArgument", "-1" } }), "intersectionArgument=\"-1\" is out of range" },
     { Voxels({ { "ladlut", "none.txt" } }), "none.txt" },
     { Voxels({ { "randomRange", "2" } }), "randomRange=\"2\" is out of range" },
@@ -232,13 +233,13 @@ TEST_CASE("SurveyPlayer: a flight over turbid voxels", "[SurveyVoxels]")
   CHECK(squares / count - sum * sum / (count * count) == Approx(variance).epsilon(0.03));
 }
 
-TEST_CASE("SurveyPlayer: the leaf table changes what leaves stop", "[SurveyVoxels]")
+TEST_CASE("SurveyPlayer: the leaf angle table changes the transmission", "[SurveyVoxels]")
 {
   CheckShare(Fly(Voxels({ { "ladlut", "lad.txt" } })), std::exp(-1.0 * Pad * 2.0 * GetSlope()));
 }
 
 TEST_CASE(
-  "SurveyPlayer: turbid voxels are turned, enlarged, moved and put on the ground", "[SurveyVoxels]")
+  "SurveyPlayer: turbid voxels are rotated, scaled, moved and put on the ground", "[SurveyVoxels]")
 {
   const std::string turn = "<filter type=\"rotate\"><param key=\"rotation\"><rot axis=\"z\" "
                            "angle_deg=\"30\"/></param></filter>";
@@ -286,7 +287,7 @@ TEST_CASE("SurveyPlayer: fixed and scaled cubes are opaque", "[SurveyVoxels]")
       .margin(0.02)); // few cells are hit
 }
 
-TEST_CASE("SurveyPlayer: voxels alone are a scene", "[SurveyVoxels]")
+TEST_CASE("SurveyPlayer: a scene of voxels only", "[SurveyVoxels]")
 {
   const Files files;
   files.Write("slab.vox", MakeSlab());
@@ -299,11 +300,11 @@ TEST_CASE("SurveyPlayer: voxels alone are a scene", "[SurveyVoxels]")
   player->SetSurvey(reading.Reader->GetSurvey());
   player->SetOutputDirectory((files / "out").c_str());
   REQUIRE(player->Run());
-  CHECK(player->GetNumberOfEchoes() > Pulses / 3);
+  CHECK(player->GetCount("points") > Pulses / 3);
   CHECK(reading.Log->Errors.empty());
 }
 
-TEST_CASE("SurveyPlayer: a grid that is damaged is an error with its place", "[SurveyVoxels]")
+TEST_CASE("SurveyPlayer: a damaged grid is an error with its position", "[SurveyVoxels]")
 {
   for (const char* mode : { "transmittive", "fixed" })
   {
@@ -320,7 +321,7 @@ TEST_CASE("SurveyPlayer: a grid that is damaged is an error with its place", "[S
   }
 }
 
-TEST_CASE("SurveyVoxels: grids are told beside the scene", "[SurveyVoxels]")
+TEST_CASE("SurveyVoxels: grids are returned with the scene", "[SurveyVoxels]")
 {
   const Files files;
   const Reading reading = ReadPart(files,

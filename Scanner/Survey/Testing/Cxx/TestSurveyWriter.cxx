@@ -66,7 +66,7 @@ const Positions Two = { { 1.0, 2.0, 1.7 }, { -1.0 / 3.0, 1e-7, 2.5 } };
 
 } // namespace
 
-TEST_CASE("SurveyWriter: positions come back", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: positions are read back", "[SurveyWriter]")
 {
   const Files files;
   Writing writing(files, Two);
@@ -105,7 +105,7 @@ TEST_CASE("SurveyWriter: positions come back", "[SurveyWriter]")
   CHECK_FALSE(fs::exists(files / "survey.xml.part"));
 }
 
-TEST_CASE("SurveyWriter: far from the origin, and any double", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: large coordinates, and any double", "[SurveyWriter]")
 {
   const Files files;
   files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>", "");
@@ -122,7 +122,7 @@ TEST_CASE("SurveyWriter: far from the origin, and any double", "[SurveyWriter]")
   }
 }
 
-TEST_CASE("SurveyWriter: a mount that turns, a beam beside the axis", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: a rotated mount, a beam beside the axis", "[SurveyWriter]")
 {
   const Files files;
   files.Replace("assets.xml", "<scannerMount x=\"0\" y=\"0\" z=\"1.5\"/>",
@@ -165,7 +165,7 @@ TEST_CASE("SurveyWriter: the player fires from the positions", "[SurveyWriter]")
   CHECK(z == Approx(4.0));
 }
 
-TEST_CASE("SurveyWriter: a mesh becomes a scene of the file", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: a mesh becomes a scene file", "[SurveyWriter]")
 {
   const Files files;
   Writing writing(files, Two);
@@ -186,7 +186,7 @@ TEST_CASE("SurveyWriter: coordinate systems", "[SurveyWriter]")
   auto positions = MakePositions(Two);
   helios::SetCRS(positions, "EPSG:32632");
   writing.Writer->SetInputData(positions);
-  SECTION("of the scene: nothing is to be said")
+  SECTION("that of the scene: not written")
   {
     files.Replace("scene.xml", "id=\"s\"", "id=\"s\" crs=\"EPSG:32632\"");
     REQUIRE(writing.Writer->Write());
@@ -206,7 +206,7 @@ TEST_CASE("SurveyWriter: coordinate systems", "[SurveyWriter]")
   }
 }
 
-TEST_CASE("SurveyWriter: replaces a file when all is well only", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: a file is replaced only after success", "[SurveyWriter]")
 {
   const Files files;
   files.Write("survey.xml", "as it was");
@@ -233,7 +233,7 @@ TEST_CASE("SurveyWriter: asset directories", "[SurveyWriter]")
   CHECK_FALSE(writing.Writer->Write());
 }
 
-TEST_CASE("SurveyWriter: what cannot be written", "[SurveyWriter]")
+TEST_CASE("SurveyWriter: surveys that cannot be written are errors", "[SurveyWriter]")
 {
   const Files files;
   const auto fails = [&files](void (*change)(vtkHeliosSurveyWriter*), const std::string& message)

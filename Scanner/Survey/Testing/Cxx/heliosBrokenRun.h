@@ -31,9 +31,9 @@ public:
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
     auto* player = static_cast<vtkHeliosSurveyPlayer*>(caller);
-    if (player->GetNumberOfPulsesDone() > 0)
+    if (player->GetCount("pulses") > 0)
     {
-      this->Done.push_back(player->GetNumberOfPulsesDone());
+      this->Done.push_back(player->GetCount("pulses"));
       this->Action(player);
     }
   }
@@ -64,7 +64,7 @@ struct BlockRun
   {
     this->Blocks->Action = [pulses](vtkHeliosSurveyPlayer* player)
     {
-      if (player->GetNumberOfPulsesDone() >= pulses)
+      if (player->GetCount("pulses") >= pulses)
       {
         player->Abort();
       }

@@ -6,6 +6,7 @@
 #define heliosSurveyPlaying_h
 
 #include "heliosSurveyFiles.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurveyPlayer.h"
 
 #include <string>

@@ -6,19 +6,19 @@
 
 #include <vtkNew.h>
 
-TEST_CASE("CgalRayCaster: range error within 8 u R / cos in 168 cells", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: range error within 8 u R / cos in 168 cases", "[CgalRayCaster]")
 {
   vtkNew<vtkHeliosCgalRayCaster> caster;
   helios::CheckRangeLaw(*caster);
 }
 
-TEST_CASE("CgalRayCaster: small leaves far out on terrain", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: small distant leaves on terrain", "[CgalRayCaster]")
 {
   vtkNew<vtkHeliosCgalRayCaster> caster;
   helios::CheckSmallLeaves(*caster);
 }
 
-TEST_CASE("CgalRayCaster: no leak through a heightfield, no second echo", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: no leak through a height field, no second echo", "[CgalRayCaster]")
 {
   vtkNew<vtkHeliosCgalRayCaster> caster;
   helios::CheckHeightFieldLeaks(*caster);
@@ -30,13 +30,13 @@ TEST_CASE("CgalRayCaster: needles are hit", "[CgalRayCaster]")
   helios::CheckNeedles(*caster);
 }
 
-TEST_CASE("CgalRayCaster: a sphere of triangles", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: a triangulated sphere", "[CgalRayCaster]")
 {
   vtkNew<vtkHeliosCgalRayCaster> caster;
   helios::CheckSphere(*caster);
 }
 
-TEST_CASE("CgalRayCaster: a sine of terrain", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: sinusoidal terrain", "[CgalRayCaster]")
 {
   vtkNew<vtkHeliosCgalRayCaster> caster;
   helios::CheckSineTerrain(*caster);

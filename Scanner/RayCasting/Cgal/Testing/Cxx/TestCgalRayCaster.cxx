@@ -6,22 +6,22 @@
 
 using Caster = vtkHeliosCgalRayCaster;
 
-TEST_CASE("CgalRayCaster: equals brute force bit for bit", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: equal to brute force bit for bit", "[CgalRayCaster]")
 {
   helios::CheckAgainstBruteForce<Caster>(3000);
 }
 
-TEST_CASE("CgalRayCaster: no leaks at edges and corners", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: no leak at edges and corners", "[CgalRayCaster]")
 {
   helios::CheckLeaks<Caster>(4);
 }
 
-TEST_CASE("CgalRayCaster: the lowest id wins at equal range", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: the lowest cell id at equal ranges", "[CgalRayCaster]")
 {
   helios::CheckTies<Caster>();
 }
 
-TEST_CASE("CgalRayCaster: degenerate triangles and senseless rays", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: degenerate triangles and invalid rays", "[CgalRayCaster]")
 {
   helios::CheckDegenerate<Caster>();
 }
@@ -31,7 +31,7 @@ TEST_CASE("CgalRayCaster: threads and batches", "[CgalRayCaster]")
   helios::CheckThreads<Caster>();
 }
 
-TEST_CASE("CgalRayCaster: at most 80 bytes a triangle beyond the scene", "[CgalRayCaster]")
+TEST_CASE("CgalRayCaster: at most 80 bytes per triangle, excluding the scene", "[CgalRayCaster]")
 {
   const auto scene = helios::MakeTerrain(100, 1.0).GetPolyData();
   vtkNew<Caster> caster;

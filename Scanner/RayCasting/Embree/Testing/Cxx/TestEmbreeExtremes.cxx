@@ -6,19 +6,19 @@
 
 #include <vtkNew.h>
 
-TEST_CASE("EmbreeRayCaster: range error within 8 u R / cos in 168 cells", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: range error within 8 u R / cos in 168 cases", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   helios::CheckRangeLaw(*caster);
 }
 
-TEST_CASE("EmbreeRayCaster: small leaves far out on terrain", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: small distant leaves on terrain", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   helios::CheckSmallLeaves(*caster);
 }
 
-TEST_CASE("EmbreeRayCaster: no leak through a heightfield, no second echo", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: no leak through a height field, no second echo", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   helios::CheckHeightFieldLeaks(*caster);
@@ -30,13 +30,13 @@ TEST_CASE("EmbreeRayCaster: needles are hit", "[EmbreeRayCaster]")
   helios::CheckNeedles(*caster);
 }
 
-TEST_CASE("EmbreeRayCaster: a sphere of triangles", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: a triangulated sphere", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   helios::CheckSphere(*caster);
 }
 
-TEST_CASE("EmbreeRayCaster: a sine of terrain", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: sinusoidal terrain", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   helios::CheckSineTerrain(*caster);

@@ -59,17 +59,17 @@ TEST_CASE("EmbreeRayCaster: no leak at corners and edges", "[EmbreeRayCaster]")
   helios::CheckLeaks<vtkHeliosEmbreeRayCaster>(5);
 }
 
-TEST_CASE("EmbreeRayCaster: the lowest cell of equal ranges", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: the lowest cell id at equal ranges", "[EmbreeRayCaster]")
 {
   helios::CheckTies<vtkHeliosEmbreeRayCaster>();
 }
 
-TEST_CASE("EmbreeRayCaster: nothing degenerate is hit", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: degenerate triangles are not hit", "[EmbreeRayCaster]")
 {
   helios::CheckDegenerate<vtkHeliosEmbreeRayCaster>();
 }
 
-TEST_CASE("EmbreeRayCaster: threads get the same bytes", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: byte-identical for any number of threads", "[EmbreeRayCaster]")
 {
   helios::CheckThreads<vtkHeliosEmbreeRayCaster>();
 }
@@ -114,9 +114,9 @@ TEST_CASE("EmbreeRayCaster: equal to the double-precision tree on slivers", "[Em
   CHECK(CountDifferencesFromBvh(soup, helios::MakeRays(soup, 10000)) == 0);
 }
 
-TEST_CASE("EmbreeRayCaster: finds small leaves far out", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: small distant leaves are hit", "[EmbreeRayCaster]")
 {
-  // accuracy.md A1: floats cannot hold a leaf of 0.1 mm at 1 km, or of 1 mm at 9 km.
+  // Floats cannot represent a leaf of 0.1 mm at 1 km, or of 1 mm at 9 km.
   for (const auto& [leaf, distance] : { std::make_pair(1e-4, 1e3), std::make_pair(1e-3, 9e3) })
   {
     helios::Soup soup;
@@ -168,7 +168,7 @@ TEST_CASE("EmbreeRayCaster: equal to the double-precision tree at silhouettes", 
 }
 
 TEST_CASE(
-  "EmbreeRayCaster: equal to the double-precision tree with stray corners", "[EmbreeRayCaster]")
+  "EmbreeRayCaster: equal to the double-precision tree with distant points", "[EmbreeRayCaster]")
 {
   helios::Soup soup = helios::MakeMixture();
   auto rays = helios::MakeRays(soup, 3000);
@@ -192,7 +192,8 @@ TEST_CASE(
   CHECK(CountDifferencesFromBvh(wide, rays) == 0);
 }
 
-TEST_CASE("EmbreeRayCaster: hits nothing in a scene without area, or none", "[EmbreeRayCaster]")
+TEST_CASE(
+  "EmbreeRayCaster: no hits in a scene without area, or without triangles", "[EmbreeRayCaster]")
 {
   const std::vector<vtkHeliosRay> rays(3, helios::MakeRay({ 0, 0, 0 }, { 1, 1, 1 }));
   helios::Soup soup;
@@ -222,7 +223,7 @@ TEST_CASE("EmbreeRayCaster: any scale", "[EmbreeRayCaster]")
   }
 }
 
-TEST_CASE("EmbreeRayCaster: small beside the scene", "[EmbreeRayCaster]")
+TEST_CASE("EmbreeRayCaster: memory is small compared with the scene", "[EmbreeRayCaster]")
 {
   vtkNew<vtkHeliosEmbreeRayCaster> caster;
   const helios::Soup soup = helios::MakeTerrain(300, 1.0);

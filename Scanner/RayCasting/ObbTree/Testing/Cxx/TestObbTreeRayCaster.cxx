@@ -7,7 +7,7 @@
 using Caster = vtkHeliosObbTreeRayCaster;
 using helios::Vec3;
 
-TEST_CASE("ObbTreeRayCaster: generic rays hit what brute force hits", "[ObbTreeRayCaster]")
+TEST_CASE("ObbTreeRayCaster: rays in general position agree with brute force", "[ObbTreeRayCaster]")
 {
   for (const Vec3& offset : helios::Offsets)
   {
@@ -43,7 +43,7 @@ TEST_CASE("ObbTreeRayCaster: generic rays hit what brute force hits", "[ObbTreeR
   }
 }
 
-TEST_CASE("ObbTreeRayCaster: degenerate triangles and senseless rays", "[ObbTreeRayCaster]")
+TEST_CASE("ObbTreeRayCaster: degenerate triangles and invalid rays", "[ObbTreeRayCaster]")
 {
   helios::CheckDegenerate<Caster>();
 }

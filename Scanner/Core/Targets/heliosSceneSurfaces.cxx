@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneSurfaces.h"
+
+#include "heliosMaterialTable.h"
+#include "vtkHeliosArrayNames.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace names = vtkHeliosArrayNames;
+
+namespace helios
+{
+
+namespace
+{
+
+/// A cell array converted to the requested type; null if missing.
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> FindArray(
+  vtkDataSet* data, const char* name, int components, const std::string& what, std::string& fault)
+{
+  vtkDataArray* given = data->GetCellData()->GetArray(name);
+  const bool fits = given && given->GetNumberOfComponents() == components &&
+    given->GetNumberOfTuples() == data->GetNumberOfCells();
+  if (given && !fits)
+  {
+    fault = std::string("cell array ") + name + " of " + what + " has " +
+      std::to_string(given->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(given->GetNumberOfComponents()) + " for " +
+      std::to_string(data->GetNumberOfCells()) + (what == "the scene" ? " triangles" : " cells") +
+      "; expected one tuple of " + std::to_string(components) + " each";
+  }
+  vtkSmartPointer<ArrayT> array = ArrayT::FastDownCast(given);
+  if (fits && !array)
+  {
+    array = vtkSmartPointer<ArrayT>::New();
+    array->DeepCopy(given);
+  }
+  return array;
+}
+
+template <typename ArrayT>
+auto* GetValues(const vtkSmartPointer<ArrayT>& array)
+{
+  return array ? array->GetPointer(0) : nullptr;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::string SceneSurfaces::Set(vtkPolyData* scene)
+{
+  const std::string what = "the scene";
+  std::string fault;
+  this->MaterialArray = FindArray<vtkIntArray>(scene, names::MaterialIds, 1, what, fault);
+  this->PartArray = FindArray<vtkIntArray>(scene, names::PartIds, 1, what, fault);
+  this->NormalArray = FindArray<vtkFloatArray>(scene, names::Normals, 3, what, fault);
+  this->Materials = GetValues(this->MaterialArray);
+  this->Parts = GetValues(this->PartArray);
+  this->Normals = GetValues(this->NormalArray);
+  this->PartNames =
+    vtkStringArray::SafeDownCast(scene->GetFieldData()->GetAbstractArray(names::PartName));
+  this->NumberOfTriangles = this->NumberOfCells = scene->GetNumberOfCells();
+  this->Grids.clear();
+  this->Reflections.clear();
+  this->Classifications.clear();
+  const std::string material = this->AddMaterials(scene, what);
+  fault = fault.empty() ? material : fault;
+  return fault.empty()
+    ? this->CheckMaterialIds(this->MaterialArray, static_cast<int>(this->Reflections.size()), what)
+    : fault;
+}
+
+//------------------------------------------------------------------------------
+std::string SceneSurfaces::AddGrid(vtkImageData* grid, vtkIdType& firstCell)
+{
+  const std::string what = "voxel grid " + std::to_string(this->Grids.size());
+  std::string fault;
+  Grid added;
+  added.FirstCell = firstCell = this->NumberOfCells;
+  added.FirstMaterial = static_cast<int>(this->Reflections.size());
+  added.Part = this->CountParts() + static_cast<int>(this->Grids.size());
+  added.Materials = FindArray<vtkIntArray>(grid, names::MaterialIds, 1, what, fault);
+  auto* name =
+    vtkStringArray::SafeDownCast(grid->GetFieldData()->GetAbstractArray(names::PartName));
+  added.Name = name && name->GetNumberOfValues() > 0 ? std::string(name->GetValue(0)) : "";
+  this->NumberOfCells += grid->GetNumberOfCells();
+  this->Grids.push_back(added);
+  const std::string material = this->AddMaterials(grid, what);
+  fault = fault.empty() ? material : fault;
+  const int count = static_cast<int>(this->Reflections.size()) - added.FirstMaterial;
+  return fault.empty() ? this->CheckMaterialIds(added.Materials, count, what) : fault;
+}
+
+//------------------------------------------------------------------------------
+const SceneSurfaces::Grid& SceneSurfaces::FindGrid(vtkIdType cell) const
+{
+  std::size_t i = this->Grids.size() - 1;
+  while (this->Grids[i].FirstCell > cell)
+  {
+    --i;
+  }
+  return this->Grids[i];
+}
+
+//------------------------------------------------------------------------------
+/// Of the scene, without grids.
+int SceneSurfaces::CountParts() const
+{
+  if (this->PartNames)
+  {
+    return static_cast<int>(this->PartNames->GetNumberOfValues());
+  }
+  int range[2] = { 0, 0 };
+  if (this->PartArray && this->PartArray->GetNumberOfValues() > 0)
+  {
+    this->PartArray->GetValueRange(range);
+  }
+  return this->NumberOfTriangles > 0 ? range[1] + 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void SceneSurfaces::PassFields(vtkPolyData* scene, vtkPolyData* echoes) const
+{
+  const vtkSmartPointer<vtkStringArray> parts = this->MakePartNames();
+  vtkAbstractArray* crs = scene->GetFieldData()->GetAbstractArray(names::CRS);
+  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(parts), crs })
+  {
+    if (array)
+    {
+      echoes->GetFieldData()->AddArray(array);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> SceneSurfaces::MakePartNames() const
+{
+  const bool hasNames = std::any_of(
+    this->Grids.begin(), this->Grids.end(), [](const Grid& grid) { return !grid.Name.empty(); });
+  if (this->Grids.empty() || !(this->PartNames || hasNames))
+  {
+    return this->PartNames;
+  }
+  auto all = vtkSmartPointer<vtkStringArray>::New();
+  all->SetName(names::PartName);
+  for (int i = 0; i < this->CountParts(); ++i)
+  {
+    all->InsertNextValue(this->PartNames ? this->PartNames->GetValue(i) : std::to_string(i));
+  }
+  for (const Grid& grid : this->Grids)
+  {
+    all->InsertNextValue(grid.Name.empty() ? std::to_string(grid.Part) : grid.Name);
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::string SceneSurfaces::AddMaterials(vtkDataObject* data, const std::string& what)
+{
+  const std::size_t first = this->Reflections.size();
+  const auto isShare = [](double x) { return x >= 0.0 && x <= 1.0; };
+  for (const Material& m : GetMaterials(data))
+  {
+    const double rho = std::isnan(m.Reflectance) ? DefaultReflectance : m.Reflectance;
+    const double exponent = m.SpecularExponent;
+    if (!isShare(rho) || !isShare(m.Specularity) || !(exponent >= 0.0 && exponent <= 1e6))
+    {
+      return "material " + std::to_string(this->Reflections.size() - first) + " of " + what + ", " +
+        m.Name + ", has reflectance " + std::to_string(rho) + ", specularity " +
+        std::to_string(m.Specularity) + " and specular exponent " + std::to_string(exponent) +
+        "; give the first two within [0, 1] and the last within [0, 1e6]";
+    }
+    this->Reflections.push_back({ rho, m.Specularity, exponent });
+    this->Classifications.push_back(m.Classification);
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string SceneSurfaces::CheckMaterialIds(
+  vtkIntArray* ids, int count, const std::string& what) const
+{
+  int range[2] = { 0, 0 };
+  if (ids && ids->GetNumberOfValues() > 0)
+  {
+    ids->GetValueRange(range);
+  }
+  if (range[0] >= 0 && range[1] < count)
+  {
+    return {};
+  }
+  return std::string("cell array ") + names::MaterialIds + " of " + what + " ranges from " +
+    std::to_string(range[0]) + " to " + std::to_string(range[1]) + ", but its field data has " +
+    std::to_string(count) + " materials";
+}
+
+} // namespace helios

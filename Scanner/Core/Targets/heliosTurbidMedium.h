@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The turbid voxels of a scene: the attenuation of a beam before it hits a surface.
+
+#ifndef heliosTurbidMedium_h
+#define heliosTurbidMedium_h
+
+#include "heliosTurbidGrid.h"
+#include "vtkHeliosRay.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace helios
+{
+
+/**
+ * Each sub-ray is a photon path: it is stopped by a leaf, after a random Beer-Lambert free path, or
+ * hits the surface behind. The path is a function of seed, pulse, sub-ray and grid only. Grids may
+ * overlap: their densities add up, since the shortest of independent exponential paths is
+ * exponential.
+ */
+class TurbidMedium
+{
+public:
+  /// Adds a grid with the id of its first cell. Returns an error message, or an empty string.
+  std::string Add(vtkImageData* image, vtkIdType firstCell);
+
+  bool IsEmpty() const { return this->Grids.empty(); }
+
+  /// False if nothing within (t + setback) tangent of a ray at its range t can hit a grid.
+  bool MayMeet(const Vec3& origin, const Vec3& direction, double tangent, double setback) const;
+
+  /// Replaces the hits of the sub-rays of a pulse if a leaf is nearer.
+  void Intercept(std::uint64_t seed, vtkIdType pulseId, const vtkHeliosRay* rays, std::size_t count,
+    vtkHeliosHit* hits) const;
+
+private:
+  struct Entry
+  {
+    TurbidGrid Grid;
+    vtkIdType FirstCell;
+  };
+
+  std::vector<Entry> Grids;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The path of a scan's pulses to their echoes, chosen once a scan.
+
+#ifndef heliosScanPath_h
+#define heliosScanPath_h
+
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+namespace helios
+{
+
+/// The sampling of a beam.
+enum class BeamPath
+{
+  SingleRay, ///< no divergence: one ray
+  Fixed,     ///< the same sub-rays for every pulse
+  Adaptive,  ///< probe rays; more sub-rays at an edge and on a steep surface
+  ConeFirst  ///< a cone probe: an empty beam and a planar footprint need no rays; others Adaptive
+};
+
+/// The detection of echoes in the returns of a pulse.
+enum class EchoPath
+{
+  Maxima,       ///< of the sum of Gaussians, by Newton's method; in bins where there may be several
+  BinnedMaxima, ///< as Waveform, byte-identical; only the bins that may hold a maximum are filled
+  Waveform      ///< by the detector, in the whole waveform
+};
+
+/// What the choice depends on.
+struct ScanTraits
+{
+  bool HasDivergence = true;
+  bool IsFixed = false;     ///< whether the sampling is fixed
+  bool FindsPlanes = false; ///< whether cone probes of an adaptive beam are worth their time
+  bool StoresWaveforms = false;
+  bool HasPlainMaxima = false; ///< whether echoes are the maxima of a sum of Gaussians, no more
+
+  bool IsAdaptive() const { return this->HasDivergence && !this->IsFixed; }
+};
+
+struct ScanPath
+{
+  BeamPath Beam = BeamPath::SingleRay;
+  EchoPath Echo = EchoPath::Waveform;
+
+  /// Whether the number of sub-rays of a beam adapts to the tolerances.
+  bool IsAdaptive() const
+  {
+    return this->Beam == BeamPath::Adaptive || this->Beam == BeamPath::ConeFirst;
+  }
+};
+
+VTKHELIOSSCANNERCORE_EXPORT ScanPath ChoosePath(const ScanTraits& traits);
+
+} // namespace helios
+
+#endif

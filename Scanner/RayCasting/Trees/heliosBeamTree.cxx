@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
+#include "heliosBeamTree.h"
+
+#include "heliosRayVectors.h"
+#include "heliosTriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr int Width = BeamTree::Width;
+constexpr float Endless = std::numeric_limits<float>::max();
+constexpr float Smallest = 1e-30f;       // slope treated as nonzero
+constexpr float Outwards = 1 + 0x1p-20f; // exceeds the rounding of an entry or exit
+
+/// The ray tolerance, relative to the largest distance: BoxSlack and the rounding of the frustum.
+constexpr double FrustumSlack = 4 * BoxSlack;
+
+typedef EightFloats Wide;
+typedef EightMasks WideMasks;
+static_assert(Width == 8, "a node's children are lanes");
+
+/// Eight bits per lane, one set.
+HELIOS_INLINE vtkTypeUInt64 GetBits(const WideMasks& masks)
+{
+  return GetBytes(masks) & 0x0101010101010101u;
+}
+
+} // namespace
+
+float Frustum::GetLimit(double distance) const
+{
+  const double s = (distance - this->Start + this->Slack) * this->Scale;
+  return s < 1e30 ? static_cast<float>(s * Outwards + 0x1p-60) : Endless;
+}
+
+//------------------------------------------------------------------------------
+std::size_t BeamTree::GetMemorySize() const
+{
+  return this->Nodes.capacity() * sizeof(Node) + this->Leaves.capacity() * sizeof(vtkTypeInt32) +
+    this->Outliers.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
+bool BeamTree::SetFrustum(Frustum& frustum, const double low[3], const double high[3],
+  const double slopeLow[2], const double slopeHigh[2]) const
+{
+  if (this->Scale == 0.0)
+  {
+    return false;
+  }
+  const int axes[3] = { frustum.Axes.X, frustum.Axes.Y, frustum.Axes.Z };
+  double from[3], to[3];
+  double reach = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    from[i] = low[i] - this->Centre[axes[i]];
+    to[i] = high[i] - this->Centre[axes[i]];
+    reach = Max(reach, Max(Max(from[i], -from[i]), Max(to[i], -to[i])) + this->Half[axes[i]]);
+  }
+  const double half = this->Half[axes[2]];
+  frustum.Slack = FrustumSlack * reach;
+  frustum.Scale = this->Scale;
+  frustum.Start = Max((frustum.IsForward ? -half - to[2] : from[2] - half) - frustum.Slack, 0.0);
+  const double advance = frustum.IsForward ? frustum.Start : -frustum.Start;
+  for (int i = 0; i < 3; ++i)
+  {
+    from[i] += i < 2 ? frustum.Start * slopeLow[i] : advance;
+    to[i] += i < 2 ? frustum.Start * slopeHigh[i] : advance;
+    frustum.Low[i] = RoundDown((from[i] - frustum.Slack) * this->Scale);
+    frustum.High[i] = RoundUp((to[i] + frustum.Slack) * this->Scale);
+  }
+  for (int i = 0; i < 2; ++i)
+  {
+    frustum.SlopeLow[i] = RoundDown(slopeLow[i] - 0x1p-48);
+    frustum.SlopeHigh[i] = RoundUp(slopeHigh[i] + 0x1p-48);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+BeamWalk::BeamWalk(const BeamTree& tree, const Frustum& frustum)
+  : Tree(tree)
+  , Axes(frustum.Axes)
+  , IsForward(frustum.IsForward)
+  , Near(frustum.IsForward ? frustum.High[2] : frustum.Low[2])
+  , Far(frustum.IsForward ? frustum.Low[2] : frustum.High[2])
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    // Low + s SlopeLow <= the child's high, and High + s SlopeHigh >= its low.
+    float slope = frustum.SlopeLow[i];
+    slope = slope > -Smallest && slope < Smallest ? -Smallest : slope;
+    this->Lower[i] = { frustum.Low[i], 1.0f / slope, slope < 0.0f };
+    slope = frustum.SlopeHigh[i];
+    slope = slope > -Smallest && slope < Smallest ? Smallest : slope;
+    this->Upper[i] = { frustum.High[i], 1.0f / slope, slope > 0.0f };
+  }
+  this->Stack[this->Size++] = { 0.0f, 0 };
+}
+
+/// Prefetches a node or leaf.
+HELIOS_INLINE void BeamTree::Prefetch(vtkTypeUInt32 child) const
+{
+  const char* from = child & LeafBit
+    ? reinterpret_cast<const char*>(&this->Leaves[child & ~LeafBit])
+    : reinterpret_cast<const char*>(&this->Nodes[child]);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    __builtin_prefetch(from + 64 * i);
+  }
+}
+
+/// Pushes entered children on the stack, the nearest on top; bits has 8 for each child.
+HELIOS_INLINE void BeamWalk::Push(
+  const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears)
+{
+  const int bottom = this->Size;
+  for (; bits != 0; bits &= bits - 1)
+  {
+    const int child = __builtin_ctzll(bits) / 8;
+    const float near = nears[child];
+    int at = this->Size++;
+    for (; at > bottom && this->Stack[at - 1].Near < near; --at)
+    {
+      this->Stack[at] = this->Stack[at - 1];
+    }
+    this->Stack[at] = { near, node.Children[child] };
+    this->Tree.Prefetch(node.Children[child]);
+  }
+}
+
+HELIOS_CLONES
+bool BeamWalk::GetNext(float limit, BeamTree::Leaf& leaf)
+{
+  vtkTypeUInt32 child = 0; // the next one, from the node or the stack
+  bool isOnStack = true;
+  while (!isOnStack || this->Size > 0)
+  {
+    if (isOnStack)
+    {
+      const Entry& current = this->Stack[--this->Size];
+      if (!(current.Near <= limit))
+      {
+        continue;
+      }
+      child = current.Child;
+    }
+    if (child & BeamTree::LeafBit)
+    {
+      const vtkTypeInt32* data = &this->Tree.Leaves[child & ~BeamTree::LeafBit];
+      leaf = { *data, data + 1 };
+      return true;
+    }
+    const BeamTree::Node& node = this->Tree.Nodes[child];
+    const Wide lowZ = Load<Wide>(node.Low[this->Axes.Z]);
+    const Wide highZ = Load<Wide>(node.High[this->Axes.Z]);
+    Wide entry = this->IsForward ? lowZ - this->Near : this->Near - highZ;
+    Wide exit = this->IsForward ? highZ - this->Far : this->Far - lowZ;
+    entry = Max(entry, Wide());
+    for (int i = 0; i < 2; ++i)
+    {
+      const int axis = i == 0 ? this->Axes.X : this->Axes.Y;
+      const Side& lower = this->Lower[i];
+      const Side& upper = this->Upper[i];
+      const Wide s0 = (Load<Wide>(node.High[axis]) - lower.Origin) * lower.Inverse;
+      const Wide s1 = (Load<Wide>(node.Low[axis]) - upper.Origin) * upper.Inverse;
+      entry = lower.IsEntry ? Max(entry, s0) : entry;
+      exit = lower.IsEntry ? exit : Min(exit, s0);
+      entry = upper.IsEntry ? Max(entry, s1) : entry;
+      exit = upper.IsEntry ? exit : Min(exit, s1);
+    }
+    entry = entry * (2.0f - Outwards);
+    const WideMasks isEntered = (entry <= exit * Outwards) & (exit >= 0.0f) & (entry <= limit);
+    const vtkTypeUInt64 bits = GetBits(isEntered);
+    isOnStack = (bits & (bits - 1)) != 0 || bits == 0;
+    if (!isOnStack)
+    {
+      child = node.Children[__builtin_ctzll(bits) / 8];
+      continue;
+    }
+    float nears[Width];
+    Store(nears, entry);
+    this->Push(node, bits, nears);
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkHeliosHit BeamTree::AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const
+{
+  TestRay rest;
+  if (!rest.Set(ray))
+  {
+    return hit;
+  }
+  rest.MaximumRange = Min(rest.MaximumRange, hit.Range);
+  const vtkHeliosHit other = this->Outliers.Intersect(rest);
+  const bool isBetter =
+    other.Range < hit.Range || (other.Range == hit.Range && other.CellId < hit.CellId);
+  return other.CellId >= 0 && isBetter ? other : hit;
+}
+
+/// The frustum of one ray; false if it misses the tree.
+bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray) const
+{
+  const RayAxes& a = ray.Axes;
+  frustum.Axes = a;
+  frustum.IsForward = ray.Largest > 0.0;
+  const double sign = frustum.IsForward ? 1.0 : -1.0;
+  const double origin[3] = { ray.Origin[a.X], ray.Origin[a.Y], ray.Origin[a.Z] };
+  const double slopes[2] = { sign * ray.Shear[0], sign * ray.Shear[1] };
+  return this->SetFrustum(frustum, origin, origin, slopes, slopes);
+}
+
+vtkHeliosHit BeamTree::Intersect(const vtkHeliosRay& ray) const
+{
+  vtkHeliosHit hit{ NoHit, -1 };
+  TestRay rest; // its MaximumRange shrinks to the best hit so far
+  Frustum hull;
+  if (!rest.Set(ray) || !this->SetFrustum(hull, rest))
+  {
+    return hit;
+  }
+  const double speed = std::abs(rest.Largest);
+  BeamWalk walk(*this, hull);
+  float limit = hull.GetLimit(rest.MaximumRange * speed);
+  Leaf leaf;
+  while (walk.GetNext(limit, leaf))
+  {
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      const vtkTypeInt32 triangle = leaf.Triangles[i];
+      const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+        this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
+      const double range = TestTriangle(rest, points);
+      if (range < hit.Range || (range == hit.Range && triangle < hit.CellId))
+      {
+        hit = { range, triangle };
+        rest.MaximumRange = range;
+        limit = hull.GetLimit(range * speed);
+      }
+    }
+  }
+  return hit;
+}
+
+bool BeamTree::IsHidden(const TestRay& ray, const Leaf& leaf) const
+{
+  for (int i = 0; i < leaf.Count; ++i)
+  {
+    const vtkTypeInt32 triangle = leaf.Triangles[i];
+    const double* points[3] = { this->Mesh->GetCorner(triangle, 0),
+      this->Mesh->GetCorner(triangle, 1), this->Mesh->GetCorner(triangle, 2) };
+    if (TestTriangle(ray, points) < NoHit)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool BeamTree::IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const
+{
+  TestRay test;
+  if (!test.Set(ray))
+  {
+    return false;
+  }
+  if (this->IsHidden(test, occluder))
+  {
+    return true;
+  }
+  Frustum hull;
+  if (this->SetFrustum(hull, test))
+  {
+    BeamWalk walk(*this, hull);
+    const float limit = hull.GetLimit(test.MaximumRange * std::abs(test.Largest));
+    Leaf leaf;
+    while (walk.GetNext(limit, leaf))
+    {
+      if (this->IsHidden(test, leaf))
+      {
+        occluder = leaf;
+        return true;
+      }
+    }
+  }
+  return this->OutliersExist && this->Outliers.IsOccluded(test);
+}
+
+} // namespace helios

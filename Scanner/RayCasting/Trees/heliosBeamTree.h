@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A wide bounding volume hierarchy that a ray bundle, or a cone, traverses once.
+
+#ifndef heliosBeamTree_h
+#define heliosBeamTree_h
+
+#include "heliosBvh.h"
+
+#include <vtkType.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace helios
+{
+
+class TriangleMesh;
+
+/// A float not above a number, or not below it.
+inline float RoundDown(double x)
+{
+  return static_cast<float>(std::max(x - std::abs(x) * 0x1p-23, -1e30));
+}
+inline float RoundUp(double x)
+{
+  return static_cast<float>(std::min(x + std::abs(x) * 0x1p-23, 1e30));
+}
+
+/**
+ * The bounds of a bundle's rays: they lie in a frustum about one of the axes, Z. At a distance s
+ * along Z the frustum reaches from Low + s SlopeLow to High + s SlopeHigh along X and Y. Numbers
+ * are floats in the frame of the tree, rounded outwards; s starts where the frustum reaches the box
+ * of the tree. LeafFilter gives each ray by its slope relative to the axis, the line through the
+ * middle of the rays.
+ *
+ *   X ^                                              __..--''  High + s SlopeHigh
+ *     |                      +---------------__..--''---+
+ *     |                 High |       __..--''           |
+ *     |                   __.+.--''             ____....|----''  a ray: slope of the axis
+ *     |           __..--''   |  ____....----''''        |          and its own
+ *     | origins  o ----------+--------------------------|------  axis
+ *     |           ''--..__   |                          |
+ *     |                   ''-+-..__                     |
+ *     |                  Low |     ''--..__             |  box of the tree
+ *     |                      +-------------''--..__-----+
+ *     |                                            ''--..__  Low + s SlopeLow
+ *     +----------+-----------+--------------------------------> Z
+ *                |<- Start ->| s = 0
+ *
+ * No hit of TestTriangle is lost: origins are widened by Slack, which covers the tolerance of the
+ * test (BoxSlack) and the rounding of these numbers.
+ */
+struct Frustum
+{
+  RayAxes Axes;
+  bool IsForward; ///< along Z
+  float Low[3];   ///< at s = 0, along X, Y, Z
+  float High[3];
+  float SlopeLow[2]; ///< along X and Y, for a unit along Z
+  float SlopeHigh[2];
+  double Start; ///< s = 0, in units of the scene from the origins
+  double Slack; ///< in units of the scene
+  double Scale;
+
+  /// The limit of s for a distance along Z from the origins.
+  float GetLimit(double distance) const;
+};
+
+/**
+ * Boxes of eight children are float, in a frame local to the scene and rounded outwards; triangles
+ * are tested in double. Triangles that reach far out of the scene are kept in a tree of doubles.
+ */
+class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
+{
+public:
+  /// The maximum number of triangles: leaves are indexed by 32-bit words.
+  static constexpr vtkIdType MaximumTriangles = 200000000;
+
+  /// Over the triangles of a mesh that have an area; the mesh must outlive it. Empty if there are
+  /// too many. Throws Stopped on an abort request, and is then unusable.
+  void Build(const TriangleMesh& mesh, StopCheck& check);
+
+  /// The first hit of a ray in the tree, without the outliers.
+  vtkHeliosHit Intersect(const vtkHeliosRay& ray) const;
+
+  bool HasOutliers() const { return this->OutliersExist; }
+
+  /// The better of a hit of a ray and its first hit of the outliers.
+  vtkHeliosHit AddOutliers(const vtkHeliosRay& ray, const vtkHeliosHit& hit) const;
+
+  std::size_t GetMemorySize() const;
+
+  const TriangleMesh& GetMesh() const { return *this->Mesh; }
+
+  /// The outlier triangles.
+  const std::vector<vtkTypeInt32>& GetOutliers() const { return this->Outliers.GetTriangles(); }
+
+  /// Whether no triangle is in the tree, except the outliers.
+  bool IsEmpty() const { return this->Scale == 0.0; }
+
+  /**
+   * Sets all but the axes and direction of a frustum from intervals along X, Y, Z: of
+   * origins, and of slopes per unit along Z. False if it misses the tree.
+   */
+  bool SetFrustum(Frustum& frustum, const double low[3], const double high[3],
+    const double slopeLow[2], const double slopeHigh[2]) const;
+
+  /// A coordinate along an axis in the frame of the tree.
+  double GetLocal(double x, int axis) const { return (x - this->Centre[axis]) * this->Scale; }
+
+  static constexpr int Width = 8;
+  static constexpr int LeafSize = 4;
+
+  /// Up to four triangles, and their corners in the frame of the tree, rounded.
+  struct Leaf
+  {
+    int Count = 0;
+    const vtkTypeInt32* Triangles = nullptr;
+
+    /// Where floats start: a coordinate of the triangles, and padding to ignore.
+    const vtkTypeInt32* GetCorners(int corner, int axis) const
+    {
+      return this->Triangles + (1 + 3 * corner + axis) * this->Count;
+    }
+  };
+
+  /// Whether a ray is occluded; occluder, initially an empty leaf, is the leaf that occluded
+  /// the previous ray and is tested first.
+  bool IsOccluded(const vtkHeliosRay& ray, Leaf& occluder) const;
+
+private:
+  friend class BeamWalk;
+  struct Share;
+  class Collapse;
+
+  /// Child i covers Low[axis][i] to High[axis][i]: a node or, with the highest bit set, a leaf.
+  struct alignas(64) Node
+  {
+    float Low[3][Width];
+    float High[3][Width];
+    vtkTypeUInt32 Children[Width];
+  };
+  static constexpr vtkTypeUInt32 LeafBit = 0x80000000u;
+
+  vtkTypeUInt32 MakeLeaf(const Bvh& binary, vtkTypeInt32 first, vtkTypeInt32 count);
+  vtkTypeUInt32 MakeNode(
+    const Bvh& binary, const Collapse& collapse, vtkTypeInt32 index, StopCheck& check);
+  void Prefetch(vtkTypeUInt32 child) const;
+  bool SetFrustum(Frustum& frustum, const TestRay& ray) const;
+  bool IsHidden(const TestRay& ray, const Leaf& leaf) const;
+
+  const TriangleMesh* Mesh = nullptr;
+  double Centre[3] = { 0, 0, 0 };
+  double Half[3] = { 0, 0, 0 }; ///< of the box
+  double Scale = 0.0;           ///< a power of two, into [-1, 1]; zero for an empty tree
+  std::vector<Node> Nodes;
+  std::vector<vtkTypeInt32> Leaves; ///< of each the count, the triangles and their corners
+  bool OutliersExist = false;
+  Bvh Outliers;
+};
+
+/// Traverses a tree along a frustum, from front to back.
+class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamWalk
+{
+public:
+  BeamWalk(const BeamTree& tree, const Frustum& frustum);
+
+  /// The next leaf that the frustum enters at or before a limit; false after the last.
+  bool GetNext(float limit, BeamTree::Leaf& leaf);
+
+private:
+  struct Entry
+  {
+    float Near;
+    vtkTypeUInt32 Child;
+  };
+  /// A side of the frustum: a child is beyond it for s below or above (plane - origin) * inverse.
+  struct Side
+  {
+    float Origin;
+    float Inverse;
+    bool IsEntry;
+  };
+  void Push(const BeamTree::Node& node, vtkTypeUInt64 bits, const float* nears);
+
+  static constexpr int StackSize = 8 + 90 * (BeamTree::Width - 1);
+
+  const BeamTree& Tree;
+  RayAxes Axes;
+  bool IsForward;
+  float Near, Far; ///< the origins along Z
+  Side Lower[2];   ///< against the children's High along X and Y
+  Side Upper[2];   ///< against their Low
+  int Size = 0;
+  Entry Stack[StackSize];
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosConeProbe.h"
+
+#include "heliosBeamTree.h"
+#include "heliosConeTest.h"
+#include "heliosTriangleMesh.h"
+
+namespace helios
+{
+
+namespace
+{
+
+class TreeProbe : public ConeProbe
+{
+public:
+  explicit TreeProbe(const BeamTree& tree)
+    : Tree(&tree)
+  {
+  }
+
+  TreeProbe(const TriangleMesh& mesh, StopCheck& check)
+    : OwnTree(std::make_unique<BeamTree>())
+    , Tree(this->OwnTree.get())
+  {
+    this->OwnTree->Build(mesh, check);
+  }
+
+  vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
+    double planeTolerance) const override
+  {
+    return ConeTest(origin, axis, tanHalfAngle, planeTolerance).Run(*this->Tree);
+  }
+
+private:
+  std::unique_ptr<BeamTree> OwnTree;
+  const BeamTree* Tree;
+};
+
+} // namespace
+
+std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree)
+{
+  return std::make_unique<TreeProbe>(tree);
+}
+
+std::unique_ptr<ConeProbe> MakeConeProbe(const TriangleMesh& mesh, StopCheck& check)
+{
+  const bool isSmall = mesh.GetNumberOfTriangles() <= BeamTree::MaximumTriangles;
+  return isSmall ? std::make_unique<TreeProbe>(mesh, check) : nullptr;
+}
+
+} // namespace helios

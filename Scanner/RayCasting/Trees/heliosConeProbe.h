@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a whole beam hits, without sampling it.
+
+#ifndef heliosConeProbe_h
+#define heliosConeProbe_h
+
+#include "vtkHeliosRay.h"
+#include "vtkHeliosScannerRayCastingModule.h" // For export macro
+
+#include <memory>
+
+namespace helios
+{
+
+class BeamTree;
+class StopCheck;
+class TriangleMesh;
+
+/// Probes cones in a scene. Thread-safe.
+class VTKHELIOSSCANNERRAYCASTING_EXPORT ConeProbe
+{
+public:
+  ConeProbe() = default;
+  virtual ~ConeProbe() = default;
+  ConeProbe(const ConeProbe&) = delete;
+  void operator=(const ConeProbe&) = delete;
+
+  /**
+   * Probes a cone with its apex at origin about a unit axis; planeTolerance [m] is the maximum
+   * distance of surfaces from one plane, along the axis, inside the cone. Empty and OnePlane are
+   * exact for the whole cone; cell and range are those of vtkHeliosRayCaster::Intersect() for the
+   * axis.
+   */
+  virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
+    double planeTolerance) const = 0;
+};
+
+/// Probes on a tree, which must outlive the result.
+std::unique_ptr<ConeProbe> MakeConeProbe(const BeamTree& tree);
+
+/// Probes on a tree of its own over a mesh, which must outlive the result; null if there are too
+/// many triangles. Throws Stopped on an abort request.
+std::unique_ptr<ConeProbe> MakeConeProbe(const TriangleMesh& mesh, StopCheck& check);
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,431 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
+#include "heliosConeTest.h"
+
+#include "heliosLeafFilter.h"
+#include "heliosTriangleMesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+namespace
+{
+
+constexpr double Error = 0x1p-47;   // of sums of a few products, relative to the largest of them
+constexpr double Margin = 1e-9;     // of the cone's width
+constexpr double Widest = 0.2;      // square of the sine of the half angle
+constexpr int MaximumOutliers = 64; // tested one by one
+
+double Dot(const double a[3], const double b[3])
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+void Cross(const double a[3], const double b[3], double c[3])
+{
+  c[0] = a[1] * b[2] - a[2] * b[1];
+  c[1] = a[2] * b[0] - a[0] * b[2];
+  c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/// An upper bound of the length.
+double GetLength(const double a[3])
+{
+  return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
+}
+
+/// The squared distance of a segment from the origin.
+double GetSquareDistance(const double a[2], const double b[2])
+{
+  const double d[2] = { b[0] - a[0], b[1] - a[1] };
+  const double square = d[0] * d[0] + d[1] * d[1];
+  const double along = -(a[0] * d[0] + a[1] * d[1]);
+  const double s = along <= 0.0 ? 0.0 : (along >= square ? 1.0 : along / square);
+  const double x = a[0] + s * d[0];
+  const double y = a[1] + s * d[1];
+  return x * x + y * y;
+}
+
+bool AreSame(const double* a, const double* b)
+{
+  return a == b || (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]);
+}
+
+const vtkHeliosConeHit Unknown{ vtkHeliosConeHit::Mixed, -1, 0.0 };
+
+} // namespace
+
+ConeTest::ConeTest(
+  const double origin[3], const double axis[3], double tanHalfAngle, double tolerance)
+  : Origin(origin)
+  , Tangent(tanHalfAngle)
+  , Tolerance(tolerance)
+{
+  vtkHeliosRay ray;
+  std::copy_n(origin, 3, ray.Origin);
+  std::copy_n(axis, 3, ray.Direction);
+  this->IsValid = this->Axis.Set(ray) && tanHalfAngle >= 0.0 && tolerance >= 0.0;
+  const double length = std::sqrt(Dot(axis, axis));
+  double* w = this->Frame[2];
+  for (int i = 0; i < 3; ++i)
+  {
+    w[i] = axis[i] / length;
+  }
+  // Duff et al., "Building an Orthonormal Basis, Revisited" (JCGT 6(1), 2017).
+  const double sign = w[2] >= 0.0 ? 1.0 : -1.0;
+  const double a = -1.0 / (sign + w[2]);
+  const double b = w[0] * w[1] * a;
+  const double u[3] = { 1.0 + sign * w[0] * w[0] * a, sign * b, -sign * w[0] };
+  const double v[3] = { b, sign + w[1] * w[1] * a, -w[1] };
+  std::copy_n(u, 3, this->Frame[0]);
+  std::copy_n(v, 3, this->Frame[1]);
+}
+
+//------------------------------------------------------------------------------
+/// The frustum about the cone; false for a cone that is too wide.
+bool ConeTest::SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) const
+{
+  const double* w = this->Frame[2];
+  const double sineSquare = this->Tangent * this->Tangent / (1 + this->Tangent * this->Tangent);
+  if (!(sineSquare < Widest))
+  {
+    return false;
+  }
+  hull.Axes = this->Axis.Axes;
+  const double along = std::abs(w[hull.Axes.Z]);
+  hull.IsForward = w[hull.Axes.Z] > 0.0;
+  const int axes[3] = { hull.Axes.X, hull.Axes.Y, hull.Axes.Z };
+  double slopeLow[2], slopeHigh[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    // The planes x = f z that touch the cone: (w_x - f w_z)^2 = sin^2 (1 + f^2).
+    const double x = w[axes[i]];
+    const double a = along * along - sineSquare;
+    const double root =
+      std::sqrt(sineSquare * std::max(0.0, x * x + along * along - sineSquare)) * (1 + Margin);
+    slopeLow[i] = (x * along - root) / a - Error;
+    slopeHigh[i] = (x * along + root) / a + Error;
+  }
+  const double origin[3] = { this->Origin[axes[0]], this->Origin[axes[1]], this->Origin[axes[2]] };
+  if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh))
+  {
+    return false;
+  }
+  filter.SetAxis(tree, hull, origin, origin, slopeLow, slopeHigh);
+  filter.SetError(0.0);
+  return true;
+}
+
+vtkHeliosConeHit ConeTest::Run(const BeamTree& tree)
+{
+  if (!this->IsValid || tree.GetOutliers().size() > MaximumOutliers)
+  {
+    return Unknown;
+  }
+  for (const vtkTypeInt32 triangle : tree.GetOutliers())
+  {
+    if (!this->Add(tree.GetMesh(), triangle))
+    {
+      return Unknown;
+    }
+  }
+  Frustum hull;
+  if (tree.IsEmpty())
+  {
+    return this->Judge();
+  }
+  LeafFilter filter;
+  if (!this->SetHull(tree, hull, filter))
+  {
+    return Unknown;
+  }
+  // A depth h along the axis is at most h (w_z + T sqrt(1 - w_z^2)) along the frustum's Z.
+  const double w = std::abs(this->Frame[2][hull.Axes.Z]);
+  const double stretch = (w + this->Tangent * std::sqrt(std::max(0.0, 1 - w * w))) * (1 + Margin);
+  BeamWalk walk(tree, hull);
+  BeamTree::Leaf leaf;
+  float limit = hull.GetLimit(this->Farthest * stretch);
+  while (walk.GetNext(limit, leaf))
+  {
+    int isAlive[BeamTree::LeafSize];
+    filter.FindAlive(leaf, limit, isAlive);
+    for (int i = 0; i < leaf.Count; ++i)
+    {
+      if (isAlive[i] && !this->Add(tree.GetMesh(), leaf.Triangles[i]))
+      {
+        return Unknown;
+      }
+    }
+    limit = hull.GetLimit(this->Farthest * stretch);
+  }
+  return this->Judge();
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
+bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+{
+  if (this->Count == MaximumCandidates && !this->DropFarther())
+  {
+    return false;
+  }
+  Candidate& c = this->Candidates[this->Count];
+  c.Triangle = triangle;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    c.Points[corner] = mesh.GetCorner(triangle, corner);
+    double p[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = c.Points[corner][axis] - this->Origin[axis];
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      c.Corners[corner][axis] = Dot(this->Frame[axis], p);
+    }
+  }
+  if (!this->Touches(c))
+  {
+    return true;
+  }
+  if (!c.IsBefore && !c.Covers)
+  {
+    return false;
+  }
+  ++this->Count;
+  const double range = TestTriangle(this->Axis, c.Points);
+  if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
+  {
+    this->Hit = { range, triangle };
+    this->Farthest = this->GetPlane(c).Farthest + this->Tolerance;
+  }
+  return true;
+}
+
+/// Whether it may touch the cone; sets the candidate's terms from its corners.
+bool ConeTest::Touches(Candidate& c) const
+{
+  const auto& p = c.Corners;
+  const double lengths[3] = { GetLength(p[0]), GetLength(p[1]), GetLength(p[2]) };
+  const double reach = std::max({ lengths[0], lengths[1], lengths[2] });
+  const double lowest = std::min({ p[0][2], p[1][2], p[2][2] });
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) < -Error * reach)
+  {
+    return false;
+  }
+  c.IsBefore = lowest > Error * reach;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    Cross(p[i], p[j], c.Edges[k]);
+    c.Errors[k] = Error * lengths[i] * lengths[j] * (1 + this->Tangent);
+  }
+  // The determinant of the edges' differences, which are exact or nearly so: they are small for
+  // distant triangles.
+  double a[3], b[3], n[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    a[axis] = p[1][axis] - p[0][axis];
+    b[axis] = p[2][axis] - p[0][axis];
+  }
+  Cross(a, b, n);
+  const double determinant = Dot(n, p[0]);
+  const double doubt = Error * reach * reach * (GetLength(a) + GetLength(b));
+  c.Sign = determinant > doubt ? 1.0 : (determinant < -doubt ? -1.0 : 0.0);
+  c.Covers = c.Sign != 0.0;
+  bool isAxisInside = c.Sign != 0.0;
+  double thickness = NoHit; // in the plane z = 1, of a triangle that may be edge-on
+  for (int k = 0; k < 3; ++k)
+  {
+    const double* e = c.Edges[k];
+    const double size = std::sqrt(e[0] * e[0] + e[1] * e[1]) * (1 + Margin);
+    const double along = c.Sign * e[2];
+    if (c.Sign != 0.0 && along + this->Tangent * size + c.Errors[k] < 0.0)
+    {
+      return false;
+    }
+    c.Covers = c.Covers && along - this->Tangent * size - c.Errors[k] > 0.0;
+    isAxisInside = isAxisInside && along > -c.Errors[k];
+    thickness = std::min(thickness, 2 * doubt / (p[k][2] * size));
+  }
+  if (c.Covers || isAxisInside || !c.IsBefore)
+  {
+    return true;
+  }
+  const double radius = this->Tangent + (c.Sign == 0.0 ? thickness : 0.0);
+  return this->EdgeTouches(c, 0, radius) || this->EdgeTouches(c, 1, radius) ||
+    this->EdgeTouches(c, 2, radius);
+}
+
+/// Whether an edge before the apex touches a cone: a disc of a radius in the plane z = 1.
+bool ConeTest::EdgeTouches(const Candidate& c, int edge, double radius) const
+{
+  const double* p = c.Corners[(edge + 1) % 3];
+  const double* q = c.Corners[(edge + 2) % 3];
+  const double a[2] = { p[0] / p[2], p[1] / p[2] };
+  const double b[2] = { q[0] / q[2], q[1] / q[2] };
+  const double error = Error * std::max(GetLength(p) / p[2], GetLength(q) / q[2]);
+  const double most = radius * (1 + Margin) + error;
+  return GetSquareDistance(a, b) <= most * most;
+}
+
+//------------------------------------------------------------------------------
+ConeTest::Plane ConeTest::GetPlane(const Candidate& c) const
+{
+  const auto& p = c.Corners;
+  double a[3], b[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    a[axis] = p[1][axis] - p[0][axis];
+    b[axis] = p[2][axis] - p[0][axis];
+  }
+  Plane plane;
+  double* n = plane.Normal;
+  Cross(a, b, n);
+  plane.Constant = Dot(n, p[0]);
+  if (plane.Constant < 0.0)
+  {
+    plane.Constant = -plane.Constant;
+    n[0] = -n[0];
+    n[1] = -n[1];
+    n[2] = -n[2];
+  }
+  plane.Across = std::sqrt(n[0] * n[0] + n[1] * n[1]);
+  const double doubt = Error * GetLength(p[0]) * (GetLength(a) + GetLength(b));
+  const double least = n[2] - this->Tangent * plane.Across - doubt;
+  plane.Nearest = plane.Constant / (n[2] + this->Tangent * plane.Across + doubt);
+  plane.Farthest = least > 0.0 ? plane.Constant / least * (1 + Margin) : NoHit;
+  return plane;
+}
+
+/// Whether a triangle lies behind the plane by more than the tolerance.
+bool ConeTest::IsBehind(const Candidate& c, const Plane& plane) const
+{
+  const double least = plane.Constant * (1 + this->Tolerance / plane.Nearest + Margin);
+  for (const auto& p : c.Corners)
+  {
+    const double doubt = Error * GetLength(plane.Normal) * GetLength(p);
+    if (!(Dot(plane.Normal, p) - doubt > least))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the plane of a triangle is within the tolerance of another, over the cone.
+bool ConeTest::IsOn(const Candidate& c, const Plane& plane) const
+{
+  const Plane other = this->GetPlane(c);
+  if (!(plane.Farthest < NoHit && other.Farthest < NoHit))
+  {
+    return false;
+  }
+  // |h - h'| = |1 / h - 1 / h'| h h', and 1 / h = n . d / c.
+  double slope[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    slope[axis] = plane.Normal[axis] / plane.Constant - other.Normal[axis] / other.Constant;
+  }
+  const double across = std::sqrt(slope[0] * slope[0] + slope[1] * slope[1]);
+  const double most = std::abs(slope[2]) + this->Tangent * across;
+  return most * plane.Farthest * other.Farthest <= this->Tolerance;
+}
+
+/// Whether another candidate adjoins an edge on its other side.
+bool ConeTest::IsShared(int member, int edge) const
+{
+  const Candidate& c = this->Candidates[member];
+  const double* from = c.Points[(edge + 1) % 3];
+  const double* to = c.Points[(edge + 2) % 3];
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Candidate& other = this->Candidates[i];
+    for (int k = 0; i != member && k < 3; ++k)
+    {
+      const double* p = other.Points[(k + 1) % 3];
+      const double* q = other.Points[(k + 2) % 3];
+      const bool isSame = AreSame(from, p) && AreSame(to, q);
+      const bool isReverse = AreSame(from, q) && AreSame(to, p);
+      // Seen from the apex they have the same orientation if they traverse the edge in opposite
+      // directions.
+      if ((isReverse && c.Sign * other.Sign > 0.0) || (isSame && c.Sign * other.Sign < 0.0))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Makes room by dropping candidates beyond Farthest; false if there are none.
+bool ConeTest::DropFarther()
+{
+  const auto isFarther = [this](const Candidate& c)
+  {
+    const auto& p = c.Corners;
+    return c.Triangle != this->Hit.CellId &&
+      std::min({ p[0][2], p[1][2], p[2][2] }) > this->Farthest;
+  };
+  Candidate* end = std::remove_if(this->Candidates, this->Candidates + this->Count, isFarther);
+  this->Count = static_cast<int>(end - this->Candidates);
+  return this->Count < MaximumCandidates;
+}
+
+/// The combined result of the candidates.
+vtkHeliosConeHit ConeTest::Judge()
+{
+  if (this->Count == 0)
+  {
+    return { vtkHeliosConeHit::Empty, -1, NoHit };
+  }
+  const Candidate* first = std::find_if(this->Candidates, this->Candidates + this->Count,
+    [this](const Candidate& c) { return c.Triangle == this->Hit.CellId; });
+  if (first == this->Candidates + this->Count)
+  {
+    return Unknown;
+  }
+  const Plane plane = this->GetPlane(*first);
+  const vtkTypeInt32 hit = first->Triangle;
+  // All candidates left must be on the plane; otherwise it is mixed.
+  int count = 0;
+  bool isCovered = false;
+  for (int i = 0; i < this->Count; ++i)
+  {
+    const Candidate& c = this->Candidates[i];
+    if (c.Triangle != hit && this->IsBehind(c, plane))
+    {
+      continue;
+    }
+    if (c.Triangle != hit && !this->IsOn(c, plane))
+    {
+      return Unknown;
+    }
+    isCovered = isCovered || c.Covers;
+    if (count != i)
+    {
+      this->Candidates[count] = c;
+    }
+    ++count;
+  }
+  this->Count = count;
+  for (int i = 0; i < count && !isCovered; ++i)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const Candidate& c = this->Candidates[i];
+      if (c.Sign == 0.0 || (this->EdgeTouches(c, edge, this->Tangent) && !this->IsShared(i, edge)))
+      {
+        return Unknown;
+      }
+    }
+  }
+  return { vtkHeliosConeHit::OnePlane, hit, this->Hit.Range };
+}
+
+} // namespace helios

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Selects the triangles of a leaf that adjacent rays may hit, in floats. For sources only, which
+// must first ignore -Wpsabi: vectors are passed to functions that are inlined.
+
+#ifndef heliosLeafFilter_h
+#define heliosLeafFilter_h
+
+#include "heliosBeamTree.h"
+#include "heliosRayVectors.h"
+
+namespace helios
+{
+
+/**
+ * A line through the middle of the rays (drawn at Frustum) is the axis of a plane (x, y) across Z;
+ * relative to it, a ray is at slope z, z being the distance along Z from the rays' origins. With corners q = (x, y,
+ * z) the edge function of a ray at the edge q r is (slope, 1) . (q x r), linear in the slope: its
+ * sign is used where it is beyond a bound of its error, which covers float rounding and the
+ * tolerance of the double test.
+ */
+class LeafFilter
+{
+public:
+  /// The edge functions of four triangles, and their error bounds.
+  struct Edges
+  {
+    float Terms[3][3][BeamTree::LeafSize]; ///< edge, factor of the slopes along X and Y, and of 1
+    float Error[BeamTree::LeafSize];
+    int IsAlive[BeamTree::LeafSize]; ///< whether any ray may hit it; -1 or 0
+  };
+
+  /// For rays within intervals, from which BeamTree::SetFrustum made a frustum.
+  void SetAxis(const BeamTree& tree, const Frustum& hull, const double low[3], const double high[3],
+    const double slopeLow[2], const double slopeHigh[2]);
+
+  /**
+   * The maximum offset of rays from their position in the filter, in the frame of the tree. False
+   * if the origins are too far for floats: then all hits are possible, with slopes of zero.
+   */
+  bool SetError(double rest);
+
+  /// The slope of the axis along X or Y, and z where the frustum starts, in the frame of the tree.
+  double GetSlope(int axis) const { return this->Slope[axis]; }
+  double GetDepth() const { return this->Depth; }
+
+  HELIOS_INLINE void SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const;
+
+  /// IsAlive of the edges within a limit.
+  void FindAlive(const BeamTree::Leaf& leaf, float limit, int isAlive[BeamTree::LeafSize]) const;
+
+private:
+  RayAxes Axes;
+  bool IsForward = true;
+  double Depth = 0.0;
+  double Largest = 0.0; ///< of the coordinates of the frustum's start
+  double Slack = 0.0;
+  float Place[3] = {};  ///< of the axis at the frustum's start, along X, Y, Z
+  float Slope[2] = {};  ///< of the axis, per unit along Z
+  float Spread[2] = {}; ///< the largest slope of a ray relative to it
+  float Base = 0.0f;    ///< Depth
+  float Error = 0.0f;   ///< of the position of a ray
+  float Length = 0.0f;  ///< of the ray origins, along Z
+};
+
+void LeafFilter::SetEdges(const BeamTree::Leaf& leaf, float limit, Edges& edges) const
+{
+  Floats x[3], y[3], z[3];
+  Floats size = Floats(), far = Floats(), least = Floats() + 1e30f;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Floats px = Load<Floats>(leaf.GetCorners(k, this->Axes.X));
+    const Floats py = Load<Floats>(leaf.GetCorners(k, this->Axes.Y));
+    const Floats pz = Load<Floats>(leaf.GetCorners(k, this->Axes.Z));
+    const Floats s = this->IsForward ? pz - this->Place[2] : this->Place[2] - pz;
+    x[k] = px - this->Place[0] - this->Slope[0] * s;
+    y[k] = py - this->Place[1] - this->Slope[1] * s;
+    z[k] = s + this->Base;
+    size = Max<Floats>(size, Max<Floats>(x[k], -x[k]) + Max<Floats>(y[k], -y[k]));
+    far = Max<Floats>(far, Max<Floats>(z[k], -z[k]));
+    least = Min(least, s);
+  }
+  // The edge function is a x b, a and b being the positions of two corners relative to the ray
+  // where it passes them: with errors da and db, its error is da x b + a x db + da x db.
+  constexpr float edgeError = 0x1p-19f; // float rounding of it, relative to its terms
+  const Floats reach = size + far * (this->Spread[0] + this->Spread[1]); // of a and b
+  const Floats error =
+    reach * (2 * this->Error + edgeError * reach) + 2 * this->Error * this->Error;
+  const float uncertain = this->Error + this->Length;
+  ShortMasks positive = (least - uncertain <= limit) & (ShortMasks{ 0, 1, 2, 3 } < leaf.Count);
+  ShortMasks negative = positive;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    const Floats a = y[i] * z[j] - z[i] * y[j];
+    const Floats b = z[i] * x[j] - x[i] * z[j];
+    const Floats c = x[i] * y[j] - y[i] * x[j];
+    const Floats spread =
+      Max<Floats>(a, -a) * this->Spread[0] + Max<Floats>(b, -b) * this->Spread[1] + error;
+    positive = positive & (c + spread >= 0.0f);
+    negative = negative & (c - spread <= 0.0f);
+    Store(edges.Terms[k][0], a);
+    Store(edges.Terms[k][1], b);
+    Store(edges.Terms[k][2], c);
+  }
+  Store(edges.Error, error);
+  Store(edges.IsAlive, positive | negative);
+}
+
+} // namespace helios
+
+#endif

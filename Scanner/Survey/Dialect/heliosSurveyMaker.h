@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Makes and changes a survey by the names of the dialect, without files of its own.
+
+#ifndef heliosSurveyMaker_h
+#define heliosSurveyMaker_h
+
+#include "heliosAttributes.h"
+#include "heliosMessages.h"
+#include "heliosSurveyData.h"
+
+#include <string>
+#include <vector>
+
+class vtkObject;
+
+namespace helios
+{
+
+class Assets;
+class XmlElement;
+
+/// Errors are reported for the owner, which is modified by each change. Indices count from 0; -1 is
+/// returned after an error.
+class SurveyMaker
+{
+public:
+  explicit SurveyMaker(vtkObject* owner);
+
+  /// The survey, with its legs resolved.
+  SurveyData& GetData();
+
+  void SetAssetDirectories(const std::vector<std::string>& directories);
+  const std::vector<std::string>& GetAssetDirectories() const { return this->AssetDirectories; }
+
+  ///@{
+  /// With defaults, or from file.xml#id.
+  int AddScanner(const std::string& id);
+  int AddPlatform(const std::string& id);
+  int AddScannerFromFile(const std::string& reference);
+  int AddPlatformFromFile(const std::string& reference);
+  ///@}
+
+  /// Adds a copy of a scanner's first channel as its last one; the scanner itself is the first.
+  int AddChannel(int scanner);
+
+  int AddLeg(int scanner, int platform);
+  void RemoveLeg(int leg);
+  void RemoveAllLegs();
+
+  /// Adds a part from a file by one of the loaders.
+  int AddPart(const std::string& loader, const std::string& file);
+  void RemoveAllParts();
+
+  ///@{
+  /// Something to change, with its place in messages; null after an error.
+  LegSettings* FindLeg(int leg);
+  PlatformData* FindPlatform(int platform);
+  ScannerData* FindScanner(int scanner, int channel = 0);
+  PartData* FindPart(int part);
+  ///@}
+
+  ///@{
+  /// Set or get an attribute of what was found; null is ignored, its error is reported.
+  template <typename WholeT>
+  bool Set(WholeT* whole, const std::string& name, const std::string& value)
+  {
+    Messages log(this->Owner);
+    const std::string where = whole ? this->Where : std::string();
+    const bool isGood = whole && SetAttribute(*whole, { name, value, where }, log);
+    if (isGood)
+    {
+      Follow(*whole, name, where);
+      this->Change();
+    }
+    return isGood;
+  }
+
+  template <typename WholeT>
+  std::string Get(WholeT* whole, const std::string& name)
+  {
+    Messages log(this->Owner);
+    return whole ? GetAttribute(*whole, { name, "", this->Where }, log) : std::string();
+  }
+  ///@}
+
+  ///@{
+  /// Of the survey itself and of its scene.
+  bool SetSurvey(const std::string& name, const std::string& value);
+  std::string GetSurvey(const std::string& name);
+  SceneData* FindScene();
+  ///@}
+
+  /// Rotates a part about x, y or z after its other rotations.
+  bool RotatePart(int part, const std::string& axis, double angle);
+
+  /// Reports all errors and warnings, unless nothing has changed since it was good.
+  bool Check();
+
+private:
+  static void Follow(LegSettings& leg, const std::string& name, const std::string& where);
+  static void Follow(ScannerData& scanner, const std::string& name, const std::string& where);
+  static void Follow(PlatformData& platform, const std::string& name, const std::string& where);
+  static void Follow(PartData& part, const std::string& name, const std::string& where);
+  static void Follow(SceneData& scene, const std::string& name, const std::string& where);
+  static void Follow(SurveyData&, const std::string&, const std::string&) {}
+
+  void Change();
+  void Resolve();
+  void CheckAll(Messages& log);
+  template <typename ReadT>
+  bool ReadFromFile(const char* tag, const std::string& reference, ReadT read);
+  template <typename DataT>
+  DataT* Find(std::vector<DataT>& all, int index, const char* what);
+
+  vtkObject* Owner;
+  SurveyData Data;
+  std::vector<std::string> AssetDirectories;
+  std::string Where; // of what was found last
+  bool IsResolved = true;
+  bool IsChecked = true; // as far as it has legs
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosXmlFile.h"
+
+#include "heliosXmlCheck.h"
+#include "heliosXmlLeg.h"
+#include "heliosXmlPlanner.h"
+#include "heliosXmlSurvey.h"
+
+namespace helios
+{
+
+//------------------------------------------------------------------------------
+void CheckFile(
+  const std::string& fileName, const std::vector<std::string>& assetDirectories, Messages& log)
+{
+  Assets assets(log, assetDirectories);
+  const XmlDocument* document = assets.Load(fileName);
+  if (!document)
+  {
+    return;
+  }
+  const XmlElement root = document->GetRoot();
+  for (const XmlElement& survey : root.GetChildren("survey"))
+  {
+    SurveyData data;
+    ReadSurvey(survey, assets, log, data);
+    CheckSurveyNames(data, survey.Where(), log);
+  }
+  for (const XmlElement& planner : root.GetChildren("surveyPlanner"))
+  {
+    CheckPlanner(planner, assets, log);
+  }
+  CheckTemplates(root, assets);
+  CheckAssets(root, assets, log);
+}
+
+} // namespace helios

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSurveyLoader.h"
+
+#include "heliosMessages.h"
+#include "heliosPlays.h"
+#include "heliosSceneInput.h"
+#include "vtkHeliosRayCaster.h"
+#include "vtkHeliosRayCasterFactory.h"
+#include "vtkHeliosScanner.h"
+
+#include <vtkImageData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <tuple>
+
+namespace helios
+{
+
+namespace
+{
+
+/// A file with its size and the time of its last change.
+std::string StampFile(const std::string& file)
+{
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(file, ignored);
+  const auto time = std::filesystem::last_write_time(file, ignored).time_since_epoch().count();
+  return file + " " + std::to_string(size) + " " + std::to_string(time);
+}
+
+/// Adds the files of a part in all epochs.
+void StampFiles(const PartData& part, std::vector<std::string>& stamps)
+{
+  std::transform(part.Files.begin(), part.Files.end(), std::back_inserter(stamps), StampFile);
+  stamps.push_back(StampFile(part.Material.File));
+  stamps.push_back(StampFile(part.Vegetation.LeafTable));
+  for (const SwapData& swap : part.Swaps)
+  {
+    StampFiles(swap.Part, stamps);
+  }
+}
+
+std::vector<std::string> GetRayCasterNames()
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < vtkHeliosRayCasterFactory::GetNumberOfBackends(); ++i)
+  {
+    names.emplace_back(vtkHeliosRayCasterFactory::GetBackendName(i));
+  }
+  return names;
+}
+
+vtkMTimeType FindTime(const RunInputs& inputs)
+{
+  vtkMTimeType time = inputs.Scene ? inputs.Scene->GetMTime() : 0;
+  for (vtkImageData* grid : inputs.Grids)
+  {
+    time = std::max(time, grid->GetMTime());
+  }
+  return time;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+bool SurveyLoader::Origin::operator==(const Origin& other) const
+{
+  const auto tie = [](const Origin& o)
+  { return std::tie(o.Survey, o.SurveyTime, o.Play, o.Seed, o.Scene, o.SceneTime, o.Files); };
+  return tie(*this) == tie(other);
+}
+
+//------------------------------------------------------------------------------
+SurveyLoader::SurveyLoader(Messages& log)
+  : Log(log)
+{
+}
+
+//------------------------------------------------------------------------------
+SurveyLoader::~SurveyLoader() = default;
+
+//------------------------------------------------------------------------------
+bool SurveyLoader::Check(const RunInputs& inputs, RunSettings& settings)
+{
+  this->Inputs = inputs;
+  if (!inputs.Survey || inputs.Survey->Legs.empty())
+  {
+    this->Log.Error(
+      "Survey is not set or has no legs; give the survey of a vtkHeliosSurveyReader.");
+    return false;
+  }
+  const std::string fault = this->SetOptions(settings);
+  if (!fault.empty())
+  {
+    this->Log.Error(fault);
+    return false;
+  }
+  this->Inputs.Options = settings.Options;
+  if (!this->IsLoaded())
+  {
+    this->Survey = MakePlay(*inputs.Survey, settings.Options.Play);
+    if (this->HasGivenScene())
+    {
+      this->Survey.Scene.Parts.clear();
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Sets the options, with values of the survey where they have none; returns an error message, or an
+/// empty string.
+std::string SurveyLoader::SetOptions(RunSettings& settings)
+{
+  const SurveyData& survey = *this->Inputs.Survey;
+  RunOptions options = this->Inputs.Options;
+  const int plays = CountPlays(survey.Scene);
+  if (options.Play >= plays)
+  {
+    Sentence fault;
+    fault << "Play is " << options.Play << ", but the survey has " << plays
+          << (plays > 1 ? " epochs" : " epoch") << "; give 0 to " << plays - 1;
+    return fault.str();
+  }
+  const std::string fault = options.FindFault();
+  if (!fault.empty())
+  {
+    return fault;
+  }
+  const std::vector<std::string> names = GetRayCasterNames();
+  const bool isOwn = options.RayCaster.empty();
+  const std::string name = isOwn ? survey.RayCaster : options.RayCaster;
+  if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+  {
+    return (isOwn ? survey.FileName + ": rayCaster" : "RayCaster") + "=\"" + name +
+      "\" is not in this build; give one of " + Enumerate(names);
+  }
+  options.RayCaster = name;
+  options.Seed = std::max<vtkIdType>(0, options.Seed >= 0 ? options.Seed : survey.Seed);
+  settings.Options = options;
+  settings.HasPlays = plays > 1;
+  return {};
+}
+
+//------------------------------------------------------------------------------
+SurveyLoader::Origin SurveyLoader::FindOrigin() const
+{
+  const RunInputs& inputs = this->Inputs;
+  Origin origin{ inputs.Survey, inputs.SurveyTime, inputs.Options.Play, inputs.Options.Seed,
+    inputs.Scene, FindTime(inputs), {} };
+  if (!this->HasGivenScene())
+  {
+    for (const PartData& part : inputs.Survey->Scene.Parts)
+    {
+      StampFiles(part, origin.Files);
+    }
+  }
+  return origin;
+}
+
+//------------------------------------------------------------------------------
+bool SurveyLoader::IsLoaded() const
+{
+  return this->Scene && this->Loaded == this->FindOrigin();
+}
+
+//------------------------------------------------------------------------------
+bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
+{
+  const Origin origin = this->FindOrigin();
+  if (!this->Scene || !(this->Loaded == origin))
+  {
+    Origin before = this->Loaded;
+    before.Play = origin.Play;
+    if (!(before == origin))
+    {
+      this->Builder.reset();
+    }
+    this->Scene = nullptr;
+    this->Loaded = origin;
+    this->LoadTime.Modified();
+    if (this->HasGivenScene() ? !this->UseGivenScene() : !this->BuildScene(onStep))
+    {
+      this->Scene = nullptr;
+      this->Builder.reset();
+      return false;
+    }
+  }
+  this->SetRayCaster(settings);
+  settings.Grids = this->Grids;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SurveyLoader::BuildScene(const StepCallback& onStep)
+{
+  if (!this->Builder)
+  {
+    this->Builder = std::make_unique<SceneBuilder>(
+      this->Inputs.Survey->Scene, this->Log, this->Inputs.Options.Seed);
+  }
+  this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Play);
+  this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();
+  if (CountPlays(this->Inputs.Survey->Scene) == 1)
+  {
+    this->Builder.reset(); // nothing of it is needed again
+  }
+  return this->Scene != nullptr;
+}
+
+//------------------------------------------------------------------------------
+/// Takes the scene of the inputs in place of the survey's.
+bool SurveyLoader::UseGivenScene()
+{
+  this->Scene =
+    this->Inputs.Scene ? MakeTriangles(this->Inputs.Scene) : vtkSmartPointer<vtkPolyData>::New();
+  this->Grids.assign(this->Inputs.Grids.begin(), this->Inputs.Grids.end());
+  if (!this->Scene || (this->Scene->GetNumberOfPolys() == 0 && this->Grids.empty()))
+  {
+    this->Log.Error(std::string("the input scene, a ") + this->Inputs.Scene->GetClassName() +
+      ", has no polygons; give a vtkPolyData, or another data set that has a surface");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Keeps the ray caster and its tree, unless another kind is requested.
+void SurveyLoader::SetRayCaster(RunSettings& settings)
+{
+  const std::string& name = settings.Options.RayCaster;
+  if (!this->Caster || name != this->CasterName)
+  {
+    this->CasterName = name;
+    this->Caster = name.empty()
+      ? vtkNew<vtkHeliosScanner>()->GetRayCaster()
+      : vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create(name.c_str()))
+          .Get();
+  }
+  settings.RayCaster = this->Caster;
+}
+
+} // namespace helios

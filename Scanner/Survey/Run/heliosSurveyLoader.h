@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads what a run is made of: options, epoch, scene and ray caster.
+
+#ifndef heliosSurveyLoader_h
+#define heliosSurveyLoader_h
+
+#include "heliosRunSettings.h"
+#include "heliosSceneBuilder.h"
+#include "heliosSurveyData.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkTimeStamp.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkHeliosRayCaster;
+class vtkImageData;
+class vtkPolyData;
+
+namespace helios
+{
+
+class Messages;
+
+/// What a run is made from.
+struct RunInputs
+{
+  const SurveyData* Survey = nullptr;
+  vtkMTimeType SurveyTime = 0; ///< its last change
+  RunOptions Options;
+  vtkDataObject* Scene = nullptr;   ///< replaces that of the survey; null: none
+  std::vector<vtkImageData*> Grids; ///< turbid voxels, with that scene
+};
+
+/**
+ * Keeps what it has loaded, and loads again only what depends on a change: another survey, epoch,
+ * seed or scene, or a file of the scene that was written since.
+ */
+class SurveyLoader
+{
+public:
+  explicit SurveyLoader(Messages& log);
+  ~SurveyLoader();
+
+  /// Checks the options of a run and sets them; reports an error and returns false if they are not
+  /// valid. Before Load().
+  bool Check(const RunInputs& inputs, RunSettings& settings);
+
+  /// Whether Load() has nothing to do.
+  bool IsLoaded() const;
+
+  /// Loads the scene and sets ray caster and grids; false after an error, or if a step returns
+  /// false.
+  bool Load(const StepCallback& onStep, RunSettings& settings);
+
+  /// When the scene was loaded: grows with every change.
+  vtkMTimeType GetLoadTime() const { return this->LoadTime; }
+
+  /// Whether the scene is an input, in place of the survey's; after Check().
+  bool HasGivenScene() const { return this->Inputs.Scene || !this->Inputs.Grids.empty(); }
+
+  /// The survey of the epoch, after Check().
+  const SurveyData& GetSurvey() const { return this->Survey; }
+
+  /// The scene as one mesh; null before Load().
+  vtkPolyData* GetScene() const { return this->Scene; }
+  const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+
+private:
+  /// What the scene depends on.
+  struct Origin
+  {
+    const SurveyData* Survey = nullptr;
+    vtkMTimeType SurveyTime = 0;
+    int Play = 0;
+    vtkIdType Seed = 0;
+    vtkDataObject* Scene = nullptr;
+    vtkMTimeType SceneTime = 0;
+    std::vector<std::string> Files; ///< with size and time
+
+    bool operator==(const Origin& other) const;
+  };
+
+  Origin FindOrigin() const;
+  std::string SetOptions(RunSettings& settings);
+  void SetRayCaster(RunSettings& settings);
+  bool BuildScene(const StepCallback& onStep);
+  bool UseGivenScene();
+
+  Messages& Log;
+  RunInputs Inputs;
+  SurveyData Survey; // of the epoch
+  Origin Loaded;
+  vtkTimeStamp LoadTime;
+  std::unique_ptr<SceneBuilder> Builder; // of a survey with several epochs
+  vtkSmartPointer<vtkPolyData> Scene;
+  std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  vtkSmartPointer<vtkHeliosRayCaster> Caster; // with its tree
+  std::string CasterName;                     // as requested
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosRunFiles
+ * @brief   names of the files of a run
+ *
+ * A run writes into the folder of its survey or, of a survey with several epochs, into the
+ * subfolder playNNN: run.journal while it runs, run_summary.json at its end, and of each leg, or of
+ * the legs of a strip S:
+ * - legNNN_points, stripS_points: echoes
+ * - legNNN_fullwave: waveforms
+ * - legNNN_pulse: pulses
+ * - legNNN_trajectory: the trajectory
+ *
+ * Numbers and S have at least three characters. Then follows _dev and the channel in files of one
+ * channel, and the ending of the format. Unfinished files end in
+ * vtkHeliosStreamWriter::GetPartEnding().
+ *
+ * Names are without a folder. LAZ files of echoes, as vtkhelios convert makes them, are files of a
+ * run too.
+ */
+
+#ifndef vtkHeliosRunFiles_h
+#define vtkHeliosRunFiles_h
+
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <string> // For names
+
+class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosRunFiles : public vtkObject
+{
+public:
+  static vtkHeliosRunFiles* New();
+  vtkTypeMacro(vtkHeliosRunFiles, vtkObject);
+
+  /**
+   * What a file contains; the first three are the output ports of vtkHeliosScanner.
+   */
+  enum FileKind
+  {
+    POINTS,
+    WAVEFORMS,
+    PULSES,
+    TRAJECTORY
+  };
+
+  ///@{
+  /**
+   * The files of a whole run.
+   */
+  static const char* GetSummaryName();
+  static const char* GetJournalName();
+  ///@}
+
+  ///@{
+  /**
+   * The subfolder of an epoch, and the epoch of a subfolder; -1 if it is none.
+   */
+  static std::string GetPlayName(int play);
+  static int GetPlay(const std::string& folder);
+  ///@}
+
+  ///@{
+  /**
+   * The formats of a run: "xyz", "las", "vtp". Null if the index is out of range.
+   */
+  static int GetNumberOfFormats();
+  static const char* GetFormat(int index);
+  ///@}
+
+  ///@{
+  /**
+   * The beginning of the names of a leg's or strip's files: "leg012", "strip00A".
+   */
+  static std::string GetLegStem(int leg);
+  static std::string GetStripStem(const std::string& strip);
+  ///@}
+
+  /**
+   * The name of a file: its stem, kind (FileKind) and format, and the channel if it has only one.
+   * Empty if kind or format is none of these.
+   */
+  static std::string GetFileName(const std::string& stem, int kind, const std::string& format,
+    const std::string& channel = std::string());
+
+  /**
+   * The name of the file of a kind and format that belongs to a file of another kind, also if its
+   * stem is neither a leg's nor a strip's. Empty if the name has no kind.
+   */
+  static std::string GetBeside(const std::string& fileName, int kind, const std::string& format);
+
+  ///@{
+  /**
+   * The kind, the stem, and the number of the leg or strip of a file's name. -1, empty and -1 if it
+   * is no finished file of a run; -1 if the strip has no number.
+   */
+  static int GetKind(const std::string& fileName);
+  static std::string GetStem(const std::string& fileName);
+  static int GetNumber(const std::string& fileName);
+  ///@}
+
+  /**
+   * Whether a name is that of a file of a leg, finished or not, or of a part of one.
+   */
+  static bool IsOfLeg(const std::string& fileName);
+
+protected:
+  vtkHeliosRunFiles() = default;
+  ~vtkHeliosRunFiles() override = default;
+
+private:
+  vtkHeliosRunFiles(const vtkHeliosRunFiles&) = delete;
+  void operator=(const vtkHeliosRunFiles&) = delete;
+};
+
+#endif

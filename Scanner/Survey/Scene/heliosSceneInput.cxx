@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosSceneInput.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellArray.h>
+#include <vtkCompositeDataGeometryFilter.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkFieldData.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+
+namespace helios
+{
+
+namespace
+{
+
+bool HasOnlyTriangles(vtkPolyData* mesh)
+{
+  return mesh->GetNumberOfCells() == mesh->GetNumberOfPolys() &&
+    (mesh->GetNumberOfPolys() == 0 || mesh->GetPolys()->IsHomogeneous() == 3);
+}
+
+template <typename FilterT>
+vtkSmartPointer<vtkPolyData> Pass(FilterT* filter, vtkDataObject* data)
+{
+  filter->SetInputDataObject(data);
+  filter->Update();
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(filter->GetOutput());
+  output->SetFieldData(data->GetFieldData()); // the materials
+  return output;
+}
+
+/// The surface of any data set; null for other data.
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataObject* data)
+{
+  if (auto* mesh = vtkPolyData::SafeDownCast(data))
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->ShallowCopy(mesh);
+    return copy;
+  }
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return Pass(vtkSmartPointer<vtkCompositeDataGeometryFilter>::New().Get(), data);
+  }
+  return vtkDataSet::SafeDownCast(data)
+    ? Pass(vtkSmartPointer<vtkDataSetSurfaceFilter>::New().Get(), data)
+    : nullptr;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeTriangles(vtkDataObject* data)
+{
+  const vtkSmartPointer<vtkPolyData> surface = MakeSurface(data);
+  if (!surface || HasOnlyTriangles(surface))
+  {
+    return surface;
+  }
+  auto filter = vtkSmartPointer<vtkTriangleFilter>::New();
+  filter->PassVertsOff();
+  filter->PassLinesOff();
+  return Pass(filter.Get(), surface);
+}
+
+} // namespace helios

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The dialect: detectors, waveforms and errors.
+#include "heliosXmlTables.h"
+
+#include "heliosSurveyData.h"
+#include "heliosXmlPulseShape.h"
+#include "vtkHeliosExpressionErrorModel.h"
+
+namespace helios
+{
+
+using namespace rows;
+
+namespace
+{
+
+constexpr auto Receiver = &ScannerData::Receiver;
+
+std::string FindExpressionFault(const std::string& text)
+{
+  const std::string fault = vtkHeliosExpressionErrorModel::FindFault(text);
+  return fault.empty() ? fault : ": " + fault;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<XmlElementRule> MakeReceiverRules()
+{
+  // clang-format off
+  return {
+  { "FWFSettings", "sampling, waveforms and echoes; that of a survey overrides that of its scanner",
+    {
+      Number("binSize_ns", "bin size of the waveform; 1 ns is 0.15 m of range").In("ns", { 1e-4, 1e3 }).At<Receiver, &ReceiverData::BinSize>(),
+      Integer("beamSampleQuality", "circles of sub-rays, a fixed count per pulse: 1, 7, 19, 37 ... sub-rays").In("", { 1.0, 64.0 }).Default("adaptive sampling").At<Receiver, &ReceiverData::NumberOfCircles>(),
+      Number("rangeTolerance_m", "tolerance of ranges (root mean square) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
+      Number("energyTolerance", "relative tolerance of amplitudes (root mean square) in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
+      Word("echoDetector", "peak gaussian cfd leadingEdge", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
+      Text("pulseShape", "gaussian, helios, or a text file of times [ns] and powers").Default("gaussian").By<SetPulseShape, GetPulseShape, Receiver>(),
+      Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
+      Number("winSize_ns", "an echo within this time of a higher one is discarded").In("ns", { 0.0, 1e6 }).At<Receiver, &ReceiverData::PeakWindow>(),
+      Number("maxFullwaveRange_ns", "maximum length of the waveform; 0: as long as the target requires").In("ns", { 0.0, 1e9 }).At<Receiver, &ReceiverData::MaximumLength>(),
+      Text("id", "never referenced").Ignored(),
+      Text("name", "never referenced").Ignored(),
+      Number("apertureDiameter_m", "not used; a warning if it differs from receiverDiameter_m of the scanner").In("m", { 0.0, 100.0 }),
+      Integer("numFullwaveBins", "maximum number of bins of a waveform").In("", { 1.0, 1e6 }).Default("as many as needed").At<Receiver, &ReceiverData::NumberOfBins>(),
+      Number("winSize", "winSize_ns, in bins").In("bins", { 0.0, 1e6 }).Default("0"),
+      Number("apartureDiameter", "apertureDiameter_m in the spelling of the Java program").In("m", { 0.0, 100.0 }),
+      Number("scannerEfficiency", "overrides opticalEfficiency of the scanner").In("", Share).Default("the scanner's").At<&ScannerData::OpticalEfficiency>(),
+      Number("atmosphericVisibility", "overrides atmosphericVisibility_km of the scanner").In("km", { 1e-3, 1e300 }).Default("the scanner's").At<&ScannerData::AtmosphericVisibility>(),
+      Number("scannerWaveLength", "overrides wavelength_nm of the scanner").In("nm", { 200.0, 20000.0 }).Default("the scanner's").At<&ScannerData::Wavelength>(),
+      Number("beamDivergence_rad", "overrides beamDivergence_rad of the scanner").In("rad", Fraction).Default("the scanner's").At<&ScannerData::BeamDivergence>(),
+      Number("pulseLength_ns", "overrides pulseLength_ns of the scanner").In("ns", PulseLength).Default("the scanner's").At<&ScannerData::PulseLength>(),
+      Integer("numTimeBins", "samples of the emitted pulse, which has a closed form here").Later(),
+      Number("minEchoWidth", "unit and use differ between Java versions").Later(),
+      Number("peakEnergy", "the power of the pulse is averagePower_w").Later(),
+    },
+    {} },
+
+  { "detectorSettings", "detector of a survey; overrides the values of the scanner",
+    {
+      Number("accuracy_m", "overrides accuracy_m of the scanner").In("m", { 0.0, 1e3 }).Default("the scanner's").At<&ScannerData::Accuracy>(),
+      Number("rangeMin_m", "overrides rangeMin_m of the scanner").In("m", NotNegative).Default("the scanner's").At<&ScannerData::RangeMin>(),
+      Number("rangeMax_m", "overrides rangeMax_m of the scanner").In("m", NotNegative).Default("the scanner's").At<&ScannerData::RangeMax>(),
+      Text("distanceMeasurementError", "factor of the range noise, an expression of the range t [m]").Default("1").Checked(FindExpressionFault).At<Receiver, &ReceiverData::Errors, &ErrorExpressions::RangeNoiseFactor>(),
+    },
+    {} },
+
+  { "rangeError", "systematic error of ranges",
+    {
+      Text("expr", "an expression of the mirror angle THETA [rad], in metres").Required().Checked(FindExpressionFault).At<&ErrorExpressions::Range>(),
+    },
+    {} },
+
+  { "deflectionError", "systematic error of the mirror angle",
+    {
+      Text("expr", "an expression of the mirror angle THETA [rad], in radians").Required().Checked(FindExpressionFault).At<&ErrorExpressions::Deflection>(),
+    },
+    {} },
+
+  { "headError", "systematic error of the head angle",
+    {
+      Text("expr", "an expression of the mirror angle THETA [rad], in radians").Required().Checked(FindExpressionFault).At<&ErrorExpressions::Head>(),
+      Number("zeroSinThreshold_deg", "minimum distance of THETA from multiples of 180 degrees").In("deg", { 0.0, 89.0 }).At<&ErrorExpressions::HeadZeroSinThreshold>(),
+    },
+    {} },
+  };
+  // clang-format on
+}
+
+} // namespace helios

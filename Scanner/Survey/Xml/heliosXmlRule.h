@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The rows of the table of the HELIOS dialect: elements, attributes and children. A row gives reading,
+// default, checking, writing, schema and documentation of an attribute.
+
+#ifndef heliosXmlRule_h
+#define heliosXmlRule_h
+
+#include "heliosXmlStore.h"
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+
+#include <string>
+#include <vector>
+
+namespace helios
+{
+
+/// The syntax of a value.
+enum class XmlKind
+{
+  Text,
+  Real,
+  Integer,
+  Boolean,
+  RealList, // comma separated
+  Vector,   // three numbers, semicolon separated
+  Rotation, // <rot> children
+  Reference // file.xml#id, #id or id
+};
+
+/// The use of a value.
+enum class XmlUse
+{
+  Used,
+  Ignored,    // irrelevant for a simulation: a title, a colour
+  NotModelled // part of the dialect, causes one warning
+};
+
+/// The largest number unless a rule is narrower.
+constexpr double LargestNumber = 1e12;
+
+/// The smallest positive value of nonnegative numbers: quotients and squares stay finite.
+/// Coordinates and angles may be closer to 0 through rounding.
+constexpr double SmallestNumber = 1e-30;
+
+/// The valid range of a number.
+struct XmlRange
+{
+  double Low;
+  double High;
+  bool AboveLow = false; // Low itself is excluded
+
+  bool Contains(double value) const
+  {
+    return (this->AboveLow ? value > this->Low : value >= this->Low) && value <= this->High &&
+      (value == 0.0 || this->Low < 0.0 || value >= SmallestNumber);
+  }
+};
+
+/// An attribute of an element, or a parameter of a filter: a row of the table. Its methods return
+/// the row with one more property.
+struct VTKHELIOSSCANNERSURVEY_EXPORT XmlValueRule
+{
+  const char* Name = "";
+  const char* Note = ""; ///< its meaning; if not read, the reason
+  XmlKind Kind = XmlKind::Text;
+  XmlUse Use = XmlUse::Used;
+  const char* Unit = "";
+  XmlRange Range = { -LargestNumber, LargestNumber };
+  const char* DefaultText = ""; ///< a phrase, if the default is not that of a struct
+  const char* Choices = "";     ///< the valid words, if any; '~' in front: case-insensitive
+  const int* Values = nullptr;  ///< of the choices in an enumeration; null: 0, 1, 2 ...
+  XmlStore Store;
+  double Scale = 1.0; ///< the number in the struct is that of the file times this
+  std::string (*FindFault)(
+    const std::string& text) = nullptr; ///< a text goes on with it; empty: none
+  bool IsRequired = false;              ///< in files
+  bool IsInverted = false;              ///< a boolean whose opposite is stored
+  bool HasBlanks = false;               ///< blanks and tabs are part of the text
+  bool IsAlias = false;                 ///< another name of an attribute, which overrides it
+
+  ///@{
+  XmlValueRule In(const char* unit) const;
+  XmlValueRule In(const char* unit, const XmlRange& range) const;
+  XmlValueRule Default(const char* text) const;
+  XmlValueRule Required() const;
+  XmlValueRule Ignored() const;
+  XmlValueRule Later() const; ///< not modelled yet
+  XmlValueRule Meaning(const int* values) const;
+  XmlValueRule Scaled(double scale) const;
+  XmlValueRule Inverted() const;
+  XmlValueRule Checked(std::string (*findFault)(const std::string& text)) const;
+  XmlValueRule KeepsBlanks() const;
+  XmlValueRule Alias() const;
+  ///@}
+
+  /// Stored in a struct at a chain of members and indices of arrays.
+  template <auto First, auto... Rest>
+  XmlValueRule At() const
+  {
+    XmlValueRule rule = *this;
+    rule.Store = MakeStore<First, Rest...>();
+    return rule;
+  }
+
+  /// Stored in a member of a struct by Set(member, value, log), and got by Get(member).
+  template <auto Set, auto Get, auto Member>
+  XmlValueRule By() const
+  {
+    XmlValueRule rule = *this;
+    rule.Store = MakeAccess<Set, Get, Member>();
+    return rule;
+  }
+
+  /// The valid words; empty: any.
+  std::vector<std::string> GetChoices() const;
+
+  /// Whether the case of words does not matter.
+  bool IsAnyCase() const { return *this->Choices == '~'; }
+};
+
+struct XmlChildRule
+{
+  const char* Name;
+  bool Repeats = false;
+  XmlUse Use = XmlUse::Used;
+  const char* Note = ""; ///< if it is not an element of the table
+
+  XmlChildRule Ignored() const;
+};
+
+struct XmlElementRule
+{
+  const char* Name;
+  const char* Note;
+  std::vector<XmlValueRule> Values;
+  std::vector<XmlChildRule> Children;
+
+  /// The rule of a value or child; null if the dialect does not know it.
+  const XmlValueRule* FindValue(const std::string& name) const;
+  const XmlChildRule* FindChild(const std::string& name) const;
+
+  /// The value or child with the name nearest to a misspelt one; empty if none is near.
+  std::string FindNearestValue(const std::string& name) const;
+  std::string FindNearestChild(const std::string& name) const;
+
+  /// The values that are stored in a struct of a type, aliases first.
+  std::vector<const XmlValueRule*> FindStored(const std::type_info& type) const;
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The dialect: scanners and their channels.
+#include "heliosXmlTables.h"
+
+#include "heliosSurveyData.h"
+
+namespace helios
+{
+
+using namespace rows;
+
+namespace
+{
+
+constexpr auto Receiver = &ScannerData::Receiver;
+constexpr auto Prisms = &ScannerData::Prisms;
+
+/// Catalogues give powers in nanowatts; receivedEnergyMin_W, too, despite its name.
+constexpr double WattsPerNanowatt = 1e-9;
+
+/// The attributes of a scanner.
+std::vector<XmlValueRule> MakeScannerValues()
+{
+  // clang-format off
+  return {
+    Text("id", "identifier for references"),
+    Text("name", "a title"),
+    Word("optics", "rotating oscillating line conic palmer risley", "beam deflector").Required().At<&ScannerData::Type>(),
+    Numbers("pulseFreqs_Hz", "supported pulse frequencies, the default first").In("Hz", Frequency).Default("that of the leg").At<&ScannerData::PulseFrequencies>(),
+    Number("pulseLength_ns", "full width at half maximum").In("ns", PulseLength).At<&ScannerData::PulseLength>(),
+    Number("beamDivergence_rad", "full angle at 1/e2").In("rad", Fraction).At<&ScannerData::BeamDivergence>(),
+    Number("wavelength_nm", "wavelength, at which reflectances are taken from spectra").In("nm", { 200.0, 20000.0 }).At<&ScannerData::Wavelength>(),
+    Number("averagePower_w", "peak power of the pulse").In("W", NotNegative).At<&ScannerData::AveragePower>(),
+    Number("opticalEfficiency", "transmission of the optics").In("", Share).At<&ScannerData::OpticalEfficiency>(),
+    Number("receiverDiameter_m", "diameter of the receiver aperture").In("m", { 1e-6, 100.0 }).At<&ScannerData::ReceiverDiameter>(),
+    Number("atmosphericVisibility_km", "visibility, which determines the extinction").In("km", { 1e-3, 1e300 }).At<&ScannerData::AtmosphericVisibility>(),
+    Number("receivedEnergyMin_W", "detection threshold, the weakest echo; in nanowatts despite its name").In("nW", { 0.0, 1e15 }).Scaled(WattsPerNanowatt).At<&ScannerData::DetectionThreshold>(),
+    Number("accuracy_m", "standard deviation of the range").In("m", { 0.0, 1e3 }).At<&ScannerData::Accuracy>(),
+    Number("rangeMin_m", "minimum range").In("m", NotNegative).At<&ScannerData::RangeMin>(),
+    Number("rangeMax_m", "maximum range").In("m", NotNegative).Default("no limit").At<&ScannerData::RangeMax>(),
+    Integer("maxNOR", "maximum number of returns per pulse; 0: all").In("", { 0.0, 255.0 }).At<&ScannerData::MaximumNumberOfReturns>(),
+    Number("scanAngleMax_deg", "half of the angle that the mirror sweeps, or half angle of the cone").In("deg", HalfAngle).At<&ScannerData::ScanAngleMax>(),
+    Number("scanAngleEffectiveMax_deg", "rotating: half of the vertical field of view").In("deg", HalfAngle).Default("scanAngleMax_deg").At<&ScannerData::ScanAngleEffectiveMax>(),
+    Number("scanFreqMin_Hz", "minimum scan frequency").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMin>(),
+    Number("scanFreqMax_Hz", "maximum scan frequency; 0: no limit").In("Hz", ScanFrequency).At<&ScannerData::ScanFrequencyMax>(),
+    Number("headRotatePerSecMax_deg", "maximum head rotation speed").In("deg/s", { 0.0, 1e6 }).At<&ScannerData::HeadRotateSpeedMax>(),
+    Number("deflectAngle_deg", "no program reads it").In("deg").Ignored(),
+    Text("visModel", "model of the head in vtkhelios view, a file as for model of a platform; it rotates with the head").Default("a simple model"),
+    Number("beamQualityFactor", "M2 of the beam; without it the beam has no waist").In("", { 1.0, 1e4 }).At<Receiver, &ReceiverData::BeamQualityFactor>(),
+    Number("atmosphericExtinction_1_m", "extinction; overrides the visibility").In("1/m", { 0.0, 1e3 }).Default("from the visibility").At<Receiver, &ReceiverData::Extinction>(),
+    Number("detectorNoise_nW", "standard deviation of waveform noise").In("nW", { 0.0, 1e15 }).Scaled(WattsPerNanowatt).At<Receiver, &ReceiverData::DetectorNoise>(),
+    Number("solarIrradiance_W_m2_nm", "solar irradiance of the scene").In("W/m^2/nm", { 0.0, 1e6 }).At<Receiver, &ReceiverData::SolarIrradiance>(),
+    Number("filterBandwidth_nm", "optical bandwidth of the receiver").In("nm", { 0.0, 1e6 }).At<Receiver, &ReceiverData::FilterBandwidth>(),
+    Number("fieldOfView_rad", "field of view of the receiver, full angle").In("rad", Fraction).At<Receiver, &ReceiverData::FieldOfView>(),
+    Number("accuracyPerMeter", "range noise proportional to the range").In("m/m", Fraction).At<Receiver, &ReceiverData::AccuracyPerMeter>(),
+    Number("accuracyAtThreshold_m", "range noise of the weakest detectable echo").In("m", { 0.0, 1e3 }).At<Receiver, &ReceiverData::AccuracyAtThreshold>(),
+    Number("angleAccuracy_rad", "standard deviation of the beam's direction").In("rad", { 0.0, 0.1 }).At<Receiver, &ReceiverData::AngleAccuracy>(),
+    Number("scanProduct", "oscillating: maximum of scan angle times scan frequency").In("deg Hz", Frequency).At<&ScannerData::ScanProduct>(),
+    Word("scanPattern", "triangular sinusoidal", "oscillating: motion of the mirror").At<&ScannerData::IsSinusoidal>(),
+    Integer("turningPulses", "oscillating, triangular: pulses during which the mirror reverses").In("", { 0.0, 1e9 }).At<&ScannerData::TurningPulses>(),
+    Integer("numFibers", "line: number of fibres").In("", { 1.0, 1e6 }).At<&ScannerData::NumberOfFibers>(),
+    Number("rotorFreq1_Hz", "risley: rotation frequency of the first prism; the sign is the direction").In("Hz", RotorFrequency).At<Prisms, 0, &PrismData::RotorFrequency>(),
+    Number("rotorFreq2_Hz", "risley: rotation frequency of the second prism").In("Hz", RotorFrequency).At<Prisms, 1, &PrismData::RotorFrequency>(),
+    Number("rotorFreq3_Hz", "risley: rotation frequency of the third prism").In("Hz", RotorFrequency).At<Prisms, 2, &PrismData::RotorFrequency>(),
+    Number("angle1_deg", "risley: wedge angle of the first prism; the sign selects the inclined face; 0: no prism").In("deg", WedgeAngle).At<Prisms, 0, &PrismData::WedgeAngle>(),
+    Number("angle2_deg", "risley: wedge angle of the second prism").In("deg", WedgeAngle).At<Prisms, 1, &PrismData::WedgeAngle>(),
+    Number("angle3_deg", "risley: wedge angle of the third prism").In("deg", WedgeAngle).At<Prisms, 2, &PrismData::WedgeAngle>(),
+    Number("refrIndex1", "risley: refractive index of the first prism").In("", RefractiveIndex).At<Prisms, 0, &PrismData::RefractiveIndex>(),
+    Number("refrIndex2", "risley: refractive index of the second prism").In("", RefractiveIndex).At<Prisms, 1, &PrismData::RefractiveIndex>(),
+    Number("refrIndex3", "risley: refractive index of the third prism").In("", RefractiveIndex).At<Prisms, 2, &PrismData::RefractiveIndex>(),
+    Number("refrIndex_air", "risley: refractive index around the prisms").In("", RefractiveIndex).At<&ScannerData::AirRefractiveIndex>(),
+  };
+  // clang-format on
+}
+
+/// Those of a channel, which inherits what it does not give.
+std::vector<XmlValueRule> MakeChannelValues()
+{
+  std::vector<XmlValueRule> values = MakeScannerValues();
+  for (XmlValueRule& value : values)
+  {
+    const std::string name = value.Name;
+    if (name == "id")
+    {
+      value = Text("id", "used in file names if channels are split").Default("its number");
+    }
+    else if (name != "name")
+    {
+      value.DefaultText = "the scanner's";
+      value.IsRequired = false;
+    }
+  }
+  return values;
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+std::vector<XmlElementRule> MakeScannerRules()
+{
+  // clang-format off
+  return {
+  { "scanner", "an instrument",
+    MakeScannerValues(),
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("channels"), One("rangeError"), One("deflectionError"), One("headError") } },
+
+  { "channels", "the channels of a multi-channel instrument",
+    {},
+    { Many("channel") } },
+
+  { "channel", "an emitter and its receiver; values not given are those of its scanner",
+    MakeChannelValues(),
+    { One("FWFSettings"), One("beamOrigin"), One("headRotateAxis"), One("incidentBeam"), One("rangeError"), One("deflectionError"), One("headError") } },
+
+  { "incidentBeam", "risley: direction of the beam into the first prism",
+    {
+      Number("x", "coordinate to the right, or east").Default("0"),
+      Number("y", "coordinate forward, or north").Default("0"),
+      Number("z", "coordinate up").Default("0"),
+    },
+    {} },
+  };
+  // clang-format on
+}
+
+} // namespace helios

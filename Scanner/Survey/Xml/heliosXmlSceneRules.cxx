@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The dialect: scenes and parts.
+#include "heliosXmlTables.h"
+
+#include "heliosSurveyData.h"
+
+namespace helios
+{
+
+using namespace rows;
+
+//------------------------------------------------------------------------------
+std::vector<XmlElementRule> MakeSceneRules()
+{
+  // clang-format off
+  return {
+  { "scene", "the parts to scan",
+    {
+      Text("id", "identifier for references").At<&SceneData::Id>(),
+      Text("name", "a title").At<&SceneData::Name>(),
+      Text("crs", "coordinate system of parts without one of their own, as EPSG:n, WKT or PROJ").Default("a local frame in metres").At<&SceneData::Crs>(),
+      Integer("dynStep", "pulses of a channel between updates of moving parts").In("", Steps).Default("1"),
+      Number("dynTimeStep", "time between updates of moving parts, instead of dynStep").In("s", TimeStep).Default("as dynStep"),
+    },
+    { Many("part"), One("sunDir", "light of the display; sunlight as noise is solarIrradiance_W_m2_nm of the scanner").Ignored(), One("sky", "background of the display").Ignored(), One("skybox", "background of the display").Ignored() } },
+
+  { "part", "a mesh: a loader, then filters that rotate, scale and move it, in this order",
+    {
+      Text("id", "name of the part, and object of its points").Default("its number").At<&PartData::Name>(),
+      Text("name", "the name of a part is its id").Ignored(),
+      Integer("dynStep", "updates of the scene per update of the part").In("", Steps).Default("1"),
+      Number("dynTimeStep", "time between updates of the part: a multiple of the scene's dynTimeStep, if it has one").In("s", TimeStep).Default("as dynStep"),
+      Integer("kdtDynStep", "updates of the part per update of the geometry that rays see").In("", Steps).Default("1"),
+      Number("kdtDynTimeStep", "time between updates of the geometry that rays see").In("s", TimeStep).Default("as kdtDynStep"),
+    },
+    { Many("filter"), One("color", "colour of the display").Ignored(), Many("swap"), Many("dmotion") } },
+
+  { "dmotion", "motion of the part: each step applies all its motions, in their order; the first dmotion starts",
+    {
+      Text("id", "identifier for next"),
+      Integer("loop", "number of steps; 0: without end").In("", { 0.0, 1e9 }).Required(),
+      Text("next", "id of the next dmotion; an earlier one makes a cycle").Default("none: the part stops"),
+    },
+    { Many("motion") } },
+
+  { "motion", "one motion of a step",
+    {
+      Word("type", "~identity translation rotation reflection glideplane helical rotsym", "type of motion").Required(),
+      Vector("vec", "translation: displacement per step").In("m"),
+      Vector("axis", "rotation, helical, rotsym: rotation axis, right-handed"),
+      Number("angle", "angle per step").In("deg", { -1e6, 1e6 }).At<&Motion::Angle>(),
+      Vector("center", "rotation, rotsym: a point on the axis").In("m").At<&Motion::Center>(),
+      Vector("ortho", "reflection, glideplane: normal of the plane through 0;0;0"),
+      Vector("shift", "glideplane: displacement in the plane").In("m").Default("0;0;0"),
+      Number("glide", "helical: displacement along the axis per step").In("m").At<&Motion::Glide>(),
+      Flag("selfMode", "whether 0;0;0 is the current centroid of the part").At<&Motion::IsSelf>(),
+      Number("autoCRS", "not needed: scenes are not shifted, coordinates are always those of the scene").Ignored(),
+    },
+    {} },
+
+  { "swap", "geometry that replaces the part in later epochs of the survey",
+    {
+      Integer("swapStep", "number of epochs").In("epochs", { 1.0, 9999.0 }).At<&SwapData::Plays>(),
+      Flag("keepCRS", "whether its geometry is shifted with the scene; scenes are not shifted here, so false only causes a warning").Default("true"),
+      Flag("force_null", "whether the part is removed").At<&SwapData::IsRemoved>(),
+      Text("swapIndices", "no program reads it").Later(),
+    },
+    { Many("filter") } },
+  };
+  // clang-format on
+}
+
+} // namespace helios

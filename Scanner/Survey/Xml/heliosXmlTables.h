@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of the dialect: one row per attribute, in one file per group of elements. Only these
+// files include it.
+
+#ifndef heliosXmlTables_h
+#define heliosXmlTables_h
+
+#include "heliosTolerances.h"
+#include "heliosXmlRule.h"
+
+#include <vector>
+
+namespace helios
+{
+
+///@{
+/// The elements of a group.
+std::vector<XmlElementRule> MakeSurveyRules();
+std::vector<XmlElementRule> MakePlannerRules();
+std::vector<XmlElementRule> MakeLegRules();
+std::vector<XmlElementRule> MakeReceiverRules();
+std::vector<XmlElementRule> MakeScannerRules();
+std::vector<XmlElementRule> MakePlatformRules();
+std::vector<XmlElementRule> MakeSceneRules();
+std::vector<XmlElementRule> MakeFilterRules();
+///@}
+
+namespace rows
+{
+
+// Sufficient for any survey; no division or square of values overflows.
+constexpr XmlRange Frequency = { 1e-3, 1e9 };
+constexpr XmlRange Distance = { 1e-3, 1e9 };
+constexpr XmlRange Seconds = { 1e-3, 1e9 };
+constexpr XmlRange Moment = { -1e12, 1e12 };
+constexpr XmlRange PulseLength = { 1e-2, 1e3 };
+constexpr XmlRange NotNegative = { 0.0, 1e12 };
+constexpr XmlRange Fraction = { 0.0, 1.0 };
+constexpr XmlRange Share = { 1e-6, 1.0 };
+constexpr XmlRange TimeStep = { 1e-9, 1.0 };
+constexpr XmlRange RangeTolerance = { LeastRangeTolerance, LargestTolerance };
+constexpr XmlRange EnergyTolerance = { LeastEnergyTolerance, LargestTolerance };
+constexpr XmlRange Angle = { -360.0, 360.0 };
+constexpr XmlRange HalfAngle = { 0.0, 360.0 };
+constexpr XmlRange HeadAngle = { -1e6, 1e6 };
+constexpr XmlRange Column = { 0.0, 999.0 };
+constexpr XmlRange ScanFrequency = { 0.0, 1e6 };
+constexpr XmlRange RotorFrequency = { -1e6, 1e6 };
+constexpr XmlRange WedgeAngle = { -89.0, 89.0 };
+constexpr XmlRange RefractiveIndex = { 1.0, 10.0 };
+constexpr XmlRange Steps = { 1.0, 1e9 };
+constexpr XmlRange GridStep = { 1e-3, 1e6 };
+constexpr XmlRange RightAngle = { 0.0, 90.0 };
+constexpr XmlRange Elevation = { -90.0, 90.0 };
+
+/// A row of a kind: the name of an attribute, and its meaning or the reason why it is not read.
+template <XmlKind Kind>
+XmlValueRule MakeRow(const char* name, const char* note)
+{
+  XmlValueRule row;
+  row.Name = name;
+  row.Note = note;
+  row.Kind = Kind;
+  return row;
+}
+
+constexpr auto Text = MakeRow<XmlKind::Text>;
+constexpr auto Number = MakeRow<XmlKind::Real>;
+constexpr auto Integer = MakeRow<XmlKind::Integer>;
+constexpr auto Flag = MakeRow<XmlKind::Boolean>;
+constexpr auto Numbers = MakeRow<XmlKind::RealList>;
+constexpr auto Vector = MakeRow<XmlKind::Vector>;
+constexpr auto Rotated = MakeRow<XmlKind::Rotation>;
+constexpr auto Reference = MakeRow<XmlKind::Reference>;
+
+/// One of some words, with blanks between them, or '|' if they contain blanks; '~' in front:
+/// case-insensitive.
+inline XmlValueRule Word(const char* name, const char* choices, const char* note)
+{
+  XmlValueRule row = Text(name, note);
+  row.Choices = choices;
+  return row;
+}
+
+///@{
+/// A child that may be given once, or several times. One without a table of its own has a note.
+inline XmlChildRule One(const char* name, const char* note = "")
+{
+  return { name, false, XmlUse::Used, note };
+}
+
+inline XmlChildRule Many(const char* name)
+{
+  return { name, true, XmlUse::Used, "" };
+}
+///@}
+
+} // namespace rows
+} // namespace helios
+
+#endif

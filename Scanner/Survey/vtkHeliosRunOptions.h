@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHeliosRunOptions
+ * @brief   the options of a run that change its echoes
+ *
+ * What a survey leaves open, or what overrides it: epoch, random numbers, and how the beam is
+ * sampled. vtkHeliosSurveySource and vtkHeliosSurveyPlayer use the same options.
+ *
+ * @sa
+ * vtkHeliosSurveySource vtkHeliosSurveyPlayer
+ */
+
+#ifndef vtkHeliosRunOptions_h
+#define vtkHeliosRunOptions_h
+
+#include "vtkHeliosScannerSurveyModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory> // For the private data
+#include <string> // For names
+
+namespace helios
+{
+struct RunOptions;
+}
+
+class VTKHELIOSSCANNERSURVEY_EXPORT vtkHeliosRunOptions : public vtkObject
+{
+public:
+  static vtkHeliosRunOptions* New();
+  vtkTypeMacro(vtkHeliosRunOptions, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Set/Get the epoch to run: which geometry the swapped parts of the scene have. Valid range: [0,
+   * the survey's GetNumberOfPlays() - 1]. Default: 0.
+   */
+  void SetPlay(int play);
+  int GetPlay() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the seed of all random numbers. Valid range: [0, 2^62], or -1: that of the survey, else
+   * 0. Default: -1.
+   */
+  void SetSeed(vtkIdType seed);
+  vtkIdType GetSeed() const;
+  vtkIdType GetSeedMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get whether ranges have the scanner's noise. Default: on.
+   */
+  void SetNoise(bool noise);
+  bool GetNoise() const;
+  vtkBooleanMacro(Noise, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the tolerances of adaptive beam sampling, in range [m] and in amplitude (relative), as
+   * in vtkHeliosScanner; they override the survey. Valid range: 0 or [1e-6, 1], 0 or [1e-4, 1].
+   * Default: 0, as in the survey.
+   */
+  void SetRangeTolerance(double tolerance);
+  double GetRangeTolerance() const;
+  double GetRangeToleranceMinValue() const;
+  double GetRangeToleranceMaxValue() const;
+  void SetEnergyTolerance(double tolerance);
+  double GetEnergyTolerance() const;
+  double GetEnergyToleranceMinValue() const;
+  double GetEnergyToleranceMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get a fixed number of sub-rays of every pulse: 1, 7, 19, 37, 62 ... on circles, as by
+   * beamSampleQuality in surveys; any other number, rounded up to a multiple of 4, on a spiral. Valid range: [0, 65536]. Default: 0,
+   * as in the survey.
+   */
+  void SetNumberOfSubRays(int count);
+  int GetNumberOfSubRays() const;
+  int GetNumberOfSubRaysMaxValue() const;
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the echo detector for waveforms, one of GetEchoDetectorNames(). Default: empty, that of
+   * the survey.
+   */
+  void SetEchoDetector(const std::string& name);
+  std::string GetEchoDetector() const;
+  ///@}
+
+  /**
+   * The names of the echo detectors, separated by blanks; the first is the default.
+   */
+  static std::string GetEchoDetectorNames();
+
+  ///@{
+  /**
+   * Set/Get the ray caster by its name, vtkHeliosRayCasterFactory::GetBackendName(). Default: empty, that
+   * of the survey, else the first.
+   */
+  void SetRayCaster(const std::string& name);
+  std::string GetRayCaster() const;
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /// All options.
+  const helios::RunOptions& GetData() const
+  {
+    return *this->Data;
+  }
+#endif
+
+protected:
+  vtkHeliosRunOptions();
+  ~vtkHeliosRunOptions() override;
+
+private:
+  vtkHeliosRunOptions(const vtkHeliosRunOptions&) = delete;
+  void operator=(const vtkHeliosRunOptions&) = delete;
+
+  template <typename T>
+  void Set(T& option, const T& value);
+
+  std::unique_ptr<helios::RunOptions> Data;
+};
+
+#endif
