@@ -13,7 +13,7 @@ namespace helios
 {
 
 /**
- * "3.2e+07 places need 2300 MiB, more than MemoryLimit (2048 MiB)" if n items of a size in bytes
+ * "3.2e+07 places need 2300 MiB, more than the memory limit (2048 MiB)" if n items of a size in bytes
  * exceed a limit in MiB; else an empty string.
  */
 inline std::string DescribeExcess(
@@ -24,7 +24,7 @@ inline std::string DescribeExcess(
   if (size > limitMiB)
   {
     text << std::setprecision(4) << count << " " << things << " need " << size
-         << " MiB, more than MemoryLimit (" << limitMiB << " MiB)";
+         << " MiB, more than the memory limit (" << limitMiB << " MiB)";
   }
   return text.str();
 }

@@ -93,8 +93,8 @@ public:
     }
     if (this->IsGround.empty() && (surface == GROUND || surface == OPEN_GROUND))
     {
-      return "Surface is set to ground, but no material of the scene is ground (Material.IsGround, "
-             "helios_isGround); mark the ground, or use the highest surface";
+      return "Candidates are to be on the ground, but no material of the scene is ground "
+             "(Material.IsGround, helios_isGround); mark the ground, or use the highest surface";
     }
     return this->IsBelowOthers() ? this->Scene.Set(scene, this->IsGround) : this->Scene.Set(scene);
   }
@@ -111,8 +111,9 @@ public:
     if (!(bounds[0] <= bounds[1] && bounds[2] <= bounds[3]))
     {
       std::ostringstream text;
-      text << "Region is x " << bounds[0] << " to " << bounds[1] << ", y " << bounds[2] << " to "
-           << bounds[3] << "; the first of each must not be above the second";
+      text << "The region of candidates is x " << bounds[0] << " to " << bounds[1] << ", y "
+           << bounds[2] << " to " << bounds[3]
+           << "; the first of each must not be above the second";
       return text.str();
     }
     this->X = helios::GridLine(bounds[0], bounds[1], this->Scene.GetStep(this->Self->XStep));
@@ -121,7 +122,7 @@ public:
       static_cast<double>(this->X.GetCount()) * static_cast<double>(this->Y.GetCount());
     const std::string excess =
       helios::DescribeExcess("places", count, sizeof(Place), this->Self->MemoryLimit);
-    return excess.empty() ? excess : excess + "; make XStep and YStep larger";
+    return excess.empty() ? excess : excess + "; make the grid of candidates coarser";
   }
 
   /// Checks all positions; false on an abort request.
@@ -368,13 +369,13 @@ bool vtkHeliosScanPositionCandidates::Report(const Search& search)
   std::ostringstream text;
   text << "No candidate is left of " << misses + others + steep + excluded << " places: " << misses
        << " have no surface below, at " << others << " the highest surface is not ground, " << steep
-       << " are steeper than MaximumSlope (" << this->MaximumSlope << " deg), " << excluded
+       << " are steeper than the maximum slope (" << this->MaximumSlope << " deg), " << excluded
        << " lie in excluded areas; ";
   const vtkIdType most = std::max(std::max(misses, others), std::max(steep, excluded));
-  text << (most == steep ? "allow a larger slope, or make the steps smaller"
-      : most == misses   ? "move the Region onto the scene, or make the steps smaller"
+  text << (most == steep ? "allow a larger slope, or make the grid finer"
+      : most == misses   ? "move the region onto the scene, or make the grid finer"
       : most == excluded ? "exclude less"
-                         : "use ground below other surfaces, too (GROUND)");
+                         : "use ground below other surfaces, too");
   vtkErrorMacro(<< text.str() << ".");
   return false;
 }

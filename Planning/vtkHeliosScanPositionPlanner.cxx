@@ -99,11 +99,11 @@ private:
     }
     if (this->Self->Method == OPTIMAL && !helios::HasExactSolver())
     {
-      return "Method Optimal needs COIN-OR CBC, which this build does not include; build with "
-             "VTKHELIOS_ENABLE_CBC, or use Best";
+      return "the method optimal needs COIN-OR CBC, which this build does not include; build with "
+             "VTKHELIOS_ENABLE_CBC, or use best";
     }
     helios::Visibility matrix;
-    const std::string fault = matrix.Set(this->Candidates, this->TestPoints->GetNumberOfPoints());
+    std::string fault = matrix.Set(this->Candidates, this->TestPoints->GetNumberOfPoints());
     if (fault.empty())
     {
       this->Rows = { matrix.GetRow(0), static_cast<int>(matrix.GetNumberOfCandidates()),
@@ -179,10 +179,10 @@ private:
     if (required > coverable * (1.0 + 1e-12))
     {
       std::ostringstream text;
-      text << "MinimumCoverage " << this->Self->MinimumCoverage
-           << " % of all cannot be reached: all candidates together see "
+      text << "the minimum coverage of " << this->Self->MinimumCoverage
+           << " % of all test points cannot be reached: all candidates together see "
            << 100.0 * coverable / this->All
-           << " %; lower it, add candidates, or set CoverageOf to Coverable";
+           << " %; lower it, add candidates, or require a share of the coverable ones only";
       return text.str();
     }
     this->Problem.Require(required);
@@ -251,9 +251,9 @@ private:
     if (!this->Result.Fault.empty())
     {
       std::ostringstream text;
-      text << "no set of candidates that are connected with MinimumOverlap "
-           << this->Self->MinimumOverlap
-           << " sees enough; lower it or MinimumCoverage, or add candidates in between";
+      text << "no set of candidates connected by the minimum overlap of "
+           << 100.0 * this->Self->MinimumOverlap
+           << " % sees enough; lower the overlap or the coverage, or add candidates in between";
       return text.str();
     }
     return {};

@@ -354,14 +354,15 @@ std::string vtkHeliosViewsheds::FindFault(
   else if (!GetDoubles(testPoints->GetPointData()->GetArray(names::Normal)) &&
     (this->MaximumIncidenceAngle < 90.0 || this->MinimumPointDensity > 0.0))
   {
-    text
-      << "MaximumIncidenceAngle and MinimumPointDensity need normals, and the test points have no "
-         "point array "
-      << names::Normal << " of 3 components; add it, or do not set these limits";
+    text << "A maximum incidence angle and a minimum point density need normals, and the test "
+            "points have no "
+            "point array "
+         << names::Normal << " of 3 components; add it, or do not set these limits";
   }
   else if (this->MinimumPointDensity > 0.0 && this->AngularStep == 0.0)
   {
-    text << "MinimumPointDensity needs the AngularStep of the instrument, which is 0; set it";
+    text << "A minimum point density needs the angle between neighbouring pulses, and AngularStep "
+            "is 0, unknown or irregular; set it, or give no minimum density";
   }
   return text.str();
 }

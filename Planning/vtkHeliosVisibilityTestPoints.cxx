@@ -60,7 +60,7 @@ public:
   {
     if (!this->Self->Vertical && !this->Self->Horizontal)
     {
-      return "Vertical and Horizontal are both off, so there are no lines; switch one on";
+      return "Vertical and horizontal lines are both off; switch one on";
     }
     const std::string fault = this->Scene.Set(scene);
     return fault.empty() ? this->MakeGrid() : fault;
@@ -158,8 +158,8 @@ private:
       if (!(this->Low[axis] <= this->High[axis]))
       {
         std::ostringstream text;
-        text << "Region is " << axes[axis] << " " << this->Low[axis] << " to " << this->High[axis]
-             << "; the first must not be above the second";
+        text << "The region of test points is " << axes[axis] << " " << this->Low[axis] << " to "
+             << this->High[axis] << "; the first must not be above the second";
         return text.str();
       }
       this->Lines[axis] = GridLine(this->Low[axis], this->High[axis], this->Steps[axis]);
@@ -173,7 +173,7 @@ private:
     }
     const std::string excess =
       helios::DescribeExcess("lines", count, 3 * sizeof(Meeting), this->Self->MemoryLimit);
-    return excess.empty() ? excess : excess + "; make the steps larger";
+    return excess.empty() ? excess : excess + "; make the grid of test points coarser";
   }
 
   bool IsUsed(int axis) const { return axis == 2 ? this->Self->Vertical : this->Self->Horizontal; }
@@ -346,8 +346,8 @@ int vtkHeliosVisibilityTestPoints::RequestData(
   if (!search.Fill(output))
   {
     vtkErrorMacro(<< "No test point: none of " << search.DescribeGrid()
-                  << " meets a surface in the Region; move it onto the scene, or make the steps "
-                     "smaller.");
+                  << " meets a surface in the region; move it onto the scene, or make the grid "
+                     "finer.");
     return 0;
   }
   helios::SetCRS(output, helios::GetCRS(scene));

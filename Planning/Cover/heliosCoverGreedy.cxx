@@ -26,8 +26,8 @@ struct Offer
 };
 
 /// Calls take(candidate) on the best offer by gain(candidate), until done() or none is left.
-template <typename GainT, typename DoneT, typename TakeT>
-void TakeBest(const Choice& candidates, GainT gain, DoneT done, TakeT take)
+template <typename GainT, typename DoneT, typename VisitT>
+void VisitBest(const Choice& candidates, GainT gain, DoneT done, VisitT take)
 {
   std::priority_queue<Offer> offers;
   for (const int candidate : candidates)
@@ -58,7 +58,7 @@ GreedyChoice ChooseGreedily(
   GreedyChoice result;
   CoverCounts counts(problem);
   int covered = 0;
-  TakeBest(
+  VisitBest(
     candidates, [&](int c) { return counts.GetGain(c); },
     [&] { return counts.IsEnough() || (stop && stop()); },
     [&](int c)
@@ -87,7 +87,7 @@ Choice ChooseByPrice(
     }
     return sum;
   };
-  TakeBest(
+  VisitBest(
     GetAllCandidates(problem), gain, [&] { return counts.IsEnough() || (stop && stop()); },
     [&](int c)
     {

@@ -33,7 +33,7 @@ CoverTree::CoverTree(const BitRows& rows, const BitRows& columns)
 CoverAnswer CoverTree::Visit(
   int count, const Visitor& visitor, std::int64_t& work, const StopTest& stop)
 {
-  this->Take = visitor;
+  this->OnCover = visitor;
   this->Stop = stop;
   this->Work = &work;
   this->Chosen.clear();
@@ -112,7 +112,7 @@ bool CoverTree::Finish(const Words& missing, const Words& isOut)
     [this, &isOn](int a)
     {
       this->Chosen.push_back(a);
-      isOn = isOn && this->Take(this->Chosen);
+      isOn = isOn && this->OnCover(this->Chosen);
       this->Chosen.pop_back();
     });
   return isOn;
@@ -131,7 +131,7 @@ bool CoverTree::Follow(int candidate, int left, const Words& missing, const Word
   *this->Work -= 2 * this->Rows.Length + 8;
   if (size == 0)
   {
-    return this->Take(this->Chosen);
+    return this->OnCover(this->Chosen);
   }
   return size > static_cast<std::int64_t>(left) * this->Largest || this->Branch(left, rest, isOut);
 }

@@ -50,7 +50,7 @@ private:
   BitRows Columns;
   int Largest = 0;
   Choice Chosen;
-  Visitor Take;
+  Visitor OnCover;
   StopTest Stop;
   std::int64_t* Work = nullptr;
   std::vector<int> Order; // points, those seen by the fewest first

@@ -77,7 +77,7 @@ constexpr int Seeds = 150;
 
 } // namespace
 
-TEST_CASE("transposing bits twice changes nothing", "[Cover]")
+TEST_CASE("Cover: transposing bits twice is the identity", "[Cover]")
 {
   for (const int columns : { 1, 63, 64, 65, 200 })
   {
@@ -98,7 +98,7 @@ TEST_CASE("transposing bits twice changes nothing", "[Cover]")
   }
 }
 
-TEST_CASE("one sorted pass is the paper's loop", "[Cover]")
+TEST_CASE("Cover: one sorted pass equals the loop of the paper", "[Cover]")
 {
   for (int seed = 0; seed < Seeds; ++seed)
   {
@@ -112,7 +112,7 @@ TEST_CASE("one sorted pass is the paper's loop", "[Cover]")
   }
 }
 
-TEST_CASE("who sees nothing leaves first, ties by lower index", "[Cover]")
+TEST_CASE("Cover: empty viewsheds are removed first, ties by lower index", "[Cover]")
 {
   BitMatrix rows(4, 3);
   rows.Set(1, 0);
@@ -127,7 +127,7 @@ TEST_CASE("who sees nothing leaves first, ties by lower index", "[Cover]")
     Choice{ 0, 2, 3, 1 });
 }
 
-TEST_CASE("every way covers, and none beats the optimum", "[Cover]")
+TEST_CASE("Cover: every method covers, and none is better than the optimum", "[Cover]")
 {
   for (int seed = 0; seed < Seeds; ++seed)
   {
@@ -150,7 +150,7 @@ TEST_CASE("every way covers, and none beats the optimum", "[Cover]")
   }
 }
 
-TEST_CASE("what dominance leaves has the same optimum", "[Cover]")
+TEST_CASE("Cover: removing dominated candidates keeps the optimum", "[Cover]")
 {
   for (int seed = 0; seed < Seeds; ++seed)
   {
@@ -176,7 +176,7 @@ TEST_CASE("what dominance leaves has the same optimum", "[Cover]")
   }
 }
 
-TEST_CASE("a part of the points: enough is seen, never less", "[Cover]")
+TEST_CASE("Cover: limited coverage is reached", "[Cover]")
 {
   for (int seed = 0; seed < Seeds; ++seed)
   {
@@ -207,7 +207,7 @@ TEST_CASE("a part of the points: enough is seen, never less", "[Cover]")
   }
 }
 
-TEST_CASE("bounds stay below the optimum, ours below the linear one", "[Cover]")
+TEST_CASE("Cover: bounds are below the optimum, the Lagrangian below the linear one", "[Cover]")
 {
   double ours = 0.0;
   double theirs = 0.0;
@@ -236,7 +236,7 @@ TEST_CASE("bounds stay below the optimum, ours below the linear one", "[Cover]")
   CHECK(ours >= 0.97 * theirs);
 }
 
-TEST_CASE("the tree finds every smallest cover once", "[Cover]")
+TEST_CASE("Cover: the tree finds every smallest cover once", "[Cover]")
 {
   for (int seed = 0; seed < Seeds; ++seed)
   {
@@ -269,7 +269,7 @@ TEST_CASE("the tree finds every smallest cover once", "[Cover]")
   }
 }
 
-TEST_CASE("local search keeps a cover, and the same start gives the same", "[Cover]")
+TEST_CASE("Cover: local search keeps a cover and is repeatable", "[Cover]")
 {
   const SmallCover cover(20, 150, 0.2, 7);
   const Choice all = helios::GetAllCandidates(cover.Problem);
@@ -283,7 +283,7 @@ TEST_CASE("local search keeps a cover, and the same start gives the same", "[Cov
   CHECK(helios::SearchCover(cover.Problem, all, { 20, 0, 200000 }) == all);
 }
 
-TEST_CASE("loops stop when told to", "[Cover]")
+TEST_CASE("Cover: loops can be aborted", "[Cover]")
 {
   const SmallCover cover(20, 150, 0.2, 7);
   const auto stop = [] { return true; };

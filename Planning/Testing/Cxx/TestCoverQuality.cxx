@@ -38,7 +38,7 @@ helios::Incidence MakeIncidence(int candidates, int points, unsigned int seed)
 
 struct Trial
 {
-  Trial(unsigned int seed)
+  explicit Trial(unsigned int seed)
     : Cover(10, 30, 0.4, seed)
     , Angles(MakeIncidence(10, 30, seed))
     , Optima(Cover.GetOptima())
@@ -89,7 +89,8 @@ bool SeesAll(const Trial& trial)
 
 } // namespace
 
-TEST_CASE("bisection finds the smallest worst angle, all covers the smallest mean", "[Cover]")
+TEST_CASE("CoverQuality: bisection finds the smallest worst angle, enumeration the smallest mean",
+  "[Cover]")
 {
   int better = 0;
   for (unsigned int seed = 0; seed < 60; ++seed)
@@ -114,7 +115,7 @@ TEST_CASE("bisection finds the smallest worst angle, all covers the smallest mea
   CHECK(better > 10);
 }
 
-TEST_CASE("what a solver leaves open is not proved", "[Cover]")
+TEST_CASE("CoverQuality: an unfinished solve proves nothing", "[Cover]")
 {
   const Trial trial(1);
   REQUIRE(trial.Best.Worst < trial.Worst.Worst);
@@ -125,7 +126,7 @@ TEST_CASE("what a solver leaves open is not proved", "[Cover]")
   CHECK(choice == trial.Start);
 }
 
-TEST_CASE("swaps never make a plan worse, and end where none helps", "[Cover]")
+TEST_CASE("CoverQuality: swaps never worsen a plan, and end at a local optimum", "[Cover]")
 {
   for (unsigned int seed = 0; seed < 60; ++seed)
   {
@@ -151,7 +152,7 @@ TEST_CASE("swaps never make a plan worse, and end where none helps", "[Cover]")
   }
 }
 
-TEST_CASE("angles are from the normal, either side, and equal ones are equal", "[Cover]")
+TEST_CASE("CoverQuality: angles are from the normal, on either side, and ties are exact", "[Cover]")
 {
   const helios::Incidence incidence({ { 0.0, 0.0, 0.0 } },
     { { 1.0, 0.0, 0.0 }, { 1.0, 1.0, 0.0 }, { 0.1, 0.1, 0.0 }, { 0.0, 0.0, 3.0 },

@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> MakeWalls(const helios::FloorPlan& plan)
 
 } // namespace
 
-TEST_CASE("rays between walls see what lines in the plan see", "[FloorPlanViews]")
+TEST_CASE("FloorPlanViews: rays between walls agree with lines in the plan", "[FloorPlanViews]")
 {
   int sum = 0;
   for (const helios::FloorPlan& plan : helios::MakeFloorPlans())

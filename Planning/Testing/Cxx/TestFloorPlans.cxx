@@ -58,7 +58,7 @@ std::vector<int> GetCurve(Planner* planner)
 
 } // namespace
 
-TEST_CASE("the plan scenes are the benchmark's", "[FloorPlans]")
+TEST_CASE("FloorPlans: scenes equal those of the benchmark", "[FloorPlans]")
 {
   for (const helios::FloorPlan& scene : GetScenes())
   {
@@ -81,7 +81,8 @@ TEST_CASE("the plan scenes are the benchmark's", "[FloorPlans]")
   }
 }
 
-TEST_CASE("the paper's orders and greedy give the table", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE(
+  "FloorPlans: the paper's orders and greedy reproduce the table", "[vtkHeliosScanPositionPlanner]")
 {
   for (const helios::FloorPlan& scene : GetScenes())
   {
@@ -95,7 +96,7 @@ TEST_CASE("the paper's orders and greedy give the table", "[vtkHeliosScanPositio
   }
 }
 
-TEST_CASE("every method tells the linear bound", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("FloorPlans: every method reports the linear bound", "[vtkHeliosScanPositionPlanner]")
 {
   for (const helios::FloorPlan& scene : GetScenes())
   {
@@ -113,7 +114,7 @@ TEST_CASE("every method tells the linear bound", "[vtkHeliosScanPositionPlanner]
   }
 }
 
-TEST_CASE("Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("FloorPlans: Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPlanner]")
 {
   vtkIdType total = 0;
   int optimum = 0;
@@ -129,7 +130,7 @@ TEST_CASE("Best is within 4 % of the optima in total", "[vtkHeliosScanPositionPl
   CHECK(total <= 31);
 }
 
-TEST_CASE("Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("FloorPlans: Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
 {
   for (const helios::FloorPlan& scene : GetScenes())
   {
@@ -153,7 +154,8 @@ TEST_CASE("Optimal proves every optimum", "[vtkHeliosScanPositionPlanner]")
   }
 }
 
-TEST_CASE("of one scan the best is known by trying all", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE(
+  "FloorPlans: a single scan agrees with exhaustive search", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::FloorPlan& scene = GetScenes()[1];
   double worst = 90.0;
@@ -195,7 +197,8 @@ TEST_CASE("of one scan the best is known by trying all", "[vtkHeliosScanPosition
   CHECK(planner->GetIsMeanProvedOptimal());
 }
 
-TEST_CASE("coverage-limited reduction follows the known curves", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("FloorPlans: coverage-limited reduction reproduces the known curves",
+  "[vtkHeliosScanPositionPlanner]")
 {
   // Test points covered by this many scans, the fewest scans first.
   const std::vector<std::pair<int, std::vector<int>>> curves = {
@@ -229,7 +232,7 @@ TEST_CASE("coverage-limited reduction follows the known curves", "[vtkHeliosScan
   }
 }
 
-TEST_CASE("the selected positions are in the order of greedy", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("FloorPlans: selected positions are in greedy order", "[vtkHeliosScanPositionPlanner]")
 {
   const std::vector<std::pair<int, std::vector<int>>> curves = {
     { 4, { 501, 614, 641, 642 } },
@@ -244,7 +247,7 @@ TEST_CASE("the selected positions are in the order of greedy", "[vtkHeliosScanPo
   }
 }
 
-TEST_CASE("95 % of the blocks take 5 scans by reduction or greedy, and no more by Best",
+TEST_CASE("FloorPlans: 95 % of the blocks take 5 scans by reduction or greedy, and no more by Best",
   "[vtkHeliosScanPositionPlanner]")
 {
   for (const int method : { Planner::VIEWSHED_SIZE, Planner::GREEDY, Planner::BEST })

@@ -110,7 +110,8 @@ using Planner = vtkHeliosScanPositionPlanner;
 
 } // namespace
 
-TEST_CASE("the pyramid: smallest viewsheds first leaves three, one on top", "[PyramidPlan]")
+TEST_CASE(
+  "PyramidPlan: smallest viewsheds first leaves three positions, one on top", "[PyramidPlan]")
 {
   Experiment experiment;
   experiment.Viewsheds->SetBothSides(GENERATE(false, true));
@@ -132,7 +133,7 @@ TEST_CASE("the pyramid: smallest viewsheds first leaves three, one on top", "[Py
   CHECK(experiment.Planner->GetNumberCovered() == 347);
 }
 
-TEST_CASE("the pyramid: smallest incidence first leaves two opposite corners", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: smallest incidence first leaves two opposite corners", "[PyramidPlan]")
 {
   Experiment experiment;
   experiment.Viewsheds->SetBothSides(GENERATE(false, true));
@@ -145,7 +146,7 @@ TEST_CASE("the pyramid: smallest incidence first leaves two opposite corners", "
   CHECK(experiment.Planner->GetMeanBestIncidenceAngle() == Approx(78.23).margin(0.5));
 }
 
-TEST_CASE("the pyramid: greedy takes three, the best is two", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: greedy needs three positions, the optimum two", "[PyramidPlan]")
 {
   Experiment experiment;
   experiment.Planner->SetMinimumCoverage(100.0);
@@ -159,7 +160,7 @@ TEST_CASE("the pyramid: greedy takes three, the best is two", "[PyramidPlan]")
   CHECK(experiment.Planner->GetLowerBound() <= 2.0 + 1e-9);
 }
 
-TEST_CASE("the pyramid: the optimum is proved, in every order of wishes", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: the optimum is proved for every order of criteria", "[PyramidPlan]")
 {
   if (!Planner::HasOptimal())
   {
@@ -176,7 +177,7 @@ TEST_CASE("the pyramid: the optimum is proved, in every order of wishes", "[Pyra
   CHECK(experiment.Planner->GetMeanBestIncidenceAngle() == Approx(73.60).margin(0.5));
 }
 
-TEST_CASE("the pyramid with points from the side, and on a finer grid", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: points from the side, and a finer grid", "[PyramidPlan]")
 {
   SECTION("horizontal lines")
   {
@@ -209,7 +210,7 @@ TEST_CASE("the pyramid with points from the side, and on a finer grid", "[Pyrami
   }
 }
 
-TEST_CASE("the pyramid's outcome does not hang on details", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: the result does not depend on details", "[PyramidPlan]")
 {
   const double tolerance = GENERATE(0.02, 0.05, 0.1);
   const double step = GENERATE(0.5, 1.0);
@@ -227,7 +228,8 @@ TEST_CASE("the pyramid's outcome does not hang on details", "[PyramidPlan]")
   CHECK(Experiment::CountOnTop(byAngle) == 0);
 }
 
-TEST_CASE("the pyramid's outcome does not hang on who leaves first of equals", "[PyramidPlan]")
+TEST_CASE(
+  "PyramidPlan: the result does not depend on the order of equal candidates", "[PyramidPlan]")
 {
   Experiment experiment;
   experiment.Viewsheds->Update();
@@ -268,7 +270,7 @@ TEST_CASE("the pyramid's outcome does not hang on who leaves first of equals", "
   CHECK(AreOppositeCorners(byAngle, 10.0));
 }
 
-TEST_CASE("pyramids of other sizes", "[PyramidPlan]")
+TEST_CASE("PyramidPlan: pyramids of other sizes", "[PyramidPlan]")
 {
   SECTION("3 m wide, 3 and 3.75 m high, scanner at 1 m")
   {

@@ -72,7 +72,8 @@ vtkSmartPointer<vtkPolyData> MakeOutline(
 
 } // namespace
 
-TEST_CASE("candidates stand on a grid half a step inside the scene", "[ScanPositionCandidates]")
+TEST_CASE("ScanPositionCandidates: the grid begins half a step inside the scene",
+  "[ScanPositionCandidates]")
 {
   Candidates candidates(MakeFloor(5.25, 3.0));
   vtkPolyData* output = candidates.Update();
@@ -98,7 +99,7 @@ TEST_CASE("candidates stand on a grid half a step inside the scene", "[ScanPosit
     CHECK(output->GetPoint(5)[1] == 1.5);
     CHECK(output->GetPoint(5)[2] == 5.0);
   }
-  SECTION("a step larger than the scene gives one place in the middle")
+  SECTION("a step larger than the scene gives one position at its centre")
   {
     candidates.Filter->SetStep(50.0);
     output = candidates.Update();
@@ -112,7 +113,8 @@ TEST_CASE("candidates stand on a grid half a step inside the scene", "[ScanPosit
   }
 }
 
-TEST_CASE("candidates keep the coordinate system of the scene", "[ScanPositionCandidates]")
+TEST_CASE(
+  "ScanPositionCandidates: keep the coordinate system of the scene", "[ScanPositionCandidates]")
 {
   auto scene = MakeFloor(5.0, 0.0);
   helios::SetCRS(scene, "EPSG:32632");
@@ -120,7 +122,8 @@ TEST_CASE("candidates keep the coordinate system of the scene", "[ScanPositionCa
   CHECK(helios::GetCRS(candidates.Update()) == "EPSG:32632");
 }
 
-TEST_CASE("a surface as steep as the limit is one to stand on", "[ScanPositionCandidates]")
+TEST_CASE(
+  "ScanPositionCandidates: a slope equal to the limit is accepted", "[ScanPositionCandidates]")
 {
   const double rise = std::tan(M_PI / 6.0); // 30 degrees
   Candidates candidates(helios::MakeTriangles(
@@ -138,18 +141,21 @@ TEST_CASE("a surface as steep as the limit is one to stand on", "[ScanPositionCa
   candidates.Filter->SetMaximumSlope(29.9);
   CHECK(
     candidates.Fails("No candidate is left of 100 places: 0 have no surface below, at 0 the "
-                     "highest surface is not ground, 100 are steeper than MaximumSlope (29.9 deg), "
-                     "0 lie in excluded areas; allow a larger slope, or make the steps smaller."));
+                     "highest surface is not ground, 100 are steeper than the maximum slope (29.9 "
+                     "deg), 0 lie in excluded areas; allow a larger slope, or make the grid "
+                     "finer."));
 }
 
-TEST_CASE("the pyramid's steep sides are no places to stand", "[ScanPositionCandidates]")
+TEST_CASE(
+  "ScanPositionCandidates: the steep sides of the pyramid are excluded", "[ScanPositionCandidates]")
 {
   Candidates candidates(helios::MakePyramidScene());
   candidates.Filter->SetMaximumSlope(30.0);
   CHECK(candidates.Update()->GetNumberOfPoints() == 425); // of 441
 }
 
-TEST_CASE("candidates stand on the ground where there is one", "[ScanPositionCandidates]")
+TEST_CASE(
+  "ScanPositionCandidates: lie on ground materials if there are any", "[ScanPositionCandidates]")
 {
   Candidates marked(MakeCarport(true));
   CHECK(marked.Update()->GetNumberOfPoints() == 100);
@@ -162,20 +168,19 @@ TEST_CASE("candidates stand on the ground where there is one", "[ScanPositionCan
   CHECK(marked.Update()->GetNumberOfPoints() == 96);
   CHECK(CountAbove(marked.Update(), 2.0) == 0);
   marked.Filter->SetRegion(-1.0, 1.0, -1.0, 1.0);
-  CHECK(
-    marked.Fails("at 4 the highest surface is not ground, 0 are steeper than MaximumSlope (15 "
-                 "deg), 0 lie in excluded areas; use ground below other surfaces, too (GROUND)."));
+  CHECK(marked.Fails("at 4 the highest surface is not ground, 0 are steeper than the maximum slope "
+                     "(15 deg), 0 lie in excluded areas; use ground below other surfaces, too."));
 
   Candidates unmarked(MakeCarport(false));
   CHECK(CountAbove(unmarked.Update(), 2.0) == 4);
   unmarked.Filter->SetSurfaceToGround();
-  CHECK(unmarked.Fails(
-    "Surface is set to ground, but no material of the scene is ground (Material.IsGround, "
-    "helios_isGround); mark the ground, or use the highest surface."));
+  CHECK(unmarked.Fails("Candidates are to be on the ground, but no material of the scene is ground "
+                       "(Material.IsGround, "
+                       "helios_isGround); mark the ground, or use the highest surface."));
 }
 
-TEST_CASE(
-  "no candidate is inside of something closed, where there are others", "[ScanPositionCandidates]")
+TEST_CASE("ScanPositionCandidates: positions inside closed objects are dropped if there are others",
+  "[ScanPositionCandidates]")
 {
   // A box without floor, 2 m x 2 m and 5 m high, on ground of 10 m x 10 m, and alone.
   const std::vector<std::array<double, 3>> corners = { { -5, -5, 0 }, { 5, -5, 0 }, { 5, 5, 0 },
@@ -216,7 +221,7 @@ TEST_CASE(
   CHECK(candidates.Filter->GetNumberOfEnclosed() == 0);
 }
 
-TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
+TEST_CASE("ScanPositionCandidates: none in an excluded area", "[ScanPositionCandidates]")
 {
   Candidates candidates(MakeFloor(5.0, 0.0)); // positions at -4.5, -3.5 ... 4.5
   const bool isLine = GENERATE(false, true);
@@ -227,7 +232,7 @@ TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
     candidates.Filter->SetInputData(1, outline);
     CHECK(candidates.Update()->GetNumberOfPoints() == 100 - 16);
   }
-  SECTION("a U open to the right: what is in its bay stays")
+  SECTION("a U open to the right: positions in its bay are kept")
   {
     const auto outline = MakeOutline(
       { { -2, -2 }, { 2, -2 }, { 2, -1 }, { -1, -1 }, { -1, 1 }, { 2, 1 }, { 2, 2 }, { -2, 2 } },
@@ -243,7 +248,7 @@ TEST_CASE("no candidate is in an excluded area", "[ScanPositionCandidates]")
   }
 }
 
-TEST_CASE("what no candidates can be found on is told", "[ScanPositionCandidates]")
+TEST_CASE("ScanPositionCandidates: bad input is an error", "[ScanPositionCandidates]")
 {
   SECTION("an empty scene")
   {
@@ -259,25 +264,27 @@ TEST_CASE("what no candidates can be found on is told", "[ScanPositionCandidates
                               "has a corner that is not finite"));
   }
   Candidates candidates(MakeFloor(5.0, 0.0));
-  SECTION("a region beside the scene")
+  SECTION("a region outside the scene")
   {
     candidates.Filter->SetRegion(20.0, 22.0, 0.0, 2.0);
     CHECK(candidates.Fails("No candidate is left of 4 places: 4 have no surface below, "));
-    CHECK(candidates.Fails("move the Region onto the scene, or make the steps smaller."));
+    CHECK(candidates.Fails("move the region onto the scene, or make the grid finer."));
   }
   SECTION("a region upside down")
   {
     candidates.Filter->SetRegion(2.0, 1.0, 0.0, 2.0);
-    CHECK(candidates.Fails(
-      "Region is x 2 to 1, y 0 to 2; the first of each must not be above the second."));
+    CHECK(candidates.Fails("The region of candidates is x 2 to 1, y 0 to 2; the first of each must "
+                           "not be above the second."));
   }
   SECTION("a grid too fine")
   {
     candidates.Filter->SetStep(1e-5);
     CHECK(candidates.Fails("1e+12 places need "));
-    CHECK(candidates.Fails(" MiB, more than MemoryLimit (2048 MiB); make XStep and YStep larger."));
+    CHECK(
+      candidates.Fails(" MiB, more than the memory limit (2048 MiB); make the grid of candidates "
+                       "coarser."));
   }
-  SECTION("abortion")
+  SECTION("abort")
   {
     helios::AbortAtProgress(candidates.Filter);
     CHECK(candidates.Fails("Aborted; update again for all candidates."));

@@ -142,7 +142,8 @@ helios::BitMatrix MakeExample()
 
 } // namespace
 
-TEST_CASE("a plan comes with columns and numbers", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE(
+  "ScanPositionPlanner: a plan has columns and statistics", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows = MakeExample();
   Site site(rows.View());
@@ -191,7 +192,8 @@ TEST_CASE("a plan comes with columns and numbers", "[vtkHeliosScanPositionPlanne
     site.Filter->GetMeanBestIncidenceAngle());
 }
 
-TEST_CASE("angles given are taken, and orders turn round", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: given angles are used, and orders can be reversed",
+  "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows = MakeExample();
   Site site(rows.View());
@@ -211,7 +213,8 @@ TEST_CASE("angles given are taken, and orders turn round", "[vtkHeliosScanPositi
 }
 
 TEST_CASE(
-  "of as few scans, Best takes the best worst and mean incidence", "[vtkHeliosScanPositionPlanner]")
+  "ScanPositionPlanner: Best minimises worst, then mean incidence for the same number of scans",
+  "[vtkHeliosScanPositionPlanner]")
 {
   for (unsigned int seed = 0; seed < 40; ++seed)
   {
@@ -257,7 +260,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("coverage may be less, of all or of what can be seen", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: coverage may be limited, of all or of coverable points",
+  "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows = MakeExample();
   Site site(rows.View());
@@ -279,11 +283,12 @@ TEST_CASE("coverage may be less, of all or of what can be seen", "[vtkHeliosScan
     }
   }
   site.Filter->SetMinimumCoverage(100.0);
-  CHECK(site.Fails("MinimumCoverage 100 % of all cannot be reached: all candidates together see "
-                   "85.7143 %; lower it, add candidates, or set CoverageOf to Coverable"));
+  CHECK(site.Fails("the minimum coverage of 100 % of all test points cannot be reached: all "
+                   "candidates together see 85.7143 %; lower it, add candidates, or require a "
+                   "share of the coverable ones only"));
 }
 
-TEST_CASE("areas weigh", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: UseAreas weights test points", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows = MakeRows(4, { { 0, 1, 2 }, { 3 } });
   Site site(rows.View());
@@ -302,8 +307,8 @@ TEST_CASE("areas weigh", "[vtkHeliosScanPositionPlanner]")
   CHECK(site.Fails("UseAreas is on, but the test points have no point array Area"));
 }
 
-TEST_CASE(
-  "scans that overlap are connected by as few as it takes", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: required overlap connects the scans with few additions",
+  "[vtkHeliosScanPositionPlanner]")
 {
   for (unsigned int seed = 0; seed < 60; ++seed)
   {
@@ -317,7 +322,7 @@ TEST_CASE(
       [&](const Choice& choice) { return cover.IsEnough(choice) && network.IsConnected(choice); });
     if (optima.empty())
     {
-      CHECK(site.Fails("no set of candidates that are connected with MinimumOverlap"));
+      CHECK(site.Fails("no set of candidates connected by the minimum overlap of "));
       continue;
     }
     for (int method = Planner::VIEWSHED_SIZE; method <= Planner::OPTIMAL; ++method)
@@ -339,8 +344,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-  "an overlap counts shared points of the smaller viewshed", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: overlap is the share of the smaller viewshed",
+  "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows =
     MakeRows(12, { { 0, 1, 2, 3 }, { 3, 4, 5, 6, 7, 8 }, { 8, 9 }, { 2, 3, 4, 5 } });
@@ -353,11 +358,12 @@ TEST_CASE(
   site.Filter->SetMinimumOverlap(0.5);
   CHECK(site.GetSelected() == Choice{ 0, 1, 2, 3 });
   site.Filter->SetMinimumOverlap(0.51);
-  CHECK(site.Fails("no set of candidates that are connected with MinimumOverlap 0.51 sees enough; "
-                   "lower it or MinimumCoverage, or add candidates in between"));
+  CHECK(
+    site.Fails("no set of candidates connected by the minimum overlap of 51 % sees enough; lower "
+               "the overlap or the coverage, or add candidates in between"));
 }
 
-TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: bad input is an error", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::BitMatrix rows = MakeExample();
   Site site(rows.View());
@@ -378,7 +384,7 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
     site.Candidates->GetPointData()->RemoveArray(names::Visibility);
     CHECK(site.Fails("the candidates have no point array Visibility"));
   }
-  SECTION("nothing seen")
+  SECTION("no test point is visible")
   {
     site.Candidates->GetPointData()->GetArray(names::Visibility)->Fill(0.0);
     CHECK(site.Fails("no candidate sees any test point; widen the limits"));
@@ -406,11 +412,12 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
     site.Filter->SetMethodToOptimal();
     if (!Planner::HasOptimal())
     {
-      CHECK(site.Fails("Method Optimal needs COIN-OR CBC, which this build does not include; build "
-                       "with VTKHELIOS_ENABLE_CBC, or use Best"));
+      CHECK(
+        site.Fails("the method optimal needs COIN-OR CBC, which this build does not include; build "
+                   "with VTKHELIOS_ENABLE_CBC, or use best"));
     }
   }
-  SECTION("abortion")
+  SECTION("abort")
   {
     vtkNew<vtkCallbackCommand> abort;
     abort->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
@@ -420,7 +427,8 @@ TEST_CASE("what cannot be planned is told", "[vtkHeliosScanPositionPlanner]")
   }
 }
 
-TEST_CASE("the number of threads does not matter", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE(
+  "ScanPositionPlanner: independent of the number of threads", "[vtkHeliosScanPositionPlanner]")
 {
   const helios::SmallCover cover(20, 300, 0.25, 3);
   Site site(cover.Rows.View());
@@ -439,7 +447,8 @@ TEST_CASE("the number of threads does not matter", "[vtkHeliosScanPositionPlanne
   vtkSMPTools::Initialize(0);
 }
 
-TEST_CASE("a time limit of nothing leaves the best found", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: a time limit of zero leaves the best plan found",
+  "[vtkHeliosScanPositionPlanner]")
 {
   const helios::SmallCover cover(20, 200, 0.2, 5);
   Site site(cover.Rows.View());
@@ -454,7 +463,8 @@ TEST_CASE("a time limit of nothing leaves the best found", "[vtkHeliosScanPositi
 }
 
 // Too hard to prove within the limit: 400 points, each seen by about 8 of 200 candidates.
-TEST_CASE("a hard proof reports, is aborted, or ends with a gap", "[vtkHeliosScanPositionPlanner]")
+TEST_CASE("ScanPositionPlanner: a hard proof reports progress, is aborted, or ends with a gap",
+  "[vtkHeliosScanPositionPlanner]")
 {
   const helios::SmallCover cover(200, 400, 0.04, 1);
   Site site(cover.Rows.View());

@@ -129,7 +129,7 @@ struct FloorViews
 
 } // namespace
 
-TEST_CASE("the pyramid's viewsheds are those of the closed form", "[Viewsheds]")
+TEST_CASE("Viewsheds: the pyramid agrees with the closed form", "[Viewsheds]")
 {
   PyramidViews views;
   CHECK(views.Update()->GetNumberOfPoints() == 425);
@@ -156,7 +156,7 @@ TEST_CASE("the pyramid's viewsheds are those of the closed form", "[Viewsheds]")
   }
 }
 
-TEST_CASE("pieces of the viewsheds are the whole, whoever casts", "[Viewsheds]")
+TEST_CASE("Viewsheds: pieces equal the whole, with every ray caster", "[Viewsheds]")
 {
   PyramidViews views;
   const auto getBytes = [&views](int piece, int pieces)
@@ -191,7 +191,7 @@ TEST_CASE("pieces of the viewsheds are the whole, whoever casts", "[Viewsheds]")
   CHECK(rows + angles == whole.first);
 }
 
-TEST_CASE("a test point is seen within the limits of an instrument", "[Viewsheds]")
+TEST_CASE("Viewsheds: limits of the instrument", "[Viewsheds]")
 {
   FloorViews views; // at 0, 2, 20 and 90 m, incidence 0, 45, 84.3 and 88.7 degrees
   CHECK(views.See() == "1111");
@@ -230,7 +230,7 @@ TEST_CASE("a test point is seen within the limits of an instrument", "[Viewsheds
     views.Viewsheds->SetMinimumPointDensity(1.00001 * std::sqrt(0.5) / (8.0 * step * step));
     CHECK(views.See() == "1000");
   }
-  SECTION("nothing seen")
+  SECTION("no test point is visible")
   {
     views.Viewsheds->SetMaximumRange(1.0);
     CHECK(views.See() == "0000");
@@ -240,7 +240,7 @@ TEST_CASE("a test point is seen within the limits of an instrument", "[Viewsheds
   }
 }
 
-TEST_CASE("what is just before or behind a test point", "[Viewsheds]")
+TEST_CASE("Viewsheds: surfaces just before and behind a test point", "[Viewsheds]")
 {
   FloorViews views;
   // 30 mm and 70 mm under the floor, 30 mm and 70 mm above it, straight below the instrument.
@@ -254,7 +254,8 @@ TEST_CASE("what is just before or behind a test point", "[Viewsheds]")
   CHECK(views.See() == "1111");
 }
 
-TEST_CASE("a line of sight that hits nothing sees, but not for both sides", "[Viewsheds]")
+TEST_CASE(
+  "Viewsheds: a line of sight without a hit sees the point, but not from both sides", "[Viewsheds]")
 {
   FloorViews views;
   views.Viewsheds->SetInputData(
@@ -264,7 +265,7 @@ TEST_CASE("a line of sight that hits nothing sees, but not for both sides", "[Vi
   CHECK(views.See() == "0000");
 }
 
-TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
+TEST_CASE("Viewsheds: bad input is an error", "[Viewsheds]")
 {
   FloorViews views;
   const auto fails = [&views](const std::string& text)
@@ -297,14 +298,16 @@ TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
   {
     views.Viewsheds->SetInputData(2, MakePoints({ { 0, 0, 1 } }));
     views.Viewsheds->SetMaximumIncidenceAngle(80.0);
-    CHECK(fails("MaximumIncidenceAngle and MinimumPointDensity need normals, and the test points "
-                "have no point array Normal of 3 components; add it, or do not set these limits."));
+    CHECK(fails(
+      "A maximum incidence angle and a minimum point density need normals, and the test "
+      "points have no point array Normal of 3 components; add it, or do not set these limits."));
   }
   SECTION("angular step")
   {
     views.Viewsheds->SetMinimumPointDensity(1.0);
     CHECK(
-      fails("MinimumPointDensity needs the AngularStep of the instrument, which is 0; set it."));
+      fails("A minimum point density needs the angle between neighbouring pulses, and AngularStep "
+            "is 0, unknown or irregular; set it, or give no minimum density."));
   }
   SECTION("ray caster")
   {
@@ -321,8 +324,9 @@ TEST_CASE("what viewsheds cannot be made of is told", "[Viewsheds]")
     }
     views.Viewsheds->SetInputData(1, many);
     views.Viewsheds->SetInputData(2, many);
-    CHECK(fails("3000 candidates' views need 1.076 MiB, more than MemoryLimit (1 MiB); make the "
-                "grids coarser, ask for the matrix in pieces, or allow more."));
+    CHECK(
+      fails("3000 candidates' views need 1.076 MiB, more than the memory limit (1 MiB); make the "
+            "grids coarser, ask for the matrix in pieces, or allow more."));
     views.Viewsheds->UpdatePiece(1, 2, 0); // half of it is allowed
     CHECK(views.Viewsheds->GetOutput()->GetNumberOfPoints() == 1500);
   }

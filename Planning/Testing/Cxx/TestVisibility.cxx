@@ -45,7 +45,7 @@ void SetBit(vtkPolyData* candidates, int candidate, int testPoint)
 
 } // namespace
 
-TEST_CASE("a visibility matrix gives back the bits put in", "[Visibility]")
+TEST_CASE("Visibility: bits are stored and returned", "[Visibility]")
 {
   const auto candidates = MakeCandidates(3, 2);
   const std::vector<int> seen = { 0, 63, 64, 99 };
@@ -66,7 +66,7 @@ TEST_CASE("a visibility matrix gives back the bits put in", "[Visibility]")
   CHECK(visited == seen);
 }
 
-TEST_CASE("a visibility matrix that does not fit is told", "[Visibility]")
+TEST_CASE("Visibility: a matrix of the wrong size is an error", "[Visibility]")
 {
   helios::Visibility matrix;
   const auto candidates = MakeCandidates(2, 2);

@@ -77,7 +77,7 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int count)
 
 } // namespace
 
-TEST_CASE("lines through a box meet all its sides", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: lines through a box hit all its sides", "[VisibilityTestPoints]")
 {
   TestPoints points(MakeBox(5.0, 3.0, 2.0));
   points.Filter->GenerateAreasOn();
@@ -131,7 +131,7 @@ TEST_CASE("lines through a box meet all its sides", "[VisibilityTestPoints]")
   }
 }
 
-TEST_CASE("areas add up to the area of the surface", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: areas add up to that of the surface", "[VisibilityTestPoints]")
 {
   TestPoints points(MakeSphere(300));
   points.Filter->SetStep(0.02);
@@ -141,7 +141,7 @@ TEST_CASE("areas add up to the area of the surface", "[VisibilityTestPoints]")
   CHECK(points.GetArea() == Approx(4.0 * M_PI).epsilon(5e-2));
 }
 
-TEST_CASE("points where lines cross are one", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: points at crossings of lines are merged", "[VisibilityTestPoints]")
 {
   // The planes x = z and y = 0.5: lines of two or three families intersect there at half metres.
   TestPoints points(helios::MakeTriangles(
@@ -154,7 +154,7 @@ TEST_CASE("points where lines cross are one", "[VisibilityTestPoints]")
   CHECK(points.GetArea() == Approx(16.0 * std::sqrt(2.0)).epsilon(1e-12));
 }
 
-TEST_CASE("surfaces just behind each other are two", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: close surfaces give separate points", "[VisibilityTestPoints]")
 {
   auto scene = MakeBox(5.0, 5.0, 0.001);
   TestPoints points(scene);
@@ -167,7 +167,7 @@ TEST_CASE("surfaces just behind each other are two", "[VisibilityTestPoints]")
   CHECK(points.Update()->GetNumberOfPoints() == 100);
 }
 
-TEST_CASE("the pyramid with horizontal lines", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: the pyramid with horizontal lines", "[VisibilityTestPoints]")
 {
   TestPoints points(helios::MakePyramidScene());
   points.Filter->HorizontalOff();
@@ -179,7 +179,8 @@ TEST_CASE("the pyramid with horizontal lines", "[VisibilityTestPoints]")
   CHECK(points.Update()->GetNumberOfPoints() == 128);
 }
 
-TEST_CASE("normals of the scene's own go before those of the corners", "[VisibilityTestPoints]")
+TEST_CASE(
+  "VisibilityTestPoints: cell normals have precedence over winding", "[VisibilityTestPoints]")
 {
   auto scene = MakeFloor(5.0, 0.0);
   vtkNew<vtkDoubleArray> normals;
@@ -200,7 +201,7 @@ TEST_CASE("normals of the scene's own go before those of the corners", "[Visibil
   }
 }
 
-TEST_CASE("the same points for any number of threads", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: independent of the number of threads", "[VisibilityTestPoints]")
 {
   TestPoints points(helios::MakePyramidScene());
   points.Filter->SetStep(0.05);
@@ -222,7 +223,7 @@ TEST_CASE("the same points for any number of threads", "[VisibilityTestPoints]")
   CHECK(isSame);
 }
 
-TEST_CASE("where coordinates are large lines still get through", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: lines pass at large coordinates", "[VisibilityTestPoints]")
 {
   auto scene = MakeBox(5.0, 5.0, 2.0);
   for (vtkIdType i = 0; i < 8; ++i)
@@ -235,7 +236,7 @@ TEST_CASE("where coordinates are large lines still get through", "[VisibilityTes
   CHECK(points.Update()->GetNumberOfPoints() == 200);
 }
 
-TEST_CASE("what has no test points is told", "[VisibilityTestPoints]")
+TEST_CASE("VisibilityTestPoints: bad input is an error", "[VisibilityTestPoints]")
 {
   CHECK(TestPoints(vtkNew<vtkPolyData>())
           .Fails("The scene on port 0 is empty; connect what is to be scanned."));
@@ -244,28 +245,29 @@ TEST_CASE("what has no test points is told", "[VisibilityTestPoints]")
   {
     points.Filter->VerticalOff();
     points.Filter->HorizontalOff();
-    CHECK(
-      points.Fails("Vertical and Horizontal are both off, so there are no lines; switch one on."));
+    CHECK(points.Fails("Vertical and horizontal lines are both off; switch one on."));
   }
-  SECTION("lines that meet nothing")
+  SECTION("lines without a hit")
   {
     points.Filter->VerticalOff();
     points.Filter->SetRegion(-5.0, 5.0, -5.0, 5.0, 1.0, 3.0);
     CHECK(
       points.Fails("No test point: none of 0 vertical and 40 horizontal lines meets a surface in "
-                   "the Region; move it onto the scene, or make the steps smaller."));
+                   "the region; move it onto the scene, or make the grid finer."));
   }
   SECTION("a region upside down")
   {
     points.Filter->SetRegion(-5.0, 5.0, 5.0, -5.0, 1.0, 3.0);
-    CHECK(points.Fails("Region is y 5 to -5; the first must not be above the second."));
+    CHECK(points.Fails(
+      "The region of test points is y 5 to -5; the first must not be above the second."));
   }
   SECTION("a grid too fine")
   {
     points.Filter->SetStep(1e-4);
-    CHECK(points.Fails(" MiB, more than MemoryLimit (2048 MiB); make the steps larger."));
+    CHECK(points.Fails(" MiB, more than the memory limit (2048 MiB); make the grid of test points "
+                       "coarser."));
   }
-  SECTION("abortion")
+  SECTION("abort")
   {
     helios::AbortAtProgress(points.Filter);
     CHECK(points.Fails("Aborted; update again for all test points."));

@@ -99,7 +99,7 @@ double TryAll(const helios::BinaryProgram& program)
 
 } // namespace
 
-TEST_CASE("a triangle takes two columns and half as many more or less", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: a triangle needs two columns, its relaxation 1.5", "[BinaryProgram]")
 {
   helios::BinaryProgram program;
   program.HasWholeCosts = true;
@@ -121,7 +121,7 @@ TEST_CASE("a triangle takes two columns and half as many more or less", "[Binary
   CHECK(answer.Bound == Approx(2.0).margin(1e-5));
 }
 
-TEST_CASE("small programmes have the answers that trying all has", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: small programs agree with exhaustive search", "[BinaryProgram]")
 {
   for (unsigned int seed = 0; seed < 40; ++seed)
   {
@@ -146,7 +146,7 @@ TEST_CASE("small programmes have the answers that trying all has", "[BinaryProgr
   }
 }
 
-TEST_CASE("columns need not be whole", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: relaxed columns are fractional", "[BinaryProgram]")
 {
   helios::BinaryProgram program;
   program.AddColumn(1.0, true);
@@ -160,7 +160,7 @@ TEST_CASE("columns need not be whole", "[BinaryProgram]")
   CHECK(answer.Values[1] == Approx(0.25));
 }
 
-TEST_CASE("what has no solution is proved to have none", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: infeasible programs are proved infeasible", "[BinaryProgram]")
 {
   helios::BinaryProgram program;
   program.AddColumn(1.0, true);
@@ -171,15 +171,15 @@ TEST_CASE("what has no solution is proved to have none", "[BinaryProgram]")
   CHECK(answer.Values.empty());
 }
 
-TEST_CASE("cut short, the start and a bound remain", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: after the time limit the start and a bound remain", "[BinaryProgram]")
 {
   helios::BinaryProgram program = MakeCover(200, 400, 8, 1);
   program.Start.assign(200, 1.0);
-  SECTION("told to stop")
+  SECTION("abort")
   {
     program.Stop = [] { return true; };
   }
-  SECTION("out of time")
+  SECTION("time limit")
   {
     program.TimeLimit = 0.2;
   }
@@ -191,7 +191,7 @@ TEST_CASE("cut short, the start and a bound remain", "[BinaryProgram]")
   CHECK(answer.Bound <= GetCost(program, answer.Values));
 }
 
-TEST_CASE("a linear solve is stopped between its iterations", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: a linear solve stops between its iterations", "[BinaryProgram]")
 {
   helios::BinaryProgram program = MakeCover(400, 1500, 12, 1);
   int calls = 0;
@@ -205,7 +205,7 @@ TEST_CASE("a linear solve is stopped between its iterations", "[BinaryProgram]")
   CHECK(calls == last);
 }
 
-TEST_CASE("wherever a search is stopped, what it says is true", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: results are valid wherever a search is stopped", "[BinaryProgram]")
 {
   for (unsigned int seed = 0; seed < 2; ++seed)
   {
@@ -232,7 +232,7 @@ TEST_CASE("wherever a search is stopped, what it says is true", "[BinaryProgram]
 
 // CBC's own limit is CPU time. With busy threads, 8 per core, a search of 2 s wall time has less
 // CPU time than that, and the less the busier the machine is.
-TEST_CASE("the time limit is that of the clock on the wall", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: the time limit is wall-clock time", "[BinaryProgram]")
 {
   std::atomic<bool> isOver{ false };
   std::vector<std::thread> busy;
@@ -262,7 +262,7 @@ TEST_CASE("the time limit is that of the clock on the wall", "[BinaryProgram]")
   CHECK(time < 0.75 * program.TimeLimit);
 }
 
-TEST_CASE("interrupts go where they went while it runs, too", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: signal handlers are kept during a solve", "[BinaryProgram]")
 {
   const auto own = [](int) {};
   struct sigaction old = {};
@@ -286,7 +286,7 @@ TEST_CASE("interrupts go where they went while it runs, too", "[BinaryProgram]")
   CHECK(elsewhere == 0);
 }
 
-TEST_CASE("nothing is printed, and interrupts go where they went", "[BinaryProgram]")
+TEST_CASE("BinaryProgram: prints nothing and restores signal handlers", "[BinaryProgram]")
 {
   const auto own = [](int) {};
   struct sigaction old = {};
