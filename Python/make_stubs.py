@@ -1,11 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes vtkhelios/__init__.pyi: types of the wrapped classes for editors and type checkers.
+"""Writes the files of the package that follow from C++.
 
     build/venv/bin/python Python/make_stubs.py
 
-Methods come from the signatures of VTK's wrapper, properties and their texts, with units and
-ranges, from the C++ documentation. A test fails when the file is out of date.
+vtkhelios/__init__.pyi: types of the wrapped classes for editors and type checkers. Methods come
+from the signatures of VTK's wrapper, properties and their texts, with units and ranges, from the
+C++ documentation.
+vtkhelios/array_names.py: the constants of the headers of array names; VTK wraps no constant texts.
+
+A test fails when a file is out of date.
 """
 
 import importlib
@@ -17,6 +21,8 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 STUB = ROOT / "Python/vtkhelios/__init__.pyi"
+ARRAY_NAMES = ROOT / "Python/vtkhelios/array_names.py"
+NAME_HEADERS = ("Filters/Core/vtkHeliosArrayNames.h", "Filters/PCL/vtkHeliosPCLArrayNames.h")
 
 HEAD = """\
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
@@ -26,13 +32,25 @@ from pathlib import Path
 from typing import Any, Literal, MutableSequence, Optional, Sequence, Tuple, Union, overload
 
 """
+NAMES_HEAD = """\
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by Python/make_stubs.py from vtkHeliosArrayNames.h and vtkHeliosPCLArrayNames.h; do not edit.
+\"\"\"Names of all arrays that vtkHelios reads or writes.
+
+>>> from vtkhelios.array_names import AMPLITUDE, GPS_TIME
+>>> cloud[GPS_TIME]
+\"\"\"
+"""
 THIN_LAYER = """\
+from . import array_names as array_names
 from ._arrays import arrays as arrays
 from ._compose import Pipeline as Pipeline, select_ports as select_ports
 from ._filter import filter as filter
 from ._pipeline import PipelineError as PipelineError, update as update
-from .by_hand import make_survey as make_survey, scan as scan
+from .scanning import make_survey as make_survey, scan as scan
 from .cloud import Cloud as Cloud, Records as Records
+from .planning import Plan as Plan, plan as plan
 from .scene import Scene as Scene
 from .survey import Survey as Survey, read_survey as read_survey
 
@@ -187,7 +205,37 @@ def make_blocks(package):
     return HEAD + types.imports() + THIN_LAYER, blocks
 
 
+# The comment of a group, a comment of the next name, or a name with its text and comment.
+ENTRY = re.compile(
+    r"/\*\*(?P<group>.*?)\*/|^// (?P<above>[^\n]*)"
+    r'|const char\* (?P<name>\w+) =\s*"(?P<text>[^"]+)";(?: *// (?P<beside>[^\n]*))?',
+    re.S | re.M,
+)
+
+
+def make_array_names(headers=NAME_HEADERS):
+    """The text of array_names.py; without the package, which imports it."""
+    lines, units = [NAMES_HEAD.rstrip("\n")], []
+    for header in headers:
+        body = (ROOT / header).read_text().split("\nnamespace ", 1)[1]
+        for entry in ENTRY.finditer(body):
+            if entry["name"]:
+                name = re.sub("(?<=[a-z])(?=[A-Z])", "_", entry["name"]).upper()
+                beside = entry["beside"] or ""
+                lines.append(f'{name} = "{entry["text"]}"' + (f"  # {beside}" if beside else ""))
+                if unit := re.match(r"\[([a-zA-Z%][^].]*)\]", beside):
+                    units.append(f'    {name}: "{unit[1]}",')
+            elif entry["above"]:
+                lines.append(f"# {entry['above']}")
+            else:
+                text = " ".join(entry["group"].replace("\n *", " ").split())
+                lines += ["", *(f"# {line}" for line in textwrap.wrap(text, 96))]
+    lines += ["", "# Units of the arrays that have one.", "UNITS = {", *units, "}"]
+    return "\n".join(lines) + "\n"
+
+
 def main():
+    ARRAY_NAMES.write_text(make_array_names())
     import vtkhelios
 
     head, blocks = make_blocks(vtkhelios)

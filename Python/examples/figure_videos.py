@@ -5,7 +5,7 @@
     build/venv/bin/python Python/examples/figure_videos.py OUT [SECONDS]
 
 A multicopter, an aeroplane, a tripod and a car scan the village; the viewer records each for
-SECONDS (default: 8) with a suitable camera, and a still of the end. OUT gets village_*.ogv and
+SECONDS (default: 8) with a suitable camera, and a still of the end. Output: OUT/village_*.ogv and
 village_*.png. Without a display it uses its own (xvfb-run).
 """
 

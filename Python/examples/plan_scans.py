@@ -97,7 +97,7 @@ def run_survey(folder):
     player.SetSurvey(reader.GetSurvey())
     player.SetOutputDirectory(str(folder))
     player.SetFormat("vtp")
-    player.SetNoise(False)
+    player.GetOptions().SetNoise(False)
     if not player.Run():
         raise RuntimeError(player.GetMessage())
     for leg in range(player.GetNumberOfLegs()):

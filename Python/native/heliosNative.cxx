@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Python module vtkhelios._native: functions that Python cannot provide.
 
+#include "heliosInput.h"
 #include "heliosObserve.h"
 #include "heliosRun.h"
 #include "heliosSignals.h"
@@ -18,6 +19,7 @@ PyMethodDef Methods[] = {
   { "trajectory", heliosGetTrajectory, METH_VARARGS, "trajectory(source, leg, interval)" },
   { "end_at_second", heliosEndAtSecond, METH_VARARGS, "end_at_second(signals)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
+  { "check_input_file", heliosCheckInputFile, METH_VARARGS, "check_input_file(path): a text" },
   { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },
   { nullptr, nullptr, 0, nullptr },
 };

@@ -119,7 +119,7 @@ public:
   {
     if (event == vtkCommand::ErrorEvent)
     {
-      this->TakeException();
+      this->StoreException();
       return;
     }
     if (this->IsStopping)
@@ -153,7 +153,7 @@ private:
   ~Watch() override { Py_DECREF(this->Raised); }
 
   /// A vtkPythonAlgorithm reports an error before it prints and clears the exception.
-  void TakeException()
+  void StoreException()
   {
     const vtkPythonScopeGilEnsurer lock(true);
     PyObject* type;

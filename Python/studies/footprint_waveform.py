@@ -409,7 +409,7 @@ def draw_slopes(slopes, path, height=1000, slope=40):
     amplitude.loglog(slopes["q"][few], slopes["amplitude"][few], ".", ms=5, label="all strips")
     amplitude.loglog(q, 1 / np.sqrt(1 + cut_share() * q**2), "k", lw=1, label="theory")
     amplitude.set(xlim=(0.05, 6), ylim=(0.15, 1.15), xlabel="q = R w tan θ / (c σ)")
-    amplitude.set(yticks=(0.2, 0.3, 0.5, 0.7, 1), ylabel="amplitude / not widened")
+    amplitude.set(yticks=(0.2, 0.3, 0.5, 0.7, 1), ylabel="amplitude / amplitude at q = 0")
     amplitude.yaxis.set_major_formatter("{x:g}")
     amplitude.yaxis.set_minor_formatter("")
     amplitude.xaxis.set_major_formatter("{x:g}")
@@ -434,15 +434,15 @@ def draw_ground_and_steps(roughness, limits, steps, path):
     figure, (rough, limit, found) = _study.make_figure(3)
     w = np.geomspace(0.06, 2.5, 100)
     x = cut_share() * w**2
-    rough.semilogx(w, x / (1 + x), "k", lw=1, label="law")
+    rough.semilogx(w, x / (1 + x), "k", lw=1, label="theory")
     for deviation in sorted({row["deviation"] for row in roughness}):
         rows = [row for row in roughness if row["deviation"] == deviation]
         rough.plot(
             [row["w"] for row in rows], [row["fit"] for row in rows], "o", ms=5, mfc="none",
-            label=f"bumps of {100 * deviation:g} cm",
+            label=f"σ_h = {100 * deviation:g} cm",
         )  # fmt: skip
     rough.xaxis.set_major_formatter("{x:g}")
-    rough.set(xlabel="footprint radius w / length of bumps", ylim=(0, 1))
+    rough.set(xlabel="footprint radius w / correlation length L", ylim=(0, 1))
     rough.set(ylabel="widening / (2 σ_h / c)²")
     rough.set_title("rough ground: variance added to echoes", fontsize=10)
     rough.legend(fontsize=8)
@@ -457,8 +457,8 @@ def draw_ground_and_steps(roughness, limits, steps, path):
         rows = [row for row in limits if row["cut"] == cut and row["offset"] == 0]
         where = [row["slope"] for row in rows]
         limit.plot(where, [row["found"] for row in rows], "o", ms=5, mfc="none", color=colour)
-    limit.set(xlabel="slope [deg]", ylabel="least step with two echoes [m]", ylim=(0, None))
-    limit.set_title("a step up a slope, footprint w = 0.5 m", fontsize=10)
+    limit.set(xlabel="slope [deg]", ylabel="smallest step with two echoes [m]", ylim=(0, None))
+    limit.set_title("step on a slope, footprint w = 0.5 m", fontsize=10)
     limit.legend(title="circles: simulated; lines: theory", fontsize=8, title_fontsize=8)
 
     for name, look in (("gaussian", "x"), ("peak", ".")):

@@ -343,12 +343,12 @@ def draw_box(rows, path):
         capsize=3,
     )
     left.set(xlabel="box (seed)", ylabel="derived / true leaf area", ylim=(0.95, 1.05))
-    left.set_title("Lines, and one sigma by theory")
+    left.set_title("Single rays; bars: one sigma by theory")
     away = np.linspace(0, max(row["distance"] for row in rows), 50)
     looks = {
         "beam": ("first echoes", "C3", f"widened by {FIRST_RADIUS} w (fitted)", FIRST_RADIUS),
         "beam, strong": ("strong echoes", "C1", "predicted, without fit", strong_radius()),
-        "line": ("lines", "C0", None, None),
+        "line": ("single rays", "C0", None, None),
     }
     for kind, (label, colour, theory, radius) in looks.items():
         found = [row for row in rows if row["kind"] == kind and row["seed"] == 0]
@@ -366,7 +366,11 @@ def draw_box(rows, path):
 def draw_tree(numbers, path):
     figure, axes = _study.make_figure(2, 2)
     draw_places(axes[0], numbers["places"])
-    for kind, label in (("first", "first echoes"), ("strong", "strong echoes"), ("line", "lines")):
+    for kind, label in (
+        ("first", "first echoes"),
+        ("strong", "strong echoes"),
+        ("line", "single rays"),
+    ):
         colour = {"first": "C3", "strong": "C1", "line": "C0"}[kind]
         values = [(row["distance"], row[kind]) for row in numbers["beam"]]
         axes[1].plot(*zip(*values), "o-", color=colour, label=label)
@@ -390,7 +394,7 @@ def draw_places(axes, rows):
         found = [row for row in rows if row["height"] == height]
         values = ([row[name] for row in found] for name in ("distance", "error", "deviation"))
         axes.errorbar(*values, fmt="o-", capsize=3, label=f"scanner at {height:g} m")
-    axes.set(title="One scan, lines, voxels of 0.5 m", xlabel="distance [m]", xscale="log")
+    axes.set(title="One scan, single rays, voxels of 0.5 m", xlabel="distance [m]", xscale="log")
     ticks = sorted({row["distance"] for row in rows})
     axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()

@@ -23,7 +23,7 @@ from _pebble_bed import PebbleBed  # noqa: E402
 from footprint_waveform import CUT, energy_beyond, full_power  # noqa: E402
 
 RANGE_NOISE = 0.002  # m
-WEAK_NOISE = 0.0005  # m, of a vertical surface at 3 m; grows as echoes get weaker
+WEAK_NOISE = 0.0005  # m, of a surface perpendicular to the beam at 3 m; grows as echoes get weaker
 THRESHOLD = 1e-9  # W, detection limit
 DIRECTION_NOISE = 1e-4  # rad, on each of two axes
 BEAM = 2e-3 / 3  # rad, half the divergence: w = 2 mm at 3 m
@@ -47,7 +47,7 @@ class View:
     def __init__(self, bed, level=4):
         self.bed, self.level = bed, level
         self.scene = bed.make_scene(level)
-        self.caster = vtkhelios.vtkHeliosRayCaster.Create("")  # keeps its tree between scans
+        self.caster = vtkhelios.vtkHeliosRayCasterFactory.Create("")  # keeps its tree between scans
 
     def scan(self, step, w=0.0, azimuth=180.0, sub_rays=256, hits=False, **instrument):
         """Scans the bed from an azimuth [deg] in steps of an angle [rad]; optional sub-ray hits."""
@@ -416,8 +416,10 @@ def draw_errors(results, path):
     mixed.plot(size, [100 * row["mixed"] for row in rows], "o", ms=5, label="mixed echoes")
     fine = np.linspace(0, size.max(), 50)
     expected = 2 * strip_width() * fine / 6000 * results["edge_density"]
-    mixed.plot(fine, 100 * expected, "C0--", lw=1, label="strips along edges")
-    mixed.plot(fine, 100 * (1 - np.exp(-expected)), "C0", lw=1, label="strips that overlap")
+    mixed.plot(fine, 100 * expected, "C0--", lw=1, label="strips along edges, added")
+    mixed.plot(
+        fine, 100 * (1 - np.exp(-expected)), "C0", lw=1, label="strips along edges, overlapping"
+    )
     mixed.set(xlabel="footprint at 3 m [mm]", ylabel="fraction of echoes [%]", ylim=(0, None))
     mixed.set_title("echoes from two pebbles", fontsize=10)
     mixed.legend(fontsize=8)

@@ -265,7 +265,7 @@ def lost_at_random(villages, density):
 
 LABELS = {
     "density": "density [1/m2]",
-    "noise": "noise of ranges [m]",
+    "noise": "range noise [m]",
     "height": "flying height [m]",
     "tilt": "error of the normal, RMS [deg]",
     "offset": "error of the offset, RMS [mm]",
@@ -295,7 +295,7 @@ def draw_errors(axes, rows, name, what):
     for kind, label, colour in (("found", "found", "C3"), ("inner", "true echoes, no edges", "C0")):
         axes.plot(values, [row[f"{what}_{kind}"] for row in rows], "o", color=colour, label=label)
         theory = [row[f"{what}_{kind}_theory"] for row in rows]
-        axes.plot(values, theory, color=colour, lw=1, label="theory for these")
+        axes.plot(values, theory, color=colour, lw=1, label="theory")
     axes.set(xlabel=LABELS[name], ylabel=LABELS[what])
     set_logarithmic(axes, values)
     axes.legend(fontsize="small")
@@ -348,7 +348,7 @@ def draw_map(path, density=4.0):
     for polygon in village.polygons:
         axes.plot(*np.append(polygon, polygon[:1], axis=0)[:, :2].T, color="black", lw=0.6)
     axes.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
-    axes.set_title(f"Planes found, {density:g} points/m2, from 1000 m")
+    axes.set_title(f"Detected planes, {density:g} points/m2, from 1000 m")
     _study.save_figure(figure, path)
 
 

@@ -85,7 +85,7 @@ def test_version(command_line):
     assert (done.returncode, done.stdout) == (0, f"vtkhelios {vtkhelios.__version__}\n")
 
 
-def test_help_teaches(command_line):
+def test_help_has_examples(command_line):
     done = command_line("run", "--help")
     assert done.returncode == 0
     for word in (
@@ -132,7 +132,7 @@ def test_output_below_a_plain_file(command_line, make_survey, tmp_path):
     expect_failure(done, "plain")
 
 
-def test_earlier_run_is_kept(command_line, make_survey, tmp_path):
+def test_earlier_run_is_not_overwritten(command_line, make_survey, tmp_path):
     survey, output = make_survey(), tmp_path / "out"
     assert command_line("run", survey, "--output", output).returncode == 0
     cloud = output / "plane/leg000_points.xyz"

@@ -126,7 +126,7 @@ def height(folder):
     return np.median(rows[np.hypot(rows[:, 0], rows[:, 1]) < 20, 2])
 
 
-def test_plays(command_line, make_plays, tmp_path):
+def test_epochs(command_line, make_plays, tmp_path):
     survey, folder = make_plays(), tmp_path / "out/plane"
     arguments = ["run", survey, "--output", tmp_path / "out", "--no-noise"]
     alone = command_line(*arguments, "--play", 2)
@@ -157,7 +157,7 @@ def test_plays(command_line, make_plays, tmp_path):
     assert report["totals"]["points"] == points > 0
 
 
-def test_dry_run_of_plays(command_line, make_plays, tmp_path):
+def test_dry_run_of_epochs(command_line, make_plays, tmp_path):
     arguments = ["run", make_plays(), "--dry-run", "--output", tmp_path / "out"]
     done = command_line(*arguments)
     assert done.returncode == 0, done.stderr
@@ -172,7 +172,7 @@ def test_dry_run_of_plays(command_line, make_plays, tmp_path):
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGINT])
-def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
+def test_interrupted_epochs(number, command_line, make_plays, tmp_path):
     survey = make_plays(speed=8, stop=60)  # 750,000 pulse indices per epoch
     more = ["--pulses-per-block", "2048"]
     folder = tmp_path / "out/plane"
@@ -200,7 +200,7 @@ def test_plays_that_are_broken_off(number, command_line, make_plays, tmp_path):
     assert height(folder / "play002") == pytest.approx(HEIGHTS[2], abs=0.02)  # was started
 
 
-def test_interrupt_between_plays(make_plays, capsys):
+def test_interrupt_between_epochs(make_plays, capsys):
     with Messages() as messages:
         interrupt = types.SimpleNamespace(signal=signal.SIGINT)
         assert run_play(None, None, 2, messages, interrupt, []) == 130
@@ -240,7 +240,7 @@ def test_interrupt_while_the_scene_is_read(number, code, make_survey, tmp_path):
     assert not list((tmp_path / "out").rglob("*points*"))
 
 
-def test_a_file_is_not_read_to_its_end(make_survey, tmp_path):
+def test_reading_stops_before_the_end_of_a_file(make_survey, tmp_path):
     """A run stopped within a file reports nothing about the file."""
     survey = make_survey()
     with open(tmp_path / "plane.obj", "ab") as file:
@@ -278,7 +278,7 @@ with Messages() as messages, Interrupt(Task("deaf"), messages):
 
 @pytest.mark.parametrize("first", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("second", [signal.SIGINT, signal.SIGTERM])
-def test_a_second_signal_ends_it_at_once(first, second):
+def test_a_second_signal_ends_at_once(first, second):
     process = subprocess.Popen([sys.executable, "-c", DEAF], stdout=subprocess.PIPE, text=True,
                                env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})  # fmt: skip
     with process.stdout:

@@ -32,7 +32,7 @@ def address(array):
     return int(array.GetVoidPointer(0).split("_")[1], 16)
 
 
-def test_nothing_is_copied_on_the_way_in_and_out():
+def test_arrays_are_not_copied():
     points, ranges = np.random.default_rng(1).random((7, 3)), np.arange(7.0)
     cloud = Cloud.from_arrays(points, Range=ranges)
     inside = cloud.polydata
@@ -54,7 +54,7 @@ def test_echoes_of_a_scanner_are_not_copied():
     assert cloud.points.ctypes.data == address(scene.GetPoints().GetData())
 
 
-def test_memory_outlives_whoever_made_it():
+def test_memory_outlives_its_source():
     def make():
         return Cloud.from_arrays(np.full((1000, 3), 7.0), Range=np.full(1000, 3.0)).polydata
 
@@ -115,7 +115,7 @@ def test_arrays_are_added(cloud):
         cloud["Rnge"]
 
 
-def test_what_is_no_cloud():
+def test_objects_that_are_not_clouds():
     with pytest.raises(
         TypeError, match="made of a vtkPolyData, not of ndarray; see Cloud.from_arrays"
     ):
@@ -170,14 +170,14 @@ def test_write_text(tmp_path):
     names = ("ReturnNumber", "NumberOfReturns", "PulseIds", "PartIds", "ClassificationIds")
     cloud = Cloud.from_arrays(
         np.array([[1, 2, 3], [4, 5, 6.5]]), Amplitude=zeros, EchoWidth=zeros, GpsTime=zeros,
-        **{name: whole for name in names},
+        **dict.fromkeys(names, whole),
     )  # fmt: skip
     cloud.write(str(tmp_path / "cloud.xyz"))
     rows = np.loadtxt(tmp_path / "cloud.xyz")
     assert rows[:, :3].tolist() == [[1, 2, 3], [4, 5, 6.5]]
 
 
-def test_write_what_cannot_be(cloud, tmp_path):
+def test_write_errors(cloud, tmp_path):
     with pytest.raises(ValueError, match="ends in '.e58'; give one of: .xyz, .las, .vtp"):
         cloud.write(tmp_path / "cloud.e58")
     with pytest.raises(vtkhelios.PipelineError, match="Amplitude"):
@@ -187,7 +187,7 @@ def test_write_what_cannot_be(cloud, tmp_path):
         cloud.write(tmp_path / "file" / "cloud.las")
 
 
-def test_vertices_come_when_they_are_asked_for(cloud):
+def test_vertices_are_added_on_access(cloud):
     assert cloud.data.GetNumberOfCells() == 0
     shown = cloud.polydata
     assert shown is cloud.data is cloud.polydata  # the same, now with vertices
@@ -198,7 +198,7 @@ def test_vertices_come_when_they_are_asked_for(cloud):
     assert Cloud(scene).polydata.GetNumberOfVerts() == 0  # existing cells are kept
 
 
-def test_vertices_are_small_and_live_as_long_as_the_data():
+def test_vertices_are_small_and_kept_with_the_data():
     points = np.zeros((100_000, 3))
     data = Cloud.from_arrays(points).data
     bare = data.GetActualMemorySize()
@@ -209,7 +209,7 @@ def test_vertices_are_small_and_live_as_long_as_the_data():
     assert [data.GetCell(k).GetPointId(0) for k in (0, 1, 99_999)] == [0, 1, 99_999]
 
 
-def test_pipelines_make_no_vertices(cloud):
+def test_pipelines_add_no_vertices(cloud):
     @vtkhelios.filter
     def same(cloud):
         return cloud
@@ -221,7 +221,7 @@ def test_pipelines_make_no_vertices(cloud):
     assert cloud.data.GetNumberOfCells() == 0
 
 
-def test_pyvista_takes_it(cloud):
+def test_pyvista_wraps_it(cloud):
     pyvista = pytest.importorskip("pyvista")
     wrapped = pyvista.wrap(cloud.polydata)
     assert np.shares_memory(wrapped.points, cloud.points)

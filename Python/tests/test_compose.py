@@ -203,7 +203,7 @@ def test_a_function_is_a_source():
     assert (slab >> transform(1))().GetBounds() == (0, 2, 0, 2, 1, 1)
 
 
-def test_one_that_is_written_out():
+def test_python_algorithm_class():
     class Up(VTKPythonAlgorithmBase):
         def __init__(self):
             super().__init__(nInputPorts=1, nOutputPorts=1, outputType="vtkPolyData")
@@ -216,7 +216,7 @@ def test_one_that_is_written_out():
     assert lowest((blocks() >> Up() >> transform(1))()) == pytest.approx(lowest(blocks()()) + 4)
 
 
-def test_what_a_function_raises_is_the_cause():
+def test_exception_of_a_function_is_the_cause():
     with pytest.raises(vtkhelios.PipelineError) as caught:
         (blocks() >> broken >> transform(1))()
     assert str(caught.value).startswith("KeyError: the cloud has no array Rnge; it has: none")

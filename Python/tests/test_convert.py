@@ -115,7 +115,7 @@ def test_every_field_of_every_format(convert, tmp_path, version, form):
     assert [v.record_data_bytes() for v in one.vlrs] == [v.record_data_bytes() for v in two.vlrs]
 
 
-def test_waveforms_go_into_the_file_and_out_again(las, convert, tmp_path):
+def test_waveforms_internal_and_external(las, convert, tmp_path):
     inside = tmp_path / "b.las"
     assert convert(las, inside, "--waveforms", "internal")[0] == 0
     assert not inside.with_suffix(".wdp").exists()
@@ -149,7 +149,7 @@ def turn_vectors(path):
 
 
 @pytest.mark.parametrize("ending", ["las", "laz"])
-def test_waveform_vectors_of_earlier_versions_are_turned(las, convert, tmp_path, ending):
+def test_waveform_vectors_of_earlier_versions_are_reversed(las, convert, tmp_path, ending):
     expected, right = las.read_bytes(), read_waveforms(las)[0]
     turn_vectors(las)
     assert las.read_bytes() != expected
@@ -176,7 +176,7 @@ def test_waveform_vectors_of_earlier_versions_in_laz(las, convert, tmp_path):
     assert (tmp_path / "c.las").read_bytes()[begin:] == expected[begin:]
 
 
-def test_waveforms_inside_by_laspy(las, convert, tmp_path):
+def test_internal_waveforms_by_laspy(las, convert, tmp_path):
     """A packet found and decoded by laspy alone."""
     laspy = pytest.importorskip("laspy")
     convert(las, tmp_path / "b.laz", "--waveforms", "internal")
@@ -202,7 +202,7 @@ def test_waveforms_inside_by_laspy(las, convert, tmp_path):
         assert np.abs(offset + gain * numbers[:size] - expected).max() <= gain
 
 
-def test_waveforms_detected_anew_are_the_same_echoes(las, convert, tmp_path):
+def test_echo_detection_on_converted_waveforms(las, convert, tmp_path):
     echoes = []
     for path in (las, tmp_path / "b.las"):
         if path != las:
@@ -220,7 +220,7 @@ def test_waveforms_detected_anew_are_the_same_echoes(las, convert, tmp_path):
         assert np.array_equal(values, echoes[1][name]), name
 
 
-def test_two_files_in_one_with_their_waveforms(small_runs, convert, tmp_path):
+def test_merged_files_keep_their_waveforms(small_runs, convert, tmp_path):
     pytest.importorskip("lazrs")
     code, out, _ = convert(small_runs["las"], tmp_path / "all.las")
     assert code == 0 and "lost" not in out
@@ -235,7 +235,7 @@ def test_two_files_in_one_with_their_waveforms(small_runs, convert, tmp_path):
     assert np.array_equal(waves["Samples"], np.concatenate([one["Samples"] for one in each]))
 
 
-def test_files_of_other_forms_in_one(las, convert, tmp_path):
+def test_merged_files_of_different_forms(las, convert, tmp_path):
     """Data that cannot be copied go through arrays, with a message."""
     cloud = read(las)
     with formats.open_reader(las) as reader:
@@ -353,14 +353,14 @@ def test_strips(small_runs, convert, tmp_path, kind):
     assert np.allclose(read(tmp_path / "a.ply")["points"][:100], expected["points"][:100])
 
 
-def test_a_file_a_leg(small_runs, convert, tmp_path):
+def test_one_file_per_leg(small_runs, convert, tmp_path):
     assert convert(small_runs["xyz"], tmp_path / "legs", "--format", "las")[0] == 0
     names = sorted(path.name for path in (tmp_path / "legs").iterdir())
     assert names == ["leg000_points.las", "leg001_points.las"]
     assert set(read(tmp_path / "legs" / names[1])["LegIds"]) == {1}
 
 
-def test_a_scan_a_setup(small_runs, convert, tmp_path):
+def test_one_scan_per_setup(small_runs, convert, tmp_path):
     """E57: poses from the trajectories, a grid and invalid points from the pulses."""
     pye57 = pytest.importorskip("pye57")
     for kind in ("vtp", "xyz"):
@@ -399,7 +399,7 @@ def check_scan(file, leg, told, folder):
     assert np.allclose(xyz, read(folder / name)["points"], rtol=0, atol=1e-6)
 
 
-def test_what_is_lost_is_said(small_runs, convert, tmp_path):
+def test_lost_fields_are_reported(small_runs, convert, tmp_path):
     _, out, _ = convert(small_runs["vtp"], tmp_path / "a.xyz")
     lost = [line for line in out.splitlines() if line.startswith("dropped")]
     assert "Range, " in lost[0] and "text has no column for it" in lost[0]
@@ -495,13 +495,13 @@ def test_errors(las, convert, tmp_path, monkeypatch, arguments, message):
     assert sorted(tmp_path.rglob("*")) == before  # no files are left
 
 
-def test_packets_that_are_missing(las, convert, tmp_path):
+def test_missing_packets(las, convert, tmp_path):
     las.with_suffix(".wdp").unlink()
     code, _, err = convert(las, tmp_path / "b.laz")
     assert code == 1 and "a.wdp, which is missing; keep the two files together" in err
 
 
-def test_laz_that_is_cut_off(las, convert, tmp_path, monkeypatch):
+def test_truncated_laz(las, convert, tmp_path, monkeypatch):
     (tmp_path / "scratch").mkdir()
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path / "scratch"))
     convert(las, tmp_path / "b.laz")
@@ -516,7 +516,7 @@ def test_laz_that_is_cut_off(las, convert, tmp_path, monkeypatch):
     assert not list((tmp_path / "scratch").iterdir())
 
 
-def test_channels_that_lazrs_confuses(convert, tmp_path, monkeypatch):
+def test_channels_that_lazrs_does_not_support(convert, tmp_path, monkeypatch):
     """Formats 9 and 10: without laszip an error if there are several channels."""
     laspy = pytest.importorskip("laspy")
     pytest.importorskip("lazrs")
@@ -536,7 +536,7 @@ def test_channels_that_lazrs_confuses(convert, tmp_path, monkeypatch):
     assert "pip install --no-deps laszip" in err
 
 
-def test_las_that_is_cut_off(las, convert, tmp_path):
+def test_truncated_las(las, convert, tmp_path):
     data = las.read_bytes()
     las.write_bytes(data[: len(data) // 2])
     code, _, err = convert(las, tmp_path / "c.laz")
@@ -560,7 +560,7 @@ def test_points_that_are_not_finite_can_be_skipped(convert, tmp_path):
 
 
 @pytest.mark.parametrize("option", [["--class", "300"], ["--every", "0"], ["--returns", "second"]])
-def test_options_that_are_wrong(convert, option):
+def test_wrong_options(convert, option):
     code, _, err = convert("a.las", "b.las", *option)
     assert code == 2 and option[1] in err
 
@@ -572,7 +572,7 @@ def test_replacing(las, convert, tmp_path):
 
 
 @pytest.mark.parametrize("ending", [kind[1:] for kind in formats.FORMATS])
-def test_disks_that_are_full(small_runs, tmp_path, ending):
+def test_full_disks(small_runs, tmp_path, ending):
     """A file that cannot grow beyond 200 kB: an error that names it, and no files left."""
     for package in {
         "las": ["laspy"],

@@ -14,7 +14,7 @@ __all__ = ["full_format"]  # a fixture
 # Written data are read back
 
 
-def test_every_array_comes_back(tmp_path, full_format):
+def test_every_array_is_restored(tmp_path, full_format):
     chunk = make_chunk()
     writer = write(tmp_path / f"a.{full_format}", chunk)
     reader, back = read(tmp_path / f"a.{full_format}")
@@ -34,7 +34,7 @@ def test_every_array_comes_back(tmp_path, full_format):
     assert [path.name for path in tmp_path.iterdir() if ".part" in path.name] == []
 
 
-def test_times_are_the_same_moments(tmp_path, full_format):
+def test_times_are_equal_across_epochs(tmp_path, full_format):
     """A LAS file has its own epoch: epoch plus time is preserved."""
     write(tmp_path / f"a.{full_format}")
     reader, back = read(tmp_path / f"a.{full_format}")
@@ -57,7 +57,7 @@ def test_laz_is_las_compressed(tmp_path):
         assert np.array_equal(ours, theirs), name
 
 
-def test_text_comes_back(tmp_path):
+def test_text_is_restored(tmp_path):
     chunk = make_chunk()
     header = make_header()
     header.part_names = ["house", "big tree", "lawn"]
@@ -74,7 +74,7 @@ def test_text_comes_back(tmp_path):
     assert np.array_equal(np.char.replace(ours, " ", "_"), theirs)
 
 
-def test_pcd_comes_back(tmp_path):
+def test_pcd_is_restored(tmp_path):
     """Fields of PCL's float types are equal as floats, all else to the bit; the reader checks the rest."""
     chunk = make_chunk()
     write(tmp_path / "a.pcd", chunk)
@@ -97,7 +97,17 @@ def test_other_text(tmp_path):
     assert "has 4 columns instead of the 11" in reader.notes[0]
 
 
-def test_ply_of_others(tmp_path):
+def test_parts_of_text_by_name_and_by_number(tmp_path):
+    """A number stays that number, and no name gets it."""
+    path = tmp_path / "a.xyz"
+    rows = "".join(f"1 2 3 4 5 1 1 7 {part} 2 0.5\n" for part in ("1", "house", "tree", "1", "-1"))
+    path.write_text(rows)
+    reader, back = read(path)
+    assert back["PartIds"].tolist() == [1, 0, 2, 1, -1]
+    assert reader.header.part_names == ["house", "", "tree"]
+
+
+def test_ply_of_other_programs(tmp_path):
     """Text, floats, byte colours, faces after the vertices."""
     path = tmp_path / "a.ply"
     path.write_text(
@@ -191,7 +201,7 @@ def test_pye57_reads_the_scan(tmp_path):
         assert header["acquisitionStart"]["dateTimeValue"].value() == EPOCH
         world = file.read_scan(0, intensity=True, colors=True, ignore_missing_fields=True)
         local = file.read_scan_raw(0, ignore_unsupported_fields=True)
-        bounds = [header[f"cartesianBounds"][f"{a}Minimum"].value() for a in "xyz"]
+        bounds = [header["cartesianBounds"][f"{a}Minimum"].value() for a in "xyz"]
     xyz = np.column_stack([world[f"cartesian{axis}"] for axis in "XYZ"])
     assert np.allclose(xyz, chunk["points"], rtol=0, atol=3e-9)
     moved = chunk["points"] - scan.translation  # a quarter turn about z: x from y, y from -x
@@ -202,7 +212,7 @@ def test_pye57_reads_the_scan(tmp_path):
     assert np.array_equal(world["colorRed"], np.rint(chunk["RGB"][:, 0] * 255))
 
 
-def test_e57_comes_back(tmp_path):
+def test_e57_is_restored(tmp_path):
     pytest.importorskip("pye57")
     chunk = make_chunk()
     turn = np.array([0.8, -0.2, 0.4, np.sqrt(1 - 0.84)])

@@ -60,12 +60,12 @@ def laz(tmp_path):
         (247, "<Q", 10, r"a chunk of 10 points in \d+ bytes states that it has 5000 points"),
     ],
 )
-def test_laz_headers_that_are_wrong(laz, place, form, value, message):
+def test_damaged_laz_headers(laz, place, form, value, message):
     patch(laz[0], place, form, value)
     fails(laz[0], message)
 
 
-def test_laz_chunk_tables_that_are_wrong(laz):
+def test_damaged_laz_chunk_tables(laz):
     path, begin, table = laz
     whole = path.read_bytes()
     for place, form, value, message in (
@@ -92,7 +92,7 @@ def test_laz_chunk_tables_that_are_wrong(laz):
             points.las_source(path)
 
 
-def test_laz_chunks_that_are_wrong(laz):
+def test_damaged_laz_chunks(laz):
     """The head of a chunk: lazrs allocates the sizes in its layers."""
     path, begin, _ = laz
     width = struct.unpack_from("<H", path.read_bytes(), 105)[0]
@@ -100,7 +100,7 @@ def test_laz_chunks_that_are_wrong(laz):
     fails(path, r"a chunk of 5000 points in \d+ bytes states that it has 5000 points in 4\d+ bytes")
 
 
-def test_laszip_records_that_are_wrong(laz):
+def test_damaged_laszip_records(laz):
     path, _, _ = laz
     whole = path.read_bytes()
     record = whole.find(b"laszip encoded") - 2 + 54
@@ -123,7 +123,7 @@ def test_laszip_records_that_are_wrong(laz):
         fails(path, message)
 
 
-def test_laz_texts_that_are_not_ascii(laz):
+def test_laz_texts_beyond_ascii(laz):
     """Names of people and programs do not invalidate a file."""
     path, _, _ = laz
     patch(path, 26, "<4s", b"M\xfcll")  # the system, and the program
@@ -192,7 +192,7 @@ def test_laz_that_laspy_does_not_write(laz):
         ("comment\n" * 10_000 + XYZ, "1 2 3", "has more than 10000 lines of header"),
     ],
 )
-def test_ply_properties_that_are_wrong(tmp_path, properties, line, message):
+def test_damaged_ply_properties(tmp_path, properties, line, message):
     path = tmp_path / "a.ply"
     path.write_text(PLY.format(properties, line))
     fails(path, message)
@@ -239,7 +239,7 @@ class PanicException(BaseException):  # noqa: N818  the name that those of Rust 
 
 
 @pytest.mark.parametrize("ending", ["vtp", "pcd"])
-def test_arrays_of_one_value_a_point(tmp_path, ending):
+def test_arrays_of_one_value_per_point(tmp_path, ending):
     chunk = make_chunk(10)
     chunk["ReturnNumber"] = np.ones((10, 3), np.uint8)
     path = tmp_path / f"a.{ending}"
@@ -270,13 +270,13 @@ def test_errors_of_libraries(error, message):
         raise error
 
 
-def test_errors_that_are_none_of_libraries():
+def test_other_errors_are_not_caught():
     for error in (KeyboardInterrupt, SystemExit, FormatError):
         with pytest.raises(error), guarded("a.laz"):
             raise error
 
 
-def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
+def test_copc_scratch_file_has_no_name(tmp_path, monkeypatch):
     """A foreign link in the temporary folder is not followed."""
     pytest.importorskip("copclib")
     (tmp_path / "scratch").mkdir()
@@ -288,7 +288,7 @@ def test_copc_writes_to_no_name_that_can_be_guessed(tmp_path, monkeypatch):
     assert len(list((tmp_path / "scratch").iterdir())) == 1
 
 
-def test_octrees_that_are_wrong(tmp_path):
+def test_damaged_octrees(tmp_path):
     """All points are read, and a note describes the error."""
     pytest.importorskip("copclib")
     path = tmp_path / "a.copc.laz"

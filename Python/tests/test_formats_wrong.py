@@ -30,7 +30,7 @@ def cut(path, share):
         ("e57", "is not an E57 file, or is damaged"),
     ],
 )
-def test_files_that_are_cut_off(tmp_path, ending, message):
+def test_truncated_files(tmp_path, ending, message):
     pytest.importorskip({"laz": "lazrs", "e57": "pye57"}.get(ending, "numpy"))
     path = tmp_path / f"a.{ending}"
     write(path)
@@ -40,8 +40,8 @@ def test_files_that_are_cut_off(tmp_path, ending, message):
     assert str(path) in str(error.value)
 
 
-@pytest.mark.parametrize("ending", [kind for kind in formats.FORMATS])
-def test_files_of_something_else(tmp_path, ending):
+@pytest.mark.parametrize("ending", list(formats.FORMATS))
+def test_files_of_another_kind(tmp_path, ending):
     needed = {".laz": "lazrs", ".copc.laz": "lazrs", ".e57": "pye57"}.get(ending, "numpy")
     pytest.importorskip(needed)
     for content in (b"", b"PK\3\4 no points at all\n" * 200):
@@ -66,18 +66,24 @@ def test_laz_with_wrong_counts(tmp_path):
     "text, message",
     [
         ("1 2 3\n4 5 \0 6\n", "a.xyz:2: has zero bytes, so it is not valid text: it is damaged"),
-        ("1 2 3\n4 5\n", "a.xyz:2: has 2 columns, but the first line has 3; correct it"),
-        ("1 2 3\n4 x 6\n", 'a.xyz:2: "x" in column 2 is not a number; correct it'),
+        (
+            "1 2 3\n4 5\n",
+            "a.xyz:2: has 2 columns, but the first row has 3; correct or remove the row",
+        ),
+        (
+            "1 2 3\n4 x 6\n",
+            'a.xyz:2: "x" in column 2 (y) is not a number; correct or remove the row',
+        ),
         ("1 2\n", "a.xyz: has 2 columns; give x y z"),
         ("\n# nothing\n", "a.xyz: has no points"),
         (
             "1 2 3 4 5 1 1 7 wall 2 0.5\n1 2 3 4 5 1.5 1 7 wall 2 0.5\n",
-            "a.xyz:2: 1.5 in column 6 is not a whole number from 0 to 255; correct it",
+            'a.xyz:2: "1.5" in column 6 (return number) is not a whole number from 0 to 255; correct',
         ),
         ("1 2 3 4 5 1 1 7 0 2 0.5\n1 2 3 4 5 1 1 7 0 2\n", "a.xyz:2: has 10 columns"),
     ],
 )
-def test_text_that_is_wrong(tmp_path, text, message):
+def test_bad_text(tmp_path, text, message):
     path = tmp_path / "a.xyz"
     path.write_text(text)
     with pytest.raises(FormatError, match=re.escape(message)):
@@ -106,7 +112,7 @@ XYZ = "property double x\nproperty double y\nproperty double z\n"
         ({"form": "ascii", "count": 3, "properties": XYZ}, "2 whole points of 3"),
     ],
 )
-def test_ply_that_is_wrong(tmp_path, head, message):
+def test_bad_ply(tmp_path, head, message):
     path = tmp_path / "a.ply"
     path.write_text(PLY.format(**head) + "1 2 3\n4 5 6\n")
     with pytest.raises(FormatError, match=re.escape(message)):
@@ -122,7 +128,7 @@ def test_ply_that_is_wrong(tmp_path, head, message):
         (PLY.format(form="ascii", count=1, properties=XYZ) + "1 x 3\n", "0 to 1 cannot be read"),
     ],
 )
-def test_ply_that_is_none(tmp_path, content, message):
+def test_files_that_are_not_ply(tmp_path, content, message):
     (tmp_path / "a.ply").write_text(content)
     with pytest.raises(FormatError, match=message):
         read(tmp_path / "a.ply")
@@ -147,7 +153,7 @@ INDEX = '<VTKFile type="{kind}"><PPolyData>{pieces}</PPolyData></VTKFile>'
         ),
     ],
 )
-def test_pieces_that_are_wrong(tmp_path, content, message):
+def test_bad_pieces(tmp_path, content, message):
     (tmp_path / "a.pvtp").write_text(content)
     (tmp_path / "c.vtp").write_text("<VTKFile type='ImageData'/>")
     with pytest.raises(FormatError, match=message):
@@ -174,7 +180,7 @@ def write_e57(path, fields):
         writer.close()
 
 
-def test_e57_of_others(tmp_path):
+def test_e57_of_other_programs(tmp_path):
     """Ranges and angles, no pose; intensities of any scale become 16 bits."""
     fields = {
         "sphericalRange": np.array([2.0, 10.0]),
@@ -241,7 +247,7 @@ def test_chunks_of_other_arrays(tmp_path, ending):
         ({"Range": np.zeros(2, ">f8")}, "Range is of the type >f8"),
     ],
 )
-def test_arrays_that_are_wrong(tmp_path, arrays, message):
+def test_bad_arrays(tmp_path, arrays, message):
     chunk = {"points": np.zeros((2, 3)), **arrays} if arrays else {}
     with pytest.raises(FormatError, match="a.ply: " + message):
         write(tmp_path / "a.ply", chunk) if chunk else formats.open_writer(
@@ -283,7 +289,7 @@ def test_names(tmp_path):
         ("pye57", "e57", "pip install --no-deps pye57 pyquaternion"),
     ],
 )
-def test_packages_that_are_missing(tmp_path, monkeypatch, missing, ending, command):
+def test_missing_packages(tmp_path, monkeypatch, missing, ending, command):
     import importlib
 
     real_import, real_module = builtins.__import__, importlib.import_module

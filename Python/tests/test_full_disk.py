@@ -139,7 +139,7 @@ def test_message(number, cure):
     assert said == f"a.html: cannot be written: {os.strerror(number)}; {cure}"
 
 
-def test_report_into_what_is_no_folder(small_runs, tmp_path, capsys):
+def test_report_into_a_path_that_is_not_a_folder(small_runs, tmp_path, capsys):
     (tmp_path / "file").write_text("")
     page = tmp_path / "file" / "page.html"
     assert cli.main(["report", str(small_runs["las"]), "--output", str(page), "--quiet"]) == 1

@@ -123,7 +123,7 @@ def broken(small_runs, tmp_path):
     return make
 
 
-def test_boxes_and_counts_that_are_wrong(broken, info):
+def test_wrong_boxes_and_counts(broken, info):
     _, facts, _ = info(broken(104, "<B", 9))  # unchanged
     highest, lowest = facts["bounds"]["maximum"][1], facts["bounds"]["minimum"][1]
     _, facts, _ = info(broken(195, "<d", highest + 2e-4))
@@ -147,14 +147,14 @@ def test_waveforms_of_an_earlier_version(small_runs, tmp_path, info):
     assert warning.endswith("vtkhelios convert inverts them")
 
 
-def test_sizes_that_are_wrong(broken, info):
+def test_wrong_sizes(broken, info):
     code, _, err = info(broken(247, "<Q", 10**9))
     assert code == 1 and "that its header counts: it is cut off" in err
     code, _, err = info(broken(105, "<H", 20))
     assert code == 1 and "has points of 20 bytes; format 9 needs 59" in err
 
 
-def test_points_that_are_odd(tmp_path, info):
+def test_unusual_points(tmp_path, info):
     with formats.open_writer(tmp_path / "a.ply") as writer:
         writer.write(
             {
@@ -173,7 +173,7 @@ def test_points_that_are_odd(tmp_path, info):
     ]
 
 
-def test_points_that_are_far(tmp_path, info):
+def test_distant_points(tmp_path, info):
     points = np.array([[0, 0, 0], [1e300, 0, 0], [3, 4, 5], [0, -1.7e308, 0]], float)
     with formats.open_writer(tmp_path / "a.ply") as writer:
         writer.write({"points": points})
@@ -188,7 +188,7 @@ def test_points_that_are_far(tmp_path, info):
     assert cli.main(["info", str(tmp_path / "b.ply")]) == 0
 
 
-def test_numbers_of_arrays_that_cannot_be(tmp_path, info):
+def test_impossible_numbers_in_arrays(tmp_path, info):
     with formats.open_writer(tmp_path / "a.ply") as writer:
         writer.write({
             "points": np.zeros((4, 3)), "GpsTime": np.array([np.nan, np.inf, -np.inf, 1e308]),
@@ -202,14 +202,14 @@ def test_numbers_of_arrays_that_cannot_be(tmp_path, info):
     assert facts["returns"] == {"1": 1} and facts["legs"] == {}
 
 
-def test_times_that_go_back_between_chunks():
+def test_times_decreasing_between_chunks():
     inspection = Inspection("a")
     for first in (5.0, 7.0, 6.0, 8.0):
         inspection._add_times(np.array([first, first + 0.1]))
     assert inspection._backward == 1
 
 
-def test_texts_of_a_header_that_are_not_utf8(small_runs, tmp_path, info):
+def test_header_texts_that_are_not_utf8(small_runs, tmp_path, info):
     pytest.importorskip("laspy")
     path = tmp_path / "a.las"
     data = bytearray((small_runs["las"] / "leg000_points.las").read_bytes())
@@ -222,7 +222,7 @@ def test_texts_of_a_header_that_are_not_utf8(small_runs, tmp_path, info):
     assert facts["system"] == "??ABC" and facts["software"] == "?t?"
 
 
-def test_points_that_the_summary_does_not_name(tmp_path, info):
+def test_point_files_missing_in_the_summary(tmp_path, info):
     for name in ("leg000_points.xyz", "leg001_points.xyz"):
         (tmp_path / name).write_text("1 2 3 1 4 1 1 0 0 0 0\n" * 5)
     legs = [{"leg": 0, "files": [{"name": "leg000_points.xyz", "records": 5}]}]
@@ -257,7 +257,7 @@ def test_strips(tmp_path, info):
     assert facts["points"] == 5 and facts["legs"] == {"4": 5} and facts["warnings"] == []
 
 
-def test_names_that_are_wrong(tmp_path, info):
+def test_wrong_names(tmp_path, info):
     code, _, err = info(tmp_path / "none.las")
     assert code == 1 and "none.las: no such file or folder; check its name" in err
     (tmp_path / "a.txt").write_text("")

@@ -34,7 +34,7 @@ def odd(tmp_path, monkeypatch):
     }  # fmt: skip
 
 
-def test_python_says_what_cxx_says(odd):
+def test_python_and_cxx_have_the_same_messages(odd):
     reader = vtkhelios.vtkHeliosObjSceneReader()
     for name, problem in odd.items():
         with pytest.raises(formats.FormatError) as caught:
@@ -46,7 +46,7 @@ def test_python_says_what_cxx_says(odd):
         assert str(raised.value) == f"{name}: {problem}"
 
 
-def test_files_that_are_not_there(tmp_path):
+def test_missing_files(tmp_path):
     with pytest.raises(formats.FormatError, match="none: no such file; check its name"):
         check_file(tmp_path / "none")
     with pytest.raises(formats.FormatError, match="cannot be read: embedded null byte; check its"):
@@ -91,7 +91,7 @@ def test_waveforms(odd, capsys, ending):
     assert f"waves{ending}: {FIFO}" in capsys.readouterr().err
 
 
-def test_a_file_of_a_run(odd, tmp_path, capsys, small_runs):
+def test_run_with_a_fifo_as_point_file(odd, tmp_path, capsys, small_runs):
     shutil.copytree(small_runs["xyz"], "run")
     path = next((tmp_path / "run").glob("leg000_points.xyz"))
     path.unlink()
@@ -111,7 +111,7 @@ def no_limit():
 
 
 @pytest.mark.parametrize("command", [["run"], ["run", "--dry-run"]])
-def test_a_scene_that_is_too_large(make_survey, tmp_path, capsys, no_limit, command):
+def test_scene_above_the_memory_limit(make_survey, tmp_path, capsys, no_limit, command):
     survey = make_survey()
     arguments = [*command, str(survey), "--output", str(tmp_path / "out")]
     assert cli.main([*arguments, "--memory", "1kB"]) == 1
@@ -148,7 +148,7 @@ def vtkhelios_memory():
 
 
 @pytest.mark.parametrize("text", ["8X", "-1", "0", "", "nan", "1e9", "8 GB B", "9" * 40])
-def test_sizes_that_are_wrong(capsys, text):
+def test_invalid_sizes(capsys, text):
     with pytest.raises(SystemExit):
         cli.main(["run", "survey.xml", f"--memory={text}"])
     assert (

@@ -53,17 +53,30 @@ def test_picture(cloud, tmp_path, read_pixels):
     )  # the roof at the centre
 
 
-def test_without_a_display_it_says_so(cloud, tmp_path):
+def test_no_display_is_an_error(cloud, tmp_path):
     done = draw(cloud, "--output", tmp_path / "p.png", display=False)
     assert done.returncode == 1
     assert "no X display: run it under xvfb-run" in done.stderr and "Traceback" not in done.stderr
     assert not (tmp_path / "p.png").exists()
 
 
-def test_reads_what_a_run_writes(cloud):
+def test_damaged_cloud_is_an_error(tmp_path, capsys):
+    (tmp_path / "a.xyz").write_text("1 2 x\n")
+    assert picture.main([str(tmp_path / "a.xyz")]) == 1
+    assert 'a.xyz:1: "x" in column 3 (z) is not a number' in capsys.readouterr().err
+
+
+def test_reads_files_of_a_run(cloud):
     points, strengths, classes = picture.read_cloud(cloud)
     assert points.shape == (22500, 3) and set(classes) == {2, 6}
     assert picture.find_marks(cloud)[0].tolist() == [500000.0, 5500000.0, 4.0]
+
+
+def test_reads_points_without_arrays(tmp_path):
+    (tmp_path / "a.xyz").write_text("1 2 3\n4 5 6\n")
+    points, strengths, classes = picture.read_cloud(tmp_path / "a.xyz")
+    assert points.tolist() == [[1, 2, 3], [4, 5, 6]]
+    assert strengths.tolist() == [0, 0] and classes.tolist() == [0, 0]
 
 
 def test_colours_by_class_and_by_height():

@@ -54,7 +54,7 @@ def test_failure_without_a_message_raises():
         vtkhelios.update(Source(succeeds=0))
 
 
-def test_error_of_our_own_filter_raises(capfd):
+def test_error_of_a_vtkhelios_filter_raises(capfd):
     reader = vtkhelios.vtkHeliosObjSceneReader()
     reader.SetFileName("no/such/scene.obj")
     with pytest.raises(vtkhelios.PipelineError, match="no/such/scene.obj"):
@@ -71,7 +71,7 @@ def test_warning_warns():
         )
 
 
-def test_observers_are_gone_afterwards():
+def test_observers_are_removed():
     source = Source("WarningEvent", "once")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -79,7 +79,7 @@ def test_observers_are_gone_afterwards():
     assert not source.HasObserver("ErrorEvent") and not source.HasObserver("WarningEvent")
 
 
-def test_upstream_is_walked_once():
+def test_upstream_is_visited_once():
     source = Source()
     left, right = vtkTriangleFilter(), vtkTriangleFilter()
     left.SetInputConnection(source.GetOutputPort())

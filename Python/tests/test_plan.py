@@ -12,15 +12,19 @@ import time
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 import vtkhelios
 
 from vtkhelios.cli import main
-from vtkhelios.cli import _plan_check, _plan_report
-from vtkhelios.cli._planning import PlanMessages, Steps
+from vtkhelios._plan_settings import SETTINGS
+from vtkhelios.cli import _plan_check, _plan_options, _plan_report
+from vtkhelios.cli._parser import Parser
+from vtkhelios.cli._plan_watch import PlanWatch
+from vtkhelios.cli._task import Interrupted
+from vtkhelios.planning import Step
 
 PLANNER = """\
 <document>
@@ -118,7 +122,7 @@ def test_a_mesh(plan, tmp_path):
     assert summary["settings"]["height_m"] == pytest.approx(1.7)
 
 
-def test_no_tripod_inside_of_a_block(plan, tmp_path, capsys):
+def test_no_candidate_inside_a_block(plan, tmp_path, capsys):
     (tmp_path / "yard.mtl").write_text("newmtl lawn\nhelios_isGround true\nnewmtl stone\n")
     lawn = ["mtllib yard.mtl", "usemtl lawn", "v -5 -5 0", "v 5 -5 0", "v 5 5 0", "v -5 5 0"]
     block = ["f 1 2 3 4", "usemtl stone", *box((-1.4, -1.4, 0), (1.4, 1.4, 3), 5)]
@@ -157,7 +161,7 @@ def test_the_survey_runs_from_the_positions(plan, tmp_path, command_line):
     assert first == pytest.approx([row["x"], row["y"], row["z"] - 1.7], abs=1e-12)
 
 
-def test_a_planner_document_and_options_that_win(plan, tmp_path):
+def test_options_override_a_planner_document(plan, tmp_path):
     (tmp_path / "scene.xml").write_text(PLANNER.format(more=""))
     (tmp_path / "plan.xml").write_text(
         PLANNER.format(
@@ -174,7 +178,7 @@ def test_a_planner_document_and_options_that_win(plan, tmp_path):
     assert (settings["grid_m"], settings["gridY_m"], settings["testGrid_m"]) == (2.5, 2.5, 1)
     assert (settings["coverage_percent"], settings["maxSlope_deg"]) == (95, 20)
     assert (settings["hitTolerance_m"], settings["rangeMax_m"]) == (0.02, 30)
-    assert 95 <= summary["result"]["coverableCoverage_percent"]
+    assert summary["result"]["coverableCoverage_percent"] >= 95
     options = "--method optimal --coverage 100 --grid 2 --tolerance 0.04 --overwrite".split()
     code, summary, said = plan("plan.xml", *options)
     assert code == 0, said
@@ -198,12 +202,13 @@ def test_a_survey(plan, tmp_path, make_survey):
         'platform="platforms.xml#tripod"',
         'verticalAngleMin_deg="-40" verticalAngleMax_deg="60"',
         'scanFreq_hz="100"',
-        'headRotateStart_deg="0" headRotateStop_deg="360" headRotatePerSec_deg="30"',
+        'headRotateStop_deg="360"',
+        'headRotatePerSec_deg="30"',
     ):
         assert wanted in text
 
 
-def test_methods_agree_on_what_can_be_seen(plan):
+def test_methods_agree_on_coverable_points(plan):
     results = {}
     for method in ("reduce", "greedy", "best", "optimal"):
         code, summary, said = plan("room.obj", "--grid", 1, "--method", method, "--overwrite")
@@ -247,7 +252,7 @@ def test_excluded_areas(plan, tmp_path):
         ("pyramid", ["--grid", 2, "--test-grid", 0.6, "--max-slope", 30, "--coverage", 80]),
     ],
 )
-def test_what_is_predicted_comes_true(plan, tmp_path, scene, options):
+def test_predicted_coverage_is_simulated(plan, tmp_path, scene, options):
     if scene == "blocks":
         write_synthetic(tmp_path / "blocks.obj", "Blocks", 14, 3, 3)
     if scene == "pyramid":
@@ -265,7 +270,7 @@ def test_what_is_predicted_comes_true(plan, tmp_path, scene, options):
     assert check["echoes"] > 100 * summary["coverable"]
 
 
-def test_a_check_that_fails_says_why(plan):
+def test_a_failed_check_states_the_reason(plan):
     options = ["--grid", 1, "--resolution", 0.5, "--check", "--tolerance", 0.1]
     code, summary, said = plan("room.obj", *options, "--ground", "false", "--quiet")
     assert code == 0
@@ -305,7 +310,7 @@ def test_half_spacing_of_echoes():
         ({"minDensity_1_m2": 0.9 / (np.radians(1) * 5) ** 2}, [True, False]),
     ],
 )
-def test_what_the_plan_asks_of_a_line_of_sight(limit, wanted):
+def test_limits_of_lines_of_sight(limit, wanted):
     places = np.array([[5.0, 0.0, 0.0], [0.0, 5.0, 5.0]])
     normals = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
     settings = {"rangeMin_m": 0, "rangeMax_m": 1e9, "elevationMin_deg": -90, "elevationMax_deg": 90}
@@ -317,7 +322,7 @@ def test_what_the_plan_asks_of_a_line_of_sight(limit, wanted):
 # Messages.
 
 
-def test_what_is_printed(plan, tmp_path, command_line):
+def test_printed_plan(plan, tmp_path, command_line):
     done = command_line("plan", tmp_path / "room.obj", "--grid", "1", "--no-picture", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
     assert re.search(
@@ -330,7 +335,7 @@ def test_what_is_printed(plan, tmp_path, command_line):
     assert not list(tmp_path.rglob("*.part"))
 
 
-def test_the_table_without_rich(monkeypatch, capsys):
+def test_table_without_rich(monkeypatch, capsys):
     monkeypatch.setattr(_plan_report, "Table", None)
     row = dict(scan=0, x=1.0, y=2.0, z=3.0, sees=1000, adds=900, onlyIt=8, meanIncidence_deg=None)
     _plan_report.print_table([row] * 60)
@@ -340,7 +345,7 @@ def test_the_table_without_rich(monkeypatch, capsys):
     assert lines[-1] == "and 10 more; all are in positions.vtp"
 
 
-def test_proofs_in_words():
+def test_proofs_are_described():
     result = dict(scans=4, lowerBound=2.13, bestBound=3, gap_percent=25.0, isProvedOptimal=False)
     assert _plan_report.describe_proof(result) == (
         "4 scans; lower bound: 3 scans (linear bound 2.13, gap 25 %); --method optimal searches "
@@ -415,15 +420,31 @@ def test_wrong_usage(options, message, capsys):
     [
         (["--region", 100, 120, 0, 9], "have no surface below"),
         (["--region", 9, 1, 0, 9], "--region is x 9 to 1"),
-        (["--grid", 0.001], "more than --memory (2048 MiB)"),
-        (["--test-grid", 0.0005], "more than --memory (2048 MiB)"),
-        (["--grid", 0.1, "--test-grid", 0.1, "--memory", 1], "more than --memory (1 MiB)"),
-        (["--range-min", 5, "--range-max", 5], "the range from 5 to 5 is empty: give a larger one"),
-        (["--elevation-min", 50, "--elevation-max", 40], "--elevation-min, --elevation-max"),
+        (["--grid", 0.001], "the memory limit (2048 MiB); make the grid of candidates coarser"),
+        (
+            ["--test-grid", 0.0005],
+            "the memory limit (2048 MiB); make the grid of test points coarser",
+        ),
+        (["--grid", 0.1, "--test-grid", 0.1, "--memory", 1], "more than the memory limit (1 MiB)"),
+        (
+            ["--range-min", 5, "--range-max", 5],
+            "--range-min is 5 and --range-max is 5, so nothing is visible; give a smaller "
+            "--range-min or a larger --range-max",
+        ),
+        (
+            ["--elevation-min", 50, "--elevation-max", 40],
+            "--elevation-min is 50 and --elevation-max is 40, so nothing is visible",
+        ),
         (["--range-max", 0.01], "no candidate sees any test point"),
-        (["--coverage-of", "all"], "--coverage 100 % of all cannot be reached"),
-        (["--overlap", 99.9, "--grid", 1], "--overlap"),
-        (["--ground", "true"], "--ground is set to ground, but no material of the scene is ground"),
+        (
+            ["--coverage-of", "all"],
+            "the minimum coverage of 100 % of all test points cannot be reached",
+        ),
+        (
+            ["--overlap", 99.9, "--grid", 1],
+            "connected by the minimum overlap of 99.9 % sees enough",
+        ),
+        (["--ground", "true"], "to be on the ground, but no material of the scene is ground"),
         (
             ["--exclude", "none.vtp"],
             "--exclude none.vtp: is not a VTK XML file of polygons; give a .vtp",
@@ -442,7 +463,7 @@ def test_wrong_usage(options, message, capsys):
         (["--platform", "platforms.xml#copter"], "platform Multicopter moves"),
     ],
 )
-def test_what_cannot_be_planned(plan, options, message):
+def test_errors(plan, options, message):
     code, summary, said = plan("room.obj", *options)
     assert (code, summary) == (1, None)
     assert message in said and "Traceback" not in said
@@ -453,7 +474,7 @@ def test_no_horizontal_surface(plan, tmp_path):
     (tmp_path / "wall.obj").write_text("v 0 0 0\nv 9 4 0\nv 9 5 9\nv 0 1 9\nf 1 2 3 4\n")
     code, _, said = plan("wall.obj", "--grid", 0.3)
     assert code == 1
-    assert "No candidate is left" in said and "are steeper than --max-slope (15 deg)" in said
+    assert "No candidate is left" in said and "are steeper than the maximum slope (15 deg)" in said
 
 
 def test_no_test_point(plan, tmp_path):
@@ -463,7 +484,7 @@ def test_no_test_point(plan, tmp_path):
     assert plan("floor.obj", "--test-lines", "vertical")[0] == 0
 
 
-def test_files_that_are_wrong(plan, tmp_path):
+def test_bad_files(plan, tmp_path):
     assert "none.obj: no such file" in plan("none.obj")[2]
     assert "none.xml: cannot be read" in plan("none.xml")[2]
     (tmp_path / "a.xml").write_text("<document/>")
@@ -513,59 +534,38 @@ def test_interrupted(tmp_path):
     assert not list((tmp_path / "output/room").iterdir())
 
 
-def test_errors_name_options(capsys):
-    messages = PlanMessages()
-    messages.error("3 are steeper than MaximumSlope (15 deg); make the steps smaller, MemoryLimit")
-    assert capsys.readouterr().err == (
-        "error: 3 are steeper than --max-slope (15 deg); make the steps (--grid, --test-grid) "
-        "smaller, --memory\n"
-    )
-    messages.error('a/Region.xml:3: Platform="x.xml#y"')
-    assert capsys.readouterr().err == 'error: a/Region.xml:3: Platform="x.xml#y"\n'
-    messages.interrupted = True
-    messages.error("Aborted")
-    assert capsys.readouterr().err == ""
-
-
-class Sleeper(vtkObject):
-    """An algorithm interrupted halfway."""
-
-    def __init__(self):
-        self.aborted = 0
-        self.tell = None
-
-    def AddObserver(self, event, callback):
-        self.tell = callback if event == "ProgressEvent" else self.tell
-        return 1
-
-    def RemoveObserver(self, _):
-        pass
-
-    def SetAbortExecute(self, on):
-        self.aborted = on
-
-    def GetProgress(self):
-        return 0.5
-
-    def Update(self):
-        self.tell()
-
-
-def test_steps_tell_what_they_do():
-    messages, said = PlanMessages(), []
-    steps = Steps(messages)
-    sleeper = Sleeper()
-    steps.AddObserver("ProgressEvent", lambda *_: said.append(steps.GetMessage()))
-    assert steps.run("sleeping", sleeper) and steps.run("dozing", sleeper, even=False)
+def test_steps_are_watched():
+    watch, said = PlanWatch(), []
+    watch.AddObserver("ProgressEvent", lambda *_: said.append(watch.GetMessage()))
+    watch.begin(Step("sleeping", None, 0, 0.5))
+    watch.on_progress(None, 0.25)
+    assert watch.GetProgress() == 0.25
+    watch.begin(Step("dozing", None, 0.5, 1, is_even=False))
+    watch.on_progress(None, 0.5)
     assert said == ["sleeping", "sleeping", "dozing", "dozing"]
-    assert set(steps.seconds) == {"sleeping", "dozing"}
-    sleeper.Update = steps.Abort
-    assert not steps.run("sleeping", sleeper) and sleeper.aborted
-    assert not steps.run("on", sleeper)
-    steps.RemoveObserver(1)
+    watch.begin(Step("sleeping", None, 0, 0.5))
+    watch.on_progress(None, 0.25)
+    time.sleep(0.1)
+    watch.on_progress(None, 0.75)
+    assert said[-1] == "sleeping, 0:00 left"
+    watch.Abort()
+    with pytest.raises(Interrupted):
+        watch.on_progress(None, 0.5)
+    watch.RemoveObserver(1)
+    with pytest.raises(Interrupted):
+        watch.begin(Step("on", None, 0, 1))
 
 
-def test_interrupted_while_it_is_checked(tmp_path):
+def test_every_setting_is_an_option():
+    parser = Parser()
+    _plan_options.add_plan_arguments(parser)
+    known = {option for action in parser._actions for option in action.option_strings}
+    assert {_plan_options.option_of(name) for name in SETTINGS} <= known
+    given = _plan_options.given_settings(parser.parse_args(["scene.obj"]))
+    assert list(given) == list(SETTINGS) and set(given.values()) == {None}
+
+
+def test_interrupted_check(tmp_path):
     write_room(tmp_path / "room.obj")
     package = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
     process = subprocess.Popen(

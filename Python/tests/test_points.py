@@ -99,7 +99,7 @@ def test_normals_colours_and_crs():
         (([[1, 2, 3]], None, [[1, 2, 3]]), "rgb is int64; give uint8, uint16, or floats"),
     ],
 )
-def test_arrays_that_are_wrong(arguments, message):
+def test_bad_arrays(arguments, message):
     with pytest.raises(ValueError, match=message):
         points.points_from_arrays(*arguments)
 
@@ -139,7 +139,7 @@ def test_large_text_streams(tmp_path):
     assert 500 < reader.GetOutput().GetNumberOfPoints() < 4000  # the last piece
 
 
-def test_errors_of_text_come_through(tmp_path):
+def test_errors_of_text_are_raised(tmp_path):
     path = tmp_path / "cloud.xyz"
     path.write_text("1 2 3\n" * 5000 + "1 2 x\n" + "1 2 3\n" * 5000)
     reader = vtkhelios.vtkHeliosXyzReader()
@@ -222,7 +222,7 @@ def test_las_colours(las_file):
         points.las_source(las_file(), colors=True)
 
 
-def test_las_files_that_are_wrong(las_file, tmp_path):
+def test_bad_las_files(las_file, tmp_path):
     with pytest.raises(ValueError, match="has no points"):
         points.las_source(las_file(np.empty((0, 3))))
     with pytest.raises(FileNotFoundError):
@@ -234,7 +234,7 @@ def test_las_files_that_are_wrong(las_file, tmp_path):
         points.las_source(path)
 
 
-def test_las_that_ends_too_soon(las_file):
+def test_truncated_las(las_file):
     path = las_file()
     whole = path.read_bytes()
     source = points.las_source(path)

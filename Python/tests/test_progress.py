@@ -15,14 +15,14 @@ def test_steady_pace():
     assert pace.remaining(100_000_000) == pytest.approx((100 - 38) / 2)
 
 
-def test_recent_pace_counts():
+def test_recent_pace_dominates():
     pace = Pace(seconds=10)
     for second in range(40):
         pace.add(second, 100 * second if second < 20 else 2000 + 300 * (second - 20))
     assert pace.rate() == pytest.approx(300)
 
 
-def test_unknown_before_there_is_anything_to_tell_from():
+def test_unknown_at_the_start():
     pace = Pace()
     assert pace.rate() is None and pace.remaining(10) is None
     pace.add(1.0, 5)

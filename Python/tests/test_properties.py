@@ -21,11 +21,11 @@ from vtkhelios._properties import make_properties, properties, snake_case
         ("M2", "m2"),
     ],
 )
-def test_names_are_spelled_as_in_newer_vtk(camel, snake):
+def test_names_equal_those_of_newer_vtk(camel, snake):
     assert snake_case(camel) == snake
 
 
-def test_numbers_vectors_truths_texts_and_objects():
+def test_numbers_vectors_booleans_strings_and_objects():
     scanner = vtkhelios.vtkHeliosScanner()
     scanner.range_accuracy = 0.01
     scanner.mount_position = np.array([1.0, 2.0, 3.0])
@@ -48,7 +48,7 @@ def test_keywords():
     assert scanner.GetMountPosition() == (0, 0, 1)
 
 
-def test_choices_go_by_name_and_by_number():
+def test_enumerations_by_name_and_number():
     scene = vtkhelios.vtkHeliosSyntheticScene(kind="blocks")
     assert scene.kind == "blocks" and scene.kind == scene.GetKind() and scene.kind != "plane"
     assert repr(scene.kind) == "'blocks'" and f"{scene.kind}" == "blocks"
@@ -56,7 +56,7 @@ def test_choices_go_by_name_and_by_number():
     assert scene.kind == "terrain"
 
 
-def test_objects_made_by_cpp_have_them():
+def test_objects_created_by_cpp_have_properties():
     assert vtkhelios.vtkHeliosScanner().beam_sampler.beam_divergence == pytest.approx(3e-4)
 
 
@@ -114,7 +114,7 @@ MIRROR = vtkhelios.vtkHeliosConicMirror
         (SCANNER, "seed", -1, ValueError, r"seed is -1; its valid range is \[0, 4.6"),
     ],
 )
-def test_what_is_wrong_is_said(cls, name, value, error, message):
+def test_errors(cls, name, value, error, message):
     made = cls()
     before = getattr(made, name, None)
     with pytest.raises(error, match=message) as caught:
@@ -125,7 +125,7 @@ def test_what_is_wrong_is_said(cls, name, value, error, message):
         cls(**{name: value})
 
 
-def test_range_that_only_the_documentation_tells():
+def test_range_given_only_in_the_documentation():
     scanner = vtkhelios.vtkHeliosScanner()
     assert not hasattr(scanner, "GetAveragePowerMinValue")
     with pytest.raises(
@@ -135,7 +135,7 @@ def test_range_that_only_the_documentation_tells():
     assert scanner.average_power == 4
 
 
-def test_what_another_property_decides():
+def test_range_that_depends_on_another_property():
     """The ring patterns fix the number of sub-rays; the spiral takes any number."""
     with pytest.raises(
         ValueError, match=r"is 256; other properties determine it, 16 .*; 16 is kept"
@@ -145,20 +145,20 @@ def test_what_another_property_decides():
     assert sampler.number_of_sub_rays == 256
 
 
-def test_what_a_setter_says_is_passed_on(capfd):
+def test_errors_of_setters_are_raised(capfd):
     sampler = vtkhelios.vtkHeliosBeamSampler()
     with pytest.raises(ValueError, match="beam_quality_factor: BeamQualityFactor is 0.5"):
         sampler.beam_quality_factor = 0.5
     assert sampler.beam_quality_factor == 0 and capfd.readouterr().err == ""
 
 
-def test_reading_a_wrong_name_names_the_right_one():
+def test_wrong_name_suggests_the_nearest():
     with pytest.raises(AttributeError, match="has no property range_mni; did you mean range_min?"):
         vtkhelios.vtkHeliosScanner().range_mni
     assert not hasattr(vtkhelios.vtkHeliosScanner(), "range_mni")
 
 
-def test_a_class_of_ones_own_may_keep_more():
+def test_python_subclasses_may_have_attributes():
     class Mine(vtkhelios.vtkHeliosScanner):
         def __init__(self, label):
             super().__init__(range_min=3)
@@ -170,7 +170,7 @@ def test_a_class_of_ones_own_may_keep_more():
     assert mine.GetRangeMax() == 10
 
 
-def test_stock_classes_are_left_alone():
+def test_standard_vtk_classes_are_unchanged():
     from vtkmodules.vtkCommonCore import vtkObject
 
     made = vtkObject()
@@ -178,7 +178,7 @@ def test_stock_classes_are_left_alone():
     assert "m_time" not in dir(vtkObject) or make_properties(vtkObject) == {}
 
 
-def test_every_property_can_be_read_and_says_what_it_is():
+def test_every_property_is_readable_and_documented():
     for name in vtkhelios.__all__:
         cls = getattr(vtkhelios, name)
         if not name.startswith("vtkHelios") or not hasattr(cls, "IsA"):
@@ -198,13 +198,13 @@ def test_every_property_can_be_read_and_says_what_it_is():
                 assert repr(getattr(made, key)) == repr(before), (name, key)
 
 
-def test_units_are_told():
+def test_units_are_documented():
     assert "[Hz]" in vtkhelios.vtkHeliosConicMirror.scan_frequency.__doc__
     # one text for a group of properties
     assert "[m]" in vtkhelios.vtkHeliosScanner.mount_orientation.__doc__
 
 
-def test_repr_tells_what_is_not_as_it_was_made():
+def test_repr_shows_changed_properties():
     assert repr(vtkhelios.vtkHeliosScanner()) == "vtkHeliosScanner()"
     scanner = vtkhelios.vtkHeliosScanner(range_accuracy=0.01, sampling="fixed")
     scanner.echo_detector = vtkhelios.vtkHeliosGaussianDecomposition()

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The commands in README.md for new users work."""
 
+import importlib.util
 import pathlib
 import re
 
@@ -9,22 +10,26 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 README = (ROOT / "README.md").read_text()
 
 
-def test_own_survey(command_line, tmp_path):
-    for name in ("my_scene.xml", "my_survey.xml"):
-        (tmp_path / name).write_text(
-            re.search(rf"`{name}`:\n\n```xml\n(.*?)```", README, re.S).group(1)
-        )
-    (tmp_path / "my_yard.obj").write_text(
-        "v -90 -90 0\nv 90 -90 0\nv 90 90 0\nv -90 90 0\nf 1 2 3 4\n"
-    )
+def test_first_scene(command_line, tmp_path):
+    for name in ("my_yard.obj", "my_scene.xml", "my_survey.xml"):
+        text = re.search(rf"`{name}`:\n\n```\w+\n(.*?)```", README, re.S).group(1)
+        (tmp_path / name).write_text(text)
     done = command_line("run", "my_survey.xml", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert (tmp_path / "output/yard/leg000_points.xyz").is_file()
-
-
-def test_named_files_exist():
-    for name in re.findall(r"`((?:Apps|Testing|Python|Data)/[^`\s*]+|\w+\.md)`", README):
-        assert (ROOT / name).exists(), name
+    points = [
+        [float(word) for word in line.split()[:3]]
+        for line in (tmp_path / "output/yard/leg000_points.xyz").read_text().splitlines()
+    ]
+    assert any(abs(z) < 0.1 for x, y, z in points), "no echo from the ground"
+    assert any(abs(y - 10) < 0.1 and z > 1 for x, y, z in points), "no echo from the wall"
+    commands = re.findall(r"^build/bin/vtkhelios ((?:run|plan|convert|report) .*)$", README, re.M)
+    assert len(commands) == 5
+    for command in commands[1:]:
+        if ".laz" in command and importlib.util.find_spec("lazrs") is None:
+            continue
+        display = ["--no-picture"] if command.startswith("plan") else []
+        done = command_line(*command.split(), *display, cwd=tmp_path)
+        assert done.returncode == 0, done.stderr
 
 
 def test_scripts_are_executable():

@@ -48,7 +48,7 @@ def test_cells_of_a_size(chunks):
 
 
 @pytest.mark.parametrize("shift", [0.0, 5_473_000.3])
-def test_cells_that_are_joined(shift):
+def test_joined_cells(shift):
     """For any order, the cells are those of the last size."""
     random = np.random.default_rng(2)
     parts = [random.uniform(0, size, (500, 2)) + shift for size in (0.01, 1.0, 300.0, 900.0)]
@@ -236,7 +236,7 @@ def test_names_are_escaped(tmp_path, report):
     assert "Overlap" not in text  # of one leg
 
 
-def test_nothing_in_a_summary_becomes_markup(tmp_path, report):
+def test_summary_texts_are_escaped(tmp_path, report):
     """A script in every text, and in the option keys."""
     script = "<script>alert('x')</script><img src=x onerror=alert(1)>\"'&"
     run = make_run(tmp_path / "run", [strip(0, 10)])
@@ -288,7 +288,7 @@ def test_reports_of_any_extent(tmp_path, report, scale):
         assert "Warning" not in err
 
 
-def test_points_that_are_too_far(tmp_path, report):
+def test_distant_points(tmp_path, report):
     run = make_run(tmp_path / "run", [np.array([[0.0, 0.0, 0.0], [0.0, -1e300, 0.0]])])
     code, _, err = report(run)
     assert code == 1
@@ -319,7 +319,7 @@ def test_memory_is_bounded():
         ("empty", "empty: is a folder without run_summary.json"),
     ],
 )
-def test_runs_that_are_none(tmp_path, report, name, message):
+def test_paths_that_are_not_runs(tmp_path, report, name, message):
     (tmp_path / "file").write_text("")
     (tmp_path / "empty").mkdir()
     code, _, err = report(tmp_path / name)

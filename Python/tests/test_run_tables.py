@@ -27,7 +27,7 @@ def test_columns_of_common_numbers():
 
 
 @pytest.mark.parametrize("count", [10**9, 10**12, 10**18])
-def test_columns_never_run_together(count):
+def test_columns_never_overlap(count):
     legs = [make_leg(0, 7), make_leg(123456, count)]
     lines = list(table_lines(legs, [("time [s]", 10, [0.5, count])]))
     assert len({len(line) for line in lines}) == 1

@@ -61,7 +61,7 @@ def interrupt_after(seconds):
     return timer
 
 
-def test_other_threads_go_on(blocks):
+def test_other_threads_continue(blocks):
     survey = vtkhelios.make_survey(blocks, [(0, 0)], **{**SURVEY, "head_speed": 20})
     survey.number_of_pulses  # the scene is loaded
     with Ticker() as ticker:
@@ -70,7 +70,7 @@ def test_other_threads_go_on(blocks):
     assert while_running > 20
 
 
-def test_other_threads_go_on_around_a_python_filter(blocks):
+def test_other_threads_continue_with_a_python_filter(blocks):
     survey = vtkhelios.make_survey(blocks, [(0, 0)], **{**SURVEY, "head_speed": 20})
     counts = []
 
@@ -85,7 +85,7 @@ def test_other_threads_go_on_around_a_python_filter(blocks):
     assert counts[0] > 20  # while the source ran
 
 
-def test_a_python_filter_below_one_in_cpp(blocks):
+def test_python_filter_upstream_of_a_cpp_filter(blocks):
     """The upstream filter runs while the caller does not hold the interpreter lock."""
     calls = []
 
@@ -100,7 +100,7 @@ def test_a_python_filter_below_one_in_cpp(blocks):
     assert len(calls) == 50
 
 
-def test_two_threads_run_at_once(blocks):
+def test_two_threads_run_in_parallel(blocks):
     surveys = [
         vtkhelios.make_survey(blocks, [(x, 0)], **{**SURVEY, "head_speed": 60}) for x in (0, 9)
     ]
@@ -118,7 +118,7 @@ def test_two_threads_run_at_once(blocks):
     assert all((found[index] == alone[index]).all() for index in (0, 1))
 
 
-def test_threads_take_turns_at_one_survey(blocks):
+def test_threads_share_one_survey(blocks):
     survey = vtkhelios.make_survey(
         blocks, [(0, 0)], **{**SURVEY, "head_speed": 60, "head": (0, 60)}
     )
@@ -136,7 +136,7 @@ def test_threads_take_turns_at_one_survey(blocks):
     assert all((np.concatenate(found[seed]) == alone[seed]).all() for seed in range(4))
 
 
-def test_interrupt_stops_a_run_and_the_next_is_whole(long_survey, blocks):
+def test_interrupt_stops_a_run_and_the_next_is_complete(long_survey, blocks):
     long_survey.number_of_pulses
     shares = []
     timer = interrupt_after(0.3)
@@ -149,7 +149,7 @@ def test_interrupt_stops_a_run_and_the_next_is_whole(long_survey, blocks):
     assert (cloud.points == again.points).all()
 
 
-def test_interrupt_stops_files_and_they_go_on(long_survey, tmp_path):
+def test_interrupted_files_are_resumed(long_survey, tmp_path):
     timer = interrupt_after(1.0)
     with pytest.raises(KeyboardInterrupt):
         long_survey.run_to(tmp_path, pulses_per_block=20_000)
@@ -172,7 +172,7 @@ def test_interrupt_stops_a_pipeline(long_survey):
     assert sum(calls) == 0  # a stopped source has no output
 
 
-def test_what_was_stopped_is_computed_anew(blocks):
+def test_stopped_pipeline_is_computed_again(blocks):
     """A stopped scanner keeps its output; the next update must not treat it as complete."""
     mirror = vtkhelios.vtkHeliosRotatingMirror(scan_frequency=100, vertical_angle_min=-40)
     where = vtkhelios.Cloud.from_arrays([[0.0, 0.0, 3.0]]) >> vtkhelios.vtkHeliosStaticPlatform()

@@ -70,7 +70,7 @@ def test_command_line(tmp_path, capsys):
     assert (tmp_path / "new/scene.xsd").read_text() == (SCHEMAS / "scene.xsd").read_text()
 
 
-def test_folder_that_cannot_be_written(tmp_path, capsys):
+def test_read_only_folder(tmp_path, capsys):
     (tmp_path / "plain").write_text("")
     assert main(["schema", "--output", str(tmp_path / "plain")]) == 1
     assert "cannot be written" in capsys.readouterr().err
@@ -84,11 +84,11 @@ def test_folder_that_cannot_be_written(tmp_path, capsys):
     sorted((ROOT / "Data").rglob("*.xml")),
     ids=lambda path: path.name,
 )
-def test_what_is_shipped_is_valid(schema, path):
+def test_shipped_files_are_valid(schema, path):
     schema.assertValid(etree.parse(str(path)))
 
 
-def test_a_mix_is_valid(schema):
+def test_mixed_documents_are_valid(schema):
     schema.assertValid(etree.fromstring(SURVEY))
 
 
@@ -119,7 +119,7 @@ def test_a_mix_is_valid(schema):
         ('<beamOrigin z="1">', '<beamOrigin z="1"/><beamOrigin z="1">', "beamOrigin"),
     ],
 )
-def test_what_is_wrong_is_refused(schema, right, wrong, message):
+def test_invalid_documents_are_refused(schema, right, wrong, message):
     assert right in SURVEY
     text = SURVEY.replace(right, wrong)
     assert not schema.validate(etree.fromstring(text))

@@ -73,7 +73,7 @@ def test_file(name):
 
 
 @pytest.mark.parametrize("name", RANGES)
-def test_levels_are_those_published(name):
+def test_levels_equal_published_values(name):
     for line, (low, high) in zip(LINES_NM, RANGES[name]):
         assert low <= at(name, line / 1000.0) <= high, line
 
@@ -100,13 +100,13 @@ def test_leaves_have_a_red_edge_a_green_peak_and_water(name):
     assert at(name, 1.94) < 0.4 * at(name, 1.65)
 
 
-def test_dry_grass_has_none_of_it():
+def test_dry_grass_has_no_red_edge():
     assert at("grass_dry", 0.80) < 2.5 * at("grass_dry", 0.67)
     assert at("grass_dry", 1.45) > 0.85 * at("grass_dry", 1.65)
     assert at("grass_dry", 2.10) < at("grass_dry", 2.20) + 1.0  # cellulose
 
 
-def test_snow_is_bright_where_we_see_and_dark_at_1500_nm():
+def test_snow_is_bright_in_visible_light_and_dark_at_1500_nm():
     assert at("snow", 0.5) > 90.0
     assert at("snow", 1.03) < at("snow", 1.09)
     assert at("snow", 1.5) < 10.0
@@ -119,7 +119,7 @@ def test_water_is_dark():
     )
 
 
-def test_the_program_makes_what_is_there(tmp_path):
+def test_program_reproduces_the_files(tmp_path):
     subprocess.run([sys.executable, ASSETS / "make_spectra.py", tmp_path], check=True)
     for name in RANGES:
         assert np.allclose(parse(tmp_path / f"{name}.txt"), read(name), atol=0.002), name

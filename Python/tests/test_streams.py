@@ -62,7 +62,7 @@ def test_no_standard_output(shell, make_survey, tmp_path, redirection, reason, j
 @pytest.mark.parametrize(
     "redirection", [">&-", ">/dev/full", ">&- 2>&- <&-", ">/dev/full 2>/dev/full"]
 )
-def test_nothing_to_print_is_no_failure(shell, make_survey, tmp_path, redirection):
+def test_nothing_to_print_succeeds(shell, make_survey, tmp_path, redirection):
     out = tmp_path / "out"
     done = shell(redirection, "run", make_survey(), "--output", out, "--quiet")
     assert (done.returncode, done.stderr) == (0, "")
@@ -86,7 +86,7 @@ def test_no_standard_error(shell, make_survey, tmp_path, redirection):
 
 @pytest.mark.parametrize("command", [["--version"], ["--help"], ["schema"], ["run", "--help"]])
 @pytest.mark.parametrize("redirection", [">&-", ">/dev/full"])
-def test_what_is_only_printed(shell, command, redirection):
+def test_output_that_is_only_printed(shell, command, redirection):
     done = shell(redirection, *command)
     assert done.returncode == 1
     assert done.stderr.startswith("error: standard output: ") and done.stderr.count("\n") == 1
@@ -107,13 +107,13 @@ def test_launcher_with_closed_streams(make_survey, tmp_path):
     expect_run(tmp_path / "out")
 
 
-def test_reader_that_goes(shell, make_survey, tmp_path):
+def test_closed_pipe(shell, make_survey, tmp_path):
     done = shell("| true", "run", make_survey(), "--output", tmp_path / "out")
     assert done.stderr == ""
     expect_run(tmp_path / "out")
 
 
-def test_main_leaves_no_trace(make_survey, window, capsys):
+def test_main_removes_its_observers(make_survey, window, capsys):
     """Repeated calls in one process: streams, observers and display mode are restored."""
     window.SetDisplayModeToAlways()
     streams = sys.stdout, sys.stderr

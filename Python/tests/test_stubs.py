@@ -49,6 +49,6 @@ def test_stub_is_python_and_types_are_known(stubs):
     assert public <= defined | {"data_directory"}
 
 
-def test_package_says_that_it_has_types():
+def test_package_is_marked_as_typed():
     assert (pathlib.Path(vtkhelios.__file__).parent / "py.typed").is_file()
     assert (pathlib.Path(vtkhelios.__file__).parent / "__init__.pyi").is_file()

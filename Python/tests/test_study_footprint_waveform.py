@@ -75,7 +75,7 @@ def test_rough_ground(run):
         assert row["amplitude"] == pytest.approx(row["amplitude_theory"], rel=2e-3)
 
 
-def test_least_steps(run):
+def test_smallest_steps(run):
     rows = run[0]["limits"]
     for row in rows:
         found = row["found"] / row["theory"] - 1

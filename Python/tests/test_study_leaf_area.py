@@ -58,7 +58,7 @@ def test_formulas(study):
     assert study.strong_radius() == pytest.approx(0.3227, abs=5e-4)
 
 
-def test_derived_density_is_that_of_the_law(study):
+def test_derived_density_is_unbiased(study):
     """Exponential path lengths in an opaque medium: no bias for any number of rays."""
     random = np.random.default_rng(0)
     grid = study.Grid((0, 0, 0), (1, 1, 1), 1.0)

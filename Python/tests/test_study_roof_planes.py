@@ -27,7 +27,7 @@ def village(study):
     return importlib.import_module("_village")
 
 
-def test_roofs_are_what_they_are(village):
+def test_roof_geometry(village):
     slope = np.tan(np.radians(30))
     areas = {"flat": 160, "shed": 160, "gable": 160, "hip": 160, "L": 2 * 16 * 7 - 49}
     planes = {"flat": 1, "shed": 1, "gable": 2, "hip": 4, "L": 4}
@@ -55,7 +55,7 @@ def test_polygons(village):
     assert (inner == (np.abs(points - 1) < 0.5).all(axis=1)).all()
 
 
-def test_fits_scatter_as_theory_says(study):
+def test_fit_errors_agree_with_theory(study):
     """Random points on a steep plane, with vertical noise."""
     random = np.random.default_rng(1)
     polygon = np.array([(0.0, 0, 0), (9, 0, 0), (9, 4, 4), (0, 4, 4)])
@@ -96,7 +96,7 @@ def test_study(study, tmp_path, monkeypatch, capsys):
     assert [float(row["z_inner"]) for row in rows] == [sparse["z_inner"], dense["z_inner"]]
 
 
-def test_echoes_of_two_planes_are_left_out(study):
+def test_echoes_of_two_planes_are_excluded(study):
     """A gable of 45 degrees: echoes nearer than 0.3 m to the other plane are dropped."""
     x, y = (axis.ravel() for axis in np.meshgrid(np.arange(-3.9, 4, 0.2), np.arange(-3.0, 3, 0.5)))
     cloud = types.SimpleNamespace(points=np.c_[x, y, -np.abs(x)])
@@ -109,7 +109,7 @@ def test_echoes_of_two_planes_are_left_out(study):
     assert np.array_equal(study.leave_out(cloud, left, [left, right], 9), left)  # too few remain
 
 
-def test_without_a_footprint_edges_do_no_harm(study):
+def test_edges_have_no_effect_without_a_footprint(study):
     if not hasattr(vtkhelios, "vtkHeliosPCLPlanes"):
         pytest.skip("built without PCL")
     villages = [study.make_village(rows=2)]

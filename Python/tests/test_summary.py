@@ -73,7 +73,7 @@ BAD = [
 
 
 @pytest.mark.parametrize("text, message", BAD)
-def test_what_is_wrong_is_named(text, message):
+def test_errors_name_key_and_value(text, message):
     with pytest.raises(formats.FormatError) as caught:
         parse_summary(text, "a/run_summary.json")
     said = str(caught.value)
@@ -81,7 +81,7 @@ def test_what_is_wrong_is_named(text, message):
     assert said.endswith("; run the survey again") and said.isprintable() and len(said) < 250
 
 
-def test_the_whole_one_is_good():
+def test_complete_summary_is_valid():
     assert parse_summary(json.dumps(WHOLE), "a", REPORT) == WHOLE
     assert parse_summary('{"legs": []}', "a") == {"legs": []}
 
@@ -95,7 +95,7 @@ def keys_of(needed, place=()):
 
 
 @pytest.mark.parametrize("place", list(keys_of(REPORT)))
-def test_what_reports_need(place):
+def test_members_required_by_reports(place):
     with pytest.raises(formats.FormatError, match=f"has no {place[-1]}; run the survey again"):
         parse_summary(changed(place, ...), "a", REPORT)
 
@@ -109,7 +109,7 @@ def make_run(folder, data):
 
 @pytest.mark.parametrize("command", ["info", "report"])
 @pytest.mark.parametrize("text, message", BAD)
-def test_commands_say_so(tmp_path, capsys, command, text, message):
+def test_commands_report_damage(tmp_path, capsys, command, text, message):
     run = make_run(tmp_path / "run", text)
     assert cli.main([command, str(run)]) == 1
     err = capsys.readouterr().err
@@ -117,13 +117,13 @@ def test_commands_say_so(tmp_path, capsys, command, text, message):
     assert not (run / "report.html").exists()
 
 
-def test_a_summary_that_is_no_file(tmp_path):
+def test_summary_that_is_not_a_file(tmp_path):
     os.mkfifo(tmp_path / "run_summary.json")
     with pytest.raises(formats.FormatError, match="is a FIFO, not a regular file; copy it to a"):
         read_summary(tmp_path / "run_summary.json")
 
 
-def test_resuming_a_run_that_is_finished(make_survey, tmp_path, capsys):
+def test_resuming_a_finished_run(make_survey, tmp_path, capsys):
     """The messages are those of its summary."""
     arguments = ["run", str(make_survey(stop=1)), "--output", str(tmp_path / "out"), "--resume"]
     assert cli.main(arguments[:-1]) == 0 and cli.main(arguments) == 0

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surveys read, run in memory, in blocks and to files; made by hand."""
+"""Surveys read, run in memory, in blocks and to files; of scenes in memory."""
 
-import gc
-import pathlib
 import tempfile
 import tracemalloc
 
 import numpy as np
 import pytest
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 import vtkhelios
 from vtkhelios._watching import ProgressLine
@@ -40,7 +40,7 @@ def test_read(survey):
     assert "<td>0, 0, 2</td><td>100,000</td><td>100</td>" in survey._repr_html_()
 
 
-def test_read_what_cannot_be(tmp_path, make_survey):
+def test_read_errors(tmp_path, make_survey):
     with pytest.raises(vtkhelios.PipelineError, match="none.xml"):
         vtkhelios.read_survey(tmp_path / "none.xml")
     with pytest.raises(FileNotFoundError, match="nowhere: no such folder"):
@@ -60,7 +60,7 @@ def test_same_echoes_as_files(survey, tmp_path):
     assert np.array_equal(survey.run(seed=5).points, cloud.points)
 
 
-def test_run_is_not_changed_by_the_next(survey):
+def test_result_is_independent_of_later_runs(survey):
     first = survey.run(noise=False)
     before = first.points.copy()
     second = survey.run()
@@ -115,7 +115,7 @@ def test_wrong_legs(three, legs, message):
         three.run(legs=legs)
 
 
-def test_blocks_are_not_listed_beforehand(survey, monkeypatch):
+def test_blocks_are_computed_on_demand(survey, monkeypatch):
     """With 5e12 pulses the first block is immediate."""
 
     class Long:
@@ -133,7 +133,7 @@ def test_blocks_are_not_listed_beforehand(survey, monkeypatch):
     assert peak < 10**6
 
 
-def test_blocks_are_the_whole(three):
+def test_blocks_equal_the_run(three):
     whole = three.run(pulses=True)
     shares = []
     blocks = list(three.blocks(30_000))
@@ -148,10 +148,10 @@ def test_blocks_are_the_whole(three):
         next(three.blocks(0))
 
 
-def test_progress_is_told(three):
+def test_progress_is_reported(three):
     shares = []
     three.run(progress=shares.append)
-    assert shares and 0 <= shares[0] and shares[-1] <= 1
+    assert shares and shares[0] >= 0 and shares[-1] <= 1
     with pytest.raises(TypeError, match="progress is 7; give True, False or a function"):
         three.run(progress=7)
 
@@ -175,7 +175,7 @@ def test_progress_line(three, capsys):
     assert file[-1].strip() == ""
 
 
-def test_progress_that_cannot_be_shown_ends_no_run(survey, monkeypatch):
+def test_run_continues_without_a_place_for_progress(survey, monkeypatch):
     with open("/dev/full", "w") as full:
         monkeypatch.setattr("sys.stderr", full)
         assert len(survey.run(progress=True)) > 0
@@ -185,7 +185,7 @@ def test_progress_that_cannot_be_shown_ends_no_run(survey, monkeypatch):
     assert len(survey.run(progress=True)) > 0
 
 
-def test_what_a_callback_raises_ends_the_run(three, tmp_path):
+def test_exception_of_a_callback_ends_the_run(three, tmp_path):
     def stop(share):
         raise RuntimeError(f"enough at {share:.0f}")
 
@@ -200,7 +200,7 @@ def test_what_a_callback_raises_ends_the_run(three, tmp_path):
     "call, error, message",
     [
         (lambda s: s.run(sede=1), TypeError, "sede is no option; options are: seed, noise, tol"),
-        (lambda s: s.run(seed=-7), ValueError, r"seed is -7; its valid range is \[-1"),
+        (lambda s: s.run(seed=-7), ValueError, r"seed is -7; its valid range is \[0, 2"),
         (
             lambda s: s.run(detector="best"),
             vtkhelios.PipelineError,
@@ -218,7 +218,7 @@ def test_wrong_options(three, call, error, message, tmp_path, monkeypatch):
         call(three)
 
 
-def test_an_earlier_run_is_kept(survey, tmp_path):
+def test_earlier_run_is_not_overwritten(survey, tmp_path):
     survey.run_to(tmp_path)
     with pytest.raises(vtkhelios.PipelineError, match="files of an earlier run"):
         survey.run_to(tmp_path)
@@ -312,29 +312,82 @@ def test_scene_of_an_algorithm_and_of_data():
     assert ground.GetArray("Material.Reflectance").GetTuple1(0) == 0.1
 
 
-def test_a_changed_scene_is_saved_anew():
+def test_a_changed_scene_is_scanned_as_it_is_now():
     scene = vtkhelios.Scene(*FLAT)
-    first = vtkhelios.scan(scene, (0, 0, 0), noise=False, **TRIPOD)
+    survey = vtkhelios.make_survey(scene, [(0, 0, 0)], **TRIPOD)
+    first = survey.run(noise=False)
     scene.points[:, 2] -= 1
-    scene.polydata.GetPoints().Modified()
-    second = vtkhelios.scan(scene, (0, 0, 0), noise=False, **TRIPOD)
+    scene.modified()
+    second = survey.run(noise=False)
     assert second["Range"].min() == pytest.approx(first["Range"].min() * 2.7 / 1.7, rel=1e-2)
+    scene.points[:, 2] += 4
+    scene.modified()
+    assert vtkhelios.Scene(survey.scene).points[0, 2] == 3
 
 
-def test_temporary_folders_go_away():
-    def folders():
-        return set(pathlib.Path(tempfile.gettempdir()).glob("vtkhelios-*"))
+def test_a_scene_in_memory_writes_no_file(tmp_path, monkeypatch):
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.chdir(tmp_path)
+    before = tmp_path.stat().st_mtime_ns  # changes with every file made in it
+    assert len(vtkhelios.scan(vtkhelios.Scene(*FLAT), (0, 0), **TRIPOD)) > 1000
+    assert tmp_path.stat().st_mtime_ns == before and list(tmp_path.iterdir()) == []
 
-    before = folders()
-    survey = vtkhelios.make_survey(vtkhelios.Scene(*FLAT), [(0, 0)], **TRIPOD)
-    assert len(folders() - before) == 2
-    del survey
-    gc.collect()
-    assert folders() <= before
+
+def test_a_scene_of_vtk_filters_is_scanned_as_it_is():
+    plane = vtkPlaneSource()  # one polygon of four corners, on the xy plane
+    plane.SetOrigin(-60, -60, 0)
+    plane.SetPoint1(60, -60, 0)
+    plane.SetPoint2(-60, 60, 0)
+    survey = vtkhelios.make_survey(plane, [(0, 0, 0)], **TRIPOD)
+    assert abs(survey.run(noise=False).points[:, 2]).max() < 0.02
+    plane.SetCenter(0, 0, -2)  # the survey follows the pipeline
+    assert survey.run(noise=False).points[:, 2].max() == pytest.approx(-2, abs=0.02)
+    blocks = vtkAppendFilter()  # an unstructured grid
+    blocks.AddInputConnection(plane.GetOutputPort())
+    cloud = vtkhelios.scan(blocks, (0, 0, 0), noise=False, **TRIPOD)
+    assert cloud.points[:, 2].max() == pytest.approx(-2, abs=0.02)
+
+
+def test_another_scene_for_a_survey_from_a_file(make_survey):
+    path = make_survey()
+    own = vtkhelios.read_survey(path).run(noise=False)
+    scene = vtkhelios.Scene(*FLAT)
+    scene.points[:, 2] += 0.5
+    other = vtkhelios.read_survey(path, scene=scene).run(noise=False)
+    assert other.points[:, 2].mean() == pytest.approx(own.points[:, 2].mean() + 0.5, abs=1e-3)
+
+
+def test_files_of_a_scene_in_memory(tmp_path):
+    survey = vtkhelios.make_survey(vtkhelios.Scene(*FLAT), [(0, 0)], name="flat", **TRIPOD)
+    report = survey.run_to(tmp_path, noise=False, seed=3)
+    assert report["folder"] == tmp_path / "flat" and report["options"]["seed"] == 3
+    assert report["totals"]["points"] == len(survey.run(noise=False, seed=3))
+    with pytest.raises(TypeError, match="colour is no option; options are: seed, "):
+        survey.run_to(tmp_path, colour=1)
+
+
+def test_settings_of_a_leg_by_their_names_in_surveys():
+    cloud = _scan(scanFreq_hz=50, trajectoryTimeInterval_s=0.1)
+    assert len(cloud) > 1000
+    with pytest.raises(vtkhelios.PipelineError, match='leg 0: scanFreq_hz="fast" is not'):
+        _scan(scanFreq_hz="fast")
+
+
+def test_scene_of_another_type_is_an_error(make_survey):
+    for call in (
+        lambda: vtkhelios.scan(42, (0, 0), **TRIPOD),
+        lambda: vtkhelios.read_survey(make_survey(), scene="scene.obj"),
+    ):
+        with pytest.raises(TypeError, match="scene is of (int|str); give a Scene, a VTK data set"):
+            call()
+    points = vtkhelios.Cloud.from_arrays(vtkhelios.Scene(*FLAT).points).polydata
+    with pytest.raises(vtkhelios.PipelineError, match="the input scene, a vtkPolyData, has no pol"):
+        vtkhelios.scan(points, (0, 0, 5), **TRIPOD)
 
 
 def test_limits_of_the_scanner_clip_with_a_warning():
-    with pytest.warns(RuntimeWarning, match='^leg 0: scan_frequency="1" is clipped to 3, '):
+    with pytest.warns(RuntimeWarning, match='^leg 0: scanFreq_hz="1" is clipped to 3, '):
         _scan(scan_frequency=1)
 
 
@@ -372,7 +425,7 @@ def test_limits_of_the_scanner_clip_with_a_warning():
         (
             lambda: _scan(scan_frequency=-1),
             vtkhelios.PipelineError,
-            '^leg 0: scan_frequency="-1.0" is out of range',
+            '^leg 0: scanFreq_hz="-1.0" is out of range',
         ),
         (lambda: _scan(position=(1,)), ValueError, "give x, y, or x, y, z"),
         (lambda: _scan(scanner="laser"), vtkhelios.PipelineError, "laser"),
@@ -385,7 +438,7 @@ def test_limits_of_the_scanner_clip_with_a_warning():
         ),
     ],
 )
-def test_what_is_wrong_is_said(make, error, message):
+def test_errors(make, error, message):
     with pytest.raises(error, match=message):
         make()
 

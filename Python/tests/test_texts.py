@@ -55,7 +55,7 @@ def expect_clear(done):
         (None, "vtkObject: a message without text"),
     ],
 )
-def test_an_event_is_an_error_whatever_its_text(text, expected):
+def test_error_events_with_any_text_raise(text, expected):
     source = vtkObject()
     with MessageLog() as log:
         log.watch(source)
@@ -76,7 +76,7 @@ def test_messages_count_them(capsys):
     assert capsys.readouterr().err == "warning: x\\xff\nerror: x\\xff\nerror: y\\xff\n"
 
 
-def test_failure_that_only_the_executive_tells_is_an_error(capsys):
+def test_failure_reported_only_by_the_executive_raises(capsys):
     source = vtkObject()
     told = "Algorithm vtkFoo returned failure for request: vtkInformation"
     with Messages() as messages:
@@ -96,12 +96,12 @@ def test_failure_that_only_the_executive_tells_is_an_error(capsys):
         ((vtkObject(), "ErrorEvent", 3), TypeError, "the callback is not callable"),
     ],
 )
-def test_observe_wrongly(arguments, error, message):
+def test_invalid_observers(arguments, error, message):
     with pytest.raises(error, match=message):
         _native.observe(*arguments)
 
 
-def test_an_observer_that_raises_ends_nothing(monkeypatch):
+def test_exception_in_an_observer_is_contained(monkeypatch):
     unraisable = []
     monkeypatch.setattr(sys, "unraisablehook", unraisable.append)
     source = vtkObject()
@@ -114,15 +114,19 @@ def test_an_observer_keeps_ctrl_c():
     def interrupt(_text):
         signal.raise_signal(signal.SIGINT)
 
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs of a shell ignore it
     source = vtkObject()
     _native.observe(source, "ErrorEvent", interrupt)
-    with pytest.raises(KeyboardInterrupt):
-        source.InvokeEvent("ErrorEvent", "x")
-        for _ in range(1000):
-            pass
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            source.InvokeEvent("ErrorEvent", "x")
+            for _ in range(1000):
+                pass
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
-def test_an_error_of_python_may_have_such_a_name(window, capfd):
+def test_python_errors_with_such_names(window, capfd):
     source = vtkObject()
     with MessageLog() as log:
         log.watch(source)
@@ -132,7 +136,7 @@ def test_an_error_of_python_may_have_such_a_name(window, capfd):
     assert capfd.readouterr().err.startswith("odd")
 
 
-def test_messages_have_one_door():
+def test_messages_have_one_source():
     """VTK's own observers drop texts that are not UTF-8."""
     package = pathlib.Path(vtkhelios.__file__).parent
     assert not [path for path in package.rglob("*.py") if "CallDataType" in path.read_text()]
@@ -175,7 +179,7 @@ def test_read_survey_raises(make_survey):
         vtkhelios.read_survey(path)
 
 
-def test_a_reader_that_fails_in_silence_raises(make_survey, monkeypatch):
+def test_reader_that_fails_without_a_message_raises(make_survey, monkeypatch):
     reader = vtkhelios.vtkHeliosSurveyReader
 
     class Silent(reader):
@@ -190,7 +194,7 @@ def test_a_reader_that_fails_in_silence_raises(make_survey, monkeypatch):
 # Names on the command line.
 
 
-def test_run_and_detect_take_any_name(command_line, odd_survey):
+def test_run_and_detect_accept_any_name(command_line, odd_survey):
     output = odd_survey.parent / "out"
     for kind, ending in (("xyz", ".xyz"), ("vtp", ".pvtp")):
         done = command_line(
@@ -211,7 +215,7 @@ def test_run_and_detect_take_any_name(command_line, odd_survey):
     expect_clear(command_line("run", odd_survey, "--assets", odd_survey.parent / "none"))
 
 
-def test_validate_takes_any_name(command_line, odd_survey):
+def test_validate_accepts_any_name(command_line, odd_survey):
     assert command_line("validate", odd_survey).returncode == 0
     odd_survey.write_text("<document><survey nme='x'/></document>")
     done = command_line("validate", odd_survey)
@@ -221,7 +225,7 @@ def test_validate_takes_any_name(command_line, odd_survey):
     assert found[0]["file"].endswith(r"odd\xff\xfe.xml")
 
 
-def test_info_takes_any_name(command_line, odd_survey):
+def test_info_accepts_any_name(command_line, odd_survey):
     done = command_line("info", odd_survey)
     assert done.returncode == 0 and r"odd\xff\xfe.xml" in done.stdout
     expect_clear(command_line("info", odd_survey.parent / "none.las"))
@@ -266,7 +270,7 @@ def test_formats_with_any_name(expect_done_or_clear, small_runs, tmp_path, endin
         expect_done_or_clear("info", odd)
 
 
-def test_plan_refuses_what_its_survey_cannot_name(command_line, odd_survey, tmp_path):
+def test_plan_refuses_names_that_xml_cannot_store(command_line, odd_survey, tmp_path):
     expect_clear(command_line("plan", odd_survey.parent / "scene.xml", "--output", tmp_path / "p"))
     expect_clear(command_line("plan", tmp_path / "scene.xml", "--output", tmp_path / ODD / "p"))
     assert not (tmp_path / "p").exists() and not (tmp_path / ODD / "p").exists()
@@ -301,7 +305,7 @@ def test_names_in_files_are_texts(make_survey, capsys):
     assert r"survey   pl\xff\xfene (" in capsys.readouterr().out
 
 
-def test_python_takes_any_name(odd_survey, tmp_path):
+def test_python_accepts_any_name(odd_survey, tmp_path):
     survey = vtkhelios.read_survey(odd_survey, assets=odd_survey.parent)
     report = survey.run_to(tmp_path / ODD / "out")
     assert report["folder"] == tmp_path / ODD / "out/plane"
@@ -332,7 +336,7 @@ def test_visible(text, encoding, shown):
     assert visible(shown, encoding) == shown
 
 
-def test_contents_of_files_do_not_command_the_terminal(command_line, make_survey):
+def test_contents_of_files_are_escaped(command_line, make_survey):
     path = make_survey()
     text = path.read_text()
     path.write_text(text.replace('pulseFreq_hz="100000"', 'pulseFreq_hz="\x7f\u202e\u009b31m"'))
@@ -346,7 +350,7 @@ def test_contents_of_files_do_not_command_the_terminal(command_line, make_survey
     assert done.returncode == 0 and r"plane\x9b31m" in done.stdout
 
 
-def test_what_a_terminal_cannot_show(make_survey):
+def test_characters_missing_in_the_terminal_encoding(make_survey):
     """A terminal with another encoding: text is escaped, nothing raises."""
     environment = {**os.environ, "PYTHONPATH": ":".join(sys.path), "PYTHONIOENCODING": "ascii"}
     done = subprocess.run(

@@ -65,12 +65,12 @@ def other(request, tmp_path):
 
 
 @pytest.mark.parametrize("code", ["import vtkhelios, vtk", "import vtkhelios.cli"])
-def test_ours_first(other, code):
+def test_vtkhelios_first(other, code):
     expect_refusal(do(code, other[0]), *other, "would load")
 
 
 @pytest.mark.parametrize("first", ["vtk", "vtkmodules.vtkCommonCore"])
-def test_the_other_first(other, first):
+def test_other_vtk_first(other, first):
     expect_refusal(do(f"import {first}, vtkhelios", other[0]), *other, "has loaded")
 
 
@@ -83,18 +83,18 @@ def test_command_line(other):
     expect_refusal(done, *other, "would load")
 
 
-def test_binaries_count_more_than_versions(tmp_path):
+def test_binaries_are_compared_before_versions(tmp_path):
     """The same version with other libraries, like PyPI's 9.1.0."""
     make_other(tmp_path, VTK_VERSION, "libvtkCommonCore-9.1.so")
     expect_refusal(do("import vtkhelios", tmp_path), tmp_path, VTK_VERSION, "would load")
 
 
-def test_version_is_not_known(tmp_path):
+def test_unknown_version(tmp_path):
     make_other(tmp_path, version=None)
     expect_refusal(do("import vtkhelios", tmp_path), tmp_path, "of unknown version", "would load")
 
 
-def test_no_vtk_at_all():
+def test_no_vtk():
     hidden = "import importlib.util as util; find = util.find_spec; "
     hidden += "util.find_spec = lambda name, *more: name != 'vtkmodules' and find(name, *more); "
     done = do(hidden + "import vtkhelios")
@@ -103,7 +103,7 @@ def test_no_vtk_at_all():
     assert "apt-get install python3-vtk9" in done.stderr
 
 
-def test_its_own_vtk_is_no_other():
+def test_standard_import_of_the_same_vtk():
     assert do("import vtkmodules.all, vtkhelios").returncode == 0
     assert (
         do("import vtkhelios, vtk; vtk.vtkObject(), vtkhelios.vtkHeliosScanner()").returncode == 0

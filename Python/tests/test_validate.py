@@ -48,13 +48,13 @@ def validate(tmp_path, capsys, monkeypatch):
     return call
 
 
-def test_a_good_survey(command_line, make_survey):
+def test_valid_survey(command_line, make_survey):
     done = command_line("validate", make_survey())
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout == "1 file: 0 errors, 0 warnings\n"
 
 
-def test_everything_is_told_at_once(validate):
+def test_all_errors_are_reported_at_once(validate):
     code, lines = validate(WRONG)
     assert code == 1
     expected = [
@@ -64,7 +64,7 @@ def test_everything_is_told_at_once(validate):
         ('a.xml:12: error: template="fats"', "did you mean fast?"),
         ('a.xml:12: error: pulseFreq_hz="-1" is out of range', "from 0.001 to 1000000000 [Hz]"),
         ('a.xml:15: error: scanAngleMax_deg="1000" is out of range', "from 0 to 360 [deg]"),
-        ('a.xml:16: error: platform tripod: type="statc" is not valid', "linearpath"),
+        ('a.xml:16: error: type="statc" is not valid', "did you mean static?"),
         ('a.xml:17: error: crs="EPSG:99999999"', ""),
         ('a.xml:18: error: filepath="missing.obj": no such file', "missing.obj"),
         ('a.xml:19: error: scale="-2" is out of range', "from 1e-09"),
@@ -77,7 +77,7 @@ def test_everything_is_told_at_once(validate):
     assert lines[-1] == "1 file: 10 errors, 1 warning"
 
 
-def test_a_leg_is_checked_where_only_the_scanner_is_wrong(validate):
+def test_legs_are_checked_despite_scanner_errors(validate):
     text = WRONG.replace("statc", "static")
     _, lines = validate(text)
     turned = [line for line in lines if "never reaches it" in line]
@@ -85,13 +85,13 @@ def test_a_leg_is_checked_where_only_the_scanner_is_wrong(validate):
     assert not [line for line in lines if "a.xml:6" in line]  # the template's error is not its own
 
 
-def test_legs_are_told_one_by_one(validate):
+def test_errors_of_each_leg(validate):
     text = WRONG.replace("1e3", "120").replace("statc", "static").replace('"many"', '"50"')
     _, lines = validate(text)
     assert any(line.startswith("a.xml:9: error: no pulse frequency") for line in lines)
 
 
-def test_assets_that_no_survey_uses(validate):
+def test_unused_assets_are_checked(validate):
     code, lines = validate(
         '<document>\n<scanner id="a" optics="conic"/>\n<scanner id="b" optics="comic"/>\n'
         '<platformSettings id="t" z="high"/></document>'
@@ -110,7 +110,7 @@ def test_a_ray_caster_that_is_not_built(validate):
     assert any('rayCaster="2" is not in this build; give one of beam' in line for line in lines)
 
 
-def test_files_without_anything(validate):
+def test_empty_files(validate):
     assert "<document> is empty" in validate("<document/>")[1][0]
     assert "this is not XML" in validate("<document>")[1][0]
     code, lines = validate("<document/>", "nowhere.xml")
@@ -118,14 +118,14 @@ def test_files_without_anything(validate):
     assert lines[-2].startswith("nowhere.xml: error: cannot be read") and "2 files" in lines[-1]
 
 
-def test_twice_and_a_second_root_do_not_hide_the_rest(validate):
+def test_duplicates_and_a_second_root_do_not_hide_other_errors(validate):
     _, lines = validate(
         '<document>\n<scanner id="a" id="b" optics="comic"/>\n</document>\n<document/>'
     )
     text = "\n".join(lines)
     assert "a.xml:2: error: <scanner> has the attribute id twice" in text
     assert "a.xml:4: error: a second root element" in text
-    assert 'a.xml:2: error: scanner a: optics="comic"' in text
+    assert 'a.xml:2: error: optics="comic" is not valid; did you mean conic?' in text
 
 
 def test_a_planner(validate):
@@ -135,10 +135,7 @@ def test_a_planner(validate):
     code, lines = validate(planner.format("bst") + '<platform id="p"/></document>')
     text = "\n".join(lines)
     assert code == 1
-    assert (
-        'a.xml:2: error: method="bst" is not valid; did you mean best? Expected one of reduce'
-        in text
-    )
+    assert 'a.xml:2: error: method="bst" is not valid; did you mean best? Expected reduce' in text
     assert 'a.xml:2: error: scene="#s": a.xml has no <scene> with the id "s"' in text
     assert "a.xml:2: error: <surveyPlanner> has no attribute scanner" in text
     assert "attribute scaner of <surveyPlanner> is unknown; did you mean scanner?" in text
@@ -197,7 +194,7 @@ SWINGING = "<scanner id='a' optics='oscillating'>"
         ),
     ],
 )
-def test_the_schema_knows_the_words_that_the_reader_takes(name, place, validate):
+def test_schema_has_the_keywords_of_the_reader(name, place, validate):
     etree = pytest.importorskip("lxml.etree")
     schema = etree.fromstring(vtkhelios.vtkHeliosDialect.GetSchema().encode())
     space = {"xs": "http://www.w3.org/2001/XMLSchema"}

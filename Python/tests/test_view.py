@@ -38,7 +38,7 @@ def distance(camera):
     return np.linalg.norm(np.subtract(camera["position"], camera["focalPoint"]))
 
 
-def test_the_whole_survey_comes(window):
+def test_survey_runs_to_its_end(window):
     state = window.state()
     assert state["cloud"]["points"] > 5000
     assert state["cloud"]["drawn"] == state["cloud"]["points"]
@@ -66,7 +66,7 @@ def test_keys_of_the_camera(window):
     window.wait(lambda s: s["camera"]["mode"] == "free" and not s["camera"]["parallel"])
 
 
-def test_dragging_turns_and_the_wheel_zooms(window):
+def test_dragging_rotates_and_the_wheel_zooms(window):
     before = window.state()["camera"]
     window.move((400, 300))
     window.do("mousedown", 1)
@@ -112,7 +112,7 @@ def test_keys_of_time(window):
     )  # 100 lines/s
 
 
-def test_keys_of_the_look(window):
+def test_keys_of_colours_and_display(window):
     window.key("k")
     window.wait(lambda s: s["cloud"]["colorBy"] == "amplitude")
     window.key("shift+k")
@@ -162,7 +162,7 @@ def test_another_size(window):
     window.wait(lambda s: s["window"] == [640, 480])
 
 
-def test_a_survey_that_fails_is_shown(open_window, make_survey, tmp_path):
+def test_failed_survey_shows_its_error(open_window, make_survey, tmp_path):
     survey = make_survey()
     (tmp_path / "plane.obj").write_text("v 0 0 0\n")
     window = open_window(survey)
@@ -222,7 +222,7 @@ def test_pictures_offscreen(make_survey, tmp_path, read_pixels):
         (["SURVEY", "--offscreen", "--record", "a.mp4"], 1, "give a name that ends in .ogv"),
     ],
 )
-def test_what_is_wrong_is_said(make_survey, display, arguments, code, message):
+def test_errors(make_survey, display, arguments, code, message):
     survey = str(make_survey())
     words = [survey if word in ("SURVEY", "OTHER") else word for word in arguments]
     ended = view_command(*words, DISPLAY=display)
@@ -230,7 +230,7 @@ def test_what_is_wrong_is_said(make_survey, display, arguments, code, message):
     assert ended.returncode == code
 
 
-def test_the_command_line_starts_it(command_line):
+def test_command_line_starts_the_viewer(command_line):
     ended = command_line("view", "--help")
     assert ended.returncode == 0
     assert "--offscreen" in ended.stdout

@@ -13,10 +13,10 @@ from _viewer_window import (
     WIDTH,
     Window,
     close_all,
-    display,
+    display,  # noqa: F401
     needs_window,
     opened,
-)  # noqa: F401
+)
 
 pytestmark = needs_window
 
@@ -110,7 +110,7 @@ def count_points(folder):
     return sum(len(file.read_text().splitlines()) for file in folder.rglob("leg*_points.xyz"))
 
 
-def test_a_click_puts_the_tripod_where_it_is(take):
+def test_a_click_places_the_tripod(take):
     hands = take()
     for place in ((5, -12, 0), (-12, 3, 0)):
         hands.click(place)
@@ -127,7 +127,7 @@ def test_a_click_puts_the_tripod_where_it_is(take):
     assert not legs[0]["onGround"]
 
 
-def test_stands_come_and_go(take):
+def test_scan_positions_are_added_and_removed(take):
     hands = take()
     hands.click((5, -12, 0), "shift")
     hands.edit(lambda e: len(e["legs"]) == 2)
@@ -150,7 +150,7 @@ def test_stands_come_and_go(take):
     assert state["editor"]["legs"][0]["position"][:2] == [-8, -9]
 
 
-def test_a_survey_made_by_hand_runs_as_it_was_shown(take, command_line, tmp_path):
+def test_edited_survey_runs_as_displayed(take, command_line, tmp_path):
     hands = take("survey.xml", "--seed", "3")
     before = hands.state()["cloud"]["points"]
     hands.click((5, -12, 0))
@@ -247,7 +247,7 @@ def test_parts_of_the_scene(take, command_line, tmp_path):
     hands.edit(lambda e: e["parts"] == ["ground", "house_2"])
 
 
-def test_a_scene_by_itself_becomes_a_survey(take, command_line, tmp_path):
+def test_scene_becomes_a_survey(take, command_line, tmp_path):
     hands = take("scene.xml")
     hands.key("Return")
     hands.wait(lambda s: "has 0 <leg>" in s["message"])

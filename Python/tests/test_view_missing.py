@@ -39,7 +39,7 @@ def test_not_built_yet(explain, tmp_path):
     )
 
 
-def test_left_out_of_the_build(explain, tmp_path):
+def test_disabled_in_the_build(explain, tmp_path):
     assert explain(False, True) == (
         "error: vtkhelios-viewer is left out of this build (VTKHELIOS_BUILD_VIEWER is OFF); build it: "
         f"cmake -DVTKHELIOS_BUILD_VIEWER=ON {tmp_path} && "
@@ -54,14 +54,14 @@ def test_not_installed(explain, tmp_path):
     )
 
 
-def test_left_out_of_the_installation(explain):
+def test_disabled_in_the_installation(explain):
     assert explain(False, False) == (
         "error: vtkhelios-viewer was left out when vtkHelios was built; build it with "
         "-DVTKHELIOS_BUILD_VIEWER=ON\n"
     )
 
 
-def test_flag_is_that_of_the_build():
+def test_flag_equals_that_of_the_build():
     cache = pathlib.Path(vtkhelios.__file__).absolute().parents[4] / "CMakeCache.txt"
     if not cache.is_file():
         pytest.skip("this is no build tree")

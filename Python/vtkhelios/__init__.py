@@ -17,7 +17,9 @@ Properties of all classes are attributes and keywords, and ``>>`` connects:
 >>> cloud = vtkhelios.Cloud(((scene, trajectory) >> scanner)())
 
 read_survey(), make_survey(), scan()
-    surveys from files and by hand, which run in memory (Survey).
+    surveys from files and of scenes in memory, which run in memory (Survey).
+plan()
+    positions to scan a scene from (Plan).
 Cloud, Scene
     thin views of vtkPolyData, and numpy arrays.
 filter
@@ -47,14 +49,15 @@ from ._compose import Pipeline, select_ports
 from ._extend import extend
 from ._filter import filter
 from ._pipeline import PipelineError, update
-from .by_hand import make_survey, scan
 from .cloud import Cloud, Records
+from .planning import Plan, plan
+from .scanning import make_survey, scan
 from .scene import Scene
 from .survey import Survey, read_survey
 
 _own = [
-    "Cloud", "Pipeline", "PipelineError", "Records", "Scene", "Survey", "arrays", "data_directory",
-    "filter", "make_survey", "read_survey", "scan", "select_ports", "update",
+    "Cloud", "Pipeline", "PipelineError", "Plan", "Records", "Scene", "Survey", "arrays",
+    "data_directory", "filter", "make_survey", "plan", "read_survey", "scan", "select_ports", "update",
 ]  # fmt: skip
 
 

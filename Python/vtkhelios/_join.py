@@ -7,9 +7,8 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 from ._arrays import arrays
+from .array_names import OFFSET, SAMPLES
 from .cloud import Cloud
-
-_SAMPLES, _OFFSET = "Samples", "Offset"  # as in vtkHeliosArrayNames.h
 
 
 def join_clouds(clouds):
@@ -26,14 +25,14 @@ def join_tables(tables):
     """One table of waveforms, with all samples concatenated. A copy."""
     joined = vtkTable()
     joined.GetFieldData().ShallowCopy(tables[0].GetFieldData())
-    samples = [vtk_to_numpy(table.GetFieldData().GetArray(_SAMPLES)) for table in tables]
+    samples = [vtk_to_numpy(table.GetFieldData().GetArray(SAMPLES)) for table in tables]
     starts = np.cumsum([0] + [len(part) for part in samples])
-    _add(joined.GetFieldData(), _SAMPLES, np.concatenate(samples))
+    _add(joined.GetFieldData(), SAMPLES, np.concatenate(samples))
     rows = [arrays(table) for table in tables]
     for index in range(tables[0].GetNumberOfColumns()):
         name = tables[0].GetColumn(index).GetName()
         parts = [row[name] for row in rows]
-        if name == _OFFSET:
+        if name == OFFSET:
             parts = [part + start for part, start in zip(parts, starts)]
         _add(joined.GetRowData(), name, np.concatenate(parts))
     return joined

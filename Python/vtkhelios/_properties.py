@@ -209,7 +209,7 @@ def _doc(cls, camel):
     return told.get(f"Set{camel}") or told.get(f"Get{camel}") or None
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _texts(cls):
     """The text of every method; one without text is in the group of the one above."""
     texts, last = {}, ""
@@ -250,7 +250,7 @@ def _is_as_given(value, given):
     return True
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def properties(cls):
     """The properties of a class by name, including those of its bases, sorted by name."""
     found = {}

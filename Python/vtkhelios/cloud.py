@@ -15,13 +15,9 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._arrays import arrays
+from .array_names import UNITS
 
 __all__ = ["Cloud", "Records", "data_of"]
-
-_UNITS = {
-    "Amplitude": "W", "BeamDivergence": "rad", "EchoWidth": "ns", "GpsTime": "s",
-    "IncidenceAngle": "deg", "Range": "m", "ScanAngle": "deg", "TruePoint": "m", "points": "m",
-}  # fmt: skip
 
 
 class Cloud:
@@ -189,7 +185,7 @@ class Cloud:
 
         rows = [
             f"<tr><td>{html.escape(name)}</td><td>{values.dtype}{_width(values)}</td>"
-            f"<td>{_extent(values)}</td><td>{_UNITS.get(name, '')}</td></tr>"
+            f"<td>{_extent(values)}</td><td>{UNITS.get(name, 'm' if name == 'points' else '')}</td></tr>"
             for name, values in {"points": self.points, **arrays(self.data)}.items()
         ]
         head = "<tr><th>array</th><th>type</th><th>values</th><th>unit</th></tr>"

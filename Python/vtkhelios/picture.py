@@ -21,11 +21,14 @@ from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints, vtkUnsignedCharAr
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-import vtkhelios
 
 from ._arrays import arrays
+from ._run_files import TRAJECTORY, beside
+from .array_names import AMPLITUDE, CLASSIFICATION_IDS
 from .cli._files import cannot_be_written
 from .cli._streams import visible
+from .formats import FormatError, open_reader
+from .formats._base import rows_of
 
 from vtkmodules import vtkRenderingCore as rendering
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  draws the text
@@ -63,9 +66,6 @@ HEIGHTS = np.array(
     ]
 )
 
-# Columns of legNNN_points.xyz.
-XYZ_COLUMNS = {"x": 0, "y": 1, "z": 2, "intensity": 3, "classification": 9}
-
 
 def can_render():
     """Whether there is an X display. VTK exits if it finds none."""
@@ -79,15 +79,15 @@ def can_render():
 
 
 def read_cloud(path):
-    """Points (n x 3), echo strengths and classes of a point cloud file (.xyz or .vtp)."""
-    path = pathlib.Path(path)
-    if path.suffix == ".vtp":
-        reader = vtkhelios.vtkHeliosPointXMLReader()
-        reader.SetFileName(str(path))
-        views = arrays(vtkhelios.update(reader))
-        return views["points"], views["Amplitude"], views["ClassificationIds"]
-    columns = np.loadtxt(path, usecols=list(XYZ_COLUMNS.values()), ndmin=2, dtype=np.float64)
-    return columns[:, :3], columns[:, 3], columns[:, 4].astype(int)
+    """Points (n x 3), echo strengths and classes of a point cloud file; without these, zeros."""
+    with open_reader(path) as reader:
+        chunks = list(reader.chunks())
+
+    def joined(name, kind):
+        return np.concatenate([chunk.get(name, np.zeros(rows_of(chunk), kind)) for chunk in chunks])
+
+    points = np.concatenate([chunk["points"] for chunk in chunks])
+    return points, joined(AMPLITUDE, float), joined(CLASSIFICATION_IDS, int)
 
 
 def colours(points, strengths, classes):
@@ -342,9 +342,9 @@ def write_png(rgb, output):
 
 def find_marks(cloud):
     """Scan positions of a cloud, from the trajectory beside it; empty if it moved."""
-    path = pathlib.Path(cloud)
-    trajectory = path.with_name(path.name.replace("_points", "_trajectory")).with_suffix(".txt")
-    if not trajectory.is_file():
+    paths = beside(pathlib.Path(cloud), TRAJECTORY)
+    trajectory = next((path for path in paths if path.suffix == ".txt" and path.is_file()), None)
+    if trajectory is None:
         return []
     rows = np.loadtxt(trajectory, usecols=(0, 1, 2), ndmin=2)
     return [rows[0]] if len(rows) and np.ptp(rows, axis=0).max() < 1e-6 else []
@@ -356,7 +356,7 @@ def main(argv=None):
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("clouds", metavar="CLOUD", nargs="+", help="point clouds, .xyz or .vtp")
+    parser.add_argument("clouds", metavar="CLOUD", nargs="+", help="point clouds, such as .xyz")
     parser.add_argument("--output", metavar="PNG", default="picture.png")
     parser.add_argument("--title", default="")
     parser.add_argument(
@@ -371,9 +371,9 @@ def main(argv=None):
     parser.add_argument("--zoom", type=float, default=1.6)
     parser.add_argument("--point-size", type=float, default=2.5, help="[pixels]")
     given = parser.parse_args(argv)
-    clouds = [read_cloud(path) for path in given.clouds]
-    marks = [mark for path in given.clouds for mark in find_marks(path)]
     try:
+        clouds = [read_cloud(path) for path in given.clouds]
+        marks = [mark for path in given.clouds for mark in find_marks(path)]
         save_picture(
             clouds,
             given.output,
@@ -384,7 +384,7 @@ def main(argv=None):
             zoom=given.zoom,
             point_size=given.point_size,
         )
-    except RuntimeError as error:
+    except (RuntimeError, FormatError) as error:
         print(visible(f"error: {error}"), file=sys.stderr)
         return 1
     except OSError as error:

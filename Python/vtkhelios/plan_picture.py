@@ -14,6 +14,7 @@ from vtkmodules.vtkFiltersPoints import vtkPointInterpolator, vtkVoronoiKernel
 
 from ._arrays import arrays
 from . import picture
+from .array_names import BEST_INCIDENCE_ANGLE, COVERABLE, NORMAL, NUMBER_OF_SCANS
 from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, rendering
 
 UNSEEN = (0.34, 0.05, 0.12)
@@ -48,7 +49,7 @@ def save_picture(
     points = arrays(test_points)
     marks = arrays(positions)["points"]
     view = View(scene, (size[0] // 2, size[1]), azimuth, elevation)
-    nearest = view.find_nearest(points["points"], points.get("Normal"))
+    nearest = view.find_nearest(points["points"], points.get(NORMAL))
     panels = [
         view.draw(colours, nearest, marks)
         for colours in (scan_colours(points), angle_colours(points))
@@ -61,18 +62,18 @@ def save_picture(
 
 def scan_colours(points):
     """The colour of every test point by its number of scans."""
-    number = np.minimum(points["NumberOfScans"].astype(int), len(SCANS) - 1)
+    number = np.minimum(points[NUMBER_OF_SCANS].astype(int), len(SCANS) - 1)
     rgb = np.array([colour for colour, _ in SCANS])[number]
-    rgb[points["Coverable"] == 0] = NOT_COVERABLE
+    rgb[points[COVERABLE] == 0] = NOT_COVERABLE
     return rgb
 
 
 def angle_colours(points):
     """The colour of every test point by its best incidence angle."""
-    angle = points["BestIncidenceAngle"].astype(float)
+    angle = points[BEST_INCIDENCE_ANGLE].astype(float)
     rgb = ramp(np.nan_to_num(angle) / 90.0)
     rgb[np.isnan(angle)] = UNSEEN
-    rgb[points["Coverable"] == 0] = NOT_COVERABLE
+    rgb[points[COVERABLE] == 0] = NOT_COVERABLE
     return rgb
 
 

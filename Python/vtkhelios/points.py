@@ -20,10 +20,10 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 
 from ._pipeline import report_error
+from .array_names import CRS, NORMALS, RGB
 
 __all__ = ["las_source", "points_from_arrays"]
 
-_CRS, _NORMALS, _RGB = "CRS", "Normals", "RGB"  # as in vtkHeliosArrayNames.h
 _COLOUR_TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 
 
@@ -47,15 +47,15 @@ def points_from_arrays(xyz, normals=None, rgb=None, crs=None):
     cloud.SetPoints(holder)
     if normals is not None:
         array = numpy_to_vtk(_triples("normals", normals, (np.float64,), len(coordinates)))
-        array.SetName(_NORMALS)
+        array.SetName(NORMALS)
         cloud.GetPointData().SetNormals(array)
     if rgb is not None:
         array = numpy_to_vtk(_triples("rgb", rgb, _COLOUR_TYPES, len(coordinates)))
-        array.SetName(_RGB)
+        array.SetName(RGB)
         cloud.GetPointData().AddArray(array)
     if crs:
         text = vtkStringArray()
-        text.SetName(_CRS)
+        text.SetName(CRS)
         text.InsertNextValue(crs)
         cloud.GetFieldData().AddArray(text)
     return cloud

@@ -6,8 +6,6 @@
 """
 
 import importlib
-import os
-import pathlib
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -16,6 +14,11 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._paths import to_vtk
 from ._pipeline import MessageLog, conclude, update
+
+from .array_names import (
+    MATERIAL_CLASSIFICATION, MATERIAL_IDS, MATERIAL_IS_GROUND, MATERIAL_NAME,
+    MATERIAL_REFLECTANCE, MATERIAL_SPECTRUM, MATERIAL_SPECULARITY, MATERIAL_SPECULAR_EXPONENT,
+)  # fmt: skip
 from .cloud import data_of
 
 __all__ = ["Scene"]
@@ -37,7 +40,6 @@ class Scene:
     """
 
     def __init__(self, points, triangles=None, reflectance=None, ground=False):
-        self._saved = None
         if triangles is None:
             self.polydata = _data_of(points)
             if reflectance is None and ground is False:
@@ -50,7 +52,7 @@ class Scene:
 
     @property
     def points(self):
-        """The vertices [m], n x 3, without a copy."""
+        """The vertices [m], n x 3, without a copy; call modified() after changes in place."""
         return vtk_to_numpy(self.polydata.GetPoints().GetData())
 
     @property
@@ -87,15 +89,9 @@ class Scene:
         if not succeeded:
             raise OSError(f"{path} cannot be written; is its folder there?")
 
-    def save_for_surveys(self):
-        """The OBJ file of the current scene, in a temporary folder deleted with the Scene."""
-        if self._saved is None or self._saved[1] != self.polydata.GetMTime():
-            import tempfile
-
-            folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
-            self.write(pathlib.Path(folder.name) / "scene.obj")
-            self._saved = folder, self.polydata.GetMTime()
-        return pathlib.Path(self._saved[0].name) / "scene.obj"
+    def modified(self):
+        """Tells pipelines that vertices were changed in place."""
+        self.polydata.GetPoints().Modified()
 
     def __repr__(self):
         if not len(self):
@@ -159,19 +155,19 @@ def _add_materials(mesh, count, reflectance, ground):
         spectra.InsertNextValue("")
     is_ground = pairs[1].astype(np.int32)
     columns = {
-        "Material.Name": names,
-        "Material.Reflectance": numpy_to_vtk(pairs[0], deep=1),
-        "Material.Specularity": numpy_to_vtk(0.0 * pairs[0], deep=1),
-        "Material.SpecularExponent": numpy_to_vtk(0.0 * pairs[0] + 10, deep=1),
-        "Material.Classification": numpy_to_vtk(2 * is_ground, deep=1),
-        "Material.IsGround": numpy_to_vtk(is_ground, deep=1),
-        "Material.Spectrum": spectra,
+        MATERIAL_NAME: names,
+        MATERIAL_REFLECTANCE: numpy_to_vtk(pairs[0], deep=1),
+        MATERIAL_SPECULARITY: numpy_to_vtk(0.0 * pairs[0], deep=1),
+        MATERIAL_SPECULAR_EXPONENT: numpy_to_vtk(0.0 * pairs[0] + 10, deep=1),
+        MATERIAL_CLASSIFICATION: numpy_to_vtk(2 * is_ground, deep=1),
+        MATERIAL_IS_GROUND: numpy_to_vtk(is_ground, deep=1),
+        MATERIAL_SPECTRUM: spectra,
     }
     for name, column in columns.items():
         column.SetName(name)
         mesh.GetFieldData().AddArray(column)
     material_ids = numpy_to_vtk(ids.reshape(-1).astype(np.int32), deep=1)
-    material_ids.SetName("MaterialIds")
+    material_ids.SetName(MATERIAL_IDS)
     mesh.GetCellData().AddArray(material_ids)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Surveys: read from a file or made by hand, run in memory, in blocks, or to files.
+"""Surveys: read from a file or of a scene in memory, run in memory, in blocks, or to files.
 
 >>> survey = vtkhelios.read_survey("survey.xml")
 >>> cloud = survey.run(progress=True)
@@ -13,7 +13,8 @@ import pathlib
 import threading
 import typing
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkTable
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import _native
 from ._paths import from_vtk, text_from_vtk, to_vtk
@@ -24,7 +25,7 @@ from .cloud import Cloud
 
 __all__ = ["Leg", "Survey", "read_survey"]
 
-# Options of a run, and their properties of vtkHeliosSurveySource (or Player).
+# Options of a run, and their properties of vtkHeliosRunOptions.
 _OPTIONS = {
     "seed": "seed",
     "noise": "noise",
@@ -35,6 +36,7 @@ _OPTIONS = {
     "ray_caster": "ray_caster",
     "play": "play",
 }
+# What a run returns besides echoes, and the properties of vtkHeliosSurveySource.
 _OUTPUTS = {
     "waveforms": "generate_waveforms",
     "pulses": "generate_pulses",
@@ -43,8 +45,11 @@ _OUTPUTS = {
 }
 
 
-def read_survey(path, assets=()):
+def read_survey(path, assets=(), scene=None):
     """Reads a survey (HELIOS XML); raises PipelineError with every error, at file:line.
+
+    scene replaces that of the survey: a Scene, a VTK data set with a surface, or an algorithm that
+    makes one.
 
     Files are searched in the folders of assets, beside the survey, in the working directory, and in
     the data shipped with vtkHelios.
@@ -62,7 +67,7 @@ def read_survey(path, assets=()):
     conclude(log)
     if not succeeded:
         raise PipelineError([f"{path}: cannot be read"])
-    return Survey(reader.GetSurvey(), os.fspath(path))
+    return Survey(reader.GetSurvey(), os.fspath(path), scene)
 
 
 class Leg(typing.NamedTuple):
@@ -82,8 +87,9 @@ class Survey:
     The scene and its ray-tracing tree are built by the first run and reused later.
     """
 
-    def __init__(self, vtk_survey, path=None):
+    def __init__(self, vtk_survey, path=None, scene=None):
         self.vtk, self.path = vtk_survey, path
+        self._input = _scene_data(scene)  # in place of the survey's scene
         self._source = None
         self._lock = threading.RLock()
 
@@ -141,7 +147,11 @@ class Survey:
     def source(self, **options):
         """The survey as a source of a pipeline (vtkHeliosSurveySource), with the options of run()."""
         source = _class("vtkHeliosSurveySource")(survey=self.vtk)
-        set_properties(source, _translate(options, {**_OPTIONS, **_OUTPUTS}))
+        if isinstance(self._input, vtkAlgorithm):
+            source.SetInputConnection(0, self._input.GetOutputPort())
+        elif self._input is not None:
+            source.SetInputDataObject(0, self._input)
+        _set_options(source, options)
         return source
 
     def __rshift__(self, right):
@@ -210,18 +220,13 @@ class Survey:
         holds a block of pulses at a time. The report (a dictionary) is that of run_summary.json,
         and has the "folder".
         """
-        player = _class("vtkHeliosSurveyPlayer")(survey=self.vtk, format=format)
+        known = {"waveforms": "write_waveforms", "pulses": "write_pulses"}
+        known |= {name: name for name in _FILES}
+        _translate(options, {**_OPTIONS, **known})  # refuses any other
+        written = {name: options.pop(name) for name in list(options) if name in known}
+        player = _class("vtkHeliosSurveyPlayer")(source=self.source(**options), format=format)
         player.SetOutputDirectory(to_vtk(folder))
-        known = {**_OPTIONS, "waveforms": "write_waveforms", "pulses": "write_pulses"}
-        for name in (
-            "split_by_channel",
-            "overwrite",
-            "resume",
-            "bytes_to_check",
-            "pulses_per_block",
-        ):
-            known[name] = name
-        set_properties(player, _translate(options, known))
+        set_properties(player, _translate(written, known))
         with MessageLog() as log, Progress(progress) as watched:
             log.watch(player)
             succeeded, _ = _native.run(player, 0, [player], watched.callback, SECONDS_BETWEEN_SIGNS)
@@ -233,14 +238,9 @@ class Survey:
 
     def _prepare(self, options):
         """The cached source, with the options, and defaults for all others."""
-        values = _translate(options, {**_OPTIONS, **_OUTPUTS})
         if self._source is None:
             self._source = self.source()
-        fresh = _class("vtkHeliosSurveySource")()
-        for name in {**_OPTIONS, **_OUTPUTS}.values():
-            value = values.get(name, getattr(fresh, name))
-            if getattr(self._source, name) != value:
-                setattr(self._source, name, value)
+        _set_options(self._source, options)
         return self._source
 
     def _load(self, options=None):
@@ -248,8 +248,7 @@ class Survey:
         with self._lock:
             keeps = options is None and self._source is not None
             source = self._source if keeps else self._prepare(options or {})
-            if not source.GetNumberOfPulses():
-                self._run_source(source, LOAD, None)
+            self._run_source(source, LOAD, None)  # only what has changed
             return source
 
     def _check_leg(self, leg):
@@ -319,6 +318,17 @@ class Survey:
         return f"{html.escape(repr(self))}<table>{head}{''.join(rows)}</table>"
 
 
+def _scene_data(scene):
+    """What a Scene has, or a data object or algorithm as it is; None: none."""
+    data = getattr(scene, "polydata", scene)
+    if data is None or isinstance(data, (vtkDataObject, vtkAlgorithm)):
+        return data
+    raise TypeError(
+        f"scene is of {type(scene).__name__}; give a Scene, a VTK data set with a surface, or an "
+        "algorithm that makes one"
+    )
+
+
 LOAD = -1  # for _native.run(): only load a survey
 _ALL = 2**62
 
@@ -326,6 +336,17 @@ _ALL = 2**62
 def check_options(options, wrong="no option"):
     """Raises TypeError for an option unknown to Survey.run()."""
     _translate(options, {**_OPTIONS, **_OUTPUTS, "progress": "", "legs": ""}, wrong)
+
+
+# Options of files only, and properties of vtkHeliosSurveyPlayer.
+_FILES = ("split_by_channel", "overwrite", "resume", "bytes_to_check", "pulses_per_block")
+
+
+def _set_options(source, options):
+    """Sets the options of a source; those not given have their defaults."""
+    values = _translate(options, {**_OPTIONS, **_OUTPUTS})
+    outputs = {name: values.pop(name, False) for name in _OUTPUTS.values()}
+    set_properties(source, {"options": _class("vtkHeliosRunOptions")(**values), **outputs})
 
 
 def _translate(options, known, wrong="no option"):

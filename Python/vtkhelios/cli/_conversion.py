@@ -9,12 +9,14 @@ import pathlib
 import vtkhelios
 
 from .. import formats
+from .._run_files import PART
+from ..array_names import CRS, GPS_EPOCH, MATERIAL_NAME, PART_NAME
 from ..formats._base import call, from_cloud, rows_of, select, to_cloud
 from ..formats._records import RecordReader, RecordWriter, same_form
 from ..formats._run import RunReader
 
 RECORDS = (".las", ".laz", ".copc.laz")
-NAMES = {"Part.Name", "Material.Name"}  # field arrays stored only in VTK files
+NAMES = {PART_NAME, MATERIAL_NAME}  # field arrays stored only in VTK files
 
 
 class Conversion:
@@ -221,13 +223,11 @@ class Conversion:
         fields = {reader.header.fields.GetArrayName(i) for reader in readers
                   for i in range(reader.header.fields.GetNumberOfArrays())}  # fmt: skip
         if kind not in (".vtp", ".pvtp"):
-            kept = {"Part.Name"} if kind == ".xyz" else set()
+            kept = {PART_NAME} if kind == ".xyz" else set()
             for name in sorted((NAMES & fields) - kept):
                 self.lost[name] = "points keep the numbers; only VTK files store the names"
-        if kind == ".xyz" and fields & {"CRS", "GpsEpoch"}:
-            self.lost |= {
-                name: "text has no header" for name in ("CRS", "GpsEpoch") if name in fields
-            }
+        if kind == ".xyz" and fields & {CRS, GPS_EPOCH}:
+            self.lost |= {name: "text has no header" for name in (CRS, GPS_EPOCH) if name in fields}
 
 
 class Output:
@@ -244,7 +244,7 @@ class Output:
     def __enter__(self):
         self.path.parent.mkdir(parents=True, exist_ok=True)
         for path in self._paths:
-            self._files.append(open(f"{path}.part", "w+b"))  # noqa: SIM115
+            self._files.append(open(f"{path}{PART}", "w+b"))  # noqa: SIM115
         self.file = self._files[0]
         self.beside = self._files[-1]
         return self
@@ -255,13 +255,13 @@ class Output:
             return
         for path, file in zip(self._paths, self._files):
             file.close()
-            os.replace(f"{path}.part", path)
+            os.replace(f"{path}{PART}", path)
 
     def abandon(self):
         for path, file in zip(self._paths, self._files):
             with contextlib.suppress(OSError):  # of a full disk, already reported
                 file.close()
-            pathlib.Path(f"{path}.part").unlink(missing_ok=True)
+            pathlib.Path(f"{path}{PART}").unlink(missing_ok=True)
 
 
 def _words(reader):

@@ -4,6 +4,10 @@
 
 import numpy as np
 
+from ..array_names import (
+    AMPLITUDE, CLASSIFICATION_IDS, ECHO_WIDTH, GPS_TIME, INCIDENCE_ANGLE, NUMBER_OF_RETURNS,
+    RANGE, RETURN_NUMBER,
+)  # fmt: skip
 from ..formats import FormatError
 from ..formats._base import rows_of
 from ._raster import FARTHEST, Histogram, Raster, is_near, tally
@@ -71,20 +75,20 @@ class Figures:
         histograms = self.histograms
         if (ranges := self._ranges(chunk)) is not None:
             histograms["range"].add(ranges)
-        if "IncidenceAngle" in chunk:
-            histograms["incidence"].add(chunk["IncidenceAngle"])
-        if "Amplitude" in chunk:
-            histograms["amplitude"].add(10.0 * np.log10(1e9 * chunk["Amplitude"]))
-        if "EchoWidth" in chunk:
-            histograms["width"].add(chunk["EchoWidth"])
-        if "ReturnNumber" in chunk and "NumberOfReturns" in chunk:
-            first = chunk["NumberOfReturns"][chunk["ReturnNumber"] == 1]
+        if INCIDENCE_ANGLE in chunk:
+            histograms["incidence"].add(chunk[INCIDENCE_ANGLE])
+        if AMPLITUDE in chunk:
+            histograms["amplitude"].add(10.0 * np.log10(1e9 * chunk[AMPLITUDE]))
+        if ECHO_WIDTH in chunk:
+            histograms["width"].add(chunk[ECHO_WIDTH])
+        if RETURN_NUMBER in chunk and NUMBER_OF_RETURNS in chunk:
+            first = chunk[NUMBER_OF_RETURNS][chunk[RETURN_NUMBER] == 1]
             self.echoes += tally(first)
-        if "ClassificationIds" in chunk:
-            self.classes += tally(np.clip(chunk["ClassificationIds"], 0, 255))
+        if CLASSIFICATION_IDS in chunk:
+            self.classes += tally(np.clip(chunk[CLASSIFICATION_IDS], 0, 255))
 
     def _load_path(self, reader, chunk):
-        if "Range" in chunk or "GpsTime" not in chunk:
+        if RANGE in chunk or GPS_TIME not in chunk:
             return None
         trajectory = reader.trajectory(reader.files[reader.scan])
         self.range_is_reckoned |= trajectory is not None
@@ -92,10 +96,10 @@ class Figures:
 
     def _ranges(self, chunk):
         """From the array, else the distance to the platform [m]."""
-        if "Range" in chunk or self._path is None:
-            return chunk.get("Range")
+        if RANGE in chunk or self._path is None:
+            return chunk.get(RANGE)
         times, places = self._path
-        at = [np.interp(chunk["GpsTime"], times, places[:, axis]) for axis in range(3)]
+        at = [np.interp(chunk[GPS_TIME], times, places[:, axis]) for axis in range(3)]
         return np.linalg.norm(chunk["points"] - np.column_stack(at), axis=1)
 
     def mean_density(self):

@@ -6,12 +6,14 @@ import contextlib
 import errno
 import os
 
+from .._run_files import PART
+
 _FULL = {errno.ENOSPC: "free space on its disk or ", errno.EDQUOT: "free space of your quota or "}
 
 
 def write_whole(path, text):
     """Writes a file (a Path) via a .part; on failure the part is removed, and the error names the file."""
-    part = path.with_name(f"{path.name}.part")
+    part = path.with_name(f"{path.name}{PART}")
     try:
         part.write_text(text, encoding="utf-8")
         os.replace(part, path)

@@ -5,16 +5,16 @@
 import numpy as np
 
 from .. import formats
+
+from ..array_names import (
+    CLASSIFICATION_IDS, GPS_TIME, LEG_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER, UNITS,
+)  # fmt: skip
 from ..formats._base import rows_of
 from ..formats._records import RecordReader
 from ..formats._run import is_run
 from ._raster import FARTHEST, Raster, is_near, tally
 
 RECORDS = (".las", ".laz", ".copc.laz")
-UNITS = {
-    "GpsTime": "s", "Range": "m", "Amplitude": "W", "EchoWidth": "ns", "ScanAngle": "deg",
-    "IncidenceAngle": "deg", "TruePoint": "m",
-}  # fmt: skip
 POINTS_A_CELL = 8  # for the point spacing
 
 
@@ -61,19 +61,19 @@ class Inspection:
             near = is_near(points)
             self._far += int(np.count_nonzero(~near))
             self._raster.add(points[near, :2], scan)
-        if "ReturnNumber" in chunk:
-            self._returns += tally(chunk["ReturnNumber"])
-            if "NumberOfReturns" in chunk:
-                odd = chunk["ReturnNumber"] > chunk["NumberOfReturns"]
+        if RETURN_NUMBER in chunk:
+            self._returns += tally(chunk[RETURN_NUMBER])
+            if NUMBER_OF_RETURNS in chunk:
+                odd = chunk[RETURN_NUMBER] > chunk[NUMBER_OF_RETURNS]
                 self._impossible += int(np.count_nonzero(odd))
-        if "ClassificationIds" in chunk:
-            self._classes += tally(np.clip(chunk["ClassificationIds"], 0, 255))
-        if "LegIds" in chunk and chunk["LegIds"].dtype.kind in "iu":
-            for leg, count in zip(*np.unique(chunk["LegIds"], return_counts=True)):
+        if CLASSIFICATION_IDS in chunk:
+            self._classes += tally(np.clip(chunk[CLASSIFICATION_IDS], 0, 255))
+        if LEG_IDS in chunk and chunk[LEG_IDS].dtype.kind in "iu":
+            for leg, count in zip(*np.unique(chunk[LEG_IDS], return_counts=True)):
                 self._legs[int(leg)] = self._legs.get(int(leg), 0) + int(count)
-        if "GpsTime" in chunk and rows_of(chunk):
+        if GPS_TIME in chunk and rows_of(chunk):
             with np.errstate(all="ignore"):  # of times that are not finite
-                self._add_times(chunk["GpsTime"].reshape(rows_of(chunk), -1)[:, 0])
+                self._add_times(chunk[GPS_TIME].reshape(rows_of(chunk), -1)[:, 0])
 
     def _add_times(self, times):
         self._times = [min(self._times[0], times.min()), max(self._times[1], times.max())]

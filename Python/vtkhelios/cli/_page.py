@@ -6,6 +6,7 @@ import base64
 
 import vtkhelios
 
+from ..array_names import AMPLITUDE, RANGE
 from . import _charts
 from ._figures import CLASSES
 from ._page_template import PAGE, STYLE
@@ -19,12 +20,12 @@ LEG_HEADS = (
     "leg", "start [s]", "duration [s]", "pulses", "with echo [%]", "points", "computing time [s]"
 )  # fmt: skip
 HISTOGRAM_TEXTS = {  # key: title, axis, unit of the median, note
-    "range": ("Range", "range [m]", "m", ""),
+    "range": (RANGE, "range [m]", "m", ""),
     "incidence": (
         "Angle of incidence", "angle from the surface normal [deg]", "deg",
         "0: normal incidence",
     ),
-    "amplitude": ("Amplitude", "amplitude [dB above 1 nW]", "dB", "10 dB: ten times the power"),
+    "amplitude": (AMPLITUDE, "amplitude [dB above 1 nW]", "dB", "10 dB: ten times the power"),
     "width": ("Echo width", "full width at half maximum [ns]", "ns",
               "wider than the pulse: slopes, leaves within one beam; logarithmic frequency scale"),
 }  # fmt: skip

@@ -12,6 +12,8 @@ from vtkmodules.vtkIOXML import vtkXMLPPolyDataReader
 
 import vtkhelios
 
+from .._run_files import POINTS, file_of_leg
+from ..array_names import COVERABLE, NORMAL, NUMBER_OF_SCANS
 from ._interrupt import Interrupt
 from ._progress import make_progress
 from ._reading import make_reader
@@ -32,7 +34,7 @@ def simulate(survey, arguments, folder, messages):
     player.SetSurvey(reader.GetSurvey())
     player.SetOutputDirectory(str(folder))
     player.SetFormat("vtp")
-    player.SetNoise(False)
+    player.GetOptions().SetNoise(False)
     player.SetOverwrite(True)
     with Interrupt(player, messages) as interrupt:
         with make_progress(player, messages, quiet=arguments.quiet):
@@ -48,7 +50,7 @@ def simulate(survey, arguments, folder, messages):
     return 0, player.GetRunFolder()
 
 
-def compare(clouds, planner, settings, angular_step):
+def compare(clouds, plan, settings, angular_step):
     """Predicted and simulated coverage of the coverable test points.
 
     A test point is covered if an echo is within the tolerance; or, for coarser scans, if the
@@ -56,12 +58,12 @@ def compare(clouds, planner, settings, angular_step):
     Requirements of the plan on a line of sight (range, incidence ...) that the scanner does not
     enforce must also hold.
     """
-    points = vtkhelios.arrays(planner.GetOutputDataObject(1))
-    coverable = points["Coverable"] > 0
+    points = vtkhelios.arrays(plan.test_points.data)
+    coverable = points[COVERABLE] > 0
     places = points["points"][coverable]
-    predicted = points["NumberOfScans"][coverable] > 0
-    normals = points["Normal"][coverable] if "Normal" in points else None
-    scanners = vtkhelios.arrays(planner.GetOutputDataObject(2))["points"]
+    predicted = points[NUMBER_OF_SCANS][coverable] > 0
+    normals = points[NORMAL][coverable] if NORMAL in points else None
+    scanners = plan.positions
     tolerance = settings["hitTolerance_m"]
     near = np.zeros(len(places), dtype=bool)
     passed = np.zeros(len(places), dtype=bool)
@@ -173,7 +175,7 @@ def read_clouds(folder, count):
     """The points of every leg, one cloud at a time; empty for a leg without points."""
     for leg in range(count):
         reader = vtkXMLPPolyDataReader()
-        reader.SetFileName(f"{folder}/leg{leg:03}_points.pvtp")
+        reader.SetFileName(f"{folder}/{file_of_leg(leg, POINTS, 'vtp')}")
         reader.UpdateInformation()
         reader.GetPointDataArraySelection().DisableAllArrays()
         reader.Update()

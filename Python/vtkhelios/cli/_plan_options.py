@@ -2,11 +2,34 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The options of vtkhelios plan."""
 
-from ._planning import GROUND, LINES, METHODS
+from .._plan_settings import SETTINGS
+from ..planning import PLATFORM, SCANNER
 from ._reading import add_assets_argument
 from .run import number, whole_number
 
-PLATFORM, SCANNER = "platforms.xml#tripod", "scanners.xml#vz400_class_tls"
+
+def value_of(name):
+    """An argparse type: a number in the valid range of a setting."""
+
+    def parse(text):
+        return number(*SETTINGS[name].limits())(text)
+
+    return parse
+
+
+def words_of(name):
+    """The words of a setting."""
+    return list(SETTINGS[name].words)
+
+
+def given_settings(arguments):
+    """The settings among the arguments; None: not given."""
+    return {name: getattr(arguments, name) for name in SETTINGS}
+
+
+def option_of(name):
+    """The option of a setting."""
+    return "--" + name.replace("_", "-")
 
 
 def add_plan_arguments(parser):
@@ -39,9 +62,8 @@ def add_plan_arguments(parser):
     parser.add_argument(
         "--memory",
         metavar="MIB",
-        type=number(1, 1e9),
-        default=2048.0,
-        help="memory limit of grids and viewsheds (default: %(default)g MiB)",
+        type=value_of("memory"),
+        help="memory limit of grids and viewsheds (default: 2048 MiB)",
     )
     parser.add_argument(
         "--threads",
@@ -56,58 +78,59 @@ def add_plan_arguments(parser):
 
 def add_method_arguments(group):
     group.add_argument(
-        "--method", metavar="NAME", choices=METHODS, help="planning method: %(choices)s"
+        "--method", metavar="NAME", choices=words_of("method"), help="planning method: %(choices)s"
     )
     group.add_argument(
         "--coverage",
         metavar="PERCENT",
-        type=number(1e-6, 100),
+        type=value_of("coverage"),
         help="fraction of the test points that must be covered (default: 100)",
     )
     group.add_argument(
         "--coverage-of",
         metavar="WHICH",
-        choices=["coverable", "all"],
+        choices=words_of("coverage_of"),
         help="percent of the test points that any candidate sees, or of all (default: coverable)",
     )
     group.add_argument(
         "--overlap",
         metavar="PERCENT",
-        type=number(0, 99.9),
+        type=value_of("overlap"),
         help="overlap that connects the scans, in percent of common points, for registration "
         "(default: 0)",
     )
     group.add_argument(
         "--area-weights",
         action="store_true",
+        default=None,
         help="weight test points by the area that they represent",
     )
     group.add_argument(
         "--remove-order",
         metavar="KEY",
-        choices=["viewshedSize", "meanIncidenceAngle"],
+        choices=words_of("remove_order"),
         help="reduce: removal criterion, %(choices)s (default: viewshedSize)",
     )
     group.add_argument(
         "--remove-first",
         metavar="WHICH",
-        choices=["smallest", "largest"],
+        choices=words_of("remove_first"),
         help="reduce: values removed first (default: smallest)",
     )
     group.add_argument(
         "--time-limit",
         metavar="S",
-        type=number(0, 1e6),
+        type=value_of("time_limit"),
         help="optimal: limit of the search, in wall time (default: 300 s)",
     )
 
 
 def add_candidate_arguments(group):
     group.add_argument(
-        "--grid", metavar="M", type=number(1e-6, 1e6), help="spacing of candidates along x and y"
+        "--grid", metavar="M", type=value_of("grid"), help="spacing of candidates along x and y"
     )
     group.add_argument(
-        "--grid-y", metavar="M", type=number(1e-6, 1e6), help="spacing along y, if different"
+        "--grid-y", metavar="M", type=value_of("grid_y"), help="spacing along y, if different"
     )
     group.add_argument(
         "--region",
@@ -122,25 +145,26 @@ def add_candidate_arguments(group):
     group.add_argument(
         "--max-slope",
         metavar="DEG",
-        type=number(0, 90),
+        type=value_of("max_slope"),
         help="exclude steeper places (default: 15)",
     )
     group.add_argument(
         "--ground",
         metavar="WHERE",
-        choices=list(GROUND),
+        choices=words_of("ground"),
         help="positions on ground (helios_isGround of materials): true, false, open (with nothing "
         "above), auto (true if any material is ground; default)",
     )
     group.add_argument(
         "--enclosed",
         action="store_true",
+        default=None,
         help="include enclosed places, such as rooms (default: only if there are no others)",
     )
     group.add_argument(
         "--height",
         metavar="M",
-        type=number(1e-6, 1e4),
+        type=value_of("height"),
         help="instrument height above the ground (default: that of the platform's mount)",
     )
 
@@ -149,59 +173,64 @@ def add_sight_arguments(group):
     group.add_argument(
         "--test-grid",
         metavar="M",
-        type=number(1e-6, 1e6),
+        type=value_of("test_grid"),
         help="spacing of test points (default: that of --grid)",
     )
     group.add_argument(
         "--test-lines",
         metavar="WHICH",
-        choices=list(LINES),
+        choices=words_of("test_lines"),
         help="grid lines that carry test points: %(choices)s (default: all)",
     )
     group.add_argument(
         "--tolerance",
         metavar="M",
-        type=number(1e-6, 1e3),
+        type=value_of("tolerance"),
         help="a ray sees a test point if it ends at most this far before it (default: 0.05)",
     )
     group.add_argument(
         "--two-sided",
         action="store_true",
+        default=None,
         help="also limit the distance behind it: the test of the paper",
     )
     group.add_argument(
         "--scanner-limits",
         action="store_true",
+        default=None,
         help="use the scanner's range gate and field of view where no limit is given",
     )
     group.add_argument(
-        "--range-min", metavar="M", type=number(0, 1e9), help="minimum range (default: 0)"
+        "--range-min", metavar="M", type=value_of("range_min"), help="minimum range (default: 0)"
     )
     group.add_argument(
-        "--range-max", metavar="M", type=number(0, 1e9), help="maximum range (default: no limit)"
+        "--range-max",
+        metavar="M",
+        type=value_of("range_max"),
+        help="maximum range (default: no limit)",
     )
     group.add_argument(
         "--elevation-min",
         metavar="DEG",
-        type=number(-90, 90),
+        type=value_of("elevation_min"),
         help="vertical FOV, minimum (default: -90)",
     )
     group.add_argument(
         "--elevation-max",
         metavar="DEG",
-        type=number(-90, 90),
+        type=value_of("elevation_max"),
         help="vertical FOV, maximum (default: 90)",
     )
     group.add_argument(
         "--max-incidence",
         metavar="DEG",
-        type=number(0, 90),
+        type=value_of("max_incidence"),
         help="maximum angle of incidence, from the surface normal (default: 90)",
     )
     group.add_argument(
         "--min-density",
         metavar="N",
-        type=number(0, 1e12),
+        type=value_of("min_density"),
         help="minimum point density on a surface from one position [points/m2] (default: 0)",
     )
 
@@ -216,15 +245,13 @@ def add_scan_arguments(group):
     group.add_argument(
         "--resolution",
         metavar="DEG",
-        type=number(1e-6, 90),
-        default=0.0,
+        type=value_of("resolution"),
         help="angular step between pulses of a line and between lines, as near as the scanner "
         "allows (default: the file's, else 0.1)",
     )
     group.add_argument(
         "--pulse-frequency",
         metavar="HZ",
-        type=number(1e-3, 1e9),
-        default=0.0,
+        type=value_of("pulse_frequency"),
         help="pulse frequency (default: the file's, else the scanner's first)",
     )

@@ -1,11 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The result of a plan: as JSON, as a table, as text."""
+"""The result of a plan: as a table, as text."""
 
-import math
 import sys
-
-import vtkhelios
 
 from ._report import counted, readable
 from ._streams import unfiltered
@@ -30,65 +27,6 @@ COLUMNS = (  # of the table of positions: title, text
     ("only it", lambda row: f"{row['onlyIt']:,}"),
     ("incidence [deg]", lambda row: degrees(row["meanIncidence_deg"])),
 )
-
-
-def make_report(plan, source):
-    """A plan as plain data: its inputs and results."""
-    planner, document = plan.planner, plan.document
-    return {
-        "vtkHelios": vtkhelios.__version__,
-        "source": {"file": source, "kind": document.GetKind()},
-        "name": document.GetPlanName(),
-        "settings": plan.settings,
-        "scan": {
-            "platform": document.GetPlatformReference(),
-            "scanner": document.GetScannerReference(),
-            "pulseFrequency_Hz": document.GetLegPulseFrequency(),
-            "scanFrequency_Hz": document.GetLegScanFrequency(),
-            "headRotatePerSec_deg": document.GetLegHeadRotatePerSecond(),
-            "angularStep_deg": document.GetLegAngularStep(),
-        },
-        "candidates": plan.candidates.GetOutput().GetNumberOfPoints(),
-        "enclosed": plan.candidates.GetNumberOfEnclosed(),
-        "testPoints": plan.test_points.GetOutput().GetNumberOfPoints(),
-        "coverable": planner.GetNumberCoverable(),
-        "rays": plan.viewsheds.GetNumberOfRays(),
-        "result": {
-            "scans": planner.GetNumberOfSelected(),
-            "covered": planner.GetNumberCovered(),
-            "coverage_percent": planner.GetCoverage(),
-            "coverableCoverage_percent": planner.GetCoverableCoverage(),
-            "lowerBound": planner.GetLowerBound(),
-            "bestBound": planner.GetBestBound(),
-            "gap_percent": planner.GetGap(),
-            "isProvedOptimal": planner.GetIsProvedOptimal(),
-            "worstIncidence_deg": number_or_none(planner.GetWorstIncidenceAngle()),
-            "meanBestIncidence_deg": number_or_none(planner.GetMeanBestIncidenceAngle()),
-        },
-        "positions": list(position_rows(planner.GetOutputDataObject(2))),
-    }
-
-
-def position_rows(positions):
-    """The selected positions, largest gain first."""
-    columns = vtkhelios.arrays(positions)
-    unknown = [math.nan] * positions.GetNumberOfPoints()
-    for scan, (x, y, z) in enumerate(columns["points"]):
-        yield {
-            "scan": scan,
-            "x": float(x),
-            "y": float(y),
-            "z": float(z),
-            "sees": int(columns["ViewshedSize"][scan]),
-            "adds": int(columns["NewlyCovered"][scan]),
-            "onlyIt": int(columns["Exclusivity"][scan]),
-            "meanIncidence_deg": number_or_none(columns.get("MeanIncidenceAngle", unknown)[scan]),
-        }
-
-
-def number_or_none(value):
-    """JSON has no NaN."""
-    return None if math.isnan(value) else float(value)
 
 
 def degrees(value):

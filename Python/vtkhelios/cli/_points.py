@@ -4,6 +4,7 @@
 
 import numpy as np
 
+from ..array_names import CLASSIFICATION_IDS, NUMBER_OF_RETURNS, RETURN_NUMBER
 from ..formats import FormatError
 
 RETURNS = ("all", "first", "last", "single")
@@ -26,10 +27,10 @@ class Selection:
         masks = [keep] if keep is not None else []
         if self.returns != "all":
             number, count = (self._array(chunk, name, path, "--returns")
-                             for name in ("ReturnNumber", "NumberOfReturns"))  # fmt: skip
+                             for name in (RETURN_NUMBER, NUMBER_OF_RETURNS))  # fmt: skip
             masks.append(self._by_return(number, count))
         if self.classes is not None:
-            masks.append(np.isin(self._array(chunk, "ClassificationIds", path, "--class"),
+            masks.append(np.isin(self._array(chunk, CLASSIFICATION_IDS, path, "--class"),
                                  self.classes))  # fmt: skip
         return self._join(masks, len(chunk["points"]))
 

@@ -73,10 +73,10 @@ class Progress:
 
     def _on_progress(self, *_):
         now = time.monotonic()
-        done = self._player.GetNumberOfPulsesDone()
+        done = self._player.GetCount("pulses")
         if done > 0:
             self._indices.add(now, done)
-            self._fired.add(now, self._player.GetNumberOfPulsesFired())
+            self._fired.add(now, self._player.GetCount("pulsesFired"))
         if now >= self._next:
             self._next = now + self.seconds_between
             self.show()
@@ -84,15 +84,16 @@ class Progress:
     def describe(self):
         """The state of the run in one line."""
         player = self._player
-        if player.GetNumberOfPulsesDone() <= 0:
+        if player.GetCount("pulses") <= 0:
             return from_vtk(player.GetMessage()) or "loading"
         rate = self._fired.rate()
         pace = f"{rate / 1e6:.2f}" if rate else "-"
+        fired, points = player.GetCount("pulsesFired"), player.GetCount("points")
         left = duration(self._indices.remaining(player.GetNumberOfPulses()))
         return (
             f"leg {player.GetCurrentLeg() + 1} of {player.GetNumberOfLegs()}, "
-            f"{player.GetNumberOfPulsesFired() / 1e6:.2f} M pulses, {pace} M pulses/s, "
-            f"{player.GetNumberOfEchoes():,} points, {left} left"
+            f"{fired / 1e6:.2f} M pulses, {pace} M pulses/s, "
+            f"{points:,} points, {left} left"
         )
 
     def show(self):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run, or its estimate, as text: from the report of the player."""
 
+from .._run_files import SUMMARY_NAME
 from ._progress import duration
 
 MAXIMUM_LEGS = 20
@@ -47,7 +48,7 @@ def file_lines(legs, folder):
     lines = [f"{folder / name} ({readable(size)})" for name, size in files[:MAXIMUM_FILES]]
     if len(files) > MAXIMUM_FILES:
         lines.append(f"and {len(files) - MAXIMUM_FILES} more in {folder}")
-    lines.append(f"{folder / 'run_summary.json'}")
+    lines.append(f"{folder / SUMMARY_NAME}")
     for index, line in enumerate(lines):
         yield f"{'' if index else 'files':8} {line}"
 

@@ -11,32 +11,19 @@ class Interrupted(Exception):
     """Ctrl-C was pressed; raised between two chunks."""
 
 
-class Task:
-    """Counts points. ``total`` may be None: then no remaining time is shown."""
+class Watched:
+    """What progress and interrupts need of a player, besides GetProgress() and GetMessage()."""
 
-    def __init__(self, name, total=None):
-        self.name = name
-        self.total = total
-        self.done = 0
-        self._pace = Pace()
+    def __init__(self):
         self._stopped = False
         self._callback = None
 
-    def advance(self, count):
-        """Adds finished points; raises Interrupted if requested."""
-        self.done += count
-        self._pace.add(time.monotonic(), self.done)
-        self.tell()
-
-    def tell(self, name=None):
-        """Shows the progress; with a name, the current step."""
-        self.name = name or self.name
+    def report(self):
+        """Shows the progress; raises Interrupted if requested."""
         if self._callback:
             self._callback()
         if self._stopped:
             raise Interrupted
-
-    # Interface of a player.
 
     def Abort(self):
         self._stopped = True
@@ -48,8 +35,30 @@ class Task:
     def RemoveObserver(self, _tag):
         self._callback = None
 
-    def GetNumberOfPulsesDone(self):
+    def GetCount(self, _name):
         return 0  # reported by a message
+
+
+class Task(Watched):
+    """Counts points. ``total`` may be None: then no remaining time is shown."""
+
+    def __init__(self, name, total=None):
+        super().__init__()
+        self.name = name
+        self.total = total
+        self.done = 0
+        self._pace = Pace()
+
+    def advance(self, count):
+        """Adds finished points; raises Interrupted if requested."""
+        self.done += count
+        self._pace.add(time.monotonic(), self.done)
+        self.tell()
+
+    def tell(self, name=None):
+        """Shows the progress; with a name, the current step."""
+        self.name = name or self.name
+        self.report()
 
     def GetProgress(self):
         return self.done / self.total if self.total else 0.0

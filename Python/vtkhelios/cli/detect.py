@@ -13,8 +13,10 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from .._paths import to_vtk
+from .._run_files import PART
+from ..array_names import CLASSIFICATION_IDS, PART_IDS
 from ._messages import Messages
-from .run import DETECTORS, number, whole_number
+from .run import detectors, number, whole_number
 
 SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
 
@@ -36,7 +38,14 @@ exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
 """
 
 PIECE_SIZE = 64_000_000  # bytes of text in memory at a time
-SELECTIONS = ["all", "first", "last", "strongest", "firstAndLast"]
+
+
+def return_selections():
+    """The names of the returns to keep, and the methods that select them."""
+    start = "SetReturnSelectionTo"
+    methods = [name for name in dir(vtkhelios.vtkHeliosEchoDetection) if name.startswith(start)]
+    names = [method.removeprefix(start) for method in methods]
+    return {name[0].lower() + name[1:]: method for name, method in zip(names, methods)}
 
 
 def output_name(text):
@@ -62,7 +71,7 @@ def add_arguments(parser):
     parser.add_argument(
         "--detector",
         metavar="NAME",
-        choices=DETECTORS,
+        choices=detectors(),
         default="peak",
         help="peak, gaussian, cfd or leadingEdge (default: %(default)s)",
     )
@@ -84,7 +93,7 @@ def add_arguments(parser):
     parser.add_argument(
         "--returns",
         metavar="WHICH",
-        choices=SELECTIONS,
+        choices=list(return_selections()),
         default="all",
         help="returns to keep per pulse: all, first, last, strongest or firstAndLast (default: "
         "%(default)s)",
@@ -92,7 +101,7 @@ def add_arguments(parser):
     parser.add_argument(
         "--max-returns",
         metavar="N",
-        type=whole_number(255),
+        type=whole_number(vtkhelios.vtkHeliosEchoDetection().GetMaximumNumberOfReturnsMaxValue()),
         default=0,
         help="maximum number of these, the nearest first; 0: all (default: %(default)s)",
     )
@@ -153,25 +162,14 @@ def count_pieces(reader, path):
     return 1 + size // PIECE_SIZE
 
 
-def make_detector(name):
-    """A detector by its name in surveys and options."""
-    classes = {
-        "peak": "vtkHeliosPeakDetector",
-        "gaussian": "vtkHeliosGaussianDecomposition",
-        "cfd": "vtkHeliosConstantFractionDetector",
-        "leadingEdge": "vtkHeliosLeadingEdgeDetector",
-    }
-    return getattr(vtkhelios, classes[name])()
-
-
 def make_detection(arguments, reader):
-    detector = make_detector(arguments.detector)
+    detector = vtkhelios.vtkHeliosEchoDetection.MakeDetector(arguments.detector)
     detector.SetDetectionThreshold(1e-9 * arguments.threshold)
     detection = vtkhelios.vtkHeliosEchoDetection()
     detection.SetInputConnection(reader.GetOutputPort())
     detection.SetEchoDetector(detector)
     detection.SetPulseLength(arguments.pulse_length)
-    detection.SetReturnSelection(SELECTIONS.index(arguments.returns))
+    getattr(detection, return_selections()[arguments.returns])()
     detection.SetMaximumNumberOfReturns(arguments.max_returns)
     return detection
 
@@ -186,7 +184,7 @@ def make_writer(path):
 def complete(echoes):
     """Adds the echo columns that require a scene."""
     data = echoes.GetPointData()
-    for name, value in (("PartIds", -1), ("ClassificationIds", 0)):
+    for name, value in ((PART_IDS, -1), (CLASSIFICATION_IDS, 0)):
         if not data.HasArray(name):
             values = numpy_to_vtk(np.full(echoes.GetNumberOfPoints(), value, np.int32), deep=True)
             values.SetName(name)
@@ -197,7 +195,7 @@ def complete(echoes):
 def give_up(arguments, writer):
     """Removes the incomplete output; returns the exit code."""
     writer.Abandon()
-    pathlib.Path(f"{arguments.output}.part").unlink(missing_ok=True)
+    pathlib.Path(f"{arguments.output}{PART}").unlink(missing_ok=True)
     return 1
 
 

@@ -2,29 +2,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios plan: finds scan positions, and writes the survey of them."""
 
-import errno
+import contextlib
 import json
 import os
 import pathlib
 import shlex
-import shutil
+import warnings
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
-
-import vtkhelios
 
 from .._paths import from_vtk, require_utf8
-from ._files import cannot_be_written, write_whole
+from .._pipeline import PipelineError
+from .._plan_files import clear, data_files, has_plan, picture_file, summary_file, survey_file
+from .._plan_settings import SettingError
+from .._run_files import PART
+from ..planning import Plan, PlanTask
+from ._files import cannot_be_written
 from ._interrupt import Interrupt
+from ._messages import Messages
 from ._plan_check import check_lines, compare, explain_difference, read_clouds, simulate
-from ._plan_options import PLATFORM, SCANNER, add_plan_arguments
-from ._plan_report import file_lines, make_report, print_table, result_lines
-from ._planning import Plan, PlanMessages, Steps
+from ._plan_options import add_plan_arguments, given_settings, option_of
+from ._plan_report import file_lines, print_table, result_lines
+from ._plan_watch import PlanWatch
 from ._progress import make_progress
-from ._reading import look_up, missing_folder
 from ._report import counted
+from ._task import Interrupted
 
 SUMMARY = "find scan positions for a scene, and write the survey that scans from them"
 
@@ -76,15 +78,6 @@ exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage,
 130 interrupted (Ctrl-C: nothing is written before the plan is made).
 """
 
-FILES = (
-    "survey.xml",
-    "positions.vtp",
-    "candidates.vtp",
-    "test_points.vtp",
-    "plan.png",
-    "plan_summary.json",
-)
-
 
 def add_arguments(parser):
     parser.epilog = EPILOG
@@ -93,103 +86,81 @@ def add_arguments(parser):
 
 def run(arguments):
     require_utf8(arguments.input, arguments.output)  # the survey stores them as XML
-    with PlanMessages(quiet=arguments.quiet, results=not arguments.json) as messages:
+    with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
-        document = read_document(arguments, messages)
-        if document is None:
-            return 1
-        for name in ("PlanName", "SceneReference", "PlatformReference", "ScannerReference"):
-            require_utf8(from_vtk(getattr(document, f"Get{name}")()))  # as above
-        folder = pathlib.Path(arguments.output) / document.GetPlanName()
-        if problem := find_earlier_plan(folder, arguments.overwrite):
-            messages.error(problem)
-            return 1
-        if problem := find_unusable(arguments, folder):
-            messages.error(problem)
-            return 1
-        plan = Plan(arguments, document)
-        if problem := find_contradiction(plan.settings):
-            messages.error(problem)
-            return 1
-        messages.info(
-            f"plan     {document.GetPlanName()} ({arguments.input}), {plan.settings['method']}"
-        )
-        steps = Steps(messages)
-        with Interrupt(steps, messages) as interrupt:
-            with make_progress(steps, messages, quiet=arguments.quiet):
-                succeeded = plan.run(steps)
-        if interrupt.signal:
-            messages.interrupted = False
-            messages.error("interrupted before the plan was made; nothing was written")
-            return 128 + interrupt.signal
-        if not succeeded:
-            messages.error_unless_told("no plan was found")
-            return 1
-        return conclude(arguments, plan, steps, folder, messages)
+        try:
+            with shown_warnings(messages):
+                return make_plan(arguments, messages)
+        except SettingError as error:
+            messages.error(error.say(option_of))
+        except PipelineError as error:
+            for text in error.messages:
+                messages.error(text)
+        return 1
 
 
-def read_document(arguments, messages):
-    """The plan document, or None after an error."""
-    if problem := missing_folder(arguments.assets):
+@contextlib.contextmanager
+def shown_warnings(messages):
+    """Prints the warnings of the library."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", RuntimeWarning)
+        warnings.showwarning = lambda message, *_, **__: messages.warning(str(message))
+        yield
+
+
+def make_plan(arguments, messages):
+    """Makes, prints and writes the plan; returns an exit code."""
+    task = PlanTask(arguments.input, arguments.assets, **given_settings(arguments))
+    for name in ("SceneReference", "PlatformReference", "ScannerReference"):
+        require_utf8(from_vtk(getattr(task.document, f"Get{name}")()))  # as above
+    require_utf8(task.name)
+    folder = pathlib.Path(arguments.output) / task.name
+    if problem := find_unusable(folder, arguments.overwrite):
         messages.error(problem)
-        return None
-    document = vtkhelios.vtkHeliosPlannerReader()
-    look_up(document, arguments.input, arguments.assets)
-    document.SetPlatform(arguments.platform)
-    document.SetScanner(arguments.scanner)
-    document.SetDefaultPlatform(PLATFORM)
-    document.SetDefaultScanner(SCANNER)
-    document.SetUseScannerLimits(arguments.scanner_limits)
-    document.SetResolution(arguments.resolution)
-    document.SetPulseFrequency(arguments.pulse_frequency)
-    messages.watch(document)
-    if document.Read():
-        return document
-    messages.error_unless_told(f"{arguments.input}: cannot be read")
-    return None
+        return 1
+    messages.info(f"plan     {task.name} ({arguments.input}), {task.settings['method']}")
+    plan, signal = run_steps(task, arguments, messages)
+    if signal:
+        messages.error("interrupted before the plan was made; nothing was written")
+        return 128 + signal
+    print_plan(plan, messages)
+    try:
+        return write_plan(arguments, plan, folder, messages)
+    except OSError as error:
+        messages.error(cannot_be_written(error, folder, "--output"))
+        return 1
 
 
-def find_earlier_plan(folder, overwrite):
-    """Why a plan must not be written to a folder, or None."""
-    if overwrite or not any((folder / name).exists() for name in FILES):
-        return None
-    return (
-        f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to replace "
-        "them, or another --output"
-    )
+def run_steps(task, arguments, messages):
+    """The Plan of a task, and 0; or None and the signal that ended it."""
+    watch, seconds = PlanWatch(), {}
+    with Interrupt(watch, messages) as interrupt, contextlib.suppress(Interrupted):
+        with make_progress(watch, messages, quiet=arguments.quiet):
+            for step in task.steps():
+                watch.begin(step)
+                step.run(seconds, watch.on_progress)
+    return (None, interrupt.signal) if interrupt.signal else (Plan(task, seconds), 0)
 
 
-def find_unusable(arguments, folder):
-    """The error in the named files, or None."""
-    if arguments.exclude and not vtkXMLPolyDataReader().CanReadFile(arguments.exclude):
-        return f"--exclude {arguments.exclude}: is not a VTK XML file of polygons; give a .vtp"
+def find_unusable(folder, overwrite):
+    """Why a plan cannot be written to a folder, or None."""
+    if not overwrite and has_plan(folder):
+        return (
+            f"{folder}: holds the files of an earlier plan, which are kept; give --overwrite to "
+            "replace them, or another --output"
+        )
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "survey.xml.part").touch()
-        (folder / "survey.xml.part").unlink()
+        (folder / f"survey.xml{PART}").touch()
+        (folder / f"survey.xml{PART}").unlink()
     except OSError as error:
         return cannot_be_written(error, folder, "--output")
     return None
 
 
-def find_contradiction(settings):
-    """Why nothing can be visible, or None."""
-    for low, high, options in (
-        (settings["rangeMin_m"], settings["rangeMax_m"], "--range-min, --range-max"),
-        (
-            settings["elevationMin_deg"],
-            settings["elevationMax_deg"],
-            "--elevation-min, --elevation-max",
-        ),
-    ):
-        if low >= high:
-            return f"the range from {low:g} to {high:g} is empty: give a larger one ({options})"
-    return None
-
-
-def conclude(arguments, plan, steps, folder, messages):
-    """Writes and prints the result of a plan; returns an exit code."""
-    report = make_report(plan, arguments.input)
+def print_plan(plan, messages):
+    """Prints the result of a plan."""
+    report = plan.report
     messages.info(
         f"from     {report['candidates']:,} candidates and {report['testPoints']:,} test points, "
         f"{report['coverable']:,} of them coverable"
@@ -203,31 +174,23 @@ def conclude(arguments, plan, steps, folder, messages):
         print_table(report["positions"])
     for line in result_lines(report):
         messages.info(line)
-    try:
-        return write_plan(arguments, plan, steps, folder, report, messages)
-    except OSError as error:
-        messages.error(cannot_be_written(error, folder, "--output"))
-        return 1
 
 
-def write_plan(arguments, plan, steps, folder, report, messages):
+def write_plan(arguments, plan, folder, messages):
     """Writes the files of a plan, and the check; returns an exit code."""
     clear(folder)
-    files = write_data(plan.planner, folder)
-    survey = write_survey(arguments, plan, folder, messages)
-    if survey is None:
-        return 1
+    files = data_files(plan, folder)
+    survey = survey_file(plan, folder)
     files.insert(0, survey)
     picture = draw(arguments, plan, folder, messages)
     files += [picture] if picture else []
-    code = 0
+    report = dict(plan.report)
+    timings, code = report.pop("timings"), 0
     if arguments.check:
         code = check(arguments, plan, survey, folder, report, messages)
-    report["timings"] = {**steps.seconds}
+    report["timings"] = timings
     report["files"] = [path.name for path in files]
-    path = folder / "plan_summary.json"
-    write_whole(path, json.dumps(report, indent=2) + "\n")
-    for line in file_lines([*files, path]):
+    for line in file_lines([*files, summary_file(report, folder)]):
         messages.info(line)
     folders = [word for folder in arguments.assets for word in ("--assets", folder)]
     messages.info(f"run it   {shlex.join(['vtkhelios', 'run', str(survey), *folders])}")
@@ -236,99 +199,27 @@ def write_plan(arguments, plan, steps, folder, report, messages):
     return code
 
 
-def clear(folder):
-    """Makes a folder without the files of an earlier plan."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in reversed(FILES):  # the summary, which marks them complete, first
-        (folder / name).unlink(missing_ok=True)
-    shutil.rmtree(folder / "check", ignore_errors=True)
-
-
-def write_data(planner, folder):
-    """Candidates, test points and positions as VTK XML; returns their names."""
-    files = []
-    for port, name in ((2, "positions.vtp"), (0, "candidates.vtp"), (1, "test_points.vtp")):
-        data = vtkPolyData()
-        data.ShallowCopy(planner.GetOutputDataObject(port))
-        data.GetPointData().RemoveArray("Visibility")  # a bit per pair: as large as all else
-        part = folder / f"{name}.part"
-        writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(str(part))
-        writer.SetInputData(data)
-        if not writer.Write() or writer.GetErrorCode():
-            part.unlink(missing_ok=True)
-            raise OSError(errno.ENOSPC, "the disk may be full", str(folder / name))
-        os.replace(part, folder / name)
-        files.append(folder / name)
-    return files
-
-
-def write_survey(arguments, plan, folder, messages):
-    """The survey of a plan: its path, or None after an error."""
-    document = plan.document
-    path = folder / "survey.xml"
-    writer = vtkhelios.vtkHeliosSurveyWriter()
-    messages.watch(writer)
-    look_up(writer, str(path), arguments.assets)
-    writer.SetInputConnection(plan.planner.GetOutputPort(2))
-    writer.SetSurveyName(document.GetPlanName())
-    writer.SetScene(refer(document.GetSceneReference() or arguments.input, folder))
-    writer.SetPlatform(refer(document.GetPlatformReference(), folder))
-    writer.SetScanner(refer(document.GetScannerReference(), folder))
-    writer.SetPulseFrequency(document.GetLegPulseFrequency())
-    writer.SetScanFrequency(document.GetLegScanFrequency())
-    if document.HasRotatingMirror():
-        writer.SetVerticalAngleMin(document.GetLegVerticalAngleMin())
-        writer.SetVerticalAngleMax(document.GetLegVerticalAngleMax())
-    elif document.GetLegScanAngle() > 0:
-        writer.SetScanAngle(document.GetLegScanAngle())
-    writer.SetHeadRotateStart(document.GetLegHeadRotateStart())
-    writer.SetHeadRotateStop(document.GetLegHeadRotateStop())
-    writer.SetHeadRotatePerSecond(document.GetLegHeadRotatePerSecond())
-    return path if writer.Write() else None
-
-
-def refer(reference, folder):
-    """A reference as written to a file of a folder: shipped files by name."""
-    path, mark, name = reference.partition("#")
-    absolute = pathlib.Path(path).resolve()
-    if absolute.is_relative_to(vtkhelios.data_directory().resolve() / "Assets"):
-        return f"{absolute.name}{mark}{name}"
-    return f"{os.path.relpath(absolute, folder.resolve())}{mark}{name}"
-
-
 def draw(arguments, plan, folder, messages):
     """The picture of a plan: its path, or None without one."""
     if arguments.no_picture:
         return None
-    from vtkhelios import plan_picture
-
-    path = folder / "plan.png"
     try:
-        plan_picture.save_picture(
-            plan.document.GetOutput(),
-            plan.planner.GetOutputDataObject(1),
-            plan.planner.GetOutputDataObject(2),
-            path,
-            title=plan.document.GetPlanName(),
-        )
+        return picture_file(plan, folder)
     except RuntimeError as error:
         messages.warning(f"no plan.png: {error}, or give --no-picture")
         return None
-    return path
 
 
 def check(arguments, plan, survey, folder, report, messages):
     """Simulates the survey and compares; returns an exit code."""
-    tolerance = plan.settings["hitTolerance_m"]
+    settings = report["settings"]
     code, simulated = simulate(survey, arguments, folder / "check", messages)
     if code:
         return code
-    clouds = read_clouds(simulated, len(report["positions"]))
-    step = plan.document.GetLegAngularStep()
-    report["check"] = compare(clouds, plan.planner, plan.settings, step)
-    for line in check_lines(report["check"], tolerance):
+    clouds = read_clouds(simulated, len(plan))
+    report["check"] = compare(clouds, plan, settings, report["scan"]["angularStep_deg"])
+    for line in check_lines(report["check"], settings["hitTolerance_m"]):
         messages.info(line)
-    if problem := explain_difference(report["check"], plan.settings):
+    if problem := explain_difference(report["check"], settings):
         messages.warning(problem)
     return 0

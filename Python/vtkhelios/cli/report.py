@@ -6,6 +6,7 @@ import json
 import pathlib
 
 from .. import formats
+from .._run_files import SUMMARY_NAME
 from ..formats._base import rows_of
 from ..formats._run import RunReader, is_run
 from ..formats._summary import REPORT, check_summary
@@ -89,7 +90,7 @@ def make_report(arguments, messages):
     load_template()
     figures = Figures(arguments.cell)
     with RunReader(folder) as reader:
-        check_summary(reader.summary, folder / "run_summary.json", REPORT)
+        check_summary(reader.summary, folder / SUMMARY_NAME, REPORT)
         task = Task("reading", reader.count)
         reader.keeps_invalid = True  # they are an error
         with Interrupt(task, messages) as interrupt:

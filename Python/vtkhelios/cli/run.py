@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkSMPTools
 import vtkhelios
 
 from .._paths import from_vtk, text_from_vtk, to_vtk
+from .._run_files import FORMATS, JOURNAL_NAME, SUMMARY_NAME
 from ..formats import FormatError
 from ..formats._summary import FINISHED, parse_summary
 from ._interrupt import Interrupt
@@ -114,23 +115,26 @@ def number(lowest, highest):
     return parse
 
 
-DETECTORS = ["peak", "gaussian", "cfd", "leadingEdge"]
+def detectors():
+    """The names of the echo detectors, the default one first."""
+    return vtkhelios.vtkHeliosRunOptions.GetEchoDetectorNames().split()
 
 
 def ray_casters():
     """The names of the ray casters in this build, the default one first."""
-    caster = vtkhelios.vtkHeliosRayCaster
-    return [caster.GetBackendName(index) for index in range(caster.GetNumberOfBackends())]
+    factory = vtkhelios.vtkHeliosRayCasterFactory
+    return [factory.GetBackendName(index) for index in range(factory.GetNumberOfBackends())]
 
 
 def add_arguments(parser):
     parser.epilog = EPILOG
+    player, options = vtkhelios.vtkHeliosSurveyPlayer(), vtkhelios.vtkHeliosRunOptions()
     parser.add_argument("survey", metavar="SURVEY.xml", help="the survey (HELIOS XML)")
     add_assets_argument(parser)
     parser.add_argument(
         "--output",
         metavar="DIR",
-        default="output",
+        default=player.GetOutputDirectory(),
         help="where the files go (default: %(default)s)",
     )
     add_earlier_run_arguments(parser)
@@ -148,8 +152,8 @@ def add_arguments(parser):
     )
     parser.add_argument(
         "--format",
-        choices=["xyz", "las", "vtp"],
-        default="xyz",
+        choices=FORMATS,
+        default=player.GetFormat(),
         help="text columns, points as LAS 1.4, or VTK XML (default: %(default)s)",
     )
     parser.add_argument(
@@ -165,11 +169,11 @@ def add_arguments(parser):
         action="store_true",
         help="one file per scanner channel: legNNN_points_dev<channel>.xyz",
     )
-    add_sampling_arguments(parser)
+    add_sampling_arguments(parser, options)
     parser.add_argument(
         "--seed",
         metavar="N",
-        type=whole_number(2**62),
+        type=whole_number(options.GetSeedMaxValue()),
         help="seed of all random numbers: the same seed gives byte-identical files, "
         "for any number of threads (default: the survey's, else 0)",
     )
@@ -188,14 +192,17 @@ def add_arguments(parser):
         "--ray-caster",
         metavar="NAME",
         choices=ray_casters(),
+        default="",
         help="ray caster: %(choices)s (default: the survey's rayCaster, else the first); "
         "the points are the same (obbtree: nearly); Docs/ray-casters.md compares their cost",
     )
     parser.add_argument(
         "--pulses-per-block",
         metavar="N",
-        type=whole_number(2**24, lowest=1),
-        default=262144,
+        type=whole_number(
+            player.GetPulsesPerBlockMaxValue(), lowest=player.GetPulsesPerBlockMinValue()
+        ),
+        default=player.GetPulsesPerBlock(),
         help="pulses computed and written at a time: small blocks need less memory, and less is "
         "lost if a run is killed; large ones are faster; text and LAS are byte-identical, in vtp "
         "each block is a file (default: %(default)s)",
@@ -228,18 +235,18 @@ def add_earlier_run_arguments(parser):
     )
 
 
-def add_sampling_arguments(parser):
+def add_sampling_arguments(parser, options):
     parser.add_argument(
         "--range-tolerance",
         metavar="M",
-        type=number(1e-6, 1),
+        type=number(options.GetRangeToleranceMinValue(), options.GetRangeToleranceMaxValue()),
         default=0.0,
         help="adaptive beam sampling: range error, RMS [m] " "(default: the survey's, else 0.001)",
     )
     parser.add_argument(
         "--energy-tolerance",
         metavar="F",
-        type=number(1e-4, 1),
+        type=number(options.GetEnergyToleranceMinValue(), options.GetEnergyToleranceMaxValue()),
         default=0.0,
         help="adaptive beam sampling: relative amplitude error, RMS (default: the survey's, else "
         "0.01)",
@@ -247,7 +254,7 @@ def add_sampling_arguments(parser):
     parser.add_argument(
         "--sub-rays",
         metavar="N",
-        type=whole_number(65536),
+        type=whole_number(options.GetNumberOfSubRaysMaxValue()),
         default=0,
         help="a fixed number of sub-rays instead: 1, 7, 19, 37, 62 ... on circles, "
         "as with beamSampleQuality, other numbers on a spiral",
@@ -255,7 +262,8 @@ def add_sampling_arguments(parser):
     parser.add_argument(
         "--detector",
         metavar="NAME",
-        choices=DETECTORS,
+        choices=detectors(),
+        default="",
         help="echo detector: peak (log-parabola), gaussian (decomposition), "
         "cfd (constant fraction), leadingEdge (default: the survey's, else peak)",
     )
@@ -318,14 +326,15 @@ def make_player(arguments, survey, messages):
     player.SetWriteWaveforms(arguments.waveforms)
     player.SetWritePulses(arguments.pulses)
     player.SetSplitByChannel(arguments.split_by_channel)
-    player.SetRangeTolerance(arguments.range_tolerance)
-    player.SetEnergyTolerance(arguments.energy_tolerance)
-    player.SetNumberOfSubRays(arguments.sub_rays)
-    player.SetEchoDetector(arguments.detector)
     seed = max(0, survey.GetSeed()) if arguments.seed is None else arguments.seed
-    player.SetSeed(seed)
-    player.SetNoise(not arguments.no_noise)
-    player.SetRayCaster(arguments.ray_caster)
+    options = player.GetOptions()
+    options.SetRangeTolerance(arguments.range_tolerance)
+    options.SetEnergyTolerance(arguments.energy_tolerance)
+    options.SetNumberOfSubRays(arguments.sub_rays)
+    options.SetEchoDetector(arguments.detector)
+    options.SetSeed(seed)
+    options.SetNoise(not arguments.no_noise)
+    options.SetRayCaster(arguments.ray_caster)
     messages.info(
         f"survey   {text_from_vtk(survey.GetName())} ({arguments.survey}), seed {seed}"
         f"{', without noise' if arguments.no_noise else ''}"
@@ -340,9 +349,9 @@ def plays_to_run(arguments, player, messages):
         return [arguments.play]  # the player reports a missing one
     if count > 1 and not (arguments.dry_run or arguments.overwrite or arguments.resume):
         for play in range(count):  # before a long first run
-            player.SetPlay(play)
+            player.GetOptions().SetPlay(play)
             folder = pathlib.Path(from_vtk(player.GetRunFolder()))
-            if any((folder / name).exists() for name in ("run.journal", "run_summary.json")):
+            if any((folder / name).exists() for name in (JOURNAL_NAME, SUMMARY_NAME)):
                 messages.error(
                     f"{folder}: holds the files of an earlier run, which are kept; give --resume to "
                     "continue it, --overwrite to replace them, or another --output"
@@ -356,14 +365,14 @@ def run_play(arguments, player, play, messages, interrupt, reports):
     if interrupt.signal:
         messages.error(f"interrupted before epoch {play}: --resume continues with it")
         return 128 + interrupt.signal
-    player.SetPlay(play)
+    player.GetOptions().SetPlay(play)
     if player.GetSurvey().GetNumberOfPlays() > 1:
         messages.info(f"epoch    {play} of {player.GetSurvey().GetNumberOfPlays()}, counted from 0")
     with make_progress(player, messages, quiet=arguments.quiet):
         succeeded = player.Estimate() if arguments.dry_run else player.Run()
     folder = pathlib.Path(from_vtk(player.GetRunFolder()))
     if interrupt.signal and not succeeded:
-        points = player.GetNumberOfEchoes()
+        points = player.GetCount("points")
         kept = (
             f"the {points:,} points so far are kept in {folder}; --resume continues the run"
             if points
@@ -390,7 +399,7 @@ def run_play(arguments, player, play, messages, interrupt, reports):
 def read_report(player, folder):
     """The report of a run, or of an earlier one: then that of its summary, which is checked."""
     if player.GetWasFinished():
-        return parse_summary(from_vtk(player.GetReport()), folder / "run_summary.json", FINISHED)
+        return parse_summary(from_vtk(player.GetReport()), folder / SUMMARY_NAME, FINISHED)
     return json.loads(from_vtk(player.GetReport()))
 
 

@@ -7,27 +7,36 @@ import dataclasses
 import importlib
 import os
 import pathlib
-import stat
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkPolyData
 
+from .. import _native
 from .._arrays import arrays
 from .._pipeline import MessageLog
+
+from .._run_files import PART
+
+from ..array_names import (
+    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, CRS,
+    DEVIATION, ECHO_WIDTH, EDGE_OF_FLIGHT_LINE, GPS_EPOCH, GPS_TIME, INCIDENCE_ANGLE,
+    INTENSITY, LEG_IDS, MATERIAL_IDS, NEAR_INFRARED, NUMBER_OF_RETURNS, PART_IDS, PART_NAME,
+    PULSE_IDS, RANGE, RETURN_NUMBER, SCAN_ANGLE, SCAN_DIRECTION, USER_DATA, WAVEFORM_IDS,
+)  # fmt: skip
 
 ROWS = 500_000  # points of a chunk
 
 NUMBERS = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8")  # types of arrays
 
 # Arrays of clouds with one value per point.
-SCALARS = frozenset(
-    "Amplitude CellIds ChannelIds ClassificationFlags ClassificationIds Deviation EchoWidth "
-    "EdgeOfFlightLine GpsTime IncidenceAngle Intensity LegIds MaterialIds NearInfrared "
-    "NumberOfReturns PartIds PulseIds Range ReturnNumber ScanAngle ScanDirection UserData "
-    "WaveformIds".split()
-)
+SCALARS = frozenset((
+    AMPLITUDE, CELL_IDS, CHANNEL_IDS, CLASSIFICATION_FLAGS, CLASSIFICATION_IDS, DEVIATION,
+    ECHO_WIDTH, EDGE_OF_FLIGHT_LINE, GPS_TIME, INCIDENCE_ANGLE, INTENSITY, LEG_IDS,
+    MATERIAL_IDS, NEAR_INFRARED, NUMBER_OF_RETURNS, PART_IDS, PULSE_IDS, RANGE, RETURN_NUMBER,
+    SCAN_ANGLE, SCAN_DIRECTION, USER_DATA, WAVEFORM_IDS,
+))  # fmt: skip
 
 Chunk = dict  # name: numpy array; includes "points"
 
@@ -36,36 +45,18 @@ class FormatError(ValueError):
     """A file that cannot be read or written, with the reason and the remedy."""
 
 
-# Paths that are not files to read; same messages as heliosInputFile.cxx.
-_KINDS = {
-    stat.S_IFDIR: "a folder; give the name of a file",
-    stat.S_IFIFO: "a FIFO, not a regular file; copy it to a file",
-    stat.S_IFSOCK: "a socket, not a regular file; copy what it sends to a file",
-    stat.S_IFCHR: "a character device, not a regular file; copy what is read to a file",
-    stat.S_IFBLK: "a block device, not a regular file; copy what is read to a file",
-}
-_KERNEL = "a file of the kernel (/proc, /sys), not a regular file; copy it to a file"
-
-
 def check_file(path):
     """Raises FormatError unless a path is a regular file; others may have no end or no size."""
     path = os.fspath(path)
     try:
-        status = os.stat(path)
+        os.stat(path)
     except FileNotFoundError:
         raise FormatError(f"{path}: no such file; check its name") from None
     except (OSError, ValueError) as error:  # ValueError: NUL in the name
         reason = getattr(error, "strerror", None) or error
         raise FormatError(f"{path}: cannot be read: {reason}; check its name") from None
-    kind = _KINDS.get(stat.S_IFMT(status.st_mode))
-    if kind or _is_of_kernel(status):
-        raise FormatError(f"{path}: cannot be read: it is {kind or _KERNEL}")
-
-
-def _is_of_kernel(status):
-    """Whether the kernel generates a file's contents on reading."""
-    mounts = {os.stat(path).st_dev for path in ("/proc", "/sys") if os.path.isdir(path)}
-    return status.st_dev in mounts - {os.stat("/").st_dev}
+    if problem := _native.check_input_file(os.fsencode(path)):
+        raise FormatError(f"{path}: {problem}")
 
 
 def memory_limit(size):
@@ -117,38 +108,38 @@ class Header:
     @property
     def crs(self):
         """The coordinate system: WKT or EPSG:n; empty: unknown."""
-        array = self.fields.GetAbstractArray("CRS")
+        array = self.fields.GetAbstractArray(CRS)
         return _as_text(array.GetValue(0)) if array and array.GetNumberOfValues() else ""
 
     @crs.setter
     def crs(self, text):
-        self._set_text("CRS", [text] if text else [])
+        self._set_text(CRS, [text] if text else [])
 
     @property
     def epoch(self):
         """Zero of GpsTime [s], GPS time since 6 January 1980; 0: unknown."""
-        array = self.fields.GetArray("GpsEpoch")
+        array = self.fields.GetArray(GPS_EPOCH)
         return array.GetTuple1(0) if array and array.GetNumberOfValues() else 0.0
 
     @epoch.setter
     def epoch(self, seconds):
-        self.fields.RemoveArray("GpsEpoch")
+        self.fields.RemoveArray(GPS_EPOCH)
         if seconds:
             array = vtkDoubleArray()
-            array.SetName("GpsEpoch")
+            array.SetName(GPS_EPOCH)
             array.InsertNextValue(seconds)
             self.fields.AddArray(array)
 
     @property
     def part_names(self):
         """The names of scene parts, by PartIds."""
-        array = self.fields.GetAbstractArray("Part.Name")
+        array = self.fields.GetAbstractArray(PART_NAME)
         values = range(array.GetNumberOfValues() if array else 0)
         return [_as_text(array.GetValue(i)) for i in values]
 
     @part_names.setter
     def part_names(self, names):
-        self._set_text("Part.Name", names)
+        self._set_text(PART_NAME, names)
 
     def _set_text(self, name, values):
         self.fields.RemoveArray(name)
@@ -302,7 +293,7 @@ class FileWriter(Writer):
 
     def __init__(self, path, header):
         super().__init__(path, header)
-        self.part = f"{path}.part"
+        self.part = f"{path}{PART}"
         self.file = None
 
     def open_part(self):
@@ -348,7 +339,7 @@ class StreamWriter(Writer):
         if self.stream.IsOpen():
             self.stream.Abandon()
         path = pathlib.Path(self.path)
-        path.with_name(f"{path.name}.part").unlink(missing_ok=True)
+        path.with_name(f"{path.name}{PART}").unlink(missing_ok=True)
 
 
 def find_problem(chunk):

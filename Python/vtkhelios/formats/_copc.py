@@ -7,7 +7,6 @@ the rest goes to its children. Points are sorted by the Morton codes of their po
 node is a range of them; they are stored in a scratch file meanwhile.
 """
 
-import math
 import os
 import pathlib
 import struct
@@ -17,7 +16,6 @@ import numpy as np
 
 from ._base import FileWriter, need
 from ._las import Encoder, LazReader
-from ._records import RecordReader
 
 LEVELS = 21  # bits of a Morton code per direction
 GRID = 7  # bits of a node's grid
@@ -125,7 +123,7 @@ class CopcWriter(FileWriter):
         if self._scratch is None:
             folder = pathlib.Path(self.path).parent
             folder.mkdir(parents=True, exist_ok=True)
-            self._scratch = tempfile.TemporaryFile(dir=folder)
+            self._scratch = tempfile.TemporaryFile(dir=folder)  # noqa: SIM115
         records.tofile(self._scratch)
         self.count += len(records)
 

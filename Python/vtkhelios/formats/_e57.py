@@ -9,11 +9,14 @@ import numpy as np
 
 import vtkhelios
 
+from ..array_names import (
+    AMPLITUDE, GPS_TIME, INTENSITY, NUMBER_OF_RETURNS, PULSE_IDS, RETURN_NUMBER, RGB,
+)  # fmt: skip
 from ._base import ROWS, FileWriter, Reader, Scan, need, rows_of
 from ._grid import find_grid
 
 OURS = "vtkHelios, intensity: amplitude [W]"  # prefix of a scan's description
-STANDARD = ("points", "Amplitude", "Intensity", "ReturnNumber", "NumberOfReturns", "GpsTime", "RGB")
+STANDARD = ("points", AMPLITUDE, INTENSITY, RETURN_NUMBER, NUMBER_OF_RETURNS, GPS_TIME, RGB)
 XYZ = ("cartesianX", "cartesianY", "cartesianZ")
 POLAR = ("sphericalRange", "sphericalAzimuth", "sphericalElevation")
 COLOURS = ("colorRed", "colorGreen", "colorBlue")
@@ -111,16 +114,16 @@ class E57Reader(Reader):
             data = {name: values[valid] for name, values in data.items()}
         chunk = {"points": self._place(data)}
         if "timeStamp" in data:
-            chunk["GpsTime"] = data["timeStamp"]
+            chunk[GPS_TIME] = data["timeStamp"]
         if "returnIndex" in data:
-            chunk["ReturnNumber"] = (data["returnIndex"] + 1).astype(np.uint8)
+            chunk[RETURN_NUMBER] = (data["returnIndex"] + 1).astype(np.uint8)
         if "returnCount" in data:
-            chunk["NumberOfReturns"] = data["returnCount"].astype(np.uint8)
+            chunk[NUMBER_OF_RETURNS] = data["returnCount"].astype(np.uint8)
         if "intensity" in data:
             self._add_intensity(chunk, data["intensity"], header)
         if all(name in data for name in COLOURS):
             colours = np.column_stack([data[name] for name in COLOURS])
-            chunk["RGB"] = (colours / 255.0).astype(np.float32)
+            chunk[RGB] = (colours / 255.0).astype(np.float32)
         return chunk
 
     def _place(self, data):
@@ -144,7 +147,7 @@ class E57Reader(Reader):
 
     def _add_intensity(self, chunk, values, header):
         if self._is_ours:
-            chunk["Amplitude"] = values
+            chunk[AMPLITUDE] = values
             return
         low, high = 0.0, 65535.0
         if header.node.isDefined("intensityLimits"):
@@ -157,7 +160,7 @@ class E57Reader(Reader):
             count = np.count_nonzero(~finite)
             self.notes.append(f"{self.path}: {count:,} intensities are not finite: read as 0")
             scaled = np.where(finite, scaled, 0.0)
-        chunk["Intensity"] = np.clip(np.rint(scaled), 0, 65535).astype(np.uint16)
+        chunk[INTENSITY] = np.clip(np.rint(scaled), 0, 65535).astype(np.uint16)
 
     def close(self):
         self._file.close()
@@ -192,8 +195,8 @@ class E57Writer(FileWriter):
         for name in chunk:
             if name not in STANDARD:
                 self.lost[name] = "E57 has no field for it"
-        if "Amplitude" in chunk and "Intensity" in chunk:
-            self.lost["Intensity"] = "the amplitude is the intensity"
+        if AMPLITUDE in chunk and INTENSITY in chunk:
+            self.lost[INTENSITY] = "the amplitude is the intensity"
         if self._writer is None:
             self._begin_scan(chunk)
         for begin in range(0, rows_of(chunk), ROWS):
@@ -209,7 +212,7 @@ class E57Writer(FileWriter):
         image.extensionsAdd("", libe57.E57_V1_0_URI)
         root = image.root()
         root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
-        root.set("guid", libe57.StringNode(image, "{%s}" % uuid.uuid4()))
+        root.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
         root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
         root.set("e57LibraryVersion", libe57.StringNode(image, libe57.E57_LIBRARY_ID))
@@ -254,22 +257,22 @@ class E57Writer(FileWriter):
     def _fields(self, chunk):
         local = (chunk["points"] - self._move) @ self._turn
         fields = {name: np.ascontiguousarray(local[:, i]) for i, name in enumerate(XYZ)}
-        if "Amplitude" in chunk or "Intensity" in chunk:
-            values = chunk.get("Amplitude", chunk.get("Intensity"))
+        if AMPLITUDE in chunk or INTENSITY in chunk:
+            values = chunk.get(AMPLITUDE, chunk.get(INTENSITY))
             fields["intensity"] = values.astype(np.float64)
-        if "ReturnNumber" in chunk and "NumberOfReturns" in chunk:
-            number = chunk["ReturnNumber"].astype(np.int32)
+        if RETURN_NUMBER in chunk and NUMBER_OF_RETURNS in chunk:
+            number = chunk[RETURN_NUMBER].astype(np.int32)
             fields["returnIndex"] = np.maximum(number - 1, 0).astype(np.uint8)
-            fields["returnCount"] = chunk["NumberOfReturns"].astype(np.uint8)
-        if "GpsTime" in chunk:
-            fields["timeStamp"] = chunk["GpsTime"].astype(np.float64)
-        if "RGB" in chunk:
-            colours = np.rint(np.clip(chunk["RGB"], 0, 1) * 255).astype(np.uint8)
+            fields["returnCount"] = chunk[NUMBER_OF_RETURNS].astype(np.uint8)
+        if GPS_TIME in chunk:
+            fields["timeStamp"] = chunk[GPS_TIME].astype(np.float64)
+        if RGB in chunk:
+            colours = np.rint(np.clip(chunk[RGB], 0, 1) * 255).astype(np.uint8)
             fields |= {name: colours[:, i] for i, name in enumerate(COLOURS)}
-        if self._pulses is not None and "PulseIds" in chunk:
-            fields |= self._pulses.place(chunk["PulseIds"])
+        if self._pulses is not None and PULSE_IDS in chunk:
+            fields |= self._pulses.place(chunk[PULSE_IDS])
             fields["cartesianInvalidState"] = np.zeros(rows_of(chunk), np.uint8)
-            self._pulses.note(chunk["PulseIds"])
+            self._pulses.note(chunk[PULSE_IDS])
         return fields
 
     def _put(self, fields):
@@ -298,7 +301,7 @@ class E57Writer(FileWriter):
     def _make_scan(self, scan):
         node = self._structure()
         libe57, image = self._libe57, self._image
-        node.set("guid", libe57.StringNode(image, "{%s}" % uuid.uuid4()))
+        node.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
         node.set("name", libe57.StringNode(image, scan.name))
         words = f"{OURS} ({vtkhelios.__version__})"
         node.set("description", libe57.StringNode(image, words))

@@ -4,6 +4,8 @@
 
 import numpy as np
 
+from ..array_names import CHANNEL_IDS, DIRECTION, GPS_TIME, PULSE_IDS, SCAN_ANGLE
+
 JUMP = 10.0  # of the angle, in typical steps: a new line
 
 
@@ -28,15 +30,15 @@ class Grid:
     def misses(self, chunks, turn, rows):
         """Yields the pulses without echoes: directions in the frame of the scanner."""
         for chunk in chunks:
-            for begin in range(0, len(chunk["PulseIds"]), rows):
-                ids = chunk["PulseIds"][begin : begin + rows]
+            for begin in range(0, len(chunk[PULSE_IDS]), rows):
+                ids = chunk[PULSE_IDS][begin : begin + rows]
                 lost = ~self._hit[ids - self._first]
-                local = chunk["Direction"][begin : begin + rows][lost] @ turn
+                local = chunk[DIRECTION][begin : begin + rows][lost] @ turn
                 yield {
                     "cartesianX": local[:, 0],
                     "cartesianY": local[:, 1],
                     "cartesianZ": local[:, 2],
-                    "timeStamp": chunk["GpsTime"][begin : begin + rows][lost],
+                    "timeStamp": chunk[GPS_TIME][begin : begin + rows][lost],
                     **self.place(ids[lost]),
                 }
 
@@ -48,7 +50,7 @@ def find_grid(chunks, turn):
     angle. For a multi-channel scanner a channel is a row.
     """
     parts = [
-        (chunk["PulseIds"].copy(), _angles(chunk, turn), chunk["ChannelIds"].copy())
+        (chunk[PULSE_IDS].copy(), _angles(chunk, turn), chunk[CHANNEL_IDS].copy())
         for chunk in chunks
     ]
     if not parts:
@@ -74,7 +76,7 @@ def find_grid(chunks, turn):
 
 def _angles(chunk, turn):
     """Of the mirror, else the elevation in the frame of the scanner [deg]."""
-    if "ScanAngle" in chunk:
-        return chunk["ScanAngle"].copy()
-    up = chunk["Direction"] @ turn[:, 2]
+    if SCAN_ANGLE in chunk:
+        return chunk[SCAN_ANGLE].copy()
+    up = chunk[DIRECTION] @ turn[:, 2]
     return np.degrees(np.arcsin(np.clip(up, -1.0, 1.0)))

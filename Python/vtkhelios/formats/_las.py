@@ -14,6 +14,7 @@ import numpy as np
 
 import vtkhelios
 
+from .._run_files import PART
 from ..points import _find_crs
 from ._base import FileWriter, Header, Reader, StreamWriter
 from ._base import call, from_cloud, need, to_cloud
@@ -113,7 +114,7 @@ class Encoder:
         self._header = header
         self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
         self._las = pathlib.Path(self._folder.name) / "points.las"
-        self._part = pathlib.Path(f"{self._las}.part")
+        self._part = pathlib.Path(f"{self._las}{PART}")
         self._writer = vtkhelios.vtkHeliosLASWriter()
         self._writer.SetFileName(str(self._las))
         self._begin = 0  # of points in the file

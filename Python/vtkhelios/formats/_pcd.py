@@ -7,7 +7,7 @@ Binary, x y z as floats relative to an origin in a comment: as in PCL's point ty
 
 import vtkhelios
 
-from ._base import ROWS, Header, Reader, StreamWriter, call, from_cloud, rows_of, select
+from ._base import Header, Reader, StreamWriter, call, from_cloud, rows_of, select
 
 
 class PcdReader(Reader):

@@ -8,6 +8,7 @@ so reading and writing are a header and copies.
 
 import numpy as np
 
+from ..array_names import NORMALS, RGB
 from ._base import ROWS, FileWriter, Reader, rows_of
 
 TYPES = {
@@ -20,7 +21,7 @@ WORDS |= {"f4": "float", "f8": "double"}
 MARK = "vtkhelios"  # of comments with data that PLY cannot store
 
 # Names used by other programs.
-NORMALS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
+NORMAL_FIELDS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
 LARGEST = 2**53  # integers exact in doubles
 COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
@@ -153,12 +154,12 @@ class PlyReader(Reader):
         fields = {name: vertices[name].astype(vertices[name].dtype.newbyteorder("="))
                   for name, _ in self._properties}  # fmt: skip
         chunk = {"points": _stack(fields, ("x", "y", "z")).astype(np.float64)}
-        if all(name in fields for name in NORMALS):
-            chunk["Normals"] = _stack(fields, NORMALS)
+        if all(name in fields for name in NORMAL_FIELDS):
+            chunk[NORMALS] = _stack(fields, NORMAL_FIELDS)
         if all(name in fields for name in COLOURS):
             colours = _stack(fields, COLOURS)
             full = np.iinfo(colours.dtype).max if colours.dtype.kind in "iu" else 1.0
-            chunk["RGB"] = (colours / full).astype(np.float32)
+            chunk[RGB] = (colours / full).astype(np.float32)
         for name in list(fields):
             if name in fields:
                 self._add(chunk, fields, name)
@@ -219,9 +220,9 @@ class PlyWriter(FileWriter):
         for name, values in chunk.items():
             if name == "points":
                 continue
-            if name == "Normals":
-                yield from zip(NORMALS, values.T)
-            elif name == "RGB":
+            if name == NORMALS:
+                yield from zip(NORMAL_FIELDS, values.T)
+            elif name == RGB:
                 yield from zip(COLOURS, self._colours(values).T)
             elif values.ndim == 2 and values.shape[1] == 3:
                 yield from zip([name + axis for axis in "XYZ"], self._fit(name, values).T)
@@ -234,7 +235,7 @@ class PlyWriter(FileWriter):
     def _colours(self, values):
         bytes_of = np.rint(np.clip(values, 0, 1) * 255).astype(np.uint8)
         if np.abs(bytes_of / 255.0 - values).max(initial=0) > 1e-6:
-            self.lost["RGB"] = "only 8 bits per colour are stored"
+            self.lost[RGB] = "only 8 bits per colour are stored"
         return bytes_of
 
     def _fit(self, name, values):

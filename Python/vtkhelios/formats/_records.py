@@ -10,6 +10,7 @@ import struct
 
 import numpy as np
 
+from .._run_files import PART
 from ._base import ROWS, FormatError, check_file, is_failure, need
 from ._las_check import Damage, check_header, check_points
 
@@ -280,7 +281,7 @@ class RecordWriter:
             raise
         except Exception as error:
             raise FormatError(
-                f"{self.file.name.removesuffix('.part')}: cannot be written: {error}; free space "
+                f"{self.file.name.removesuffix(PART)}: cannot be written: {error}; free space "
                 "on its disk"
             ) from error
 

@@ -5,19 +5,20 @@
 import itertools
 import os
 import pathlib
-import re
 
 import numpy as np
 
 import vtkhelios
 
-from ._base import ROWS, Reader, Scan, call, check_file, from_cloud, rows_of
+from .._run_files import (
+    JOURNAL_NAME, POINTS, PULSES, SUMMARY_NAME, TRAJECTORY, WAVEFORMS,
+    beside, is_play, kind_of, number_of, stem_of,
+)  # fmt: skip
+from ..array_names import CHANNEL_IDS, DIRECTION, GPS_TIME, LEG_IDS, ORIENTATION, PULSE_IDS
+from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
 from ._summary import read_summary
 from ._text import TextReader
 from ._vtp import PiecesReader
-
-POINTS = re.compile(r"((leg|strip)([^/\\]+?))_points(_dev\d+)?\.(xyz|las|laz|pvtp)")
-NUMBER = re.compile(r"-?\d{1,9}")
 
 
 def is_run(path):
@@ -36,17 +37,19 @@ class RunReader(Reader):
         self.summary = self._read_summary()
         names = [file["name"] for leg in self.summary["legs"] for file in leg["files"]]
         self.files = [
-            name for name in dict.fromkeys(names) if POINTS.fullmatch(name) and only in (None, name)
+            name
+            for name in dict.fromkeys(names)
+            if kind_of(name) == POINTS and only in (None, name)
         ]
         if not self.files:
-            self.fail("its run_summary.json lists no point files; run the survey again")
+            self.fail(f"its {SUMMARY_NAME} lists no point files; run the survey again")
         self.scans = [self._make_scan(name) for name in self.files]
-        self._names = {}  # of objects in text
+        self._text = vtkhelios.vtkHeliosPointTextReader()  # one, for the names of parts
         self.notes = [] if only else self._find_unnamed()
         self._readers = [self._open(name) for name in self.files]
         self.header = self._readers[0].header
         self.has_waveforms = any(reader.has_waveforms for reader in self._readers) or any(
-            self.folder.glob("*_fullwave*")
+            kind_of(path) == WAVEFORMS for path in self.folder.iterdir()
         )
         self.count = self._count()
         self.kind = (
@@ -55,11 +58,11 @@ class RunReader(Reader):
 
     def _find_unnamed(self):
         """Notes on point files in the folder that the summary does not list."""
-        beside = {path.name for path in self.folder.iterdir() if POINTS.fullmatch(path.name)}
+        present = {path.name for path in self.folder.iterdir() if kind_of(path) == POINTS}
         return [
-            f"{self.folder / name}: is not read: run_summary.json does not list it; run the survey "
+            f"{self.folder / name}: is not read: {SUMMARY_NAME} does not list it; run the survey "
             "again, or remove the file"
-            for name in sorted(beside - set(self.files))
+            for name in sorted(present - set(self.files))
         ]
 
     def _count(self):
@@ -69,35 +72,29 @@ class RunReader(Reader):
         return sum(records[name] for name in self.files)
 
     def _read_summary(self):
-        path = self.folder / "run_summary.json"
+        path = self.folder / SUMMARY_NAME
         if os.path.lexists(path):
             return read_summary(path)
-        if (self.folder / "run.journal").is_file():
+        if (self.folder / JOURNAL_NAME).is_file():
             self.fail("the run is not finished; vtkhelios run --resume continues it")
-        if any(self.folder.glob("play[0-9]*/run_summary.json")):
+        if any(is_play(path) and (path / SUMMARY_NAME).exists() for path in self.folder.iterdir()):
             self.fail("holds several epochs; give the folder of one: play000, play001 ...")
-        self.fail("is a folder without run_summary.json; give the folder of a run, or files")
+        self.fail(f"is a folder without {SUMMARY_NAME}; give the folder of a run, or files")
 
     def _open(self, name):
         from . import open_reader
 
         path = self.folder / name
         if path.suffix == ".xyz":
-            check_file(path)
-            return TextReader(path, self._names)
+            return TextReader(path, self._text)
         return open_reader(path)
-
-    def leg_of(self, name):
-        """The number of the leg or strip in a file name; -1: its strip has a name."""
-        number = POINTS.fullmatch(name)[3]
-        return int(number) if NUMBER.fullmatch(number) else -1
 
     def read_chunks(self, rows):
         for self.scan, (name, reader) in enumerate(zip(self.files, self._readers)):
             reader.keeps_invalid = self.keeps_invalid
             for chunk in reader.chunks(rows):
-                if "LegIds" not in chunk:
-                    chunk["LegIds"] = np.full(rows_of(chunk), self.leg_of(name), np.int32)
+                if LEG_IDS not in chunk:
+                    chunk[LEG_IDS] = np.full(rows_of(chunk), number_of(name), np.int32)
                 if reader.header.part_names:
                     self.header.part_names = reader.header.part_names
                 yield chunk
@@ -105,24 +102,25 @@ class RunReader(Reader):
 
     def trajectory(self, name):
         """Times [s], points [m] and quaternions of the leg of a point file; None: no file."""
-        stem = POINTS.fullmatch(name)[1]
-        for ending in (".txt", ".pvtp"):
-            path = self.folder / f"{stem}_trajectory{ending}"
-            if path.is_file():
-                return self._read_trajectory(path)
-        return None
+        path = self._find(name, TRAJECTORY)
+        return path and self._read_trajectory(path)
+
+    def _find(self, name, kind):
+        """The file of a kind that belongs to a point file; None: no file."""
+        paths = beside(self.folder / name, kind)
+        return next((path for path in paths if path.is_file()), None)
 
     def _read_trajectory(self, path):
         if path.suffix == ".txt":
             return _text_trajectory(self, path)
         pieces = list(PiecesReader(path).chunks())
-        names = ("GpsTime", "points", "Orientation")
+        names = (GPS_TIME, "points", ORIENTATION)
         return tuple(np.concatenate([piece[name] for piece in pieces]) for name in names)
 
     def _make_scan(self, name):
-        stem = pathlib.Path(name).name.split("_points")[0]
+        stem = stem_of(name)
         trajectory = self.trajectory(name)
-        pulses = self._pulses(POINTS.fullmatch(name)[1])
+        pulses = self._pulses(name)
         if trajectory is None:
             return Scan(stem)
         _, places, turns = trajectory
@@ -132,13 +130,12 @@ class RunReader(Reader):
         origin = next(pulses())["points"][0] if pulses else places[0]
         return Scan(stem, tuple(origin), tuple(turns[0]), True, pulses)
 
-    def _pulses(self, stem):
+    def _pulses(self, name):
         """A function that reads the pulses of a leg in chunks; None: there are none."""
-        path = self.folder / f"{stem}_pulse.pvtp"
-        if path.is_file():
-            return lambda: PiecesReader(path).chunks()
-        path = self.folder / f"{stem}_pulse.txt"
-        return (lambda: _text_pulses(path)) if path.is_file() else None
+        path = self._find(name, PULSES)
+        if path is None:
+            return None
+        return lambda: _text_pulses(path) if path.suffix == ".txt" else PiecesReader(path).chunks()
 
     def close(self):
         for reader in self._readers:
@@ -152,10 +149,10 @@ def _text_pulses(path, rows=ROWS):
             table = np.loadtxt(lines, ndmin=2)
             yield {
                 "points": table[:, :3],
-                "Direction": table[:, 3:6],
-                "GpsTime": 1e-9 * table[:, 6],
-                "PulseIds": table[:, 7].astype(np.int64),
-                "ChannelIds": table[:, 8].astype(np.int32),
+                DIRECTION: table[:, 3:6],
+                GPS_TIME: 1e-9 * table[:, 6],
+                PULSE_IDS: table[:, 7].astype(np.int64),
+                CHANNEL_IDS: table[:, 8].astype(np.int32),
             }
 
 
@@ -163,11 +160,7 @@ def _text_trajectory(owner, path):
     """x y z, GPS time, roll pitch yaw, as written by vtkHeliosTrajectoryTextWriter."""
     reader = vtkhelios.vtkHeliosTrajectoryReader()
     reader.SetFileName(str(path))
-    for name, column in zip(("X", "Y", "Z", "Time", "Roll", "Pitch", "Yaw"), range(7)):
-        getattr(reader, f"Set{name}Column")(column)
-    reader.SetAngleConvention(reader.CANONICAL)
-    reader.SetAngleUnit(reader.DEGREES)
-    reader.SetSeparators(" ")
+    reader.UseWriterFormat()
     call(owner, reader, reader.Update)
     chunk = from_cloud(reader.GetOutput())
-    return chunk["GpsTime"], chunk["points"], chunk["Orientation"]
+    return chunk[GPS_TIME], chunk["points"], chunk[ORIENTATION]

@@ -15,7 +15,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 import vtkhelios
 
 from .._pipeline import MessageLog
-from ._base import ROWS, Header, Reader, StreamWriter, Writer
+from .._run_files import PART
+from ._base import Header, Reader, StreamWriter, Writer
 from ._base import call, check_file, from_cloud, rows_of, select, to_cloud
 
 
@@ -114,7 +115,7 @@ class VtpWriter(Writer):
         self._add_vertices(cloud)
         pathlib.Path(self.path).parent.mkdir(parents=True, exist_ok=True)
         writer = vtkXMLPolyDataWriter()
-        writer.SetFileName(f"{self.path}.part")
+        writer.SetFileName(f"{self.path}{PART}")
         writer.SetInputData(cloud)
         writer.SetHeaderTypeToUInt64()
         with MessageLog() as log:  # VTK reports a full disk in many lines
@@ -124,7 +125,7 @@ class VtpWriter(Writer):
         if log.errors or writer.GetErrorCode():
             problem = vtkErrorCode.GetStringFromErrorCode(writer.GetErrorCode())
             self.fail(f"cannot be written: {problem}; free space on its disk")
-        os.replace(f"{self.path}.part", self.path)
+        os.replace(f"{self.path}{PART}", self.path)
 
     def _add_vertices(self, cloud):
         """A vertex per point, so that viewers show it."""
@@ -138,4 +139,4 @@ class VtpWriter(Writer):
 
     def abandon(self):
         self._chunks.clear()
-        pathlib.Path(f"{self.path}.part").unlink(missing_ok=True)
+        pathlib.Path(f"{self.path}{PART}").unlink(missing_ok=True)

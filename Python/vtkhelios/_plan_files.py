@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of a plan: its survey, its points, its summary."""
+
+import errno
+import importlib
+import json
+import os
+import pathlib
+import shutil
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from ._paths import from_vtk, to_vtk
+from ._pipeline import MessageLog, PipelineError, conclude
+from ._run_files import PART
+from .array_names import VISIBILITY
+from .scene import Scene
+
+__all__ = ["clear", "data_files", "has_plan", "picture_file", "survey_file", "summary_file"]
+
+SUMMARY = "plan_summary.json"
+SCENE = "scene.obj"  # of a scene that has no file
+POINTS = {"positions.vtp": 2, "candidates.vtp": 0, "test_points.vtp": 1}  # and ports of the planner
+FILES = ("survey.xml", *POINTS, "plan.png", SUMMARY)
+
+
+def has_plan(folder, more=()):
+    """Whether a folder has files of a plan, or more files."""
+    return any((folder / name).exists() for name in [*FILES, *more])
+
+
+def clear(folder):
+    """Makes a folder without the files of an earlier plan."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in reversed(FILES):  # the summary, which marks them complete, first
+        (folder / name).unlink(missing_ok=True)
+    shutil.rmtree(folder / "check", ignore_errors=True)
+
+
+def data_files(plan, folder):
+    """Writes candidates, test points and positions as VTK XML; returns their paths."""
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    files = []
+    for name, port in POINTS.items():
+        data = vtkPolyData()
+        data.ShallowCopy(plan.outputs[port])
+        data.GetPointData().RemoveArray(VISIBILITY)  # a bit per pair: as large as all else
+        part = folder / f"{name}{PART}"
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(to_vtk(part))
+        writer.SetInputData(data)
+        if not writer.Write() or writer.GetErrorCode():
+            part.unlink(missing_ok=True)
+            raise OSError(errno.ENOSPC, "the disk may be full", str(folder / name))
+        os.replace(part, folder / name)
+        files.append(folder / name)
+    return files
+
+
+def survey_file(plan, folder):
+    """Writes the survey; returns its path."""
+    from .cli._reading import look_up
+
+    document, path = plan.task.document, folder / "survey.xml"
+
+    def refer(reference):
+        return to_vtk(_refer(from_vtk(reference), folder))
+
+    writer = _package().vtkHeliosSurveyWriter()
+    look_up(writer, str(path), plan.task.assets)
+    writer.SetInputDataObject(plan.outputs[2])
+    writer.SetSurveyName(to_vtk(plan.name))
+    writer.SetScene(refer(document.GetSceneReference() or _scene_file(plan, folder)))
+    writer.SetPlatform(refer(document.GetPlatformReference()))
+    writer.SetScanner(refer(document.GetScannerReference()))
+    writer.SetPulseFrequency(document.GetLegPulseFrequency())
+    writer.SetScanFrequency(document.GetLegScanFrequency())
+    if document.HasRotatingMirror():
+        writer.SetVerticalAngleMin(document.GetLegVerticalAngleMin())
+        writer.SetVerticalAngleMax(document.GetLegVerticalAngleMax())
+    elif document.GetLegScanAngle() > 0:
+        writer.SetScanAngle(document.GetLegScanAngle())
+    writer.SetHeadRotateStart(document.GetLegHeadRotateStart())
+    writer.SetHeadRotateStop(document.GetLegHeadRotateStop())
+    writer.SetHeadRotatePerSecond(document.GetLegHeadRotatePerSecond())
+    with MessageLog() as log:
+        log.watch(writer)
+        succeeded = writer.Write()
+    conclude(log)
+    if not succeeded:
+        raise PipelineError([f"{path}: cannot be written"])
+    return path
+
+
+def _scene_file(plan, folder):
+    """The mesh of a plan; of a scene in memory, written to the folder."""
+    if not plan.task.has_scene_in_memory():
+        return plan.task.source
+    path = folder / SCENE
+    Scene(plan.scene).write(path)
+    return str(path)
+
+
+def _refer(reference, folder):
+    """A reference as written to a file of a folder: shipped files by name."""
+    path, mark, name = reference.partition("#")
+    absolute = pathlib.Path(path).resolve()
+    if absolute.is_relative_to(_package().data_directory().resolve() / "Assets"):
+        return f"{absolute.name}{mark}{name}"
+    return f"{os.path.relpath(absolute, folder.resolve())}{mark}{name}"
+
+
+def picture_file(plan, folder):
+    """Draws the picture; returns its path. Raises RuntimeError without a display."""
+    from .plan_picture import save_picture
+
+    path = folder / "plan.png"
+    save_picture(plan.scene, plan.outputs[1], plan.outputs[2], path, title=plan.name)
+    return path
+
+
+def summary_file(report, folder):
+    """Writes the report; returns its path."""
+    from .cli._files import write_whole
+
+    path = folder / SUMMARY
+    write_whole(path, json.dumps(report, indent=2) + "\n")
+    return path
+
+
+def _package():
+    return importlib.import_module(__package__)

@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+# SPDX-License-Identifier: BSD-3-Clause
+# Made by Python/make_stubs.py from vtkHeliosArrayNames.h and vtkHeliosPCLArrayNames.h; do not edit.
+"""Names of all arrays that vtkHelios reads or writes.
+
+>>> from vtkhelios.array_names import AMPLITUDE, GPS_TIME
+>>> cloud[GPS_TIME]
+"""
+
+# Scene: cell data. MaterialIds indexes the material columns, PartIds the scene parts.
+MATERIAL_IDS = "MaterialIds"
+PART_IDS = "PartIds"
+NORMALS = "Normals"  # unit vectors; used for incidence if present
+EDGE_DEFECTS = "EdgeDefects"  # bits, see vtkHeliosMeshRepair
+
+# Input clouds: point data (with Normals); scenes made from clouds: cell data.
+RGB = "RGB"  # [0..1]
+VOXEL_IDS = "VoxelIds"  # solid voxel that a triangle bounds
+
+# Scene: material columns in the field data, one row per material.
+MATERIAL_NAME = "Material.Name"
+MATERIAL_REFLECTANCE = "Material.Reflectance"  # [0..1], NaN: not set
+MATERIAL_SPECULARITY = "Material.Specularity"  # [0..1]
+MATERIAL_SPECULAR_EXPONENT = "Material.SpecularExponent"
+MATERIAL_CLASSIFICATION = "Material.Classification"
+MATERIAL_IS_GROUND = "Material.IsGround"
+MATERIAL_SPECTRUM = "Material.Spectrum"
+
+# Scene: field data. CRS is a WKT string or "EPSG:n".
+CRS = "CRS"
+PART_NAME = "Part.Name"
+
+# Turbid voxels: cell data of an image, and its field data.
+PAD = "PAD"  # plant area density [m2/m3], NaN: unknown
+TRANSMITTANCE = "Transmittance"  # [0..1], NaN: unknown
+MAXIMUM_PAD = "MaximumPAD"  # one value
+LEAF_PROJECTION = "LeafProjection"  # rows x y z G(direction)
+
+# Waypoints: point data.
+SPEED = "Speed"  # [m/s] towards the next waypoint
+ON_GROUND = "OnGround"  # 1: z is set from the ground below
+STOP_AND_TURN = "StopAndTurn"  # 1: a multicopter stops and turns there
+SMOOTH_TURN = "SmoothTurn"  # 1: it cuts the corner there
+YAW_AT_DEPARTURE = "YawAtDeparture"  # [deg], NaN: not set
+
+# Trajectory: point data.
+GPS_TIME = "GpsTime"  # [s] since GpsEpoch
+ORIENTATION = "Orientation"  # unit quaternion w x y z, body to world
+VELOCITY = "Velocity"  # [m/s]
+LEG_IDS = "LegIds"
+CLEARANCE = "Clearance"  # [m] to the scene, see vtkHeliosClearance
+
+# Trajectory and clouds: field data. Epoch of GpsTime: one value, seconds of GPS time since 6
+# January 1980. Missing or 0: unknown.
+GPS_EPOCH = "GpsEpoch"
+
+# Pulses and echoes: point data.
+PULSE_IDS = "PulseIds"  # int64, emission index over the run
+DIRECTION = "Direction"  # unit vector
+SCAN_ANGLE = "ScanAngle"  # [deg]
+CHANNEL_IDS = "ChannelIds"
+HIT = "Hit"  # 1: the pulse has an echo
+RETURN_NUMBER = "ReturnNumber"  # from 1
+NUMBER_OF_RETURNS = "NumberOfReturns"
+RANGE = "Range"  # [m]
+AMPLITUDE = "Amplitude"  # [W]
+ECHO_WIDTH = "EchoWidth"  # [ns], full width at half maximum, two-way
+DEVIATION = "Deviation"  # RMS residual of a fit over its amplitude
+CLASSIFICATION_IDS = "ClassificationIds"
+CELL_IDS = "CellIds"  # cells of the scene
+INCIDENCE_ANGLE = "IncidenceAngle"  # [deg], from the normal
+WAVEFORM_IDS = "WaveformIds"  # pulse id, -1: not stored
+TRUE_POINT = "TruePoint"  # [m], without noise
+NORMAL = "Normal"
+WEIGHT = "Weight"  # energy fraction of a sub-ray in the pulse
+
+# Clouds of LAS files: point data that echoes do not have.
+INTENSITY = "Intensity"  # 16 bits
+NEAR_INFRARED = "NearInfrared"  # 16 bits
+USER_DATA = "UserData"  # 8 bits
+SCAN_DIRECTION = "ScanDirection"  # 1: positive, toward larger angles
+EDGE_OF_FLIGHT_LINE = "EdgeOfFlightLine"  # 1: last point before a turn
+# bits 1 synthetic, 2 key point, 4 withheld, 8 overlap
+CLASSIFICATION_FLAGS = "ClassificationFlags"
+
+# Waveforms: columns of the table, and Samples in its field data.
+ORIGIN = "Origin"  # [m]
+START_TIME = "StartTime"  # [ns], two-way, after the emission
+BIN_SIZE = "BinSize"  # [ns]
+OFFSET = "Offset"  # of the first sample
+COUNT = "Count"  # number of samples
+SAMPLES = "Samples"  # float32 [W]
+PULSE_LENGTH = "PulseLength"  # [ns], one value in the field data
+
+# Planning: point data of candidates (Visibility to Selected) and of visibility test points.
+SLOPE = "Slope"  # [deg], from the horizontal
+VISIBILITY = "Visibility"  # one bit per test point, in 64-bit words
+VIEWSHED_SIZE = "ViewshedSize"  # number of visible test points
+EXCLUSIVITY = "Exclusivity"  # test points no other selected sees
+MEAN_INCIDENCE_ANGLE = "MeanIncidenceAngle"  # [deg]
+SELECTED = "Selected"  # 1: scan from here
+NEWLY_COVERED = "NewlyCovered"  # test points added by a selection
+AREA = "Area"  # [m2] represented by a test point
+COVERABLE = "Coverable"  # 1: visible from at least one candidate
+NUMBER_OF_SCANS = "NumberOfScans"  # selected candidates that see it
+BEST_INCIDENCE_ANGLE = "BestIncidenceAngle"  # [deg]; NaN: none
+
+# Field data of planned candidates: one value each.
+PLAN_NUMBER_OF_SELECTED = "Plan.NumberOfSelected"
+PLAN_NUMBER_COVERED = "Plan.NumberCovered"  # test points
+PLAN_NUMBER_COVERABLE = "Plan.NumberCoverable"  # test points
+PLAN_COVERAGE = "Plan.Coverage"  # [%] of all
+PLAN_COVERABLE_COVERAGE = "Plan.CoverableCoverage"  # [%]
+PLAN_LOWER_BOUND = "Plan.LowerBound"  # scans
+PLAN_BEST_BOUND = "Plan.BestBound"  # whole scans
+PLAN_GAP = "Plan.Gap"  # [%]
+PLAN_IS_PROVED_OPTIMAL = "Plan.IsProvedOptimal"
+PLAN_WORST_INCIDENCE_ANGLE = "Plan.WorstIncidenceAngle"  # [deg]
+PLAN_MEAN_BEST_INCIDENCE_ANGLE = "Plan.MeanBestIncidenceAngle"  # [deg]
+
+# Clouds of the PCL filters: point data.
+CLUSTER_IDS = "ClusterIds"  # from 0, the largest; -1: no cluster
+PLANE_IDS = "PlaneIds"  # from 0, in the order found; -1: no plane
+CURVATURE = "Curvature"  # [0..1/3], see vtkHeliosPCLNormals
+NUMBER_OF_POINTS = "NumberOfPoints"  # represented by a point
+
+# Field data of planes: one row each.
+PLANE_COEFFICIENTS = "Plane.Coefficients"  # a b c d, unit normal
+PLANE_CENTRE = "Plane.Centre"  # [m]
+PLANE_DEVIATION = "Plane.Deviation"  # [m], root mean square
+
+# Field data of a registered cloud: 16 numbers, row by row.
+REGISTRATION_MATRIX = "Registration.Matrix"
+
+# Units of the arrays that have one.
+UNITS = {
+    SPEED: "m/s",
+    YAW_AT_DEPARTURE: "deg",
+    GPS_TIME: "s",
+    VELOCITY: "m/s",
+    CLEARANCE: "m",
+    SCAN_ANGLE: "deg",
+    RANGE: "m",
+    AMPLITUDE: "W",
+    ECHO_WIDTH: "ns",
+    INCIDENCE_ANGLE: "deg",
+    TRUE_POINT: "m",
+    ORIGIN: "m",
+    START_TIME: "ns",
+    BIN_SIZE: "ns",
+    PULSE_LENGTH: "ns",
+    SLOPE: "deg",
+    MEAN_INCIDENCE_ANGLE: "deg",
+    AREA: "m2",
+    BEST_INCIDENCE_ANGLE: "deg",
+    PLAN_COVERAGE: "%",
+    PLAN_COVERABLE_COVERAGE: "%",
+    PLAN_GAP: "%",
+    PLAN_WORST_INCIDENCE_ANGLE: "deg",
+    PLAN_MEAN_BEST_INCIDENCE_ANGLE: "deg",
+    PLANE_CENTRE: "m",
+    PLANE_DEVIATION: "m",
+}
