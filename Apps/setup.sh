@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# All packages to build, run and test vtkHelios; README.md refers to this list.
+# All packages to build, run and test vtkHelios; Docs/install.md refers to this list.
 helios_packages=(
   # to build
   git g++ cmake ninja-build ccache pkgconf
@@ -56,6 +56,7 @@ helios_make_venv() {
   helios_install_laspy
   helios_install_pyvista
   helios_install_formats
+  helios_install_ruff
 }
 
 # LAS and LAZ files as scenes; Debian has no package for it. Without it their tests are skipped.
@@ -83,6 +84,14 @@ helios_install_formats() {
     build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
       "$package" || echo "$package cannot be installed here: some formats of vtkhelios convert are missing" >&2
   done
+}
+
+# The linter of Testing/Integration/test_style.py; Debian has no package for it. Without it that
+# test is skipped. Newer versions have other rules.
+helios_install_ruff() {
+  [ -x build/venv/bin/ruff ] && return
+  build/venv/bin/python -m pip install -q --disable-pip-version-check --no-deps --timeout 10 --retries 1 \
+    'ruff==0.17.6' || echo "ruff cannot be installed here: Python code is not linted" >&2
 }
 
 # helios_configure PRESET [CMAKE-ARGUMENT...]: one of CMakePresets.json.

@@ -120,8 +120,7 @@ bool CloudColors::FitRange(std::vector<double> values)
   }
   const auto pick = [&values](double share)
   {
-    const auto at =
-      static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+    const std::ptrdiff_t at = std::lround(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + at, values.end());
     return values[static_cast<std::size_t>(at)];
   };

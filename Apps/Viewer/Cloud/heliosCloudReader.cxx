@@ -8,25 +8,29 @@
 #include "heliosPlyPoints.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
+#include "vtkHeliosPointTextReader.h"
 #include "vtkHeliosPointXMLReader.h"
+#include "vtkHeliosRunFiles.h"
 #include "vtkHeliosTrajectoryReader.h"
 #include "vtkHeliosXyzReader.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 
 namespace fs = std::filesystem;
 namespace names = vtkHeliosArrayNames;
+using RunFiles = vtkHeliosRunFiles;
 
 namespace helios::viewer
 {
@@ -34,6 +38,7 @@ namespace helios::viewer
 namespace
 {
 
+constexpr vtkIdType BlockSize = 1 << 17; // points
 constexpr double PieceBytes = 32.0 * 1024.0 * 1024.0;
 constexpr const char* Kinds =
   "give .xyz, .txt, .asc, .las, .vtp, .pvtp, .ply or the folder of a finished run";
@@ -73,25 +78,22 @@ int CountListedPieces(const std::string& path)
 int GetLeg(const std::string& path)
 {
   const std::string name = fs::path(path).filename().string();
-  int leg = -1;
-  const bool isLeg = name.size() > 6 && name.compare(0, 3, "leg") == 0 &&
-    std::all_of(
-      name.begin() + 3, name.begin() + 6, [](unsigned char c) { return std::isdigit(c); });
-  if (isLeg)
-  {
-    std::from_chars(name.data() + 3, name.data() + name.size(), leg); // too large: -1
-  }
-  return leg;
+  const int leg = RunFiles::GetNumber(name);
+  return leg >= 0 && RunFiles::GetStem(name) == RunFiles::GetLegStem(leg) ? leg : -1;
+}
+
+int GetKind(const std::string& path)
+{
+  return RunFiles::GetKind(fs::path(path).filename().string());
 }
 
 /// legNNN_points.xyz: legNNN_trajectory.txt beside it.
 std::string GetTrajectoryName(const std::string& path)
 {
-  const std::string stem = fs::path(path).stem().string();
-  const std::size_t at = stem.rfind("_points");
-  return at == std::string::npos
-    ? std::string()
-    : (fs::path(path).parent_path() / (stem.substr(0, at) + "_trajectory.txt")).string();
+  const fs::path points(path);
+  const std::string name =
+    RunFiles::GetBeside(points.filename().string(), RunFiles::TRAJECTORY, "xyz");
+  return name.empty() ? name : (points.parent_path() / name).string();
 }
 
 /// Keeps the first error of a reader, without its code location.
@@ -170,7 +172,7 @@ bool CloudReader::CanRead(const std::string& path)
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
   {
-    return fs::is_regular_file(fs::path(path) / "run_summary.json", ignored);
+    return fs::is_regular_file(fs::path(path) / RunFiles::GetSummaryName(), ignored);
   }
   const std::string ending = GetEnding(path);
   return IsText(ending) || ending == ".las" || ending == ".laz" || ending == ".vtp" ||
@@ -220,16 +222,16 @@ std::string CloudReader::Read(const std::string& path, const BlockFunction& onBl
 //------------------------------------------------------------------------------
 std::string CloudReader::ReadRun(const std::string& folder)
 {
-  const fs::path summary = fs::path(folder) / "run_summary.json";
+  const fs::path summary = fs::path(folder) / RunFiles::GetSummaryName();
   if (!fs::exists(summary))
   {
-    return folder + ": no run_summary.json in this folder; give the folder of a finished run " +
+    return folder + ": no " + RunFiles::GetSummaryName() +
+      " in this folder; give the folder of a finished run " +
       "(vtkhelios run --resume finishes one), or a file";
   }
   std::string error;
   const std::vector<std::string> files = GetFiles(summary, error);
-  const auto isPoints = [](const std::string& name)
-  { return fs::path(name).stem().string().find("_points") != std::string::npos; };
+  const auto isPoints = [](const std::string& name) { return GetKind(name) == RunFiles::POINTS; };
   const auto count = static_cast<double>(std::count_if(files.begin(), files.end(), isPoints));
   this->ShareOfFile = count > 0.0 ? 1.0 / count : 1.0;
   for (const std::string& name : files)
@@ -241,12 +243,12 @@ std::string CloudReader::ReadRun(const std::string& folder)
     }
     if (isPoints(name))
     {
-      error = fs::exists(path)
-        ? this->ReadCloud(path)
-        : path + ": missing, though run_summary.json lists it; run the survey again";
+      error = fs::exists(path) ? this->ReadCloud(path)
+                               : path + ": missing, though " + RunFiles::GetSummaryName() +
+          " lists it; run the survey again";
       this->FirstShare += this->ShareOfFile;
     }
-    else if (name.find("_trajectory.txt") != std::string::npos)
+    else if (GetKind(name) == RunFiles::TRAJECTORY && fs::path(name).extension() == ".txt")
     {
       error = this->ReadTrajectory(path);
     }
@@ -298,9 +300,9 @@ std::string CloudReader::ReadCloud(const std::string& path)
 //------------------------------------------------------------------------------
 std::string CloudReader::ReadText(const std::string& path)
 {
-  if (IsPointText(path))
+  if (vtkHeliosPointTextReader::CanReadFile(path.c_str()))
   {
-    return ReadPointText(path, GetLeg(path), this->PartNames, this->OnBlock);
+    return this->ReadEchoes(path);
   }
   std::error_code ignored;
   if (fs::file_size(path, ignored) == 0)
@@ -317,6 +319,42 @@ std::string CloudReader::ReadText(const std::string& path)
     reader->SetSeparators(line.find(';') != std::string::npos ? ";" : ",");
   }
   return this->ReadPieces(reader, path, CountPieces(path));
+}
+
+//------------------------------------------------------------------------------
+std::string CloudReader::ReadEchoes(const std::string& path)
+{
+  vtkNew<vtkHeliosPointTextReader> reader;
+  std::string error;
+  KeepErrors(reader, error);
+  vtkNew<vtkStringArray> known;
+  for (const std::string& name : this->PartNames)
+  {
+    known->InsertNextValue(name);
+  }
+  reader->SetPartNames(known);
+  reader->SetFileName(path.c_str());
+  reader->SetMaximumNumberOfPoints(BlockSize);
+  do
+  {
+    reader->SetBegin(reader->GetEnd());
+    reader->Update();
+    vtkPolyData* block = reader->GetOutput();
+    if (error.empty())
+    {
+      AddLeg(block, GetLeg(path));
+      this->OnBlock(
+        block, static_cast<double>(reader->GetEnd()) / static_cast<double>(reader->GetFileSize()));
+    }
+  } while (error.empty() && !this->Stopped && reader->GetEnd() < reader->GetFileSize());
+  const auto parts = vtkStringArray::SafeDownCast(
+    reader->GetOutput()->GetFieldData()->GetAbstractArray(names::PartName));
+  for (vtkIdType part = known->GetNumberOfValues(); parts && part < parts->GetNumberOfValues();
+       ++part)
+  {
+    this->PartNames.push_back(parts->GetValue(part));
+  }
+  return error.empty() ? "" : WithPath(path, error);
 }
 
 //------------------------------------------------------------------------------

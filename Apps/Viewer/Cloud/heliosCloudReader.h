@@ -5,10 +5,9 @@
 #ifndef heliosCloudReader_h
 #define heliosCloudReader_h
 
-#include "heliosPointTextFile.h"
-
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,9 @@ namespace helios::viewer
 {
 
 class Cloud;
+
+/// Receives a block of points and the fraction read so far [0..1]; false stops.
+using BlockFunction = std::function<bool(vtkPolyData*, double)>;
 
 /**
  * Reads a run folder (run_summary.json lists the files of its legs) or one file:
@@ -50,6 +52,7 @@ private:
   std::string ReadRun(const std::string& folder);
   std::string ReadCloud(const std::string& path);
   std::string ReadText(const std::string& path);
+  std::string ReadEchoes(const std::string& path);
   std::string ReadPieces(vtkAlgorithm* reader, const std::string& path, int pieces, int leg = -1);
   std::string ReadTrajectory(const std::string& path);
 

@@ -174,7 +174,7 @@ void Simulation::SetTarget(double time)
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkSmartPointer<vtkPolyData>> Simulation::TakeEchoes()
+std::vector<vtkSmartPointer<vtkPolyData>> Simulation::CollectEchoes()
 {
   std::vector<vtkSmartPointer<vtkPolyData>> echoes;
   {
@@ -182,8 +182,8 @@ std::vector<vtkSmartPointer<vtkPolyData>> Simulation::TakeEchoes()
     for (const Block& block : this->Blocks)
     {
       echoes.push_back(block.Echoes);
-      this->TakenTime = block.EndTime;
-      this->TakenPulses = block.EndPulse;
+      this->CollectedTime = block.EndTime;
+      this->CollectedPulses = block.EndPulse;
     }
     this->Blocks.clear();
   }
@@ -192,17 +192,17 @@ std::vector<vtkSmartPointer<vtkPolyData>> Simulation::TakeEchoes()
 }
 
 //------------------------------------------------------------------------------
-double Simulation::GetTakenTime() const
+double Simulation::GetCollectedTime() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->TakenTime;
+  return this->CollectedTime;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType Simulation::GetTakenPulses() const
+vtkIdType Simulation::GetCollectedPulses() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  return this->TakenPulses;
+  return this->CollectedPulses;
 }
 
 //------------------------------------------------------------------------------
@@ -279,7 +279,7 @@ bool Simulation::Load()
   this->NumberOfPulses = this->Source->GetNumberOfPulses();
   this->ReadLegs();
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->TakenTime = this->GetStartTime();
+  this->CollectedTime = this->GetStartTime();
   this->State = Phase::Running;
   return true;
 }

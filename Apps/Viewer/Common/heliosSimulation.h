@@ -114,11 +114,11 @@ public:
   void SetTarget(double time);
 
   /// The echoes of the blocks run since the last call.
-  std::vector<vtkSmartPointer<vtkPolyData>> TakeEchoes();
+  std::vector<vtkSmartPointer<vtkPolyData>> CollectEchoes();
 
   /// The time up to which all echoes have been taken [s], and the pulses up to it.
-  double GetTakenTime() const;
-  vtkIdType GetTakenPulses() const;
+  double GetCollectedTime() const;
+  vtkIdType GetCollectedPulses() const;
 
   /// Wall time spent on computing blocks [s].
   double GetComputingSeconds() const;
@@ -173,8 +173,8 @@ private:
   double Target;
   std::deque<Block> Blocks;
   std::deque<Question> Questions;
-  double TakenTime = 0.0;
-  vtkIdType TakenPulses = 0;
+  double CollectedTime = 0.0;
+  vtkIdType CollectedPulses = 0;
   double ComputingSeconds = 0.0;
 };
 

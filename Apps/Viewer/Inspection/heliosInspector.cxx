@@ -37,7 +37,7 @@ bool IsReady(const std::future<PulseRecord>& answer)
 }
 
 /// The record, or an error message.
-std::string Take(std::future<PulseRecord>& answer, PulseRecord& record)
+std::string Receive(std::future<PulseRecord>& answer, PulseRecord& record)
 {
   try
   {
@@ -305,12 +305,12 @@ bool Inspector::OnFrame()
   bool isNew = this->Chart.Resize(size[0], size[1]) && this->Chart.IsVisible();
   if (IsReady(this->Answer))
   {
-    this->TakeAnswer();
+    this->ReceiveAnswer();
     isNew = true;
   }
   if (IsReady(this->LineAnswer))
   {
-    this->TakeLine();
+    this->ReceiveLine();
     isNew = true;
   }
   this->Chart.SetCovered(this->Owner.GetHud().IsHelpVisible());
@@ -319,10 +319,10 @@ bool Inspector::OnFrame()
 }
 
 //------------------------------------------------------------------------------
-void Inspector::TakeAnswer()
+void Inspector::ReceiveAnswer()
 {
   PulseRecord record;
-  this->Problem = Take(this->Answer, record);
+  this->Problem = Receive(this->Answer, record);
   if (this->Problem.empty())
   {
     const std::vector<PulseEcho> known = std::move(this->Reading.Echoes);
@@ -341,10 +341,10 @@ void Inspector::TakeAnswer()
 }
 
 //------------------------------------------------------------------------------
-void Inspector::TakeLine()
+void Inspector::ReceiveLine()
 {
   PulseRecord record;
-  std::string problem = Take(this->LineAnswer, record);
+  std::string problem = Receive(this->LineAnswer, record);
   if (problem.empty() && record.Waveform && record.Waveform->GetNumberOfRows() > 0)
   {
     const vtkIdType count = record.Waveform->GetNumberOfRows();

@@ -59,8 +59,8 @@ private:
   void StepEcho(int step);
   void StepPulse(int step);
   void ShowLine();
-  void TakeAnswer();
-  void TakeLine();
+  void ReceiveAnswer();
+  void ReceiveLine();
   void Ask(const Echo& echo);
   std::future<PulseRecord> Find(int leg, vtkIdType first, vtkIdType last, bool hasSubRays);
   void Show();

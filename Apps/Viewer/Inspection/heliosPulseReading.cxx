@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPulseReading.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosWaveformTable.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosGaussianDecomposition.h"
@@ -25,7 +25,6 @@ namespace
 {
 
 constexpr double SmallestShare = 0.01; // minimum of a Gaussian, of the largest sample
-const double WidthsPerSigma = 2.0 * std::sqrt(2.0 * std::log(2.0));
 
 double Get(vtkDataSetAttributes* data, const char* name, vtkIdType row, double missing)
 {
@@ -110,7 +109,7 @@ void FitGaussians(const std::vector<float>& samples, double startTime, PulseRead
   for (const vtkHeliosDetectedEcho& echo : found)
   {
     reading.Gaussians.push_back({ 0.5 * SpeedOfLight * (startTime + echo.Time), echo.Amplitude,
-      0.5 * SpeedOfLight * echo.Width / WidthsPerSigma });
+      0.5 * SpeedOfLight * echo.Width / FwhmPerSigma });
   }
 }
 
@@ -142,7 +141,7 @@ void ReadSamples(const WaveformTable& table, vtkIdType row, PulseReading& readin
 void ReadWaveform(vtkTable* waveforms, PulseReading& reading)
 {
   WaveformTable table;
-  const std::string problem = table.Take(waveforms);
+  const std::string problem = table.Set(waveforms);
   if (!problem.empty())
   {
     reading.Problem = "the waveform " + problem;

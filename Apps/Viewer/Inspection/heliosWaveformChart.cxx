@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosWaveformChart.h"
 
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -35,7 +35,6 @@ namespace
 
 constexpr int CurvePoints = 121; // of a Gaussian
 constexpr double CurveSigmas = 4.0;
-const double WidthsPerSigma = 2.0 * std::sqrt(2.0 * std::log(2.0));
 const double Ink[3] = { 0.86, 0.88, 0.91 };
 
 /// The unit in which a power is 1 to 999, and its name.
@@ -253,7 +252,7 @@ void WaveformChart::AddPulse(const PulseReading& reading)
     return;
   }
   PulseGaussian sent = reading.Gaussians.front();
-  sent.Sigma = 0.5 * SpeedOfLight * reading.PulseLength / WidthsPerSigma;
+  sent.Sigma = 0.5 * SpeedOfLight * reading.PulseLength / FwhmPerSigma;
   char label[64];
   std::snprintf(label, sizeof(label), "emitted pulse, %.3g ns", reading.PulseLength);
   vtkPlot* plot = Add(this->Chart, vtkChart::LINE, MakeCurve(sent, this->Unit), label);

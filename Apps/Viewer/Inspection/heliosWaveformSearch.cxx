@@ -6,6 +6,7 @@
 #include "heliosLasFile.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosLASReader.h"
+#include "vtkHeliosRunFiles.h"
 #include "vtkHeliosWaveformTextReader.h"
 #include "vtkHeliosWaveformXMLReader.h"
 
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 namespace helios::viewer
 {
 namespace names = vtkHeliosArrayNames;
+using RunFiles = vtkHeliosRunFiles;
 
 namespace
 {
@@ -45,14 +47,9 @@ bool HasPackets(const fs::path& path)
 
 bool HasWaveforms(const fs::path& path)
 {
-  const std::string name = path.filename().string();
-  const std::string extension = path.extension().string();
-  if (extension == ".las")
-  {
-    return HasPackets(path);
-  }
-  return name.find("_fullwave") != std::string::npos &&
-    (extension == ".txt" || extension == ".pvtt");
+  return path.extension() == ".las"
+    ? HasPackets(path)
+    : RunFiles::GetKind(path.filename().string()) == RunFiles::WAVEFORMS;
 }
 
 void AddBeside(const fs::path& points, std::vector<std::string>& files)
@@ -61,13 +58,13 @@ void AddBeside(const fs::path& points, std::vector<std::string>& files)
   {
     files.push_back(points.string());
   }
-  const std::string name = points.filename().string();
-  const std::size_t end = name.find("_points");
-  for (const char* extension : { ".txt", ".pvtt" })
+  for (const char* format : { "xyz", "vtp" })
   {
-    const fs::path path = points.parent_path() / (name.substr(0, end) + "_fullwave" + extension);
+    const std::string name =
+      RunFiles::GetBeside(points.filename().string(), RunFiles::WAVEFORMS, format);
+    const fs::path path = points.parent_path() / name;
     std::error_code error;
-    if (end != std::string::npos && fs::exists(path, error))
+    if (!name.empty() && fs::exists(path, error))
     {
       files.push_back(path.string());
     }

@@ -182,7 +182,7 @@ const Rgb& PlanView::GetColor(bool isCoverable, int scans)
 {
   static const std::array<Rgb, 5> colors = { Rgb{ 110, 112, 118 }, Rgb{ 235, 60, 55 },
     Rgb{ 250, 205, 70 }, Rgb{ 110, 205, 90 }, Rgb{ 70, 150, 245 } };
-  return isCoverable ? colors[static_cast<std::size_t>(std::clamp(scans, 0, 3) + 1)] : colors[0];
+  return isCoverable ? colors[static_cast<std::size_t>(std::clamp(scans, 0, 3)) + 1] : colors[0];
 }
 
 //------------------------------------------------------------------------------

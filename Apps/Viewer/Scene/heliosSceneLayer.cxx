@@ -3,6 +3,7 @@
 #include "heliosSceneLayer.h"
 
 #include "heliosTriangleMesh.h"
+#include "vtkHeliosRayCasterFactory.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -227,7 +228,7 @@ vtkHeliosHit SceneLayer::Pick(const vtkHeliosRay& ray, Vec3& normal)
   }
   if (!this->Caster)
   {
-    this->Caster.TakeReference(vtkHeliosRayCaster::Create(nullptr));
+    this->Caster.TakeReference(vtkHeliosRayCasterFactory::Create(nullptr));
   }
   if (!this->Caster->Build(this->Mesh))
   {

@@ -169,7 +169,7 @@ bool Viewer::LoadInputs()
 bool Viewer::IsComputing() const
 {
   return this->Running && this->Running->GetPhase() == Simulation::Phase::Running &&
-    this->Clock.GetTarget() > this->Running->GetTakenTime();
+    this->Clock.GetTarget() > this->Running->GetCollectedTime();
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +205,7 @@ void Viewer::OnTimer()
   const double now = this->Now();
   const double seconds = now - this->LastFrame;
   this->LastFrame = now;
-  this->TakeClick();
+  this->HandleClick();
   this->Frame(seconds);
   const bool isSketched = this->Budget.IsBusy(now) || this->IsComputing();
   if (isSketched != this->IsSketched)
@@ -233,8 +233,8 @@ void Viewer::Frame(double seconds)
   if (this->Running)
   {
     this->FinishLoading();
-    this->TakeWhatIsNew();
-    this->Clock.Advance(seconds, this->Running->GetTakenTime());
+    this->ReceiveResults();
+    this->Clock.Advance(seconds, this->Running->GetCollectedTime());
     this->Running->SetTarget(this->Clock.GetTarget());
   }
   else
@@ -258,9 +258,9 @@ void Viewer::Frame(double seconds)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::TakeWhatIsNew()
+void Viewer::ReceiveResults()
 {
-  const auto blocks = this->Running->TakeEchoes();
+  const auto blocks = this->Running->CollectEchoes();
   for (const auto& block : blocks)
   {
     this->Points->Append(block);
@@ -303,7 +303,7 @@ void Viewer::PlacePlatform(double seconds)
 
 //------------------------------------------------------------------------------
 /// Adds the points received since the last frame, up to the shown time.
-void Viewer::TakeUpPoints()
+void Viewer::AddReceivedPoints()
 {
   if (this->HasNewPoints)
   {
@@ -323,7 +323,7 @@ void Viewer::TakeUpPoints()
 void Viewer::Draw()
 {
   const double start = this->Now();
-  this->TakeUpPoints();
+  this->AddReceivedPoints();
   this->Mesh ? this->Mesh->SetInteracting(this->PointsView->IsInteracting()) : void();
   this->Renderer->ResetCameraClippingRange();
   this->Window->Render();

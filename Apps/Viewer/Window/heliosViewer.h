@@ -118,8 +118,8 @@ private:
   int RunInteractively();
   int RunScripted();
   void Frame(double seconds);
-  void TakeWhatIsNew();
-  void TakeUpPoints();
+  void ReceiveResults();
+  void AddReceivedPoints();
   void FinishLoading();
   void PlacePlatform(double seconds);
   void WriteWords();
@@ -137,7 +137,7 @@ private:
   void OnKey();
   static void OnReleaseEvent(vtkObject*, unsigned long event, void* self, void*);
   void OnRelease();
-  void TakeClick();
+  void HandleClick();
   void OnTimer();
   void OnResize();
 

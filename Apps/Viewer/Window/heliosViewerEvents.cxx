@@ -130,7 +130,7 @@ void Viewer::OnRelease()
 
 //------------------------------------------------------------------------------
 /// Passes a click to the tools, with the modifier keys held at the time.
-void Viewer::TakeClick()
+void Viewer::HandleClick()
 {
   if (!this->HasClick)
   {

@@ -55,7 +55,7 @@ int Viewer::RunScripted()
     this->Clock.Seek(time);
     this->WaitFor(time);
     this->Frame(0.0);
-    this->TakeUpPoints();
+    this->AddReceivedPoints();
     this->PointsView->SetAutomaticRange(); // of the full cloud
     this->Draw();
     this->SaveStill(this->Options.Still);
@@ -72,12 +72,12 @@ void Viewer::WaitFor(double time)
     const Simulation::Phase phase = this->Running->GetPhase();
     return phase == Simulation::Phase::Failed ||
       (phase != Simulation::Phase::Loading && !this->IsLoading &&
-        (time < 0.0 || this->Running->GetTakenTime() >= time));
+        (time < 0.0 || this->Running->GetCollectedTime() >= time));
   };
   while (this->Running && !isThere())
   {
     this->FinishLoading();
-    this->TakeWhatIsNew();
+    this->ReceiveResults();
     this->Running->SetTarget(time);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -11,6 +11,7 @@
 #include "heliosSimulation.h"
 #include "heliosTimeBar.h"
 #include "heliosViewerTool.h"
+#include "vtkHeliosRunOptions.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -50,8 +51,8 @@ void Viewer::ShowSurvey(vtkHeliosSurvey* survey, bool keepCamera)
   this->Survey = survey;
   this->KeepsCamera = keepCamera;
   this->Running = std::make_unique<Simulation>(survey);
-  this->Running->GetSource()->SetSeed(this->Options.Seed);
-  this->Running->GetSource()->SetNoise(this->Options.Noise);
+  this->Running->GetSource()->GetOptions()->SetSeed(this->Options.Seed);
+  this->Running->GetSource()->GetOptions()->SetNoise(this->Options.Noise);
   this->Running->Start();
   this->IsLoading = true;
   this->HasFailed = false;

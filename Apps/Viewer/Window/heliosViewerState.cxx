@@ -5,6 +5,7 @@
 #include "heliosCloudView.h"
 #include "heliosColorNames.h"
 #include "heliosHud.h"
+#include "heliosPartFile.h"
 #include "heliosPlatformView.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
@@ -74,8 +75,8 @@ Json::Value ViewerState::DescribeTime() const
   value["playing"] = clock.IsPlaying();
   const Simulation* run = this->Owner.Running.get();
   value["phase"] = GetPhaseName(run);
-  value["computed"] = run ? run->GetTakenTime() : clock.GetEnd();
-  value["pulses"] = Json::Int64(run ? run->GetTakenPulses() : 0);
+  value["computed"] = run ? run->GetCollectedTime() : clock.GetEnd();
+  value["pulses"] = Json::Int64(run ? run->GetCollectedPulses() : 0);
   value["computingSeconds"] = run ? run->GetComputingSeconds() : 0.0;
   value["pulsesPerSecond"] = this->Owner.PulsesPerSecond;
   Json::Value bar(Json::arrayValue); // fraction of window width, height from below
@@ -138,7 +139,7 @@ void ViewerState::Write(const std::string& fileName) const
   {
     return;
   }
-  const std::string part = fileName + ".part";
+  const std::string part = fileName + PartEnding;
   {
     std::ofstream file(part);
     file << this->Describe();

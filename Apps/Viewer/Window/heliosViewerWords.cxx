@@ -73,7 +73,7 @@ void Viewer::WriteWords()
 void Viewer::CountRates()
 {
   const double now = this->Now();
-  const vtkIdType pulses = this->Running ? this->Running->GetTakenPulses() : 0;
+  const vtkIdType pulses = this->Running ? this->Running->GetCollectedPulses() : 0;
   const vtkIdType points = this->Points->GetNumberOfPoints();
   const double seconds = now - this->RateSince;
   if (seconds >= RateSeconds)
@@ -103,7 +103,7 @@ std::string Viewer::DescribeTime() const
   const bool isBehind = this->Running && this->Clock.IsPlaying() &&
     std::isfinite(this->Clock.GetSpeed()) &&
     this->Clock.GetTime() + 0.5 * this->Clock.GetSpeed() < this->Clock.GetEnd() &&
-    this->Running->GetTakenTime() <= this->Clock.GetTime();
+    this->Running->GetCollectedTime() <= this->Clock.GetTime();
   text += isBehind ? "slower: limited by the computation\n" : "";
   return text;
 }
@@ -116,7 +116,7 @@ std::string Viewer::DescribeCloud() const
   if (this->Running && !this->IsLoading)
   {
     text += Format("%s of %s pulses, %s/s\n",
-      Shorten(static_cast<double>(this->Running->GetTakenPulses())).c_str(),
+      Shorten(static_cast<double>(this->Running->GetCollectedPulses())).c_str(),
       Shorten(static_cast<double>(this->Running->GetNumberOfPulses())).c_str(),
       Shorten(this->PulsesPerSecond).c_str());
   }

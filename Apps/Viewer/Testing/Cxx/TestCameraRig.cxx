@@ -64,7 +64,7 @@ struct Script
 
 } // namespace
 
-TEST_CASE("CameraRig: from above and from the side all is in the picture", "[Viewer]")
+TEST_CASE("CameraRig: top and side views show the whole cloud", "[Viewer]")
 {
   Rig rig;
   vtkCamera* camera = rig.Renderer->GetActiveCamera();
@@ -81,7 +81,7 @@ TEST_CASE("CameraRig: from above and from the side all is in the picture", "[Vie
   CHECK_FALSE(camera->GetParallelProjection());
 }
 
-TEST_CASE("CameraRig: it goes with the platform, as the user has turned it", "[Viewer]")
+TEST_CASE("CameraRig: follow mode keeps the view angle that the user set", "[Viewer]")
 {
   Rig rig;
   rig.Camera.SetMode(CameraMode::Follow);
@@ -99,7 +99,7 @@ TEST_CASE("CameraRig: it goes with the platform, as the user has turned it", "[V
   CheckNear(rig.Focus() - focus, Vec3(3.0, 7.0, 1.0));
 }
 
-TEST_CASE("CameraRig: the scanner's eye looks at what it measures", "[Viewer]")
+TEST_CASE("CameraRig: scanner view looks at the current echoes", "[Viewer]")
 {
   Rig rig;
   rig.Camera.SetMode(CameraMode::Scanner);
@@ -122,7 +122,7 @@ TEST_CASE("CameraRig: the scanner's eye looks at what it measures", "[Viewer]")
   CHECK(Vec3(rig.Renderer->GetActiveCamera()->GetViewUp())[1] > 0.99); // forward
 }
 
-TEST_CASE("CameraRig: round once a minute", "[Viewer]")
+TEST_CASE("CameraRig: orbit mode takes one minute per revolution", "[Viewer]")
 {
   Rig rig;
   rig.Camera.SetMode(CameraMode::Orbit);
@@ -134,7 +134,7 @@ TEST_CASE("CameraRig: round once a minute", "[Viewer]")
   CheckNear(rig.Eye() - rig.Focus(), eye);
 }
 
-TEST_CASE("CameraRig: along key frames in the world", "[Viewer]")
+TEST_CASE("CameraRig: key frames are in world coordinates", "[Viewer]")
 {
   Rig rig;
   rig.Camera.SetOrigin(Vec3(500000.0, 5400000.0, 100.0));
@@ -148,7 +148,7 @@ TEST_CASE("CameraRig: along key frames in the world", "[Viewer]")
   CheckNear(rig.Focus(), Vec3(100.0, 10.0, 0.0));
 }
 
-TEST_CASE("CameraRig: what is wrong with key frames", "[Viewer]")
+TEST_CASE("CameraRig: bad key frames are errors", "[Viewer]")
 {
   Rig rig;
   CHECK(rig.Camera.ReadScript("/none.json").find("cannot be read") != std::string::npos);

@@ -53,7 +53,7 @@ vtkSmartPointer<vtkPolyData> MakeFullEchoes(vtkIdType first, vtkIdType count)
 
 } // namespace
 
-TEST_CASE("Cloud: every column comes back")
+TEST_CASE("Cloud: every column is stored and returned")
 {
   Cloud cloud;
   cloud.Append(MakeFullEchoes(1000, 50));
@@ -74,7 +74,7 @@ TEST_CASE("Cloud: every column comes back")
   CHECK(echo.Leg == 3);
 }
 
-TEST_CASE("Cloud: arrays may be missing and of any type")
+TEST_CASE("Cloud: arrays may be missing or of any type")
 {
   auto echoes = MakeEchoes({ { 1, 2, 3 }, { 4, 5, 6 } });
   vtkNew<vtkIntArray> parts;
@@ -104,7 +104,7 @@ TEST_CASE("Cloud: arrays may be missing and of any type")
   CHECK_FALSE(cloud.GetTimeRange(range));
 }
 
-TEST_CASE("Cloud: intensities stand for amplitudes that are not there")
+TEST_CASE("Cloud: intensity replaces a missing amplitude")
 {
   auto echoes = MakeEchoes({ { 1, 2, 3 } });
   AddColumn(echoes, names::Intensity, { 40000.0 });
@@ -114,7 +114,7 @@ TEST_CASE("Cloud: intensities stand for amplitudes that are not there")
   CHECK(std::abs(cloud.GetEcho(0).Amplitude / 40000.0 - 1.0) < 7e-4);
 }
 
-TEST_CASE("Cloud: points that are not finite are left out and counted")
+TEST_CASE("Cloud: points that are not finite are dropped and counted")
 {
   auto echoes = MakeEchoes({ { NaN, 0, 0 }, { 1, 2, 3 }, { 1, HUGE_VAL, 3 }, { 4, 5, 6 } });
   AddColumn(echoes, names::PulseIds, { 10, 11, 12, 13 });
@@ -126,7 +126,7 @@ TEST_CASE("Cloud: points that are not finite are left out and counted")
   CHECK(cloud.GetEcho(1).PulseId == 13);
 }
 
-TEST_CASE("Cloud: chunks never move and are filled one after the other")
+TEST_CASE("Cloud: chunks never move and are filled in order")
 {
   Cloud cloud;
   cloud.Append(MakeFullEchoes(0, 100000));
@@ -160,7 +160,8 @@ TEST_CASE("Cloud: times of long runs and far pulses are exact")
   CHECK(cloud.GetChunks().size() == 2);
 }
 
-TEST_CASE("Cloud: bounds are of the world, the origin set before data stays")
+TEST_CASE(
+  "Cloud: bounds are in world coordinates, and the origin cannot change after the first data")
 {
   Cloud cloud;
   double bounds[6];
@@ -180,7 +181,7 @@ TEST_CASE("Cloud: bounds are of the world, the origin set before data stays")
   CHECK(cloud.GetOrigin()[0] == 100.0);
 }
 
-TEST_CASE("Cloud: blocks without points change nothing")
+TEST_CASE("Cloud: blocks without points have no effect")
 {
   Cloud cloud;
   cloud.Append(nullptr);

@@ -70,7 +70,7 @@ void CheckThird(const Cloud& cloud, vtkIdType count)
 
 } // namespace
 
-TEST_CASE("CloudReader: our text files come back with every column")
+TEST_CASE("CloudReader: text files of vtkHelios are read with every column")
 {
   const TempFolder folder;
   WriteWith<vtkHeliosPointTextWriter>(folder / "leg012_points.xyz", MakeThree());
@@ -94,7 +94,7 @@ TEST_CASE("CloudReader: our text files come back with every column")
   CHECK(reader.Trajectories[0]->GetNumberOfCells() == 1);
 }
 
-TEST_CASE("CloudReader: names of parts given before are kept, numbers are numbers")
+TEST_CASE("CloudReader: known part names are kept, others are numbered")
 {
   const TempFolder folder;
   WriteText(folder / "a.xyz",
@@ -109,7 +109,7 @@ TEST_CASE("CloudReader: names of parts given before are kept, numbers are number
   CHECK(reader.PartNames.back() == "#odd");
 }
 
-TEST_CASE("CloudReader: any text with x y z first, between blanks, commas or semicolons")
+TEST_CASE("CloudReader: text with x y z first, separated by blanks, commas or semicolons")
 {
   const TempFolder folder;
   WriteText(folder / "a.xyz", "500000.25 10 1\n500001.25 20 2 9\n500002.25 30 3\n");
@@ -168,7 +168,7 @@ TEST_CASE("CloudReader: LAS, VTP, PVTP and PLY")
   CHECK(std::abs(doubles.GetEcho(0).Position[0] - 500000.123456789) < 1e-7); // a float: 0.03
 }
 
-TEST_CASE("CloudReader: the folder of a run, and how far the reading is")
+TEST_CASE("CloudReader: the folder of a run, with progress")
 {
   const TempFolder folder;
   WriteWith<vtkHeliosPointTextWriter>(folder / "leg000_points.xyz", MakeThree());
@@ -201,7 +201,7 @@ TEST_CASE("CloudReader: the folder of a run, and how far the reading is")
   CHECK(blocks == 1); // stopped by false
 }
 
-TEST_CASE("CloudReader: errors name the file and the cure")
+TEST_CASE("CloudReader: errors name the file and the remedy")
 {
   const TempFolder folder;
   const auto check = [&](const std::string& name, const char* text, const std::string& wanted)
@@ -222,11 +222,11 @@ TEST_CASE("CloudReader: errors name the file and the cure")
   check("blank.xyz", "\n\n", ": has no points; give a file with rows x y z");
   check("words.xyz", "1 2 3\n4 five 6\n", ":2: ");
   check("bad.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 x tree 2 0.5\n",
-    ":2: column 7 (pulse) is missing or not a number; correct or remove the row");
+    ":2: \"x\" in column 8 (pulse) is not a number; correct or remove the row");
   check("long.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7 tree 2 0.5 9\n",
-    ":2: more columns than the 11");
-  check(
-    "short.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7\n", ":2: column 8 (part) is missing");
+    ":2: has 12 columns, but the first row has 11; correct or remove the row");
+  check("short.xyz", "1 2 3 4 5 1 1 7 tree 2 0.5\n1 2 3 4 5 1 1 7\n",
+    ":2: has 8 columns, but the first row has 11");
   check("a.las", "no LAS at all", ": is not a LAS file: it does not start with LASF");
   check("a.vtp", "<VTKFile", "a.vtp: is not complete XML; copy or write the file again");
   check("a.ply", "no PLY", "; the file may be damaged: write it again");

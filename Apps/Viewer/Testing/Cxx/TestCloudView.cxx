@@ -56,7 +56,7 @@ TEST_CASE("CloudView: points are drawn at their pixels, with their size and colo
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
-TEST_CASE("CloudView: an origin far away does not move the picture")
+TEST_CASE("CloudView: a distant origin does not move the picture")
 {
   Stage stage;
   Cloud cloud;
@@ -72,7 +72,7 @@ TEST_CASE("CloudView: an origin far away does not move the picture")
   CHECK(stage.CountPixels(Black) == 200 * 200 - 32);
 }
 
-TEST_CASE("CloudView: colours follow the numbers")
+TEST_CASE("CloudView: colours follow the values")
 {
   Stage stage;
   Cloud cloud;
@@ -143,14 +143,14 @@ TEST_CASE("CloudView: colours follow the numbers")
     CHECK(colors[3] == view.GetColors().Map(5));
     CHECK(colors[0] != colors[1]);
   }
-  SECTION("what is not known is grey")
+  SECTION("unknown values are grey")
   {
     view.SetColorBy(ColorBy::Material);
     CHECK(GetFourColors(stage) == std::vector<Rgb>(4, CloudColors::Unknown));
   }
 }
 
-TEST_CASE("CloudView: a range of no width or no number is refused")
+TEST_CASE("CloudView: an empty range or one that is not finite is refused")
 {
   Stage stage;
   Cloud cloud;
@@ -161,7 +161,7 @@ TEST_CASE("CloudView: a range of no width or no number is refused")
   CHECK_FALSE(view.SetRange(0.0, HUGE_VAL));
 }
 
-TEST_CASE("CloudView: the automatic range leaves 2 % out and follows the cloud")
+TEST_CASE("CloudView: the automatic range excludes 2 % at either end and follows the cloud")
 {
   std::vector<Vec3> places;
   for (int i = 0; i <= 1000; ++i)
@@ -190,7 +190,7 @@ TEST_CASE("CloudView: the automatic range leaves 2 % out and follows the cloud")
   CHECK(view.GetHigh() > 1000.0);
 }
 
-TEST_CASE("CloudView: the scalar bar has the title, the ends and the colours of the map")
+TEST_CASE("CloudView: the scalar bar has the title, range and colours of the map")
 {
   Stage stage;
   Cloud cloud;
@@ -220,7 +220,7 @@ TEST_CASE("CloudView: the scalar bar has the title, the ends and the colours of 
   CHECK(bar->GetVisibility() == 0);
 }
 
-TEST_CASE("CloudView: the clip box hides what is outside it, and nothing else")
+TEST_CASE("CloudView: the clip box hides exactly the points outside")
 {
   Stage stage;
   Cloud cloud;
@@ -248,7 +248,7 @@ TEST_CASE("CloudView: the clip box hides what is outside it, and nothing else")
   CHECK_FALSE(view.SetClipBox(bad));
 }
 
-TEST_CASE("CloudView: a clip box set before there are points is where it was set")
+TEST_CASE("CloudView: a clip box may be set before there are points")
 {
   Stage stage;
   Cloud cloud;
@@ -265,7 +265,7 @@ TEST_CASE("CloudView: a clip box set before there are points is where it was set
   CHECK(stage.GetColorAt(5, 0) == Black);
 }
 
-TEST_CASE("CloudView: the time limit shows what was there by then")
+TEST_CASE("CloudView: the time limit hides later points")
 {
   Stage stage;
   Cloud cloud;
@@ -280,7 +280,7 @@ TEST_CASE("CloudView: the time limit shows what was there by then")
   }
 }
 
-TEST_CASE("CloudView: the time limit holds for points in any order, and for none without time")
+TEST_CASE("CloudView: the time limit works for points in any order, and hides none without time")
 {
   Stage stage;
   Cloud cloud;
@@ -300,7 +300,7 @@ TEST_CASE("CloudView: the time limit holds for points in any order, and for none
   CHECK(GetFourColors(stage) == std::vector<Rgb>{ Black, one, one, one });
 }
 
-TEST_CASE("CloudView: a growing cloud is drawn as it is")
+TEST_CASE("CloudView: a growing cloud is drawn completely")
 {
   Stage stage;
   Cloud cloud;
@@ -329,7 +329,7 @@ TEST_CASE("CloudView: a growing cloud is drawn as it is")
   CHECK(stage.GetColorAt(1, -1) == Rgb{ 200, 205, 210 });
 }
 
-TEST_CASE("CloudView: eye-dome lighting darkens edges and leaves the rest")
+TEST_CASE("CloudView: eye-dome lighting darkens depth edges only")
 {
   std::vector<Vec3> places; // a square plate 5 m above a floor
   for (int i = 0; i < 400; ++i)

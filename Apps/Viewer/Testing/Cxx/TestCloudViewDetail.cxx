@@ -13,7 +13,7 @@ using namespace helios;
 using namespace helios::viewer;
 namespace names = vtkHeliosArrayNames;
 
-TEST_CASE("CloudView: cameras are reset to the whole cloud, whatever is drawn of it")
+TEST_CASE("CloudView: a camera reset shows the whole cloud, also if it is drawn in part")
 {
   Stage stage;
   Cloud cloud;
@@ -40,7 +40,7 @@ TEST_CASE("CloudView: cameras are reset to the whole cloud, whatever is drawn of
   CHECK(bounds[0] > bounds[1]);
 }
 
-TEST_CASE("CloudView: while moving an even sample is drawn, everything when still")
+TEST_CASE("CloudView: an even sample is drawn during motion, everything at rest")
 {
   Stage stage;
   Cloud cloud;
@@ -72,7 +72,7 @@ TEST_CASE("CloudView: while moving an even sample is drawn, everything when stil
   CHECK(view.GetNumberOfDrawnPoints() == 900000);
 }
 
-TEST_CASE("CloudView: of many points the visible ones are drawn, and the picture is the same")
+TEST_CASE("CloudView: of a large cloud the visible points are drawn, with the same picture")
 {
   Stage stage;
   Cloud cloud;
@@ -128,7 +128,7 @@ TEST_CASE("CloudView: of many points the visible ones are drawn, and the picture
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
-TEST_CASE("CloudView: slow frames make it draw less while moving, quick ones more again")
+TEST_CASE("CloudView: slow frames reduce the sample during motion, fast ones increase it")
 {
   Stage stage;
   Cloud cloud;
@@ -161,7 +161,7 @@ TEST_CASE("CloudView: slow frames make it draw less while moving, quick ones mor
   CHECK(view.GetNumberOfDrawnPoints() == 900000);
 }
 
-TEST_CASE("CloudView: the pick is the echo in front, not one behind it")
+TEST_CASE("CloudView: a pick selects the front echo")
 {
   Stage stage;
   Cloud cloud;
@@ -183,7 +183,7 @@ TEST_CASE("CloudView: the pick is the echo in front, not one behind it")
   CHECK_FALSE(view.Pick(Stage::ToPixel(9.8), Stage::ToPixel(9.8), 4.0));
 }
 
-TEST_CASE("CloudView: where no point covers the pixel the nearest one is picked")
+TEST_CASE("CloudView: a pick beside all points selects the nearest one")
 {
   Stage stage;
   Cloud cloud;
@@ -195,7 +195,7 @@ TEST_CASE("CloudView: where no point covers the pixel the nearest one is picked"
   CHECK_FALSE(view.Pick(100.0, 100.0, 3.0));
 }
 
-TEST_CASE("CloudView: at most 40 bytes a point, cloud and display together")
+TEST_CASE("CloudView: at most 40 bytes per point for cloud and display")
 {
   Stage stage;
   Cloud cloud;

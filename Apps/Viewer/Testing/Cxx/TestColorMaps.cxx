@@ -23,7 +23,7 @@ TEST_CASE("ColorMaps: classes have the colours and names of ASPRS")
   CHECK(GetClassColor(77) == GetClassColor(0));
 }
 
-TEST_CASE("ColorMaps: distinct colours come again after twelve, for negative numbers, too")
+TEST_CASE("ColorMaps: distinct colours repeat after twelve, also for negative numbers")
 {
   CHECK(GetDistinctColor(0) != GetDistinctColor(1));
   CHECK(GetDistinctColor(12) == GetDistinctColor(0));

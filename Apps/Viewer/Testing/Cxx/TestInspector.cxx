@@ -91,7 +91,7 @@ double GetRangeTo(const PulseReading& reading, double z)
 
 } // namespace
 
-TEST_CASE("Inspector: a pulse on two steps, by a click")
+TEST_CASE("Inspector: a click selects a pulse on two steps")
 {
   const StepFiles files;
   Viewer viewer(MakeOptions(files));
@@ -159,7 +159,7 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
     CHECK(inspector.OnClick(100, 100)); // clicks on it select nothing
     CHECK(inspector.GetRow() == row);
   }
-  SECTION("the waveform stands along the beam")
+  SECTION("the waveform is drawn along the beam")
   {
     vtkPolyData* curve = inspector.GetView().GetWaveforms();
     REQUIRE(inspector.GetView().GetNumberOfWaveforms() == 1);
@@ -171,7 +171,7 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
       CHECK(from.Dot(reading.Direction) == Approx(range).margin(1e-4));
     }
   }
-  SECTION("the state says it; keys step and close")
+  SECTION("the state file shows it; keys step and close")
   {
     Json::Value state;
     inspector.Describe(state);
@@ -204,7 +204,7 @@ TEST_CASE("Inspector: a pulse on two steps, by a click")
   }
 }
 
-TEST_CASE("Inspector: a pulse on one plane")
+TEST_CASE("Inspector: a pulse with one echo on a plane")
 {
   const StepFiles files;
   Viewer viewer(MakeOptions(files));
@@ -222,7 +222,7 @@ TEST_CASE("Inspector: a pulse on one plane")
   CHECK(reading.Samples.size() == reading.Ranges.size());
 }
 
-TEST_CASE("Inspector: a cloud that was made, and its files")
+TEST_CASE("Inspector: a finished run is read with its waveform files")
 {
   const StepFiles files;
   Viewer viewer(MakeOptions(files));
@@ -271,7 +271,7 @@ TEST_CASE("Inspector: a cloud that was made, and its files")
     "run?");
 }
 
-TEST_CASE("Inspector: a cloud in LAS, and its packets")
+TEST_CASE("Inspector: a LAS file is read with its packets")
 {
   const StepFiles files;
   files.Replace("survey.xml", "movePerSec_m=\"20\"", "movePerSec_m=\"5\""); // several pieces
@@ -341,7 +341,7 @@ TEST_CASE("Inspector: a cloud in LAS, and its packets")
   CHECK_THROWS_WITH(lost.get(), Catch::Contains("leg000_points.wdp: cannot be read"));
 }
 
-TEST_CASE("Inspector: where no waveform can be, it says why")
+TEST_CASE("Inspector: a missing waveform is reported with the reason")
 {
   ViewerOptions options;
   options.Inputs = { "cloud.xyz" };
@@ -364,7 +364,7 @@ TEST_CASE("Inspector: where no waveform can be, it says why")
   CHECK(inspector.GetChart().GetTitle().find(wanted) != std::string::npos);
 }
 
-TEST_CASE("Inspector: powers have a unit that suits them")
+TEST_CASE("Inspector: powers are shown in a suitable unit")
 {
   CHECK(DescribePower(2.5) == "2.5 W");
   CHECK(DescribePower(1.234e-8) == "12.3 nW");

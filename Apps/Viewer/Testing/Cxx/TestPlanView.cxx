@@ -42,7 +42,7 @@ void Write(vtkPolyData* data, const fs::path& path)
 
 } // namespace
 
-TEST_CASE("PlanView: test points have the colour of how often they are seen")
+TEST_CASE("PlanView: test points are coloured by the number of scans that see them")
 {
   Stage stage;
   const Vec3 origin(500000.0, 5400000.0, 0.0);
@@ -73,7 +73,7 @@ TEST_CASE("PlanView: test points have the colour of how often they are seen")
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
-TEST_CASE("PlanView: a plan is known by its files")
+TEST_CASE("PlanView: a plan is recognised by its files")
 {
   std::string name = (fs::temp_directory_path() / "vtkHeliosPlanXXXXXX").string();
   const fs::path folder = ::mkdtemp(name.data());

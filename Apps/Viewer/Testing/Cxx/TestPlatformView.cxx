@@ -80,7 +80,7 @@ constexpr Rgb Glass = { 128, 164, 188 };
 
 } // namespace
 
-TEST_CASE("PlatformView: a platform looks as its model file says, in its own frame")
+TEST_CASE("PlatformView: a platform is drawn from its model file, in its own frame")
 {
   ModelStage stage;
   stage.Show({ Vec3(0, 0, 0), Level }, 0.0);
@@ -97,7 +97,7 @@ TEST_CASE("PlatformView: a platform looks as its model file says, in its own fra
   CHECK(stage.Picture.GetColorAt(3, 0) == Black);
 }
 
-TEST_CASE("PlatformView: the scanner's model turns with its head")
+TEST_CASE("PlatformView: the scanner model rotates with the head")
 {
   ModelStage stage;
   stage.Leg.HeadStart = 90.0;
@@ -111,7 +111,7 @@ TEST_CASE("PlatformView: the scanner's model turns with its head")
   CHECK(stage.Picture.GetColorAt(-4, -2) != Black);
 }
 
-TEST_CASE("PlatformView: what cannot be shown is said, and a simple model is there")
+TEST_CASE("PlatformView: a model that cannot be shown is reported and replaced by a simple one")
 {
   ModelStage stage;
   stage.Write("bad.obj", "v 0 0\n");
@@ -142,7 +142,7 @@ TEST_CASE("PlatformView: what cannot be shown is said, and a simple model is the
   }
 }
 
-TEST_CASE("PlatformView: a small model is made as large as can be seen, and a file is read once")
+TEST_CASE("PlatformView: a small model is enlarged to be visible, and each file is read once")
 {
   ModelStage stage;
   stage.Write("small.obj", "v 0 0 0\nv 0.01 0 0\nv 0.01 0.01 0\nv 0 0.01 0\nf 1 2 3 4\n");
@@ -157,7 +157,7 @@ TEST_CASE("PlatformView: a small model is made as large as can be seen, and a fi
   CHECK(stage.View.ReadModels({ stage.Leg }).find("small.obj") == std::string::npos);
 }
 
-TEST_CASE("PlatformView: the viewer shows the model of a survey, or says why not")
+TEST_CASE("PlatformView: the viewer shows the model of a survey, or reports why not")
 {
   StepFiles files;
   files.Write("plane.obj", MakeSquare(0, 0, 0) + "f 1 2 3 4\n");

@@ -11,7 +11,7 @@
 using helios::viewer::FrameBudget;
 using helios::viewer::PlayClock;
 
-TEST_CASE("PlayClock: time goes as fast as asked, and no farther than there is", "[Viewer]")
+TEST_CASE("PlayClock: time advances at the set speed, up to the available data", "[Viewer]")
 {
   PlayClock clock;
   clock.SetSpan(10.0, 20.0);
@@ -29,7 +29,7 @@ TEST_CASE("PlayClock: time goes as fast as asked, and no farther than there is",
   CHECK(clock.GetTime() == 20.0);
 }
 
-TEST_CASE("PlayClock: a pause stays, and what is sought is the target", "[Viewer]")
+TEST_CASE("PlayClock: a pause persists, and seeking sets the target time", "[Viewer]")
 {
   PlayClock clock;
   clock.SetSpan(0.0, 100.0);
@@ -47,7 +47,7 @@ TEST_CASE("PlayClock: a pause stays, and what is sought is the target", "[Viewer
   CHECK(clock.GetTarget() > 0.0); // slightly ahead
 }
 
-TEST_CASE("PlayClock: speeds in steps", "[Viewer]")
+TEST_CASE("PlayClock: the speed changes in steps", "[Viewer]")
 {
   PlayClock clock;
   clock.ChangeSpeed(1);
@@ -63,7 +63,7 @@ TEST_CASE("PlayClock: speeds in steps", "[Viewer]")
   CHECK(clock.GetSpeed() == 0.01);
 }
 
-TEST_CASE("FrameBudget: drawing takes its share, and the user what he needs", "[Viewer]")
+TEST_CASE("FrameBudget: drawing takes a limited share, and more during interaction", "[Viewer]")
 {
   FrameBudget budget;
   CHECK(budget.IsDue(0.0, true));

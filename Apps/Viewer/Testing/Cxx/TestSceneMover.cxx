@@ -77,7 +77,7 @@ bool HasColor(Viewer& viewer, const Vec3& place, const Rgb& color)
 
 } // namespace
 
-TEST_CASE("SceneMover: a part is drawn where it is at the time that is shown")
+TEST_CASE("SceneMover: a part is drawn at its position at the displayed time")
 {
   const std::string clock = GENERATE("dynTimeStep=\"0.05\"", "dynStep=\"100\""); // at 2 kHz
   MovingFiles files(30.0, clock);
@@ -96,7 +96,7 @@ TEST_CASE("SceneMover: a part is drawn where it is at the time that is shown")
   }
 }
 
-TEST_CASE("SceneMover: echoes are on the part when they are measured, to and fro in time")
+TEST_CASE("SceneMover: echoes lie on the part at their time, forwards and backwards")
 {
   MovingFiles files(0.0, "dynTimeStep=\"0.05\"");
   Viewer viewer(files.Options);
@@ -132,7 +132,7 @@ TEST_CASE("SceneMover: echoes are on the part when they are measured, to and fro
   CHECK(highest == Approx(Start - 2.0 + 19.0)); // the last of 20 steps in a second
 }
 
-TEST_CASE("SceneMover: a scene that rests is left as it is")
+TEST_CASE("SceneMover: a scene at rest is not modified")
 {
   StepFiles files;
   ViewerOptions options;

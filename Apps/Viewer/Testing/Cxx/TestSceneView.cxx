@@ -143,7 +143,7 @@ TEST_CASE("SceneView: triangles are at their pixels in the colours of their mate
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
-TEST_CASE("SceneView: a pick tells place, normal, part and material in double precision")
+TEST_CASE("SceneView: a pick returns position, normal, part and material in double precision")
 {
   Stage stage;
   SceneView view(stage.Renderer);
@@ -171,7 +171,7 @@ TEST_CASE("SceneView: a pick tells place, normal, part and material in double pr
   CHECK_FALSE(view.Pick(Stage::ToPixel(4.5), Stage::ToPixel(-1.0)));
 }
 
-TEST_CASE("SceneView: parts that move are drawn and picked where they are put")
+TEST_CASE("SceneView: moving parts are drawn and picked at their current position")
 {
   Stage stage;
   SceneView view(stage.Renderer);
@@ -234,7 +234,7 @@ TEST_CASE("SceneView: a scene without arrays is shown in one colour")
   CHECK(view.Pick(Stage::ToPixel(4), Stage::ToPixel(0))->Part == -1);
 }
 
-TEST_CASE("SceneView: what cannot be shown is said, and nothing is shown")
+TEST_CASE("SceneView: errors are reported, and nothing is shown")
 {
   Stage stage;
   SceneView view(stage.Renderer);
@@ -253,7 +253,7 @@ TEST_CASE("SceneView: what cannot be shown is said, and nothing is shown")
   CHECK_FALSE(view.GetBounds(bounds));
 }
 
-TEST_CASE("SceneView: colours of materials come from class, name, ground, row")
+TEST_CASE("SceneView: material colours by class, name, ground, or index")
 {
   Material material;
   CHECK(GetMaterialColor(material, 3) == GetDistinctColor(3));
@@ -265,7 +265,7 @@ TEST_CASE("SceneView: colours of materials come from class, name, ground, row")
   CHECK(GetMaterialColor(material, 3) == GetClassColor(9));
 }
 
-TEST_CASE("SceneView: very many triangles are drawn as fewer while the camera moves")
+TEST_CASE("SceneView: large meshes are simplified while the camera moves")
 {
   Stage stage;
   SceneView view(stage.Renderer);

@@ -36,12 +36,12 @@ vtkSmartPointer<vtkHeliosSurvey> Read(const StepFiles& files)
 
 /// Takes echoes until a condition holds; the echoes in order.
 template <typename Condition>
-std::vector<vtkSmartPointer<vtkPolyData>> TakeUntil(Simulation& run, Condition isThere)
+std::vector<vtkSmartPointer<vtkPolyData>> CollectUntil(Simulation& run, Condition isThere)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> all;
   for (int i = 0; i < 6000; ++i)
   {
-    for (const auto& block : run.TakeEchoes())
+    for (const auto& block : run.CollectEchoes())
     {
       all.push_back(block);
     }
@@ -72,30 +72,31 @@ std::vector<double> GetRanges(const std::vector<vtkSmartPointer<vtkPolyData>>& b
 bool IsAllTaken(const Simulation& run)
 {
   return run.GetPhase() == Simulation::Phase::Finished &&
-    run.GetTakenPulses() == run.GetNumberOfPulses();
+    run.GetCollectedPulses() == run.GetNumberOfPulses();
 }
 
 } // namespace
 
-TEST_CASE("Simulation: it goes as far as asked, then on, and all is that of one run", "[Viewer]")
+TEST_CASE(
+  "Simulation: stops at the requested time, resumes, and gives the echoes of one run", "[Viewer]")
 {
   const StepFiles files;
   const auto survey = Read(files);
   Simulation run(survey);
   run.Start();
   run.SetTarget(0.25);
-  auto blocks = TakeUntil(run, [&run] { return run.GetTakenTime() >= 0.25; });
+  auto blocks = CollectUntil(run, [&run] { return run.GetCollectedTime() >= 0.25; });
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  CHECK(run.TakeEchoes().empty());    // waiting
-  CHECK(run.GetTakenPulses() == 500); // at 2 kHz
+  CHECK(run.CollectEchoes().empty());     // waiting
+  CHECK(run.GetCollectedPulses() == 500); // at 2 kHz
   CHECK(run.GetPhase() == Simulation::Phase::Running);
   run.SetTarget(Forever);
-  for (const auto& block : TakeUntil(run, [&run] { return IsAllTaken(run); }))
+  for (const auto& block : CollectUntil(run, [&run] { return IsAllTaken(run); }))
   {
     blocks.push_back(block);
   }
   CHECK(run.GetPhase() == Simulation::Phase::Finished);
-  CHECK(run.GetTakenTime() == run.GetEndTime());
+  CHECK(run.GetCollectedTime() == run.GetEndTime());
   CHECK(run.GetComputingSeconds() > 0.0);
 
   vtkNew<vtkHeliosSurveySource> whole;
@@ -104,12 +105,12 @@ TEST_CASE("Simulation: it goes as far as asked, then on, and all is that of one 
   CHECK(GetRanges(blocks) == GetRanges({ whole->GetOutput() }));
 }
 
-TEST_CASE("Simulation: where the platform is when", "[Viewer]")
+TEST_CASE("Simulation: platform pose by time", "[Viewer]")
 {
   const StepFiles files;
   Simulation run(Read(files));
   run.Start();
-  TakeUntil(run, [&run] { return run.GetPhase() != Simulation::Phase::Loading; });
+  CollectUntil(run, [&run] { return run.GetPhase() != Simulation::Phase::Loading; });
   REQUIRE(run.GetLegs().size() == 1);
   const SimulatedLeg& leg = run.GetLegs().front();
   CHECK(leg.IsMoving);
@@ -126,19 +127,19 @@ TEST_CASE("Simulation: where the platform is when", "[Viewer]")
   CHECK(FindLeg({}, 0.5) == nullptr);
 }
 
-TEST_CASE("Simulation: what fails is said, and ends", "[Viewer]")
+TEST_CASE("Simulation: a failure is reported and ends the simulation", "[Viewer]")
 {
   const StepFiles files;
   const auto survey = Read(files);
   files.Write("ground.obj", "v 0 0\n");
   Simulation run(survey);
   run.Start();
-  TakeUntil(run, [&run] { return run.GetPhase() == Simulation::Phase::Failed; });
+  CollectUntil(run, [&run] { return run.GetPhase() == Simulation::Phase::Failed; });
   CHECK(run.GetMessage().find("ground.obj:1") != std::string::npos);
   CHECK(run.GetLegs().empty());
 }
 
-TEST_CASE("Simulation: it is given up at any moment", "[Viewer]")
+TEST_CASE("Simulation: can be aborted at any moment", "[Viewer]")
 {
   const StepFiles files;
   for (int i = 0; i < 10; ++i)
@@ -151,7 +152,7 @@ TEST_CASE("Simulation: it is given up at any moment", "[Viewer]")
   SUCCEED("no thread is left behind");
 }
 
-TEST_CASE("BeamFan: the points just before a time", "[Viewer]")
+TEST_CASE("BeamFan: the last points before a time", "[Viewer]")
 {
   const StepFiles files;
   Simulation run(Read(files));
@@ -159,7 +160,7 @@ TEST_CASE("BeamFan: the points just before a time", "[Viewer]")
   run.SetTarget(Forever);
   Cloud cloud;
   CHECK(FindNewestPoints(cloud, Forever, 0.1, 10).empty());
-  for (const auto& block : TakeUntil(run, [&run] { return IsAllTaken(run); }))
+  for (const auto& block : CollectUntil(run, [&run] { return IsAllTaken(run); }))
   {
     cloud.Append(block);
   }

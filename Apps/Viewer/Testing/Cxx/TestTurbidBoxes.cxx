@@ -75,7 +75,7 @@ constexpr Rgb Leaf = { 84, 150, 76 };
 
 } // namespace
 
-TEST_CASE("TurbidBoxes: a box a cell, its volume the density, its colour the material's")
+TEST_CASE("TurbidBoxes: one box per voxel: volume by density, colour by material")
 {
   Stage stage;
   SceneView view(stage.Renderer);
@@ -123,7 +123,7 @@ TEST_CASE("TurbidBoxes: a box a cell, its volume the density, its colour the mat
   CHECK(stage.CountPixels(Black) == 200 * 200);
 }
 
-TEST_CASE("TurbidBoxes: a grid that is turned, and begins anywhere")
+TEST_CASE("TurbidBoxes: a rotated grid with any origin")
 {
   Stage stage;
   SceneView view(stage.Renderer);
@@ -145,7 +145,7 @@ TEST_CASE("TurbidBoxes: a grid that is turned, and begins anywhere")
   CHECK(stage.CountPixels(Black) == 200 * 200 - 20 * 20);
 }
 
-TEST_CASE("TurbidBoxes: a million voxels are as many boxes as can be drawn")
+TEST_CASE("TurbidBoxes: a million voxels are merged to the maximum number of boxes")
 {
   const auto grid = MakeGrid(Vec3(-5, -5, 0), 0.1, 100, 100, 100, { 0.5, 0.0 });
   const vtkIdType most = SceneView::MostBoxes;
@@ -183,7 +183,7 @@ TEST_CASE("TurbidBoxes: a million voxels are as many boxes as can be drawn")
   CHECK(MakeTurbidBoxes(bare, 10, Vec3(0, 0, 0))->GetNumberOfCells() == 0);
 }
 
-TEST_CASE("TurbidBoxes: the viewer shows them, of surveys and of scenes")
+TEST_CASE("TurbidBoxes: the viewer shows those of surveys and of scenes")
 {
   StepFiles files;
   std::string text =

@@ -52,8 +52,7 @@ std::string Damage(Mutator& mutate, const std::string& text, int i)
 
 } // namespace
 
-TEST_CASE(
-  "ViewerMutations: damaged camera scripts give a message, or cameras", "[Viewer][mutation]")
+TEST_CASE("ViewerMutations: damaged camera scripts give an error or cameras", "[Viewer][mutation]")
 {
   TempFolder folder;
   vtkNew<vtkRenderer> renderer;
@@ -84,7 +83,7 @@ TEST_CASE(
   CHECK(goodCount > 10);
 }
 
-TEST_CASE("ViewerMutations: damaged runs give a message, or points", "[Viewer][mutation]")
+TEST_CASE("ViewerMutations: damaged runs give an error or points", "[Viewer][mutation]")
 {
   TempFolder folder;
   const std::string names[] = { "run_summary.json", "leg000_points.xyz", "leg000_trajectory.txt" };
@@ -118,7 +117,7 @@ TEST_CASE("ViewerMutations: damaged runs give a message, or points", "[Viewer][m
   CHECK(goodCount > 10);
 }
 
-TEST_CASE("ViewerMutations: a name with a number too large for a leg", "[Viewer]")
+TEST_CASE("ViewerMutations: a file name with a leg number out of range", "[Viewer]")
 {
   TempFolder folder;
   Write(folder / "leg99999999999999999999_points.xyz", Points);
