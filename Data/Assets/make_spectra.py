@@ -568,17 +568,16 @@ SPECTRA = {
 
 README = """# Spectra
 
-Reflectances over the wavelength, 0.35 to 2.5 um, for the materials of scenes: `helios_spectra NAME` in an MTL file takes
-`NAME.txt` where no reflectance is given, at the wavelength of the scanner. They are our own: `../make_spectra.py` makes
-them, and this page, from physical models and published levels. No file of a spectral library was
-used. Each file says how it was made, from which sources, and how far to trust it; most levels are typical ones. For work
-that depends on reflectance put measured spectra (ECOSTRESS, USGS; text of two columns, um and percent) into a folder
-`spectra` of an asset directory of your own.
+Reflectance spectra, 0.35 to 2.5 um, for scene materials: `helios_spectra NAME` in an MTL file selects `NAME.txt` if no
+reflectance is given; its value at the wavelength of the scanner is used. `../make_spectra.py` writes them and this page
+from physical models and published levels; no file of a spectral library was used. Each file states its derivation, its
+sources and its uncertainty; most levels are typical ones. For work that depends on reflectance put measured spectra
+(ECOSTRESS, USGS; text of two columns, um and percent) into a folder `spectra` of your own asset directory.
 
-Reflectance is of the whole hemisphere; a scanner takes it as diffuse. Metals and still water are not: what they send
-back depends on where they face, and their spectra are upper or lower bounds.
+Values are hemispherical reflectances; a scanner uses them as diffuse. Metals and still water are specular: their returns
+depend on the orientation, and their spectra are upper or lower bounds.
 
-| name | what | 532 nm | 905 nm | 1064 nm | 1550 nm | trust, of the value |
+| name | what | 532 nm | 905 nm | 1064 nm | 1550 nm | uncertainty, relative |
 |---|---|---|---|---|---|---|
 """
 

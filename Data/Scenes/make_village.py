@@ -187,7 +187,7 @@ class Faces:
         for name, (reflectance, classification, is_ground) in self.materials.items():
             mtl += [
                 f"newmtl {name}",
-                "Kd {0} {0} {0}".format(reflectance),
+                f"Kd {reflectance} {reflectance} {reflectance}",
                 f"helios_reflectance {reflectance}",
                 f"helios_classification {classification}",
                 f"helios_isGround {str(is_ground).lower()}",
