@@ -6,21 +6,27 @@
 #   Testing/run.sh              the release build, the build without optional libraries, all tests
 #   Testing/run.sh --asan       also the C++ tests under address and undefined-behaviour sanitizers
 #   Testing/run.sh --fuzz [N]   also N damaged files (100,000) for all readers
+#   Testing/run.sh --tidy       also clang-tidy over all sources, by .clang-tidy
 #
 # Ends with the summaries of ctest and pytest; the exit code is not 0 if a test failed.
 
 # shellcheck source=../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../Apps/setup.sh"
 
-usage() { sed -n 's/^# \{0,1\}//; 5,9p' Testing/run.sh; }
+usage() { sed -n 's/^# \{0,1\}//; 5,10p' Testing/run.sh; }
 asan=false
 fuzz=0
+tidy=false
 while [ $# -gt 0 ]; do
   case $1 in
     --asan) asan=true ;;
     --fuzz)
       fuzz=100000
       [[ ${2:-} =~ ^[0-9]+$ ]] && fuzz=$2 && shift
+      ;;
+    --tidy)
+      tidy=true
+      helios_packages+=(clang-tidy-14)
       ;;
     -h | --help) usage && exit ;;
     *) echo "unknown option $1" >&2 && usage >&2 && exit 2 ;;
@@ -35,6 +41,22 @@ run_ctest() { # BUILD-FOLDER
   helios_say "ctest: $1"
   ctest --test-dir "$1" --output-on-failure --no-tests=error -j2 || failed+=("ctest in $1")
 }
+
+run_tidy() { # FILE-EXPRESSION [ARGUMENT...]
+  helios_say "clang-tidy: $1"
+  run-clang-tidy-14 -quiet -p build/tidy "${@:2}" "^$PWD/(Filters|Scanner|Planning|Apps)/$1" 2>/dev/null |
+    sed '/^clang-tidy-14 /d' || failed+=("clang-tidy of $1")
+}
+
+if $tidy; then
+  helios_configure tidy
+  run_tidy '(?!.*/Testing/)'
+  # Tests may be slow and spell out that a text is empty; they divide integers for patterns and
+  # compare doubles by their bits.
+  unchecked='-performance-*,-readability-*,-cert-err34-c'
+  unchecked+=',-bugprone-integer-division,-bugprone-suspicious-memory-comparison'
+  run_tidy '.*/Testing/' -checks="$unchecked"
+fi
 
 helios_configure minimal -DVTKHELIOS_WRAP_PYTHON=OFF
 helios_build minimal

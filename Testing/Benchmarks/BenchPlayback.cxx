@@ -121,6 +121,7 @@ struct Bare
   {
     this->Settings.Folder = folder.string();
     this->Settings.Format = "xyz";
+    this->Settings.Options.Seed = 0;
     helios::SceneBuilder builder(survey->GetData().Scene, this->Log);
     this->Scene = builder.Build([](const std::string&) { return true; });
     this->Runner = std::make_unique<helios::LegRunner>(
@@ -130,7 +131,7 @@ struct Bare
 
   /// Runs all blocks, with or without text; the clock starts after the first, which builds the ray
   /// caster's tree.
-  helios::RunCounts Run(bool writes, Seconds& start)
+  helios::ScanCounts Run(bool writes, Seconds& start)
   {
     const helios::LegPlan& plan = this->Runner->GetPlans().front();
     helios::LegScanner& scanner = this->Runner->Prepare(plan);
@@ -138,7 +139,7 @@ struct Bare
     const bool isOpen = writes && writer->Open();
     const auto blocks = static_cast<int>(
       (plan.NumberOfPulses + this->Settings.PulsesPerBlock - 1) / this->Settings.PulsesPerBlock);
-    helios::RunCounts counts;
+    helios::ScanCounts counts;
     for (int block = 0; block < blocks && scanner.Update(block, blocks); ++block)
     {
       scanner.Count(counts);
@@ -181,7 +182,7 @@ public:
   static OnFirstBlock* New() { return new OnFirstBlock; }
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
-    const vtkIdType done = static_cast<vtkHeliosSurveyPlayer*>(caller)->GetNumberOfPulsesDone();
+    const vtkIdType done = static_cast<vtkHeliosSurveyPlayer*>(caller)->GetCount("pulses");
     if (done > 0 && !this->IsNoted)
     {
       this->Start = Now();
@@ -214,8 +215,8 @@ bool Measure(vtkHeliosSurvey* survey, const fs::path& folder, int repetitions)
   Bare bare(survey, folder / "bare");
   const auto player = MakePlayer(survey, folder / "out");
   Seconds ignored;
-  const helios::RunCounts counts = bare.Run(true, ignored);
-  if (!player->Run() || player->GetNumberOfEchoes() != counts.Echoes ||
+  const helios::ScanCounts counts = bare.Run(true, ignored);
+  if (!player->Run() || player->GetCount("points") != counts.Echoes ||
     ReadText(folder / "out/bench/leg000_points.xyz") !=
       ReadText(folder / "bare/leg000_points.xyz.part"))
   {

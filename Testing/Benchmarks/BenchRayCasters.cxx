@@ -13,6 +13,7 @@
 
 #include "heliosBareCasters.h"
 #include "heliosBenchScenes.h"
+#include "heliosConeProbe.h"
 #include "vtkHeliosBeamRayCaster.h"
 #include "vtkHeliosBvhRayCaster.h"
 #include "vtkHeliosEmbreeRayCaster.h"
@@ -166,14 +167,15 @@ bool IsTrue(const helios::TriangleMesh& mesh, const vtkHeliosConeHit& cone, doub
   return isTrue;
 }
 
-/// Checks and times ProbeCone for the cones around bundles of 19 rays.
-bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
+/// Checks and times the cone probe for the cones around bundles of 19 rays.
+bool RunProbe(vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
 {
   const double tolerance = 2.5e-4;
   Hits hits(rays.size());
   caster->Intersect(rays.data(), hits.data(), static_cast<vtkIdType>(rays.size()));
-  const auto probe = [caster, tolerance](const vtkHeliosRay& ray)
-  { return caster->ProbeCone(ray.Origin, ray.Direction, 0.3e-3 * (1 + 1e-9), tolerance); };
+  const helios::ConeProbe* cones = caster->GetConeProbe();
+  const auto probe = [cones, tolerance](const vtkHeliosRay& ray)
+  { return cones->Probe(ray.Origin, ray.Direction, 0.3e-3 * (1 + 1e-9), tolerance); };
   double counts[3] = { 0, 0, 0 };
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < rays.size(); i += 19)
@@ -182,7 +184,7 @@ bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
     ++counts[cone.Kind];
     wrong += !IsTrue(caster->GetMesh(), cone, tolerance, &rays[i], &hits[i]);
   }
-  const double cones = static_cast<double>(rays.size() / 19);
+  const double number = static_cast<double>(rays.size() / 19);
   std::vector<double> rates;
   for (int repeat = 0; repeat < repeats; ++repeat)
   {
@@ -191,11 +193,11 @@ bool RunProbe(const vtkHeliosRayCaster* caster, const Rays& rays, int repeats)
     {
       probe(rays[i]);
     }
-    rates.push_back(1e-6 * cones / (GetThreadTime() - start));
+    rates.push_back(1e-6 * number / (GetThreadTime() - start));
   }
-  std::printf("          ProbeCone %.2f M/s: %.1f %% empty, %.1f %% planar to %g mm, %zu wrong\n",
-    GetMedian(rates), 100 * counts[vtkHeliosConeHit::Empty] / cones,
-    100 * counts[vtkHeliosConeHit::OnePlane] / cones, 1e3 * tolerance, wrong);
+  std::printf("          ConeProbe %.2f M/s: %.1f %% empty, %.1f %% planar to %g mm, %zu wrong\n",
+    GetMedian(rates), 100 * counts[vtkHeliosConeHit::Empty] / number,
+    100 * counts[vtkHeliosConeHit::OnePlane] / number, 1e3 * tolerance, wrong);
   return wrong == 0;
 }
 
@@ -222,7 +224,6 @@ bool Run(const char* name, vtkPolyData* scene, double width, double height, int 
   {
     return false;
   }
-  beam->PrepareConeProbe();
   const helios::TriangleMesh& mesh = bvh->GetMesh();
   const BareEmbree bareEmbree(mesh);
   const BareCgal bareCgal(mesh);

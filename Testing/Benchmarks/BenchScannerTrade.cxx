@@ -10,6 +10,7 @@
 // Usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]
 
 #include "heliosBenchClock.h"
+#include "heliosConstants.h"
 #include "heliosTradeErrors.h"
 #include "heliosTradeScenes.h"
 
@@ -219,9 +220,9 @@ public:
     const double fired = this->Pulses;
     row.Times.push_back((one - empty) / fired);
     row.Times2.push_back((two - empty) / fired);
-    row.SubRays = static_cast<double>(this->Scanner->GetNumberOfSubRays()) / fired;
-    row.OnPlane = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesOnPlane()) / fired;
-    row.NoBins = 100.0 * static_cast<double>(this->Scanner->GetNumberOfPulsesWithoutBins()) / fired;
+    row.SubRays = static_cast<double>(this->Scanner->GetCount("subRays")) / fired;
+    row.OnPlane = 100.0 * static_cast<double>(this->Scanner->GetCount("pulsesOnPlane")) / fired;
+    row.NoBins = 100.0 * static_cast<double>(this->Scanner->GetCount("pulsesWithoutBins")) / fired;
   }
 
   vtkNew<vtkHeliosScanner> Scanner;

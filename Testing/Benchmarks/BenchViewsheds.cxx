@@ -9,6 +9,7 @@
 #include "heliosBenchClock.h"
 #include "heliosBenchScenes.h"
 
+#include "vtkHeliosRayCasterFactory.h"
 #include "vtkHeliosScanPositionCandidates.h"
 #include "vtkHeliosViewsheds.h"
 #include "vtkHeliosVisibilityTestPoints.h"
@@ -126,7 +127,7 @@ int main(int argc, char* argv[])
   const auto some = Thin(candidates->GetOutput(), count);
   vtkNew<vtkHeliosViewsheds> viewsheds;
   viewsheds->SetRayCaster(vtkSmartPointer<vtkHeliosRayCaster>::Take(
-    vtkHeliosRayCaster::Create(argc > 3 ? argv[3] : nullptr)));
+    vtkHeliosRayCasterFactory::Create(argc > 3 ? argv[3] : nullptr)));
   viewsheds->SetInputData(0, scene);
   viewsheds->SetInputData(1, some);
   viewsheds->SetInputData(2, testPoints->GetOutput());

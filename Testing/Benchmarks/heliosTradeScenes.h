@@ -6,7 +6,7 @@
 #define heliosTradeScenes_h
 
 #include "heliosBenchScenes.h"
-#include "heliosRadiometry.h"
+#include "heliosConstants.h"
 #include "heliosRandom.h"
 #include "vtkHeliosBeamDeflector.h"
 #include "vtkHeliosSyntheticScene.h"

@@ -339,7 +339,9 @@ class Campaign:
         jobs += [(self.folder / "whole" / name / "yard", seed) for seed in seeds[: cases // 8]]
         others = [(folder / JOURNAL).read_bytes() for left in self.left.values() for folder in left]
         while jobs:
-            told, status = in_child(lambda tell: self.resume_some(name, jobs, others, tell))
+            told, status = in_child(
+                lambda tell, jobs=jobs: self.resume_some(name, jobs, others, tell)
+            )
             for what, result, problem in told:
                 self.counts[
                     what if what == "undamaged" else what.split()[0] + " damaged", result
@@ -389,7 +391,7 @@ class Campaign:
         return f"both {damage_journal(folder, chance, others)}, {damage_file(folder, chance)}"
 
     def go(self, kills, cases):
-        import vtkhelios.cli  # noqa: F401: once, and not in every child
+        import vtkhelios.cli  # noqa: F401 (once, not in every child)
 
         for index, name in enumerate(RUNS):
             lines = self.run_whole(name)

@@ -44,7 +44,7 @@ def test_damaged_files(name, campaign):
     assert not told.get(name), "\n".join(told[name])
 
 
-def test_the_table_sums_up(campaign):
+def test_table_has_totals(campaign):
     lines = campaign[1].splitlines()
     row = next(line.split() for line in lines if line.startswith("all "))
     counts = [int(each.replace(",", "")) for each in row[1:9]]
@@ -101,12 +101,12 @@ def test_markdown_is_a_table():
         (["--target", "obj", "--input", "nowhere"], "--input nowhere: no such file"),
     ],
 )
-def test_wrong_usage_is_said(words, message):
+def test_wrong_usage(words, message):
     done = call(*words)
     assert done.returncode == 2 and message in done.stderr
 
 
-def test_help_teaches():
+def test_help_has_examples():
     done = call("--help")
     for words in ("what a case is", "silent", "examples:", "exit codes"):
         assert words in done.stdout

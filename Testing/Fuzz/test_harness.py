@@ -72,14 +72,14 @@ def test_good_cases_are_accepted(tmp_path):
     assert not any(result.failed for result in results.values())
 
 
-def test_files_beside_are_there(tmp_path):
+def test_additional_files_exist(tmp_path):
     def read(path, data):
         assert path.with_name("beside").joinpath("other.txt").read_bytes() == b"there"
 
     assert outcomes_of(run(tmp_path, read)) == ["accepted"] * 5
 
 
-def test_a_case_finds_nothing_of_the_case_before(tmp_path):
+def test_cases_are_isolated(tmp_path):
     def leave(path, data):
         assert not path.with_name("left.txt").exists()
         path.with_name("left.txt").write_text("left")
@@ -88,7 +88,7 @@ def test_a_case_finds_nothing_of_the_case_before(tmp_path):
     assert outcomes_of(run(tmp_path, leave)) == ["accepted"] * 5
 
 
-def test_a_refusal_is_no_failure(tmp_path):
+def test_a_refusal_is_not_a_failure(tmp_path):
     def refuse():
         raise Refused("a.txt:1: is wrong; correct it")
 
@@ -115,23 +115,23 @@ def test_a_refusal_without_a_reason_is_silent(tmp_path):
     expect_one(run(tmp_path, at("2", refuse)), "silent", "without a reason")
 
 
-def test_a_crash_is_noticed(tmp_path):
+def test_a_crash_is_detected(tmp_path):
     expect_one(run(tmp_path, at("2", lambda: ctypes.string_at(0))), "crash", "SIGSEGV")
 
 
-def test_an_abort_is_noticed(tmp_path):
+def test_an_abort_is_detected(tmp_path):
     expect_one(run(tmp_path, at("2", os.abort)), "crash", "SIGABRT")
 
 
-def test_an_exit_is_noticed(tmp_path):
+def test_an_exit_is_detected(tmp_path):
     expect_one(run(tmp_path, at("2", lambda: os._exit(3))), "crash", "exit code 3")
 
 
-def test_an_exit_without_an_error_is_noticed(tmp_path):
+def test_an_exit_without_an_error_is_detected(tmp_path):
     expect_one(run(tmp_path, at("2", lambda: os._exit(0))), "crash", "exit code 0")
 
 
-def test_a_hang_in_native_code_is_noticed(tmp_path):
+def test_a_hang_in_native_code_is_detected(tmp_path):
     def hang():
         ctypes.CDLL(None).sleep(1000)
 
@@ -141,10 +141,10 @@ def test_a_hang_in_native_code_is_noticed(tmp_path):
     assert time.monotonic() - start < 60
 
 
-def test_a_hang_that_catches_exceptions_is_noticed(tmp_path):
+def test_a_hang_that_catches_exceptions_is_detected(tmp_path):
     def hang():
         while True:
-            try:
+            try:  # noqa: SIM105
                 time.sleep(1)
             except BaseException:
                 pass
@@ -152,7 +152,7 @@ def test_a_hang_that_catches_exceptions_is_noticed(tmp_path):
     expect_one(run(tmp_path, at("2", hang), hang=1.0), "hang")
 
 
-def test_a_traceback_is_noticed(tmp_path):
+def test_a_traceback_is_detected(tmp_path):
     def fail():
         raise KeyError("legs")
 
@@ -166,7 +166,7 @@ def test_an_exit_of_python_is_a_traceback(tmp_path):
     expect_one(run(tmp_path, at("2", leave)), "traceback", "SystemExit")
 
 
-def test_memory_that_is_held_is_noticed(tmp_path, monkeypatch):
+def test_used_memory_is_detected(tmp_path, monkeypatch):
     results = run(
         tmp_path, at("2", lambda: np.ones(32 << 20)), memory=16 << 20, monkeypatch=monkeypatch
     )
@@ -174,7 +174,7 @@ def test_memory_that_is_held_is_noticed(tmp_path, monkeypatch):
     assert results["2"].peak > 60 << 20 > results["3"].peak
 
 
-def test_memory_that_is_asked_for_is_refused(tmp_path):
+def test_requested_memory_is_refused(tmp_path):
     expect_one(
         run(tmp_path, at("2", lambda: np.empty(5 << 30, np.int8))),
         "traceback",
@@ -182,18 +182,18 @@ def test_memory_that_is_asked_for_is_refused(tmp_path):
     )
 
 
-def test_a_lost_record_is_noticed(tmp_path):
+def test_a_lost_record_is_detected(tmp_path):
     def lose():
         check_count(2, 3, False)
 
     expect_one(run(tmp_path, at("2", lose)), "silent", "2 of 3 records, and no warning")
 
 
-def test_a_lost_record_that_is_warned_of_is_none(tmp_path):
+def test_a_lost_record_with_a_warning_is_accepted(tmp_path):
     expect_one(run(tmp_path, at("2", lambda: check_count(2, 3, ["1 left out"]))), "accepted")
 
 
-def test_a_number_that_is_not_finite_is_noticed(tmp_path):
+def test_a_number_that_is_not_finite_is_detected(tmp_path):
     def infinite():
         check_chunk({"points": np.zeros((3, 3)), "Range": np.array([1.0, np.inf, 2.0])})
 
@@ -213,7 +213,7 @@ def test_chunks_are_checked(chunk, message):
         check_chunk(chunk)
 
 
-def test_a_good_file_that_is_refused_is_a_failure(tmp_path):
+def test_refusing_a_valid_file_is_a_failure(tmp_path):
     def refuse(path, data):
         raise Refused("no")
 
@@ -257,14 +257,14 @@ def test_a_kept_file_names_its_seed():
 
 @pytest.mark.parametrize("kind", mutators.KINDS)
 @pytest.mark.parametrize("data", [b"", b"\0", b"<a b='1'><c/></a>", b"x 1 2.5\n\xff nan\n" * 30])
-def test_mutators_take_any_bytes(kind, data):
+def test_mutators_accept_any_bytes(kind, data):
     for number in range(300):
         source = random.Random(number)
         assert len(mutators.mutate(data, kind, source)) < 3_000_000
 
 
 @pytest.mark.parametrize("kind", mutators.KINDS)
-def test_most_mutants_differ_from_the_good_file(kind):
+def test_most_mutants_differ_from_the_valid_file(kind):
     data = b'<a b="1 2 3">4 5 6</a>\n' * 20
     changed = sum(mutators.mutate(data, kind, random.Random(i)) != data for i in range(200))
     assert changed > 180
@@ -277,14 +277,14 @@ def test_damaged_integers_stay_in_the_header():
         assert len(changed) == 1000 and not any(changed[400:])
 
 
-def test_lines_are_counted_only_where_that_is_simple():
+def test_lines_are_counted_only_in_simple_files():
     assert len(outcomes.plain_lines(b"1 2 3\n# no\n\n4 5 6 // end\r\n")) == 2
     assert outcomes.plain_lines(b"1 2 3\r4 5 6\n") is None
     assert outcomes.plain_lines(b"1 2\0\n") is None
     assert outcomes.plain_lines(b"1 2\xff\n") is None
 
 
-def test_pages_get_their_checksums():
+def test_page_checksums_are_repaired():
     assert targets_points.crc32c(b"123456789") == 0xE3069283  # from its standard
     mended = targets_points.mend_pages(b"a" * 1020 + b"junk")
     assert mended == b"a" * 1020 + struct.pack(">I", targets_points.crc32c(b"a" * 1020))

@@ -14,7 +14,7 @@ PACKAGE_DIR = pathlib.Path(vtkhelios.__file__).absolute().parents[1]
 PROGRAM = pathlib.Path(__file__).with_name("resume.py")
 
 
-def test_damaged_runs_are_resumed_right_or_refused():
+def test_damaged_runs_are_resumed_correctly_or_refused():
     done = subprocess.run(
         [sys.executable, "-P", PROGRAM, "--kills", "8", "--cases", "400"],
         capture_output=True,

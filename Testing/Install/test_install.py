@@ -40,7 +40,7 @@ def prefix(tmp_path_factory):
     return folder
 
 
-def test_outside_project_with_own_deflector(prefix, tmp_path):
+def test_separate_project_with_its_own_deflector(prefix, tmp_path):
     call(
         "cmake",
         "-S",
@@ -57,7 +57,7 @@ def test_outside_project_with_own_deflector(prefix, tmp_path):
     assert output.startswith("1000 echoes, largest error")
 
 
-def test_missing_component_is_told(prefix, tmp_path):
+def test_missing_component_is_reported(prefix, tmp_path):
     (tmp_path / "CMakeLists.txt").write_text(
         "cmake_minimum_required(VERSION 3.25)\nproject(p C CXX)\n"
         "find_package(vtkHelios COMPONENTS ScannerCore Nonesuch)\n"
@@ -79,7 +79,7 @@ def test_installed_viewer(prefix, tmp_path):
     )
 
 
-def test_installed_files_name_no_build_folder(prefix):
+def test_installed_files_do_not_name_the_build_folder(prefix):
     for path in prefix.rglob("*"):
         if path.suffix in (".cmake", ".py", ".h", "") and path.is_file():
             assert str(BUILD) not in path.read_text(errors="replace"), path

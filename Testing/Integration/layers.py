@@ -128,6 +128,36 @@ def find_folder_cycles(folder):
     return []
 
 
+# Cycles of units that are to be resolved.
+KNOWN_UNIT_CYCLES = [
+    {"heliosViewer", "heliosViewerKeys", "heliosViewerState"},
+]
+
+
+def find_unit_cycles(folders):
+    """Units (a .h and .cxx of one name) that include each other's headers, as sets of names."""
+    paths = [path for folder in folders for path in sources_of(folder)]
+    home = {path.name: path.with_suffix("") for path in paths}
+    uses = {path.with_suffix(""): set() for path in paths}
+    for path in paths:
+        unit = path.with_suffix("")
+        names = {pathlib.PurePath(name).name for name in _INCLUDE.findall(path.read_text())}
+        uses[unit] |= {home[name] for name in names & home.keys()} - {unit}
+
+    def find_reachable(unit):
+        reached, stack = set(), [unit]
+        while stack:
+            more = uses[stack.pop()] - reached
+            reached |= more
+            stack += more
+        return reached
+
+    reachable = {unit: find_reachable(unit) for unit in uses}
+    in_cycles = [unit for unit in uses if unit in reachable[unit]]
+    cycles = {frozenset(b for b in reachable[a] if a in reachable[b]) for a in in_cycles}
+    return [{unit.name for unit in cycle} for cycle in cycles]
+
+
 def find_include_faults(modules):
     """Headers included from undeclared modules, and libraries used outside their home."""
     owner = {

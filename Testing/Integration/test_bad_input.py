@@ -196,12 +196,12 @@ def test_divergence_zero_is_one_ray(run):
     assert code == 0, text
 
 
-def test_no_declaration_is_fine(run):
+def test_xml_declaration_is_optional(run):
     code, text = run(('<?xml version="1.0"?>\n', ""))
     assert code == 0, text
 
 
-def test_a_full_disk_keeps_whole_lines(run, tmp_path):
+def test_a_full_disk_keeps_complete_lines(run, tmp_path):
     disk = tmp_path / "disk"
     disk.mkdir()
     if subprocess.run(

@@ -85,7 +85,7 @@ def disk(tmp_path):
 
 
 @pytest.mark.parametrize("name", FORMATS)
-def test_at_any_point(name, disk, tmp_path):
+def test_full_at_any_point(name, disk, tmp_path):
     options = [*FORMATS[name], "--output", "whole"]
     assert run(tmp_path, *options).returncode == 0
     truth = digests(tmp_path / "whole/yard")

@@ -34,6 +34,12 @@ def test_folders_have_no_cycles(name):
     assert layers.find_folder_cycles(MODULES[name]) == []
 
 
+def test_units_have_no_cycles():
+    cycles = layers.find_unit_cycles(MODULES.values())
+    known = layers.KNOWN_UNIT_CYCLES
+    assert [cycle for cycle in cycles if not any(cycle <= other for other in known)] == []
+
+
 @pytest.mark.parametrize("name", MODULES)
 def test_folders_are_small(name):
     sizes = {
@@ -49,6 +55,15 @@ def test_cycles_are_found(tmp_path):
         (tmp_path / folder / f"helios{folder}.h").write_text(f'#include "helios{other}.h"\n')
     (cycle,) = layers.find_folder_cycles(tmp_path)
     assert set(cycle) == {"A", "B"}
+
+
+def test_unit_cycles_are_found(tmp_path):
+    for name, other in (("A", "B"), ("B", "C"), ("C", "A"), ("D", "A")):
+        (tmp_path / f"helios{name}.h").write_text("")
+        (tmp_path / f"helios{name}.cxx").write_text(
+            f'#include "helios{name}.h"\n#include "helios{other}.h"\n'
+        )
+    assert layers.find_unit_cycles([tmp_path]) == [{"heliosA", "heliosB", "heliosC"}]
 
 
 @pytest.fixture
@@ -96,7 +111,7 @@ def test_undeclared_include_is_found(made_up):
     assert len(faults) == 1 and "FiltersScene does not use" in faults[0]
 
 
-def test_library_away_from_home_is_found(made_up):
+def test_library_outside_its_module_is_found(made_up):
     modules = made_up("Scanner/Core", "ScannerCore", "VTK::CommonMath", "#include <pugixml.hpp>\n")
     assert layers.find_include_faults(modules) == [
         "vtkHeliosScannerCore.h includes pugixml.hpp, whose home is ScannerSurvey"

@@ -129,7 +129,10 @@ def summary(folder):
 
 def break_off(survey, *options, size=200_000):
     """A run that ends early, due to a file size limit."""
-    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
     done = run(survey, *BLOCK, *options, preexec_fn=limit)
     assert done.returncode == 1, done
     return done
@@ -159,7 +162,7 @@ def test_killed_at_any_moment(name, seed, survey):
 
 
 @pytest.mark.parametrize("name", FORMATS)
-def test_a_file_that_may_not_grow(name, survey):
+def test_file_size_limit(name, survey):
     done = break_off(survey, *FORMATS[name], size={"text": 3_000_000, "xml": 100_000}[name])
     assert "File too large" in done.stderr or "No space left" in done.stderr
     assert "are safe in" in done.stderr and "Resume" in done.stderr
@@ -178,13 +181,13 @@ def test_a_file_that_may_not_grow(name, survey):
     assert digests(folder) == digests(survey / "whole/yard")
 
 
-def test_an_input_that_has_changed(survey):
+def test_changed_input(survey):
     break_off(survey)
     (survey / "yard.mtl").write_text("newmtl paving\nhelios_reflectance 0.5\n")
     done = run(survey, *BLOCK, "--resume")
     assert (
         done.returncode == 1
-        and "the scene has changed: a file that its files refer to" in done.stderr
+        and "the scene has changed: its input, or a file that its files refer to" in done.stderr
     )
     (survey / "yard.obj").write_text(YARD.replace("-60", "-61"))
     done = run(survey, *BLOCK, "--resume")
@@ -194,7 +197,7 @@ def test_an_input_that_has_changed(survey):
     assert not (survey / "output/yard/run.journal").exists()
 
 
-def test_ctrl_c_and_on(survey):
+def test_interrupt_and_resume(survey):
     command = [sys.executable, "-P", "-m", "vtkhelios", "run", "survey.xml", *BLOCK]
     broken = subprocess.Popen(
         command,
@@ -234,7 +237,7 @@ def test_nothing_to_resume(survey):
     assert done.returncode == 2 and "not allowed with argument" in done.stderr
 
 
-def test_a_folder_that_vanishes(survey):
+def test_removed_folder(survey):
     command = [
         sys.executable,
         "-P",
@@ -267,7 +270,7 @@ def mount(folder, options):
     )
 
 
-def test_a_folder_that_is_read_only(survey):
+def test_read_only_folder(survey):
     disk = survey / "disk"
     disk.mkdir()
     if not mount(disk, "size=64k,ro"):
@@ -281,7 +284,7 @@ def test_a_folder_that_is_read_only(survey):
         subprocess.run(["umount", disk], check=True)
 
 
-def test_a_disk_that_is_full_and_then_not(survey):
+def test_full_disk_and_resume(survey):
     disk = survey / "disk"
     disk.mkdir()
     if not mount(disk, "size=256k"):

@@ -90,7 +90,7 @@ def run(tmp_path):
         player.SetOutputDirectory(str(tmp_path))
         player.SetOverwrite(True)
         player.SetFormat("vtp")
-        player.NoiseOff()
+        player.GetOptions().NoiseOff()
         if not player.Run():
             return "\n".join(errors)
         assert not errors
@@ -136,7 +136,7 @@ def test_three_kinds_in_one_scene(run):
     assert "32632" in crs
 
 
-def test_a_raster_in_degrees_is_refused_and_says_what_to_do(run):
+def test_a_raster_in_degrees_is_refused_with_the_remedy(run):
     write_terrain(run.folder / "terrain.tif", 4326, LONGITUDE, LATITUDE, (1.4e-5, 9e-6))
     errors = run(TERRAIN.format(filters=""))
     assert isinstance(errors, str)
@@ -164,7 +164,7 @@ def test_parts_of_two_systems_are_refused(run):
     assert "UTM zone 32N" in errors and "UTM zone 33N" in errors
 
 
-def test_a_leg_in_degrees_comes_into_the_scene(run):
+def test_a_leg_in_degrees_is_reprojected(run):
     leg = f'crs="EPSG:4326" x="{LONGITUDE}" y="{LATITUDE}" onGround="true"'
     here = vtkhelios.arrays(run(TERRAIN.format(filters=""), leg=HERE))
     there = vtkhelios.arrays(run(TERRAIN.format(filters=""), leg=leg))
@@ -188,7 +188,7 @@ def test_the_scene_may_name_its_system(run):
     assert "survey.xml:4" in errors and "the scene has no coordinate system" in errors
 
 
-def test_points_in_degrees_become_cells_in_metres(run):
+def test_points_in_degrees_become_voxels_in_metres(run):
     degrees = np.array([[LONGITUDE, LATITUDE + 8 / 111_240, GROUND + z] for z in (0.1, 0.6, 1.1)])
     np.savetxt(run.folder / "wall.xyz", degrees, fmt="%.12f", delimiter=";")
     crs = """<filter type="crs"><param type="string" key="source" value="EPSG:4326"/>
@@ -211,7 +211,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_cannot_be_is_refused(run, name):
+def test_impossible_systems_are_refused(run, name):
     change, messages = REFUSED[name]
     errors = run(TERRAIN.format(filters=""), **change)
     assert isinstance(errors, str)

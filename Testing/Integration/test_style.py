@@ -5,6 +5,7 @@
 import pathlib
 import shutil
 import subprocess
+import sys
 
 import pytest
 
@@ -27,11 +28,12 @@ def tracked(*suffixes):
 
 
 def run(tool, *arguments):
-    """What a tool prints; skips if it is not installed."""
-    if not shutil.which(tool):
+    """What a tool prints, of the environment or of the system; skips if it is not installed."""
+    program = shutil.which(tool, path=pathlib.Path(sys.executable).parent) or shutil.which(tool)
+    if not program:
         pytest.skip(f"{tool} is not installed")
     done = subprocess.run(
-        [tool, *arguments],
+        [program, *arguments],
         cwd=ROOT,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -48,6 +50,11 @@ def test_clang_format():
 def test_black():
     code, text = run("black", "--check", "--quiet", *tracked(".py"))
     assert code == 0, f"run black on:\n{text}"
+
+
+def test_ruff():
+    code, text = run("ruff", "check", "--quiet", "--no-cache", *tracked(".py", ".ipynb"))
+    assert code == 0, text
 
 
 def test_spelling():

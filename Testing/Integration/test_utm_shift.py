@@ -72,7 +72,7 @@ def test_the_cloud_shifts_with_the_survey(clouds):
     assert np.abs(far["points"] - SHIFT - near["points"]).max() <= 1e-8
 
 
-def test_what_was_measured_stays_the_same(clouds):
+def test_measurements_are_unchanged(clouds):
     near, far = clouds
     for name in ("PulseIds", "CellIds", "ReturnNumber"):
         assert np.array_equal(near[name], far[name])

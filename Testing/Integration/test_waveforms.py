@@ -134,7 +134,7 @@ def test_echoes_are_where_their_waveforms_peak(run, fwf):
         assert echoes["Amplitude"][i] == pytest.approx(near.max(), rel=0.1 * bin_size / sigma)
 
 
-def test_curves_stand_beside_their_echoes(run):
+def test_curves_are_displaced_by_the_amplitude(run):
     folder = run("--waveforms", "--format", "vtp", "--no-noise")
     reader = vtkhelios.vtkHeliosWaveformXMLReader()
     waveforms = read(reader, folder / "leg000_fullwave.pvtt")
@@ -154,7 +154,7 @@ def test_curves_stand_beside_their_echoes(run):
     np.testing.assert_allclose(distance, np.sqrt(squared), rtol=0, atol=1e-5)
 
 
-def test_a_run_cut_off_leaves_waveforms_that_read(run, tmp_path):
+def test_interrupted_run_leaves_readable_waveforms(run, tmp_path):
     folder = run("--waveforms")
     path = folder / "leg000_fullwave.txt"
     cut = tmp_path / "cut.txt"
@@ -177,7 +177,7 @@ def detect(tmp_path, *arguments):
     )
 
 
-def test_detect_gives_the_echoes_of_a_fixed_run_again(run, tmp_path):
+def test_detect_reproduces_the_echoes_of_a_fixed_run(run, tmp_path):
     folder = run("--waveforms", "--format", "vtp", "--no-noise", "--sub-rays", "19")
     done = detect(
         tmp_path,
@@ -226,7 +226,7 @@ def test_detect_in_text_by_a_decomposition(run, tmp_path):
     assert np.median(distance) < 1e-3 and np.quantile(distance, 0.9) < 0.05
 
 
-def test_detect_keeps_the_returns_asked_for(run, tmp_path):
+def test_detect_keeps_the_selected_returns(run, tmp_path):
     folder = run("--waveforms", "--format", "vtp")
     name = folder / "leg000_fullwave.pvtt"
 
@@ -254,7 +254,7 @@ WRONG_DETECTIONS = {
 
 
 @pytest.mark.parametrize("case", WRONG_DETECTIONS)
-def test_detect_says_what_is_wrong(case, tmp_path):
+def test_detect_errors(case, tmp_path):
     arguments, code, message = WRONG_DETECTIONS[case]
     done = detect(tmp_path, *arguments)
     assert done.returncode == code
@@ -262,7 +262,7 @@ def test_detect_says_what_is_wrong(case, tmp_path):
     assert not (tmp_path / "a.xyz").exists()
 
 
-def test_detect_without_an_echo_says_so(run, tmp_path):
+def test_detect_without_an_echo_is_reported(run, tmp_path):
     folder = run("--waveforms", "--format", "vtp")
     done = detect(tmp_path, folder / "leg000_fullwave.pvtt", "-o", "a.xyz", "--threshold", "1e9")
     assert done.returncode == 1

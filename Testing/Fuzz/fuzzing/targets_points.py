@@ -8,7 +8,7 @@ import struct
 
 
 from . import small_files
-from .outcomes import Silent, check, check_chunk, check_count, check_polydata, plain_lines
+from .outcomes import Silent, check_chunk, check_count, check_polydata, plain_lines
 from .target import Seed, Target, command_line, need, pick, update
 
 NAMES = {

@@ -96,8 +96,8 @@ def resume(folder, form, resume, blocks=None, output="out"):
         seen = []
 
         def stop(*_):
-            seen.append(player.GetNumberOfPulsesDone())
-            if player.GetNumberOfPulsesDone() >= blocks * BLOCK:
+            seen.append(player.GetCount("pulses"))
+            if player.GetCount("pulses") >= blocks * BLOCK:
                 player.Abort()
 
         player.AddObserver("ProgressEvent", stop)

@@ -181,10 +181,12 @@ class Planner(Target):
         if log.errors:
             raise PipelineError(log.root_errors())
         check(good, "refused without a reason")
+        plan = vtkhelios.vtkHeliosScanPlan(document=reader)
+        candidates, viewsheds, planner = plan.candidates, plan.viewsheds, plan.planner
         numbers = [
-            getattr(reader, f"Get{name}")()
-            for name in ("MinimumCoverage", "MinimumOverlap", "XStep", "YStep", "TestPointStep",
-                         "MaximumSlope", "ScannerHeight", "HitTolerance", "TimeLimit")
+            planner.minimum_coverage, planner.minimum_overlap, planner.time_limit,
+            candidates.x_step, candidates.y_step, candidates.maximum_slope,
+            candidates.scanner_height, plan.test_points.z_step, viewsheds.hit_tolerance,
         ]  # fmt: skip
         check_finite("settings", numbers)
 
