@@ -33,6 +33,12 @@ public:
     return ConeTest(origin, axis, tanHalfAngle, planeTolerance).Run(*this->Tree);
   }
 
+  bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
+    std::size_t most, ConeView& view) const override
+  {
+    return ConeTest(origin, axis, tanHalfAngle, 0.0).Collect(*this->Tree, nearest, most, view);
+  }
+
 private:
   std::unique_ptr<BeamTree> OwnTree;
   const BeamTree* Tree;

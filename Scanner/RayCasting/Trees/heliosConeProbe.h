@@ -5,9 +5,11 @@
 #ifndef heliosConeProbe_h
 #define heliosConeProbe_h
 
+#include "heliosConeView.h"
 #include "vtkHeliosRay.h"
 #include "vtkHeliosScannerRayCastingModule.h" // For export macro
 
+#include <cstddef>
 #include <memory>
 
 namespace helios
@@ -34,6 +36,14 @@ public:
    */
   virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
     double planeTolerance) const = 0;
+
+  /**
+   * Collects the triangles that touch the cone beyond a depth along its axis, apart from some that
+   * are hidden behind a triangle that covers the cone. Some that do not touch it may be among them.
+   * False, and the view is not complete, if they are more than most, or if the cone is too wide.
+   */
+  virtual bool Collect(const double origin[3], const double axis[3], double tanHalfAngle,
+    double nearest, std::size_t most, ConeView& view) const = 0;
 };
 
 /// Probes on a tree, which must outlive the result.

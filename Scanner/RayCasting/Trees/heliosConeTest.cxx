@@ -120,28 +120,28 @@ bool ConeTest::SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) 
   return true;
 }
 
-vtkHeliosConeHit ConeTest::Run(const BeamTree& tree)
+//------------------------------------------------------------------------------
+/// Adds all triangles that may touch the cone, from front to back; false if add returns false, or
+/// the cone is too wide.
+template <typename AddT>
+bool ConeTest::Walk(const BeamTree& tree, AddT add)
 {
-  if (!this->IsValid || tree.GetOutliers().size() > MaximumOutliers)
-  {
-    return Unknown;
-  }
   for (const vtkTypeInt32 triangle : tree.GetOutliers())
   {
-    if (!this->Add(tree.GetMesh(), triangle))
+    if (!add(triangle))
     {
-      return Unknown;
+      return false;
     }
   }
-  Frustum hull;
   if (tree.IsEmpty())
   {
-    return this->Judge();
+    return true;
   }
+  Frustum hull;
   LeafFilter filter;
   if (!this->SetHull(tree, hull, filter))
   {
-    return Unknown;
+    return false;
   }
   // A depth h along the axis is at most h (w_z + T sqrt(1 - w_z^2)) along the frustum's Z.
   const double w = std::abs(this->Frame[2][hull.Axes.Z]);
@@ -155,25 +155,76 @@ vtkHeliosConeHit ConeTest::Run(const BeamTree& tree)
     filter.FindAlive(leaf, limit, isAlive);
     for (int i = 0; i < leaf.Count; ++i)
     {
-      if (isAlive[i] && !this->Add(tree.GetMesh(), leaf.Triangles[i]))
+      if (isAlive[i] && !add(leaf.Triangles[i]))
       {
-        return Unknown;
+        return false;
       }
     }
     limit = hull.GetLimit(this->Farthest * stretch);
   }
-  return this->Judge();
+  return true;
 }
 
 //------------------------------------------------------------------------------
-/// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
-bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+vtkHeliosConeHit ConeTest::Run(const BeamTree& tree)
 {
-  if (this->Count == MaximumCandidates && !this->DropFarther())
+  const bool isKnown = this->IsValid && tree.GetOutliers().size() <= MaximumOutliers &&
+    this->Walk(
+      tree, [this, &tree](vtkTypeInt32 triangle) { return this->Add(tree.GetMesh(), triangle); });
+  return isKnown ? this->Judge() : Unknown;
+}
+
+//------------------------------------------------------------------------------
+bool ConeTest::Collect(const BeamTree& tree, double nearest, std::size_t most, ConeView& view)
+{
+  constexpr std::size_t transient =
+    4; // times as many before those that a triangle hides are dropped
+  view.Triangles.clear();
+  std::copy_n(&this->Frame[0][0], 9, &view.Frame[0][0]);
+  const bool isWhole = this->IsValid &&
+    this->Walk(tree,
+      [&](vtkTypeInt32 triangle)
+      {
+        this->Add(tree.GetMesh(), triangle, nearest, view);
+        return view.Triangles.size() <= transient * most;
+      });
+  view.Farthest = this->Farthest;
+  view.Finish();
+  return isWhole && view.Triangles.size() <= most;
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle that touches the cone to a view; one that covers it hides what is farther.
+void ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view)
+{
+  Candidate& c = this->Candidates[0];
+  this->SetCorners(mesh, triangle, c);
+  const auto& p = c.Corners;
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || !this->Touches(c))
   {
-    return false;
+    return;
   }
-  Candidate& c = this->Candidates[this->Count];
+  // A tree of one leaf has it twice.
+  const std::size_t recent = std::min<std::size_t>(view.Triangles.size(), BeamTree::LeafSize);
+  if (std::any_of(view.Triangles.end() - static_cast<std::ptrdiff_t>(recent), view.Triangles.end(),
+        [triangle](const ConeTriangle& other) { return other.Cell == triangle; }))
+  {
+    return;
+  }
+  view.Triangles.emplace_back();
+  view.Triangles.back().Cell = triangle;
+  std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
+  if (c.Covers && c.IsBefore)
+  {
+    const Plane plane = this->GetPlane(c);
+    this->Farthest =
+      plane.Nearest > nearest ? std::min(this->Farthest, plane.Farthest) : this->Farthest;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ConeTest::SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, Candidate& c) const
+{
   c.Triangle = triangle;
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -188,6 +239,18 @@ bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
       c.Corners[corner][axis] = Dot(this->Frame[axis], p);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
+bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
+{
+  if (this->Count == MaximumCandidates && !this->DropFarther())
+  {
+    return false;
+  }
+  Candidate& c = this->Candidates[this->Count];
+  this->SetCorners(mesh, triangle, c);
   if (!this->Touches(c))
   {
     return true;
@@ -206,6 +269,7 @@ bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
   return true;
 }
 
+//------------------------------------------------------------------------------
 /// Whether it may touch the cone; sets the candidate's terms from its corners.
 bool ConeTest::Touches(Candidate& c) const
 {

@@ -6,6 +6,7 @@
 #define heliosConeTest_h
 
 #include "heliosBeamTree.h"
+#include "heliosConeView.h"
 #include "vtkHeliosRay.h"
 
 namespace helios
@@ -30,6 +31,9 @@ public:
 
   vtkHeliosConeHit Run(const BeamTree& tree);
 
+  /// As ConeProbe::Collect().
+  bool Collect(const BeamTree& tree, double nearest, std::size_t most, ConeView& view);
+
 private:
   /// A triangle that may touch the cone.
   struct Candidate
@@ -53,7 +57,11 @@ private:
   };
 
   bool SetHull(const BeamTree& tree, Frustum& hull, LeafFilter& filter) const;
+  template <typename AddT>
+  bool Walk(const BeamTree& tree, AddT add);
   bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
+  void SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, Candidate& c) const;
+  void Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view);
   bool Touches(Candidate& c) const;
   bool EdgeTouches(const Candidate& c, int edge, double radius) const;
   Plane GetPlane(const Candidate& c) const;

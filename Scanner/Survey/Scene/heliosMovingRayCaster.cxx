@@ -208,6 +208,31 @@ public:
     return isAlone ? moving : vtkHeliosConeHit{ vtkHeliosConeHit::Mixed, -1, 0.0 };
   }
 
+  bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
+    std::size_t most, ConeView& view) const override
+  {
+    view.Triangles.clear();
+    view.Farthest = HUGE_VAL;
+    for (const Part* part : { &this->Resting, &this->Moving })
+    {
+      static thread_local ConeView some;
+      some = ConeView();
+      if (part->Cones && !part->Cones->Collect(origin, axis, tanHalfAngle, nearest, most, some))
+      {
+        return false;
+      }
+      for (ConeTriangle& triangle : some.Triangles)
+      {
+        triangle.Cell = part->Cells[static_cast<std::size_t>(triangle.Cell)];
+        view.Triangles.push_back(triangle);
+      }
+      std::copy_n(&some.Frame[0][0], part->Cones ? 9 : 0, &view.Frame[0][0]);
+      view.Farthest = std::min(view.Farthest, some.Farthest);
+    }
+    view.Finish();
+    return view.Triangles.size() <= most;
+  }
+
 private:
   struct Part
   {
