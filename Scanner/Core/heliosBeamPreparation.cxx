@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosBeamPreparation.h"
 
+#include "heliosConstants.h"
 #include "heliosScanModel.h"
 #include "vtkHeliosBeamSampler.h"
 
@@ -211,7 +212,7 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
       answered += model.ProbeCone(pulse).Kind == vtkHeliosConeHit::Mixed ? 0 : 1;
     }
   }
-  constexpr int cost = 14; // in sub-rays
+  constexpr int cost = 5; // in sub-rays
   return answered * static_cast<int>(model.Probes.size()) >= cost * asked;
 }
 
@@ -234,6 +235,9 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   model.ConeTangent = std::tan(angle);
   model.Setback =
     sampler->GetBeamQualityFactor() * 1e-9 * sampler->GetWavelength() / (vtkMath::Pi() * w * w);
+  model.Footprints = { w, sampler->GetTruncation(), model.Setback,
+    model.Plan.LargestDepth * 0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma(),
+    { model.Gate.Least, model.Gate.Most } };
 
   const auto beam = CopyBeam(sampler); // for other patterns
   const int count = model.Plan.NumberOfSubRays;

@@ -62,7 +62,36 @@ BeamTracer::BeamTracer(const ScanModel& model, SurfaceResponse& response)
   : Model(model)
   , Response(response)
   , SigmaRange(0.5 * SpeedOfLight * model.Receiver.Shape.GetSigma())
+  , Surfaces(model.Footprints)
 {
+}
+
+//------------------------------------------------------------------------------
+bool BeamTracer::FindFootprint(const Pulse& pulse, ScanCounts& counts)
+{
+  const Vec3 axis = pulse.GetDirection();
+  if (!this->Surfaces.Find(*this->Model.Cones, pulse.Origin.GetData(), axis.GetData(), this->Parts))
+  {
+    return false;
+  }
+  const std::size_t count = this->Parts.size();
+  this->PartRays.resize(count);
+  RayBatch& batch = this->More;
+  batch.SubRays = &this->PartRays;
+  batch.Rays.resize(std::max(batch.Rays.size(), count));
+  batch.Hits.resize(batch.Rays.size());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const FootprintPart& part = this->Parts[i];
+    this->PartRays[i].Weight = part.Energy;
+    vtkHeliosRay& ray = batch.Rays[i];
+    std::copy_n(pulse.Origin.GetData(), 3, ray.Origin);
+    std::copy_n(part.Direction, 3, ray.Direction);
+    batch.Hits[i] = { part.Range, part.Cell };
+  }
+  this->Select(batch, 0);
+  counts.SubRays += static_cast<vtkIdType>(count);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #ifndef heliosBeamTracer_h
 #define heliosBeamTracer_h
 
+#include "heliosFootprint.h"
 #include "heliosPulse.h"
 #include "heliosScanCounts.h"
 #include "heliosScanModel.h"
@@ -31,6 +32,10 @@ public:
 
   /// Casts the first sub-rays of each of some pulses: all of fixed sampling, or the probe rays.
   void Cast(const std::vector<Pulse>& pulses, ScanCounts& counts);
+
+  /// Divides the visible surfaces in the beam of a pulse into parts, and accepts these as its
+  /// sub-rays; false if they are too many.
+  bool FindFootprint(const Pulse& pulse, ScanCounts& counts);
 
   /// Casts all sub-rays of a pulse among leaves, which probe rays do not detect.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
@@ -77,6 +82,9 @@ private:
   const ScanModel& Model;
   SurfaceResponse& Response;
   double SigmaRange;
+  Footprint Surfaces;
+  std::vector<FootprintPart> Parts;
+  std::vector<SubRay> PartRays;
   RayBatch First; // of all pulses
   RayBatch More;  // of one pulse
 

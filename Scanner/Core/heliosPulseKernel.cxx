@@ -103,7 +103,7 @@ void PulseKernel::RunFixed(std::size_t slot)
 }
 
 //------------------------------------------------------------------------------
-/// Finds the beams that need probe rays.
+/// Probes the cones; without visible areas, finds the beams that need probe rays.
 void PulseKernel::ProbeCones()
 {
   this->Cones.clear();
@@ -113,7 +113,7 @@ void PulseKernel::ProbeCones()
   {
     this->Cones.push_back(this->ProbeCone(pulse));
     const Cone& cone = this->Cones.back();
-    if (cone.Hit.Kind == vtkHeliosConeHit::Mixed && !cone.MeetsMedium)
+    if (cone.Hit.Kind == vtkHeliosConeHit::Mixed && !cone.MeetsMedium && !this->Model.Cones)
     {
       this->Mixed.push_back(pulse);
     }
@@ -150,9 +150,17 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   {
     this->Tracer.CastAll(pulse, this->Counts);
   }
-  else
+  else if (!this->Model.Cones)
   {
+    ++this->Counts.PulsesSampled;
     this->Tracer.Refine(this->NumberOfMixed++, pulse, this->Counts);
+  }
+  else if (!this->Tracer.FindFootprint(pulse, this->Counts))
+  {
+    ++this->Counts.PulsesSampled;
+    this->Mixed.assign(1, pulse);
+    this->Tracer.Cast(this->Mixed, this->Counts);
+    this->Tracer.Refine(0, pulse, this->Counts);
   }
   this->Tracer.Collect(this->Returns, this->SubRays, this->Counts);
   this->FindEchoes();

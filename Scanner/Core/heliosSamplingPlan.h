@@ -22,7 +22,8 @@ enum class ProbeRays
 };
 
 /**
- * A few probe rays test a beam; if they detect no edge they are its returns. Otherwise it is
+ * Of the visible parts of a beam, and of the sub-rays of a beam with too many triangles for them: a
+ * few probe rays test it; if they detect no edge they are its returns. Otherwise it is
  * sampled by as many sub-rays as the edge needs. If these are no more than the probe rays, they are
  * cast at once. The measured laws behind it (Docs/scanner-trade.md), for N sub-rays on Vogel's
  * spiral and a straight edge anywhere in a beam truncated at 1.5 w:
@@ -39,6 +40,7 @@ struct SamplingPlan
   int NumberOfSubRays = 336;    ///< of a beam with an edge
   int Rings = 9;                ///< equivalent to these, for one steep surface
   double DetectionBin = 0.25;   ///< [ns]
+  double LargestDepth = 1.0;    ///< of a visible part that is two returns, in sigma_R
   double LargestSpread = 0.0;   ///< maximum of the ranges represented by probe rays, in sigma_R
   double LargestWidening = 0.0; ///< of an echo in closed form: (sigma' / sigma)^2 - 1
   double LargestShift = 0.0;    ///< of its maximum, by omitted terms [m]

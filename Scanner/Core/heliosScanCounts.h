@@ -24,9 +24,10 @@ struct ScanCounts
   vtkIdType PulsesFired = 0;
   vtkIdType PulsesHit = 0;         ///< with a surface in the range gate
   vtkIdType PulsesOnPlane = 0;     ///< with a planar footprint: in closed form
+  vtkIdType PulsesSampled = 0;     ///< adaptive, by probe rays: too many triangles in the beam
   vtkIdType PulsesWithoutBins = 0; ///< whose maxima were found by Newton's method
   vtkIdType PulsesBinned = 0;
-  vtkIdType SubRays = 0;         ///< traced
+  vtkIdType SubRays = 0;         ///< traced, or returns of visible parts
   vtkIdType HitsOutOfRange = 0;  ///< sub-rays that hit a surface outside the range gate
   vtkIdType CutWaveforms = 0;    ///< for a warning; not in summaries
   double LargestAmplitude = 0.0; ///< of the returned signals, detected or not [W]
@@ -49,6 +50,7 @@ constexpr CountName CountNames[] = {
   { "pulsesFired", &ScanCounts::PulsesFired },
   { "pulsesHit", &ScanCounts::PulsesHit },
   { "pulsesOnPlane", &ScanCounts::PulsesOnPlane },
+  { "pulsesSampled", &ScanCounts::PulsesSampled },
   { "pulsesWithoutBins", &ScanCounts::PulsesWithoutBins },
   { "pulsesBinned", &ScanCounts::PulsesBinned },
   { "subRays", &ScanCounts::SubRays },

@@ -6,6 +6,7 @@
 #define heliosScanModel_h
 
 #include "heliosConeProbe.h"
+#include "heliosFootprint.h"
 #include "heliosPlaneEcho.h"
 #include "heliosPulse.h"
 #include "heliosRadiometry.h"
@@ -75,6 +76,7 @@ struct ScanModel
   std::vector<std::unique_ptr<LazySubRays>> FinerSubRays, FinerRings;
   std::vector<SubRay> Probes;                                  // cast first for adaptive sampling
   std::vector<std::pair<std::size_t, std::size_t>> ProbePairs; // of neighbours
+  FootprintSettings Footprints;                                // of adaptive sampling
   PlaneModel Plane;
   double ConeTangent = 0.0; // of the half angle of all sub-rays together
   /// Rayleigh range of the waist [m]: from the origin back to the cone's apex.

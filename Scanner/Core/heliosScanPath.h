@@ -15,8 +15,8 @@ enum class BeamPath
 {
   SingleRay, ///< no divergence: one ray
   Fixed,     ///< the same sub-rays for every pulse
-  Adaptive,  ///< probe rays; more sub-rays at an edge and on a steep surface
-  ConeFirst  ///< a cone probe: an empty beam and a planar footprint need no rays; others Adaptive
+  Adaptive,  ///< the visible parts of surfaces; among too many of them, sub-rays as needed
+  ConeFirst  ///< a cone probe: an empty beam and a planar footprint need no more; others Adaptive
 };
 
 /// The detection of echoes in the returns of a pulse.

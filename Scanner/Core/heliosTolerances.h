@@ -8,8 +8,8 @@
 namespace helios
 {
 
-constexpr double DefaultRangeTolerance = 1e-3;  ///< root mean square of the errors of ranges [m]
-constexpr double DefaultEnergyTolerance = 1e-2; ///< the same of amplitudes, relative
+constexpr double DefaultRangeTolerance = 1e-3;  ///< 95th percentile of the errors of ranges [m]
+constexpr double DefaultEnergyTolerance = 1e-2; ///< of amplitudes and numbers of echoes, relative
 
 constexpr double LeastRangeTolerance = 1e-6;  ///< [m]
 constexpr double LeastEnergyTolerance = 1e-4; ///< relative

@@ -36,12 +36,13 @@
  * cheapest method that is exact enough:
  * - its beam hits nothing, or has a planar footprint: no sub-ray; the echo of a
  *   plane has a closed form (not tested in scans where this is rare)
- * - a few probe rays, 21 unless tolerances are narrow, detect no edge: they are
- *   its returns
- * - otherwise it is sampled by Vogel's spiral, with as many sub-rays as an edge
- *   needs; 4 or 16 times as many (more with wide tolerances) along a surface so
- *   steep that these would be echoes; where the spiral has no more sub-rays than
- *   the probe, it is cast at once
+ * - otherwise it is divided into the visible parts of the triangles in it; each
+ *   is two returns, whose energy, mean range and its spread are exact
+ * - with more than 500 triangles, it is sampled: a few probe rays, 21 unless
+ *   tolerances are narrow, are its returns if they detect no edge; if they do,
+ *   Vogel's spiral has as many sub-rays as an edge needs, 4 or 16 times as many
+ *   (more with wide tolerances) along a steep surface; where the spiral has no
+ *   more sub-rays than the probe, it is cast at once
  * - returns within c sigma of each other have one maximum, found by Newton's
  *   method; others are binned as finely as needed
  *
@@ -165,9 +166,10 @@ public:
 
   ///@{
   /**
-   * Set/Get the sampling errors allowed, as root mean squares over the echoes of a
-   * scene: in range [m], and in amplitude as a fraction of the total signal of the
-   * pulse. Valid range: [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
+   * Set/Get the sampling errors allowed, for echoes of at least 2 % of the
+   * amplitude of a full footprint: the 95th percentile of the range error [m]; and
+   * the fraction of missed and invented echoes, which is also the root mean square
+   * of the amplitude error, as a fraction of a full footprint. Valid range: [1e-6, 1] and [1e-4, 1]. Default: 0.001 and 0.01.
    */
   vtkSetMacro(RangeTolerance, double);
   vtkGetMacro(RangeTolerance, double);
@@ -329,7 +331,8 @@ public:
    * A count of the last update by its name: "pulsesFired", emitted; "pulsesHit",
    * with a surface in the range gate; "pulsesOnPlane", with a planar footprint, in
    * closed form; "pulsesWithoutBins", with maxima found by Newton's method;
-   * "pulsesBinned" (the others hit nothing); "subRays", traced; "hitsOutOfRange",
+   * "pulsesBinned" (the others hit nothing); "pulsesSampled", by rays, with too
+   * many triangles in the beam; "subRays", traced, or visible parts; "hitsOutOfRange",
    * sub-rays that hit a surface outside the range gate; "points", echoes. -1 for
    * any other name.
    */

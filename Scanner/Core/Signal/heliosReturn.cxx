@@ -20,6 +20,8 @@ namespace
 // The window of a Gaussian starts this long before the first return: no maximum lies outside
 // the returns.
 constexpr double MarginInSigma = 5.0;
+constexpr double FarInSigma = 7.0; // returns beyond contribute less than 1e-10
+constexpr int MostIterations = 20; // of Newton's method
 
 double TwoWayTime(double range)
 {
@@ -184,9 +186,59 @@ bool Receiver::FindPeaksIn(const BinRange& bins, const Search& search, Iterator 
   const bool isGood = FindPeaks(wave, threshold, bins, this->Peaks);
   for (const Peak& peak : this->Peaks)
   {
-    this->AddEcho(FitPeak(wave, peak), begin, end, echoes);
+    vtkHeliosDetectedEcho echo = FitPeak(wave, peak);
+    if (search.KnowsSingles)
+    {
+      this->Refine(begin, end, search.BinSize, echo);
+    }
+    this->AddEcho(echo, begin, end, echoes);
   }
   return isGood;
+}
+
+//------------------------------------------------------------------------------
+/**
+ * Moves the maximum near a bin to that of the sum of Gaussians itself, by Newton's method on its
+ * logarithm: where two echoes nearly merge, the parabola through three bins is not good enough.
+ */
+void Receiver::Refine(
+  Iterator begin, Iterator end, double binSize, vtkHeliosDetectedEcho& echo) const
+{
+  const double scale = 1.0 / this->Sigma;
+  double u = 0.0; // from the bins' maximum, in sigma
+  double value = 0.0;
+  for (int iteration = 0; iteration < MostIterations; ++iteration)
+  {
+    double w0 = 0.0;
+    double w1 = 0.0;
+    double w2 = 0.0;
+    for (Iterator r = begin; r != end; ++r)
+    {
+      const double away = (echo.Time - this->GetTime(r->Range)) * scale + u;
+      if (std::abs(away) < FarInSigma)
+      {
+        const double w = r->Power * std::exp(-0.5 * away * away);
+        w0 += w;
+        w1 += w * away;
+        w2 += w * away * away;
+      }
+    }
+    const double slope = w1 / w0;
+    const double curvature = 1.0 - (w2 / w0 - slope * slope);
+    const double step = slope / curvature;
+    if (!(curvature > 0.0) || !(std::abs(u - step) <= 2.0 * binSize * scale))
+    {
+      return; // no maximum within two bins: the one of the bins stays
+    }
+    value = w0 * (1.0 + 0.5 * slope * step);
+    u -= step;
+    if (std::abs(step) < 1e-5) // the next step would be its square
+    {
+      break;
+    }
+  }
+  echo.Time += u * this->Sigma;
+  echo.Amplitude = value;
 }
 
 //------------------------------------------------------------------------------

@@ -127,6 +127,7 @@ private:
     const Search& search, std::vector<Echo>& echoes, bool& isBinned);
   bool FindPeaksIn(const BinRange& bins, const Search& search, Iterator begin, Iterator end,
     std::vector<Echo>& echoes);
+  void Refine(Iterator begin, Iterator end, double binSize, vtkHeliosDetectedEcho& echo) const;
   void FindSingleEcho(
     const std::vector<SubReturn>& returns, const Limits& limits, std::vector<Echo>& echoes);
   bool OpenWindow(const Limits& limits, double binSize);

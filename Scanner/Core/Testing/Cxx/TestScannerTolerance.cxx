@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <vector>
 
 namespace names = vtkHeliosArrayNames;
 using helios::Vec3;
@@ -193,6 +194,22 @@ TEST_CASE("Tolerance: a wall needs no sub-rays, an edge does", "[Tolerance]")
   CHECK(edge.Run()->GetNumberOfPoints() == 2000);
   CHECK(
     edge.Scanner->GetCount("pulsesBinned") + edge.Scanner->GetCount("pulsesWithoutBins") == 1000);
+  CHECK(edge.Scanner->GetCount("pulsesSampled") == 0);
+  CHECK(edge.Scanner->GetCount("subRays") <= 4 * 1000); // parts of three triangles
+}
+
+TEST_CASE("Tolerance: among too many triangles, the numbers of sub-rays follow", "[Tolerance]")
+{
+  std::vector<Rectangle> strips;
+  for (int i = -1000; i < 1000; ++i)
+  {
+    strips.push_back({ { 2e-5 * i, 50, 0.0001 }, { 2e-5, 0, 0 }, { 0, 0, 1 } });
+  }
+  strips.push_back(Wall(60));
+  Bench edge(MakeScene(strips));
+  edge.Scanner->SetSamplingToTolerance();
+  CHECK(edge.Run()->GetNumberOfPoints() == 2000);
+  CHECK(edge.Scanner->GetCount("pulsesSampled") == 1000);
   CHECK(edge.Scanner->GetCount("subRays") == (21 + 336) * 1000);
   // So few that no probe is needed.
   edge.Scanner->SetRangeTolerance(1e-2);
@@ -203,9 +220,13 @@ TEST_CASE("Tolerance: a wall needs no sub-rays, an edge does", "[Tolerance]")
 
 TEST_CASE("Tolerance: probe rays have the moments of the beam", "[Tolerance]")
 {
-  // Two planes, 5 mm apart: neither a planar footprint nor an edge.
-  Bench bench(MakeScene({ { { -50, 60, -50 }, { 50, 0, 0 }, { 0, 0, 100 } },
-    { { 0, 60.005, -50 }, { 50, 0, 0 }, { 0, 0, 100 } } }));
+  // Strips on two planes, 5 mm apart: too many, but no edge.
+  std::vector<Rectangle> strips;
+  for (int i = -3000; i < 3000; ++i)
+  {
+    strips.push_back({ { 1e-5 * i, i < 0 ? 60 : 60.005, -50 }, { 1e-5, 0, 0 }, { 0, 0, 100 } });
+  }
+  Bench bench(MakeScene(strips));
   bench.Scanner->SetSamplingToTolerance();
   bench.Scanner->GenerateSubRaysOn();
   bench.Scanner->SetDuration(1e-5);
@@ -254,7 +275,7 @@ TEST_CASE("Tolerance: the range gate is an edge on one triangle", "[Tolerance]")
   bench.Scanner->SetSamplingToTolerance();
   echoes = bench.Run();
   REQUIRE(echoes->GetNumberOfPoints() == 1000);
-  CHECK(bench.Scanner->GetCount("subRays") == (21 + 336) * 1000);
+  CHECK(bench.Scanner->GetCount("pulsesSampled") == 0);
   CHECK(Value(echoes, names::Range, 0) == Approx(range).epsilon(0).margin(1e-3));
   CHECK(Value(echoes, names::Amplitude, 0) == Approx(amplitude).epsilon(1e-2));
 }
@@ -377,8 +398,9 @@ TEST_CASE("Tolerance: DescribeSampling reports the derived numbers", "[Tolerance
   CHECK(bench.Scanner->DescribeSampling().find("336 more at edges") != std::string::npos);
   bench.Scanner->SetRangeTolerance(1e-2);
   bench.Scanner->SetEnergyTolerance(0.1);
-  CHECK(
-    bench.Scanner->DescribeSampling().find("adaptive, 16 sub-rays (up to 1024 times as many") == 0);
+  CHECK(bench.Scanner->DescribeSampling().find(
+          "adaptive, visible areas of surfaces; in beams of more "
+          "than 500 triangles 16 sub-rays (up to 1024 times") == 0);
   bench.Scanner->GetBeamSampler()->SetBeamDivergence(0);
   CHECK(bench.Scanner->DescribeSampling() == "fixed, 1 sub-rays per pulse");
 }

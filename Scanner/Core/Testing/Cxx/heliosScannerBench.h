@@ -23,8 +23,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace helios
 {
@@ -51,7 +51,7 @@ struct Rectangle
   Vec3 Corner, A, B;
 };
 
-inline vtkSmartPointer<vtkPolyData> MakeScene(std::initializer_list<Rectangle> rectangles)
+inline vtkSmartPointer<vtkPolyData> MakeScene(const std::vector<Rectangle>& rectangles)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The energy of a Gaussian beam in a polygon of its cross-section.
+
+#ifndef heliosBeamEnergy_h
+#define heliosBeamEnergy_h
+
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+namespace helios
+{
+
+struct Polygon;
+
+/// The integrals of the intensity f over a region, whose total over the beam is 1.
+struct EnergyMoments
+{
+  double Energy = 0.0;
+  double X = 0.0; ///< of x f
+  double Y = 0.0; ///< of y f
+  double XX = 0.0;
+  double XY = 0.0;
+  double YY = 0.0;
+
+  void Add(const EnergyMoments& other) { this->AddTimes(1.0, other); }
+  void Subtract(const EnergyMoments& other) { this->AddTimes(-1.0, other); }
+
+private:
+  void AddTimes(double factor, const EnergyMoments& other)
+  {
+    this->Energy += factor * other.Energy;
+    this->X += factor * other.X;
+    this->Y += factor * other.Y;
+    this->XX += factor * other.XX;
+    this->XY += factor * other.XY;
+    this->YY += factor * other.YY;
+  }
+};
+
+/**
+ * A beam whose intensity is exp(-2 theta^2 / w^2) at the angle theta from the axis, cut at K w. Its
+ * cross-section is the plane before the apex where the cut is the unit circle: r = tan(theta) /
+ * tan(K w).
+ *
+ * With E(r) the energy within r, the energy in a polygon is the sum over its edges of the integral
+ * of E(r) d(azimuth) / 2 pi. With f = f(0) exp(-a r^2), g = f(1) - f and the outward normal n, the
+ * divergence theorem gives the first moments, the sums of the integrals of n g ds / 2 a, and the
+ * second ones, those of x n g ds / 2 a plus, for x x and y y, (the energy - f(1) times the area) / 2 a. Beyond
+ * the circle E is 1 and g is 0. Along an edge the integrals are evaluated by Gauss's rule to 1e-6 of
+ * the beam's energy. For wide beams the moments are those of a Gaussian in r, which has the same
+ * rim.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT BeamEnergy
+{
+public:
+  BeamEnergy() = default;
+
+  /// For a half angle w [rad] at 1/e^2, and its multiple K.
+  BeamEnergy(double halfAngle, double truncation);
+
+  /// The tangent of the cut: the unit of the cross-section.
+  double GetTangent() const { return this->Tangent; }
+
+  EnergyMoments Integrate(const Polygon& polygon) const;
+
+private:
+  /// Sums over edges.
+  struct Sums
+  {
+    double Energy = 0.0;
+    double Area = 0.0;                                     ///< inside the circle, twice
+    double X = 0.0, Y = 0.0, XX = 0.0, XY = 0.0, YY = 0.0; ///< of n g and of x n g
+  };
+  void AddInside(
+    const double from[2], const double step[2], double first, double last, Sums& sums) const;
+
+  double Tangent = 0.0;
+  bool IsWide = false;
+  double Exponent = 0.0; ///< a
+  double Scale = 0.0;    ///< of E and f, for the cut
+  double Rim = 0.0;      ///< f(1) pi
+};
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosFootprint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+namespace
+{
+
+constexpr double LeastEnergy = 1e-12;   // of a part
+constexpr double LeastDeviation = 0.02; // of the ranges of a part that is two, in the depth
+constexpr double LeastRest = 1e-4;      // of a backdrop by its complement, which errs by 1e-6
+constexpr double MostStrips = 4096.0;
+
+/// The part of a face before a depth.
+HalfPlane GetNearerSide(const VisibleSurfaces::Face& face, double depth)
+{
+  return { face.Inverse.X, face.Inverse.Y, face.Inverse.One - 1.0 / depth };
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+Footprint::Footprint(const FootprintSettings& settings)
+  : Settings(settings)
+  , Beam(settings.HalfAngle, settings.Truncation)
+  , Projection{ this->Beam.GetTangent(), settings.Setback }
+{
+}
+
+//------------------------------------------------------------------------------
+bool Footprint::Find(const ConeProbe& probe, const double origin[3], const double axis[3],
+  std::vector<FootprintPart>& parts)
+{
+  parts.clear();
+  const double setback = this->Settings.Setback;
+  const double apex[3] = { origin[0] - setback * axis[0], origin[1] - setback * axis[1],
+    origin[2] - setback * axis[2] };
+  const double tangent = this->Beam.GetTangent();
+  if (!probe.Collect(apex, axis, tangent, setback, MostTriangles, this->View))
+  {
+    return false;
+  }
+  this->Surfaces.Project(this->View, this->Projection);
+  const std::size_t count = this->Surfaces.GetNumberOfFaces();
+  this->Shares.assign(count, Share());
+  this->AllVisible.clear();
+  this->Backdrops.clear();
+  bool isGood = true;
+  for (std::size_t i = 0; i < count && isGood; ++i)
+  {
+    this->Surfaces.FindHiding(i);
+    if (this->Surfaces.IsBackdrop())
+    {
+      this->Backdrops.push_back(i);
+      continue;
+    }
+    isGood = this->AddSurface(i, parts);
+  }
+  for (std::size_t i = 0; i < this->Backdrops.size() && isGood; ++i)
+  {
+    this->Surfaces.FindHiding(this->Backdrops[i]);
+    isGood = this->AddBackdrop(this->Backdrops[i], parts);
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+/// The limits of depth in a beam, and of the corners themselves, whatever the rounding.
+Footprint::Interval Footprint::GetSpread(const VisibleSurfaces::Face& face) const
+{
+  const double across = std::hypot(face.Inverse.X, face.Inverse.Y);
+  return { 1.0 / std::min(face.Most, face.Inverse.One + across),
+    1.0 / std::max(face.Least, face.Inverse.One - across) };
+}
+
+//------------------------------------------------------------------------------
+/// The depths of the visible parts of a face.
+Footprint::Interval Footprint::GetSpread(
+  const VisibleSurfaces::Face& face, const Share& share) const
+{
+  Interval spread = this->GetSpread(face);
+  if (!(spread.Far > spread.Near + this->Settings.Depth))
+  {
+    return spread;
+  }
+  double least = HUGE_VAL;
+  double most = 0.0;
+  for (std::size_t i = share.First; i < share.Last; ++i)
+  {
+    const Polygon& p = this->AllVisible[i].Outline;
+    for (int corner = 0; corner < p.Size; ++corner)
+    {
+      const double inverse = face.Inverse(p.X[corner], p.Y[corner]);
+      least = std::min(least, inverse);
+      most = std::max(most, inverse);
+    }
+  }
+  return { std::max(spread.Near, 1.0 / most), std::min(spread.Far, 1.0 / least) };
+}
+
+//------------------------------------------------------------------------------
+/// Adds the visible parts of a face.
+bool Footprint::AddSurface(std::size_t index, std::vector<FootprintPart>& parts)
+{
+  const VisibleSurfaces::Face& face = this->Surfaces.GetFace(index);
+  const std::vector<Polygon>* visible = this->Surfaces.FindVisible();
+  if (!visible)
+  {
+    return false;
+  }
+  Share& share = this->Shares[index];
+  share.First = this->AllVisible.size();
+  EnergyMoments all;
+  for (const Polygon& p : *visible)
+  {
+    const PolygonBounds bounds(p);
+    const EnergyMoments moments =
+      bounds.MayTouchUnitCircle() ? this->Beam.Integrate(p) : EnergyMoments();
+    if (moments.Energy > LeastEnergy)
+    {
+      this->AllVisible.push_back({ p, bounds, moments });
+      all.Add(moments);
+    }
+  }
+  share.Last = this->AllVisible.size();
+  if (share.First == share.Last)
+  {
+    return true;
+  }
+  this->SetCuts(this->GetSpread(face, share));
+  if (this->Cuts.empty())
+  {
+    this->AddPart(face, all, parts);
+    return true;
+  }
+  for (std::size_t i = share.First; i < share.Last; ++i)
+  {
+    this->AddStrips(face, this->AllVisible[i].Outline, parts);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// The energy in a polygon of a backdrop that the parts before it take.
+EnergyMoments Footprint::GetHidden(const Polygon& polygon) const
+{
+  const PolygonBounds bounds(polygon);
+  EnergyMoments sum;
+  for (const std::size_t by : this->Surfaces.GetHiding())
+  {
+    for (std::size_t i = this->Shares[by].First; i < this->Shares[by].Last; ++i)
+    {
+      const Visible& part = this->AllVisible[i];
+      if (!bounds.Overlaps(part.Bounds))
+      {
+        continue;
+      }
+      const Polygon nearer = this->Surfaces.GetNearer(part.Outline, by);
+      const bool isWhole = nearer.IsSame(part.Outline) && IsInside(part.Outline, polygon);
+      sum.Add(isWhole ? part.Moments : this->Beam.Integrate(Intersect(nearer, polygon)));
+    }
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+/// Adds a face by what the parts before it leave of its energy; if that is little, by its parts.
+bool Footprint::AddBackdrop(std::size_t index, std::vector<FootprintPart>& parts)
+{
+  const VisibleSurfaces::Face& face = this->Surfaces.GetFace(index);
+  const std::size_t before = parts.size();
+  this->SetCuts(this->GetSpread(face));
+  Polygon rest = face.Outline;
+  for (std::size_t i = 0; i <= this->Cuts.size(); ++i)
+  {
+    Polygon strip = rest;
+    if (i < this->Cuts.size())
+    {
+      const HalfPlane nearer = GetNearerSide(face, this->Cuts[i]);
+      strip = Clip(rest, nearer);
+      rest = Clip(rest, nearer.GetOpposite());
+    }
+    EnergyMoments moments = this->Beam.Integrate(strip);
+    if (!(moments.Energy > LeastEnergy))
+    {
+      continue;
+    }
+    moments.Subtract(this->GetHidden(strip));
+    if (moments.Energy < LeastRest)
+    {
+      parts.resize(before);
+      return this->AddSurface(index, parts);
+    }
+    this->AddPart(face, moments, parts);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Cuts depths at equal steps, and at the range gate.
+void Footprint::SetCuts(const Interval& interval)
+{
+  this->Cuts.clear();
+  const double spread = interval.Far - interval.Near;
+  const double count = std::min(MostStrips, std::ceil(spread / this->Settings.Depth));
+  for (double k = 1.0; k < count; ++k)
+  {
+    this->Cuts.push_back(interval.Near + k * spread / count);
+  }
+  for (const double limit : this->Settings.Gate)
+  {
+    if (limit > interval.Near && limit < interval.Far)
+    {
+      this->Cuts.insert(std::upper_bound(this->Cuts.begin(), this->Cuts.end(), limit), limit);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Footprint::AddStrips(
+  const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts)
+{
+  Polygon rest = polygon;
+  for (const double cut : this->Cuts)
+  {
+    const HalfPlane nearer = GetNearerSide(face, cut);
+    this->AddPart(face, this->Beam.Integrate(Clip(rest, nearer)), parts);
+    rest = Clip(rest, nearer.GetOpposite());
+  }
+  this->AddPart(face, this->Beam.Integrate(rest), parts);
+}
+
+//------------------------------------------------------------------------------
+/// The mean and the standard deviation of the depths of a part, to second order in its inverse depth.
+Footprint::Spread Footprint::GetDepths(
+  const VisibleSurfaces::Face& face, const EnergyMoments& moments) const
+{
+  const double x = moments.X / moments.Energy;
+  const double y = moments.Y / moments.Energy;
+  const InverseDepth& g = face.Inverse;
+  const double depth = 1.0 / std::clamp(g(x, y), face.Least, face.Most);
+  const double along = g.X * x + g.Y * y;
+  const double square =
+    (g.X * g.X * moments.XX + 2.0 * g.X * g.Y * moments.XY + g.Y * g.Y * moments.YY) /
+    moments.Energy;
+  const double deviation = depth * depth * std::sqrt(std::max(0.0, square - along * along));
+  const double cut = std::min(deviation, this->Settings.Depth);
+  return { depth + cut * cut / depth, cut };
+}
+
+//------------------------------------------------------------------------------
+void Footprint::AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
+  std::vector<FootprintPart>& parts)
+{
+  if (!(moments.Energy > LeastEnergy))
+  {
+    return;
+  }
+  const double x = moments.X / moments.Energy;
+  const double y = moments.Y / moments.Energy;
+  const Spread depth = this->GetDepths(face, moments);
+  FootprintPart part;
+  part.Cell = face.Cell;
+  part.Energy = moments.Energy;
+  const double radius = this->Projection.GetRadius(depth.Mean);
+  const double across[2] = { x * radius, y * radius };
+  const double length =
+    std::sqrt(across[0] * across[0] + across[1] * across[1] + depth.Mean * depth.Mean);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    part.Direction[axis] =
+      (this->View.Frame[0][axis] * across[0] + this->View.Frame[1][axis] * across[1] +
+        this->View.Frame[2][axis] * depth.Mean) /
+      length;
+  }
+  // A range is along an asymptote of the beam.
+  const double tangent = this->Projection.Tangent;
+  const double stretch = std::sqrt(1.0 + tangent * tangent * (x * x + y * y));
+  if (depth.Deviation < LeastDeviation * this->Settings.Depth)
+  {
+    part.Range = depth.Mean * stretch;
+    parts.push_back(part);
+    return;
+  }
+  part.Energy *= 0.5;
+  for (const double side : { -1.0, 1.0 })
+  {
+    part.Range = (depth.Mean + side * depth.Deviation) * stretch;
+    parts.push_back(part);
+  }
+}
+
+} // namespace helios

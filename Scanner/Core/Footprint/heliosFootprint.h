@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The returns of a beam from the exact visible areas of the surfaces in it.
+
+#ifndef heliosFootprint_h
+#define heliosFootprint_h
+
+#include "heliosBeamEnergy.h"
+#include "heliosConeProbe.h"
+#include "heliosVisibleSurfaces.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace helios
+{
+
+/// A visible part of a surface, as a sub-ray: through its centroid, with its energy.
+struct FootprintPart
+{
+  vtkIdType Cell;
+  double Range;        ///< [m]
+  double Direction[3]; ///< from the origin of the beam to the centroid, a unit vector
+  double Energy;       ///< as a fraction of the beam
+};
+
+struct FootprintSettings
+{
+  double HalfAngle = 0.0;             ///< of the beam at 1/e^2 [rad]
+  double Truncation = 1.5;            ///< of the beam, in half angles
+  double Setback = 0.0;               ///< Rayleigh range of the waist, at the origin [m]
+  double Depth = 1.0;                 ///< largest spread of the ranges of a part [m]
+  double Gate[2] = { 0.0, HUGE_VAL }; ///< ranges that are limits of parts [m]
+};
+
+/**
+ * Divides the visible surfaces of a beam into parts whose ranges spread over no more than a depth.
+ * The energy and the centroid of each are exact. A part is two returns, at its mean range -+
+ * its standard deviation, unless that is negligible. One per thread.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT Footprint
+{
+public:
+  explicit Footprint(const FootprintSettings& settings);
+
+  /**
+   * The parts of a beam from an origin along a unit axis. False if it holds too many triangles for
+   * this method, or visible parts.
+   */
+  bool Find(const ConeProbe& probe, const double origin[3], const double axis[3],
+    std::vector<FootprintPart>& parts);
+
+  /// The largest number of triangles in a beam.
+  static constexpr std::size_t MostTriangles = 500;
+
+private:
+  /// Depths [m].
+  struct Interval
+  {
+    double Near, Far;
+  };
+  /// A visible part of a face.
+  struct Visible
+  {
+    Polygon Outline;
+    PolygonBounds Bounds;
+    EnergyMoments Moments;
+  };
+  /// Those of a face, in the list of all.
+  struct Share
+  {
+    std::size_t First = 0;
+    std::size_t Last = 0;
+  };
+  bool AddSurface(std::size_t face, std::vector<FootprintPart>& parts);
+  bool AddBackdrop(std::size_t face, std::vector<FootprintPart>& parts);
+  EnergyMoments GetHidden(const Polygon& polygon) const;
+  Interval GetSpread(const VisibleSurfaces::Face& face, const Share& share) const;
+  Interval GetSpread(const VisibleSurfaces::Face& face) const;
+  void SetCuts(const Interval& interval);
+  void AddStrips(
+    const VisibleSurfaces::Face& face, const Polygon& polygon, std::vector<FootprintPart>& parts);
+  /// Of depths [m].
+  struct Spread
+  {
+    double Mean, Deviation;
+  };
+  Spread GetDepths(const VisibleSurfaces::Face& face, const EnergyMoments& moments) const;
+  void AddPart(const VisibleSurfaces::Face& face, const EnergyMoments& moments,
+    std::vector<FootprintPart>& parts);
+
+  FootprintSettings Settings;
+  BeamEnergy Beam;
+  BeamProjection Projection;
+  VisibleSurfaces Surfaces;
+  ConeView View;
+  std::vector<Visible> AllVisible;
+  std::vector<Share> Shares;          ///< of the faces
+  std::vector<std::size_t> Backdrops; ///< faces
+  std::vector<double> Cuts;           ///< depths between strips of a face [m]
+};
+
+} // namespace helios
+
+#endif

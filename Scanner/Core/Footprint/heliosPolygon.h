@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Convex polygons in the cross-section of a beam.
+
+#ifndef heliosPolygon_h
+#define heliosPolygon_h
+
+#include <algorithm>
+#include <cmath>
+
+namespace helios
+{
+
+/// The points where A x + B y + C is positive.
+struct HalfPlane
+{
+  double A, B, C;
+
+  double operator()(double x, double y) const { return this->A * x + this->B * y + this->C; }
+  HalfPlane GetOpposite() const { return { -this->A, -this->B, -this->C }; }
+};
+
+/// A convex polygon, counterclockwise. It fills the coordinates up to its size.
+struct Polygon
+{
+  static constexpr int Capacity = 24;
+
+  int Size = 0;
+  double X[Capacity];
+  double Y[Capacity];
+
+  Polygon() = default;
+  Polygon(const Polygon& other) { *this = other; }
+  Polygon& operator=(const Polygon& other)
+  {
+    this->Size = other.Size;
+    std::copy_n(other.X, other.Size, this->X);
+    std::copy_n(other.Y, other.Size, this->Y);
+    return *this;
+  }
+
+  bool IsSame(const Polygon& other) const
+  {
+    return this->Size == other.Size && std::equal(this->X, this->X + this->Size, other.X) &&
+      std::equal(this->Y, this->Y + this->Size, other.Y);
+  }
+
+  bool IsEmpty() const { return this->Size < 3; }
+
+  void Add(double x, double y)
+  {
+    this->X[this->Size] = x;
+    this->Y[this->Size] = y;
+    ++this->Size;
+  }
+
+  /// Adds a corner of a cut polygon, unless it is the last one: an edge needs a direction.
+  void AddCut(double x, double y)
+  {
+    if (this->Size < Capacity && !(this->Size > 0 && this->IsAt(this->Size - 1, x, y)))
+    {
+      this->Add(x, y);
+    }
+  }
+
+  /// Removes the last corner if it is the first one.
+  void CloseCut()
+  {
+    if (this->Size > 1 && this->IsAt(this->Size - 1, this->X[0], this->Y[0]))
+    {
+      --this->Size;
+    }
+  }
+
+  bool IsAt(int corner, double x, double y) const
+  {
+    constexpr double same = 1e-10;
+    return std::abs(this->X[corner] - x) < same && std::abs(this->Y[corner] - y) < same;
+  }
+
+  int GetNext(int corner) const { return corner + 1 < this->Size ? corner + 1 : 0; }
+
+  /// The half plane to the left of an edge, which is inside.
+  HalfPlane GetInside(int edge) const
+  {
+    const int next = this->GetNext(edge);
+    const double a = this->Y[edge] - this->Y[next];
+    const double b = this->X[next] - this->X[edge];
+    return { a, b, -(a * this->X[edge] + b * this->Y[edge]) };
+  }
+
+  double GetArea() const
+  {
+    double sum = 0.0;
+    for (int i = 2; i < this->Size; ++i)
+    {
+      sum += (this->X[i - 1] - this->X[0]) * (this->Y[i] - this->Y[0]) -
+        (this->X[i] - this->X[0]) * (this->Y[i - 1] - this->Y[0]);
+    }
+    return 0.5 * sum;
+  }
+};
+
+/// The bounds of a polygon.
+struct PolygonBounds
+{
+  double Low[2] = { HUGE_VAL, HUGE_VAL };
+  double High[2] = { -HUGE_VAL, -HUGE_VAL };
+
+  explicit PolygonBounds(const Polygon& p)
+  {
+    for (int i = 0; i < p.Size; ++i)
+    {
+      this->Low[0] = std::min(this->Low[0], p.X[i]);
+      this->Low[1] = std::min(this->Low[1], p.Y[i]);
+      this->High[0] = std::max(this->High[0], p.X[i]);
+      this->High[1] = std::max(this->High[1], p.Y[i]);
+    }
+  }
+
+  bool MayTouchUnitCircle() const
+  {
+    const double x = std::max({ 0.0, this->Low[0], -this->High[0] });
+    const double y = std::max({ 0.0, this->Low[1], -this->High[1] });
+    return x * x + y * y < 1.0;
+  }
+
+  bool Overlaps(const PolygonBounds& b) const
+  {
+    return (this->Low[0] < b.High[0]) & (b.Low[0] < this->High[0]) & (this->Low[1] < b.High[1]) &
+      (b.Low[1] < this->High[1]);
+  }
+};
+
+/// The part of a polygon in a half plane. A polygon that is full is not cut any further.
+inline Polygon Clip(const Polygon& p, const HalfPlane& side)
+{
+  Polygon part;
+  double distances[Polygon::Capacity];
+  for (int i = 0; i < p.Size; ++i)
+  {
+    distances[i] = side(p.X[i], p.Y[i]);
+  }
+  for (int i = 0; i < p.Size; ++i)
+  {
+    const int j = p.GetNext(i);
+    const double a = distances[i];
+    const double b = distances[j];
+    if (a >= 0.0)
+    {
+      part.AddCut(p.X[i], p.Y[i]);
+    }
+    if ((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0))
+    {
+      const double t = a / (a - b);
+      part.AddCut(p.X[i] + t * (p.X[j] - p.X[i]), p.Y[i] + t * (p.Y[j] - p.Y[i]));
+    }
+  }
+  part.CloseCut();
+  return part;
+}
+
+/// Whether all corners of a polygon are outside of an edge of another, or on it.
+inline bool IsBeyondAnEdge(const Polygon& p, const Polygon& of)
+{
+  for (int edge = 0; edge < of.Size; ++edge)
+  {
+    const int next = of.GetNext(edge);
+    const double x = of.X[edge];
+    const double y = of.Y[edge];
+    const double dx = of.X[next] - x;
+    const double dy = of.Y[next] - y;
+    bool isBeyond = true;
+    for (int i = 0; i < p.Size && isBeyond; ++i)
+    {
+      isBeyond = dx * (p.Y[i] - y) - dy * (p.X[i] - x) <= 0.0;
+    }
+    if (isBeyond)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a polygon is inside another.
+inline bool IsInside(const Polygon& p, const Polygon& of)
+{
+  for (int edge = 0; edge < of.Size; ++edge)
+  {
+    const HalfPlane side = of.GetInside(edge);
+    for (int i = 0; i < p.Size; ++i)
+    {
+      if (!(side(p.X[i], p.Y[i]) >= 0.0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// The common part of two polygons.
+inline Polygon Intersect(Polygon p, const Polygon& q)
+{
+  for (int edge = 0; edge < q.Size && !p.IsEmpty(); ++edge)
+  {
+    p = Clip(p, q.GetInside(edge));
+  }
+  return p;
+}
+
+/// Whether the interiors of two polygons have common points. Polygons with a common edge have none.
+inline bool DoOverlap(const Polygon& p, const Polygon& q)
+{
+  return !IsBeyondAnEdge(p, q) && !IsBeyondAnEdge(q, p);
+}
+
+} // namespace helios
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The visible parts of the triangles in a beam.
+
+#ifndef heliosVisibleSurfaces_h
+#define heliosVisibleSurfaces_h
+
+#include "heliosConeView.h"
+#include "heliosPolygon.h"
+#include "vtkHeliosScannerCoreModule.h" // For export macro
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace helios
+{
+
+/**
+ * A beam in the frame of its axis z: its radius at depth z is Tangent sqrt(z^2 + Setback^2), and
+ * its energy spreads along hyperbolas, on which the point (x, y) of its cross-section is constant.
+ * The setback is the Rayleigh range of the waist, which lies at depth 0; without a waist it is 0
+ * and the beam is a cone. The frame of a ConeView starts by the setback before the waist.
+ */
+struct BeamProjection
+{
+  double Tangent = 0.0;
+  double Setback = 0.0; ///< [m]
+
+  double GetRadius(double depth) const
+  {
+    return this->Tangent * std::sqrt(depth * depth + this->Setback * this->Setback);
+  }
+};
+
+/// 1 / depth of a plane, which is linear over the cross-section of a beam: X x + Y y + One.
+struct InverseDepth
+{
+  double X, Y, One;
+
+  double operator()(double x, double y) const { return this->X * x + this->Y * y + this->One; }
+};
+
+/**
+ * Determines which part of each triangle in a beam is visible: exactly in a cone, and in a beam with
+ * a waist but for the curvature of its edges within the beam. The triangles are projected onto the
+ * cross-section. A triangle B hides that part of a triangle A where both
+ * overlap and B is nearer, which is one side of a line, since their inverse depths are linear: a
+ * convex polygon. It is subtracted from A, which leaves convex polygons. Triangles that intersect or
+ * overlap in a cycle need no other treatment; of coincident ones the one with the lowest id is
+ * visible. Triangles of one surface share the projections of their corners, so that there are no
+ * gaps. One per thread: it owns scratch memory.
+ */
+class VTKHELIOSSCANNERCORE_EXPORT VisibleSurfaces
+{
+public:
+  /// The projection of a triangle.
+  struct Face
+  {
+    Polygon Outline;
+    InverseDepth Inverse;
+    double Least, Most; ///< inverse depths of its corners
+    vtkIdType Cell;
+  };
+
+  /// Projects the triangles of a view onto the cross-section of a beam.
+  void Project(const ConeView& view, const BeamProjection& beam);
+
+  std::size_t GetNumberOfFaces() const { return this->Faces.size(); }
+  const Face& GetFace(std::size_t face) const { return this->Faces[face]; }
+
+  /**
+   * Finds the faces that hide something of a face. Those of which much is hidden, such as the ground
+   * under leaves, and that hide nothing themselves, are backdrops.
+   */
+  void FindHiding(std::size_t face);
+  bool IsBackdrop() const { return this->IsBehindAll; }
+
+  ///@{
+  /// Of the face of the last FindHiding().
+  const std::vector<std::size_t>& GetHiding() const { return this->Hiding; }
+
+  /// The visible parts, until the next call; null if they are too many.
+  const std::vector<Polygon>* FindVisible();
+
+  /// The part of a polygon of another face that hides it.
+  Polygon GetNearer(const Polygon& polygon, std::size_t by) const;
+  ///@}
+
+private:
+  void ProjectTriangle(const ConeTriangle& triangle);
+  bool Subtract(const Polygon& hidden);
+  bool IsNearerSomewhere(const Face& a, const Face& b) const;
+
+  /// What is needed to find the faces that may hide another.
+  struct Occluder
+  {
+    PolygonBounds Bounds;
+    double Most;
+    std::size_t Face;
+  };
+  BeamProjection Beam;
+  std::vector<Face> Faces;
+  std::vector<Occluder> Occluders; ///< from the nearest to the farthest
+  std::size_t Current = 0;
+  std::vector<std::size_t> Hiding;
+  bool IsBehindAll = false;
+  std::vector<Polygon> Parts;
+  std::vector<PolygonBounds> PartBounds;
+};
+
+} // namespace helios
+
+#endif

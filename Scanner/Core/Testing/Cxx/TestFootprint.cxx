@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "heliosConeProbe.h"
+#include "heliosFootprint.h"
+#include "vtkHeliosBeamRayCaster.h"
+#include "vtkHeliosBeamSampler.h"
+
+#include <catch2/catch.hpp>
+
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <tuple>
+#include <vector>
+
+using helios::Footprint;
+using helios::FootprintPart;
+using helios::FootprintSettings;
+
+namespace
+{
+
+struct Cell
+{
+  double Energy = 0.0;
+  double Mean = 0.0;   // of the ranges
+  double Square = 0.0; // of their deviations from the mean
+};
+using Cells = std::map<vtkIdType, Cell>;
+
+/// Sums over sub-rays, or parts, of each cell.
+template <typename ItemsT>
+Cells Summarize(const ItemsT& items)
+{
+  Cells cells;
+  for (const auto& [id, energy, range] : items)
+  {
+    cells[id].Energy += energy;
+    cells[id].Mean += energy * range;
+  }
+  for (auto& [id, cell] : cells)
+  {
+    cell.Mean /= cell.Energy;
+  }
+  for (const auto& [id, energy, range] : items)
+  {
+    cells[id].Square += energy * (range - cells[id].Mean) * (range - cells[id].Mean);
+  }
+  return cells;
+}
+
+/// A scene along y, and a beam along y from the origin.
+class Scene
+{
+public:
+  explicit Scene(double w = 1e-3)
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Settings.HalfAngle = w;
+  }
+
+  void AddTriangle(const double (&corners)[3][3])
+  {
+    this->Polys->InsertNextCell({ this->Points->InsertNextPoint(corners[0]),
+      this->Points->InsertNextPoint(corners[1]), this->Points->InsertNextPoint(corners[2]) });
+  }
+
+  /// A wall at y, its upper or left part beyond an edge through x, z.
+  void AddWall(double y, double left, double low)
+  {
+    constexpr double far = 50.0;
+    this->AddTriangle({ { left, y, low }, { left + far, y, low }, { left + far, y, low + far } });
+    this->AddTriangle({ { left, y, low }, { left + far, y, low + far }, { left, y, low + far } });
+  }
+
+  void Build()
+  {
+    this->Mesh->SetPoints(this->Points);
+    this->Mesh->SetPolys(this->Polys);
+    REQUIRE(this->Caster->Build(this->Mesh));
+  }
+
+  std::vector<FootprintPart> FindParts()
+  {
+    std::vector<FootprintPart> parts;
+    Footprint footprint(this->Settings);
+    REQUIRE(footprint.Find(*this->Caster->GetConeProbe(), Origin, Axis, parts));
+    return parts;
+  }
+
+  Cells GetFootprint()
+  {
+    std::vector<std::tuple<vtkIdType, double, double>> items;
+    for (const FootprintPart& part : this->FindParts())
+    {
+      items.emplace_back(part.Cell, part.Energy, part.Range);
+    }
+    return Summarize(items);
+  }
+
+  /// The same by sub-rays.
+  Cells Trace() { return Summarize(this->TraceAll()); }
+
+  double GetEnergyBetween(double near, double far)
+  {
+    double sum = 0.0;
+    for (const auto& [id, energy, range] : this->TraceAll())
+    {
+      sum += range > near && range < far ? energy : 0.0;
+    }
+    return sum;
+  }
+
+  static constexpr double Origin[3] = { 0, 0, 0 };
+  static constexpr double Axis[3] = { 0, 1, 0 };
+  FootprintSettings Settings;
+  vtkNew<vtkPolyData> Mesh;
+
+private:
+  std::vector<std::tuple<vtkIdType, double, double>> TraceAll()
+  {
+    vtkNew<vtkHeliosBeamSampler> sampler;
+    sampler->SetBeamDivergence(2.0 * this->Settings.HalfAngle);
+    sampler->SetTruncation(this->Settings.Truncation);
+    sampler->SetPatternToVogel();
+    sampler->SetNumberOfSubRays(65536);
+    std::vector<std::tuple<vtkIdType, double, double>> items;
+    for (int k = 0; k < sampler->GetNumberOfSubRays(); ++k)
+    {
+      vtkHeliosRay ray{ { 0, 0, 0 }, { 0, 0, 0 } };
+      sampler->GetDirection(k, ray.Direction);
+      vtkHeliosHit hit;
+      this->Caster->Intersect(&ray, &hit, 1);
+      if (hit.CellId >= 0)
+      {
+        items.emplace_back(hit.CellId, sampler->GetWeight(k), hit.Range);
+      }
+    }
+    return items;
+  }
+
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Polys;
+  vtkNew<vtkHeliosBeamRayCaster> Caster;
+};
+
+double GetEnergy(const Cells& cells, vtkIdType id)
+{
+  const auto found = cells.find(id);
+  return found == cells.end() ? 0.0 : found->second.Energy;
+}
+
+/// Both have the same energies, and mean ranges and their spreads where the energy is not small.
+void CheckSame(const Cells& cells, const Cells& traced, vtkIdType count, double negligible)
+{
+  for (vtkIdType id = 0; id < count; ++id)
+  {
+    const double energy = GetEnergy(traced, id);
+    const double difference = std::abs(GetEnergy(cells, id) - energy);
+    if (!(difference < 1e-3)) // a check for each of many would be slow
+    {
+      CAPTURE(id, energy);
+      CHECK(difference < 1e-3);
+    }
+    if (energy > 0.02)
+    {
+      const double deviation = std::sqrt(traced.at(id).Square / energy);
+      CHECK(std::abs(cells.at(id).Mean - traced.at(id).Mean) < 3e-5 + 0.05 * deviation);
+      CHECK(std::sqrt(cells.at(id).Square / cells.at(id).Energy) ==
+        Approx(deviation).epsilon(0.08).margin(negligible));
+    }
+  }
+}
+
+/// Triangles in a cone of 0.15 m radius at 100 m.
+void Scatter(Scene& scene, std::mt19937& random, int count, double size, double depth, double thin)
+{
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (int i = 0; i < count; ++i)
+  {
+    const double middle[3] = { 0.15 * number(random), 100.0 + depth * number(random),
+      0.15 * number(random) };
+    double corners[3][3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        corners[corner][axis] = middle[axis] + (corner == 2 ? thin : 1.0) * size * number(random);
+      }
+    }
+    if (thin < 1.0)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        corners[2][axis] += corners[0][axis] - middle[axis];
+      }
+    }
+    scene.AddTriangle(corners);
+  }
+}
+
+} // namespace
+
+TEST_CASE("The visible parts of triangles have the energies that sub-rays find")
+{
+  struct Kind
+  {
+    int Count;
+    double Size, Depth, Thin;
+  };
+  // leaves, a thicket of triangles that intersect, large ones, slivers, grazing ones
+  const Kind kind = GENERATE(Kind{ 300, 0.03, 3.0, 1.0 }, Kind{ 60, 0.1, 0.05, 1.0 },
+    Kind{ 20, 30.0, 20.0, 1.0 }, Kind{ 200, 0.2, 1.0, 1e-4 }, Kind{ 100, 0.05, 0.02, 1.0 });
+  for (unsigned seed = 0; seed < 3; ++seed)
+  {
+    CAPTURE(kind.Count, kind.Size, seed);
+    Scene scene;
+    std::mt19937 random(seed);
+    Scatter(scene, random, kind.Count, kind.Size, kind.Depth, kind.Thin);
+    scene.AddWall(110.0, -25.0, -25.0);
+    scene.Settings.Depth = 0.3;
+    scene.Build();
+    CheckSame(scene.GetFootprint(), scene.Trace(), kind.Count + 2, 0.03 * scene.Settings.Depth);
+  }
+}
+
+TEST_CASE("A wide beam has the energies that sub-rays find")
+{
+  Scene scene(0.2);
+  std::mt19937 random(7);
+  Scatter(scene, random, 100, 20.0, 20.0, 1.0);
+  scene.Settings.Depth = 0.5;
+  scene.Build();
+  CheckSame(scene.GetFootprint(), scene.Trace(), 100, 0.03 * scene.Settings.Depth);
+}
+
+TEST_CASE("Of coincident triangles the first one is visible")
+{
+  Scene scene;
+  for (int i = 0; i < 4; ++i)
+  {
+    scene.AddTriangle({ { -1, 100, -1 }, { 1, 100, -1 }, { 0, 100, 2 } });
+  }
+  scene.Build();
+  const Cells cells = scene.GetFootprint();
+  CHECK(cells.size() == 1);
+  CHECK(GetEnergy(cells, 0) == Approx(1.0).epsilon(1e-6));
+}
+
+TEST_CASE("A beam past all triangles has no parts, and before a wall all energy")
+{
+  Scene scene;
+  scene.AddTriangle({ { 1, 100, -1 }, { 2, 100, -1 }, { 1, 100, 2 } });
+  scene.AddTriangle({ { -1, -10, -1 }, { 1, -10, -1 }, { 0, -10, 2 } }); // behind the origin
+  SECTION("nothing")
+  {
+    scene.Build();
+    CHECK(scene.FindParts().empty());
+  }
+  SECTION("a wall around the origin and beyond it")
+  {
+    scene.AddTriangle({ { -1e3, -1e3, -1e3 }, { 0, 1e5, -1e3 }, { 0, 1e3, 1e5 } });
+    scene.Settings.Depth = 1e9;
+    scene.Build();
+    const Cells cells = scene.GetFootprint();
+    CHECK(GetEnergy(cells, 2) == Approx(GetEnergy(scene.Trace(), 2)).margin(1e-3));
+    CHECK(cells.at(2).Mean == Approx(scene.Trace().at(2).Mean).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("Parts end at the range gate, and spread over no more than the depth")
+{
+  Scene scene(1e-2);
+  // A plane along the beam: depths of 80 to 130 m.
+  scene.AddTriangle({ { -100, 80, -1.2 }, { 100, 80, -1.2 }, { 0, 1e4, 200 } });
+  scene.Settings.Depth = 0.5;
+  scene.Settings.Gate[0] = 90.123;
+  scene.Settings.Gate[1] = 101.456;
+  scene.Build();
+  double inside = 0.0;
+  double largest = 0.0;
+  for (const FootprintPart& part : scene.FindParts())
+  {
+    inside += part.Range > 90.123 && part.Range < 101.456 ? part.Energy : 0.0;
+    largest = std::max(largest, part.Energy);
+  }
+  CHECK(largest < 0.1);
+  const double traced = scene.GetEnergyBetween(90.123, 101.456);
+  CHECK(inside == Approx(traced).margin(1e-3));
+}
+
+TEST_CASE("Where a beam has a waist, its radius is that of a Gaussian beam")
+{
+  Scene scene(1.5e-4);
+  scene.Settings.Truncation = 3.0;
+  scene.Settings.Setback = 22.0;
+  scene.AddWall(10.0, -25.0, 0.002); // above 2 mm
+  scene.AddWall(20.0, -25.0, -25.0);
+  scene.Build();
+  const Cells cells = scene.GetFootprint();
+  const double radius = 1.5e-4 * std::hypot(10.0, 22.0);
+  const double above = 0.5 * std::erfc(std::sqrt(2.0) * 0.002 / radius);
+  CHECK(GetEnergy(cells, 0) + GetEnergy(cells, 1) == Approx(above).margin(1e-5));
+  CHECK(GetEnergy(cells, 2) + GetEnergy(cells, 3) == Approx(1.0 - above).margin(1e-5));
+  CHECK(cells.begin()->second.Mean == Approx(10.0).epsilon(1e-6));
+}
+
+TEST_CASE("Too many triangles in a beam are not divided")
+{
+  Scene scene;
+  std::mt19937 random(1);
+  Scatter(scene, random, static_cast<int>(Footprint::MostTriangles) + 500, 0.002, 1.0, 1.0);
+  scene.Build();
+  std::vector<FootprintPart> parts;
+  vtkNew<vtkHeliosBeamRayCaster> caster;
+  REQUIRE(caster->Build(scene.Mesh));
+  CHECK_FALSE(
+    Footprint(scene.Settings).Find(*caster->GetConeProbe(), Scene::Origin, Scene::Axis, parts));
+}
