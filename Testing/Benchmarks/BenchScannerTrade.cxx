@@ -10,17 +10,7 @@
 // Usage: BenchScannerTrade [--quick] [--scene NAME] [table.csv]
 
 #include "heliosBenchClock.h"
-#include "heliosConstants.h"
-#include "heliosTradeErrors.h"
-#include "heliosTradeScenes.h"
-
-#include "vtkHeliosBeamSampler.h"
-#include "vtkHeliosPeakDetector.h"
-#include "vtkHeliosScanner.h"
-#include "vtkHeliosStaticPlatform.h"
-#ifdef HELIOS_HAS_DETECTORS
-#include "vtkHeliosGaussianDecomposition.h"
-#endif
+#include "heliosTradeBench.h"
 
 #include <vtkSMPTools.h>
 
@@ -38,26 +28,7 @@ namespace
 using namespace helios::bench;
 using helios::Vec3;
 
-constexpr double LongTime = 1.0;    // of a run timed only once [s]
-constexpr double PulseLength = 4.0; // [ns]
-constexpr double Separation = helios::SpeedOfLight * PulseLength / 2.35482004503095; // c sigma [m]
-
-/// A method of beam sampling and echo detection.
-struct Way
-{
-  std::string Pattern; // "GL", "circles", "Vogel", "tolerance"
-  int Size = 0;        // rings, circles or sub-rays
-  double BinSize = 0.25;
-  std::string Detector = "peaks";
-  double RangeTolerance = 0.0;
-
-  bool IsByTolerance() const { return this->Pattern == "tolerance"; }
-};
-
-Way ByTolerance(double range, const char* detector = "peaks")
-{
-  return { "tolerance", 0, 0.25, detector, range };
-}
+constexpr double LongTime = 1.0; // of a run timed only once [s]
 
 const Way Reference{ "Vogel", 4096, 0.1 };
 const Way Doubled{ "Vogel", 8192, 0.1 };
@@ -128,109 +99,26 @@ double GetSeconds(ClockT clock, WorkT work)
   return clock() - start;
 }
 
-/// A scanner over one of the scenes.
-class Bench
+/// Times a method once more, less a run of one pulse; skipped if slow.
+void Time(Bench& bench, Row& row)
 {
-public:
-  Bench(const TradeScene& scene, int side)
-    : Pulses(side * side)
+  if (!row.Times.empty() && row.Times[0] * bench.Pulses > LongTime)
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->InsertNextPoint((scene.From + scene.Offset).GetData());
-    vtkNew<vtkPolyData> waypoint;
-    waypoint->SetPoints(points);
-    this->Tripod->SetInputData(waypoint);
-    this->Aim->Directions = GetDirections(scene, side);
-    this->Scanner->SetInputData(0, scene.Mesh);
-    this->Scanner->SetInputConnection(1, this->Tripod->GetOutputPort());
-    this->Scanner->SetBeamDeflector(this->Aim);
-    this->Scanner->SetPulseLength(PulseLength);
-    this->Scanner->SetAtmosphericExtinction(0.0);
-    this->Scanner->GetBeamSampler()->SetBeamDivergence(scene.Divergence);
-    this->Scanner->GetBeamSampler()->SetTruncation(Truncation);
-    const Vec3 middle = scene.Corner + 0.5 * scene.U + 0.5 * scene.V;
-    this->Threshold = 0.02 * this->GetFullAmplitude((middle - scene.From).Norm());
+    return;
   }
-
-  /// Amplitude of a plane across the whole beam [W].
-  double GetFullAmplitude(double range)
-  {
-    const double d = this->Scanner->GetReceiverDiameter();
-    return this->Scanner->GetAveragePower() * 0.5 * this->Scanner->GetOpticalEfficiency() * d * d /
-      (4.0 * range * range);
-  }
-
-  void Set(const Way& way)
-  {
-    vtkHeliosBeamSampler* sampler = this->Scanner->GetBeamSampler();
-    sampler->SetPattern(way.Pattern == "GL" ? vtkHeliosBeamSampler::GAUSS_LEGENDRE
-        : way.Pattern == "circles"          ? vtkHeliosBeamSampler::CIRCLES
-                                            : vtkHeliosBeamSampler::VOGEL);
-    sampler->SetNumberOfRings(way.Size);
-    sampler->SetNumberOfCircles(way.Size);
-    sampler->SetNumberOfSubRays(way.Size);
-    this->Scanner->SetSampling(
-      way.IsByTolerance() ? vtkHeliosScanner::TOLERANCE : vtkHeliosScanner::FIXED);
-    if (way.IsByTolerance())
-    {
-      sampler->SetPatternToGaussLegendre();
-      this->Scanner->SetRangeTolerance(way.RangeTolerance);
-      this->Scanner->SetEnergyTolerance(10.0 * way.RangeTolerance);
-    }
-    this->Scanner->SetBinSize(way.BinSize);
-    vtkSmartPointer<vtkHeliosEchoDetector> detector = vtkSmartPointer<vtkHeliosPeakDetector>::New();
-#ifdef HELIOS_HAS_DETECTORS
-    if (way.Detector == "gaussians")
-    {
-      detector = vtkSmartPointer<vtkHeliosGaussianDecomposition>::New();
-    }
-#endif
-    detector->SetDetectionThreshold(this->Threshold);
-    this->Scanner->SetEchoDetector(detector);
-  }
-
-  void Fire(int pulses)
-  {
-    this->Scanner->SetDuration((pulses - 0.5) / this->Aim->GetPulseFrequency());
-    this->Scanner->Modified();
-    this->Scanner->Update();
-  }
-
-  RunEchoes Run(const Way& way)
-  {
-    this->Set(way);
-    this->Fire(this->Pulses);
-    return GetEchoes(this->Scanner->GetOutput(), this->Pulses);
-  }
-
-  /// Times a method once more, less a run of one pulse; skipped if slow.
-  void Time(Row& row)
-  {
-    if (!row.Times.empty() && row.Times[0] * this->Pulses > LongTime)
-    {
-      return;
-    }
-    this->Set(row.How);
-    vtkSMPTools::Initialize(1);
-    const double empty = GetSeconds(CpuSeconds, [this] { this->Fire(1); });
-    const double one = GetSeconds(CpuSeconds, [this] { this->Fire(this->Pulses); });
-    vtkSMPTools::Initialize(2);
-    const double two = GetSeconds(WallSeconds, [this] { this->Fire(this->Pulses); });
-    const double fired = this->Pulses;
-    row.Times.push_back((one - empty) / fired);
-    row.Times2.push_back((two - empty) / fired);
-    row.SubRays = static_cast<double>(this->Scanner->GetCount("subRays")) / fired;
-    row.OnPlane = 100.0 * static_cast<double>(this->Scanner->GetCount("pulsesOnPlane")) / fired;
-    row.NoBins = 100.0 * static_cast<double>(this->Scanner->GetCount("pulsesWithoutBins")) / fired;
-  }
-
-  vtkNew<vtkHeliosScanner> Scanner;
-  vtkNew<ListDeflector> Aim;
-  vtkNew<vtkHeliosStaticPlatform> Tripod;
-  int Pulses;
-  double Threshold;
-};
+  bench.Set(row.How);
+  vtkSMPTools::Initialize(1);
+  const double empty = GetSeconds(CpuSeconds, [&bench] { bench.Fire(1); });
+  const double one = GetSeconds(CpuSeconds, [&bench] { bench.Fire(bench.Pulses); });
+  vtkSMPTools::Initialize(2);
+  const double two = GetSeconds(WallSeconds, [&bench] { bench.Fire(bench.Pulses); });
+  const double fired = bench.Pulses;
+  row.Times.push_back((one - empty) / fired);
+  row.Times2.push_back((two - empty) / fired);
+  row.SubRays = static_cast<double>(bench.Scanner->GetCount("subRays")) / fired;
+  row.OnPlane = 100.0 * static_cast<double>(bench.Scanner->GetCount("pulsesOnPlane")) / fired;
+  row.NoBins = 100.0 * static_cast<double>(bench.Scanner->GetCount("pulsesWithoutBins")) / fired;
+}
 
 /// Whether the reference matches the known closed forms.
 bool CheckReference(Bench& bench, const TradeScene& scene, const RunEchoes& reference)
@@ -382,7 +270,7 @@ bool RunScene(const TradeScene& scene, bool isQuick, Table& table)
   }
   for (int round = 0; round < (isQuick ? 3 : 5); ++round)
   {
-    std::for_each(rows.begin(), rows.end(), [&bench](Row& row) { bench.Time(row); });
+    std::for_each(rows.begin(), rows.end(), [&bench](Row& row) { Time(bench, row); });
   }
   std::for_each(rows.begin(), rows.end(), [&](const Row& row) { table.Add(scene.Name, row); });
   std::printf("%s: fixed / adaptive, time at no worse error; the same, errors below a tenth of "
