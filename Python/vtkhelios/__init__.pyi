@@ -4550,10 +4550,12 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     echo_detector: Optional[vtkHeliosEchoDetector]
     """Set/Get the echo detector. Default: a vtkHeliosPeakDetector."""
     energy_tolerance: float
-    """Set/Get the sampling errors allowed, as root mean squares over
-    the echoes of a scene: in range [m], and in amplitude as a
-    fraction of the total signal of the pulse. Valid range: [1e-6, 1]
-    and [1e-4, 1]. Default: 0.001 and 0.01.
+    """Set/Get the sampling errors allowed, for echoes of at least 2 %
+    of the amplitude of a full footprint: the 95th percentile of the
+    range error [m]; and the fraction of missed and invented echoes,
+    which is also the root mean square of the amplitude error, as a
+    fraction of a full footprint. Valid range: [1e-6, 1] and [1e-4,
+    1]. Default: 0.001 and 0.01.
     """
     error_model: Optional[vtkHeliosErrorModel]
     """Set/Get the systematic errors of the instrument. Default: not
@@ -4641,10 +4643,12 @@ class vtkHeliosScanner(vtkHeliosInstrument):
     within TimeWindow. Valid range: 0 <= i0 <= i1. Default: all.
     """
     range_tolerance: float
-    """Set/Get the sampling errors allowed, as root mean squares over
-    the echoes of a scene: in range [m], and in amplitude as a
-    fraction of the total signal of the pulse. Valid range: [1e-6, 1]
-    and [1e-4, 1]. Default: 0.001 and 0.01.
+    """Set/Get the sampling errors allowed, for echoes of at least 2 %
+    of the amplitude of a full footprint: the 95th percentile of the
+    range error [m]; and the fraction of missed and invented echoes,
+    which is also the root mean square of the amplitude error, as a
+    fraction of a full footprint. Valid range: [1e-6, 1] and [1e-4,
+    1]. Default: 0.001 and 0.01.
     """
     ray_caster: Optional[vtkHeliosRayCaster]
     """Set/Get the ray caster. Default: a vtkHeliosBeamRayCaster."""

@@ -173,8 +173,9 @@ class Survey:
         noise
             False: exact ranges.
         tolerance, energy_tolerance
-            error of beam sampling in range [m] and in amplitude (fraction):
-            the survey's, else 0.001 and 0.01.
+            of adaptive beam sampling: 95th percentile of the range error [m], and
+            RMS of the amplitude error (fraction of a full footprint), also the
+            fraction of missed and invented echoes: the survey's, else 0.001 and 0.01.
         sub_rays
             a fixed number instead.
         detector

@@ -60,10 +60,10 @@ run time, points and bytes beforehand:
 
 beam sampling:
   A survey with beamSampleQuality has that many circles of sub-rays. Otherwise sampling is
-  adaptive, with as few rays as the tolerances allow (1 mm in range, 1 % in amplitude, both RMS):
-  few where a beam meets one surface, more at edges, and bins only where echoes overlap. Leaves
-  between all rays of a beam are missed. --range-tolerance and --energy-tolerance, or --sub-rays,
-  override the survey. The end of a run prints the statistics. See Docs/instrument.md.
+  adaptive: a closed form for planar footprints, the visible areas of all surfaces in other beams,
+  and rays only in beams of more than 500 triangles, as few as the tolerances allow (1 mm for 95 %
+  of the ranges, 1 % of the amplitudes and echoes). --range-tolerance and --energy-tolerance, or
+  --sub-rays, override the survey. The end of a run prints the statistics. See Docs/instrument.md.
 
 where files are searched: absolute names are used unchanged; others in every --assets folder in
 order, the folder of the survey, the working directory, and the data shipped with vtkHelios.
@@ -241,15 +241,16 @@ def add_sampling_arguments(parser, options):
         metavar="M",
         type=number(options.GetRangeToleranceMinValue(), options.GetRangeToleranceMaxValue()),
         default=0.0,
-        help="adaptive beam sampling: range error, RMS [m] " "(default: the survey's, else 0.001)",
+        help="adaptive beam sampling: 95th percentile of the range error [m] "
+        "(default: the survey's, else 0.001)",
     )
     parser.add_argument(
         "--energy-tolerance",
         metavar="F",
         type=number(options.GetEnergyToleranceMinValue(), options.GetEnergyToleranceMaxValue()),
         default=0.0,
-        help="adaptive beam sampling: relative amplitude error, RMS (default: the survey's, else "
-        "0.01)",
+        help="adaptive beam sampling: RMS of the amplitude error, relative to a full footprint, "
+        "and missed and invented echoes (default: the survey's, else 0.01)",
     )
     parser.add_argument(
         "--sub-rays",

@@ -34,8 +34,8 @@ std::vector<XmlElementRule> MakeReceiverRules()
     {
       Number("binSize_ns", "bin size of the waveform; 1 ns is 0.15 m of range").In("ns", { 1e-4, 1e3 }).At<Receiver, &ReceiverData::BinSize>(),
       Integer("beamSampleQuality", "circles of sub-rays, a fixed count per pulse: 1, 7, 19, 37 ... sub-rays").In("", { 1.0, 64.0 }).Default("adaptive sampling").At<Receiver, &ReceiverData::NumberOfCircles>(),
-      Number("rangeTolerance_m", "tolerance of ranges (root mean square) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
-      Number("energyTolerance", "relative tolerance of amplitudes (root mean square) in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
+      Number("rangeTolerance_m", "tolerance of ranges (95th percentile) in adaptive beam sampling").In("m", RangeTolerance).At<Receiver, &ReceiverData::RangeTolerance>(),
+      Number("energyTolerance", "tolerance of amplitudes and of missed and invented echoes in adaptive beam sampling").In("", EnergyTolerance).At<Receiver, &ReceiverData::EnergyTolerance>(),
       Word("echoDetector", "peak gaussian cfd leadingEdge", "method of echo detection in waveforms").Default("peak").At<Receiver, &ReceiverData::EchoDetector>(),
       Text("pulseShape", "gaussian, helios, or a text file of times [ns] and powers").Default("gaussian").By<SetPulseShape, GetPulseShape, Receiver>(),
       Word("returnSelection", "all first last strongest firstAndLast", "the returns of a pulse that are kept").Default("all").At<Receiver, &ReceiverData::ReturnSelection>(),
