@@ -266,4 +266,4 @@ def test_memory_does_not_grow(blocks):
         sizes.append(resident())
     growth = max(sizes[90:]) - max(sizes[10:20])
     print(f"a run holds {held / 1e6:.1f} MB; 80 runs more take {growth / 1e6:.1f} MB")
-    assert growth < held  # a leak of every array would be 80 times that
+    assert growth < 4 * held  # the allocator's part; a leak of every array would be 80 times that
