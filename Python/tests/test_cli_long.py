@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line: runs that are long, interrupted, or have several epochs."""
 
+import contextlib
 import json
 import os
 import pty
@@ -210,6 +211,13 @@ def test_interrupt_between_epochs(make_plays, capsys):
 # Signals before anything is written.
 
 
+def open_files(pid):
+    """Names of the files that a process has open; some close while they are listed."""
+    for entry in os.scandir(f"/proc/{pid}/fd"):
+        with contextlib.suppress(FileNotFoundError):
+            yield os.readlink(entry.path)
+
+
 def start_loading(make_survey, tmp_path):
     """A run of a survey whose scene is slow to read, while it reads."""
     survey = make_survey(**LONG)
@@ -217,11 +225,9 @@ def start_loading(make_survey, tmp_path):
         for _ in range(600):  # reads for many seconds, with little memory
             file.write(b"vn 0.123456789 0.234567891 0.345678912\n" * 25_000)
     run = start(survey, tmp_path / "out", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    place = f"/proc/{run.pid}/fd"
     until = time.monotonic() + 60
     while time.monotonic() < until:
-        if any(os.path.realpath(os.path.join(place, name)).endswith("plane.obj")
-               for name in os.listdir(place)):  # fmt: skip
+        if any(name.endswith("plane.obj") for name in open_files(run.pid)):
             return run
         time.sleep(0.01)
     raise AssertionError("the scene was not opened")
