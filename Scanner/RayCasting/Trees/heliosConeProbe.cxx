@@ -12,6 +12,8 @@ namespace helios
 namespace
 {
 
+const PlaneLimits NoLimits(0.0);
+
 class TreeProbe : public ConeProbe
 {
 public:
@@ -28,15 +30,15 @@ public:
   }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    double planeTolerance) const override
+    const PlaneLimits& limits) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, planeTolerance).Run(*this->Tree);
+    return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree);
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,
     std::size_t most, ConeView& view) const override
   {
-    return ConeTest(origin, axis, tanHalfAngle, 0.0).Collect(*this->Tree, nearest, most, view);
+    return ConeTest(origin, axis, tanHalfAngle, NoLimits).Collect(*this->Tree, nearest, most, view);
   }
 
 private:

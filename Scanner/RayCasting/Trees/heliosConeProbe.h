@@ -6,6 +6,7 @@
 #define heliosConeProbe_h
 
 #include "heliosConeView.h"
+#include "heliosPlaneLimits.h"
 #include "vtkHeliosRay.h"
 #include "vtkHeliosScannerRayCastingModule.h" // For export macro
 
@@ -29,13 +30,12 @@ public:
   void operator=(const ConeProbe&) = delete;
 
   /**
-   * Probes a cone with its apex at origin about a unit axis; planeTolerance [m] is the maximum
-   * distance of surfaces from one plane, along the axis, inside the cone. Empty and OnePlane are
+   * Probes a cone with its apex at origin about a unit axis. Empty and OnePlane, within limits, are
    * exact for the whole cone; cell and range are those of vtkHeliosRayCaster::Intersect() for the
    * axis.
    */
   virtual vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    double planeTolerance) const = 0;
+    const PlaneLimits& limits) const = 0;
 
   /**
    * Collects the triangles that touch the cone beyond a depth along its axis, apart from some that

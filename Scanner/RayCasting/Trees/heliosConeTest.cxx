@@ -55,20 +55,73 @@ bool AreSame(const double* a, const double* b)
   return a == b || (a[0] == b[0] && a[1] == b[1] && a[2] == b[2]);
 }
 
+/// Triangles in order, delayed by some steps, in which their corners are fetched from memory.
+class FetchQueue
+{
+public:
+  explicit FetchQueue(const TriangleMesh& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  template <typename UseT>
+  void Add(vtkTypeInt32 triangle, UseT use)
+  {
+    __builtin_prefetch(this->Mesh.GetCorners() + 3 * static_cast<vtkIdType>(triangle));
+    this->At(this->Size) = triangle;
+    this->Advance(this->Size++, use);
+  }
+
+  /// Uses those that are left.
+  template <typename UseT>
+  void Finish(UseT use)
+  {
+    for (std::size_t i = 0; i < 2 * Step; ++i)
+    {
+      this->Advance(this->Size + i, use);
+    }
+  }
+
+private:
+  static constexpr std::size_t Step = 8;
+
+  vtkTypeInt32& At(std::size_t i) { return this->Triangles[i % (2 * Step + 1)]; }
+
+  template <typename UseT>
+  void Advance(std::size_t last, UseT use)
+  {
+    if (last >= Step && last - Step < this->Size)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        __builtin_prefetch(this->Mesh.GetCorner(this->At(last - Step), corner));
+      }
+    }
+    if (last >= 2 * Step && last - 2 * Step < this->Size)
+    {
+      use(this->At(last - 2 * Step));
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  std::size_t Size = 0;
+  vtkTypeInt32 Triangles[2 * Step + 1];
+};
+
 const vtkHeliosConeHit Unknown{ vtkHeliosConeHit::Mixed, -1, 0.0 };
 
 } // namespace
 
 ConeTest::ConeTest(
-  const double origin[3], const double axis[3], double tanHalfAngle, double tolerance)
+  const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits)
   : Origin(origin)
   , Tangent(tanHalfAngle)
-  , Tolerance(tolerance)
+  , Limits(limits)
 {
   vtkHeliosRay ray;
   std::copy_n(origin, 3, ray.Origin);
   std::copy_n(axis, 3, ray.Direction);
-  this->IsValid = this->Axis.Set(ray) && tanHalfAngle >= 0.0 && tolerance >= 0.0;
+  this->IsValid = this->Axis.Set(ray) && tanHalfAngle >= 0.0 && limits.Distance >= 0.0;
   const double length = std::sqrt(Dot(axis, axis));
   double* w = this->Frame[2];
   for (int i = 0; i < 3; ++i)
@@ -181,26 +234,30 @@ bool ConeTest::Collect(const BeamTree& tree, double nearest, std::size_t most, C
     4; // times as many before those that a triangle hides are dropped
   view.Triangles.clear();
   std::copy_n(&this->Frame[0][0], 9, &view.Frame[0][0]);
+  FetchQueue queue(tree.GetMesh());
+  const auto use = [&](vtkTypeInt32 triangle)
+  { this->Add(tree.GetMesh(), triangle, nearest, view); };
   const bool isWhole = this->IsValid &&
     this->Walk(tree,
       [&](vtkTypeInt32 triangle)
       {
-        this->Add(tree.GetMesh(), triangle, nearest, view);
+        queue.Add(triangle, use);
         return view.Triangles.size() <= transient * most;
       });
+  queue.Finish(use);
   view.Farthest = this->Farthest;
   view.Finish();
   return isWhole && view.Triangles.size() <= most;
 }
 
 //------------------------------------------------------------------------------
-/// Adds a triangle that touches the cone to a view; one that covers it hides what is farther.
+/// Adds a triangle that may touch the cone to a view; one that covers it hides what is farther.
 void ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view)
 {
   Candidate& c = this->Candidates[0];
   this->SetCorners(mesh, triangle, c);
   const auto& p = c.Corners;
-  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || !this->Touches(c))
+  if (std::max({ p[0][2], p[1][2], p[2][2] }) <= nearest || this->IsBeside(c))
   {
     return;
   }
@@ -214,7 +271,7 @@ void ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double neare
   view.Triangles.emplace_back();
   view.Triangles.back().Cell = triangle;
   std::copy_n(&c.Corners[0][0], 9, &view.Triangles.back().Corners[0][0]);
-  if (c.Covers && c.IsBefore)
+  if (this->MayCover(c) && this->Touches(c) && c.Covers && c.IsBefore)
   {
     const Plane plane = this->GetPlane(c);
     this->Farthest =
@@ -242,6 +299,35 @@ void ConeTest::SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, Candi
 }
 
 //------------------------------------------------------------------------------
+/// Whether a triangle is beyond a side of the square about the cone.
+bool ConeTest::IsBeside(const Candidate& c) const
+{
+  bool isBeside = false;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    bool isAbove = true;
+    bool isBelow = true;
+    for (const auto& p : c.Corners)
+    {
+      const double reach = this->Tangent * p[2];
+      isAbove = isAbove && p[axis] > reach;
+      isBelow = isBelow && -p[axis] > reach;
+    }
+    isBeside = isBeside || isAbove || isBelow;
+  }
+  return isBeside;
+}
+
+//------------------------------------------------------------------------------
+/// Whether all corners are outside the square: otherwise the triangle does not cover the cone.
+bool ConeTest::MayCover(const Candidate& c) const
+{
+  return std::all_of(c.Corners, c.Corners + 3,
+    [this](const double* p)
+    { return std::max(std::abs(p[0]), std::abs(p[1])) >= this->Tangent * p[2]; });
+}
+
+//------------------------------------------------------------------------------
 /// Adds a triangle if it touches the cone; false once the cone is known to be mixed.
 bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
 {
@@ -264,7 +350,7 @@ bool ConeTest::Add(const TriangleMesh& mesh, vtkTypeInt32 triangle)
   if (range < this->Hit.Range || (range == this->Hit.Range && triangle < this->Hit.CellId))
   {
     this->Hit = { range, triangle };
-    this->Farthest = this->GetPlane(c).Farthest + this->Tolerance;
+    this->Farthest = this->GetPlane(c).Farthest + this->Limits.Distance;
   }
   return true;
 }
@@ -370,7 +456,7 @@ ConeTest::Plane ConeTest::GetPlane(const Candidate& c) const
 /// Whether a triangle lies behind the plane by more than the tolerance.
 bool ConeTest::IsBehind(const Candidate& c, const Plane& plane) const
 {
-  const double least = plane.Constant * (1 + this->Tolerance / plane.Nearest + Margin);
+  const double least = plane.Constant * (1 + this->Limits.Distance / plane.Nearest + Margin);
   for (const auto& p : c.Corners)
   {
     const double doubt = Error * GetLength(plane.Normal) * GetLength(p);
@@ -398,7 +484,7 @@ bool ConeTest::IsOn(const Candidate& c, const Plane& plane) const
   }
   const double across = std::sqrt(slope[0] * slope[0] + slope[1] * slope[1]);
   const double most = std::abs(slope[2]) + this->Tangent * across;
-  return most * plane.Farthest * other.Farthest <= this->Tolerance;
+  return most * plane.Farthest * other.Farthest <= this->Limits.Distance;
 }
 
 /// Whether another candidate adjoins an edge on its other side.
@@ -466,7 +552,9 @@ vtkHeliosConeHit ConeTest::Judge()
     {
       continue;
     }
-    if (c.Triangle != hit && !this->IsOn(c, plane))
+    const bool isLike =
+      c.Triangle == hit || !this->Limits.AreAlike || this->Limits.AreAlike(hit, c.Triangle);
+    if (c.Triangle != hit && !(this->IsOn(c, plane) && isLike))
     {
       return Unknown;
     }

@@ -7,6 +7,7 @@
 
 #include "heliosBeamTree.h"
 #include "heliosConeView.h"
+#include "heliosPlaneLimits.h"
 #include "vtkHeliosRay.h"
 
 namespace helios
@@ -27,7 +28,9 @@ class LeafFilter;
 class ConeTest
 {
 public:
-  ConeTest(const double origin[3], const double axis[3], double tanHalfAngle, double tolerance);
+  /// The limits must outlive the test.
+  ConeTest(
+    const double origin[3], const double axis[3], double tanHalfAngle, const PlaneLimits& limits);
 
   vtkHeliosConeHit Run(const BeamTree& tree);
 
@@ -62,6 +65,8 @@ private:
   bool Add(const TriangleMesh& mesh, vtkTypeInt32 triangle);
   void SetCorners(const TriangleMesh& mesh, vtkTypeInt32 triangle, Candidate& c) const;
   void Add(const TriangleMesh& mesh, vtkTypeInt32 triangle, double nearest, ConeView& view);
+  bool IsBeside(const Candidate& c) const;
+  bool MayCover(const Candidate& c) const;
   bool Touches(Candidate& c) const;
   bool EdgeTouches(const Candidate& c, int edge, double radius) const;
   Plane GetPlane(const Candidate& c) const;
@@ -75,7 +80,7 @@ private:
 
   const double* Origin;
   double Tangent;
-  double Tolerance;
+  const PlaneLimits& Limits;
   double Frame[3][3]; ///< rows: two axes across, the axis
   TestRay Axis;
   bool IsValid;

@@ -187,15 +187,19 @@ public:
   bool IsComplete() const { return this->Resting.IsComplete() && this->Moving.IsComplete(); }
 
   vtkHeliosConeHit Probe(const double origin[3], const double axis[3], double tanHalfAngle,
-    double planeTolerance) const override
+    const PlaneLimits& limits) const override
   {
     const auto probe = [&](const Part& part)
     {
+      const auto areAlike = [&part, &limits](vtkIdType a, vtkIdType b)
+      { return limits.AreAlike(part.GetCell(a), part.GetCell(b)); };
+      const PlaneLimits own =
+        limits.AreAlike ? PlaneLimits(limits.Distance, areAlike) : PlaneLimits(limits.Distance);
       vtkHeliosConeHit hit = part.Cells.empty()
         ? vtkHeliosConeHit{ vtkHeliosConeHit::Empty, -1, 0.0 }
-        : part.Cones->Probe(origin, axis, tanHalfAngle, planeTolerance);
+        : part.Cones->Probe(origin, axis, tanHalfAngle, own);
       const bool isPlane = hit.Kind == vtkHeliosConeHit::OnePlane;
-      hit.CellId = isPlane ? part.Cells[static_cast<std::size_t>(hit.CellId)] : hit.CellId;
+      hit.CellId = isPlane ? part.GetCell(hit.CellId) : hit.CellId;
       return hit;
     };
     const vtkHeliosConeHit moving = probe(this->Moving);
@@ -223,7 +227,7 @@ public:
       }
       for (ConeTriangle& triangle : some.Triangles)
       {
-        triangle.Cell = part->Cells[static_cast<std::size_t>(triangle.Cell)];
+        triangle.Cell = part->GetCell(triangle.Cell);
         view.Triangles.push_back(triangle);
       }
       std::copy_n(&some.Frame[0][0], part->Cones ? 9 : 0, &view.Frame[0][0]);
@@ -245,6 +249,9 @@ private:
     {
     }
     bool IsComplete() const { return this->Cells.empty() || this->Cones; }
+
+    /// The id of a cell in the whole scene.
+    vtkIdType GetCell(vtkIdType cell) const { return this->Cells[static_cast<std::size_t>(cell)]; }
   };
 
   Part Resting;
